@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace tether {
+namespace {
+
+std::string position(const Place& place) {
+  if (place.file.empty()) return "";
+  if (place.line <= 0) return fmt::format("{}: ", place.file);
+  if (place.column <= 0) return fmt::format("{}:{}: ", place.file, place.line);
+  return fmt::format("{}:{}:{}: ", place.file, place.line, place.column);
+}
+
+/// The line and a caret; tabs are kept before the caret so that it stands under its column in any terminal.
+std::string excerpt(const Diagnostic& diagnostic) {
+  if (diagnostic.line_text.empty()) return "";
+  std::string caret;
+  const auto before = static_cast<std::size_t>(std::max(diagnostic.place.column - 1, 0));
+  for (std::size_t k = 0; k < before; ++k) {
+    caret += k < diagnostic.line_text.size() && diagnostic.line_text[k] == '\t' ? '\t' : ' ';
+  }
+  return diagnostic.place.column > 0 ? fmt::format("  {}\n  {}^\n", diagnostic.line_text, caret)
+                                     : fmt::format("  {}\n", diagnostic.line_text);
+}
+
+std::string all_text(const std::vector<Diagnostic>& diagnostics) {
+  std::string text;
+  for (const auto& diagnostic : diagnostics) text += to_text(diagnostic);
+  return text;
+}
+
+std::vector<Diagnostic> placeless_error(const std::string& message, const std::string& hint) {
+  Diagnostic diagnostic;
+  diagnostic.message = message;
+  diagnostic.hint = hint;
+  return {diagnostic};
+}
+
+}  // namespace
+
+std::string to_text(const Diagnostic& diagnostic) {
+  const char* word = diagnostic.severity == Severity::error ? "error" : "warning";
+  std::string text = fmt::format("{}{}: {}\n", position(diagnostic.place), word, diagnostic.message);
+  text += excerpt(diagnostic);
+  if (!diagnostic.hint.empty()) text += fmt::format("  {}\n", diagnostic.hint);
+  return text;
+}
+
+InputError::InputError(std::vector<Diagnostic> diagnostics)
+    : std::runtime_error(all_text(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+
+InputError::InputError(const std::string& message, const std::string& hint)
+    : InputError(placeless_error(message, hint)) {}
+
+void Diagnostics::error(Place place, std::string line_text, std::string message, std::string hint) {
+  add({Severity::error, std::move(place), std::move(line_text), std::move(message), std::move(hint)});
+}
+
+void Diagnostics::warn(Place place, std::string line_text, std::string message, std::string hint) {
+  add({Severity::warning, std::move(place), std::move(line_text), std::move(message), std::move(hint)});
+}
+
+std::vector<Diagnostic> Diagnostics::select(Severity severity) const {
+  std::vector<Diagnostic> chosen;
+  std::copy_if(all_.begin(), all_.end(), std::back_inserter(chosen),
+               [severity](const Diagnostic& diagnostic) { return diagnostic.severity == severity; });
+  return chosen;
+}
+
+std::vector<Diagnostic> Diagnostics::warnings() const { return select(Severity::warning); }
+std::vector<Diagnostic> Diagnostics::errors() const { return select(Severity::error); }
+bool Diagnostics::has_errors() const { return !errors().empty(); }
+
+void Diagnostics::throw_if_errors() const {
+  auto found = errors();
+  if (!found.empty()) throw InputError(std::move(found));
+}
+
+}  // namespace tether

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tether {
+
+std::string lower(std::string_view text);           ///< ASCII letters in lower case
+std::string_view trim(std::string_view text);       ///< without blanks, tabs and line ends on both sides
+std::vector<std::string> split_lines(std::string_view text);  ///< at LF, CRLF or CR; no empty last line
+
+/// Number of single-letter changes between two words (insert, delete, replace).
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate at the smallest edit distance (the first of equals), or empty where none is within `most`.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates, std::size_t most = 2);
+
+/// Lower-case hexadecimal SHA-256 of the bytes.
+std::string sha256(std::string_view bytes);
+
+}  // namespace tether

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace tether {
+
+/// The unit system a deck says it is written in. Nothing is converted: it only labels outputs.
+enum class Units { none, si, cgs };
+
+/// What a quantity measures, for its unit attribute.
+enum class Dimension {
+  number, time, length, area, volume, mass, velocity, acceleration, force, stress, density, viscosity, energy,
+  specific_energy, momentum, angular_momentum, rate
+};
+
+/// The unit in UDUNITS spelling ("m s-1"), "1" for pure numbers and wherever the deck names no system. Time stays "s"
+/// in both systems (xarray turns "seconds" into timedelta, but leaves "s" a number).
+std::string unit_text(Dimension dimension, Units units);
+
+}  // namespace tether
