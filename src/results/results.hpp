@@ -57,6 +57,7 @@ struct Snapshot {
 struct GridShape {
   int nx = 0, ny = 0;
   double x0 = 0, y0 = 0, dx = 0, dy = 0;
+  bool operator==(const GridShape&) const = default;
 };
 
 /// Attributes that every NetCDF file carries.

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/netcdf_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/errors.hpp"
+
+namespace tether {
+namespace {
+
+/// The library would read behind the end of too few values.
+void check_size(const NetcdfFile::Part& part, std::size_t given) {
+  const auto wanted = std::accumulate(part.count.begin(), part.count.end(), std::size_t{1}, std::multiplies<>());
+  if (given != wanted) throw std::invalid_argument(fmt::format("{} values for a part of {}", given, wanted));
+}
+
+/// 0, or why the file cannot grow by so many bytes. The blocks are set aside behind its end; its length stays. File
+/// systems that cannot set blocks aside are left alone: the write itself will tell.
+int claim_blocks(int file, std::size_t bytes) {
+  struct stat status {};
+  struct rlimit limit {};
+  if (::fstat(file, &status) != 0 || ::getrlimit(RLIMIT_FSIZE, &limit) != 0) return errno;
+  if (limit.rlim_cur != RLIM_INFINITY && static_cast<rlim_t>(status.st_size) + bytes > limit.rlim_cur) return EFBIG;
+  const int refused = ::fallocate(file, FALLOC_FL_KEEP_SIZE, status.st_size, static_cast<off_t>(bytes));
+  return refused == 0 || errno == EOPNOTSUPP ? 0 : errno;
+}
+
+/// Claims room in a file; `mode` may have it created or emptied first.
+void claim(const std::filesystem::path& path, int mode, std::size_t bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | mode, 0666);
+  if (file < 0) throw FileError(fmt::format("{}: cannot open the file: {}", path.string(), std::strerror(errno)));
+  const int reason = claim_blocks(file, bytes);
+  ::close(file);
+  if (reason != 0) {
+    throw FileError(
+        fmt::format("{}: cannot get room for {} more bytes: {}", path.string(), bytes, std::strerror(reason)));
+  }
+}
+
+/// Finds out whether there is room for a new file, and leaves none where there is not: an empty file would only pass
+/// for a damaged one.
+void claim_new(const std::filesystem::path& path, std::size_t bytes) {
+  try {
+    claim(path, O_CREAT | O_TRUNC, bytes);
+  } catch (const FileError&) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+NetcdfFile::NetcdfFile(std::filesystem::path path, NetcdfFormat format, std::size_t room) : path_(std::move(path)) {
+  if (room > 0) claim_new(path_, room);
+  const int mode = format == NetcdfFormat::offset64 ? NC_64BIT_OFFSET : NC_NETCDF4;
+  check(nc_create(path_.c_str(), NC_CLOBBER | mode, &id_), "create the file");
+  open_ = true;
+  int before = 0;
+  const int status = nc_set_fill(id_, NC_NOFILL, &before);
+  if (status != NC_NOERR) nc_close(id_);  // the destructor of a half-made object does not run
+  check(status, "turn filling off");
+}
+
+NetcdfFile::~NetcdfFile() {
+  if (open_) nc_close(id_);
+}
+
+int NetcdfFile::dimension(const std::string& name, std::size_t length) {
+  int dimension = -1;
+  check(nc_def_dim(id_, name.c_str(), length == unlimited ? NC_UNLIMITED : length, &dimension),
+        fmt::format("define dimension {}", name));
+  return dimension;
+}
+
+int NetcdfFile::number_variable(const std::string& name, const std::vector<int>& dimensions) {
+  return define(name, NC_DOUBLE, dimensions);
+}
+
+int NetcdfFile::text_variable(const std::string& name, const std::vector<int>& dimensions) {
+  return define(name, NC_CHAR, dimensions);
+}
+
+int NetcdfFile::define(const std::string& name, int type, const std::vector<int>& dimensions) {
+  int variable = -1;
+  check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &variable),
+        fmt::format("define variable {}", name));
+  return variable;
+}
+
+void NetcdfFile::attribute(int variable, const std::string& name, std::string_view text) {
+  check(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.data()),
+        fmt::format("write attribute {}", name));
+}
+
+void NetcdfFile::global_attribute(const std::string& name, std::string_view text) { attribute(NC_GLOBAL, name, text); }
+
+void NetcdfFile::chunk(int variable, const std::vector<std::size_t>& lengths) {
+  const auto name = variable_name(variable);
+  check(nc_def_var_chunking(id_, variable, NC_CHUNKED, lengths.data()), fmt::format("set the chunks of {}", name));
+  // Chunks are put whole and never read back: a cache would only hold memory.
+  check(nc_set_var_chunk_cache(id_, variable, 0, 0, 0), fmt::format("turn the cache of {} off", name));
+}
+
+void NetcdfFile::end_definitions() { check(nc_enddef(id_), "write the definitions"); }
+
+void NetcdfFile::put(int variable, const Part& part, std::span<const double> values) {
+  check_size(part, values.size());
+  check(nc_put_vara_double(id_, variable, part.start.data(), part.count.data(), values.data()),
+        fmt::format("write {}", variable_name(variable)));
+}
+
+void NetcdfFile::put_text(int variable, const Part& part, std::string_view text) {
+  check_size(part, text.size());
+  check(nc_put_vara_text(id_, variable, part.start.data(), part.count.data(), text.data()),
+        fmt::format("write {}", variable_name(variable)));
+}
+
+void NetcdfFile::reserve(std::size_t bytes) const { claim(path_, 0, bytes); }
+
+void NetcdfFile::sync() { check(nc_sync(id_), "write the file through to the disk"); }
+
+void NetcdfFile::close() {
+  open_ = false;  // whatever close answers, the identifier is gone
+  check(nc_close(id_), "close the file");
+}
+
+std::string NetcdfFile::variable_name(int variable) const {
+  std::array<char, NC_MAX_NAME + 1> name{};
+  check(nc_inq_varname(id_, variable, name.data()), "look up a variable");
+  return name.data();
+}
+
+void NetcdfFile::check(int status, std::string_view doing) const {
+  if (status == NC_NOERR) return;
+  throw FileError(fmt::format("{}: cannot {}: {}", path_.string(), doing, nc_strerror(status)));
+}
+
+}  // namespace tether

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tether {
+
+/// 64-bit-offset files can be read by others while they grow; NetCDF-4 files are HDF5, which XDMF can point into.
+enum class NetcdfFormat { offset64, netcdf4 };
+
+/// A NetCDF file being written. Every call is checked and throws FileError that names the file, what was being done and
+/// the reason. Nothing is filled beforehand: each variable must be put as a whole (each record of it, if unlimited).
+/// Source: NetCDF User's Guide, C interface.
+class NetcdfFile {
+ public:
+  static constexpr std::size_t unlimited = 0;  ///< length of a dimension that grows
+
+  /// Part of a variable: first index and number of values along each of its dimensions.
+  struct Part {
+    std::vector<std::size_t> start, count;
+  };
+
+  /// Creates the file, in place of one that is there. `room`, if any, is what its definitions need at most, in bytes:
+  /// the disk is asked for it first, for the reason that reserve() gives.
+  NetcdfFile(std::filesystem::path path, NetcdfFormat format, std::size_t room = 0);
+  /// Closes a file that is still open, and keeps silent about failures: call close() to hear of them.
+  ~NetcdfFile();
+  NetcdfFile(const NetcdfFile&) = delete;
+  NetcdfFile& operator=(const NetcdfFile&) = delete;
+
+  /// Definitions; they return the identifier of the dimension or variable. A variable's dimensions are listed slowest
+  /// first.
+  int dimension(const std::string& name, std::size_t length);
+  int number_variable(const std::string& name, const std::vector<int>& dimensions);  ///< of 8-byte floating point
+  int text_variable(const std::string& name, const std::vector<int>& dimensions);    ///< of single characters
+  void attribute(int variable, const std::string& name, std::string_view text);
+  void global_attribute(const std::string& name, std::string_view text);
+  /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.
+  void chunk(int variable, const std::vector<std::size_t>& lengths);
+  void end_definitions();
+
+  /// Puts as many values as the part has (else std::invalid_argument), the last dimension fastest.
+  void put(int variable, const Part& part, std::span<const double> values);
+  void put_text(int variable, const Part& part, std::string_view text);
+
+  /// Claims room on the disk behind the present end of the file, so that a full disk is met before any of a record is
+  /// written and the file stays readable as it was. A 64-bit-offset file may else count a record that is not there; an
+  /// HDF5 file is lost once a write to it failed, and the HDF5 library then crashes at the program's exit.
+  void reserve(std::size_t bytes) const;
+  /// Hands everything to the system: readers see it, and it survives the end of this program.
+  void sync();
+  void close();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  int define(const std::string& name, int type, const std::vector<int>& dimensions);
+  std::string variable_name(int variable) const;
+  /// Throws FileError unless the status is "no error"; `doing` completes "cannot ...".
+  void check(int status, std::string_view doing) const;
+
+  std::filesystem::path path_;
+  int id_ = -1;
+  bool open_ = false;
+};
+
+}  // namespace tether

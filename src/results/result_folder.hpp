@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "results/history_writer.hpp"
+#include "results/results.hpp"
+#include "results/snapshot_writer.hpp"
+#include "results/text_file.hpp"
+
+namespace tether {
+
+/// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
+/// call returns, so that a crash or a full disk loses nothing that was told before. All members throw FileError.
+class ResultFolder {
+ public:
+  /// Creates the folder and those above it, and removes what an earlier run left there under the names that belong to
+  /// this class; checkpoints and other files stay.
+  ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance);
+
+  void append(const Record& record);                           ///< history.nc and history.txt
+  void points(const Snapshot& snapshot);                       ///< particles.nc and particles.xmf
+  void grid(const GridShape& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
+  void message(const std::string& text);                       ///< messages.txt; a line end is added where it has none
+  void deck_effective(const std::string& text);                ///< deck.effective
+  void reference(const Table& table);                          ///< reference.txt
+  /// Closes all files, then writes summary.txt: where it stands, the run came to its end. Nothing may follow.
+  void finish(const Summary& summary);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::string command_;
+  HistoryWriter history_;
+  PointWriter points_;
+  GridWriter grid_;
+  TextFile messages_;
+};
+
+}  // namespace tether

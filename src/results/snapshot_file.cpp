@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/snapshot_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+
+#include "results/attributes.hpp"
+
+namespace tether {
+namespace {
+
+/// What HDF5 needs beside the numbers, at most: object headers and the nodes of one chunk index a variable (3 kB each,
+/// a few of which split at once), 8 kB at a time.
+constexpr std::size_t room_per_variable = 16384;
+constexpr std::size_t room_per_file = 65536;
+
+std::size_t product(const std::vector<Axis>& axes) {
+  return std::accumulate(axes.begin(), axes.end(), std::size_t{1},
+                         [](std::size_t n, const Axis& axis) { return n * axis.length; });
+}
+
+std::size_t definition_room(const std::vector<Axis>& axes, const Snapshot& first, const Provenance& provenance) {
+  std::size_t room = provenance_room(provenance) + room_per_file;
+  room += (first.fields.size() + axes.size() + 1) * room_per_variable;
+  for (const auto& axis : axes) room += axis.places.size() * sizeof(double);
+  return room;
+}
+
+}  // namespace
+
+SnapshotFile::SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first,
+                           const Provenance& provenance)
+    : axes_(std::move(axes)),
+      values_(product(axes_)),
+      file_(std::move(path), NetcdfFormat::netcdf4, definition_room(axes_, first, provenance)) {
+  define(first, provenance);
+}
+
+void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
+  write_provenance(file_, provenance);
+  std::vector<int> dimensions{file_.dimension("time", NetcdfFile::unlimited)};
+  time_ = define_quantity(file_, {"time", Dimension::time, "time"}, dimensions, provenance.units);
+  std::vector<std::size_t> chunk{1};
+  std::vector<int> places;
+  for (const auto& axis : axes_) {
+    dimensions.push_back(file_.dimension(axis.name, axis.length));
+    chunk.push_back(axis.length);
+    if (axis.places.empty()) continue;
+    const Quantity place{axis.name, Dimension::length, "place of the nodes"};
+    places.push_back(define_quantity(file_, place, {dimensions.back()}, provenance.units));
+  }
+  for (const auto& field : first.fields) {
+    names_.push_back(field.quantity.name);
+    variables_.push_back(define_quantity(file_, field.quantity, dimensions, provenance.units));
+    file_.chunk(variables_.back(), chunk);
+  }
+  file_.end_definitions();
+  auto place = places.begin();
+  for (const auto& axis : axes_) {
+    if (!axis.places.empty()) file_.put(*place++, {{0}, {axis.length}}, axis.places);
+  }
+  file_.sync();
+}
+
+void SnapshotFile::check(const Snapshot& snapshot) const {
+  if (snapshot.fields.size() != names_.size()) {
+    throw std::invalid_argument(
+        fmt::format("a snapshot of {} fields, {} in the first", snapshot.fields.size(), names_.size()));
+  }
+  for (std::size_t k = 0; k < names_.size(); ++k) {
+    const auto& field = snapshot.fields[k];
+    if (field.quantity.name != names_[k] || field.values.size() != values_) {
+      throw std::invalid_argument(fmt::format("field {} with {} numbers where {} with {} was expected",
+                                              field.quantity.name, field.values.size(), names_[k], values_));
+    }
+  }
+}
+
+void SnapshotFile::append(const Snapshot& snapshot) {
+  check(snapshot);
+  file_.reserve(variables_.size() * (values_ * sizeof(double) + room_per_variable) + room_per_file);
+  file_.put(time_, {{records_}, {1}}, std::array{snapshot.time});
+  NetcdfFile::Part part{{records_}, {1}};
+  for (const auto& axis : axes_) {
+    part.start.push_back(0);
+    part.count.push_back(axis.length);
+  }
+  for (std::size_t k = 0; k < variables_.size(); ++k) file_.put(variables_[k], part, snapshot.fields[k].values);
+  file_.sync();
+  ++records_;
+}
+
+}  // namespace tether

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/netcdf_file.hpp"
+#include "results/results.hpp"
+
+namespace tether {
+
+/// A dimension of a snapshot's fields, with the places of its indices where these are fixed in space.
+struct Axis {
+  std::string name;
+  std::size_t length = 0;
+  std::vector<double> places;  ///< none, or as many as the length: then a coordinate variable of the axis' name
+};
+
+/// A NetCDF-4 file of fields over `time` (unlimited) and the given axes, slowest first. Which fields there are, and how
+/// long they are, is settled by the first snapshot.
+class SnapshotFile {
+ public:
+  /// Creates the file and defines the fields of `first` without writing their values. Throws FileError.
+  SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first, const Provenance& provenance);
+  /// One more record, with the system before this returns. Throws FileError, and the records before stay readable;
+  /// std::invalid_argument where the fields are not those of the first snapshot.
+  void append(const Snapshot& snapshot);
+  void close() { file_.close(); }
+
+ private:
+  void define(const Snapshot& first, const Provenance& provenance);
+  void check(const Snapshot& snapshot) const;
+
+  std::vector<Axis> axes_;
+  std::size_t values_;  ///< numbers of one field: the product of the axes' lengths
+  NetcdfFile file_;
+  int time_ = -1;
+  std::vector<std::string> names_;
+  std::vector<int> variables_;  ///< of the fields
+  std::size_t records_ = 0;
+};
+
+}  // namespace tether

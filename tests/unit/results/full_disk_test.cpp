@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+
+#include "base/errors.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "results/history_writer.hpp"
+#include "results/snapshot_writer.hpp"
+#include "unit/results/support.hpp"
+
+namespace tether {
+namespace {
+
+/// A full disk is played by a largest file size, in a process of its own that ends as a program does: with its
+/// destructors run, and the libraries' work at exit done.
+class FullDiskTest : public test::FolderTest {
+ protected:
+  static constexpr int told = 4;
+
+  [[noreturn]] static void write_until_full(rlim_t bytes, const std::function<void()>& write) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, bytes};
+    if (setrlimit(RLIMIT_FSIZE, &limit) != 0) std::exit(1);
+    try {
+      write();
+    } catch (const FileError& error) {
+      std::cerr << error.what() << "\n";
+      std::exit(told);
+    }
+    std::exit(0);
+  }
+};
+
+Record record(int k) { return {1.0 * k, 2.0 * k, 3, 4, 5, 6, 7}; }
+
+std::vector<double> first_times(std::size_t n) {
+  std::vector<double> times;
+  for (std::size_t k = 0; k < n; ++k) times.push_back(static_cast<double>(k));
+  return times;
+}
+
+TEST_F(FullDiskTest, HistoryKeepsItsRecords) {
+  for (const rlim_t limit : {8000, 8191, 20001}) {
+    const auto write = [this] {
+      HistoryWriter writer(folder, test::small_layout(), test::provenance());
+      for (int k = 0; k < 10000; ++k) writer.append(record(k));
+    };
+    EXPECT_EXIT(write_until_full(limit, write), testing::ExitedWithCode(told), "history.nc.*File too large");
+    const test::Reader reader(folder / "history.nc");
+    const auto n = reader.length("time");
+    EXPECT_GT(n, 100u);
+    EXPECT_GT((n + 1) * 7 * sizeof(double) + 2000, limit);  // it ended because the disk was full
+    EXPECT_EQ(reader.values("time"), first_times(n));
+    EXPECT_EQ(reader.values("point_vy").at(3 * n - 1), 7);
+    EXPECT_EQ(split_lines(read_file(folder / "history.txt")).size(), n + 1);
+  }
+}
+
+TEST_F(FullDiskTest, HistoryTextEndsWithAWholeLine) {
+  const auto write = [this] {
+    TextFile file(folder / "history.txt");
+    for (int k = 0; k < 10000; ++k) file.append("0.3333333333333333 7\n");
+  };
+  EXPECT_EXIT(write_until_full(5000, write), testing::ExitedWithCode(told), "history.txt.*File too large");
+  const auto text = read_file(folder / "history.txt");
+  EXPECT_EQ(text.size(), 5000u / 21u * 21u);
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST_F(FullDiskTest, SnapshotsKeepTheirRecords) {
+  for (rlim_t limit = 200000; limit < 300000; limit += 6789) {
+    const auto write = [this] {
+      SnapshotFile file(folder / "particles.nc", {{"point", 3, {}}}, test::three_points(0), test::provenance());
+      for (int k = 0; k < 5000; ++k) file.append(test::three_points(k));
+    };
+    EXPECT_EXIT(write_until_full(limit, write), testing::ExitedWithCode(told), "particles.nc.*File too large");
+    const test::Reader reader(folder / "particles.nc");
+    const auto n = reader.length("time");
+    EXPECT_GT(n, 100u);
+    EXPECT_EQ(reader.values("time"), first_times(n));
+    const auto x = reader.values("x");
+    for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(x.at(3 * k), 0.5 + static_cast<double>(k));
+    EXPECT_EQ(reader.values("pressure").at(3 * n - 1), -3e-300);
+  }
+}
+
+TEST_F(FullDiskTest, TheTextForParaviewStaysWhole) {
+  const auto write = [this] {
+    PointWriter writer(folder, test::provenance());
+    for (int k = 0; k < 5000; ++k) writer.append(test::three_points(k));
+  };
+  EXPECT_EXIT(write_until_full(300000, write), testing::ExitedWithCode(told), "particles.xmf.*File too large");
+  const auto text = read_file(folder / "particles.xmf");
+  EXPECT_EQ(text.substr(text.size() - 8), "</Xdmf>\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "particles.xmf.new"));
+  EXPECT_GT(test::Reader(folder / "particles.nc").length("time"), 100u);
+}
+
+TEST_F(FullDiskTest, GridsKeepTheirRecords) {
+  const GridShape grid{100, 50, 0, 0, 1, 1};
+  const auto write = [this, grid] {
+    GridWriter writer(folder, test::provenance());
+    for (int k = 0; k < 1000; ++k) {
+      const std::vector<double> values(5000, 0.5 + k);
+      writer.append(grid, {1.0 * k, {{{"grid_mass", Dimension::mass, "mass of a node"}, values}}});
+    }
+  };
+  EXPECT_EXIT(write_until_full(1000000, write), testing::ExitedWithCode(told), "mesh.nc.*File too large");
+  const test::Reader reader(folder / "mesh.nc");
+  const auto n = reader.length("time");
+  EXPECT_GT(n, 15u);
+  EXPECT_EQ(reader.values("time"), first_times(n));
+  EXPECT_EQ(reader.values("grid_mass").back(), static_cast<double>(n) - 0.5);
+}
+
+TEST_F(FullDiskTest, NoRoomForTheFirstSnapshotLeavesNoFile) {
+  const auto write = [this] { PointWriter(folder, test::provenance()).append(test::three_points(0)); };
+  EXPECT_EXIT(write_until_full(10000, write), testing::ExitedWithCode(told), "particles.nc.*File too large");
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace tether

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/result_folder.hpp"
+
+#include <set>
+
+#include "base/errors.hpp"
+#include "base/file.hpp"
+#include "base/version.hpp"
+#include "unit/results/support.hpp"
+
+namespace tether {
+namespace {
+
+using ResultFolderTest = test::FolderTest;
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
+TEST_F(ResultFolderTest, HoldsTheFilesOfTheContract) {
+  const auto deep = folder / "a" / "b";
+  ResultFolder results(deep, test::small_layout(), test::provenance());
+  EXPECT_EQ(results.path(), deep);
+  results.deck_effective("$in $end\n");
+  results.append(Record(7, 1.5));
+  results.points(test::three_points(0));
+  results.grid(test::small_grid(), test::six_nodes(0));
+  results.reference({{"x"}, {{1}}});
+  results.finish({{"steps", "1"}});
+  EXPECT_EQ(names_in(deep),
+            (std::set<std::string>{"deck.effective", "history.nc", "history.txt", "mesh.nc", "mesh.xmf", "messages.txt",
+                                   "particles.nc", "particles.xmf", "reference.txt", "summary.txt"}));
+  EXPECT_EQ(read_file(deep / "deck.effective"), "$in $end\n");
+  EXPECT_EQ(read_file(deep / "reference.txt"), "# x\n1\n");
+  EXPECT_EQ(read_file(deep / "summary.txt"),
+            "# tether " + program_version() + " " + git_hash() + "\n# tether decks/sod.in\nsteps = 1\n");
+  EXPECT_EQ(test::Reader(deep / "history.nc").values("time"), std::vector<double>{1.5});
+  EXPECT_EQ(test::Reader(deep / "particles.nc").values("id"), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(test::Reader(deep / "mesh.nc").values("node_y"), (std::vector<double>{10, 10.25}));
+}
+
+TEST_F(ResultFolderTest, WritesOnlyWhatItIsGiven) {
+  ResultFolder(folder, test::small_layout(), test::provenance()).finish({});
+  EXPECT_EQ(names_in(folder), (std::set<std::string>{"history.nc", "history.txt", "messages.txt", "summary.txt"}));
+}
+
+TEST_F(ResultFolderTest, RemovesItsOwnFilesOfAnEarlierRunOnly) {
+  for (const char* name :
+       {"history.nc", "history.txt", "particles.nc", "particles.xmf", "mesh.nc", "mesh.xmf", "summary.txt",
+        "messages.txt", "deck.effective", "reference.txt", "checkpoint-1.nc", "notes.md"}) {
+    write_file(folder / name, "stale");
+  }
+  const ResultFolder results(folder, test::small_layout(), test::provenance());
+  EXPECT_EQ(names_in(folder),
+            (std::set<std::string>{"history.nc", "history.txt", "messages.txt", "checkpoint-1.nc", "notes.md"}));
+  EXPECT_EQ(read_file(folder / "messages.txt"), "");
+  EXPECT_EQ(read_file(folder / "checkpoint-1.nc"), "stale");
+  EXPECT_EQ(test::Reader(folder / "history.nc").length("time"), 0u);
+}
+
+TEST_F(ResultFolderTest, MessagesAreThereAtOnce) {
+  ResultFolder results(folder, test::small_layout(), test::provenance());
+  results.message("warning: tstep is above the limit");
+  results.message("a.in:3:1: warning: odd\n  line\n");
+  EXPECT_EQ(read_file(folder / "messages.txt"), "warning: tstep is above the limit\na.in:3:1: warning: odd\n  line\n");
+}
+
+/// The process ends at once: no destructor runs, no buffer of any library is emptied.
+[[noreturn]] void write_and_crash(const std::filesystem::path& folder) {
+  ResultFolder results(folder, test::small_layout(), test::provenance());
+  results.append(Record(7, 1.5));
+  results.points(test::three_points(0.5));
+  results.grid(test::small_grid(), test::six_nodes(0.5));
+  results.message("warning");
+  ::_exit(9);
+}
+
+TEST_F(ResultFolderTest, KeepsEverythingInACrash) {
+  EXPECT_EXIT(write_and_crash(folder), testing::ExitedWithCode(9), "");
+  EXPECT_EQ(test::Reader(folder / "history.nc").values("point_vy"), (std::vector<double>{1.5, 1.5, 1.5}));
+  EXPECT_EQ(test::Reader(folder / "particles.nc").values("id"), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(test::Reader(folder / "mesh.nc").values("grid_mass"), (std::vector<double>{0.5, 1, 2, 10, 11, 12}));
+  EXPECT_EQ(read_file(folder / "messages.txt"), "warning\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "summary.txt"));
+}
+
+TEST_F(ResultFolderTest, IsRefusedBelowAFile) {
+  write_file(folder / "file", "");
+  EXPECT_THROW(ResultFolder(folder / "file", test::small_layout(), test::provenance()), FileError);
+  try {
+    const ResultFolder results(folder / "file" / "out", test::small_layout(), test::provenance());
+    FAIL() << "a file has no folders";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.what(), (folder / "file" / "out").string() + ": the folder cannot be made: Not a directory");
+  }
+}
+
+TEST_F(ResultFolderTest, IsRefusedWhereAnOldOutputCannotBeRemoved) {
+  std::filesystem::create_directories(folder / "mesh.nc" / "inside");
+  EXPECT_THROW(ResultFolder(folder, test::small_layout(), test::provenance()), FileError);
+}
+
+}  // namespace
+}  // namespace tether
