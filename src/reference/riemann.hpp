@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace tether {
+
+/// State of an ideal gas on one side of a wave.
+struct GasState {
+  double density = 0;   ///< mass/volume
+  double velocity = 0;  ///< towards +x
+  double pressure = 0;
+};
+
+/// Two uniform states, parted by a diaphragm that is taken away at t = 0.
+struct RiemannProblem {
+  GasState left, right;
+  double gamma = 1.4;    ///< ratio of specific heats
+  double diaphragm = 0;  ///< its place x0
+};
+
+/// Between the two outer waves: one pressure, one velocity, a density on either side of the contact.
+struct StarRegion {
+  double pressure = 0, velocity = 0, density_left = 0, density_right = 0;
+};
+
+struct RiemannSolution {
+  RiemannProblem problem;
+  StarRegion star;
+};
+
+/// The gas at one place and time.
+struct GasSample {
+  double density = 0, velocity = 0, pressure = 0;
+  double specific_energy = 0;  ///< internal energy/mass, p / ((gamma - 1) rho)
+};
+
+/// Exact solution of the Riemann problem for the one-dimensional Euler equations of an ideal gas.
+/// Throws std::domain_error for a density or pressure that is not positive, gamma <= 1, a number that is not finite,
+/// and states that part so fast that a vacuum opens between them.
+/// Source: E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed., chapter 4. Thesis 4.1 uses
+/// G. A. Sod's problem, J. Comput. Phys. 27 (1978) 1-31.
+RiemannSolution solve_riemann(const RiemannProblem& problem);
+
+/// The solution at x and t >= 0; t = 0 gives the two initial states. At a jump the state on its right is returned.
+/// Throws std::domain_error for a negative t.
+GasSample sample(const RiemannSolution& solution, double x, double t);
+
+}  // namespace tether
