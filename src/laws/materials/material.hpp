@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+
+#include "laws/materials/elastic.hpp"
+#include "laws/materials/gas.hpp"
+#include "laws/materials/linear_fluid.hpp"
+#include "laws/materials/uniaxial.hpp"
+
+namespace tether {
+
+/// Every law a body can obey.
+using Material = std::variant<PlaneElastic, IdealGas, LinearFluid, Uniaxial>;
+
+}  // namespace tether

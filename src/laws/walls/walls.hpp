@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace tether {
+
+/// What an edge of the grid does; the numbers are the deck's wl, wr, wb, wt.
+enum class Wall { fixed = 0, open = 1, symmetry = 4, axis = 5, free_slip = 6 };
+
+/// Axis bits of the momentum components that a node holds at zero.
+enum Held : std::uint8_t { holds_none = 0, holds_x = 1, holds_y = 2 };
+
+/// Symmetry, axis and free slip hold the component across the wall; a fixed wall holds both; an open one none.
+constexpr std::uint8_t held_by(Wall wall, Held normal) {
+  if (wall == Wall::open) return holds_none;
+  return wall == Wall::fixed ? std::uint8_t{holds_x | holds_y} : std::uint8_t{normal};
+}
+
+/// Whether what lies behind the wall is the image of what lies before it, for quadratic densities and normals.
+constexpr bool mirrors(Wall wall) { return wall == Wall::symmetry || wall == Wall::axis || wall == Wall::free_slip; }
+
+struct Walls {
+  Wall left = Wall::free_slip, right = Wall::free_slip, bottom = Wall::free_slip, top = Wall::free_slip;
+};
+
+}  // namespace tether
