@@ -10,8 +10,23 @@ enum class Units { none, si, cgs };
 
 /// What a quantity measures, for its unit attribute.
 enum class Dimension {
-  number, time, length, area, volume, mass, velocity, acceleration, force, stress, density, viscosity, energy,
-  specific_energy, momentum, angular_momentum, rate
+  number,
+  time,
+  length,
+  area,
+  volume,
+  mass,
+  velocity,
+  acceleration,
+  force,
+  stress,
+  density,
+  viscosity,
+  energy,
+  specific_energy,
+  momentum,
+  angular_momentum,
+  rate
 };
 
 /// The unit in UDUNITS spelling ("m s-1"), "1" for pure numbers and wherever the deck names no system. Time stays "s"

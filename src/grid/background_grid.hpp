@@ -15,8 +15,14 @@ struct BackgroundGrid {
 
   BackgroundGrid() = default;
   BackgroundGrid(int nodes_x, int nodes_y, double left, double right, double bottom, double top)
-      : nx(nodes_x), ny(nodes_y), x0(left), y0(bottom), x1(right), y1(top),
-        dx((right - left) / (nodes_x - 1)), dy((top - bottom) / (nodes_y - 1)) {}
+      : nx(nodes_x),
+        ny(nodes_y),
+        x0(left),
+        y0(bottom),
+        x1(right),
+        y1(top),
+        dx((right - left) / (nodes_x - 1)),
+        dy((top - bottom) / (nodes_y - 1)) {}
 
   int cells_x() const { return nx - 1; }
   int cells_y() const { return ny - 1; }
@@ -38,7 +44,12 @@ struct Locator {
   int last_i, last_j, nx;
 
   explicit Locator(const BackgroundGrid& grid)
-      : x0(grid.x0), y0(grid.y0), per_dx(1 / grid.dx), per_dy(1 / grid.dy), last_i(grid.nx - 2), last_j(grid.ny - 2),
+      : x0(grid.x0),
+        y0(grid.y0),
+        per_dx(1 / grid.dx),
+        per_dy(1 / grid.dy),
+        last_i(grid.nx - 2),
+        last_j(grid.ny - 2),
         nx(grid.nx) {}
 
   /// The place must lie inside the grid. A place on the right or top edge belongs to the last cell.

@@ -13,9 +13,9 @@ enum class DensityRule { cell, quadratic, continuity };
 
 /// Compressible viscous ideal gas (chapter 4).
 struct IdealGas {
-  double gm1 = 0.4;      // gamma - 1
-  double mu = 0;         // shear viscosity [stress time]
-  double lambda = 0;     // factor of the artificial viscosity, number
+  double gm1 = 0.4;             // gamma - 1
+  double mu = 0;                // shear viscosity [stress time]
+  double lambda = 0;            // factor of the artificial viscosity, number
   double coef1 = 0, coef2 = 0;  // its linear and quadratic coefficients, numbers
   DensityRule rule = DensityRule::continuity;
 
