@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/assign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "base/text.hpp"
+#include "deck/convert.hpp"
+#include "deck/spelling.hpp"
+#include "deck/suggest.hpp"
+
+namespace tether {
+namespace {
+
+std::string key_of(const Variable& variable) { return fmt::format("{}.{}", variable.group, variable.name); }
+
+/// Whether an item has a value that is not null.
+bool says_something(const Item& item) {
+  return std::any_of(item.values.begin(), item.values.end(),
+                     [](const ItemValue& value) { return value.kind != ItemValue::Kind::null; });
+}
+
+/// The values of one item on their way into the elements of one variable.
+class Filling {
+ public:
+  Filling(const Variable& variable, const Elements& elements, std::map<Subscript, DeckValue>& slots, bool replaces,
+          Remarks& remarks)
+      : variable_(variable), elements_(elements), slots_(slots), told_twice_(replaces), remarks_(remarks) {}
+
+  /// Takes one value (repeated or null); false where the item has to be given up.
+  bool take(const ItemValue& value, long long& budget);
+  /// Warns of values that began inside a column and ran on into the next.
+  void tell_of_next_column(const Token& name) const;
+
+ private:
+  bool too_many(const ItemValue& value);
+  void store(Subscript at, const DeckValue& value);
+
+  const Variable& variable_;
+  const Elements& elements_;
+  std::map<Subscript, DeckValue>& slots_;
+  bool told_twice_;
+  Remarks& remarks_;
+  long long next_ = 0;    ///< the element the next value goes to
+  long long filled_ = 0;  ///< behind the last element that got a value
+};
+
+bool Filling::take(const ItemValue& value, long long& budget) {
+  const bool null = value.kind == ItemValue::Kind::null;
+  const long long room = elements_.count() - next_;
+  if (null && !value.counted) {
+    next_ += room > 0 ? 1 : 0;
+    return true;
+  }
+  // Told before anything is expanded: a count may be as large as a user can write.
+  if (value.count > room) return too_many(value);
+  const auto converted = null ? std::nullopt : convert(variable_, elements_.at(next_), value, remarks_);
+  for (long long k = 0; converted && k < value.count && --budget >= 0; ++k) {
+    store(elements_.at(next_ + k), *converted);
+  }
+  next_ += value.count;
+  if (converted) filled_ = next_;
+  return true;
+}
+
+bool Filling::too_many(const ItemValue& value) {
+  const auto first = element_name(variable_, elements_.at(0));
+  std::string message = fmt::format("{} takes one value, this is one too many", first);
+  std::string hint;
+  if (find_variable(variable_.group, lower(value.text)) != nullptr) {
+    message = fmt::format("'=' is missing behind {}", in_quotes(value.text));
+    hint = "An item is: name = value.";
+  } else if (variable_.rank > 0) {
+    message = fmt::format("the values run past the end of {}: there are {} elements from {} on", variable_.name,
+                          elements_.count(), first);
+    hint = fmt::format("Its shape is {}.", shape_text(variable_));
+  }
+  remarks_.error(value.line, value.count_column, message, hint);
+  return false;
+}
+
+void Filling::store(Subscript at, const DeckValue& value) {
+  const auto [slot, fresh] = slots_.try_emplace(at, value);
+  if (fresh) return;
+  if (!told_twice_) {
+    const auto& first = slot->second.place;
+    remarks_.warn(value.place.line, value.place.column,
+                  fmt::format("{} is set twice, first at {}:{}; the later value holds", element_name(variable_, at),
+                              first.line, first.column),
+                  variable_.rank > 0 ? "Is the subscript right?" : "");
+    told_twice_ = true;
+  }
+  slot->second = value;
+}
+
+void Filling::tell_of_next_column(const Token& name) const {
+  const auto above = elements_.skipped % elements_.counts[0];
+  const auto in_column = elements_.counts[0] - above;
+  if (above == 0 || filled_ <= in_column) return;
+  remarks_.warn(name.line, name.column,
+                fmt::format("the values from {} on fill its column and go on at {}",
+                            element_name(variable_, elements_.at(0)), element_name(variable_, elements_.at(in_column))),
+                "Fortran compilers differ here: give the next column an item of its own.");
+}
+
+}  // namespace
+
+void Assigner::assign(const std::vector<Group>& groups, Remarks& remarks) {
+  for (const auto& group : groups) {
+    const auto& name = group.opener.text;
+    const int line = group.opener.line, column = group.opener.column;
+    if (!is_group(name)) {
+      remarks.error(line, column, fmt::format("there is no group {}", in_quotes("$" + name)), suggest_group(name));
+      continue;
+    }
+    const auto [first, fresh] = contents_.groups.try_emplace(name, remarks.place(line, column));
+    if (!fresh) {
+      remarks.warn(
+          line, column,
+          fmt::format("${} is there twice, first at line {}; the later values hold", name, first->second.line));
+    }
+    for (const auto& read : group.items) item(name, read, false, remarks);
+  }
+}
+
+void Assigner::assign_override(Item read, Remarks& remarks) {
+  if (read.broken) return;
+  const auto full_name = lower(read.name.text);
+  const auto dot = full_name.find('.');
+  const auto group = full_name.substr(0, dot == std::string::npos ? 0 : dot);
+  if (!is_group(group)) {
+    const auto hint = dot == std::string::npos ? suggest_variable("", full_name) : suggest_group(group);
+    remarks.error(read.name.line, read.name.column, fmt::format("{} names no group", in_quotes(read.name.text)),
+                  "An override is group.name=value. " + hint);
+    return;
+  }
+  read.name.text.erase(0, dot + 1);
+  read.name.column += static_cast<int>(dot) + 1;
+  contents_.groups.try_emplace(group, remarks.place(read.name.line, 1));
+  item(group, read, true, remarks);
+}
+
+void Assigner::item(const std::string& group, const Item& item, bool replaces, Remarks& remarks) {
+  const auto name = lower(item.name.text);
+  const auto* variable = find_variable(group, name);
+  if (variable == nullptr) {
+    remarks.error(item.name.line, item.name.column,
+                  fmt::format("${} has no variable {}", group, in_quotes(item.name.text)),
+                  suggest_variable(group, name));
+    return;
+  }
+  if (item.broken || says_something(item)) mentioned_.insert(key_of(*variable));
+  if (!item.broken) values(*variable, item, replaces, remarks);
+}
+
+void Assigner::values(const Variable& variable, const Item& item, bool replaces, Remarks& remarks) {
+  const auto elements = resolve_elements(variable, item, remarks);
+  if (!elements) return;
+  Filling filling(variable, *elements, contents_.values[key_of(variable)], replaces, remarks);
+  for (const auto& value : item.values) {
+    if (!filling.take(value, budget_)) return;
+    if (budget_ >= 0) continue;
+    remarks.error(value.line, value.column, "the deck sets more than 500000 values", "Set each element once.");
+    return;
+  }
+  filling.tell_of_next_column(item.name);
+}
+
+}  // namespace tether

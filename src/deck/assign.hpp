@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "deck/deck.hpp"
+#include "deck/parser.hpp"
+
+namespace tether {
+
+/// Puts the values of parsed items into a deck, by the table of variables.
+class Assigner {
+ public:
+  explicit Assigner(Deck::Contents& contents) : contents_(contents) {}
+
+  /// The groups of a deck, in its order; a value that is set again replaces the first, with a warning.
+  void assign(const std::vector<Group>& groups, Remarks& remarks);
+  /// An override, whose name is "group.name"; it replaces silently.
+  void assign_override(Item item, Remarks& remarks);
+
+  /// "group.name" of all variables that the deck or an override tried to set, rightly or not.
+  const std::set<std::string>& mentioned() const { return mentioned_; }
+
+ private:
+  void item(const std::string& group, const Item& item, bool replaces, Remarks& remarks);
+  void values(const Variable& variable, const Item& item, bool replaces, Remarks& remarks);
+
+  Deck::Contents& contents_;
+  std::set<std::string> mentioned_;
+  long long budget_ = 500000;  ///< elements; beyond any use, but not beyond memory
+};
+
+}  // namespace tether

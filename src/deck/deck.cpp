@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "deck/spelling.hpp"
+
+namespace tether {
+namespace {
+
+std::string key_of(std::string_view group, std::string_view name) { return fmt::format("{}.{}", group, name); }
+
+template <typename Type>
+Type get(const DeckValue& value, std::string_view group, std::string_view name) {
+  const auto* data = std::get_if<Type>(&value.data);
+  if (data == nullptr) throw std::logic_error(fmt::format("{}.{} is of another type", group, name));
+  return *data;
+}
+
+}  // namespace
+
+Deck::Deck(Contents contents) : contents_(std::move(contents)) {}
+
+bool Deck::has_group(std::string_view group) const { return contents_.groups.count(std::string(group)) > 0; }
+
+const DeckValue* Deck::find(std::string_view group, std::string_view name, int i, int j) const {
+  const auto variable = contents_.values.find(key_of(group, name));
+  if (variable == contents_.values.end()) return nullptr;
+  const auto element = variable->second.find({i, j});
+  return element == variable->second.end() ? nullptr : &element->second;
+}
+
+DeckValue Deck::value(std::string_view group, std::string_view name, int i, int j) const {
+  if (const auto* given = find(group, name, i, j)) return *given;
+  const auto* variable = find_variable(group, name);
+  if (variable == nullptr) throw std::logic_error(fmt::format("the table has no variable {}.{}", group, name));
+  const auto fallback = default_value(*variable);
+  if (!fallback) throw std::logic_error(fmt::format("{}.{} is not given and has no default", group, name));
+  return *fallback;
+}
+
+int Deck::integer(std::string_view group, std::string_view name, int i, int j) const {
+  return static_cast<int>(get<long long>(value(group, name, i, j), group, name));
+}
+
+double Deck::real(std::string_view group, std::string_view name, int i, int j) const {
+  return get<double>(value(group, name, i, j), group, name);
+}
+
+bool Deck::logical(std::string_view group, std::string_view name, int i, int j) const {
+  return get<bool>(value(group, name, i, j), group, name);
+}
+
+std::string Deck::text(std::string_view group, std::string_view name, int i, int j) const {
+  return get<std::string>(value(group, name, i, j), group, name);
+}
+
+bool Deck::given(std::string_view group, std::string_view name, int i, int j) const {
+  return find(group, name, i, j) != nullptr;
+}
+
+std::vector<Subscript> Deck::given_elements(std::string_view group, std::string_view name) const {
+  std::vector<Subscript> elements;
+  const auto variable = contents_.values.find(key_of(group, name));
+  if (variable == contents_.values.end()) return elements;
+  for (const auto& [at, value] : variable->second) elements.push_back(at);
+  std::stable_sort(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  return elements;
+}
+
+Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) const {
+  Contents contents = contents_;
+  contents.values.erase("in.particles");
+  contents.trailer.text.clear();
+  for (const auto& line : particle_lines) contents.trailer.text += line + "\n";
+  return Deck(std::move(contents));
+}
+
+Place Deck::place(std::string_view group, std::string_view name, int i, int j) const {
+  if (const auto* given = find(group, name, i, j)) return given->place;
+  const auto opened = contents_.groups.find(std::string(group));
+  return opened == contents_.groups.end() ? Place{contents_.file, 0, 0} : opened->second;
+}
+
+std::string Deck::line_text(const Place& place) const {
+  const auto& lines = place.file == override_file ? contents_.overrides : contents_.lines;
+  const auto index = static_cast<std::size_t>(place.line) - 1;
+  return place.line > 0 && index < lines.size() ? lines[index] : "";
+}
+
+Diagnostic Deck::remark(Severity severity, std::string_view group, std::string_view name, Subscript at,
+                        std::string message, std::string hint) const {
+  const auto where = place(group, name, at[0], at[1]);
+  return {severity, where, line_text(where), std::move(message), std::move(hint)};
+}
+
+}  // namespace tether

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "deck/variables.hpp"
+
+namespace tether {
+
+/// The "file" of values that the command line sets.
+constexpr std::string_view override_file = "--set";
+
+/// One value of the deck and where it was written.
+struct DeckValue {
+  std::variant<long long, double, bool, std::string> data;
+  Place place;
+};
+
+/// Subscripts from 1; (i) is {i, 1}, a scalar is {1, 1}.
+using Subscript = std::array<int, 2>;
+
+/// Text behind the last group, in which particle data may stand.
+struct Trailer {
+  int first_line = 0;  ///< line of the deck at which it begins, from 1
+  std::string text;
+};
+
+/// What a deck says, each value with its place; immutable once read. Names are lower case and must stand in the table
+/// of variables (anything else is a programmer's mistake). A value that the deck does not give has the table's default.
+class Deck {
+ public:
+  /// Built by the reader only.
+  struct Contents {
+    std::string file;                    ///< path as given
+    std::string text;                    ///< the whole deck as read
+    std::vector<std::string> lines;      ///< its lines
+    std::vector<std::string> overrides;  ///< of the command line; line k of the file "--set" is overrides[k - 1]
+    std::vector<std::string> header;     ///< the lines above the first group, verbatim
+    Trailer trailer;
+    std::map<std::string, Place> groups;                           ///< the groups that are there, and where they open
+    std::map<std::string, std::map<Subscript, DeckValue>> values;  ///< by "group.name"
+  };
+  explicit Deck(Contents contents);
+
+  const std::string& file() const { return contents_.file; }
+  const std::string& text() const { return contents_.text; }
+  const std::vector<std::string>& header() const { return contents_.header; }
+  const Trailer& trailer() const { return contents_.trailer; }
+  const std::vector<std::string>& lines() const { return contents_.lines; }
+  bool has_group(std::string_view group) const;
+
+  // The value of an element, given or default. Throws std::logic_error where the table has no such variable, where it
+  // is of another type, and where it has neither: ask given() first for a variable without a default.
+  int integer(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  double real(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  bool logical(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  std::string text(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  /// Of any type; a default's place is empty.
+  DeckValue value(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+
+  bool given(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  /// All elements the deck gives, in column-major order.
+  std::vector<Subscript> given_elements(std::string_view group, std::string_view name) const;
+
+  /// The same deck with these lines of particle data behind its groups, in place of the file that it names.
+  Deck with_particle_data(const std::vector<std::string>& particle_lines) const;
+
+  /// Where an element was given; else where its group opens; else the file as a whole.
+  Place place(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  /// The text of a line of the deck (empty for line 0), for diagnostics.
+  std::string line_text(const Place& place) const;
+  /// A remark on an element's value, at its place, with its line.
+  Diagnostic remark(Severity severity, std::string_view group, std::string_view name, Subscript at, std::string message,
+                    std::string hint = {}) const;
+
+ private:
+  const DeckValue* find(std::string_view group, std::string_view name, int i, int j) const;
+  Contents contents_;
+};
+
+}  // namespace tether

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "deck/deck.hpp"
+
+namespace tether {
+
+/// A deck that reads back with the same values, bit by bit, and shows the defaults too: the header lines, every group
+/// with what the deck gives and the defaults of scalars and of regions 1..nreg, the text behind the groups.
+/// A variable that has no default and is not given is left out.
+std::string effective_deck(const Deck& deck);
+
+/// For `tether check`: a line for each variable, and for each element of an array that the deck gives: name, value,
+/// given or default, unit, place, and whether it is read without effect.
+std::string check_listing(const Deck& deck);
+
+/// For `tether vars`: the rows of a group of the table, of all groups if `group` is empty; "" for an unknown group.
+std::string variables_listing(std::string_view group);
+
+/// The table as Markdown, a section for each group, for the deck reference.
+std::string variables_markdown();
+
+}  // namespace tether

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/lexer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "deck/opener.hpp"
+
+namespace tether {
+namespace {
+
+bool is_plain(char c) { return c > ' ' && c <= '~'; }
+bool ends_word(char c) { return !is_plain(c) || std::string_view(",;/=()!'\":").find(c) != std::string_view::npos; }
+
+/// Control characters; bytes above ASCII may stand in quotes (names of files in UTF-8).
+bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
+
+class Lexer {
+ public:
+  Lexer(const std::vector<std::string>& lines, Remarks& remarks, std::size_t first, std::size_t end)
+      : lines_(lines), remarks_(remarks), line_(first), end_(end) {}
+
+  LexedDeck deck();
+  std::vector<Token> override_tokens();
+
+ private:
+  const std::string& line() const { return lines_[line_]; }
+  bool in_line() const { return line_ < end_ && column_ < line().size(); }
+  char here() const { return line()[column_]; }
+  int line_number() const { return static_cast<int>(line_) + 1; }
+  int column_number() const { return static_cast<int>(column_) + 1; }
+  void next_line() { ++line_, column_ = 0; }
+  void push(TokenKind kind, std::string text = {}) {
+    tokens_.push_back({kind, std::move(text), line_number(), column_number(), false});
+  }
+  void push_mark(TokenKind kind) { push(kind), ++column_; }
+
+  void open_group(const Opener& opener);
+  bool group_lines();
+  bool rest_of_line();
+  bool piece();
+  bool dollar();
+  void word();
+  void quoted_text();
+  bool quoted_character(char quote, std::string& text);
+  void unclosed_quote(const Token& token);
+  void odd_bytes();
+  void semicolon();
+  void stray_lines(std::size_t first, std::size_t end);
+  Trailer trailer(std::size_t first) const;
+
+  const std::vector<std::string>& lines_;
+  Remarks& remarks_;
+  std::size_t line_, end_, column_ = 0;
+  bool quote_left_open_ = false;
+  std::vector<Token> tokens_;
+};
+
+LexedDeck Lexer::deck() {
+  LexedDeck result;
+  std::size_t outside = 0;  // first line behind the last group so far
+  bool closed = false;
+  while (line_ < end_) {
+    const auto opener = opener_of(line());
+    if (!opener) {
+      if (tokens_.empty()) result.header.push_back(line());
+      next_line();
+      continue;
+    }
+    if (!tokens_.empty() && closed) stray_lines(outside, line_);
+    open_group(*opener);
+    closed = group_lines();
+    outside = line_;
+  }
+  if (closed) result.trailer = trailer(outside);
+  push(TokenKind::end_of_text);
+  result.tokens = std::move(tokens_);
+  return result;
+}
+
+std::vector<Token> Lexer::override_tokens() {
+  if (rest_of_line()) remarks_.error(line_number() - 1, 1, "a group ends in this override", "Write texts in quotes.");
+  push(TokenKind::end_of_text);
+  return std::move(tokens_);
+}
+
+void Lexer::open_group(const Opener& opener) {
+  column_ = opener.column;
+  push(TokenKind::opener, opener.name);
+  if (opener.detached) {
+    remarks_.error(line_number(), column_number(), fmt::format("blanks before the group's name '{}'", opener.name),
+                   fmt::format("Write '{}{}'.", here(), opener.name));
+  }
+  column_ = opener.end;
+}
+
+/// Up to the group's terminator (true), the next opener or the end of the text (false).
+bool Lexer::group_lines() {
+  while (line_ < end_) {
+    if (rest_of_line()) return true;
+    if (line_ < end_) next_line();
+    if (line_ < end_ && opener_of(line())) return false;
+  }
+  return false;
+}
+
+/// True when the group's terminator was found; the rest of its line is then passed over.
+bool Lexer::rest_of_line() {
+  while (in_line()) {
+    if (!piece()) continue;
+    next_line();
+    return true;
+  }
+  return false;
+}
+
+/// One token, or what is none; true for a terminator.
+bool Lexer::piece() {
+  switch (const char c = here()) {
+    case ' ':
+    case '\t':
+      ++column_;
+      return false;
+    case '!':
+      column_ = line().size();
+      return false;
+    case '\'':
+    case '"':
+      quoted_text();
+      return false;
+    case '/':
+      push_mark(TokenKind::terminator);
+      return true;
+    case '$':
+    case '&':
+      return dollar();
+    case ';':
+      semicolon();
+      return false;
+    case ',':
+      push_mark(TokenKind::comma);
+      return false;
+    case '=':
+      push_mark(TokenKind::equals);
+      return false;
+    case '(':
+      push_mark(TokenKind::open);
+      return false;
+    case ')':
+      push_mark(TokenKind::close);
+      return false;
+    case ':':
+      push_mark(TokenKind::colon);
+      return false;
+    default:
+      is_plain(c) ? word() : odd_bytes();
+      return false;
+  }
+}
+
+bool Lexer::dollar() {
+  const auto rest = trim(std::string_view(line()).substr(column_ + 1));
+  const bool alone = rest.empty() || rest[0] == '!';
+  const bool named = lower(std::string_view(line()).substr(column_ + 1, 3)) == "end" && ends_name(line(), column_ + 4);
+  if (alone || named) {
+    push_mark(TokenKind::terminator);
+    return true;
+  }
+  remarks_.error(line_number(), column_number(), fmt::format("'{}' inside a line of a group", here()),
+                 "A group opens at the start of a line ($in); '$', '$end' or '/' closes it.");
+  ++column_;
+  while (in_line() && !ends_word(here())) ++column_;
+  return false;
+}
+
+void Lexer::word() {
+  const auto start = column_;
+  auto stop = start;
+  while (stop < line().size() && !ends_word(line()[stop])) ++stop;
+  push(TokenKind::word, line().substr(start, stop - start));
+  column_ = stop;
+}
+
+void Lexer::quoted_text() {
+  push(TokenKind::quoted);
+  tokens_.back().glued = column_ > 0 && line()[column_ - 1] == '*';
+  const char quote = here();
+  ++column_;
+  std::string text;
+  while (line_ < end_ && quoted_character(quote, text)) continue;
+  if (line_ == end_) unclosed_quote(tokens_.back());
+  tokens_.back().text = std::move(text);
+}
+
+/// One step within quotes; false behind the closing quote. A text goes on over the ends of lines, which it drops.
+bool Lexer::quoted_character(char quote, std::string& text) {
+  if (column_ >= line().size()) {
+    next_line();
+    return true;
+  }
+  const char c = here();
+  const bool doubled = c == quote && column_ + 1 < line().size() && line()[column_ + 1] == quote;
+  if (is_control(c)) {
+    odd_bytes();
+    return true;
+  }
+  column_ += doubled ? 2 : 1;
+  if (c == quote && !doubled) return false;
+  text += c;
+  return true;
+}
+
+/// Goes on behind the line where the quote opened; but only once, for no text is read over and over.
+void Lexer::unclosed_quote(const Token& token) {
+  remarks_.error(token.line, token.column, "this quote is never closed", "End the text with the same quote.");
+  if (quote_left_open_) return;
+  quote_left_open_ = true;
+  line_ = static_cast<std::size_t>(token.line) - 1;
+  column_ = line().size();
+}
+
+/// A run of bytes that are no plain text: one error, then they count as blanks.
+void Lexer::odd_bytes() {
+  constexpr std::size_t most_shown = 4;
+  const auto start = column_;
+  while (in_line() && !is_plain(here()) && !is_blank(here())) ++column_;
+  std::string bytes;
+  for (auto k = start; k < std::min(column_, start + most_shown); ++k) {
+    bytes += fmt::format(" 0x{:02X}", static_cast<unsigned char>(line()[k]));
+  }
+  const bool nbsp = line().compare(start, 2, "\xc2\xa0") == 0;
+  remarks_.error(line_number(), static_cast<int>(start) + 1,
+                 fmt::format("the bytes{} are not plain text{}", bytes, nbsp ? " (a no-break space)" : ""),
+                 nbsp ? "Write a plain blank." : "A group takes plain ASCII outside quotes.");
+}
+
+void Lexer::semicolon() {
+  remarks_.warn(line_number(), column_number(), "';' is taken for a comma");
+  push_mark(TokenKind::comma);
+}
+
+/// Text between two groups says nothing; an assignment there was meant to.
+void Lexer::stray_lines(std::size_t first, std::size_t end) {
+  for (auto k = first; k < end; ++k) {
+    const auto content = trim(lines_[k]);
+    if (content.empty() || content[0] == '!') continue;
+    remarks_.warn(static_cast<int>(k) + 1, 1, "text between two groups is ignored");
+    return;
+  }
+}
+
+Trailer Lexer::trailer(std::size_t first) const {
+  if (first >= end_) return {};
+  Trailer result{static_cast<int>(first) + 1, ""};
+  for (auto k = first; k < end_; ++k) result.text += lines_[k] + "\n";
+  return result;
+}
+
+}  // namespace
+
+LexedDeck lex_deck(const std::vector<std::string>& lines, Remarks& remarks) {
+  return Lexer(lines, remarks, 0, lines.size()).deck();
+}
+
+std::vector<Token> lex_override(const std::vector<std::string>& lines, std::size_t index, Remarks& remarks) {
+  return Lexer(lines, remarks, index, index + 1).override_tokens();
+}
+
+}  // namespace tether

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/opener.hpp"
+
+#include "base/text.hpp"
+#include "deck/variables.hpp"
+
+namespace tether {
+namespace {
+
+std::size_t skip_blanks(std::string_view line, std::size_t at) {
+  while (at < line.size() && is_blank(line[at])) ++at;
+  return at;
+}
+
+bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }
+
+}  // namespace
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool ends_name(std::string_view line, std::size_t at) {
+  return at >= line.size() || is_blank(line[at]) || std::string_view(",;/!").find(line[at]) != std::string_view::npos;
+}
+
+std::optional<Opener> opener_of(std::string_view line) {
+  Opener opener;
+  opener.column = skip_blanks(line, 0);
+  if (opener.column == line.size() || (line[opener.column] != '$' && line[opener.column] != '&')) return std::nullopt;
+  const auto start = skip_blanks(line, opener.column + 1);
+  if (start == line.size() || !is_letter(line[start])) return std::nullopt;
+  opener.end = start;
+  while (opener.end < line.size() && is_name_character(line[opener.end])) ++opener.end;
+  if (!ends_name(line, opener.end)) return std::nullopt;
+  opener.name = lower(line.substr(start, opener.end - start));
+  opener.detached = start > opener.column + 1;
+  if (opener.name == "end" || (opener.detached && !is_group(opener.name))) return std::nullopt;
+  return opener;
+}
+
+}  // namespace tether

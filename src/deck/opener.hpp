@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tether {
+
+/// The opening of a group at the start of a line.
+struct Opener {
+  std::string name;        ///< lower case, known or not
+  std::size_t column = 0;  ///< of the '$' or '&', from 0
+  std::size_t end = 0;     ///< behind the name
+  bool detached = false;   ///< '& in': blanks before the name of a known group
+};
+
+/// Blanks, then $NAME or &NAME, NAME a word other than "end" that is followed by a separator, '!' or the line's end.
+std::optional<Opener> opener_of(std::string_view line);
+
+bool is_blank(char c);  ///< blank or tab
+bool is_letter(char c);
+bool ends_name(std::string_view line, std::size_t at);  ///< separator, '!' or the line's end at `at`
+
+}  // namespace tether

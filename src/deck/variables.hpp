@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tether {
+
+enum class ValueType { integer, real, logical, text };
+
+/// What a value does: it is used, or it is read for the sake of old decks and has no effect.
+enum class Effect { used, none };
+
+/// A row of THE table of deck variables, from which the reader, `tether vars`, `tether check`, `deck.effective` and
+/// decks/README.md are all made.
+struct Variable {
+  std::string_view group, name;
+  ValueType type;
+  int rank;                   ///< 0 a scalar, 1 name(n1), 2 name(n1, n2)
+  int n1, n2;                 ///< declared shape, column-major; 1 where the rank does not reach
+  std::string_view unit;      ///< dimension in words: "length", "mass/length3", "" for a pure number
+  double low, high;           ///< range of numbers, both ends allowed
+  std::string_view choices;   ///< texts: "musl|usf|usl", empty for any; integers: the allowed ones "0|1|4|5|6"
+  std::string_view fallback;  ///< the default, as a deck would write it ("0.0", ".true.", "'musl'"); "" : none
+  std::string_view meaning;   ///< one sentence
+  Effect effect = Effect::used;
+  bool required = false;  ///< a deck must give it
+};
+
+/// All rows, those of a group together, in the order in which decks and documents show them.
+std::span<const Variable> variables();
+/// The row of group.name (lower case), or null.
+const Variable* find_variable(std::string_view group, std::string_view name);
+/// All groups, in the order of the table.
+std::vector<std::string> group_names();
+bool is_group(std::string_view name);
+
+// Sizes of the old code's arrays.
+constexpr int region_count = 20;       ///< regions
+constexpr int vertex_count = 20;       ///< vertices of a region
+constexpr int output_count = 60;       ///< switches iout, tiout
+constexpr int point_count = 100000;    ///< rows of a particle file that can be singled out
+constexpr int tracked_at_count = 100;  ///< places in tracked_at
+
+}  // namespace tether
