@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "base/diagnostics.hpp"
+#include "deck/deck.hpp"
+#include "deck/particle_file.hpp"
+#include "scene/scene.hpp"
+
+namespace tether {
+
+/// Adds region r (from 1) as a body: in each cell a sqrt(nprg) x sqrt(nprg) lattice at the middles of sub-cells, kept
+/// where it lies in the region. A point's volume is that of its sub-cell.
+void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics);
+
+/// Adds the particle file as a body. A point's volume is dx dy / np2 (5.4.4).
+void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Diagnostics& diagnostics);
+
+/// $points: masses of heavy points, which keep their volume, and the points whose paths are recorded. `file_first` is
+/// the scene's number of the particle file's first row, `file_rows` the number of rows.
+void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene,
+                        Diagnostics& diagnostics);
+
+}  // namespace tether

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/bodies.hpp"
+#include "scene/memory.hpp"
+#include "scene/outputs.hpp"
+#include "scene/reference.hpp"
+
+namespace tether {
+namespace {
+
+std::string title_of(const Deck& deck) {
+  std::string title;
+  for (const auto& line : deck.header()) title += (title.empty() ? "" : "\n") + line;
+  return title;
+}
+
+Units units_of(const Deck& deck) {
+  const std::string name = deck.text("in", "units");
+  return name == "si" ? Units::si : name == "cgs" ? Units::cgs : Units::none;
+}
+
+StressOrder order_of(const Deck& deck) {
+  const std::string name = deck.text("mpm", "order");
+  return name == "usf" ? StressOrder::usf : name == "usl" ? StressOrder::usl : StressOrder::musl;
+}
+
+Walls walls_of(const Deck& deck) {
+  const auto wall = [&](const char* name) { return static_cast<Wall>(deck.integer("in", name)); };
+  return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
+}
+
+Clock clock_of(const Deck& deck) {
+  const double tstep = deck.real("in", "tstep");
+  const double dtmax = deck.given("in", "dtmax") ? deck.real("in", "dtmax") : tstep;
+  return {deck.real("in", "tmax"), std::min(tstep, dtmax), deck.real("mpm", "cfl")};
+}
+
+void check_axes(const Deck& deck, Diagnostics& diagnostics) {
+  const auto ordered = [&](const char* low, const char* high) {
+    const double a = deck.real("in", low), b = deck.real("in", high);
+    if (b > a) return;
+    diagnostics.add(deck.remark(Severity::error, "in", high, {1, 1},
+                                fmt::format("{} = {:.6g} is not above {} = {:.6g}", high, b, low, a),
+                                "the grid would be empty"));
+  };
+  ordered("xleft", "xright");
+  ordered("ybot", "ytop");
+  if (deck.real("in", "cyl") != 0) {
+    diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "the material point path runs plane scenes only",
+                                "write cyl=0, or leave it out"));
+  }
+}
+
+void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, Scene& scene,
+                Diagnostics& diagnostics) {
+  const int igen = deck.integer("in", "igen");
+  const int regions = igen == 0 ? 0 : deck.integer("reg", "nreg");
+  for (int r = 1; r <= regions; ++r) add_region(deck, r, scene, diagnostics);
+  const std::size_t file_first = scene.points.size();
+  if (particles) add_file_body(deck, *particles, scene, diagnostics);
+  apply_points_group(deck, file_first, scene.points.size() - file_first, scene, diagnostics);
+  if (scene.points.size() == 0 && !diagnostics.has_errors()) {
+    diagnostics.add(deck.remark(Severity::error, "in", "igen", {1, 1}, "the deck describes no point",
+                                "igen 0 reads a particle file, 1 the regions of $reg, 3 both"));
+  }
+}
+
+}  // namespace
+
+Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Diagnostics& diagnostics) {
+  Scene scene;
+  check_axes(deck, diagnostics);
+  if (diagnostics.has_errors()) return scene;
+  scene.title = title_of(deck);
+  scene.units = units_of(deck);
+  scene.grid = BackgroundGrid(deck.integer("in", "nx"), deck.integer("in", "ny"), deck.real("in", "xleft"),
+                              deck.real("in", "xright"), deck.real("in", "ybot"), deck.real("in", "ytop"));
+  const std::string too_large = memory_refusal(scene.grid, particles ? static_cast<double>(particles->rows.size()) : 0);
+  if (!too_large.empty()) {
+    diagnostics.add(deck.remark(Severity::error, "in", "nx", {1, 1}, too_large, "use fewer nodes"));
+    return scene;
+  }
+  scene.walls = walls_of(deck);
+  scene.gravity = deck.real("in", "gravc");
+  scene.clock = clock_of(deck);
+  scene.order = order_of(deck);
+  add_bodies(deck, particles, scene, diagnostics);
+  scene.outputs = outputs_of(deck, scene, diagnostics);
+  scene.reference = reference_of(deck, scene, diagnostics);
+  return scene;
+}
+
+}  // namespace tether

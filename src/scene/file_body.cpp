@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "scene/bodies.hpp"
+#include "scene/materials.hpp"
+
+namespace tether {
+namespace {
+
+void check_file(const ParticleFile& file, const Material& material, const BackgroundGrid& grid,
+                Diagnostics& diagnostics) {
+  for (std::size_t k = 0; k < file.rows.size(); ++k) {
+    const ParticleRow& row = file.rows[k];
+    if (grid.contains(row.x, row.y)) continue;
+    diagnostics.error(
+        {file.file, row.line, 1}, line_text(file, row.line),
+        fmt::format("point {} at ({:.6g}, {:.6g}) lies outside the grid", k + 1, row.x, row.y),
+        fmt::format("the grid spans x {:.6g} to {:.6g}, y {:.6g} to {:.6g}", grid.x0, grid.x1, grid.y0, grid.y1));
+  }
+  if (!std::holds_alternative<Uniaxial>(material)) return;
+  if (file.rows.size() < 2) {
+    diagnostics.error({file.file, 0, 0}, {}, "a string needs at least 2 points",
+                      "its tangent comes from its neighbours");
+  }
+  if (file.in_sequence != file.total) {
+    diagnostics.error(
+        {file.file, 0, 0}, {},
+        fmt::format("{} points in the sequence, {} in total: a string is one sequence", file.in_sequence, file.total),
+        "write the same number twice");
+  }
+}
+
+}  // namespace
+
+void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Diagnostics& diagnostics) {
+  const auto material = file_material(deck, file, diagnostics);
+  if (!material) return;
+  check_file(file, *material, scene.grid, diagnostics);
+  const std::size_t first = scene.points.size();
+  const double volume = scene.grid.dx * scene.grid.dy / file.per_cell;
+  PointSet& points = scene.points;
+  for (const ParticleRow& row : file.rows) {
+    points.x.push_back(row.x), points.y.push_back(row.y);
+    points.vx.push_back(row.vx), points.vy.push_back(row.vy);
+    points.sxx.push_back(row.sxx), points.syy.push_back(row.syy), points.sxy.push_back(row.sxy);
+    points.volume.push_back(volume), points.mass.push_back(file.density * volume);
+  }
+  scene.bodies.push_back({"particle file", *material, file.density, 0, first, file.rows.size()});
+}
+
+}  // namespace tether

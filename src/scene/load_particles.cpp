@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/load_particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+
+namespace tether {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders that a relative path climbs above the one it starts from.
+int climbs(const fs::path& path) {
+  int level = 0, lowest = 0;
+  for (const auto& part : path) {
+    if (part == "..")
+      lowest = std::min(lowest, --level);
+    else if (part != "." && !part.empty())
+      ++level;
+  }
+  return -lowest;
+}
+
+std::optional<ParticleFile> read_path(const fs::path& path, const Diagnostic& missing, Diagnostics& diagnostics) {
+  try {
+    return read_particle_file(read_file(path), path.string(), 1, diagnostics);
+  } catch (const FileError& error) {
+    Diagnostic diagnostic = missing;
+    diagnostic.message = fmt::format("particle file: {}", error.what());
+    diagnostics.add(diagnostic);
+    return std::nullopt;
+  }
+}
+
+std::optional<ParticleFile> read_named(const Deck& deck, const std::string& name, Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* message) {
+    diagnostics.add(deck.remark(Severity::error, "in", "particles", {1, 1}, message,
+                                "write a path from the deck's folder, at most one folder up, such as "
+                                "'../particles/x.par', or use --particles FILE"));
+  };
+  const fs::path path(name);
+  if (path.is_absolute()) return refuse("the particle path is absolute"), std::nullopt;
+  if (climbs(path) > 1) return refuse("the particle path climbs more than one folder"), std::nullopt;
+  return read_path(
+      fs::path(deck.file()).parent_path() / path,
+      deck.remark(Severity::error, "in", "particles", {1, 1}, "", "the path counts from the deck's folder"),
+      diagnostics);
+}
+
+}  // namespace
+
+std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional<fs::path>& given,
+                                           Diagnostics& diagnostics) {
+  const int igen = deck.integer("in", "igen");
+  if (igen == 1) {
+    if (given)
+      diagnostics.add(deck.remark(Severity::warning, "in", "igen", {1, 1},
+                                  "igen = 1 reads no particle file: --particles is not used"));
+    return std::nullopt;
+  }
+  if (given) {
+    Diagnostic missing;
+    missing.hint = "named by --particles";
+    return read_path(*given, missing, diagnostics);
+  }
+  const std::string name = deck.text("in", "particles");
+  if (!name.empty()) return read_named(deck, name, diagnostics);
+  if (!trim(deck.trailer().text).empty()) {
+    return read_particle_file(deck.trailer().text, deck.file(), deck.trailer().first_line, diagnostics);
+  }
+  diagnostics.add(deck.remark(Severity::error, "in", "igen", {1, 1},
+                              fmt::format("igen = {} takes points from a particle file, and none is named", igen),
+                              "add particles='../particles/x.par' to $in, put the data behind the last group, or use "
+                              "--particles FILE"));
+  return std::nullopt;
+}
+
+}  // namespace tether

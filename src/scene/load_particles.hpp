@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "base/diagnostics.hpp"
+#include "deck/deck.hpp"
+#include "deck/particle_file.hpp"
+
+namespace tether {
+
+/// The particle data of a deck with igen 0 or 3: from `given` (the command line's --particles), else from the file that
+/// $in particles names (relative to the deck, at most one folder up), else from behind the deck's last group. Nothing
+/// for igen 1.
+std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional<std::filesystem::path>& given,
+                                           Diagnostics& diagnostics);
+
+}  // namespace tether

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/materials.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+namespace tether {
+namespace {
+
+/// Tells a mistake in one of the law's numbers at its place: which number, what is wrong, what would be right.
+using Refuse = std::function<void(int constant, const std::string& message, const std::string& hint)>;
+
+std::optional<Material> elastic(int ipath, double E, double nu, const Refuse& refuse) {
+  const bool strain = ipath == 0;
+  if (!(E > 0)) refuse(1, fmt::format("an elastic solid needs Young's modulus > 0, not {:.6g}", E), "constant 1 is E");
+  if (!(nu > -1) || !(strain ? nu < 0.5 : nu <= 0.5)) {
+    refuse(2, fmt::format("Poisson's ratio {:.6g} is out of range", nu),
+           strain ? "plane strain takes -1 < nu < 0.5" : "plane stress takes -1 < nu <= 0.5");
+  }
+  return strain ? plane_strain(E, nu) : plane_stress(E, nu);
+}
+
+std::optional<Material> gas(const Deck& deck, int ipath) {
+  IdealGas law;
+  law.gm1 = deck.real("fluid", "gm1");
+  law.mu = deck.real("fluid", "mu");
+  law.lambda = deck.real("fluid", "lambda");
+  law.coef1 = deck.real("fluid", "coef1");
+  law.coef2 = deck.real("fluid", "coef2");
+  law.rule = ipath == 9 ? DensityRule::quadratic : DensityRule::continuity;
+  const std::string rule = deck.given("mpm", "density") ? deck.text("mpm", "density") : "";
+  if (rule == "cell") law.rule = DensityRule::cell;
+  if (rule == "quadratic") law.rule = DensityRule::quadratic;
+  if (rule == "continuity") law.rule = DensityRule::continuity;
+  return law;
+}
+
+}  // namespace
+
+std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& diagnostics) {
+  const int ipath = deck.given("reg", "ipath", 4, r) ? deck.integer("reg", "ipath", 4, r) : -1;
+  const double first = deck.real("reg", "matr", 1, r);
+  const Refuse refuse = [&](int constant, const std::string& message, const std::string& hint) {
+    diagnostics.add(
+        deck.remark(Severity::error, "reg", "matr", {constant, r}, fmt::format("region {}: {}", r, message), hint));
+  };
+  switch (ipath) {
+    case 0:
+    case 2:
+      return elastic(ipath, first, deck.real("reg", "matr", 2, r), refuse);
+    case 7:
+    case 9:
+      return gas(deck, ipath);
+    case 8:
+      if (!(first > 0))
+        refuse(1, fmt::format("a linear fluid needs its bulk modulus > 0, not {:.6g}", first), "matr(1) is beta");
+      return LinearFluid{first};
+    default:
+      break;
+  }
+  diagnostics.add(deck.remark(
+      Severity::error, "reg", "ipath", {4, r},
+      ipath == -1 ? fmt::format("region {}: ipath(4,{}) is not given", r, r)
+                  : fmt::format("region {}: ipath(4) = {} names no law", r, ipath),
+      "0 plane strain, 2 plane stress, 7 gas with continuity density, 9 gas with quadratic density, 8 linear fluid"));
+  return std::nullopt;
+}
+
+std::optional<Material> file_material(const Deck& deck, const ParticleFile& file, Diagnostics& diagnostics) {
+  const auto tell = [&](int line, const std::string& message, const std::string& hint) {
+    diagnostics.error({file.file, line, 1}, line_text(file, line), message, hint);
+  };
+  const Refuse refuse = [&](int, const std::string& message, const std::string& hint) {
+    tell(file.constants_line, message, hint);
+  };
+  const double E = file.constants[0], nu = file.constants[1];
+  switch (file.ipath[3]) {
+    case 0:
+    case 2:
+      return elastic(file.ipath[3], E, nu, refuse);
+    case 8:
+      if (!(E > 0)) refuse(1, fmt::format("a string needs Young's modulus > 0, not {:.6g}", E), "constant 1 is E");
+      return Uniaxial{E, nu, deck.logical("membrane", "wrinkle")};
+    default:
+      break;
+  }
+  tell(file.ipath_line, fmt::format("ipath(4) = {} in a particle file names no law", file.ipath[3]),
+       "0 plane strain, 2 plane stress, 8 string; gas comes from a region, which has its energy in siep");
+  return std::nullopt;
+}
+
+}  // namespace tether

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/memory.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <limits>
+
+#include "scene/size.hpp"
+
+namespace tether {
+namespace {
+
+/// Part of the physical memory that a run may take.
+constexpr double usable = 0.8;
+
+double physical_memory() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+std::string memory_refusal(const BackgroundGrid& grid, double points) {
+  const double nodes = static_cast<double>(grid.nx) * static_cast<double>(grid.ny);
+  const double bytes = nodes * bytes_per_node + points * bytes_per_point;
+  const double there = usable * physical_memory();
+  const double most = std::numeric_limits<int>::max();
+  if (bytes <= there && nodes <= most && points <= most) return "";
+  return fmt::format("{} x {} nodes and {:.3g} points would need {:.4g} GB of memory, and {:.4g} GB can be used",
+                     grid.nx, grid.ny, points, 1e-9 * bytes, 1e-9 * there);
+}
+
+}  // namespace tether

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+
+#include "scene/bodies.hpp"
+
+namespace tether {
+namespace {
+
+/// The scene's number of row i of the particle file; tells where there is no such row.
+std::optional<std::size_t> row_number(const Deck& deck, const char* name, Subscript at, std::size_t file_first,
+                                      std::size_t file_rows, Diagnostics& diagnostics) {
+  const auto row = static_cast<std::size_t>(at[0]);
+  if (row <= file_rows) return file_first + row - 1;
+  diagnostics.add(
+      deck.remark(Severity::error, "points", name, at,
+                  fmt::format("{}({}) counts rows of the particle file, which has {}", name, row, file_rows),
+                  "the first row is 1"));
+  return std::nullopt;
+}
+
+std::size_t nearest_point(const PointSet& points, double x, double y) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double dx = points.x[p] - x, dy = points.y[p] - y, distance = dx * dx + dy * dy;
+    if (distance < least) least = distance, best = p;
+  }
+  return best;
+}
+
+}  // namespace
+
+void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene,
+                        Diagnostics& diagnostics) {
+  for (const Subscript at : deck.given_elements("points", "heavy")) {
+    const auto p = row_number(deck, "heavy", at, file_first, file_rows, diagnostics);
+    if (p) scene.points.mass[*p] = deck.real("points", "heavy", at[0]);
+  }
+  for (const Subscript at : deck.given_elements("points", "tracked")) {
+    if (!deck.logical("points", "tracked", at[0])) continue;
+    const auto p = row_number(deck, "tracked", at, file_first, file_rows, diagnostics);
+    if (p) scene.tracked.push_back(*p);
+  }
+  for (const Subscript at : deck.given_elements("points", "tracked_at")) {
+    if (at[0] != 1) continue;
+    if (!deck.given("points", "tracked_at", 2, at[1])) {
+      diagnostics.add(deck.remark(Severity::error, "points", "tracked_at", at, "tracked_at needs x and y",
+                                  fmt::format("write tracked_at(1,{})=x,y", at[1])));
+      continue;
+    }
+    if (scene.points.size() == 0) continue;
+    scene.tracked.push_back(nearest_point(scene.points, deck.real("points", "tracked_at", 1, at[1]),
+                                          deck.real("points", "tracked_at", 2, at[1])));
+  }
+}
+
+}  // namespace tether

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tether {
+namespace {
+
+template <class Law>
+auto count_bodies(const Scene& scene) {
+  return std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                       [](const Body& body) { return std::holds_alternative<Law>(body.material); });
+}
+
+/// What the scene lacks for the solution; empty where it has all.
+std::string lacks(ReferenceKind kind, const Scene& scene) {
+  const bool string = count_bodies<Uniaxial>(scene) == 1;
+  const bool tracked = !scene.tracked.empty();
+  switch (kind) {
+    case ReferenceKind::riemann:
+      return count_bodies<IdealGas>(scene) == 2 && scene.bodies.size() == 2
+                 ? ""
+                 : "two regions of gas, left and right, and nothing else";
+    case ReferenceKind::spring:
+    case ReferenceKind::string:
+    case ReferenceKind::pendulum:
+      return string && tracked && scene.gravity < 0
+                 ? ""
+                 : "a string from a particle file, its last point tracked, and gravc < 0";
+    case ReferenceKind::piston:
+      return string && tracked && count_bodies<LinearFluid>(scene) == 1
+                 ? ""
+                 : "a linear fluid, a spring from a particle file, its last point tracked";
+    case ReferenceKind::none:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+ReferenceKind reference_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
+  const std::string name = deck.text("reference", "solution");
+  const ReferenceKind kind = name == "riemann"    ? ReferenceKind::riemann
+                             : name == "spring"   ? ReferenceKind::spring
+                             : name == "string"   ? ReferenceKind::string
+                             : name == "pendulum" ? ReferenceKind::pendulum
+                             : name == "piston"   ? ReferenceKind::piston
+                                                  : ReferenceKind::none;
+  const std::string missing = lacks(kind, scene);
+  if (!missing.empty() && !diagnostics.has_errors()) {
+    diagnostics.add(deck.remark(Severity::error, "reference", "solution", {1, 1},
+                                fmt::format("the solution '{}' needs {}", name, missing),
+                                "leave $reference out, or complete the deck"));
+  }
+  return kind;
+}
+
+}  // namespace tether

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/diagnostics.hpp"
+#include "deck/deck.hpp"
+#include "scene/scene.hpp"
+
+namespace tether {
+
+/// The exact solution that $reference names, and whether the scene has what it needs.
+ReferenceKind reference_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace tether

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/bodies.hpp"
+#include "scene/geometry.hpp"
+#include "scene/materials.hpp"
+#include "scene/memory.hpp"
+
+namespace tether {
+namespace {
+
+/// Reads one region's values and tells what is wrong with them at their places.
+class RegionReader {
+ public:
+  RegionReader(const Deck& deck, int r, Diagnostics& diagnostics) : deck_(deck), r_(r), diagnostics_(diagnostics) {}
+
+  double real(const char* name) const { return deck_.real("reg", name, r_); }
+  void error(const char* name, Subscript at, const std::string& message, const std::string& hint) const {
+    diagnostics_.add(deck_.remark(Severity::error, "reg", name, at, fmt::format("region {}: {}", r_, message), hint));
+  }
+  std::optional<RegionShape> shape() const {
+    const int vertices = deck_.integer("reg", "nvi", r_);
+    if (vertices < 3) {
+      error("nvi", {r_, 1}, fmt::format("a polygon has at least 3 vertices, not {}", vertices),
+            "give nvi, xvi and yvi");
+      return std::nullopt;
+    }
+    RegionShape shape;
+    for (int k = 1; k <= vertices; ++k) {
+      shape.polygon.x.push_back(deck_.real("reg", "xvi", k, r_));
+      shape.polygon.y.push_back(deck_.real("reg", "yvi", k, r_));
+    }
+    shape.outer = {real("xcenter"), real("ycenter"), real("rex"), real("rey")};
+    shape.inner = {real("xcenter"), real("ycenter"), real("rix"), real("riy")};
+    return shape;
+  }
+  /// Points along one side of a cell, or 0 where nprg is no square.
+  int lattice() const {
+    const int nprg = deck_.integer("reg", "nprg", r_);
+    const int side = static_cast<int>(std::lround(std::sqrt(nprg)));
+    if (side * side == nprg) return side;
+    error("nprg", {r_, 1}, fmt::format("nprg = {} is no square", nprg),
+          "points per cell: 1, 4, 9, 16, 25, 36, 49, 64 ...");
+    return 0;
+  }
+  double density() const {
+    if (deck_.given("reg", "densir", r_)) return real("densir");
+    error("densir", {r_, 1}, fmt::format("densir({}) is not given", r_), "every region needs its density");
+    return 1;
+  }
+  /// Initial specific internal energy, of a gas only.
+  double energy(const Material& material) const {
+    if (!std::holds_alternative<IdealGas>(material)) return 0;
+    if (!deck_.given("fluid", "siep", r_)) {
+      error("ipath", {4, r_}, fmt::format("a gas needs siep({}), its initial specific internal energy", r_),
+            "give it in $fluid");
+    }
+    return deck_.real("fluid", "siep", r_);
+  }
+
+ private:
+  const Deck& deck_;
+  int r_;
+  Diagnostics& diagnostics_;
+};
+
+/// Cells from the one that holds `low` to the one that holds `high`, clipped to the grid; empty where first > last.
+struct CellSpan {
+  int first, last;
+  CellSpan(const std::vector<double>& vertices, double origin, double size, int cells) {
+    const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end());
+    first = static_cast<int>(std::clamp(std::floor((*low - origin) / size), 0.0, static_cast<double>(cells)));
+    last = static_cast<int>(std::clamp(std::floor((*high - origin) / size), -1.0, cells - 1.0));
+  }
+  double count() const { return std::max(0.0, 1.0 + last - first); }
+};
+
+struct Lattice {
+  int side;
+  double volume, mass, vx, vy;
+};
+
+void append(PointSet& points, double x, double y, const Lattice& lattice) {
+  points.x.push_back(x), points.y.push_back(y);
+  points.vx.push_back(lattice.vx), points.vy.push_back(lattice.vy);
+  points.sxx.push_back(0), points.syy.push_back(0), points.sxy.push_back(0);
+  points.volume.push_back(lattice.volume), points.mass.push_back(lattice.mass);
+}
+
+void fill_cell(int i, int j, const BackgroundGrid& grid, const RegionShape& shape, const Lattice& lattice,
+               PointSet& points) {
+  for (int b = 0; b < lattice.side; ++b) {
+    for (int a = 0; a < lattice.side; ++a) {
+      const double x = grid.x0 + (i + (a + 0.5) / lattice.side) * grid.dx;
+      const double y = grid.y0 + (j + (b + 0.5) / lattice.side) * grid.dy;
+      if (shape.contains(x, y)) append(points, x, y, lattice);
+    }
+  }
+}
+
+}  // namespace
+
+void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics) {
+  const RegionReader reader(deck, r, diagnostics);
+  const std::size_t errors_before = diagnostics.errors().size();
+  const auto shape = reader.shape();
+  const auto material = region_material(deck, r, diagnostics);
+  const int side = reader.lattice();
+  const double density = reader.density();
+  const double energy = material ? reader.energy(*material) : 0;
+  if (diagnostics.errors().size() > errors_before) return;
+
+  const BackgroundGrid& grid = scene.grid;
+  const CellSpan columns(shape->polygon.x, grid.x0, grid.dx, grid.cells_x());
+  const CellSpan rows(shape->polygon.y, grid.y0, grid.dy, grid.cells_y());
+  const std::string too_large = memory_refusal(grid, columns.count() * rows.count() * side * side);
+  if (!too_large.empty()) return reader.error("nprg", {r, 1}, too_large, "use fewer points per cell or a coarser grid");
+
+  const double volume = grid.dx * grid.dy / (side * side);
+  const Lattice lattice{side, volume, density * volume, reader.real("vrx"), reader.real("vry")};
+  const std::size_t first = scene.points.size();
+  for (int j = rows.first; j <= rows.last; ++j) {
+    for (int i = columns.first; i <= columns.last; ++i) fill_cell(i, j, grid, *shape, lattice, scene.points);
+  }
+  const std::size_t count = scene.points.size() - first;
+  if (count == 0) {
+    const bool outside = columns.count() * rows.count() == 0;
+    return reader.error("xvi", {1, r}, outside ? "it lies wholly outside the grid" : "it holds no point",
+                        outside ? fmt::format("the grid spans x {:.6g} to {:.6g}, y {:.6g} to {:.6g}", grid.x0, grid.x1,
+                                              grid.y0, grid.y1)
+                                : "check its vertices, its ellipses and nprg");
+  }
+  scene.bodies.push_back({fmt::format("region {}", r), *material, density, energy, first, count});
+}
+
+}  // namespace tether

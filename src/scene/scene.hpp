@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/units.hpp"
+#include "grid/background_grid.hpp"
+#include "laws/materials/material.hpp"
+#include "laws/walls/walls.hpp"
+
+namespace tether {
+
+/// Initial state of material points, one array a property, all of one length.
+struct PointSet {
+  std::vector<double> x, y;           // [length]
+  std::vector<double> vx, vy;         // [velocity]
+  std::vector<double> sxx, syy, sxy;  // initial stress [stress]
+  std::vector<double> volume;         // [volume], per unit depth
+  std::vector<double> mass;           // [mass], per unit depth
+  std::size_t size() const { return x.size(); }
+};
+
+/// Points first .. first + count - 1 of the scene's PointSet, all of one law and density.
+struct Body {
+  std::string name;
+  Material material;
+  double density = 0;          // [mass/volume], of the deck; a heavy point does not change it
+  double specific_energy = 0;  // initial, of a gas [energy/mass]
+  std::size_t first = 0, count = 0;
+};
+
+struct Clock {
+  double tmax = 0;   // [time]
+  double tstep = 0;  // the deck's step, min(tstep, dtmax) [time]
+  double cfl = 1;    // factor of the step limit; 0 takes the deck's step as it is
+};
+
+/// When stress is updated in a step: after the new velocities were mapped back (musl, the thesis'), first, or last.
+enum class StressOrder { musl, usf, usl };
+
+/// The exact solution to compare with, of src/reference.
+enum class ReferenceKind { none, riemann, spring, string, pendulum, piston };
+
+/// Intervals between outputs [time]; 0 where an output is off.
+struct OutputIntervals {
+  double history = 0, points = 0, grid = 0;
+  bool tracked_angle = false;
+};
+
+/// What the user asked for, without a word on how it is computed: values only, no files, no deck, no solver.
+struct Scene {
+  std::string title;
+  Units units = Units::none;
+  BackgroundGrid grid;
+  Walls walls;
+  double gravity = 0;  // acceleration in y [length/time2]
+  PointSet points;
+  std::vector<Body> bodies;
+  std::vector<std::size_t> tracked;  ///< points whose paths are recorded
+  Clock clock;
+  StressOrder order = StressOrder::musl;
+  OutputIntervals outputs;
+  ReferenceKind reference = ReferenceKind::none;
+};
+
+}  // namespace tether

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace tether {
+
+/// Memory that a node of the background grid and a material point take while a scene runs [bytes]. The solver asserts
+/// that these hold.
+constexpr double bytes_per_node = 128;
+constexpr double bytes_per_point = 320;
+
+}  // namespace tether
