@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plan/terms.hpp"
+#include "scene/size.hpp"
+
+namespace tether {
+namespace {
+
+/// What a point-step of the MPM path costs on a machine of 2020's make; only for the estimate [s].
+constexpr double seconds_per_point_step = 45e-9;
+
+struct FirstWave {
+  const Scene& scene;
+  const Body& body;
+  double operator()(const PlaneElastic& law) const { return law.sound_speed(body.density); }
+  double operator()(const LinearFluid& law) const { return law.sound_speed(body.density); }
+  double operator()(const Uniaxial& law) const { return law.sound_speed(body.density); }
+  double operator()(const IdealGas& law) const {
+    double speed = 0;
+    for (std::size_t p = body.first; p < body.first + body.count; ++p) {
+      speed = std::max(speed, std::hypot(scene.points.vx[p], scene.points.vy[p]));
+    }
+    return std::sqrt(law.sound_speed_squared(body.specific_energy)) + speed;
+  }
+};
+
+StepRule step_rule(const Scene& scene) {
+  StepRule rule{scene.clock.tstep, scene.clock.cfl, std::min(scene.grid.dx, scene.grid.dy), 0, 0};
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    const double c = std::visit(FirstWave{scene, body}, body.material);
+    if (!std::holds_alternative<IdealGas>(body.material)) rule.solid_speed = std::max(rule.solid_speed, c);
+    fastest = std::max(fastest, c);
+  }
+  rule.first_limit = fastest > 0 ? rule.h / fastest : std::numeric_limits<double>::infinity();
+  return rule;
+}
+
+Cost cost_of(const Scene& scene, const StepRule& rule) {
+  Cost cost;
+  cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
+  cost.point_steps = cost.steps * static_cast<double>(scene.points.size());
+  cost.megabytes = 1e-6 * (static_cast<double>(scene.grid.nodes()) * bytes_per_node +
+                           static_cast<double>(scene.points.size()) * bytes_per_point);
+  cost.seconds = cost.point_steps * seconds_per_point_step;
+  return cost;
+}
+
+std::vector<std::string> warnings_of(const StepRule& rule) {
+  const double ratio = rule.deck_step / rule.first_limit;
+  if (!(ratio > 1 + 1e-9)) return {};
+  if (rule.cfl > 0) {
+    if (rule.deck_step <= rule.cfl * rule.first_limit) return {};
+    return {fmt::format("the deck's step {:.4g} is {:.2f} times the limit dx/c = {:.4g}: steps are limited to {:.4g}",
+                        rule.deck_step, ratio, rule.first_limit, rule.cfl * rule.first_limit)};
+  }
+  return {fmt::format("the deck's step {:.4g} is {:.2f} times the limit dx/c = {:.4g} and taken as it is (cfl = 0)",
+                      rule.deck_step, ratio, rule.first_limit)};
+}
+
+}  // namespace
+
+double StepRule::first_step() const { return cfl == 0 ? deck_step : std::min(deck_step, cfl * first_limit); }
+
+double StepRule::step(double gas_wave) const {
+  if (cfl == 0) return deck_step;
+  const double fastest = std::max(solid_speed, gas_wave);
+  return fastest > 0 ? std::min(deck_step, cfl * h / fastest) : deck_step;
+}
+
+Plan make_plan(Scene scene) {
+  Plan plan;
+  plan.step = step_rule(scene);
+  plan.terms = terms_of(scene);
+  plan.cost = cost_of(scene, plan.step);
+  plan.warnings = warnings_of(plan.step);
+  plan.scene = std::move(scene);
+  return plan;
+}
+
+std::string to_text(const Plan& plan) {
+  const Scene& scene = plan.scene;
+  std::string text = fmt::format("path: mpm (material points, plane)\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
+                                 scene.grid.nx, scene.grid.ny, scene.grid.dx, scene.grid.dy);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count, material_name(body.material));
+  }
+  text += "modelled:\n";
+  for (const Term& term : plan.terms) {
+    if (term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
+  }
+  text += "left out:\n";
+  for (const Term& term : plan.terms) {
+    if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
+  }
+  text += fmt::format("step: {:.6g} at the start (deck {:.6g}, limit dx/c {:.6g}, cfl {:.3g})\n",
+                      plan.step.first_step(), plan.step.deck_step, plan.step.first_limit, plan.step.cfl);
+  text += fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} s on one core\n",
+                      plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds);
+  for (const auto& warning : plan.warnings) text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+}  // namespace tether

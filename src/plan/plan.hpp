@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace tether {
+
+/// dt = min(deck's step, cfl h / c), c = sqrt(E / rho) for solids and strings, c + |v| for gas; cfl 0: the deck's step.
+struct StepRule {
+  double deck_step = 0;    // [time]
+  double cfl = 1;          // number
+  double h = 0;            // smaller side of a cell [length]
+  double solid_speed = 0;  // largest c of all but gas, constant in time [velocity]
+  double first_limit = 0;  // h / c at the start; infinite where nothing has a speed [time]
+
+  double first_step() const;
+  /// The step while the fastest wave of the gas has this speed (0 without gas).
+  double step(double gas_wave) const;
+};
+
+/// A part of the model: whether it is there, and why.
+struct Term {
+  std::string name;
+  bool on = false;
+  std::string reason;
+};
+
+/// What a run is expected to cost.
+struct Cost {
+  double steps = 0, point_steps = 0, megabytes = 0, seconds = 0;
+};
+
+/// What will be modelled, what is left out and why. Owns the scene.
+struct Plan {
+  Scene scene;
+  StepRule step;
+  std::vector<Term> terms;
+  Cost cost;
+  std::vector<std::string> warnings;
+};
+
+Plan make_plan(Scene scene);
+
+/// The plan for people: terms, step, cost (`tether plan`).
+std::string to_text(const Plan& plan);
+
+}  // namespace tether

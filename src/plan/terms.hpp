@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+
+namespace tether {
+
+/// What of the method the scene needs, and what it does not.
+std::vector<Term> terms_of(const Scene& scene);
+
+std::string material_name(const Material& material);
+
+}  // namespace tether
