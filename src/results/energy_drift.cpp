@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/energy_drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether {
+namespace {
+
+double largest_change(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value - values.front()));
+  return largest;
+}
+
+}  // namespace
+
+double energy_drift(const History& history) {
+  double exchanged = 0;
+  for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal", "energy_potential"}) {
+    exchanged = std::max(exchanged, largest_change(history.column(kind)));
+  }
+  return exchanged > 0 ? largest_change(history.column("energy_total")) / exchanged : 0;
+}
+
+double mass_drift(const History& history) {
+  const auto mass = history.column("mass");
+  return largest_change(mass) / mass.front();
+}
+
+}  // namespace tether

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "results/results.hpp"
+
+namespace tether {
+
+/// Largest change of the total energy (nothing outside does work on these scenes), over the largest energy that was
+/// exchanged: the largest change of any one kind. 0 where nothing was exchanged.
+double energy_drift(const History& history);
+
+/// Largest change of the mass over the mass at the start.
+double mass_drift(const History& history);
+
+}  // namespace tether

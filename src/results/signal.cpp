@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/signal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tether {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Vertex of the parabola through samples k - 1, k, k + 1.
+Reading refined(const std::vector<double>& t, const std::vector<double>& v, std::size_t k) {
+  if (k == 0 || k + 1 >= v.size()) return {t[k], v[k]};
+  const double left = (v[k] - v[k - 1]) / (t[k] - t[k - 1]), right = (v[k + 1] - v[k]) / (t[k + 1] - t[k]);
+  const double curve = (right - left) / (t[k + 1] - t[k - 1]);
+  if (curve == 0) return {t[k], v[k]};
+  const double slope = left + curve * (t[k] - t[k - 1]);
+  const double shift = -0.5 * slope / curve;
+  return {t[k] + shift, v[k] + 0.5 * slope * shift};
+}
+
+}  // namespace
+
+double middle(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return 0.5 * (*low + *high);
+}
+
+std::vector<double> passages(const std::vector<double>& time, const std::vector<double>& values, double level) {
+  std::vector<double> times;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const double a = values[k - 1] - level, b = values[k] - level;
+    if ((a > 0) != (b > 0)) times.push_back(time[k - 1] + (time[k] - time[k - 1]) * a / (a - b));
+  }
+  return times;
+}
+
+double period_about(const std::vector<double>& time, const std::vector<double>& values, double level) {
+  const auto times = passages(time, values, level);
+  if (times.size() < 2) return none;
+  return 2 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+Reading first_minimum(const std::vector<double>& time, const std::vector<double>& values) {
+  std::size_t lowest = 0;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    if (values[k] < values[lowest]) lowest = k;
+    if (values[k] - values[lowest] > 0.5 * (values.front() - values[lowest])) break;
+  }
+  return refined(time, values, lowest);
+}
+
+Reading first_maximum_after(const std::vector<double>& time, const std::vector<double>& values, double after) {
+  const auto start = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), after) - time.begin());
+  if (start >= values.size()) return {none, none};
+  std::size_t highest = start;
+  bool fell = false;
+  for (std::size_t k = start; k < values.size() && !fell; ++k) {
+    if (values[k] > values[highest]) highest = k;
+    fell = values[highest] - values[k] > 0.5 * (values[highest] - values[start]);
+  }
+  return fell ? refined(time, values, highest) : Reading{none, none};
+}
+
+}  // namespace tether

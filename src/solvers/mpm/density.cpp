@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/density.hpp"
+
+#include <array>
+
+#include "grid/shape_functions.hpp"
+
+namespace tether::mpm {
+namespace {
+
+/// Places of cells -1 .. cells along one axis, times `stride`; a mirrored ring cell shares its image's place.
+std::vector<std::size_t> folded_axis(int cells, bool mirror_low, bool mirror_high, std::size_t stride) {
+  std::vector<std::size_t> place(static_cast<std::size_t>(cells) + 2);
+  for (std::size_t k = 0; k < place.size(); ++k) place[k] = k * stride;
+  if (mirror_low) place.front() = place[1];
+  if (mirror_high) place.back() = place[place.size() - 2];
+  return place;
+}
+
+}  // namespace
+
+CellDensity::CellDensity(const BackgroundGrid& shape, const Walls& walls, DensityRule rule)
+    : shape_(shape),
+      locator_(shape),
+      rule_(rule),
+      column_(folded_axis(shape.cells_x(), mirrors(walls.left), mirrors(walls.right), 1)),
+      row_(folded_axis(shape.cells_y(), mirrors(walls.bottom), mirrors(walls.top), column_.size())),
+      mass_(column_.size() * row_.size(), 0.0) {}
+
+double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / (shape_.dx * shape_.dy); }
+
+void CellDensity::clear_around(const Points& points, Range range) {
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    for (int j = at.j - 1; j <= at.j + 1; ++j) {
+      for (int i = at.i - 1; i <= at.i + 1; ++i) mass_[index(i, j)] = 0;
+    }
+  }
+}
+
+void CellDensity::add_cell(const Points& points, Range range) {
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    mass_[index(at.i, at.j)] += points.mass[p];  // (4.5)
+  }
+}
+
+void CellDensity::add_quadratic(const Points& points, Range range) {
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
+    for (int j = 0; j < 3; ++j) {
+      const double m = points.mass[p] * wy[static_cast<std::size_t>(j)];
+      for (int i = 0; i < 3; ++i)
+        mass_[index(at.i + i - 1, at.j + j - 1)] += m * wx[static_cast<std::size_t>(i)];  // (4.6)
+    }
+  }
+}
+
+void CellDensity::update(Points& points, const std::vector<Range>& gas, const std::vector<Range>& takers) {
+  for (const Range range : gas) clear_around(points, range);
+  for (const Range range : gas) {
+    if (rule_ == DensityRule::quadratic)
+      add_quadratic(points, range);
+    else
+      add_cell(points, range);
+  }
+  for (const Range range : takers) {
+    for (std::size_t p = range.begin; p < range.end; ++p) {
+      const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+      points.rho[p] = (*this)(at.i, at.j);
+    }
+  }
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/energies.hpp"
+
+#include "solvers/mpm/point_laws.hpp"
+
+namespace tether::mpm {
+namespace {
+
+Stress stress_of(const Points& P, std::size_t p) { return {P.sxx[p], P.syy[p], P.sxy[p]}; }
+
+double stored(const PlaneElastic& law, const Points& P, std::size_t p) {
+  return P.volume[p] * law.energy_density(stress_of(P, p));
+}
+double stored(const LinearFluid& law, const Points& P, std::size_t p) {
+  return P.volume[p] * law.energy_density(-P.sxx[p]);
+}
+double stored(const Uniaxial& law, const Points& P, std::size_t p) {
+  return P.volume[p] * law.energy_density(P.strain[p]);
+}
+double stored(const IdealGas&, const Points&, std::size_t) { return 0; }
+
+double pressure(const PlaneElastic& law, const Points& P, std::size_t p) {
+  return -(P.sxx[p] + P.syy[p] + law.out_of_plane_stress(stress_of(P, p))) / 3;
+}
+double pressure(const LinearFluid&, const Points& P, std::size_t p) { return -P.sxx[p]; }
+double pressure(const Uniaxial&, const Points& P, std::size_t p) { return -(P.sxx[p] + P.syy[p]) / 3; }
+double pressure(const IdealGas& law, const Points& P, std::size_t p) { return law.pressure(P.rho[p], P.energy[p]); }
+
+}  // namespace
+
+void Energies::add(const Body& body, const Points& P, const std::vector<std::size_t>& slots) {
+  const bool gas = std::holds_alternative<IdealGas>(body.material);
+  std::visit(
+      [&](const auto& law) {
+        for (std::size_t id = body.first; id < body.first + body.count; ++id) {
+          const std::size_t p = slots[id];
+          strain += stored(law, P, p);
+          if (gas) internal += P.mass[p] * P.energy[p];
+        }
+      },
+      body.material);
+}
+
+DerivedFields derived_fields(const Scene& scene, const Points& P, const std::vector<std::size_t>& slots) {
+  DerivedFields fields;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    std::visit(
+        [&](const auto& law) {
+          for (std::size_t id = body.first; id < body.first + body.count; ++id) {
+            const std::size_t p = slots[id];
+            const double volume = law_volume(law, P, p);
+            fields.body.push_back(static_cast<double>(b + 1));
+            fields.volume.push_back(volume);
+            fields.density.push_back(P.mass[p] / volume);
+            fields.pressure.push_back(pressure(law, P, p));
+          }
+        },
+        body.material);
+  }
+  return fields;
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/fields.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "solvers/mpm/energies.hpp"
+#include "solvers/mpm/steps.hpp"
+
+namespace tether::mpm {
+namespace {
+
+const std::vector<Quantity>& scene_quantities() {
+  static const std::vector<Quantity> rows{
+      {"time", Dimension::time, "time"},
+      {"dt", Dimension::time, "length of the last step"},
+      {"energy_kinetic", Dimension::energy, "kinetic energy of the points"},
+      {"energy_strain", Dimension::energy, "energy stored in solids, strings and linear fluids"},
+      {"energy_internal", Dimension::energy, "internal energy of the gas"},
+      {"energy_potential", Dimension::energy, "potential energy in gravity, zero at y = 0"},
+      {"energy_total", Dimension::energy, "sum of the energies"},
+      {"mass", Dimension::mass, "mass of the points"},
+      {"momentum_x", Dimension::momentum, "momentum in x"},
+      {"momentum_y", Dimension::momentum, "momentum in y"},
+      {"angular_momentum_z", Dimension::angular_momentum, "angular momentum about the origin"},
+  };
+  return rows;
+}
+
+const std::vector<Quantity>& body_quantities() {
+  static const std::vector<Quantity> rows{
+      {"body_x", Dimension::length, "centre of mass, x", Per::body},
+      {"body_y", Dimension::length, "centre of mass, y", Per::body},
+      {"body_vx", Dimension::velocity, "velocity of the centre of mass, x", Per::body},
+      {"body_vy", Dimension::velocity, "velocity of the centre of mass, y", Per::body},
+      {"body_mass", Dimension::mass, "mass", Per::body},
+  };
+  return rows;
+}
+
+const std::vector<Quantity>& tracked_quantities() {
+  static const std::vector<Quantity> rows{
+      {"point_x", Dimension::length, "place, x", Per::point},
+      {"point_y", Dimension::length, "place, y", Per::point},
+      {"point_vx", Dimension::velocity, "velocity, x", Per::point},
+      {"point_vy", Dimension::velocity, "velocity, y", Per::point},
+  };
+  return rows;
+}
+
+/// Where each point of the scene stands now.
+std::vector<std::size_t> slots_by_id(const Points& points) {
+  std::vector<std::size_t> slots(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p) slots[static_cast<std::size_t>(points.id[p])] = p;
+  return slots;
+}
+
+struct Motion {
+  double mass = 0, mx = 0, my = 0, px = 0, py = 0, angular = 0, kinetic = 0;
+
+  void add(const Points& P, std::size_t p) {
+    const double m = P.mass[p];
+    mass += m, mx += m * P.x[p], my += m * P.y[p];
+    px += m * P.vx[p], py += m * P.vy[p];
+    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p]);
+    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
+  }
+  void add(const Motion& other) {
+    mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
+    angular += other.angular, kinetic += other.kinetic;
+  }
+};
+
+/// Sums over a body in the order of the scene, so that constant sums stay constant to the last bit.
+Motion motion_of(const Body& body, const Points& P, const std::vector<std::size_t>& slots) {
+  Motion motion;
+  for (std::size_t id = body.first; id < body.first + body.count; ++id) motion.add(P, slots[id]);
+  return motion;
+}
+
+/// Angle of the line from the first to the last tracked point, from the downward vertical [degrees].
+double tracked_angle(const Points& P, std::size_t first, std::size_t last) {
+  return std::atan2(P.x[last] - P.x[first], P.y[first] - P.y[last]) * 180 / std::numbers::pi;
+}
+
+using Getter = std::function<double(std::size_t)>;
+
+Field field(const char* name, Dimension dimension, const char* meaning, const std::vector<std::size_t>& slots,
+            const Getter& get) {
+  Field result{{name, dimension, meaning, Per::scene}, {}};
+  result.values.reserve(slots.size());
+  for (const std::size_t slot : slots) result.values.push_back(get(slot));
+  return result;
+}
+
+Field node_field(const char* name, Dimension dimension, const char* meaning, const std::vector<NodeSums>& sums,
+                 const std::function<double(const NodeSums&)>& get) {
+  Field result{{name, dimension, meaning, Per::scene}, {}};
+  result.values.reserve(sums.size());
+  for (const NodeSums& sum : sums) result.values.push_back(get(sum));
+  return result;
+}
+
+}  // namespace
+
+HistoryLayout history_layout(const Scene& scene) {
+  HistoryLayout layout;
+  layout.quantities = scene_quantities();
+  if (scene.outputs.tracked_angle) {
+    layout.quantities.push_back(
+        {"tracked_angle", Dimension::number,
+         "degrees from the downward vertical of the line from the first to the last tracked point"});
+  }
+  for (const auto& row : body_quantities()) layout.quantities.push_back(row);
+  if (!scene.tracked.empty()) {
+    for (const auto& row : tracked_quantities()) layout.quantities.push_back(row);
+  }
+  for (const Body& body : scene.bodies) layout.body_names.push_back(body.name);
+  for (const std::size_t id : scene.tracked) layout.point_names.push_back(fmt::format("point {}", id + 1));
+  return layout;
+}
+
+Record record(const State& state, const Scene& scene) {
+  const Points& P = state.points;
+  const auto slots = slots_by_id(P);
+  std::vector<Motion> bodies;
+  Motion all;
+  Energies energies;
+  for (const Body& body : scene.bodies) {
+    bodies.push_back(motion_of(body, P, slots));
+    all.add(bodies.back());
+    energies.add(body, P, slots);
+  }
+  const double potential = -scene.gravity * all.my;
+  Record values{state.time,
+                state.dt_last,
+                all.kinetic,
+                energies.strain,
+                energies.internal,
+                potential,
+                all.kinetic + energies.strain + energies.internal + potential,
+                all.mass,
+                all.px,
+                all.py,
+                all.angular};
+  if (scene.outputs.tracked_angle) {
+    values.push_back(tracked_angle(P, slots[scene.tracked.front()], slots[scene.tracked.back()]));
+  }
+  const auto per_body = [&](auto get) {
+    for (const Motion& m : bodies) values.push_back(get(m));
+  };
+  per_body([](const Motion& m) { return m.mx / m.mass; });
+  per_body([](const Motion& m) { return m.my / m.mass; });
+  per_body([](const Motion& m) { return m.px / m.mass; });
+  per_body([](const Motion& m) { return m.py / m.mass; });
+  per_body([](const Motion& m) { return m.mass; });
+  for (const auto* array : {&P.x, &P.y, &P.vx, &P.vy}) {
+    for (const std::size_t id : scene.tracked) values.push_back((*array)[slots[id]]);
+  }
+  return values;
+}
+
+Snapshot point_fields(const State& state, const Scene& scene) {
+  const Points& P = state.points;
+  const auto slots = slots_by_id(P);
+  const auto derived = derived_fields(scene, P, slots);
+  const auto of = [&P](const std::vector<double> Points::*array) {
+    return [&P, array](std::size_t p) { return (P.*array)[p]; };
+  };
+  Snapshot snapshot{state.time, {}};
+  auto& fields = snapshot.fields;
+  fields.push_back(field("x", Dimension::length, "place, x", slots, of(&Points::x)));
+  fields.push_back(field("y", Dimension::length, "place, y", slots, of(&Points::y)));
+  fields.push_back(field("id", Dimension::number, "number of the point, from 1", slots,
+                         [&P](std::size_t p) { return P.id[p] + 1.0; }));
+  fields.push_back({{"body", Dimension::number, "number of its body, from 1", Per::scene}, derived.body});
+  fields.push_back(field("vx", Dimension::velocity, "velocity, x", slots, of(&Points::vx)));
+  fields.push_back(field("vy", Dimension::velocity, "velocity, y", slots, of(&Points::vy)));
+  fields.push_back(field("mass", Dimension::mass, "mass", slots, of(&Points::mass)));
+  fields.push_back({{"volume", Dimension::volume, "volume", Per::scene}, derived.volume});
+  fields.push_back(field("sxx", Dimension::stress, "stress, xx", slots, of(&Points::sxx)));
+  fields.push_back(field("syy", Dimension::stress, "stress, yy", slots, of(&Points::syy)));
+  fields.push_back(field("sxy", Dimension::stress, "stress, xy", slots, of(&Points::sxy)));
+  fields.push_back({{"density", Dimension::density, "density", Per::scene}, derived.density});
+  fields.push_back({{"pressure", Dimension::stress,
+                     "gas: pressure without its viscous parts; else minus the mean stress", Per::scene},
+                    derived.pressure});
+  fields.push_back(field("specific_energy", Dimension::specific_energy, "gas: internal energy per mass", slots,
+                         of(&Points::energy)));
+  fields.push_back(field("strain", Dimension::number, "string: strain along its tangent", slots, of(&Points::strain)));
+  return snapshot;
+}
+
+Snapshot grid_fields(const State& state, const Scene& scene) {
+  std::vector<NodeSums> sums(state.grid.shape.nodes());
+  map_all(state, scene, sums);
+  const auto quotient = [](double a, double m) { return m > 0 ? a / m : 0.0; };
+  Snapshot snapshot{state.time, {}};
+  auto& fields = snapshot.fields;
+  fields.push_back(
+      node_field("mass", Dimension::mass, "mass mapped to the node", sums, [](const NodeSums& n) { return n.m; }));
+  fields.push_back(node_field("vx", Dimension::velocity, "mapped velocity, x", sums,
+                              [&](const NodeSums& n) { return quotient(n.momentum[0], n.m); }));
+  fields.push_back(node_field("vy", Dimension::velocity, "mapped velocity, y", sums,
+                              [&](const NodeSums& n) { return quotient(n.momentum[1], n.m); }));
+  fields.push_back(node_field("force_x", Dimension::force, "internal and body force before walls, x", sums,
+                              [](const NodeSums& n) { return n.force[0]; }));
+  fields.push_back(node_field("force_y", Dimension::force, "internal and body force before walls, y", sums,
+                              [&](const NodeSums& n) { return n.force[1] + n.m * scene.gravity; }));
+  return snapshot;
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "results/results.hpp"
+#include "scene/scene.hpp"
+#include "solvers/mpm/state.hpp"
+
+namespace tether::mpm {
+
+/// What the material point path can write: the history's columns and a record of them, and fields of points and nodes.
+/// Points come in the order of the scene, whatever slots they stand in.
+HistoryLayout history_layout(const Scene& scene);
+Record record(const State& state, const Scene& scene);
+Snapshot point_fields(const State& state, const Scene& scene);
+Snapshot grid_fields(const State& state, const Scene& scene);
+
+}  // namespace tether::mpm

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/steps.hpp"
+#include "solvers/mpm/stop.hpp"
+
+namespace tether::mpm {
+namespace {
+
+/// A last step this much longer than the step would be is taken whole: rounding in the sum of steps must not leave a
+/// sliver before tmax.
+constexpr double stretch = 1 + 1e-9;
+
+/// A step this much shorter than the deck's is no step any more.
+constexpr double vanishing = 1e-9;
+
+}  // namespace
+
+template <class Order>
+MpmSolver<Order>::MpmSolver(const Plan& plan)
+    : plan_(plan), state_(start(plan.scene)), sort_(plan.scene.points.size()), limit_told_(!plan.warnings.empty()) {}
+
+template <class Order>
+void MpmSolver<Order>::advance(double until) {
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
+}
+
+template <class Order>
+double MpmSolver<Order>::next_step() {
+  double dt = plan_.step.step(state_.wave_max);
+  if (dt < plan_.step.deck_step && !limit_told_) {
+    messages_.push_back(fmt::format("t = {:.6g}: the gas moves at c + |v| = {:.4g}: steps are limited to {:.4g}",
+                                    state_.time, state_.wave_max, dt));
+    limit_told_ = true;
+  }
+  if (!(dt > vanishing * plan_.step.deck_step)) stop_on_vanishing_step(state_, dt);
+  const double left = plan_.scene.clock.tmax - state_.time;
+  return left <= dt * stretch ? left : dt;
+}
+
+template <class Order>
+void MpmSolver<Order>::step(double dt) {
+  StepWork work{state_, plan_.scene, {}, {}};
+  Order::step(work, dt);
+  if (work.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.trouble, dt);
+  crossings_since_sort_ += work.found.crossings;
+  finish_step(work.found, dt);
+}
+
+template <class Order>
+void MpmSolver<Order>::finish_step(const StepFindings& found, double dt) {
+  const double tmax = plan_.scene.clock.tmax;
+  state_.time = tmax - state_.time <= dt ? tmax : state_.time + dt;
+  state_.dt_last = dt;
+  state_.dt_min = state_.steps == 0 ? dt : std::min(state_.dt_min, dt);
+  ++state_.steps;
+  state_.c_max = std::sqrt(found.c_squared_max);
+  state_.wave_max = found.wave_max;
+  if (found.crossings > 0) state_.grid.list_active(state_.points);
+  sort_where_scattered();
+}
+
+/// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory. Strings keep
+/// the order of their file, which runs along them.
+template <class Order>
+void MpmSolver<Order>::sort_where_scattered() {
+  if (4 * crossings_since_sort_ < static_cast<long long>(state_.points.size())) return;
+  crossings_since_sort_ = 0;
+  const Scene& scene = plan_.scene;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (!std::holds_alternative<Uniaxial>(scene.bodies[b].material)) {
+      sort_(state_.points, state_.ranges[b], scene.grid);
+    }
+  }
+}
+
+template <class Order>
+RunCounts MpmSolver<Order>::counts() const {
+  const auto points = state_.points.size();
+  return {state_.steps, state_.steps * static_cast<long long>(points), points, state_.grid.active_cells.size(),
+          state_.dt_min};
+}
+
+template <class Order>
+HistoryLayout MpmSolver<Order>::history_layout() const {
+  return mpm::history_layout(plan_.scene);
+}
+
+template <class Order>
+Record MpmSolver<Order>::record() const {
+  return mpm::record(state_, plan_.scene);
+}
+
+template <class Order>
+Snapshot MpmSolver<Order>::points() const {
+  return point_fields(state_, plan_.scene);
+}
+
+template <class Order>
+Snapshot MpmSolver<Order>::grid() const {
+  return grid_fields(state_, plan_.scene);
+}
+
+template <class Order>
+std::vector<std::string> MpmSolver<Order>::take_messages() {
+  return std::exchange(messages_, {});
+}
+
+template class MpmSolver<Musl>;
+template class MpmSolver<Usf>;
+template class MpmSolver<Usl>;
+
+}  // namespace tether::mpm

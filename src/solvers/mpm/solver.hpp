@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "solvers/mpm/point_laws.hpp"
+#include "solvers/mpm/sort.hpp"
+#include "solvers/mpm/state.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether::mpm {
+
+/// The material point method of the thesis (chapters 3 to 5): lumped mass, momentum formulation, linear quadrilaterals,
+/// FLIP; one thread. `Order` (Musl, Usf or Usl of steps.hpp) decides when a step updates the stress. The plan must
+/// outlive the solver.
+template <class Order>
+class MpmSolver final : public Solver {
+ public:
+  explicit MpmSolver(const Plan& plan);
+
+  double time() const override { return state_.time; }
+  void advance(double until) override;
+  RunCounts counts() const override;
+  HistoryLayout history_layout() const override;
+  Record record() const override;
+  Snapshot points() const override;
+  Snapshot grid() const override;
+  std::vector<std::string> take_messages() override;
+
+ private:
+  double next_step();
+  void step(double dt);
+  void finish_step(const StepFindings& found, double dt);
+  void sort_where_scattered();
+
+  const Plan& plan_;
+  State state_;
+  CellSort sort_;
+  long long crossings_since_sort_ = 0;
+  bool limit_told_ = false;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace tether::mpm

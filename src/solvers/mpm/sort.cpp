@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/sort.hpp"
+
+#include <algorithm>
+
+namespace tether::mpm {
+
+CellSort::CellSort(std::size_t points) : doubles_(points), ints_(points) { keys_.reserve(points); }
+
+template <class T>
+void CellSort::permute(std::vector<T>& array, std::vector<T>& scratch, Range range) const {
+  for (std::size_t k = 0; k < keys_.size(); ++k) scratch[k] = array[keys_[k].slot];
+  std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
+}
+
+void CellSort::operator()(Points& P, Range range, const BackgroundGrid& shape) {
+  const Locator locator(shape);
+  keys_.clear();
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    const CellPlace at = locator.locate(P.x[p], P.y[p]);
+    keys_.push_back({at.j * shape.cells_x() + at.i, P.id[p], p});
+  }
+  std::sort(keys_.begin(), keys_.end(),
+            [](const Key& a, const Key& b) { return a.cell != b.cell ? a.cell < b.cell : a.id < b.id; });
+  for (auto* array : {&P.x, &P.y, &P.vx, &P.vy, &P.mass, &P.volume, &P.sxx, &P.syy, &P.sxy, &P.rho, &P.energy,
+                      &P.strain, &P.tx, &P.ty}) {
+    permute(*array, doubles_, range);
+  }
+  permute(P.id, ints_, range);
+}
+
+}  // namespace tether::mpm

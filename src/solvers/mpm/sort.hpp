@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/range.hpp"
+
+namespace tether::mpm {
+
+/// Sorts the slots of a body by cell, then by point number: neighbours in space become neighbours in memory, and the
+/// order does not depend on what it was before. Keeps its work space between calls.
+class CellSort {
+ public:
+  explicit CellSort(std::size_t points);
+  void operator()(Points& points, Range range, const BackgroundGrid& shape);
+
+ private:
+  struct Key {
+    int cell, id;
+    std::size_t slot;
+  };
+  template <class T>
+  void permute(std::vector<T>& array, std::vector<T>& scratch, Range range) const;
+
+  std::vector<Key> keys_;
+  std::vector<double> doubles_;
+  std::vector<int> ints_;
+};
+
+}  // namespace tether::mpm

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/density.hpp"
+#include "solvers/mpm/range.hpp"
+
+namespace tether::mpm {
+
+/// All that changes while a scene runs.
+struct State {
+  Points points;
+  Grid grid;
+  std::vector<Range> ranges;           // slots of each body
+  std::vector<Range> gas;              // slots of the gas bodies
+  std::vector<Range> gas_by_cells;     // of those that take their density from cells
+  std::optional<CellDensity> density;  // where the gas takes its density from cells
+  double time = 0;                     // [time]
+  double c_max = 0;                    // largest sound speed of the gas after the last step [velocity]
+  double wave_max = 0;                 // its largest c + |v| [velocity]
+  long long steps = 0;
+  double dt_last = 0, dt_min = 0;  // [time]
+};
+
+/// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
+/// 1 of the algorithm), so that every step begins with its sums in place.
+State start(const Scene& scene);
+
+}  // namespace tether::mpm

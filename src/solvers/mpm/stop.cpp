@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/stop.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/errors.hpp"
+
+namespace tether::mpm {
+namespace {
+
+std::size_t body_of(const State& state, std::size_t slot) {
+  std::size_t b = 0;
+  while (slot >= state.ranges[b].end) ++b;
+  return b;
+}
+
+/// Cell that a place would lie in, counted from 1 at the lower left, also outside the grid.
+std::string cell_text(const BackgroundGrid& grid, double x, double y) {
+  if (!std::isfinite(x) || !std::isfinite(y)) return "no cell";
+  return fmt::format("cell ({:.0f}, {:.0f})", std::floor((x - grid.x0) / grid.dx) + 1,
+                     std::floor((y - grid.y0) / grid.dy) + 1);
+}
+
+std::string step_text(const Plan& plan, const State& state, double dt) {
+  const double fastest = std::max(plan.step.solid_speed, state.wave_max);
+  if (!(fastest > 0)) return "";
+  const double ratio = dt * fastest / plan.step.h;
+  if (!(ratio > 1)) return fmt::format("; the step is {:.2f} of the limit dx/c", ratio);
+  return fmt::format("; the step is {:.2f} times the limit dx/c: likely cause, a step too long", ratio);
+}
+
+std::string what_happened(const State& state, const Trouble& trouble, double dt) {
+  const Points& P = state.points;
+  const std::size_t p = trouble.slot;
+  const BackgroundGrid& grid = state.grid.shape;
+  const double cells = std::hypot(P.vx[p] / grid.dx, P.vy[p] / grid.dy) * dt;
+  switch (trouble.kind) {
+    case TroubleKind::left_grid:
+      if (!std::isfinite(P.x[p]) || !std::isfinite(P.y[p])) return "has no finite place: its numbers overflowed";
+      return "left the grid: likely cause, an open edge too near or a run that diverged";
+    case TroubleKind::jumped:
+      return fmt::format("jumped over a cell ({:.3g} cells in one step): likely cause, a run that diverges", cells);
+    case TroubleKind::unsound:
+      if (P.rho[p] < 0)
+        return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", P.rho[p]);
+      return "has a stress that is no number: likely cause, a run that diverged";
+    case TroubleKind::none:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+void stop_on_trouble(const State& state, const Plan& plan, const Trouble& trouble, double dt) {
+  const std::size_t p = trouble.slot;
+  const std::size_t b = body_of(state, p);
+  const double x = state.points.x[p], y = state.points.y[p];
+  throw RunError(fmt::format("t = {:.9g}, step {}: point {} (body {}, {}) at ({:.6g}, {:.6g}) in {} {}{}",
+                             state.time + dt, state.steps + 1, state.points.id[p] + 1, b + 1, plan.scene.bodies[b].name,
+                             x, y, cell_text(state.grid.shape, x, y), what_happened(state, trouble, dt),
+                             step_text(plan, state, dt)));
+}
+
+void stop_on_vanishing_step(const State& state, double dt) {
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: the gas moves at c + |v| = {:.4g} and leaves a step of {:.3g}: "
+                  "likely cause, a run that diverged",
+                  state.time, state.steps + 1, state.wave_max, dt));
+}
+
+}  // namespace tether::mpm

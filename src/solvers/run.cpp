@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/run.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "results/compare.hpp"
+#include "results/energy_drift.hpp"
+#include "results/result_folder.hpp"
+#include "solvers/make.hpp"
+
+namespace tether {
+namespace {
+
+/// Part of an interval by which a record may come early, so that rounding does not put it off by a step.
+constexpr double early = 1e-9;
+
+/// Times k * interval at which something is due; never for an interval of 0.
+class Due {
+ public:
+  explicit Due(double interval) : interval_(interval) {}
+  double next() const {
+    return interval_ > 0 ? (count_ + 1 - early) * interval_ : std::numeric_limits<double>::infinity();
+  }
+  /// Whether it is due at this time; if so, the next is after it.
+  bool passed(double time) {
+    if (!(time >= next())) return false;
+    count_ = std::floor(time / interval_ + early);
+    return true;
+  }
+
+ private:
+  double interval_;
+  double count_ = 0;
+};
+
+struct Clocks {
+  std::chrono::steady_clock::time_point wall = std::chrono::steady_clock::now();
+  double cpu = cpu_now();
+
+  static double seconds(const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  }
+  static double cpu_now() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  }
+  double wall_seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count(); }
+  double cpu_seconds() const { return cpu_now() - cpu; }
+};
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1e-3 * static_cast<double>(usage.ru_maxrss);  // Linux counts kilobytes
+}
+
+/// A run under way: the solver, the folder, and what is due when.
+class Runner {
+ public:
+  Runner(const Plan& plan, const RunRequest& request)
+      : plan_(plan),
+        request_(request),
+        solver_(make_solver(plan)),
+        folder_(request.folder, solver_->history_layout(), request.provenance),
+        history_{solver_->history_layout(), {}},
+        history_due_(plan.scene.outputs.history),
+        points_due_(plan.scene.outputs.points),
+        grid_due_(plan.scene.outputs.grid) {
+    folder_.deck_effective(request.deck_effective);
+    for (const auto& message : request.messages) folder_.message(message);
+    for (const auto& warning : plan.warnings) folder_.message("warning: " + warning);
+  }
+
+  RunOutcome to_the_end() {
+    const double tmax = plan_.scene.clock.tmax;
+    write_record();
+    write_points();
+    write_grid();
+    while (solver_->time() < tmax) {
+      solver_->advance(std::min({tmax, history_due_.next(), points_due_.next(), grid_due_.next()}));
+      pass_messages();
+      write_what_is_due(solver_->time() >= tmax);
+    }
+    return finish();
+  }
+
+  void stopped(const std::string& why) {
+    pass_messages();
+    folder_.message("error: " + why);
+  }
+
+ private:
+  void write_what_is_due(bool end) {
+    const double time = solver_->time();
+    if (history_due_.passed(time) || end) write_record();
+    if (points_due_.passed(time) || end) write_points();
+    if (grid_due_.passed(time) || (end && plan_.scene.outputs.grid > 0)) write_grid();
+  }
+  void write_record() {
+    history_.records.push_back(solver_->record());
+    folder_.append(history_.records.back());
+    if (!request_.progress) return;
+    const RunCounts counts = solver_->counts();
+    request_.progress(
+        {solver_->time(), plan_.scene.clock.tmax, history_.records.back()[1], counts, clocks_.wall_seconds()});
+  }
+  void write_points() { folder_.points(solver_->points()); }
+  void write_grid() {
+    if (plan_.scene.outputs.grid <= 0) return;
+    const BackgroundGrid& grid = plan_.scene.grid;
+    folder_.grid({grid.nx, grid.ny, grid.x0, grid.y0, grid.dx, grid.dy}, solver_->grid());
+  }
+  void pass_messages() {
+    for (const auto& message : solver_->take_messages()) {
+      folder_.message("warning: " + message);
+      if (request_.warn) request_.warn(message);
+    }
+  }
+  RunOutcome finish() {
+    const Comparison comparison = compare(plan_.scene, history_, solver_->points());
+    if (!comparison.exact.names.empty()) folder_.reference(comparison.exact);
+    Summary summary = summary_of_run();
+    for (auto& line : summary_of(comparison)) summary.push_back(std::move(line));
+    folder_.finish(summary);
+    return {std::move(summary), std::move(history_)};
+  }
+  Summary summary_of_run() const {
+    const RunCounts counts = solver_->counts();
+    const double cpu = clocks_.cpu_seconds();
+    const auto number = [](auto value) { return fmt::format("{}", value); };
+    return {{"path", "mpm"},
+            {"steps", number(counts.steps)},
+            {"points", number(counts.points)},
+            {"cells_active", number(counts.cells_active)},
+            {"time_end", number(solver_->time())},
+            {"dt_min", number(counts.dt_min)},
+            {"cpu_seconds", number(cpu)},
+            {"wall_seconds", number(clocks_.wall_seconds())},
+            {"ns_per_point_step", number(1e9 * cpu / static_cast<double>(std::max(counts.point_steps, 1LL)))},
+            {"peak_memory_mb", number(peak_memory_mb())},
+            {"energy_drift", number(energy_drift(history_))},
+            {"mass_drift", number(mass_drift(history_))}};
+  }
+
+  const Plan& plan_;
+  const RunRequest& request_;
+  Clocks clocks_;
+  std::unique_ptr<Solver> solver_;
+  ResultFolder folder_;
+  History history_;
+  Due history_due_, points_due_, grid_due_;
+};
+
+}  // namespace
+
+RunOutcome run(const Plan& plan, const RunRequest& request) {
+  Runner runner(plan, request);
+  try {
+    return runner.to_the_end();
+  } catch (const RunError& error) {
+    runner.stopped(error.what());
+    throw;
+  }
+}
+
+}  // namespace tether

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "plan/plan.hpp"
+#include "results/results.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether {
+
+/// How far a run is, for a progress line.
+struct Progress {
+  double time = 0, tmax = 0, dt = 0;
+  RunCounts counts;
+  double wall_seconds = 0;
+};
+
+/// Everything a run needs beside its plan.
+struct RunRequest {
+  std::filesystem::path folder;
+  Provenance provenance;
+  std::string deck_effective;                     ///< text of deck.effective
+  std::vector<std::string> messages;              ///< warnings of the deck, for messages.txt
+  std::function<void(const Progress&)> progress;  ///< called at every record
+  std::function<void(const std::string&)> warn;   ///< called with every warning of the run
+};
+
+/// What a finished run leaves for its caller.
+struct RunOutcome {
+  Summary summary;
+  History history;
+};
+
+/// Runs a plan to its end and writes its folder. Throws RunError after having written all records up to it and the
+/// message, FileError when a file cannot be written.
+RunOutcome run(const Plan& plan, const RunRequest& request);
+
+}  // namespace tether

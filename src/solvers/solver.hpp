@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "results/results.hpp"
+
+namespace tether {
+
+/// What a run has cost so far.
+struct RunCounts {
+  long long steps = 0;
+  long long point_steps = 0;
+  std::size_t points = 0;
+  std::size_t cells_active = 0;  ///< cells that hold points at the end
+  double dt_min = 0;             ///< [time]
+};
+
+/// A path's solver: its state and its step. One virtual call an output interval, none inside it.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  virtual double time() const = 0;
+  /// Steps until time() >= `until` (at least the last step lands on the scene's tmax). Throws RunError.
+  virtual void advance(double until) = 0;
+  virtual RunCounts counts() const = 0;
+
+  virtual HistoryLayout history_layout() const = 0;
+  virtual Record record() const = 0;
+  virtual Snapshot points() const = 0;
+  virtual Snapshot grid() const = 0;
+  /// Warnings that came up since the last call.
+  virtual std::vector<std::string> take_messages() = 0;
+};
+
+}  // namespace tether
