@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "deck/document.hpp"
+#include "load.hpp"
+#include "progress.hpp"
+#include "solvers/run.hpp"
+
+namespace tether {
+namespace {
+
+/// Runs the command and turns what it throws into a message and the contract's exit code.
+int guarded(const std::string& name, const std::function<void()>& command) {
+  try {
+    command();
+    return exit_done;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}", error.what());
+    return exit_input;
+  } catch (const RunError& error) {
+    fmt::print(stderr, "{}: error: {}\n", name, error.what());
+    return exit_run;
+  } catch (const FileError& error) {
+    fmt::print(stderr, "{}: error: {}\n", name, error.what());
+    return exit_file;
+  }
+}
+
+std::string deck_name(const std::string& deck) { return std::filesystem::path(deck).stem().string(); }
+
+/// One deck's own folder: DIR for a single deck, DIR/<deck name> for several, out/<deck name> without --out.
+std::filesystem::path folder_of(const std::string& deck, const RunOptions& options, bool several) {
+  const std::filesystem::path out = options.out.empty() ? "out" : options.out;
+  return options.out.empty() || several ? out / deck_name(deck) : out;
+}
+
+void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
+  std::string line = name + ":";
+  for (const auto& [key, value] : summary) {
+    const bool told = key == "steps" || key == "cpu_seconds" || key == "energy_drift" || key.starts_with("error_");
+    if (told) line += fmt::format(" {} {:.4g},", key, std::stod(value));
+  }
+  fmt::print("{} in {}\n", line, folder.string());
+}
+
+void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
+  const Loaded loaded = load(name, options);
+  if (!run_options.quiet) {
+    for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
+    for (const auto& warning : loaded.plan.warnings) fmt::print(stderr, "{}: warning: {}\n", name, warning);
+  }
+  if (run_options.dry_run) return fmt::print("{}", to_text(loaded.plan));
+  ProgressLine progress(name, run_options.quiet);
+  const auto warn = [&](const std::string& text) {
+    progress.clear();
+    if (!run_options.quiet) fmt::print(stderr, "{}: warning: {}\n", name, text);
+  };
+  const std::string& text = loaded.deck.text();
+  const RunRequest request{folder_of(name, run_options, several),
+                           {loaded.plan.scene.title, run_options.command, text, sha256(text), loaded.plan.scene.units},
+                           loaded.effective,
+                           loaded.warnings,
+                           std::ref(progress),
+                           warn};
+  const RunOutcome outcome = run(loaded.plan, request);
+  progress.clear();
+  if (!run_options.quiet) print_outcome(name, request.folder, outcome.summary);
+}
+
+/// Two decks of one name would write into one folder.
+void refuse_shared_folders(const std::vector<std::string>& decks) {
+  std::set<std::string> names;
+  for (const auto& deck : decks) {
+    if (!names.insert(deck_name(deck)).second) {
+      throw InputError(fmt::format("two decks are named {} and would write into one folder", deck_name(deck)),
+                       "run them one by one, each with its own --out");
+    }
+  }
+}
+
+}  // namespace
+
+int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
+  int worst = guarded("tether", [&] { refuse_shared_folders(decks); });
+  if (worst != exit_done) return worst;
+  for (const auto& deck : decks) {
+    worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
+  }
+  return worst;
+}
+
+int check_command(const std::string& deck, const DeckOptions& options) {
+  return guarded(deck, [&] {
+    const Loaded loaded = load(deck, options);
+    for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
+    fmt::print("{}", check_listing(loaded.deck));
+  });
+}
+
+int plan_command(const std::string& deck, const DeckOptions& options) {
+  return guarded(deck, [&] {
+    const Loaded loaded = load(deck, options);
+    for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
+    fmt::print("{}", to_text(loaded.plan));
+  });
+}
+
+int vars_command(const std::string& group) {
+  return guarded("tether vars", [&] {
+    const std::string listing = variables_listing(lower(group));
+    if (listing.empty()) throw InputError(fmt::format("there is no group {}", group), "tether vars lists all");
+    fmt::print("{}", listing);
+  });
+}
+
+}  // namespace tether

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+
+#include "commands.hpp"
+
+// The command line: words in, one command called, its exit code out.
+
+namespace {
+
+using namespace tether;
+
+void add_deck_options(CLI::App& app, DeckOptions& options) {
+  app.add_option("--set", options.overrides, "group.name=value: takes the place of a deck's value; repeatable");
+  app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
+  app.add_option("--path", options.path, "solver path; this version has mpm")->check(CLI::IsMember({"mpm"}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "tether: fluid and structure on one deck by material points.\nExit codes: 0 done, 2 input wrong, 3 run "
+      "diverged, 4 file trouble.",
+      "tether");
+  app.set_version_flag("--version", version_text);
+  app.require_subcommand(0, 1);
+
+  DeckOptions options;
+  RunOptions run_options;
+  std::vector<std::string> decks;
+  app.add_option("deck", decks, "decks to run");
+  add_deck_options(app, options);
+  app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)");
+  app.add_option("--threads", run_options.threads,
+                 "threads; results are the same for any number, and the mpm path uses one")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
+  app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
+
+  std::string deck, group;
+  auto* check = app.add_subcommand("check", "list every variable of a deck: value, default or given, unit, place");
+  check->add_option("deck", deck, "the deck")->required();
+  add_deck_options(*check, options);
+  auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
+  plan->add_option("deck", deck, "the deck")->required();
+  add_deck_options(*plan, options);
+  auto* vars = app.add_subcommand("vars", "the deck reference");
+  vars->add_option("group", group, "only this group");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_input;
+  }
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit is told as a failed write, with exit code 4
+  for (int k = 0; k < argc; ++k) run_options.command += (k ? " " : "") + std::string(argv[k]);
+  if (*check) return check_command(deck, options);
+  if (*plan) return plan_command(deck, options);
+  if (*vars) return vars_command(group);
+  if (decks.empty()) {
+    std::fputs(app.help().c_str(), stderr);
+    return exit_input;
+  }
+  return run_command(decks, options, run_options);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "solvers/run.hpp"
+
+namespace tether {
+
+/// A line that rewrites itself on a terminal, a plain line now and then otherwise; on stderr.
+class ProgressLine {
+ public:
+  ProgressLine(std::string name, bool quiet);
+  void operator()(const Progress& progress);
+  /// Ends the line so that other text can follow.
+  void clear();
+
+ private:
+  std::string name_;
+  bool quiet_, terminal_;
+  bool open_ = false;
+  double last_ = 0;  // wall seconds at the last line
+};
+
+}  // namespace tether
