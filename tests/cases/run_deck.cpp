@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/run_deck.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "load.hpp"
+#include "solvers/run.hpp"
+
+namespace tether::cases {
+
+DeckRun run_deck(const std::string& name, const std::vector<std::string>& overrides) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(testing::TempDir()) /
+                      ("tether-" + std::to_string(getpid()) + "-" + test->name() + "-" + name);
+  const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {overrides, "", "mpm"});
+  RunRequest request;
+  request.folder = folder;
+  request.deck_effective = loaded.effective;
+  const RunOutcome outcome = run(loaded.plan, request);
+  DeckRun result{{}, outcome.history, loaded.plan.warnings, folder.string()};
+  for (const auto& [key, value] : outcome.summary) {
+    if (key != "path") result.summary[key] = std::stod(value);
+  }
+  return result;
+}
+
+std::vector<double> read_variable(const std::string& file, const std::string& name) {
+  int id = 0, variable = 0, dimensions = 0;
+  EXPECT_EQ(nc_open(file.c_str(), NC_NOWRITE, &id), NC_NOERR) << file;
+  EXPECT_EQ(nc_inq_varid(id, name.c_str(), &variable), NC_NOERR) << name;
+  nc_inq_varndims(id, variable, &dimensions);
+  std::vector<int> ids(static_cast<std::size_t>(dimensions));
+  nc_inq_vardimid(id, variable, ids.data());
+  std::size_t total = 1;
+  for (const int dimension : ids) {
+    std::size_t length = 0;
+    nc_inq_dimlen(id, dimension, &length);
+    total *= length;
+  }
+  std::vector<double> values(total);
+  EXPECT_EQ(nc_get_var_double(id, variable, values.data()), NC_NOERR);
+  nc_close(id);
+  return values;
+}
+
+}  // namespace tether::cases

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "results/results.hpp"
+
+namespace tether::cases {
+
+/// A finished run of a deck of decks/, read from what it left.
+struct DeckRun {
+  std::map<std::string, double> summary;
+  History history;
+  std::vector<std::string> warnings;  ///< of the plan
+  std::string folder;
+
+  double first(const std::string& column) const { return history.column(column).front(); }
+  double last(const std::string& column) const { return history.column(column).back(); }
+};
+
+/// Runs decks/NAME.in as the program does, with overrides as of --set, into a folder of the test's own.
+DeckRun run_deck(const std::string& name, const std::vector<std::string>& overrides = {});
+
+/// A variable of a NetCDF file, all of it.
+std::vector<double> read_variable(const std::string& file, const std::string& name);
+
+}  // namespace tether::cases
