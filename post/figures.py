@@ -9,7 +9,7 @@ import style
 MOST_SNAPSHOTS = 9
 # A gas field of particles.nc: its column of reference.txt, and its name on the axis.
 PROFILES = {"density": ("density", "density"), "vx": ("velocity", "velocity"), "pressure": ("pressure", "pressure"),
-            "specific_energy": ("energy", "specific internal energy")}
+            "specific_energy": ("specific_energy", "specific internal energy")}
 
 
 def grid_of_panels(count, columns):

@@ -31,6 +31,6 @@ std::string version_text();
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options);
 int check_command(const std::string& deck, const DeckOptions& options);
 int plan_command(const std::string& deck, const DeckOptions& options);
-int vars_command(const std::string& group);
+int vars_command(const std::string& group, bool markdown);
 
 }  // namespace tether

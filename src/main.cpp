@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 
   std::string deck, group;
+  bool markdown = false;
   auto* check = app.add_subcommand("check", "list every variable of a deck: value, default or given, unit, place");
   check->add_option("deck", deck, "the deck")->required();
   add_deck_options(*check, options);
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
   add_deck_options(*plan, options);
   auto* vars = app.add_subcommand("vars", "the deck reference");
   vars->add_option("group", group, "only this group");
+  vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
 
   try {
     app.parse(argc, argv);
@@ -58,7 +60,7 @@ int main(int argc, char** argv) {
   for (int k = 0; k < argc; ++k) run_options.command += (k ? " " : "") + std::string(argv[k]);
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options);
-  if (*vars) return vars_command(group);
+  if (*vars) return vars_command(group, markdown);
   if (decks.empty()) {
     std::fputs(app.help().c_str(), stderr);
     return exit_input;

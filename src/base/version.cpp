@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/version.hpp"
 
-#include "version_values.hpp"
+#include "base/version_values.hpp"
 
 namespace tether {
 

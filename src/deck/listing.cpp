@@ -59,6 +59,11 @@ std::string fallback_text(const Variable& variable) {
   return variable.fallback.empty() ? "-" : std::string(variable.fallback);
 }
 
+std::string listed_fallback(const Variable& variable) {
+  if (variable.required) return "required";
+  return variable.fallback.empty() ? "no default" : fmt::format("default {}", variable.fallback);
+}
+
 std::string meaning_text(const Variable& variable) {
   return fmt::format("{}{}", variable.meaning, variable.effect == Effect::none ? " (Read, no effect.)" : "");
 }
@@ -85,9 +90,9 @@ std::string variables_listing(std::string_view group) {
     text += fmt::format("${}\n", name);
     for (const auto& variable : variables()) {
       if (variable.group != name) continue;
-      text += trimmed_right(fmt::format("  {:<20} {:<8} {:<13} {:<22} default {:<10} {}", shape_text(variable),
+      text += trimmed_right(fmt::format("  {:<20} {:<8} {:<13} {:<22} {:<18} {}", shape_text(variable),
                                         type_word(variable.type), or_dash(variable.unit), or_dash(range_text(variable)),
-                                        fallback_text(variable), meaning_text(variable)));
+                                        listed_fallback(variable), meaning_text(variable)));
     }
   }
   return text;

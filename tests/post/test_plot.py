@@ -89,7 +89,7 @@ class CommandLine(PlotTest):
     def test_draws_all_figures_with_something_in_them(self):
         write_history(self.folder)
         write_particles(self.folder)
-        self.reference("# x density velocity pressure energy\n0 0 0 0 0\n1 1 1 1 1\n")
+        self.reference("# x density velocity pressure specific_energy\n0 0 0 0 0\n1 1 1 1 1\n")
         result = plot(self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.pictures(),
@@ -169,7 +169,7 @@ class Drawn(PlotTest):
     def test_profiles_pair_each_field_with_its_exact_column(self):
         write_history(self.folder)
         write_particles(self.folder)
-        self.reference("# x density velocity pressure energy\n0 1 2 3 4\n1 5 6 7 8\n")
+        self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n1 5 6 7 8\n")
         figure = figures.profiles(run_folder.read(self.folder))
         for panel, (factor, exact) in enumerate([(1, (1, 5)), (4, (2, 6)), (2, (3, 7)), (3, (4, 8))]):
             curves = self.lines(figure, panel)
@@ -183,7 +183,7 @@ class Drawn(PlotTest):
         self.reference("# time point_y_1\n0 1\n")
         self.assertIsNone(figures.profiles(run_folder.read(self.folder)))
         write_particles(self.folder, gas=False)
-        self.reference("# x density velocity pressure energy\n0 1 2 3 4\n")
+        self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n")
         self.assertIsNone(figures.profiles(run_folder.read(self.folder)))
 
     def test_positions_have_equal_scales_and_a_colour_for_each_body(self):
