@@ -12,7 +12,8 @@ namespace {
 using namespace tether;
 
 void add_deck_options(CLI::App& app, DeckOptions& options) {
-  app.add_option("--set", options.overrides, "group.name=value: takes the place of a deck's value; repeatable");
+  app.add_option("--set", options.overrides, "group.name=value: takes the place of a deck's value; repeatable")
+      ->allow_extra_args(false);
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
   app.add_option("--path", options.path, "solver path; this version has mpm")->check(CLI::IsMember({"mpm"}));
 }
@@ -35,7 +36,7 @@ int main(int argc, char** argv) {
   app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)");
   app.add_option("--threads", run_options.threads,
                  "threads; results are the same for any number, and the mpm path uses one")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 

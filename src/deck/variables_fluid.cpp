@@ -15,7 +15,7 @@ constexpr std::array rows{
     Variable{"fluid", "mu", real, 0, 1, 1, "stress*time", 0, none, "", "0.0", "Shear viscosity of the gas."},
     Variable{"fluid", "gm1", real, 0, 1, 1, "", above_zero, none, "", "0.4",
              "gamma - 1 of the gas, gamma the ratio of its specific heats."},
-    Variable{"fluid", "siep", real, 1, region_count, 1, "energy/mass", -none, none, "", "0.0",
+    Variable{"fluid", "siep", real, 1, region_count, 1, "energy/mass", 0, none, "", "0.0",
              "Specific internal energy of the gas of region i at the start."},
     Variable{"fluid", "lambda", real, 0, 1, 1, "", -none, none, "", "0.0", "Factor of the artificial viscosity."},
     Variable{"fluid", "coef1", real, 0, 1, 1, "", -none, none, "", "0.0",

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/diagnostics.hpp"
 #include "plan/terms.hpp"
 #include "scene/size.hpp"
 
@@ -58,11 +59,18 @@ std::vector<std::string> warnings_of(const StepRule& rule) {
   if (!(ratio > 1 + 1e-9)) return {};
   if (rule.cfl > 0) {
     if (rule.deck_step <= rule.cfl * rule.first_limit) return {};
-    return {fmt::format("the deck's step {:.4g} is {:.2f} times the limit dx/c = {:.4g}: steps are limited to {:.4g}",
+    return {fmt::format("the deck's step {:.4g} is {:#.3g} times the limit dx/c = {:.4g}: steps are limited to {:.4g}",
                         rule.deck_step, ratio, rule.first_limit, rule.cfl * rule.first_limit)};
   }
-  return {fmt::format("the deck's step {:.4g} is {:.2f} times the limit dx/c = {:.4g} and taken as it is (cfl = 0)",
+  return {fmt::format("the deck's step {:.4g} is {:#.3g} times the limit dx/c = {:.4g} and taken as it is (cfl = 0)",
                       rule.deck_step, ratio, rule.first_limit)};
+}
+
+/// A step that is lost in the rounding of the time would never reach the end.
+void refuse_lost_steps(const Clock& clock, const StepRule& rule) {
+  if (clock.tmax + rule.first_step() > clock.tmax) return;
+  throw InputError(fmt::format("steps of {:.3g} are lost against tmax = {:.6g}", rule.first_step(), clock.tmax),
+                   fmt::format("tstep is {:.3g}, the limit dx/c {:.3g}", rule.deck_step, rule.first_limit));
 }
 
 }  // namespace
@@ -78,6 +86,7 @@ double StepRule::step(double gas_wave) const {
 Plan make_plan(Scene scene) {
   Plan plan;
   plan.step = step_rule(scene);
+  refuse_lost_steps(scene.clock, plan.step);
   plan.terms = terms_of(scene);
   plan.cost = cost_of(scene, plan.step);
   plan.warnings = warnings_of(plan.step);

@@ -42,6 +42,7 @@ struct Plan {
   std::vector<std::string> warnings;
 };
 
+/// Throws InputError where the steps would be too short to get on.
 Plan make_plan(Scene scene);
 
 /// The plan for people: terms, step, cost (`tether plan`).

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/bodies.hpp"
 #include "scene/memory.hpp"
@@ -40,16 +41,23 @@ Clock clock_of(const Deck& deck) {
   return {deck.real("in", "tmax"), std::min(tstep, dtmax), deck.real("mpm", "cfl")};
 }
 
+/// Whether nodes from low to high are told apart in floating point, and 1/dx too.
+bool resolvable(double low, double high, int nodes) {
+  const double size = (high - low) / (nodes - 1);
+  return std::isfinite(size) && std::isfinite(1 / size) && low + size > low && high - size < high;
+}
+
 void check_axes(const Deck& deck, Diagnostics& diagnostics) {
-  const auto ordered = [&](const char* low, const char* high) {
+  const auto ordered = [&](const char* low, const char* high, const char* nodes) {
     const double a = deck.real("in", low), b = deck.real("in", high);
-    if (b > a) return;
+    if (b > a && resolvable(a, b, deck.integer("in", nodes))) return;
+    const char* what = b > a ? "so close to" : "not above";
     diagnostics.add(deck.remark(Severity::error, "in", high, {1, 1},
-                                fmt::format("{} = {:.6g} is not above {} = {:.6g}", high, b, low, a),
-                                "the grid would be empty"));
+                                fmt::format("{} = {:.6g} is {} {} = {:.6g}", high, b, what, low, a),
+                                "the nodes would coincide"));
   };
-  ordered("xleft", "xright");
-  ordered("ybot", "ytop");
+  ordered("xleft", "xright", "nx");
+  ordered("ybot", "ytop", "ny");
   if (deck.real("in", "cyl") != 0) {
     diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "the material point path runs plane scenes only",
                                 "write cyl=0, or leave it out"));

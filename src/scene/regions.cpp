@@ -30,6 +30,7 @@ class RegionReader {
     }
     RegionShape shape;
     for (int k = 1; k <= vertices; ++k) {
+      if (!vertex_given(k)) return std::nullopt;
       shape.polygon.x.push_back(deck_.real("reg", "xvi", k, r_));
       shape.polygon.y.push_back(deck_.real("reg", "yvi", k, r_));
     }
@@ -62,6 +63,15 @@ class RegionReader {
   }
 
  private:
+  bool vertex_given(int k) const {
+    for (const char* name : {"xvi", "yvi"}) {
+      if (deck_.given("reg", name, k, r_)) continue;
+      error("nvi", {r_, 1}, fmt::format("{}({},{}) is not given", name, k, r_), "nvi vertices need an x and a y each");
+      return false;
+    }
+    return true;
+  }
+
   const Deck& deck_;
   int r_;
   Diagnostics& diagnostics_;

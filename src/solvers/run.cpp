@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "base/errors.hpp"
 #include "results/compare.hpp"
@@ -23,20 +25,23 @@ constexpr double early = 1e-9;
 /// Times k * interval at which something is due; never for an interval of 0.
 class Due {
  public:
-  explicit Due(double interval) : interval_(interval) {}
-  double next() const {
-    return interval_ > 0 ? (count_ + 1 - early) * interval_ : std::numeric_limits<double>::infinity();
-  }
+  explicit Due(double interval) : interval_(interval) { follow(0); }
+  double next() const { return next_; }
   /// Whether it is due at this time; if so, the next is after it.
   bool passed(double time) {
-    if (!(time >= next())) return false;
-    count_ = std::floor(time / interval_ + early);
+    if (!(time >= next_)) return false;
+    follow(time);
     return true;
   }
 
  private:
+  void follow(double time) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const double k = std::floor(time / interval_ + early) + 1;
+    next_ = interval_ > 0 ? std::max((k - early) * interval_, std::nextafter(time, never)) : never;
+  }
   double interval_;
-  double count_ = 0;
+  double next_ = 0;
 };
 
 struct Clocks {
@@ -118,18 +123,28 @@ class Runner {
     folder_.grid({grid.nx, grid.ny, grid.x0, grid.y0, grid.dx, grid.dy}, solver_->grid());
   }
   void pass_messages() {
-    for (const auto& message : solver_->take_messages()) {
-      folder_.message("warning: " + message);
-      if (request_.warn) request_.warn(message);
-    }
+    for (const auto& message : solver_->take_messages()) warn(message);
   }
   RunOutcome finish() {
-    const Comparison comparison = compare(plan_.scene, history_, solver_->points());
+    const Comparison comparison = compare_or_say_why_not();
     if (!comparison.exact.names.empty()) folder_.reference(comparison.exact);
     Summary summary = summary_of_run();
     for (auto& line : summary_of(comparison)) summary.push_back(std::move(line));
     folder_.finish(summary);
     return {std::move(summary), std::move(history_)};
+  }
+  /// States that no exact solution covers (a gas without pressure, say) cost the comparison, not the run.
+  Comparison compare_or_say_why_not() {
+    try {
+      return compare(plan_.scene, history_, solver_->points());
+    } catch (const std::domain_error& error) {
+      warn(fmt::format("no comparison with the exact solution: {}", error.what()));
+      return {};
+    }
+  }
+  void warn(const std::string& message) {
+    folder_.message("warning: " + message);
+    if (request_.warn) request_.warn(message);
   }
   Summary summary_of_run() const {
     const RunCounts counts = solver_->counts();

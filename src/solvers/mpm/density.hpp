@@ -23,7 +23,8 @@ class CellDensity {
 
  private:
   std::size_t index(int i, int j) const {
-    return row_[static_cast<std::size_t>(j + 1)] + column_[static_cast<std::size_t>(i + 1)];
+    const int row = j + 1, column = i + 1;  // -1 is the ring
+    return row_[static_cast<std::size_t>(row)] + column_[static_cast<std::size_t>(column)];
   }
   void clear_around(const Points& points, Range range);
   void add_cell(const Points& points, Range range);

@@ -41,7 +41,8 @@ double MpmSolver<Order>::next_step() {
                                     state_.time, state_.wave_max, dt));
     limit_told_ = true;
   }
-  if (!(dt > vanishing * plan_.step.deck_step)) stop_on_vanishing_step(state_, dt);
+  const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
+  if (!gets_on) stop_on_vanishing_step(state_, dt);
   const double left = plan_.scene.clock.tmax - state_.time;
   return left <= dt * stretch ? left : dt;
 }

@@ -20,7 +20,7 @@ std::size_t body_of(const State& state, std::size_t slot) {
 /// Cell that a place would lie in, counted from 1 at the lower left, also outside the grid.
 std::string cell_text(const BackgroundGrid& grid, double x, double y) {
   if (!std::isfinite(x) || !std::isfinite(y)) return "no cell";
-  return fmt::format("cell ({:.0f}, {:.0f})", std::floor((x - grid.x0) / grid.dx) + 1,
+  return fmt::format("cell ({:.6g}, {:.6g})", std::floor((x - grid.x0) / grid.dx) + 1,
                      std::floor((y - grid.y0) / grid.dy) + 1);
 }
 
@@ -28,8 +28,8 @@ std::string step_text(const Plan& plan, const State& state, double dt) {
   const double fastest = std::max(plan.step.solid_speed, state.wave_max);
   if (!(fastest > 0)) return "";
   const double ratio = dt * fastest / plan.step.h;
-  if (!(ratio > 1)) return fmt::format("; the step is {:.2f} of the limit dx/c", ratio);
-  return fmt::format("; the step is {:.2f} times the limit dx/c: likely cause, a step too long", ratio);
+  if (!(ratio > 1)) return fmt::format("; the step is {:#.3g} of the limit dx/c", ratio);
+  return fmt::format("; the step is {:#.3g} times the limit dx/c: likely cause, a step too long", ratio);
 }
 
 std::string what_happened(const State& state, const Trouble& trouble, double dt) {
