@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the program that the environment variable TETHER names, and reads what it wrote."""
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+import netCDF4
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DECKS = ROOT / "decks"
+TETHER = str(pathlib.Path(os.environ["TETHER"]).resolve())
+PATIENCE = 60  # seconds after which a run counts as hanging; its exit code is then HANGS
+HANGS = "hangs"
+
+# Head of a diagnostic; file, line and column may be missing.
+HEAD = re.compile(r"(?:(?P<file>[^\s:][^:\n]*):(?:(?P<line>\d+):)?(?:(?P<column>\d+):)? )?"
+                  r"(?P<severity>error|warning): (?P<text>.*)")
+
+
+def run(*arguments, folder=ROOT, before=None, patience=PATIENCE):
+    """One call of the program in `folder`; `before` is done in the child before the program starts."""
+    command = [TETHER, *map(str, arguments)]
+    try:
+        return subprocess.run(command, cwd=folder, capture_output=True, timeout=patience, stdin=subprocess.DEVNULL,
+                              preexec_fn=before, encoding="utf-8", errors="surrogateescape")
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(command, HANGS, "", "")
+
+
+def sets(**values):
+    """--set options from group__name=value, as in sets(in__tmax=0.1)."""
+    return [word for name, value in values.items() for word in ("--set", f"{name.replace('__', '.')}={value}")]
+
+
+def summary(folder):
+    """summary.txt as texts by key."""
+    lines = (folder / "summary.txt").read_text().splitlines()
+    return dict(line.split(" = ", 1) for line in lines if not line.startswith("#"))
+
+
+def history(folder):
+    """history.txt as columns by name."""
+    lines = (folder / "history.txt").read_text().splitlines()
+    names = lines[0].removeprefix("# ").split(" ")
+    rows = numpy.array([[float(word) for word in line.split(" ")] for line in lines[1:]])
+    return dict(zip(names, rows.T, strict=True))
+
+
+def netcdf(path):
+    """All variables of a NetCDF file, unmasked."""
+    with netCDF4.Dataset(path) as file:
+        file.set_auto_mask(False)
+        return {name: variable[:] for name, variable in file.variables.items()}
+
+
+def diagnostics(stderr):
+    """[(match of HEAD, lines that follow it)] of the program's messages."""
+    found = []
+    for line in stderr.splitlines():
+        head = HEAD.fullmatch(line)
+        if head:
+            found.append((head, []))
+        elif found:
+            found[-1][1].append(line)
+    return found
+
+
+class ProgramTest(unittest.TestCase):
+    """A test with a temporary folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def run_ok(self, deck, *options, out="out"):
+        """A run that must end well and, with --quiet, say nothing; returns its folder."""
+        folder = self.folder / out
+        result = run(deck, "--quiet", "--out", folder, *options)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""), deck)
+        return folder
+
+    def expect(self, code, *arguments, **how):
+        """A call that must end with this exit code; returns the call's result."""
+        result = run(*arguments, **how)
+        self.assertEqual(result.returncode, code, f"{arguments}\n{result.stderr}")
+        return result

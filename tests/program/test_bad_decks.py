@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every deck of tests/bad_decks is refused with the message it names, at the right place, and nothing is written.
+
+A deck's first line says what is wrong, its second what the message must hold (`expect: ` where the deck cannot be read,
+`expect-scene: ` where what it asks for cannot be built). A comment `! <- here` marks the line that must be blamed.
+"""
+import pathlib
+import resource
+import unittest
+
+from program import ROOT, ProgramTest, diagnostics, run
+
+FOLDER = pathlib.Path("tests/bad_decks")  # relative, as a user would type it
+MARK = "! <- here"
+
+# Mistakes that no line can be blamed for.
+PLACELESS = {"no_in", "particles_short", "particles_single_point", "particles_two_sequences"}
+
+# Kinds of mistake that must be covered.
+REQUIRED = {
+    "unknown_group", "unknown_variable", "wrong_type", "integer_overflow", "real_overflow", "subscript_out_of_range",
+    "past_array_end", "unclosed_group", "negative_density", "too_few_nodes", "negative_tmax",
+    "particles_missing", "particles_not_named", "particles_short", "particles_ambiguous", "particles_absolute_path",
+    "particles_climbing_path", "particles_outside", "particles_gas", "particles_single_point", "heavy_beyond_rows",
+    "region_outside", "region_without_points", "region_of_two_vertices", "region_without_density", "vertex_not_given",
+    "no_square", "huge_grid", "huge_region", "edges_reversed", "axisymmetric", "unknown_law", "no_stiffness",
+    "incompressible", "output_without_interval", "reference_of_one_gas", "reference_without_string",
+}
+
+
+def lines_of(path):
+    return (ROOT / path).read_bytes().decode("utf-8", "surrogateescape").splitlines()
+
+
+def expected_fragment(deck):
+    for prefix in ("expect: ", "expect-scene: "):
+        if lines_of(deck)[1].startswith(prefix):
+            return lines_of(deck)[1].removeprefix(prefix)
+    raise AssertionError(f"{deck}: its second line names no message")
+
+
+def marked_line(deck):
+    """file:line that the deck or its particle file marks, or None."""
+    for path in (deck, deck.with_suffix(".par")):
+        if (ROOT / path).exists():
+            for number, line in enumerate(lines_of(path), 1):
+                if line.endswith(MARK):
+                    return f"{path}:{number}"
+    return None
+
+
+class BadDecks(ProgramTest):
+    def refuse(self, deck):
+        """Runs the deck; the one error that holds the deck's fragment, with the lines below its head."""
+        out = self.folder / deck.stem
+        result = run(deck, "--out", out)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertFalse(out.exists())
+        fragment = expected_fragment(deck)
+        told = [(head, below) for head, below in diagnostics(result.stderr)
+                if head["severity"] == "error" and fragment in "\n".join([head["text"], *below])]
+        self.assertEqual(len(told), 1, result.stderr)
+        return told[0]
+
+    def check_place(self, deck, head, below):
+        """The error stands at file:line:column, shows that line, and its caret stands under that column."""
+        self.assertTrue(head["column"], head.group(0))
+        line, column = int(head["line"]), int(head["column"])
+        text = lines_of(head["file"])[line - 1]
+        self.assertEqual(below[0], "  " + text)
+        self.assertEqual(below[1].index("^"), 2 + column - 1)
+        mark = marked_line(deck)
+        if mark:
+            self.assertEqual(f"{head['file']}:{line}", mark)
+
+    def test_each_is_refused_at_its_place(self):
+        decks = sorted(path.relative_to(ROOT) for path in (ROOT / FOLDER).glob("*.in"))
+        for deck in decks:
+            with self.subTest(deck=deck.name):
+                self.assertTrue(lines_of(deck)[0])
+                head, below = self.refuse(deck)
+                if deck.stem in PLACELESS:
+                    self.assertIsNone(head["line"])
+                    self.assertIn(head["file"], (str(deck), str(deck.with_suffix(".par"))))
+                else:
+                    self.check_place(deck, head, below)
+
+    def test_every_kind_of_mistake_is_there(self):
+        there = {path.stem for path in (ROOT / FOLDER).glob("*.in")}
+        self.assertEqual(REQUIRED - there, set())
+
+    def test_a_huge_grid_is_refused_before_memory_is_taken(self):
+        self.refuse(FOLDER / "huge_grid.in")
+        self.refuse(FOLDER / "huge_region.in")
+        kilobytes = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # the largest of all runs up to here
+        self.assertLess(kilobytes, 500_000)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""check, plan, vars and the options that only talk."""
+import re
+import unittest
+
+from program import DECKS, ProgramTest, diagnostics, run
+
+SOD = DECKS / "sod.in"
+
+# Three mistakes of reading.
+THREE_MISTAKES = """three mistakes
+$in
+ nx=1, ny=11, igen=1,
+ xleft=0.0, xright=1.0, ybot=0.0, ytop=1.0,
+ tmax=-1.0, tstep=1.d-3,
+ wx=6
+$
+"""
+
+# Read well, with three mistakes in what they ask for.
+THREE_WRONG_WISHES = """three wrong wishes
+$in
+ nx=11, ny=11, igen=1,
+ xleft=0.0, xright=1.0, ybot=0.0, ytop=1.0,
+ tmax=1.0, tstep=1.d-3,
+ iout(33)=1
+$
+$reg
+ nreg=1,
+ nvi=4,
+ xvi(1,1)=0.0,0.5,0.5,0.0,
+ yvi(1,1)=0.0,0.0,0.5,0.5,
+ nprg=5,
+ densir(1)=1.0,
+ matr(1,1)=0.0,0.3,
+ ipath(4,1)=0
+$
+"""
+
+
+class Talk(ProgramTest):
+    """Nothing of this writes a file: each call runs in an empty folder."""
+
+    def say(self, *words):
+        result = self.expect(0, *words, folder=self.folder)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        return result
+
+    def test_help(self):
+        for words in (["--help"], ["-h"]):
+            text = self.say(*words).stdout
+            for option in ("--out", "--threads", "--set", "--particles", "--path", "--quiet", "--dry-run", "--version",
+                           "check", "plan", "vars"):
+                self.assertIn(option, text)
+        for command in ("check", "plan", "vars"):
+            self.assertIn("--help", self.say(command, "--help").stdout)
+
+    def test_version(self):
+        lines = self.say("--version").stdout.splitlines()
+        self.assertRegex(lines[0], r"^tether \d+\.\d+\.\d+ \([\w-]+\)$")
+        for library in ("netcdf", "fmt", "CLI11", "Boost", "OpenSSL"):
+            self.assertEqual(sum(line.startswith(library) for line in lines), 1, library)
+
+    def test_vars(self):
+        text = self.say("vars").stdout
+        groups = re.findall(r"^\$(\w+)$", text, re.MULTILINE)
+        self.assertEqual(groups[:4], ["in", "fluid", "regrig", "reg"])
+        for group in ("points", "membrane", "mpm", "reference"):
+            self.assertIn(group, groups)
+        self.assertEqual(text, "".join(self.say("vars", group).stdout for group in groups))
+
+    def test_vars_of_a_group(self):
+        for name in ("mpm", "MPM"):
+            text = self.say("vars", name).stdout
+            self.assertRegex(text, r"^\$mpm\n")
+            self.assertRegex(text, r"(?m)^  order +text .*musl, usf or usl +default 'musl' ")
+            self.assertRegex(text, r"(?m)^  cfl +real .*>= 0 +default 1\.0 ")
+            self.assertNotIn("$in", text)
+
+    def test_vars_of_no_group(self):
+        result = self.expect(2, "vars", "mpmm")
+        self.assertEqual(result.stdout, "")
+        self.assertIn("error: there is no group mpmm", result.stderr)
+
+
+class Check(ProgramTest):
+    def listed(self, text, group, name):
+        """The words behind a name in a group of the listing."""
+        part = re.search(rf"^\${group}\b.*\n((?:  .*\n)*)", text, re.MULTILINE).group(1)
+        return re.search(rf"^  {re.escape(name)} +(.*)$", part, re.MULTILINE).group(1).split()
+
+    def test_value_origin_unit_and_place(self):
+        text = self.expect(0, "check", SOD).stdout
+        self.assertEqual(self.listed(text, "in", "tmax"), ["0.143", "given", "time", "9:6"])
+        self.assertEqual(self.listed(text, "in", "nx"), ["101", "given", "7:4"])
+        self.assertEqual(self.listed(text, "in", "tiout(39)"), ["0.05", "given", "time", "19:22"])
+        self.assertEqual(self.listed(text, "in", "units"), ["'none'", "default"])
+        self.assertEqual(self.listed(text, "mpm", "cfl"), ["1.0", "default"])
+        self.assertEqual(self.listed(text, "in", "miter"), ["30", "given", "10:17", "read,", "no", "effect"])
+        self.assertEqual(self.listed(text, "in", "methd"), ["-", "not", "given", "read,", "no", "effect"])
+        self.assertIn("$mpm (not in the deck)\n", text)
+        self.assertIn("$fluid\n", text)
+
+    def test_a_place_is_where_the_value_stands(self):
+        text = self.expect(0, "check", SOD).stdout
+        lines = SOD.read_text().splitlines()
+        for name, written in (("fluid.gm1", ".4"), ("reg.densir(2)", "0.1250"), ("reg.xvi(2,1)", ".5e0")):
+            place = self.listed(text, *name.split("."))[-1]
+            line, column = map(int, place.split(":"))
+            self.assertTrue(lines[line - 1][column - 1:].startswith(written), (name, place))
+
+    def test_values_of_the_command_line(self):
+        text = self.expect(0, "check", SOD, "--set", "in.tmax=0.5", "--set", "mpm.cfl=0.25").stdout
+        self.assertEqual(self.listed(text, "in", "tmax"), ["0.5", "given", "time", "--set", "1:9"])
+        self.assertEqual(self.listed(text, "mpm", "cfl"), ["0.25", "given", "--set", "2:9"])
+
+    def test_warnings_go_to_stderr(self):
+        result = self.expect(0, "check", SOD)
+        self.assertIn(":12:22: warning: tiout is set for outputs that are off", result.stderr)
+        self.assertNotIn("warning", result.stdout)
+
+    def test_all_errors_at_once(self):
+        for text, places in ((THREE_MISTAKES, {"3:5", "5:7", "6:2"}), (THREE_WRONG_WISHES, {"6:11", "13:7", "15:12"})):
+            deck = self.write("wrong.in", text)
+            for command in (["check"], ["plan"], []):
+                with self.subTest(command=command, text=text[:20]):
+                    result = self.expect(2, *command, deck, folder=self.folder)
+                    self.assertEqual(result.stdout, "")
+                    errors = [head for head, _ in diagnostics(result.stderr) if head["severity"] == "error"]
+                    self.assertEqual({f"{head['line']}:{head['column']}" for head in errors}, places)
+
+
+class Plan(ProgramTest):
+    def parts(self, *words):
+        """The plan's lists of terms that are modelled and left out: {name: reason}."""
+        text = self.expect(0, "plan", *words).stdout
+        parts = re.search(r"^modelled:\n((?:  .*\n)*)left out:\n((?:  .*\n)*)", text, re.MULTILINE).groups()
+        terms = [dict(line.strip().split(": ", 1) for line in part.splitlines()) for part in parts]
+        return text, *terms
+
+    def test_a_shock_tube(self):
+        text, modelled, left_out = self.parts(SOD)
+        self.assertIn("path: mpm", text)
+        self.assertIn("body 2: region 2, 450 points, ideal gas, gamma 1.4", text)
+        self.assertEqual(modelled["energy equation (4.8)"], "a gas is there")
+        self.assertIn("artificial viscosity (4.11)", modelled)
+        self.assertEqual(left_out["gravity"], "gravc = 0")
+        self.assertEqual(left_out["viscosity (4.1)"], "mu = 0")
+        self.assertEqual(left_out["tangents (7.1)"], "no string")
+        self.assertEqual(left_out["third dimension"], "the scene is plane, one unit deep")
+        # c = sqrt(1.4 x .4 x 2.5): dx/c = .01/1.18322 = .00845154, and .143/1e-4 steps of 900 points.
+        self.assertIn("step: 0.0001 at the start (deck 0.0001, limit dx/c 0.00845154, cfl 1)", text)
+        self.assertIn("cost: 1430 steps, 1.287e+06 point-steps", text)
+
+    def test_a_string(self):
+        _, modelled, left_out = self.parts(DECKS / "pendulum-40.in")
+        self.assertEqual(modelled["gravity"], "gravc = -20 in y")
+        self.assertIn("tangents (7.1)", modelled)
+        self.assertEqual(left_out["energy equation (4.8)"], "no gas")
+        self.assertFalse(set(modelled) & set(left_out))
+
+    def test_a_step_above_the_limit(self):
+        words = [DECKS / "stability-side.in", "--set", "in.tstep=3e-3", "--set", "in.dtmax=3e-3"]
+        text, _, _ = self.parts(*words)
+        self.assertIn("warning: the deck's step 0.003 is 3.00 times the limit dx/c = 0.001 and taken as it is", text)
+        text, _, _ = self.parts(*words, "--set", "mpm.cfl=0.5")
+        self.assertIn("is 3.00 times the limit dx/c = 0.001: steps are limited to 0.0005", text)
+
+
+class Options(ProgramTest):
+    def test_dry_run_writes_nothing(self):
+        for words in ([SOD, "--dry-run"], [SOD, "--dry-run", "--out", self.folder / "out"]):
+            result = self.expect(0, *words, folder=self.folder)
+            self.assertIn("cost: 1430 steps", result.stdout)
+            self.assertEqual(result.stdout, run("plan", SOD).stdout)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_the_default_folder_is_out_and_the_deck_s_name(self):
+        self.expect(0, DECKS / "stability-side.in", "--quiet", folder=self.folder)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["out"])
+        self.assertTrue((self.folder / "out/stability-side/summary.txt").exists())
+
+    def test_quiet(self):
+        deck = DECKS / "stability-side.in"
+        loud = self.expect(0, deck, "--out", self.folder / "loud")
+        self.assertIn("warning: $regrig is there without nregrig", loud.stderr)
+        self.assertRegex(loud.stdout, r"stability-side.in: steps 30, .* in \S+/loud\n$")
+        quiet = self.expect(0, deck, "--out", self.folder / "quiet", "--quiet")
+        self.assertEqual((quiet.stdout, quiet.stderr), ("", ""))
+        messages = (self.folder / "quiet/messages.txt").read_text()
+        self.assertIn("warning: $regrig is there without nregrig", messages)
+        self.assertEqual(messages, (self.folder / "loud/messages.txt").read_text())
+
+    def test_quiet_keeps_errors_and_the_run_s_warnings(self):
+        deck = DECKS / "stability-side.in"
+        steps = ["--set", "in.tstep=2e-3", "--set", "in.dtmax=2e-3", "--set", "mpm.cfl=1"]
+        self.expect(0, deck, "--quiet", "--out", self.folder / "out", *steps)
+        self.assertIn("steps are limited to 0.001\n", (self.folder / "out/messages.txt").read_text())
+        result = self.expect(2, deck, "--quiet", "--set", "in.nx=1", folder=self.folder)
+        self.assertIn("error: nx = 1 is out of range", result.stderr)
+
+    def test_set_may_stand_before_the_deck(self):
+        out = self.folder / "out"
+        self.expect(0, "--set", "in.tmax=0.002", "--set", "in.gravc=1.0", DECKS / "stability-side.in", "--out", out)
+        self.assertIn("tmax = 0.002\n", (out / "deck.effective").read_text())
+
+    def test_particles_with_a_deck_that_reads_none(self):
+        result = self.expect(0, "check", SOD, "--particles", "nowhere.par")
+        self.assertIn("warning: igen = 1 reads no particle file: --particles is not used", result.stderr)
+
+    def test_particles_that_are_not_there(self):
+        result = self.expect(2, "check", DECKS / "stability-side.in", "--particles", "nowhere.par")
+        self.assertIn("error: particle file: nowhere.par: cannot be opened for reading", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
