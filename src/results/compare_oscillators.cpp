@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "reference/pendulum.hpp"
 #include "reference/piston.hpp"
@@ -53,6 +54,30 @@ std::vector<double> height(const Scene& scene, const History& history) {
   return y;
 }
 
+/// Over the whole run; not a number where it ended before the first lowest place.
+double largest_drop(const std::vector<double>& time, const std::vector<double>& y) {
+  const double first = first_minimum(time, y).value;
+  return std::isnan(first) ? first : -*std::min_element(y.begin(), y.end());
+}
+
+/// The fluid's rows of points lie half a spacing inside its ends; its area is its volume over its length.
+struct FluidColumn {
+  double length, area;
+
+  FluidColumn(const Scene& scene, const Body& fluid) {
+    const PointSet& P = scene.points;
+    std::set<double> rows;
+    double volume = 0;
+    for (std::size_t p = fluid.first; p < fluid.first + fluid.count; ++p) {
+      rows.insert(P.y[p]);
+      volume += P.volume[p];
+    }
+    const double n = static_cast<double>(rows.size());
+    length = (*rows.rbegin() - *rows.begin()) * n / (n - 1);
+    area = volume / length;
+  }
+};
+
 template <class Exact>
 Table table_of(const std::vector<double>& time, const std::string& name, const Exact& exact) {
   Table table{{"time", name}, {time, {}}};
@@ -70,7 +95,7 @@ Comparison compare_spring(const Scene& scene, const History& history) {
   const auto time = history.column("time"), y = height(scene, history);
   const double start = tracked_column(scene, history, "point_y").front();
   return {{merit("period", period_about(time, y, middle(y)), exact.period()),
-           merit("largest_drop", -*std::min_element(y.begin(), y.end()), exact.largest_drop())},
+           merit("largest_drop", largest_drop(time, y), exact.largest_drop())},
           table_of(time, height_name(scene), [&](double t) { return start + exact.position(t); })};
 }
 
@@ -104,13 +129,9 @@ Comparison compare_pendulum(const Scene& scene, const History& history) {
 Comparison compare_piston(const Scene& scene, const History& history) {
   const StringAsSpring spring(scene);
   const Body& fluid = body_with<LinearFluid>(scene);
-  const auto first = scene.points.y.begin() + static_cast<std::ptrdiff_t>(fluid.first);
-  const auto [low, high] = std::minmax_element(first, first + static_cast<std::ptrdiff_t>(fluid.count));
-  const double n = static_cast<double>(fluid.count);
-  const double fluid_length = (*high - *low) * n / (n - 1);  // half a spacing more at either end
-  const double area = n * scene.points.volume[fluid.first] / fluid_length;
-  const Piston exact{spring.mass,  spring.stiffness, area,
-                     fluid_length, fluid.density,    std::get<LinearFluid>(fluid.material).beta};
+  const FluidColumn column(scene, fluid);
+  const Piston exact{spring.mass,   spring.stiffness, column.area,
+                     column.length, fluid.density,    std::get<LinearFluid>(fluid.material).beta};
   const auto time = history.column("time"), y = height(scene, history);
   return {{merit("period", period_about(time, y, middle(y)), exact.period())}, {}};
 }

@@ -45,21 +45,22 @@ double period_about(const std::vector<double>& time, const std::vector<double>& 
 
 Reading first_minimum(const std::vector<double>& time, const std::vector<double>& values) {
   std::size_t lowest = 0;
-  for (std::size_t k = 1; k < values.size(); ++k) {
+  bool climbed = false;
+  for (std::size_t k = 1; k < values.size() && !climbed; ++k) {
     if (values[k] < values[lowest]) lowest = k;
-    if (values[k] - values[lowest] > 0.5 * (values.front() - values[lowest])) break;
+    climbed = values[k] - values[lowest] > 0.5 * (values.front() - values[lowest]);
   }
-  return refined(time, values, lowest);
+  return climbed ? refined(time, values, lowest) : Reading{none, none};
 }
 
 Reading first_maximum_after(const std::vector<double>& time, const std::vector<double>& values, double after) {
   const auto start = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), after) - time.begin());
-  if (start >= values.size()) return {none, none};
+  if (std::isnan(after) || start >= values.size()) return {none, none};
   std::size_t highest = start;
   bool fell = false;
   for (std::size_t k = start; k < values.size() && !fell; ++k) {
     if (values[k] > values[highest]) highest = k;
-    fell = values[highest] - values[k] > 0.5 * (values[highest] - values[start]);
+    fell = highest > start && values[highest] - values[k] > 0.5 * (values[highest] - values[start]);
   }
   return fell ? refined(time, values, highest) : Reading{none, none};
 }
