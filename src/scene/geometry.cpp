@@ -7,7 +7,9 @@ bool Polygon::contains(double px, double py) const {
   bool inside = false;
   for (std::size_t k = 0, before = x.size() - 1; k < x.size(); before = k++) {
     if ((y[k] > py) == (y[before] > py)) continue;  // the edge does not cross the line to the right
-    const double crossing = x[k] + (py - y[k]) * (x[before] - x[k]) / (y[before] - y[k]);
+    // From the lower vertex, so that two polygons round a shared edge alike, whichever way round they run.
+    const std::size_t low = y[k] < y[before] ? k : before, high = low == k ? before : k;
+    const double crossing = x[low] + (py - y[low]) * (x[high] - x[low]) / (y[high] - y[low]);
     if (px < crossing) inside = !inside;
   }
   return inside;

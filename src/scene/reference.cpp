@@ -14,10 +14,17 @@ auto count_bodies(const Scene& scene) {
                        [](const Body& body) { return std::holds_alternative<Law>(body.material); });
 }
 
+/// Whether the point tracked last is the last of the string: the mass.
+bool tracks_its_end(const Scene& scene) {
+  const Body& string = *std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                     [](const Body& body) { return std::holds_alternative<Uniaxial>(body.material); });
+  return !scene.tracked.empty() && scene.tracked.back() == string.first + string.count - 1;
+}
+
 /// What the scene lacks for the solution; empty where it has all.
 std::string lacks(ReferenceKind kind, const Scene& scene) {
   const bool string = count_bodies<Uniaxial>(scene) == 1;
-  const bool tracked = !scene.tracked.empty();
+  const bool tracked = string && tracks_its_end(scene);
   switch (kind) {
     case ReferenceKind::riemann:
       return count_bodies<IdealGas>(scene) == 2 && scene.bodies.size() == 2
@@ -26,11 +33,9 @@ std::string lacks(ReferenceKind kind, const Scene& scene) {
     case ReferenceKind::spring:
     case ReferenceKind::string:
     case ReferenceKind::pendulum:
-      return string && tracked && scene.gravity < 0
-                 ? ""
-                 : "a string from a particle file, its last point tracked, and gravc < 0";
+      return tracked && scene.gravity < 0 ? "" : "a string from a particle file, its last point tracked, and gravc < 0";
     case ReferenceKind::piston:
-      return string && tracked && count_bodies<LinearFluid>(scene) == 1
+      return tracked && count_bodies<LinearFluid>(scene) == 1
                  ? ""
                  : "a linear fluid, a spring from a particle file, its last point tracked";
     case ReferenceKind::none:

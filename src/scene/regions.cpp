@@ -41,8 +41,8 @@ class RegionReader {
   /// Points along one side of a cell, or 0 where nprg is no square.
   int lattice() const {
     const int nprg = deck_.integer("reg", "nprg", r_);
-    const int side = static_cast<int>(std::lround(std::sqrt(nprg)));
-    if (side * side == nprg) return side;
+    const long long side = std::lround(std::sqrt(nprg));
+    if (side * side == nprg) return static_cast<int>(side);
     error("nprg", {r_, 1}, fmt::format("nprg = {} is no square", nprg),
           "points per cell: 1, 4, 9, 16, 25, 36, 49, 64 ...");
     return 0;
@@ -126,7 +126,8 @@ void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics)
   const BackgroundGrid& grid = scene.grid;
   const CellSpan columns(shape->polygon.x, grid.x0, grid.dx, grid.cells_x());
   const CellSpan rows(shape->polygon.y, grid.y0, grid.dy, grid.cells_y());
-  const std::string too_large = memory_refusal(grid, columns.count() * rows.count() * side * side);
+  const double there = static_cast<double>(scene.points.size());
+  const std::string too_large = memory_refusal(grid, there + columns.count() * rows.count() * side * side);
   if (!too_large.empty()) return reader.error("nprg", {r, 1}, too_large, "use fewer points per cell or a coarser grid");
 
   const double volume = grid.dx * grid.dy / (side * side);

@@ -114,7 +114,7 @@ TEST(VariablesListing, OfOneGroupOfAllAndOfNone) {
   EXPECT_EQ(listed(fluid, "gm1"),
             "gm1 real - > 0 default 0.4 gamma - 1 of the gas, gamma the ratio of its specific heats.");
   EXPECT_EQ(listed(fluid, "siep(20)"),
-            "siep(20) real energy/mass - default 0.0 Specific internal energy of the gas of region i at the start.");
+            "siep(20) real energy/mass >= 0 default 0.0 Specific internal energy of the gas of region i at the start.");
   EXPECT_EQ(variables_listing("nosuch"), "");
   std::string all;
   for (const auto& group : group_names()) all += variables_listing(group);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/energy_drift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace tether {
+namespace {
+
+/// kinetic, strain, internal, potential; the total is their sum.
+struct Energies {
+  double kinetic = 0, strain = 0, internal = 0, potential = 0;
+};
+
+History history_of(const std::vector<Energies>& records) {
+  History history;
+  for (const char* name :
+       {"time", "energy_kinetic", "energy_strain", "energy_internal", "energy_potential", "energy_total"}) {
+    history.layout.quantities.push_back({name, Dimension::energy, ""});
+  }
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    const auto& [a, b, c, d] = records[k];
+    history.records.push_back({static_cast<double>(k), a, b, c, d, a + b + c + d});
+  }
+  return history;
+}
+
+TEST(EnergyDrift, IsZeroWhereEveryLossIsAGain) {
+  EXPECT_EQ(energy_drift(history_of({{0, 0, 8, -10}, {2, 1, 8, -13}, {0, 4, 8, -14}})), 0);
+}
+
+/// The total changes by .5 at most, the potential energy by 4.
+TEST(EnergyDrift, IsTheLargestChangeOverTheLargestExchange) {
+  EXPECT_EQ(energy_drift(history_of({{0, 0, 8, -10}, {3, 0, 8, -13.5}, {0, 3.5, 8, -14}})), 0.125);
+  EXPECT_EQ(energy_drift(history_of({{0, 0, 8, -10}, {0, 3.75, 8, -14}, {0, 0, 8, -10}})),
+            0.0625);  // a loss, made good
+}
+
+TEST(EnergyDrift, AnyKindCanBeTheLargestExchange) {
+  EXPECT_EQ(energy_drift(history_of({{4, 0, 0, 0}, {2, 1, 0, 0}})), 0.5);
+  EXPECT_EQ(energy_drift(history_of({{0, 5, 0, 0}, {0, 1, 2, 0}})), 0.5);
+  EXPECT_EQ(energy_drift(history_of({{0, 0, 100, 0}, {0, 0, 92, 0}})), 1);
+}
+
+/// Only differences count: a potential energy far from 0 makes no drift small.
+TEST(EnergyDrift, DoesNotDependOnWhereAnEnergyIsZero) {
+  EXPECT_EQ(energy_drift(history_of({{4, 0, 0, 1024}, {2, 1, 0, 1024}})), 0.5);
+}
+
+TEST(EnergyDrift, IsZeroWhereNothingWasExchanged) {
+  EXPECT_EQ(energy_drift(history_of({{1, 2, 3, 4}, {1, 2, 3, 4}})), 0);
+  EXPECT_EQ(energy_drift(history_of({{1, 2, 3, 4}})), 0);
+}
+
+TEST(EnergyDrift, NeedsItsColumns) { EXPECT_THROW(energy_drift(History{}), std::out_of_range); }
+
+History masses(const std::vector<double>& values) {
+  History history;
+  history.layout.quantities = {{"time", Dimension::time, ""}, {"mass", Dimension::mass, ""}};
+  for (const double value : values) history.records.push_back({0, value});
+  return history;
+}
+
+TEST(MassDrift, IsTheLargestChangeOverTheStart) {
+  EXPECT_EQ(mass_drift(masses({4, 4, 4})), 0);
+  EXPECT_EQ(mass_drift(masses({4, 5, 4, 2, 4})), 0.5);
+  EXPECT_EQ(mass_drift(masses({4, 4.5})), 0.125);
+}
+
+}  // namespace
+}  // namespace tether
