@@ -32,7 +32,8 @@ TEST(Sod, CellDensity) { EXPECT_NEAR(run_deck("sod-cell").summary.at("error_dens
 // sigma = -p I: the nodal force is m (gamma - 1) i grad N, whatever the density.
 TEST(Sod, WithoutViscositiesTheThreeDensitiesMoveAlike) {
   const auto field = [](const std::string& deck, const std::string& name) {
-    return read_variable(run_deck(deck, {"fluid.lambda=0", "fluid.mu=0"}).folder + "/particles.nc", name);
+    const DeckRun run = run_deck(deck, {"fluid.lambda=0", "fluid.mu=0"});
+    return read_variable(run.folder + "/particles.nc", name);
   };
   for (const std::string name : {"vx", "specific_energy"}) {
     const auto quadratic = field("sod", name);

@@ -20,8 +20,9 @@ DeckRun run_deck(const std::string& name, const std::vector<std::string>& overri
   RunRequest request;
   request.folder = folder;
   request.deck_effective = loaded.effective;
+  const std::shared_ptr<void> keeps_folder(nullptr, [folder](void*) { std::filesystem::remove_all(folder); });
   const RunOutcome outcome = run(loaded.plan, request);
-  DeckRun result{{}, outcome.history, loaded.plan.warnings, folder.string()};
+  DeckRun result{{}, outcome.history, loaded.plan.warnings, folder.string(), keeps_folder};
   for (const auto& [key, value] : outcome.summary) {
     if (key != "path") result.summary[key] = std::stod(value);
   }

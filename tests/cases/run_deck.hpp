@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct DeckRun {
   History history;
   std::vector<std::string> warnings;  ///< of the plan
   std::string folder;
+  std::shared_ptr<void> keeps_folder;  ///< the folder goes with the last copy of the run
 
   double first(const std::string& column) const { return history.column(column).front(); }
   double last(const std::string& column) const { return history.column(column).back(); }

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "base/errors.hpp"
-#include "unit/base/temporary_folder.hpp"
+#include "unit/temporary_folder.hpp"
 
 namespace tether {
 namespace {

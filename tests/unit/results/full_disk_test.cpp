@@ -18,7 +18,7 @@ namespace {
 
 /// A full disk is played by a largest file size, in a process of its own that ends as a program does: with its
 /// destructors run, and the libraries' work at exit done.
-class FullDiskTest : public test::FolderTest {
+class FullDiskTest : public test::TemporaryFolder {
  protected:
   static constexpr int told = 4;
 

@@ -14,7 +14,7 @@
 namespace tether {
 namespace {
 
-using HistoryWriterTest = test::FolderTest;
+using HistoryWriterTest = test::TemporaryFolder;
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
 

@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-using NetcdfFileTest = test::FolderTest;
+using NetcdfFileTest = test::TemporaryFolder;
 
 /// What a FileError says, or empty where none was thrown.
 template <class Action>

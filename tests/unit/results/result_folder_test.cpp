@@ -11,7 +11,7 @@
 namespace tether {
 namespace {
 
-using ResultFolderTest = test::FolderTest;
+using ResultFolderTest = test::TemporaryFolder;
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {
   std::set<std::string> names;

@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-using SnapshotWriterTest = test::FolderTest;
+using SnapshotWriterTest = test::TemporaryFolder;
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
 

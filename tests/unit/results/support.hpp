@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <gtest/gtest.h>
 #include <netcdf.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -11,21 +9,9 @@
 #include <vector>
 
 #include "results/results.hpp"
+#include "unit/temporary_folder.hpp"
 
 namespace tether::test {
-
-/// A folder of its own for each test, removed afterwards.
-class FolderTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::path(testing::TempDir()) /
-             (std::string(info->test_suite_name()) + "." + info->name() + "." + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder;
-};
 
 /// A NetCDF file opened with the bare C interface, apart from the code under test.
 class Reader {

@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-using TextTest = test::FolderTest;
+using TextTest = test::TemporaryFolder;
 
 TEST_F(TextTest, SummaryHasALineForEachPair) {
   write_summary(folder / "summary.txt", {{"path", "mpm"}, {"error_density", "1.5e-3"}, {"empty", ""}},

@@ -72,7 +72,7 @@ std::vector<double> slab(const std::filesystem::path& folder, const ptree& item)
   return {begin, begin + length};
 }
 
-using XdmfTest = test::FolderTest;
+using XdmfTest = test::TemporaryFolder;
 
 TEST_F(XdmfTest, PlacesThePointsOfEachRecord) {
   PointWriter writer(folder, test::provenance());

@@ -5,7 +5,7 @@
 
 #include "base/file.hpp"
 #include "deck/reader.hpp"
-#include "unit/base/temporary_folder.hpp"
+#include "unit/temporary_folder.hpp"
 
 namespace tether::test {
 namespace {
