@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <set>
 
 #include "base/errors.hpp"
@@ -27,6 +28,9 @@ int guarded(const std::string& name, const std::function<void()>& command) {
   } catch (const InputError& error) {
     fmt::print(stderr, "{}", error.what());
     return exit_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "{}: error: it needs more memory than there is\n", name);
+    return exit_input;
   } catch (const RunError& error) {
     fmt::print(stderr, "{}: error: {}\n", name, error.what());
     return exit_run;
@@ -44,6 +48,11 @@ std::filesystem::path folder_of(const std::string& deck, const RunOptions& optio
   return options.out.empty() || several ? out / deck_name(deck) : out;
 }
 
+void print_warnings(const std::string& name, const Loaded& loaded) {
+  for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
+  for (const auto& warning : loaded.plan.warnings) fmt::print(stderr, "{}: warning: {}\n", name, warning);
+}
+
 void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
   std::string line = name + ":";
   for (const auto& [key, value] : summary) {
@@ -55,10 +64,7 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
 
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
   const Loaded loaded = load(name, options);
-  if (!run_options.quiet) {
-    for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
-    for (const auto& warning : loaded.plan.warnings) fmt::print(stderr, "{}: warning: {}\n", name, warning);
-  }
+  if (!run_options.quiet) print_warnings(name, loaded);
   if (run_options.dry_run) return fmt::print("{}", to_text(loaded.plan));
   ProgressLine progress(name, run_options.quiet);
   const auto warn = [&](const std::string& text) {
@@ -99,11 +105,13 @@ int run_command(const std::vector<std::string>& decks, const DeckOptions& option
   return worst;
 }
 
-int check_command(const std::string& deck, const DeckOptions& options) {
-  return guarded(deck, [&] {
-    const Loaded loaded = load(deck, options);
-    for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
-    fmt::print("{}", check_listing(loaded.deck));
+int check_command(const std::string& name, const DeckOptions& options) {
+  return guarded(name, [&] {
+    Diagnostics diagnostics;
+    const Deck deck = load_deck(name, options, diagnostics);
+    fmt::print("{}", check_listing(deck));
+    std::fflush(stdout);  // the values first, then what is to be said of them
+    print_warnings(name, load_scene(deck, options, diagnostics));
   });
 }
 
@@ -111,7 +119,7 @@ int plan_command(const std::string& deck, const DeckOptions& options) {
   return guarded(deck, [&] {
     const Loaded loaded = load(deck, options);
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
-    fmt::print("{}", to_text(loaded.plan));
+    fmt::print("{}", to_text(loaded.plan));  // which has the plan's own warnings
   });
 }
 

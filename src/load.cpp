@@ -11,37 +11,28 @@
 #include "scene/load_particles.hpp"
 
 namespace tether {
-namespace {
 
-std::vector<std::string> texts(const std::vector<Diagnostic>& diagnostics) {
-  std::vector<std::string> lines;
-  for (const auto& diagnostic : diagnostics) lines.push_back(to_text(diagnostic));
-  return lines;
+Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics) {
+  return read_deck(read_file(file), file, options.overrides, diagnostics);
 }
 
-/// The deck alone; throws with every mistake in it.
-Deck load_deck(const std::string& file, const DeckOptions& options, std::vector<std::string>& warnings) {
-  Diagnostics diagnostics;
-  Deck deck = read_deck(read_file(file), file, options.overrides, diagnostics);
-  for (auto& warning : texts(diagnostics.warnings())) warnings.push_back(std::move(warning));
-  diagnostics.throw_if_errors();
-  return deck;
-}
-
-}  // namespace
-
-Loaded load(const std::string& file, const DeckOptions& options) {
-  std::vector<std::string> warnings;
-  const Deck deck = load_deck(file, options, warnings);
-  Diagnostics diagnostics;
+Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+  if (!deck.complete()) diagnostics.throw_if_errors();  // without a grid and a clock there is no scene to look at
   std::optional<std::filesystem::path> given;
   if (!options.particles.empty()) given = options.particles;
   const auto particles = load_particles(deck, given, diagnostics);
   Scene scene = build_scene(deck, particles, diagnostics);
-  for (auto& warning : texts(diagnostics.warnings())) warnings.push_back(std::move(warning));
   diagnostics.throw_if_errors();
+  std::vector<std::string> warnings;
+  for (const auto& diagnostic : diagnostics.warnings()) warnings.push_back(to_text(diagnostic));
   const std::string effective = effective_deck(particles ? deck.with_particle_data(particles->lines) : deck);
   return {deck, make_plan(std::move(scene)), effective, std::move(warnings)};
+}
+
+Loaded load(const std::string& file, const DeckOptions& options) {
+  Diagnostics diagnostics;
+  const Deck deck = load_deck(file, options, diagnostics);
+  return load_scene(deck, options, diagnostics);
 }
 
 }  // namespace tether

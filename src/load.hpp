@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.hpp"
 #include "commands.hpp"
 #include "deck/deck.hpp"
 #include "plan/plan.hpp"
@@ -14,11 +15,18 @@ namespace tether {
 struct Loaded {
   Deck deck;
   Plan plan;
-  std::string effective;  ///< text of deck.effective: the deck with all values and its particle data
-  std::vector<std::string> warnings;
+  std::string effective;              ///< text of deck.effective: the deck with all values and its particle data
+  std::vector<std::string> warnings;  ///< of deck and particle file
 };
 
-/// Deck, particle file, scene and plan. Throws InputError with every mistake, FileError where the deck cannot be read.
+/// The deck alone; remarks go into `diagnostics`. Throws FileError where it cannot be read.
+Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics);
+
+/// Particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as far as
+/// the deck can be understood: throws InputError with all of them.
+Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics);
+
+/// Both.
 Loaded load(const std::string& file, const DeckOptions& options);
 
 }  // namespace tether

@@ -77,8 +77,7 @@ std::vector<Diagnostic> Diagnostics::errors() const { return select(Severity::er
 bool Diagnostics::has_errors() const { return !errors().empty(); }
 
 void Diagnostics::throw_if_errors() const {
-  auto found = errors();
-  if (!found.empty()) throw InputError(std::move(found));
+  if (has_errors()) throw InputError(all_);
 }
 
 }  // namespace tether

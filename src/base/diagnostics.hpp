@@ -44,7 +44,7 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return all_; }
   std::vector<Diagnostic> warnings() const;
   std::vector<Diagnostic> errors() const;
-  /// Throws InputError with all errors (no warnings) when there is at least one.
+  /// Throws InputError with all remarks, warnings too, when at least one is an error.
   void throw_if_errors() const;
 
  private:

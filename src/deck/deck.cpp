@@ -71,6 +71,13 @@ std::vector<Subscript> Deck::given_elements(std::string_view group, std::string_
   return elements;
 }
 
+bool Deck::complete() const {
+  const auto table = variables();
+  return std::all_of(table.begin(), table.end(), [this](const Variable& variable) {
+    return !variable.required || given(variable.group, variable.name);
+  });
+}
+
 Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) const {
   Contents contents = contents_;
   contents.values.erase("in.particles");

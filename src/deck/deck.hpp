@@ -59,6 +59,9 @@ class Deck {
 
   // The value of an element, given or default. Throws std::logic_error where the table has no such variable, where it
   // is of another type, and where it has neither: ask given() first for a variable without a default.
+  /// Whether every required variable is given, so that a scene can be made of it.
+  bool complete() const;
+
   int integer(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
   double real(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
   bool logical(std::string_view group, std::string_view name, int i = 1, int j = 1) const;

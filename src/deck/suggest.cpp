@@ -12,6 +12,9 @@ namespace tether {
 namespace {
 
 constexpr std::size_t longest_name = 40;  // nothing in the table is near a longer one
+constexpr std::size_t short_name = 3;     // two changes make any other word of it
+
+std::size_t changes_allowed(const std::string& name) { return name.size() <= short_name ? 1 : 2; }
 
 std::vector<std::string> names_of(const std::string& group) {
   std::vector<std::string> names;
@@ -34,9 +37,9 @@ std::string suggest_variable(const std::string& group, const std::string& name) 
   if (name.size() > longest_name) return "";
   const auto owner = group_of(name);
   if (!owner.empty()) return fmt::format("'{}' belongs to group ${}.", name, owner);
-  auto near = nearest_name(name, names_of(group));
+  auto near = nearest_name(name, names_of(group), changes_allowed(name));
   if (!near.empty()) return fmt::format("Did you mean '{}' (group ${})?", near, group);
-  near = nearest_name(name, names_of(""));
+  near = nearest_name(name, names_of(""), changes_allowed(name));
   return near.empty() ? "" : fmt::format("Did you mean '{}' (group ${})?", near, group_of(near));
 }
 

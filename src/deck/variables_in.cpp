@@ -16,9 +16,12 @@ constexpr std::string_view wall_kinds = "0|1|4|5|6";
 
 constexpr std::string_view iout_meaning =
     "1 writes output i every tiout(i): 13 point snapshots; 30 grid velocity; 31 grid mass; 32 membrane points and "
-    "stress; 33 histories of points and bodies; 34 energies; 35 strain of points; 36 pressure; 37 cell density; 38 "
-    "tracked angle and ends; 39 grid fields (pressure, velocity, energy, density); 40 normals; 41 checkpoint. The "
-    "thesis does not print these meanings: they are tether's own.";
+    "stress; 33 histories of points and bodies; 34 energies; 35 strain of points; 36 pressure; 37 density on the grid; "
+    "38 tracked angle and ends; 39 grid fields (pressure, velocity, energy, density); 40 normals; 41 checkpoint. Any "
+    "of "
+    "13, 32, 35, 36, 40 writes all fields of the points, any of 30, 31, 37, 39 all of the grid's nodes. The thesis "
+    "does "
+    "not print these meanings: they are tether's own.";
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning[, effect[, required]]
 constexpr std::array rows{

@@ -52,13 +52,19 @@ struct Locator {
         last_j(grid.ny - 2),
         nx(grid.nx) {}
 
+  /// Part of a cell by which a place on a cell's edge counts as inside. The nodes across the cell then still learn the
+  /// place's velocity (their mass would be 0 otherwise, and the gradient wrong), and no nodal mass is ever so small
+  /// that its quotients overflow.
+  static constexpr double edge = 1e-12;
+
   /// The place must lie inside the grid. A place on the right or top edge belongs to the last cell.
   CellPlace locate(double x, double y) const {
     const double a = (x - x0) * per_dx, b = (y - y0) * per_dy;
     const int i = static_cast<int>(a) < last_i ? static_cast<int>(a) : last_i;
     const int j = static_cast<int>(b) < last_j ? static_cast<int>(b) : last_j;
-    return {i, j, a - i, b - j};
+    return {i, j, inside(a - i), inside(b - j)};
   }
+  static double inside(double r) { return r < edge ? edge : r > 1 - edge ? 1 - edge : r; }
   std::size_t lower_left_node(const CellPlace& at) const {
     return static_cast<std::size_t>(at.j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(at.i);
   }

@@ -17,10 +17,13 @@ struct VelocityGradient {
   double xx = 0, xy = 0, yx = 0, yy = 0;
 };
 
-/// Symmetric part of the velocity gradient, xy the tensor component (4.2) [rate].
-struct StrainRate {
+/// In-plane components of a small strain, xy the tensor component.
+struct Strain {
   double xx = 0, yy = 0, xy = 0;
 };
+
+/// Its rate, the symmetric part of the velocity gradient (4.2) [rate].
+using StrainRate = Strain;
 
 inline StrainRate symmetric_part(const VelocityGradient& L) { return {L.xx, L.yy, 0.5 * (L.xy + L.yx)}; }
 

@@ -32,8 +32,30 @@ struct FirstWave {
   }
 };
 
+/// What the deck's rule does not see: pressure waves run faster than sqrt(E / rho), and viscosity spreads momentum over
+/// a cell in rho h^2 / (4 (4/3) mu). The shortest of these over all bodies [time].
+struct SharpLimit {
+  const Body& body;
+  double h;
+  double operator()(const PlaneElastic& law) const { return h / std::sqrt((law.lambda + 2 * law.G) / body.density); }
+  double operator()(const IdealGas& law) const {
+    return law.mu > 0 ? body.density * h * h / (16.0 / 3 * law.mu) : std::numeric_limits<double>::infinity();
+  }
+  double operator()(const LinearFluid&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const Uniaxial&) const { return std::numeric_limits<double>::infinity(); }
+};
+
+double sharp_limit(const Scene& scene, double h) {
+  double limit = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) limit = std::min(limit, std::visit(SharpLimit{body, h}, body.material));
+  return limit;
+}
+
 StepRule step_rule(const Scene& scene) {
-  StepRule rule{scene.clock.tstep, scene.clock.cfl, std::min(scene.grid.dx, scene.grid.dy), 0, 0};
+  StepRule rule;
+  rule.deck_step = scene.clock.tstep;
+  rule.cfl = scene.clock.cfl;
+  rule.h = std::min(scene.grid.dx, scene.grid.dy);
   double fastest = 0;
   for (const Body& body : scene.bodies) {
     const double c = std::visit(FirstWave{scene, body}, body.material);
@@ -41,6 +63,7 @@ StepRule step_rule(const Scene& scene) {
     fastest = std::max(fastest, c);
   }
   rule.first_limit = fastest > 0 ? rule.h / fastest : std::numeric_limits<double>::infinity();
+  rule.sharp_limit = sharp_limit(scene, rule.h);
   return rule;
 }
 
@@ -54,16 +77,30 @@ Cost cost_of(const Scene& scene, const StepRule& rule) {
   return cost;
 }
 
-std::vector<std::string> warnings_of(const StepRule& rule) {
+/// Of the deck's step against the limit of the rule.
+std::string step_warning(const StepRule& rule) {
   const double ratio = rule.deck_step / rule.first_limit;
-  if (!(ratio > 1 + 1e-9)) return {};
-  if (rule.cfl > 0) {
-    if (rule.deck_step <= rule.cfl * rule.first_limit) return {};
-    return {fmt::format("the deck's step {:.4g} is {:#.3g} times the limit dx/c = {:.4g}: steps are limited to {:.4g}",
-                        rule.deck_step, ratio, rule.first_limit, rule.cfl * rule.first_limit)};
+  const std::string above = fmt::format("the deck's step {:.4g} is {:#.3g} times the limit dx/c = {:.4g}",
+                                        rule.deck_step, ratio, rule.first_limit);
+  if (rule.cfl == 0) return ratio > 1 + 1e-9 ? above + " and taken as it is (cfl = 0)" : "";
+  const double limited = rule.cfl * rule.first_limit;
+  return rule.deck_step > limited * (1 + 1e-9) ? fmt::format("{}: steps are limited to {:.4g}", above, limited) : "";
+}
+
+std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
+  std::vector<std::string> warnings;
+  const std::string step = step_warning(rule);
+  if (!step.empty()) warnings.push_back(step);
+  if (rule.cfl > 0 && rule.first_step() > rule.sharp_limit) {
+    warnings.push_back(
+        fmt::format("steps of {:.4g} are {:#.3g} times what pressure waves or viscosity allow ({:.4g}), which "
+                    "the rule dx/sqrt(E/rho) does not see: lower tstep or cfl",
+                    rule.first_step(), rule.first_step() / rule.sharp_limit, rule.sharp_limit));
   }
-  return {fmt::format("the deck's step {:.4g} is {:#.3g} times the limit dx/c = {:.4g} and taken as it is (cfl = 0)",
-                      rule.deck_step, ratio, rule.first_limit)};
+  if (scene.order == StressOrder::usl) {
+    warnings.push_back("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
+  }
+  return warnings;
 }
 
 /// A step that is lost in the rounding of the time would never reach the end.
@@ -89,7 +126,7 @@ Plan make_plan(Scene scene) {
   refuse_lost_steps(scene.clock, plan.step);
   plan.terms = terms_of(scene);
   plan.cost = cost_of(scene, plan.step);
-  plan.warnings = warnings_of(plan.step);
+  plan.warnings = warnings_of(scene, plan.step);
   plan.scene = std::move(scene);
   return plan;
 }

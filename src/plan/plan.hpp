@@ -16,6 +16,8 @@ struct StepRule {
   double solid_speed = 0;  // largest c of all but gas, constant in time [velocity]
   double first_limit = 0;  // h / c at the start; infinite where nothing has a speed [time]
 
+  double sharp_limit = 0;  // what pressure waves and viscosity allow; not part of the rule [time]
+
   double first_step() const;
   /// The step while the fastest wave of the gas has this speed (0 without gas).
   double step(double gas_wave) const;

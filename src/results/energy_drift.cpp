@@ -13,14 +13,25 @@ double largest_change(const std::vector<double>& values) {
   return largest;
 }
 
-}  // namespace
-
-double energy_drift(const History& history) {
+double exchanged_energy(const History& history) {
   double exchanged = 0;
   for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal", "energy_potential"}) {
     exchanged = std::max(exchanged, largest_change(history.column(kind)));
   }
+  return exchanged;
+}
+
+}  // namespace
+
+double energy_drift(const History& history) {
+  const double exchanged = exchanged_energy(history);
   return exchanged > 0 ? largest_change(history.column("energy_total")) / exchanged : 0;
+}
+
+double energy_growth(const History& history) {
+  const double exchanged = exchanged_energy(history);
+  const auto total = history.column("energy_total");
+  return exchanged > 0 ? (*std::max_element(total.begin(), total.end()) - total.front()) / exchanged : 0;
 }
 
 double mass_drift(const History& history) {

@@ -9,6 +9,9 @@ namespace tether {
 /// exchanged: the largest change of any one kind. 0 where nothing was exchanged.
 double energy_drift(const History& history);
 
+/// Largest rise of the total energy over the start, over the largest energy that was exchanged.
+double energy_growth(const History& history);
+
 /// Largest change of the mass over the mass at the start.
 double mass_drift(const History& history);
 

@@ -47,21 +47,33 @@ bool resolvable(double low, double high, int nodes) {
   return std::isfinite(size) && std::isfinite(1 / size) && low + size > low && high - size < high;
 }
 
-void check_axes(const Deck& deck, Diagnostics& diagnostics) {
+/// Whether the grid can be made; tells where not.
+bool check_axes(const Deck& deck, Diagnostics& diagnostics) {
   const auto ordered = [&](const char* low, const char* high, const char* nodes) {
     const double a = deck.real("in", low), b = deck.real("in", high);
-    if (b > a && resolvable(a, b, deck.integer("in", nodes))) return;
+    if (b > a && resolvable(a, b, deck.integer("in", nodes))) return true;
     const char* what = b > a ? "so close to" : "not above";
     diagnostics.add(deck.remark(Severity::error, "in", high, {1, 1},
                                 fmt::format("{} = {:.6g} is {} {} = {:.6g}", high, b, what, low, a),
                                 "the nodes would coincide"));
+    return false;
   };
-  ordered("xleft", "xright", "nx");
-  ordered("ybot", "ytop", "ny");
-  if (deck.real("in", "cyl") != 0) {
-    diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "the material point path runs plane scenes only",
-                                "write cyl=0, or leave it out"));
-  }
+  const bool x = ordered("xleft", "xright", "nx"), y = ordered("ybot", "ytop", "ny");
+  return x && y;
+}
+
+void check_plane(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.real("in", "cyl") == 0) return;
+  diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "the material point path runs plane scenes only",
+                              "write cyl=0, or leave it out"));
+}
+
+/// Whether the memory holds grid and particle file; tells where not.
+bool check_memory(const Deck& deck, const BackgroundGrid& grid, std::size_t rows, Diagnostics& diagnostics) {
+  const std::string too_large = memory_refusal(grid, static_cast<double>(rows));
+  if (too_large.empty()) return true;
+  diagnostics.add(deck.remark(Severity::error, "in", "nx", {1, 1}, too_large, "use fewer nodes"));
+  return false;
 }
 
 void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, Scene& scene,
@@ -70,6 +82,7 @@ void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, 
   const int regions = igen == 0 ? 0 : deck.integer("reg", "nreg");
   for (int r = 1; r <= regions; ++r) add_region(deck, r, scene, diagnostics);
   const std::size_t file_first = scene.points.size();
+  if (igen != 1 && !particles) return;  // which has been told
   if (particles) add_file_body(deck, *particles, scene, diagnostics);
   apply_points_group(deck, file_first, scene.points.size() - file_first, scene, diagnostics);
   if (scene.points.size() == 0 && !diagnostics.has_errors()) {
@@ -82,17 +95,13 @@ void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, 
 
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Diagnostics& diagnostics) {
   Scene scene;
-  check_axes(deck, diagnostics);
-  if (diagnostics.has_errors()) return scene;
+  check_plane(deck, diagnostics);
+  if (!check_axes(deck, diagnostics)) return scene;
   scene.title = title_of(deck);
   scene.units = units_of(deck);
   scene.grid = BackgroundGrid(deck.integer("in", "nx"), deck.integer("in", "ny"), deck.real("in", "xleft"),
                               deck.real("in", "xright"), deck.real("in", "ybot"), deck.real("in", "ytop"));
-  const std::string too_large = memory_refusal(scene.grid, particles ? static_cast<double>(particles->rows.size()) : 0);
-  if (!too_large.empty()) {
-    diagnostics.add(deck.remark(Severity::error, "in", "nx", {1, 1}, too_large, "use fewer nodes"));
-    return scene;
-  }
+  if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;
   scene.walls = walls_of(deck);
   scene.gravity = deck.real("in", "gravc");
   scene.clock = clock_of(deck);

@@ -21,7 +21,7 @@ std::optional<Material> elastic(int ipath, double E, double nu, const Refuse& re
   return strain ? plane_strain(E, nu) : plane_stress(E, nu);
 }
 
-std::optional<Material> gas(const Deck& deck, int ipath) {
+std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& diagnostics) {
   IdealGas law;
   law.gm1 = deck.real("fluid", "gm1");
   law.mu = deck.real("fluid", "mu");
@@ -33,6 +33,11 @@ std::optional<Material> gas(const Deck& deck, int ipath) {
   if (rule == "cell") law.rule = DensityRule::cell;
   if (rule == "quadratic") law.rule = DensityRule::quadratic;
   if (rule == "continuity") law.rule = DensityRule::continuity;
+  if ((law.rule == DensityRule::quadratic) != (ipath == 9)) {
+    diagnostics.add(
+        deck.remark(Severity::warning, "mpm", "density", {1, 1},
+                    fmt::format("density = '{}' wins over ipath(4,{}) = {} of region {}", rule, r, ipath, r)));
+  }
   return law;
 }
 
@@ -51,7 +56,7 @@ std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& di
       return elastic(ipath, first, deck.real("reg", "matr", 2, r), refuse);
     case 7:
     case 9:
-      return gas(deck, ipath);
+      return gas(deck, ipath, r, diagnostics);
     case 8:
       if (!(first > 0))
         refuse(1, fmt::format("a linear fluid needs its bulk modulus > 0, not {:.6g}", first), "matr(1) is beta");

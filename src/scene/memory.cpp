@@ -2,8 +2,10 @@
 #include "scene/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "scene/size.hpp"
@@ -11,11 +13,15 @@
 namespace tether {
 namespace {
 
-/// Part of the physical memory that a run may take.
+/// Part of the memory that a run may take.
 constexpr double usable = 0.8;
 
-double physical_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+/// Of the machine, or what the shell allows this process where that is less.
+double memory_there() {
+  const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return physical;
+  return std::min(physical, static_cast<double>(limit.rlim_cur));
 }
 
 }  // namespace
@@ -23,7 +29,7 @@ double physical_memory() {
 std::string memory_refusal(const BackgroundGrid& grid, double points) {
   const double nodes = static_cast<double>(grid.nx) * static_cast<double>(grid.ny);
   const double bytes = nodes * bytes_per_node + points * bytes_per_point;
-  const double there = usable * physical_memory();
+  const double there = usable * memory_there();
   const double most = std::numeric_limits<int>::max();
   if (bytes <= there && nodes <= most && points <= most) return "";
   return fmt::format("{} x {} nodes and {:.3g} points would need {:.4g} GB of memory, and {:.4g} GB can be used",

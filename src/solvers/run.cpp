@@ -22,6 +22,12 @@ namespace {
 /// Part of an interval by which a record may come early, so that rounding does not put it off by a step.
 constexpr double early = 1e-9;
 
+/// Part of the run after which the solver comes back for a progress line, whatever is due.
+constexpr double progress_part = 1e-3;
+
+/// Rise of the total energy, over what was exchanged, from which a run is told to gain energy.
+constexpr double told_growth = 0.05;
+
 /// Times k * interval at which something is due; never for an interval of 0.
 class Due {
  public:
@@ -89,8 +95,10 @@ class Runner {
     write_points();
     write_grid();
     while (solver_->time() < tmax) {
-      solver_->advance(std::min({tmax, history_due_.next(), points_due_.next(), grid_due_.next()}));
+      const double look = solver_->time() + progress_part * tmax;
+      solver_->advance(std::min({tmax, look, history_due_.next(), points_due_.next(), grid_due_.next()}));
       pass_messages();
+      tell_progress();
       write_what_is_due(solver_->time() >= tmax);
     }
     return finish();
@@ -111,10 +119,11 @@ class Runner {
   void write_record() {
     history_.records.push_back(solver_->record());
     folder_.append(history_.records.back());
+  }
+  void tell_progress() {
     if (!request_.progress) return;
     const RunCounts counts = solver_->counts();
-    request_.progress(
-        {solver_->time(), plan_.scene.clock.tmax, history_.records.back()[1], counts, clocks_.wall_seconds()});
+    request_.progress({solver_->time(), plan_.scene.clock.tmax, counts.dt_last, counts, clocks_.wall_seconds()});
   }
   void write_points() { folder_.points(solver_->points()); }
   void write_grid() {
@@ -127,6 +136,7 @@ class Runner {
   }
   RunOutcome finish() {
     const Comparison comparison = compare_or_say_why_not();
+    warn_of_what_looks_wrong(comparison);
     if (!comparison.exact.names.empty()) folder_.reference(comparison.exact);
     Summary summary = summary_of_run();
     for (auto& line : summary_of(comparison)) summary.push_back(std::move(line));
@@ -140,6 +150,19 @@ class Runner {
     } catch (const std::domain_error& error) {
       warn(fmt::format("no comparison with the exact solution: {}", error.what()));
       return {};
+    }
+  }
+  void warn_of_what_looks_wrong(const Comparison& comparison) {
+    for (const Merit& merit : comparison.merits) {
+      if (std::isnan(merit.error))
+        warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
+    }
+    const double growth = energy_growth(history_);
+    if (growth > told_growth) {
+      warn(fmt::format(
+          "the total energy rose by {:.2g} of the largest energy exchanged: points that change cell, a step "
+          "near the limit, or a run that diverges",
+          growth));
     }
   }
   void warn(const std::string& message) {

@@ -24,7 +24,7 @@ struct RunRequest {
   Provenance provenance;
   std::string deck_effective;                     ///< text of deck.effective
   std::vector<std::string> messages;              ///< warnings of the deck, for messages.txt
-  std::function<void(const Progress&)> progress;  ///< called at every record
+  std::function<void(const Progress&)> progress;  ///< called at every record and now and then between
   std::function<void(const std::string&)> warn;   ///< called with every warning of the run
 };
 

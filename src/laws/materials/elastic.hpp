@@ -20,6 +20,11 @@ struct PlaneElastic {
     const double trace = lambda * (d.xx + d.yy);
     return {s.xx + dt * (trace + 2 * G * d.xx), s.yy + dt * (trace + 2 * G * d.yy), s.xy + dt * 2 * G * d.xy};
   }
+  /// The elastic strain of a stress, C^-1 : sigma (xy the tensor component).
+  Strain strain(const Stress& s) const {
+    const double trace = lambda / (2 * (lambda + G)) * (s.xx + s.yy);
+    return {(s.xx - trace) / (2 * G), (s.yy - trace) / (2 * G), s.xy / (2 * G)};
+  }
   /// Energy stored per volume, 1/2 sigma : C^-1 : sigma [stress].
   double energy_density(const Stress& s) const {
     const double trace = s.xx + s.yy;

@@ -35,7 +35,7 @@ struct NodeSums {
 
 /// Solution of the momentum equation at a node: acceleration f / m and velocity (mv)^L / m (3.19), (3.20).
 /// The quotients are taken at the node. The thesis' momentum form multiplies by N_i first so that a tiny m_i cancels;
-/// in floating point the order is of no matter as long as nothing overflows, and m_i >= N_i m_p > 1e-34 m_p.
+/// in floating point the order is of no matter as long as nothing overflows, and N_i >= 1e-24 (Locator::edge).
 struct NodeMotion {
   Pair a{}, u{};
 };

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 
-#include "solvers/mpm/energies.hpp"
-#include "solvers/mpm/steps.hpp"
+#include "solvers/mpm/derived.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -51,13 +49,6 @@ const std::vector<Quantity>& tracked_quantities() {
   return rows;
 }
 
-/// Where each point of the scene stands now.
-std::vector<std::size_t> slots_by_id(const Points& points) {
-  std::vector<std::size_t> slots(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) slots[static_cast<std::size_t>(points.id[p])] = p;
-  return slots;
-}
-
 struct Motion {
   double mass = 0, mx = 0, my = 0, px = 0, py = 0, angular = 0, kinetic = 0;
 
@@ -84,24 +75,6 @@ Motion motion_of(const Body& body, const Points& P, const std::vector<std::size_
 /// Angle of the line from the first to the last tracked point, from the downward vertical [degrees].
 double tracked_angle(const Points& P, std::size_t first, std::size_t last) {
   return std::atan2(P.x[last] - P.x[first], P.y[first] - P.y[last]) * 180 / std::numbers::pi;
-}
-
-using Getter = std::function<double(std::size_t)>;
-
-Field field(const char* name, Dimension dimension, const char* meaning, const std::vector<std::size_t>& slots,
-            const Getter& get) {
-  Field result{{name, dimension, meaning, Per::scene}, {}};
-  result.values.reserve(slots.size());
-  for (const std::size_t slot : slots) result.values.push_back(get(slot));
-  return result;
-}
-
-Field node_field(const char* name, Dimension dimension, const char* meaning, const std::vector<NodeSums>& sums,
-                 const std::function<double(const NodeSums&)>& get) {
-  Field result{{name, dimension, meaning, Per::scene}, {}};
-  result.values.reserve(sums.size());
-  for (const NodeSums& sum : sums) result.values.push_back(get(sum));
-  return result;
 }
 
 }  // namespace
@@ -161,56 +134,6 @@ Record record(const State& state, const Scene& scene) {
     for (const std::size_t id : scene.tracked) values.push_back((*array)[slots[id]]);
   }
   return values;
-}
-
-Snapshot point_fields(const State& state, const Scene& scene) {
-  const Points& P = state.points;
-  const auto slots = slots_by_id(P);
-  const auto derived = derived_fields(scene, P, slots);
-  const auto of = [&P](const std::vector<double> Points::*array) {
-    return [&P, array](std::size_t p) { return (P.*array)[p]; };
-  };
-  Snapshot snapshot{state.time, {}};
-  auto& fields = snapshot.fields;
-  fields.push_back(field("x", Dimension::length, "place, x", slots, of(&Points::x)));
-  fields.push_back(field("y", Dimension::length, "place, y", slots, of(&Points::y)));
-  fields.push_back(field("id", Dimension::number, "number of the point, from 1", slots,
-                         [&P](std::size_t p) { return P.id[p] + 1.0; }));
-  fields.push_back({{"body", Dimension::number, "number of its body, from 1", Per::scene}, derived.body});
-  fields.push_back(field("vx", Dimension::velocity, "velocity, x", slots, of(&Points::vx)));
-  fields.push_back(field("vy", Dimension::velocity, "velocity, y", slots, of(&Points::vy)));
-  fields.push_back(field("mass", Dimension::mass, "mass", slots, of(&Points::mass)));
-  fields.push_back({{"volume", Dimension::volume, "volume", Per::scene}, derived.volume});
-  fields.push_back(field("sxx", Dimension::stress, "stress, xx", slots, of(&Points::sxx)));
-  fields.push_back(field("syy", Dimension::stress, "stress, yy", slots, of(&Points::syy)));
-  fields.push_back(field("sxy", Dimension::stress, "stress, xy", slots, of(&Points::sxy)));
-  fields.push_back({{"density", Dimension::density, "density", Per::scene}, derived.density});
-  fields.push_back({{"pressure", Dimension::stress,
-                     "gas: pressure without its viscous parts; else minus the mean stress", Per::scene},
-                    derived.pressure});
-  fields.push_back(field("specific_energy", Dimension::specific_energy, "gas: internal energy per mass", slots,
-                         of(&Points::energy)));
-  fields.push_back(field("strain", Dimension::number, "string: strain along its tangent", slots, of(&Points::strain)));
-  return snapshot;
-}
-
-Snapshot grid_fields(const State& state, const Scene& scene) {
-  std::vector<NodeSums> sums(state.grid.shape.nodes());
-  map_all(state, scene, sums);
-  const auto quotient = [](double a, double m) { return m > 0 ? a / m : 0.0; };
-  Snapshot snapshot{state.time, {}};
-  auto& fields = snapshot.fields;
-  fields.push_back(
-      node_field("mass", Dimension::mass, "mass mapped to the node", sums, [](const NodeSums& n) { return n.m; }));
-  fields.push_back(node_field("vx", Dimension::velocity, "mapped velocity, x", sums,
-                              [&](const NodeSums& n) { return quotient(n.momentum[0], n.m); }));
-  fields.push_back(node_field("vy", Dimension::velocity, "mapped velocity, y", sums,
-                              [&](const NodeSums& n) { return quotient(n.momentum[1], n.m); }));
-  fields.push_back(node_field("force_x", Dimension::force, "internal and body force before walls, x", sums,
-                              [](const NodeSums& n) { return n.force[0]; }));
-  fields.push_back(node_field("force_y", Dimension::force, "internal and body force before walls, y", sums,
-                              [&](const NodeSums& n) { return n.force[1] + n.m * scene.gravity; }));
-  return snapshot;
 }
 
 }  // namespace tether::mpm

@@ -19,7 +19,7 @@ struct State {
   std::vector<Range> gas;              // slots of the gas bodies
   std::vector<Range> gas_by_cells;     // of those that take their density from cells
   std::optional<CellDensity> density;  // where the gas takes its density from cells
-  double time = 0;                     // [time]
+  double time = 0, time_lost = 0;      // sum of the steps, and what rounding took from it [time]
   double c_max = 0;                    // largest sound speed of the gas after the last step [velocity]
   double wave_max = 0;                 // its largest c + |v| [velocity]
   long long steps = 0;

@@ -23,7 +23,7 @@ void solve_momentum(StepWork& work, double dt) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
     const NodeSums& sum = grid.sums[n];
-    const double per_m = sum.m > 0 ? 1 / sum.m : 0;  // a point on a cell's edge gives the far nodes nothing
+    const double per_m = 1 / sum.m;  // an active node has mass: Locator::edge
     NodeMotion& motion = grid.motion[n];
     motion.a = sum.force * per_m + gravity;
     motion.u = sum.momentum * per_m + dt * motion.a;
@@ -50,8 +50,7 @@ void clear_forces(Grid& grid) {
 void divide_convected(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    const double per_m = grid.sums[n].m > 0 ? 1 / grid.sums[n].m : 0;
-    grid.convected[n] *= per_m;
+    grid.convected[n] *= 1 / grid.sums[n].m;
     hold(grid.held[n], grid.convected[n]);
   }
 }

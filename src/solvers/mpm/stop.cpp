@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/errors.hpp"
 
@@ -28,11 +30,27 @@ std::string step_text(const Plan& plan, const State& state, double dt) {
   const double fastest = std::max(plan.step.solid_speed, state.wave_max);
   if (!(fastest > 0)) return "";
   const double ratio = dt * fastest / plan.step.h;
-  if (!(ratio > 1)) return fmt::format("; the step is {:#.3g} of the limit dx/c", ratio);
-  return fmt::format("; the step is {:#.3g} times the limit dx/c: likely cause, a step too long", ratio);
+  if (ratio > 1 + 1e-9)
+    return fmt::format("; the step is {:#.3g} times the limit dx/c: likely cause, a step too long", ratio);
+  if (dt > plan.step.sharp_limit) {
+    return fmt::format(
+        "; the step is {:#.3g} times what pressure waves or viscosity allow: likely cause, a step too long",
+        dt / plan.step.sharp_limit);
+  }
+  return fmt::format("; the step is {:#.3g} of the limit dx/c", ratio);
 }
 
-std::string what_happened(const State& state, const Trouble& trouble, double dt) {
+/// The edge a place lies beyond, and what follows from its kind.
+std::string beyond(const BackgroundGrid& grid, const Walls& walls, double x, double y) {
+  const auto [name, wall] = x < grid.x0   ? std::pair("left", walls.left)
+                            : x > grid.x1 ? std::pair("right", walls.right)
+                            : y < grid.y0 ? std::pair("bottom", walls.bottom)
+                                          : std::pair("top", walls.top);
+  const char* cause = wall == Wall::open ? "an open edge too near, or a run that diverged" : "a run that diverged";
+  return fmt::format("left the grid by the {} edge (wall {}): likely cause, {}", name, static_cast<int>(wall), cause);
+}
+
+std::string what_happened(const State& state, const Walls& walls, const Trouble& trouble, double dt) {
   const Points& P = state.points;
   const std::size_t p = trouble.slot;
   const BackgroundGrid& grid = state.grid.shape;
@@ -40,7 +58,7 @@ std::string what_happened(const State& state, const Trouble& trouble, double dt)
   switch (trouble.kind) {
     case TroubleKind::left_grid:
       if (!std::isfinite(P.x[p]) || !std::isfinite(P.y[p])) return "has no finite place: its numbers overflowed";
-      return "left the grid: likely cause, an open edge too near or a run that diverged";
+      return beyond(grid, walls, P.x[p], P.y[p]);
     case TroubleKind::jumped:
       return fmt::format("jumped over a cell ({:.3g} cells in one step): likely cause, a run that diverges", cells);
     case TroubleKind::unsound:
@@ -61,8 +79,8 @@ void stop_on_trouble(const State& state, const Plan& plan, const Trouble& troubl
   const double x = state.points.x[p], y = state.points.y[p];
   throw RunError(fmt::format("t = {:.9g}, step {}: point {} (body {}, {}) at ({:.6g}, {:.6g}) in {} {}{}",
                              state.time + dt, state.steps + 1, state.points.id[p] + 1, b + 1, plan.scene.bodies[b].name,
-                             x, y, cell_text(state.grid.shape, x, y), what_happened(state, trouble, dt),
-                             step_text(plan, state, dt)));
+                             x, y, cell_text(state.grid.shape, x, y),
+                             what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)));
 }
 
 void stop_on_vanishing_step(const State& state, double dt) {

@@ -70,16 +70,16 @@ TEST(DiagnosticsTest, AWarningAloneThrowsNothing) {
   EXPECT_NO_THROW(diagnostics.throw_if_errors());
 }
 
-TEST(DiagnosticsTest, ThrowsAllErrorsAtOnceWithoutTheWarnings) {
+TEST(DiagnosticsTest, ThrowsAllRemarksAtOnceInTheirOrder) {
   try {
     two_errors_and_a_warning().throw_if_errors();
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
-    ASSERT_EQ(error.diagnostics().size(), 2u);
-    EXPECT_EQ(error.diagnostics()[1].line_text, "three");
-    EXPECT_STREQ(error.what(),
-                 "a:1:1: error: first\n  one\n  ^\n"
-                 "a:3:1: error: third\n  three\n  ^\n  hint\n");
+    ASSERT_EQ(error.diagnostics().size(), 3u);
+    EXPECT_EQ(error.diagnostics()[1].severity, Severity::warning);
+    const std::string text = error.what();
+    EXPECT_TRUE(text.starts_with("a:1:1: error: first\n  one\n  ^\n")) << text;
+    EXPECT_TRUE(text.ends_with("a:3:1: error: third\n  three\n  ^\n  hint\n")) << text;
   }
 }
 

@@ -115,5 +115,15 @@ TEST(PlaneElasticTest, SpeedOfTheStepLimitIsThatOfABar) {
   EXPECT_EQ(plane_stress(4, 0.3).sound_speed(0.25), 4);
 }
 
+TEST(PlaneElasticTest, StrainIsTheInverseOfTheStress) {
+  for (const PlaneElastic law : {plane_strain(4, 0.25), plane_stress(4, 0.25), plane_strain(7, 0)}) {
+    const Strain given{0.01, -0.02, 0.005};
+    const Strain back = law.strain(law.updated({}, given, 1));
+    EXPECT_NEAR(back.xx, given.xx, 1e-16);
+    EXPECT_NEAR(back.yy, given.yy, 1e-16);
+    EXPECT_NEAR(back.xy, given.xy, 1e-16);
+  }
+}
+
 }  // namespace
 }  // namespace tether

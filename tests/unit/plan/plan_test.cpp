@@ -128,9 +128,9 @@ TEST(PlanText, SaysWhatIsModelledAndWhatIsLeftOutAndWhy) {
       "step: 0.0625 at the start (deck 0.125, limit dx/c 0.0625, cfl 1)\n"
       "cost: 16 steps, 16 point-steps, 0.00352 MB, about ";
   EXPECT_EQ(text.substr(0, expected.size()), expected);
-  EXPECT_TRUE(
-      text.ends_with(" s on one core\nwarning: the deck's step 0.125 is 2.00 times the limit dx/c = 0.0625: steps are "
-                     "limited to 0.0625\n"));
+  EXPECT_NE(text.find(" s on one core\nwarning: the deck's step 0.125 is 2.00 times the limit dx/c = 0.0625: steps are "
+                      "limited to 0.0625\n"),
+            std::string::npos);
 }
 
 TEST(PlanText, OwnsTheScene) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <limits>
 
 #include "base/diagnostics.hpp"
@@ -120,12 +122,32 @@ TEST(StepWarning, ThatTheStepIsTakenAsItIs) {
 
 TEST(StepWarning, IsNotThereAtOrBelowTheLimit) {
   Scene scene = elastic_scene();
+  scene.bodies[0].material = plane_strain(4, 0);  // so that pressure waves are no faster than sqrt(E / rho)
   scene.clock.tstep = 0.0625;
   EXPECT_EQ(make_plan(scene).warnings, Texts{});
   scene.clock.tstep = 0.01;
   EXPECT_EQ(make_plan(scene).warnings, Texts{});
   scene.clock.tstep = 0.0626;
   EXPECT_EQ(make_plan(scene).warnings.size(), 1u);
+}
+
+// nu = 1/4 in plane strain: lambda + 2 G = 1.2 E, so pressure waves are sqrt(1.2) times as fast.
+TEST(StepWarning, ThatPressureWavesAreFaster) {
+  Scene scene = elastic_scene();
+  scene.clock.tstep = 0.0625;
+  const auto warnings = make_plan(scene).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("1.10 times what pressure waves"), std::string::npos) << warnings[0];
+  EXPECT_NEAR(make_plan(scene).step.sharp_limit, 0.0625 / std::sqrt(1.2), 1e-15);
+}
+
+TEST(StepWarning, OfTheUnstableOrder) {
+  Scene scene = elastic_scene();
+  scene.clock.tstep = 0.01;
+  scene.order = StressOrder::usl;
+  const auto warnings = make_plan(scene).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("'usl' is unstable"), std::string::npos);
 }
 
 }  // namespace

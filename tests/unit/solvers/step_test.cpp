@@ -129,6 +129,22 @@ TEST_P(EveryOrder, AFixedWallTakesAllMomentumOfItsNodes) {
   EXPECT_NEAR(field(solver->points(), "y")[0], 0.5 + dt * 0.05, 1e-15);
 }
 
+// On a cell's edge the nodes across the cell have all but no mass; they must learn the point's velocity all the same.
+TEST(Edge, APointOnAnEdgeKeepsMovingUnstrained) {
+  for (const double x : {2.0, 2.0 + 1e-160, 2.0 + 1e-13}) {
+    Scene scene = open_scene(6, 6);
+    add_block(scene, plane_strain(1, 0.3), 2, 3, 2, 3, 1);
+    scene.points.x[0] = x, scene.points.y[0] = 2;
+    scene.points.vy[0] = 0.25;
+    const Plan plan = make_plan(std::move(scene));
+    const auto solver = make_solver(plan);
+    solver->advance(4);
+    EXPECT_NEAR(field(solver->points(), "y")[0], 2 + 0.25 * solver->time(), 1e-9) << x;
+    EXPECT_NEAR(field(solver->points(), "x")[0], 2, 1e-9) << x;
+    EXPECT_NEAR(field(solver->points(), "sxy")[0], 0, 1e-9) << x;
+  }
+}
+
 TEST(Map, NodesHoldTheMassAndForcesSumToZero) {
   Scene scene = open_scene(11, 11);
   add_block(scene, plane_strain(1, 0.3), 3, 7, 3, 6, 2);

@@ -9,6 +9,9 @@
 
 namespace tether::mpm {
 
+/// The slot in which each point of the scene stands now.
+std::vector<std::size_t> slots_by_id(const Points& points);
+
 /// Stored and internal energy [energy]. `slots` says where each point of the scene stands.
 struct Energies {
   double strain = 0, internal = 0;
@@ -18,6 +21,8 @@ struct Energies {
 /// Fields that follow from the state by the point's law, in the order of the scene.
 struct DerivedFields {
   std::vector<double> body, volume, density, pressure;
+  std::vector<double> strain_xx, strain_yy, strain_xy;  // elastic strain of solids, tangent strain of strings
+  std::vector<double> normal_x, normal_y;               // of strings: the tangent turned left by a right angle
 };
 DerivedFields derived_fields(const Scene& scene, const Points& points, const std::vector<std::size_t>& slots);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/mpm/energies.hpp"
+#include "solvers/mpm/derived.hpp"
 
 #include "solvers/mpm/point_laws.hpp"
 
@@ -26,7 +26,21 @@ double pressure(const LinearFluid&, const Points& P, std::size_t p) { return -P.
 double pressure(const Uniaxial&, const Points& P, std::size_t p) { return -(P.sxx[p] + P.syy[p]) / 3; }
 double pressure(const IdealGas& law, const Points& P, std::size_t p) { return law.pressure(P.rho[p], P.energy[p]); }
 
+Strain strain(const PlaneElastic& law, const Points& P, std::size_t p) { return law.strain(stress_of(P, p)); }
+Strain strain(const Uniaxial&, const Points& P, std::size_t p) {
+  const double e = P.strain[p], x = P.tx[p], y = P.ty[p];
+  return {e * x * x, e * y * y, e * x * y};
+}
+Strain strain(const LinearFluid&, const Points&, std::size_t) { return {}; }
+Strain strain(const IdealGas&, const Points&, std::size_t) { return {}; }
+
 }  // namespace
+
+std::vector<std::size_t> slots_by_id(const Points& points) {
+  std::vector<std::size_t> slots(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p) slots[static_cast<std::size_t>(points.id[p])] = p;
+  return slots;
+}
 
 void Energies::add(const Body& body, const Points& P, const std::vector<std::size_t>& slots) {
   const bool gas = std::holds_alternative<IdealGas>(body.material);
@@ -54,6 +68,9 @@ DerivedFields derived_fields(const Scene& scene, const Points& P, const std::vec
             fields.volume.push_back(volume);
             fields.density.push_back(P.mass[p] / volume);
             fields.pressure.push_back(pressure(law, P, p));
+            const Strain e = strain(law, P, p);
+            fields.strain_xx.push_back(e.xx), fields.strain_yy.push_back(e.yy), fields.strain_xy.push_back(e.xy);
+            fields.normal_x.push_back(-P.ty[p]), fields.normal_y.push_back(P.tx[p]);
           }
         },
         body.material);

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <utility>
+
+#include "grid/shape_functions.hpp"
+#include "solvers/mpm/derived.hpp"
+#include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/steps.hpp"
+
+namespace tether::mpm {
+namespace {
+
+Field field(const char* name, Dimension dimension, const char* meaning, std::vector<double> values) {
+  return {{name, dimension, meaning, Per::scene}, std::move(values)};
+}
+
+/// An array of the points in the order of the scene.
+std::vector<double> in_order(const std::vector<double>& array, const std::vector<std::size_t>& slots) {
+  std::vector<double> values;
+  values.reserve(slots.size());
+  for (const std::size_t slot : slots) values.push_back(array[slot]);
+  return values;
+}
+
+std::vector<double> numbers(const Points& points, const std::vector<std::size_t>& slots) {
+  std::vector<double> values;
+  values.reserve(slots.size());
+  for (const std::size_t slot : slots) values.push_back(points.id[slot] + 1.0);
+  return values;
+}
+
+std::vector<double> over_nodes(const std::vector<NodeSums>& sums, const std::function<double(const NodeSums&)>& get) {
+  std::vector<double> values;
+  values.reserve(sums.size());
+  for (const NodeSums& sum : sums) values.push_back(get(sum));
+  return values;
+}
+
+double quotient(double a, double m) { return m > 0 ? a / m : 0; }
+
+/// sum m_p q_p N_i / m_i of a quantity q that stands in the order of the scene.
+std::vector<double> mean_at_nodes(const State& state, const std::vector<NodeSums>& sums,
+                                  const std::vector<std::size_t>& slots, const std::vector<double>& q) {
+  const Locator locator(state.grid.shape);
+  std::vector<double> values(sums.size(), 0.0);
+  for (std::size_t id = 0; id < slots.size(); ++id) {
+    const std::size_t p = slots[id];
+    const CellPlace at = locator.locate(state.points.x[p], state.points.y[p]);
+    const LinearShape shape(at);
+    const std::size_t n = locator.lower_left_node(at), nx = static_cast<std::size_t>(locator.nx);
+    const std::size_t nodes[] = {n, n + 1, n + nx + 1, n + nx};
+    for (std::size_t k = 0; k < 4; ++k) values[nodes[k]] += state.points.mass[p] * q[id] * shape.N[k];
+  }
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = quotient(values[n], sums[n].m);
+  return values;
+}
+
+}  // namespace
+
+Snapshot point_fields(const State& state, const Scene& scene) {
+  const Points& P = state.points;
+  const auto slots = slots_by_id(P);
+  const auto of = [&](const std::vector<double>& array) { return in_order(array, slots); };
+  DerivedFields derived = derived_fields(scene, P, slots);
+  using D = Dimension;
+  return {state.time,
+          {field("x", D::length, "place, x", of(P.x)),
+           field("y", D::length, "place, y", of(P.y)),
+           field("id", D::number, "number of the point, from 1", numbers(P, slots)),
+           field("body", D::number, "number of its body, from 1", std::move(derived.body)),
+           field("vx", D::velocity, "velocity, x", of(P.vx)),
+           field("vy", D::velocity, "velocity, y", of(P.vy)),
+           field("mass", D::mass, "mass", of(P.mass)),
+           field("volume", D::volume, "volume", std::move(derived.volume)),
+           field("sxx", D::stress, "stress, xx", of(P.sxx)),
+           field("syy", D::stress, "stress, yy", of(P.syy)),
+           field("sxy", D::stress, "stress, xy", of(P.sxy)),
+           field("density", D::density, "density", std::move(derived.density)),
+           field("pressure", D::stress, "gas: pressure without its viscous parts; else minus the mean stress",
+                 std::move(derived.pressure)),
+           field("specific_energy", D::specific_energy, "gas: internal energy per mass", of(P.energy)),
+           field("strain", D::number, "string: strain along its tangent", of(P.strain)),
+           field("strain_xx", D::number, "elastic strain, xx", std::move(derived.strain_xx)),
+           field("strain_yy", D::number, "elastic strain, yy", std::move(derived.strain_yy)),
+           field("strain_xy", D::number, "elastic strain, xy (tensor)", std::move(derived.strain_xy)),
+           field("normal_x", D::number, "string: unit normal, x", std::move(derived.normal_x)),
+           field("normal_y", D::number, "string: unit normal, y", std::move(derived.normal_y))}};
+}
+
+Snapshot grid_fields(const State& state, const Scene& scene) {
+  std::vector<NodeSums> sums(state.grid.shape.nodes());
+  map_all(state, scene, sums);
+  const auto slots = slots_by_id(state.points);
+  const DerivedFields derived = derived_fields(scene, state.points, slots);
+  const auto nodes = [&](const auto& get) { return over_nodes(sums, get); };
+  const auto mean = [&](const std::vector<double>& q) { return mean_at_nodes(state, sums, slots, q); };
+  using D = Dimension;
+  return {state.time,
+          {field("mass", D::mass, "mass mapped to the node", nodes([](const NodeSums& n) { return n.m; })),
+           field("vx", D::velocity, "mapped velocity, x",
+                 nodes([](const NodeSums& n) { return quotient(n.momentum[0], n.m); })),
+           field("vy", D::velocity, "mapped velocity, y",
+                 nodes([](const NodeSums& n) { return quotient(n.momentum[1], n.m); })),
+           field("force_x", D::force, "internal and body force before walls, x",
+                 nodes([](const NodeSums& n) { return n.force[0]; })),
+           field("force_y", D::force, "internal and body force before walls, y",
+                 nodes([&](const NodeSums& n) { return n.force[1] + n.m * scene.gravity; })),
+           field("density", D::density, "mean of the points by mass", mean(derived.density)),
+           field("pressure", D::stress, "mean of the points by mass", mean(derived.pressure)),
+           field("specific_energy", D::specific_energy, "mean of the points by mass",
+                 mean(in_order(state.points.energy, slots)))}};
+}
+
+}  // namespace tether::mpm
