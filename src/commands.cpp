@@ -26,7 +26,8 @@ int guarded(const std::string& name, const std::function<void()>& command) {
     command();
     return exit_done;
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}", error.what());
+    const bool names_its_file = !error.diagnostics().front().place.file.empty();
+    fmt::print(stderr, "{}{}", names_its_file ? "" : name + ": ", error.what());
     return exit_input;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "{}: error: it needs more memory than there is\n", name);

@@ -75,9 +75,11 @@ Expansion expand(const std::string& dt, const std::string& tmax) {
   y.erase(y.begin(), y.end() - static_cast<std::ptrdiff_t>(n));
   Expansion result{1 - run.last("energy_total") / run.first("energy_total"), 0, 0};
   for (std::size_t p = 0; p < n; ++p) result.front = std::max(result.front, std::hypot(x[p] - 0.5, y[p] - 0.5));
-  std::sort(x.begin(), x.end());
-  std::sort(y.begin(), y.end());
-  for (std::size_t p = 0; p < n; ++p) result.asymmetry = std::max(result.asymmetry, std::abs(x[p] - y[p]));
+  for (std::size_t p = 0; p < n; ++p) {  // the nearest point to p's mirror image in x = y
+    double nearest = 1;
+    for (std::size_t q = 0; q < n; ++q) nearest = std::min(nearest, std::hypot(x[q] - y[p], y[q] - x[p]));
+    result.asymmetry = std::max(result.asymmetry, nearest);
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 // Two bars that stick (A.1.2), the noise of a point that changes cells (A.2), and a standing wave in a bar.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,11 +13,17 @@
 namespace tether::cases {
 namespace {
 
+// In the last record, t = .501: the bars rebound and meet again, and when they do depends on the step to the last bit.
+// What depends less: without release they never part for good, so their mean velocities since the impact are close
+// (measured .93 and 1.07; bars that part go at .05 and 1.95).
 TEST(TwoBar, TheyStickWithoutRelease) {
   const DeckRun run = run_deck("two-bar-stick");
   const double left = run.last("body_vx_1"), right = run.last("body_vx_2");
   EXPECT_NEAR(left, 1, 0.01);
   EXPECT_NEAR(right, 1, 0.01);
+  const auto time = run.history.column("time"), x = run.history.column("body_x_1");
+  const auto met = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), 0.15) - time.begin());
+  EXPECT_NEAR((x.back() - x[met]) / (time.back() - time[met]), 1, 0.1);
 }
 
 TEST(TwoBar, MomentumIsKept) {
@@ -70,17 +77,19 @@ double standing_wave_error(int cells, StressOrder order) {
     P.volume.push_back(h * h / 4), P.mass.push_back(h * h / 4);
   }
   scene.bodies.push_back({"bar", plane_strain(1, 0), 1, 0, 0, P.size()});
-  scene.clock = {2.25, 0.02 * h, 1};  // c = 1, period 2; a quarter further the wave is all strain, so stop short of it
-  scene.clock.tmax = 2.125;
+  constexpr double tmax = 2.125;  // c = 1 and the period is 2: a sixteenth into the second, with some strain in it
+  scene.clock = {tmax, 0.02 * h, 1};
   scene.order = order;
   const Plan plan = make_plan(std::move(scene));
   const auto solver = make_solver(plan);
-  solver->advance(plan.scene.clock.tmax);
+  solver->advance(tmax);
   const Snapshot end = solver->points();
+  const auto vx =
+      std::find_if(end.fields.begin(), end.fields.end(), [](const Field& f) { return f.quantity.name == "vx"; });
   double error = 0;
   for (std::size_t p = 0; p < plan.scene.points.size(); ++p) {
-    const double exact = v0 * std::sin(std::numbers::pi * plan.scene.points.x[p]) * std::cos(std::numbers::pi * 2.125);
-    error = std::max(error, std::abs(end.fields[4].values[p] - exact) / v0);
+    const double exact = v0 * std::sin(std::numbers::pi * plan.scene.points.x[p]) * std::cos(std::numbers::pi * tmax);
+    error = std::max(error, std::abs(vx->values[p] - exact) / v0);
   }
   return error;
 }

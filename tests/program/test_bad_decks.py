@@ -14,7 +14,8 @@ FOLDER = pathlib.Path("tests/bad_decks")  # relative, as a user would type it
 MARK = "! <- here"
 
 # Mistakes that no line can be blamed for.
-PLACELESS = {"no_in", "particles_short", "particles_single_point", "particles_two_sequences"}
+PLACELESS = {"no_in", "particles_cut_off", "particles_short", "particles_single_point", "particles_two_sequences",
+             "steps_lost"}
 
 # Kinds of mistake that must be covered.
 REQUIRED = {

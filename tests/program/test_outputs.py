@@ -161,12 +161,6 @@ class Again(ProgramTest):
                 self.assertTrue(same_bytes(one, other, "history.nc"))
                 self.assert_same_variables(one / "particles.nc", other / "particles.nc")
 
-    def test_threads_change_nothing(self):
-        one = self.run_ok(DECKS / "sod.in", out="one")
-        two = self.run_ok(DECKS / "sod.in", "--threads", 2, out="two")
-        self.assertTrue(same_bytes(one, two, "history.txt"))
-        self.assert_same_variables(one / "particles.nc", two / "particles.nc")
-
     def run_in(self, folder, *words):
         """A run from its own folder, so that both runs are the same command line."""
         folder.mkdir(parents=True)
