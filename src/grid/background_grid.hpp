@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace tether {
@@ -60,11 +61,10 @@ struct Locator {
   /// The place must lie inside the grid. A place on the right or top edge belongs to the last cell.
   CellPlace locate(double x, double y) const {
     const double a = (x - x0) * per_dx, b = (y - y0) * per_dy;
-    const int i = static_cast<int>(a) < last_i ? static_cast<int>(a) : last_i;
-    const int j = static_cast<int>(b) < last_j ? static_cast<int>(b) : last_j;
+    const int i = std::min(static_cast<int>(a), last_i), j = std::min(static_cast<int>(b), last_j);
     return {i, j, inside(a - i), inside(b - j)};
   }
-  static double inside(double r) { return r < edge ? edge : r > 1 - edge ? 1 - edge : r; }
+  static double inside(double r) { return std::min(std::max(r, edge), 1 - edge); }
   std::size_t lower_left_node(const CellPlace& at) const {
     return static_cast<std::size_t>(at.j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(at.i);
   }

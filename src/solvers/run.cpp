@@ -42,7 +42,7 @@ class Due {
 
  private:
   void follow(double time) {
-    constexpr double never = std::numeric_limits<double>::infinity();
+    const double never = std::numeric_limits<double>::max();
     const double k = std::floor(time / interval_ + early) + 1;
     next_ = interval_ > 0 ? std::max((k - early) * interval_, std::nextafter(time, never)) : never;
   }
