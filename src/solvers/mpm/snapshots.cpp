@@ -2,9 +2,9 @@
 #include <functional>
 #include <utility>
 
-#include "grid/shape_functions.hpp"
 #include "solvers/mpm/derived.hpp"
 #include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/kernels.hpp"
 #include "solvers/mpm/steps.hpp"
 
 namespace tether::mpm {
@@ -47,8 +47,7 @@ std::vector<double> mean_at_nodes(const State& state, const std::vector<NodeSums
     const std::size_t p = slots[id];
     const CellPlace at = locator.locate(state.points.x[p], state.points.y[p]);
     const LinearShape shape(at);
-    const std::size_t n = locator.lower_left_node(at), nx = static_cast<std::size_t>(locator.nx);
-    const std::size_t nodes[] = {n, n + 1, n + nx + 1, n + nx};
+    const auto nodes = corners(locator, at);
     for (std::size_t k = 0; k < 4; ++k) values[nodes[k]] += state.points.mass[p] * q[id] * shape.N[k];
   }
   for (std::size_t n = 0; n < values.size(); ++n) values[n] = quotient(values[n], sums[n].m);
