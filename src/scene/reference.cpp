@@ -14,11 +14,23 @@ auto count_bodies(const Scene& scene) {
                        [](const Body& body) { return std::holds_alternative<Law>(body.material); });
 }
 
+const Body& string_of(const Scene& scene) {
+  return *std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                       [](const Body& body) { return std::holds_alternative<Uniaxial>(body.material); });
+}
+
 /// Whether the point tracked last is the last of the string: the mass.
 bool tracks_its_end(const Scene& scene) {
-  const Body& string = *std::find_if(scene.bodies.begin(), scene.bodies.end(),
-                                     [](const Body& body) { return std::holds_alternative<Uniaxial>(body.material); });
+  const Body& string = string_of(scene);
   return !scene.tracked.empty() && scene.tracked.back() == string.first + string.count - 1;
+}
+
+bool begins_at_rest(const Scene& scene) {
+  const Body& string = string_of(scene);
+  for (std::size_t p = string.first; p < string.first + string.count; ++p) {
+    if (scene.points.vx[p] != 0 || scene.points.vy[p] != 0) return false;
+  }
+  return true;
 }
 
 /// What the scene lacks for the solution; empty where it has all.
@@ -33,7 +45,9 @@ std::string lacks(ReferenceKind kind, const Scene& scene) {
     case ReferenceKind::spring:
     case ReferenceKind::string:
     case ReferenceKind::pendulum:
-      return tracked && scene.gravity < 0 ? "" : "a string from a particle file, its last point tracked, and gravc < 0";
+      return tracked && begins_at_rest(scene) && scene.gravity < 0
+                 ? ""
+                 : "a string from a particle file that begins at rest, its last point tracked, and gravc < 0";
     case ReferenceKind::piston:
       return tracked && count_bodies<LinearFluid>(scene) == 1
                  ? ""

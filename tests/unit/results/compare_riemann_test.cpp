@@ -55,6 +55,13 @@ TEST(CompareRiemann, TheExactProfilesHaveNoError) {
   }
 }
 
+TEST(CompareRiemann, IsRefusedOnceAWaveIsAtAnEnd) {
+  Snapshot late = sod_snapshot(exactly);
+  late.time =
+      0.4;  // the rarefaction's head runs at 1.18 to the left: it is at x = 0 from .42, the shock at x = 1 from .29
+  EXPECT_THROW(compare(sod_scene(), {}, late), std::domain_error);
+}
+
 TEST(CompareRiemann, ErrorIsTheMeanDistance) {
   const auto error = [](const std::function<double(int)>& off) {
     const Comparison comparison = compare(sod_scene(), {}, sod_snapshot(off));

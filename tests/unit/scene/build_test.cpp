@@ -141,7 +141,8 @@ TEST(Reference, IsNamedByTheDeck) {
 
 TEST(Reference, OfAStringNeedsGravityAndItsLastPointTracked) {
   const std::string needs =
-      "6:21: the solution 'spring' needs a string from a particle file, its last point tracked, and gravc < 0";
+      "6:21: the solution 'spring' needs a string from a particle file that begins at rest, its last point tracked, "
+      "and gravc < 0";
   const std::string last = "$points tracked(3)=.true. $\n";
   EXPECT_EQ(reference_errors("spring", last, "igen=0,gravc=-1."), Texts{});
   EXPECT_EQ(reference_errors("spring", last, "igen=0"), (Texts{needs}));
