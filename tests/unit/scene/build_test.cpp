@@ -130,16 +130,16 @@ TEST(Outputs, SwitchesThatWriteNothingAreTold) {
 
 /// A string, let hang, as the solutions of chapter 5 need it.
 Texts reference_errors(const std::string& solution, const std::string& points, const std::string& in) {
-  return build(string_deck(points + "$reference solution='" + solution + "' $\n", in)).errors();
+  return build(resting_string_deck(points + "$reference solution='" + solution + "' $\n", in)).errors();
 }
 
 TEST(Reference, IsNamedByTheDeck) {
   const std::string groups = "$points tracked(3)=.true. $\n$reference solution='pendulum' $\n";
-  EXPECT_EQ(build(string_deck(groups, "igen=0,gravc=-1.")).scene.reference, ReferenceKind::pendulum);
+  EXPECT_EQ(build(resting_string_deck(groups, "igen=0,gravc=-1.")).scene.reference, ReferenceKind::pendulum);
   EXPECT_EQ(build(square_region()).scene.reference, ReferenceKind::none);
 }
 
-TEST(Reference, OfAStringNeedsGravityAndItsLastPointTracked) {
+TEST(Reference, OfAStringNeedsRestGravityAndItsLastPointTracked) {
   const std::string needs =
       "6:21: the solution 'spring' needs a string from a particle file that begins at rest, its last point tracked, "
       "and gravc < 0";
@@ -148,6 +148,8 @@ TEST(Reference, OfAStringNeedsGravityAndItsLastPointTracked) {
   EXPECT_EQ(reference_errors("spring", last, "igen=0"), (Texts{needs}));
   EXPECT_EQ(reference_errors("spring", "$points $\n", "igen=0,gravc=-1."), (Texts{needs}));
   EXPECT_EQ(reference_errors("spring", "$points tracked(1)=.true. $\n", "igen=0,gravc=-1."), (Texts{needs}));
+  const std::string moving = string_deck(last + "$reference solution='spring' $\n", "igen=0,gravc=-1.");
+  EXPECT_EQ(build(moving).errors(), (Texts{needs}));
 }
 
 TEST(Reference, OfTheRiemannProblemNeedsTwoGases) {

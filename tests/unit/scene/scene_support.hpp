@@ -52,6 +52,13 @@ inline std::string string_deck(const std::string& groups = "", const std::string
                         ".125 .5  1. 2. 3. 4. 5.\n.375 .5  0. 0. 0. 0. 0.\n.625 .5 -1. 0. 0. 0. 0.\n");
 }
 
+/// The same, at rest.
+inline std::string resting_string_deck(const std::string& groups, const std::string& in) {
+  std::string deck = string_deck(groups, in);
+  deck.replace(deck.find(".5  1. 2."), 9, ".5  0. 0.");
+  return deck.replace(deck.find(".5 -1. 0."), 9, ".5  0. 0.");
+}
+
 using Texts = std::vector<std::string>;
 
 }  // namespace tether::test
