@@ -57,7 +57,8 @@ void print_warnings(const std::string& name, const Loaded& loaded) {
 void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
   std::string line = name + ":";
   for (const auto& [key, value] : summary) {
-    const bool told = key == "steps" || key == "cpu_seconds" || key == "energy_drift" || key.starts_with("error_");
+    if (key == "steps") line += fmt::format(" {} steps,", value);
+    const bool told = key == "cpu_seconds" || key == "energy_drift" || key.starts_with("error_");
     if (told) line += fmt::format(" {} {:.4g},", key, std::stod(value));
   }
   fmt::print("{} in {}\n", line, folder.string());
