@@ -184,7 +184,7 @@ class Options(ProgramTest):
         deck = DECKS / "stability-side.in"
         loud = self.expect(0, deck, "--out", self.folder / "loud")
         self.assertIn("warning: $regrig is there without nregrig", loud.stderr)
-        self.assertRegex(loud.stdout, r"stability-side.in: steps 30, .* in \S+/loud\n$")
+        self.assertRegex(loud.stdout, r"stability-side.in: 30 steps, .* in \S+/loud\n$")
         quiet = self.expect(0, deck, "--out", self.folder / "quiet", "--quiet")
         self.assertEqual((quiet.stdout, quiet.stderr), ("", ""))
         messages = (self.folder / "quiet/messages.txt").read_text()
