@@ -25,6 +25,8 @@ struct BackgroundGrid {
         dx((right - left) / (nodes_x - 1)),
         dy((top - bottom) / (nodes_y - 1)) {}
 
+  bool operator==(const BackgroundGrid&) const = default;
+
   int cells_x() const { return nx - 1; }
   int cells_y() const { return ny - 1; }
   std::size_t nodes() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }

@@ -56,13 +56,12 @@ StepRule step_rule(const Scene& scene) {
   rule.deck_step = scene.clock.tstep;
   rule.cfl = scene.clock.cfl;
   rule.h = std::min(scene.grid.dx, scene.grid.dy);
-  double fastest = 0;
+  double gas_wave = 0;
   for (const Body& body : scene.bodies) {
-    const double c = std::visit(FirstWave{scene, body}, body.material);
-    if (!std::holds_alternative<IdealGas>(body.material)) rule.solid_speed = std::max(rule.solid_speed, c);
-    fastest = std::max(fastest, c);
+    double& fastest = std::holds_alternative<IdealGas>(body.material) ? gas_wave : rule.solid_speed;
+    fastest = std::max(fastest, std::visit(FirstWave{scene, body}, body.material));
   }
-  rule.first_limit = fastest > 0 ? rule.h / fastest : std::numeric_limits<double>::infinity();
+  rule.first_limit = rule.limit(gas_wave);
   rule.sharp_limit = sharp_limit(scene, rule.h);
   return rule;
 }
@@ -112,13 +111,12 @@ void refuse_lost_steps(const Clock& clock, const StepRule& rule) {
 
 }  // namespace
 
-double StepRule::first_step() const { return cfl == 0 ? deck_step : std::min(deck_step, cfl * first_limit); }
-
-double StepRule::step(double gas_wave) const {
-  if (cfl == 0) return deck_step;
+double StepRule::limit(double gas_wave) const {
   const double fastest = std::max(solid_speed, gas_wave);
-  return fastest > 0 ? std::min(deck_step, cfl * h / fastest) : deck_step;
+  return fastest > 0 ? h / fastest : std::numeric_limits<double>::infinity();
 }
+
+double StepRule::within(double limit) const { return cfl == 0 ? deck_step : std::min(deck_step, cfl * limit); }
 
 Plan make_plan(Scene scene) {
   Plan plan;

@@ -18,9 +18,13 @@ struct StepRule {
 
   double sharp_limit = 0;  // what pressure waves and viscosity allow; not part of the rule [time]
 
-  double first_step() const;
-  /// The step while the fastest wave of the gas has this speed (0 without gas).
-  double step(double gas_wave) const;
+  /// h / c while the fastest wave of the gas has this speed (0 without gas); infinite where nothing has a speed.
+  double limit(double gas_wave) const;
+  double step(double gas_wave) const { return within(limit(gas_wave)); }
+  double first_step() const { return within(first_limit); }
+
+ private:
+  double within(double limit) const;
 };
 
 /// A part of the model: whether it is there, and why.

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace tether {
 namespace {
 
@@ -27,13 +25,6 @@ struct Namer {
   }
 };
 
-const IdealGas* first_gas(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    if (const auto* gas = std::get_if<IdealGas>(&body.material)) return gas;
-  }
-  return nullptr;
-}
-
 std::string order_reason(StressOrder order) {
   switch (order) {
     case StressOrder::usf:
@@ -51,9 +42,9 @@ std::string order_reason(StressOrder order) {
 std::string material_name(const Material& material) { return std::visit(Namer{}, material); }
 
 std::vector<Term> terms_of(const Scene& scene) {
-  const IdealGas* gas = first_gas(scene);
-  const bool strings = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                   [](const Body& b) { return std::holds_alternative<Uniaxial>(b.material); });
+  const Body* gas_body = find_body<IdealGas>(scene);
+  const IdealGas* gas = gas_body ? &std::get<IdealGas>(gas_body->material) : nullptr;
+  const bool strings = find_body<Uniaxial>(scene) != nullptr;
   const bool shocks = gas && gas->lambda != 0 && (gas->coef1 != 0 || gas->coef2 != 0);
   const auto term = [](const char* name, bool on, const std::string& yes, const std::string& no) {
     return Term{name, on, on ? yes : no};

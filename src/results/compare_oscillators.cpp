@@ -16,18 +16,12 @@ namespace {
 
 Merit merit(const char* name, double here, double exact) { return {name, here, exact, (here - exact) / exact, false}; }
 
-template <class Law>
-const Body& body_with(const Scene& scene) {
-  return *std::find_if(scene.bodies.begin(), scene.bodies.end(),
-                       [](const Body& body) { return std::holds_alternative<Law>(body.material); });
-}
-
 /// A string from a particle file as one spring between its end points, its last point the mass.
 struct StringAsSpring {
   double length, spacing, area, stiffness, mass, slack;
 
   explicit StringAsSpring(const Scene& scene) {
-    const Body& body = body_with<Uniaxial>(scene);
+    const Body& body = *find_body<Uniaxial>(scene);
     const PointSet& P = scene.points;
     const double E = std::get<Uniaxial>(body.material).E;
     const std::size_t first = body.first, last = body.first + body.count - 1;
@@ -115,7 +109,7 @@ Comparison compare_string(const Scene& scene, const History& history) {
 }
 
 Comparison compare_pendulum(const Scene& scene, const History& history) {
-  const Body& body = body_with<Uniaxial>(scene);
+  const Body& body = *find_body<Uniaxial>(scene);
   const PointSet& P = scene.points;
   const std::size_t first = body.first, last = body.first + body.count - 1;
   const double across = P.x[last] - P.x[first], down = P.y[first] - P.y[last];
@@ -128,7 +122,7 @@ Comparison compare_pendulum(const Scene& scene, const History& history) {
 
 Comparison compare_piston(const Scene& scene, const History& history) {
   const StringAsSpring spring(scene);
-  const Body& fluid = body_with<LinearFluid>(scene);
+  const Body& fluid = *find_body<LinearFluid>(scene);
   const FluidColumn column(scene, fluid);
   const Piston exact{spring.mass,   spring.stiffness, column.area,
                      column.length, fluid.density,    std::get<LinearFluid>(fluid.material).beta};

@@ -47,7 +47,7 @@ void ResultFolder::append(const Record& record) { history_.append(record); }
 
 void ResultFolder::points(const Snapshot& snapshot) { points_.append(snapshot); }
 
-void ResultFolder::grid(const GridShape& grid, const Snapshot& snapshot) { grid_.append(grid, snapshot); }
+void ResultFolder::grid(const BackgroundGrid& grid, const Snapshot& snapshot) { grid_.append(grid, snapshot); }
 
 void ResultFolder::message(const std::string& text) {
   const bool ended = !text.empty() && text.back() == '\n';

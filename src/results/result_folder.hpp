@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "grid/background_grid.hpp"
 #include "results/history_writer.hpp"
 #include "results/results.hpp"
 #include "results/snapshot_writer.hpp"
@@ -19,12 +20,12 @@ class ResultFolder {
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance);
 
-  void append(const Record& record);                           ///< history.nc and history.txt
-  void points(const Snapshot& snapshot);                       ///< particles.nc and particles.xmf
-  void grid(const GridShape& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
-  void message(const std::string& text);                       ///< messages.txt; a line end is added where it has none
-  void deck_effective(const std::string& text);                ///< deck.effective
-  void reference(const Table& table);                          ///< reference.txt
+  void append(const Record& record);                                ///< history.nc and history.txt
+  void points(const Snapshot& snapshot);                            ///< particles.nc and particles.xmf
+  void grid(const BackgroundGrid& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
+  void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
+  void deck_effective(const std::string& text);  ///< deck.effective
+  void reference(const Table& table);            ///< reference.txt
   /// Closes all files, then writes summary.txt: where it stands, the run came to its end. Nothing may follow.
   void finish(const Summary& summary);
 

@@ -53,13 +53,6 @@ struct Snapshot {
   std::vector<Field> fields;
 };
 
-/// Nodes of the background grid: x0 + i dx, y0 + j dy; node (i, j) stands at index j nx + i.
-struct GridShape {
-  int nx = 0, ny = 0;
-  double x0 = 0, y0 = 0, dx = 0, dy = 0;
-  bool operator==(const GridShape&) const = default;
-};
-
 /// Attributes that every NetCDF file carries.
 struct Provenance {
   std::string title;        ///< the deck's header lines

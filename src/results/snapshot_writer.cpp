@@ -54,9 +54,8 @@ void PointWriter::close() {
 GridWriter::GridWriter(std::filesystem::path folder, Provenance provenance)
     : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
 
-void GridWriter::append(const GridShape& grid, const Snapshot& snapshot) {
+void GridWriter::append(const BackgroundGrid& grid, const Snapshot& snapshot) {
   if (!file_) {
-    if (grid.nx < 1 || grid.ny < 1) throw std::invalid_argument("a grid without nodes");
     const std::vector<Axis> axes{nodes("node_y", grid.ny, grid.y0, grid.dy),
                                  nodes("node_x", grid.nx, grid.x0, grid.dx)};
     file_.emplace(folder_ / "mesh.nc", axes, snapshot, provenance_);

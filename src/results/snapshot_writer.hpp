@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "grid/background_grid.hpp"
 #include "results/results.hpp"
 #include "results/snapshot_file.hpp"
 #include "results/xdmf.hpp"
@@ -33,13 +34,13 @@ class GridWriter {
  public:
   GridWriter(std::filesystem::path folder, Provenance provenance);
   /// The grid is the same every time (else std::invalid_argument). Throws FileError.
-  void append(const GridShape& grid, const Snapshot& snapshot);
+  void append(const BackgroundGrid& grid, const Snapshot& snapshot);
   void close();
 
  private:
   std::filesystem::path folder_;
   Provenance provenance_;
-  GridShape grid_;
+  BackgroundGrid grid_;
   XdmfSeries series_;
   std::optional<SnapshotFile> file_;
 };

@@ -60,7 +60,7 @@ std::string xdmf_points(const XdmfSeries& series, std::size_t points) {
   });
 }
 
-std::string xdmf_grid(const XdmfSeries& series, const GridShape& grid) {
+std::string xdmf_grid(const XdmfSeries& series, const BackgroundGrid& grid) {
   // XDMF counts the slowest direction first: z, y, x. The grid is given as one layer of a 3D one, for ParaView lays a
   // 2DCORECTMesh into the y-z plane, away from the points.
   const auto triple = [](double z, double y, double x) {

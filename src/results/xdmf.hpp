@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/background_grid.hpp"
 #include "results/results.hpp"
 
 namespace tether {
@@ -20,6 +21,6 @@ struct XdmfSeries {
 std::string xdmf_points(const XdmfSeries& series, std::size_t points);
 
 /// The same for fields over time, node_y, node_x on the nodes of a background grid.
-std::string xdmf_grid(const XdmfSeries& series, const GridShape& grid);
+std::string xdmf_grid(const XdmfSeries& series, const BackgroundGrid& grid);
 
 }  // namespace tether

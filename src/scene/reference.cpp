@@ -14,19 +14,12 @@ auto count_bodies(const Scene& scene) {
                        [](const Body& body) { return std::holds_alternative<Law>(body.material); });
 }
 
-const Body& string_of(const Scene& scene) {
-  return *std::find_if(scene.bodies.begin(), scene.bodies.end(),
-                       [](const Body& body) { return std::holds_alternative<Uniaxial>(body.material); });
-}
-
 /// Whether the point tracked last is the last of the string: the mass.
-bool tracks_its_end(const Scene& scene) {
-  const Body& string = string_of(scene);
+bool tracks_its_end(const Scene& scene, const Body& string) {
   return !scene.tracked.empty() && scene.tracked.back() == string.first + string.count - 1;
 }
 
-bool begins_at_rest(const Scene& scene) {
-  const Body& string = string_of(scene);
+bool begins_at_rest(const Scene& scene, const Body& string) {
   for (std::size_t p = string.first; p < string.first + string.count; ++p) {
     if (scene.points.vx[p] != 0 || scene.points.vy[p] != 0) return false;
   }
@@ -35,8 +28,8 @@ bool begins_at_rest(const Scene& scene) {
 
 /// What the scene lacks for the solution; empty where it has all.
 std::string lacks(ReferenceKind kind, const Scene& scene) {
-  const bool string = count_bodies<Uniaxial>(scene) == 1;
-  const bool tracked = string && tracks_its_end(scene);
+  const Body* string = count_bodies<Uniaxial>(scene) == 1 ? find_body<Uniaxial>(scene) : nullptr;
+  const bool tracked = string && tracks_its_end(scene, *string);
   switch (kind) {
     case ReferenceKind::riemann:
       return count_bodies<IdealGas>(scene) == 2 && scene.bodies.size() == 2
@@ -45,7 +38,7 @@ std::string lacks(ReferenceKind kind, const Scene& scene) {
     case ReferenceKind::spring:
     case ReferenceKind::string:
     case ReferenceKind::pendulum:
-      return tracked && begins_at_rest(scene) && scene.gravity < 0
+      return tracked && begins_at_rest(scene, *string) && scene.gravity < 0
                  ? ""
                  : "a string from a particle file that begins at rest, its last point tracked, and gravc < 0";
     case ReferenceKind::piston:

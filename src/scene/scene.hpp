@@ -64,4 +64,13 @@ struct Scene {
   ReferenceKind reference = ReferenceKind::none;
 };
 
+/// The first body of a law, or null.
+template <class Law>
+const Body* find_body(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (std::holds_alternative<Law>(body.material)) return &body;
+  }
+  return nullptr;
+}
+
 }  // namespace tether

@@ -114,7 +114,7 @@ class Runner {
     const double time = solver_->time();
     if (history_due_.passed(time) || end) write_record();
     if (points_due_.passed(time) || end) write_points();
-    if (grid_due_.passed(time) || (end && plan_.scene.outputs.grid > 0)) write_grid();
+    if (grid_due_.passed(time) || end) write_grid();
   }
   void write_record() {
     history_.records.push_back(solver_->record());
@@ -125,11 +125,12 @@ class Runner {
     const RunCounts counts = solver_->counts();
     request_.progress({solver_->time(), plan_.scene.clock.tmax, counts.dt_last, counts, clocks_.wall_seconds()});
   }
-  void write_points() { folder_.points(solver_->points()); }
+  void write_points() {
+    last_points_ = solver_->points();
+    folder_.points(last_points_);
+  }
   void write_grid() {
-    if (plan_.scene.outputs.grid <= 0) return;
-    const BackgroundGrid& grid = plan_.scene.grid;
-    folder_.grid({grid.nx, grid.ny, grid.x0, grid.y0, grid.dx, grid.dy}, solver_->grid());
+    if (plan_.scene.outputs.grid > 0) folder_.grid(plan_.scene.grid, solver_->grid());
   }
   void pass_messages() {
     for (const auto& message : solver_->take_messages()) warn(message);
@@ -146,7 +147,7 @@ class Runner {
   /// States that no exact solution covers (a gas without pressure, say) cost the comparison, not the run.
   Comparison compare_or_say_why_not() {
     try {
-      return compare(plan_.scene, history_, solver_->points());
+      return compare(plan_.scene, history_, last_points_);
     } catch (const std::domain_error& error) {
       warn(fmt::format("no comparison with the exact solution: {}", error.what()));
       return {};
@@ -193,6 +194,7 @@ class Runner {
   std::unique_ptr<Solver> solver_;
   ResultFolder folder_;
   History history_;
+  Snapshot last_points_;  // the final state is always written, so in the end it is this
   Due history_due_, points_due_, grid_due_;
 };
 

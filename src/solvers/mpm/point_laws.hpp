@@ -10,7 +10,8 @@
 
 // What each material does to the arrays of a point: the bridge between the pure laws and the kernels.
 //   law_update  strain rate in, stress (and energy, density, strain) of the point out
-//   V_sigma     the point's stress times its volume, for the nodal force (3.16)
+//   law_volume  V_p in the nodal force (3.16): the stored one, for gas m_p / rho_p
+//   sound       whether the point's numbers are numbers still, and its density positive
 // A law with needs_neighbours = true is updated only after all points of the body have moved (tangents, densities).
 
 namespace tether::mpm {

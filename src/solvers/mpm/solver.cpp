@@ -26,7 +26,10 @@ constexpr double vanishing = 1e-9;
 
 template <class Order>
 MpmSolver<Order>::MpmSolver(const Plan& plan)
-    : plan_(plan), state_(start(plan.scene)), sort_(plan.scene.points.size()), limit_told_(!plan.warnings.empty()) {}
+    : plan_(plan),
+      state_(start(plan.scene)),
+      sort_(plan.scene.points.size()),
+      limit_told_(plan.step.first_step() < plan.step.deck_step) {}
 
 template <class Order>
 void MpmSolver<Order>::advance(double until) {
@@ -82,18 +85,12 @@ void MpmSolver<Order>::add_to_time(double dt) {
   state_.time = sum;
 }
 
-/// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory. Strings keep
-/// the order of their file, which runs along them.
+/// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
 template <class Order>
 void MpmSolver<Order>::sort_where_scattered() {
   if (4 * crossings_since_sort_ < static_cast<long long>(state_.points.size())) return;
   crossings_since_sort_ = 0;
-  const Scene& scene = plan_.scene;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (!std::holds_alternative<Uniaxial>(scene.bodies[b].material)) {
-      sort_(state_.points, state_.ranges[b], scene.grid);
-    }
-  }
+  sort_(state_.points, state_.ranges, plan_.scene);
 }
 
 template <class Order>

@@ -13,7 +13,14 @@ void CellSort::permute(std::vector<T>& array, std::vector<T>& scratch, Range ran
   std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
 }
 
-void CellSort::operator()(Points& P, Range range, const BackgroundGrid& shape) {
+void CellSort::operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const bool string = std::holds_alternative<Uniaxial>(scene.bodies[b].material);
+    if (!string) sort_body(points, bodies[b], scene.grid);
+  }
+}
+
+void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
   const Locator locator(shape);
   keys_.clear();
   for (std::size_t p = range.begin; p < range.end; ++p) {

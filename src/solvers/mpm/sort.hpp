@@ -3,19 +3,22 @@
 
 #include <vector>
 
+#include "scene/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
 
-/// Sorts the slots of a body by cell, then by point number: neighbours in space become neighbours in memory, and the
+/// Sorts the slots of bodies by cell, then by point number: neighbours in space become neighbours in memory, and the
 /// order does not depend on what it was before. Keeps its work space between calls.
 class CellSort {
  public:
   explicit CellSort(std::size_t points);
-  void operator()(Points& points, Range range, const BackgroundGrid& shape);
+  /// All bodies of the scene but its strings, which keep the order of their file: it runs along them.
+  void operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene);
 
  private:
+  void sort_body(Points& points, Range range, const BackgroundGrid& shape);
   struct Key {
     int cell, id;
     std::size_t slot;

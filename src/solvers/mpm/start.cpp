@@ -31,12 +31,12 @@ struct StartPoints {
   /// A stress in the file is an initial strain E eps = t . sigma . t: negative is slack.
   void operator()(const Uniaxial& law) const {
     Points& P = state.points;
+    StepFindings none;  // a string tells nothing of itself
     for (std::size_t p = range.begin; p < range.end; ++p) {
       const Vec2 t = tangent_at(P, range, p);
       P.tx[p] = t.x, P.ty[p] = t.y;
       P.strain[p] = along({P.sxx[p], P.syy[p], P.sxy[p]}, t) / law.E;
-      const Stress s = Uniaxial::turned(law.stress(P.strain[p]), t);
-      P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
+      law_update(law, P, p, {}, {}, none);
     }
   }
   /// Densities from cells stand in the points already.
@@ -73,10 +73,7 @@ State start(const Scene& scene) {
     if (gas) state.gas.push_back(state.ranges.back());
     if (gas && gas->rule != DensityRule::continuity) state.gas_by_cells.push_back(state.ranges.back());
   }
-  CellSort sort(scene.points.size());
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (!std::holds_alternative<Uniaxial>(scene.bodies[b].material)) sort(state.points, state.ranges[b], scene.grid);
-  }
+  CellSort(scene.points.size())(state.points, state.ranges, scene);
   if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     std::visit(StartPoints{state, scene.bodies[b], state.ranges[b]}, scene.bodies[b].material);

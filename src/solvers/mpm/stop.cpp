@@ -27,9 +27,7 @@ std::string cell_text(const BackgroundGrid& grid, double x, double y) {
 }
 
 std::string step_text(const Plan& plan, const State& state, double dt) {
-  const double fastest = std::max(plan.step.solid_speed, state.wave_max);
-  if (!(fastest > 0)) return "";
-  const double ratio = dt * fastest / plan.step.h;
+  const double ratio = dt / plan.step.limit(state.wave_max);
   if (ratio > 1 + 1e-9)
     return fmt::format("; the step is {:#.3g} times the limit dx/c: likely cause, a step too long", ratio);
   if (dt > plan.step.sharp_limit) {

@@ -102,7 +102,7 @@ TEST_F(FullDiskTest, TheTextForParaviewStaysWhole) {
 }
 
 TEST_F(FullDiskTest, GridsKeepTheirRecords) {
-  const GridShape grid{100, 50, 0, 0, 1, 1};
+  const BackgroundGrid grid(100, 50, 0, 99, 0, 49);
   const auto write = [this, grid] {
     GridWriter writer(folder, test::provenance());
     for (int k = 0; k < 1000; ++k) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/background_grid.hpp"
 #include "results/results.hpp"
 #include "unit/temporary_folder.hpp"
 
@@ -117,7 +118,7 @@ inline Snapshot three_points(double time) {
 }
 
 /// 3 x 2 nodes from (-1, 10).
-inline GridShape small_grid() { return {3, 2, -1.0, 10.0, 0.5, 0.25}; }
+inline BackgroundGrid small_grid() { return {3, 2, -1.0, 0.0, 10.0, 10.25}; }
 
 inline Snapshot six_nodes(double time) {
   return {time, {{{"grid_mass", Dimension::mass, "mass of a node"}, {time, 1, 2, 10, 11, 12}}}};

@@ -124,5 +124,17 @@ TEST(Clock, AGasThatGrowsFastLimitsTheStepAndSaysSo) {
   EXPECT_TRUE(solver->take_messages().empty());
 }
 
+TEST(Clock, AnotherWarningOfThePlanDoesNotSilenceTheLimit) {
+  Scene scene = open_scene(8, 8);
+  add_block(scene, IdealGas{.rule = DensityRule::continuity}, 3, 4, 3, 4, 3, 1.0, 1.0);
+  scene.clock = {2, 0.9 / std::sqrt(1.4 * 0.4), 1};
+  scene.order = StressOrder::usl;  // of which the plan warns
+  const Plan plan = make_plan(std::move(scene));
+  EXPECT_EQ(plan.warnings.size(), 1U);
+  const auto solver = make_solver(plan);
+  solver->advance(2);
+  EXPECT_EQ(solver->take_messages().size(), 1U);
+}
+
 }  // namespace
 }  // namespace tether
