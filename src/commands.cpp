@@ -7,38 +7,22 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <new>
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/ending.hpp"
 #include "base/text.hpp"
 #include "deck/document.hpp"
-#include "load.hpp"
 #include "progress.hpp"
 #include "solvers/run.hpp"
 
 namespace tether {
 namespace {
 
-/// Runs the command and turns what it throws into a message and the contract's exit code.
+/// Runs the command, tells on stderr what went wrong, and returns the exit code.
 int guarded(const std::string& name, const std::function<void()>& command) {
-  try {
-    command();
-    return exit_done;
-  } catch (const InputError& error) {
-    const bool names_its_file = !error.diagnostics().front().place.file.empty();
-    fmt::print(stderr, "{}{}", names_its_file ? "" : name + ": ", error.what());
-    return exit_input;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "{}: error: it needs more memory than there is\n", name);
-    return exit_input;
-  } catch (const RunError& error) {
-    fmt::print(stderr, "{}: error: {}\n", name, error.what());
-    return exit_run;
-  } catch (const FileError& error) {
-    fmt::print(stderr, "{}: error: {}\n", name, error.what());
-    return exit_file;
-  }
+  const Ending ending = end_of(name, command);
+  fmt::print(stderr, "{}", ending.message);
+  return ending.exit_code;
 }
 
 std::string deck_name(const std::string& deck) { return std::filesystem::path(deck).stem().string(); }
@@ -73,13 +57,9 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
     progress.clear();
     if (!run_options.quiet) fmt::print(stderr, "{}: warning: {}\n", name, text);
   };
-  const std::string& text = loaded.deck.text();
-  const RunRequest request{folder_of(name, run_options, several),
-                           {loaded.plan.scene.title, run_options.command, text, sha256(text), loaded.plan.scene.units},
-                           loaded.effective,
-                           loaded.warnings,
-                           std::ref(progress),
-                           warn};
+  RunRequest request = request_of(loaded, folder_of(name, run_options, several), run_options.command);
+  request.progress = std::ref(progress);
+  request.warn = warn;
   const RunOutcome outcome = run(loaded.plan, request);
   progress.clear();
   if (!run_options.quiet) print_outcome(name, request.folder, outcome.summary);

@@ -4,17 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "plan/load.hpp"
+
 namespace tether {
-
-// Exit codes of the contract.
-constexpr int exit_done = 0, exit_input = 2, exit_run = 3, exit_file = 4;
-
-/// How a deck is to be read.
-struct DeckOptions {
-  std::vector<std::string> overrides;  ///< group.name=value
-  std::string particles;               ///< empty: what the deck names
-  std::string path = "mpm";
-};
 
 struct RunOptions {
   std::string out;  ///< empty: out/<deck name>

@@ -3,6 +3,7 @@
 
 #include <csignal>
 
+#include "base/ending.hpp"
 #include "commands.hpp"
 
 // The command line: words in, one command called, its exit code out.

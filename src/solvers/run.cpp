@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "results/compare.hpp"
 #include "results/energy_drift.hpp"
 #include "results/result_folder.hpp"
@@ -199,6 +200,12 @@ class Runner {
 };
 
 }  // namespace
+
+RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder, const std::string& command) {
+  const std::string& text = loaded.deck.text();
+  const Scene& scene = loaded.plan.scene;
+  return {folder, {scene.title, command, text, sha256(text), scene.units}, loaded.effective, loaded.warnings, {}, {}};
+}
 
 RunOutcome run(const Plan& plan, const RunRequest& request) {
   Runner runner(plan, request);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "plan/load.hpp"
 #include "plan/plan.hpp"
 #include "results/results.hpp"
 #include "solvers/solver.hpp"
@@ -27,6 +28,9 @@ struct RunRequest {
   std::function<void(const Progress&)> progress;  ///< called at every record and now and then between
   std::function<void(const std::string&)> warn;   ///< called with every warning of the run
 };
+
+/// The request of a deck as it was loaded, into a folder; `command` is for the files' provenance.
+RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder, const std::string& command);
 
 /// What a finished run leaves for its caller.
 struct RunOutcome {

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "load.hpp"
+#include "plan/load.hpp"
 #include "solvers/run.hpp"
 
 namespace tether::cases {

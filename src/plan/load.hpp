@@ -5,11 +5,17 @@
 #include <vector>
 
 #include "base/diagnostics.hpp"
-#include "commands.hpp"
 #include "deck/deck.hpp"
 #include "plan/plan.hpp"
 
 namespace tether {
+
+/// How a deck is to be read.
+struct DeckOptions {
+  std::vector<std::string> overrides;  ///< group.name=value
+  std::string particles;               ///< empty: what the deck names
+  std::string path = "mpm";
+};
 
 /// A deck on its way to a run: what was read, what it asks for, what will be done.
 struct Loaded {

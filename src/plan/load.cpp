@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "load.hpp"
+#include "plan/load.hpp"
 
 #include <filesystem>
 #include <optional>
