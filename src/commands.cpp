@@ -10,9 +10,11 @@
 #include <set>
 
 #include "base/ending.hpp"
+#include "base/signals.hpp"
 #include "base/text.hpp"
 #include "deck/document.hpp"
 #include "progress.hpp"
+#include "solvers/restart.hpp"
 #include "solvers/run.hpp"
 
 namespace tether {
@@ -51,7 +53,9 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
   const Loaded loaded = load(name, options);
   if (!run_options.quiet) print_warnings(name, loaded);
+  if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
   if (run_options.dry_run) return fmt::print("{}", to_text(loaded.plan));
+  SignalWatch signals;
   ProgressLine progress(name, run_options.quiet);
   const auto warn = [&](const std::string& text) {
     progress.clear();
@@ -60,13 +64,18 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   RunRequest request = request_of(loaded, folder_of(name, run_options, several), run_options.command);
   request.progress = std::ref(progress);
   request.warn = warn;
+  request.interrupted = [&signals] { return signals.take(); };
+  request.restart = run_options.restart;
   const RunOutcome outcome = run(loaded.plan, request);
   progress.clear();
   if (!run_options.quiet) print_outcome(name, request.folder, outcome.summary);
 }
 
-/// Two decks of one name would write into one folder.
-void refuse_shared_folders(const std::vector<std::string>& decks) {
+/// Two decks of one name would write into one folder; a checkpoint is of one deck.
+void refuse_shared_folders(const std::vector<std::string>& decks, const RunOptions& options) {
+  if (decks.size() > 1 && !options.restart.empty()) {
+    throw InputError("--restart goes with one deck, the checkpoint's", "run the others by themselves");
+  }
   std::set<std::string> names;
   for (const auto& deck : decks) {
     if (!names.insert(deck_name(deck)).second) {
@@ -79,10 +88,11 @@ void refuse_shared_folders(const std::vector<std::string>& decks) {
 }  // namespace
 
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
-  int worst = guarded("tether", [&] { refuse_shared_folders(decks); });
+  int worst = guarded("tether", [&] { refuse_shared_folders(decks, run_options); });
   if (worst != exit_done) return worst;
   for (const auto& deck : decks) {
     worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
+    if (worst > exit_signal) break;
   }
   return worst;
 }

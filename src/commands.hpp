@@ -11,6 +11,7 @@ namespace tether {
 struct RunOptions {
   std::string out;  ///< empty: out/<deck name>
   int threads = 1;
+  std::string restart;  ///< checkpoint to go on from; empty: from the start
   bool quiet = false;
   bool dry_run = false;
   std::string command;  ///< as it was typed, for provenance

@@ -24,7 +24,7 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
 int main(int argc, char** argv) {
   CLI::App app(
       "tether: fluid and structure on one deck by material points.\nExit codes: 0 done, 2 input wrong, 3 run "
-      "diverged, 4 file trouble.",
+      "diverged, 4 file trouble, 130 or 143 interrupted.",
       "tether");
   app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", run_options.threads,
                  "threads; results are the same for any number, and the mpm path uses one")
       ->check(CLI::Range(1, 1024));
+  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck");
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 

@@ -11,6 +11,9 @@ namespace tether {
 class ProgressLine {
  public:
   ProgressLine(std::string name, bool quiet);
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
   void operator()(const Progress& progress);
   /// Ends the line so that other text can follow.
   void clear();

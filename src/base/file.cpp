@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -23,6 +25,16 @@ using Handle = std::unique_ptr<std::FILE, Close>;
   throw FileError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
 }
 
+/// Hands a file, or a folder's list of names, to the disk.
+void sync_to_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = file >= 0 && ::fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0) ::close(file);
+  errno = reason;
+  if (!done) fail(path, "cannot be handed to the disk");
+}
+
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
@@ -40,6 +52,12 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   if (!file) fail(path, "cannot be opened for writing");
   if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) fail(path, "cannot be written");
   if (std::fclose(file.release()) != 0) fail(path, "cannot be written");
+}
+
+void put_in_place(const std::filesystem::path& fresh, const std::filesystem::path& path) {
+  sync_to_disk(fresh);
+  if (std::rename(fresh.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
+  sync_to_disk(path.has_parent_path() ? path.parent_path() : ".");
 }
 
 }  // namespace tether

@@ -13,4 +13,9 @@ std::string read_file(const std::filesystem::path& path);
 /// Writes the whole text and checks every step, the close included. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Renames a finished file to `path`, in place of one that is there, so that not even a power cut leaves anything but
+/// the old file or the whole new one: the disk has the file before the name, and the name before this returns. Throws
+/// FileError.
+void put_in_place(const std::filesystem::path& fresh, const std::filesystem::path& path);
+
 }  // namespace tether

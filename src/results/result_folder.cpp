@@ -18,16 +18,36 @@ constexpr std::array owned{"history.nc",  "history.txt",  "particles.nc",      "
                            "mesh.nc",     "mesh.xmf",     "particles.xmf.new", "mesh.xmf.new",
                            "summary.txt", "messages.txt", "deck.effective",    "reference.txt"};
 
-std::filesystem::path prepared(const std::filesystem::path& folder) {
+constexpr std::array snapshot_files{"particles.nc", "mesh.nc"};
+
+std::filesystem::path aside(const std::filesystem::path& folder, const std::string& name) {
+  return folder / (name + ".earlier");
+}
+
+void remove_earlier(const std::filesystem::path& path) {
+  std::error_code reason;
+  std::filesystem::remove(path, reason);
+  if (reason) {
+    throw FileError(fmt::format("{}: an earlier run's file cannot be removed: {}", path.string(), reason.message()));
+  }
+}
+
+/// Snapshots that stand aside already are whole, and those beside them the part that a restart cut short took over.
+void set_aside(const std::filesystem::path& folder) {
+  for (const char* name : snapshot_files) {
+    const bool there = std::filesystem::exists(folder / name), already = std::filesystem::exists(aside(folder, name));
+    if (there && !already) put_in_place(folder / name, aside(folder, name));
+  }
+}
+
+std::filesystem::path prepared(const std::filesystem::path& folder, EarlierSnapshots earlier) {
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: the folder cannot be made: {}", folder.string(), reason.message()));
-  for (const char* name : owned) {
-    std::filesystem::remove(folder / name, reason);
-    if (reason) {
-      throw FileError(
-          fmt::format("{}: an earlier run's file cannot be removed: {}", (folder / name).string(), reason.message()));
-    }
+  if (earlier == EarlierSnapshots::set_aside) set_aside(folder);
+  for (const char* name : owned) remove_earlier(folder / name);
+  for (const char* name : snapshot_files) {
+    if (earlier == EarlierSnapshots::removed) remove_earlier(aside(folder, name));
   }
   return folder;
 }
@@ -35,13 +55,21 @@ std::filesystem::path prepared(const std::filesystem::path& folder) {
 }  // namespace
 
 ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout,
-                           const Provenance& provenance)
-    : folder_(prepared(folder)),
+                           const Provenance& provenance, EarlierSnapshots earlier)
+    : folder_(prepared(folder, earlier)),
       command_(provenance.command),
       history_(folder_, layout, provenance),
       points_(folder_, provenance),
       grid_(folder_, provenance),
       messages_(folder_ / "messages.txt") {}
+
+std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::path& folder, const std::string& name) {
+  return std::filesystem::exists(aside(folder, name)) ? aside(folder, name) : folder / name;
+}
+
+void ResultFolder::remove_what_was_set_aside() {
+  for (const char* name : snapshot_files) remove_earlier(aside(folder_, name));
+}
 
 void ResultFolder::append(const Record& record) { history_.append(record); }
 

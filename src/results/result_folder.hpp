@@ -12,13 +12,21 @@
 
 namespace tether {
 
+/// What becomes of the snapshots that an earlier run left: removed, or set aside until a run that goes on from its
+/// checkpoint has taken them over.
+enum class EarlierSnapshots { removed, set_aside };
+
 /// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
 /// call returns, so that a crash or a full disk loses nothing that was told before. All members throw FileError.
 class ResultFolder {
  public:
   /// Creates the folder and those above it, and removes what an earlier run left there under the names that belong to
   /// this class; checkpoints and other files stay.
-  ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance);
+  ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
+               EarlierSnapshots earlier = EarlierSnapshots::removed);
+  /// Where the snapshots of an earlier run stand, those of particles.nc or mesh.nc: set aside or not.
+  static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
+  void remove_what_was_set_aside();
 
   void append(const Record& record);                                ///< history.nc and history.txt
   void points(const Snapshot& snapshot);                            ///< particles.nc and particles.xmf

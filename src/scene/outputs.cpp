@@ -27,15 +27,14 @@ double shortest(const Deck& deck, std::initializer_list<int> switches, Diagnosti
   return interval;
 }
 
-/// Switches that are on but write nothing: numbers without a meaning, and the checkpoint, which this version does not
-/// write.
+/// Switches that are on but write nothing: numbers without a meaning.
 void warn_of_idle_switches(const Deck& deck, Diagnostics& diagnostics) {
   for (const Subscript at : deck.given_elements("in", "iout")) {
     const int k = at[0];
-    const bool writes = k == 13 || (k >= 30 && k <= 40);
+    const bool writes = k == 13 || (k >= 30 && k <= 41);
     if (writes || deck.integer("in", "iout", k) != 1) continue;
     diagnostics.add(deck.remark(Severity::warning, "in", "iout", at, fmt::format("iout({})=1 writes nothing", k),
-                                k == 41 ? "this version writes no checkpoints" : "13 and 30 to 40 have a meaning"));
+                                "13 and 30 to 41 have a meaning"));
   }
 }
 
@@ -47,6 +46,7 @@ OutputIntervals outputs_of(const Deck& deck, const Scene& scene, Diagnostics& di
   outputs.history = shortest(deck, {33, 34, 38}, diagnostics);
   outputs.points = shortest(deck, {13, 32, 35, 36, 40}, diagnostics);
   outputs.grid = shortest(deck, {30, 31, 37, 39}, diagnostics);
+  outputs.checkpoint = shortest(deck, {41}, diagnostics);
   if (outputs.history == 0) outputs.history = scene.clock.tmax / default_records;
   outputs.tracked_angle = deck.integer("in", "iout", 38) == 1 && scene.tracked.size() >= 2;
   return outputs;

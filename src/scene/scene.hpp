@@ -44,7 +44,7 @@ enum class ReferenceKind { none, riemann, spring, string, pendulum, piston };
 
 /// Intervals between outputs [time]; 0 where an output is off.
 struct OutputIntervals {
-  double history = 0, points = 0, grid = 0;
+  double history = 0, points = 0, grid = 0, checkpoint = 0;
   bool tracked_angle = false;
 };
 

@@ -3,9 +3,9 @@
 
 namespace tether {
 
-/// Memory that a node of the background grid and a material point take while a scene runs [bytes]. The solver asserts
-/// that these hold.
-constexpr double bytes_per_node = 128;
-constexpr double bytes_per_point = 320;
+/// Memory that a node of the background grid and a material point take while a scene runs and a checkpoint of it is
+/// written [bytes]. The solver asserts that these hold.
+constexpr double bytes_per_node = 224;
+constexpr double bytes_per_point = 400;
 
 }  // namespace tether

@@ -27,6 +27,8 @@ struct RunRequest {
   std::vector<std::string> messages;              ///< warnings of the deck, for messages.txt
   std::function<void(const Progress&)> progress;  ///< called at every record and now and then between
   std::function<void(const std::string&)> warn;   ///< called with every warning of the run
+  std::function<int()> interrupted;               ///< asked several times a second: the signal to stop for, or 0
+  std::filesystem::path restart;                  ///< checkpoint to go on from; empty: from the start
 };
 
 /// The request of a deck as it was loaded, into a folder; `command` is for the files' provenance.
@@ -38,8 +40,9 @@ struct RunOutcome {
   History history;
 };
 
-/// Runs a plan to its end and writes its folder. Throws RunError after having written all records up to it and the
-/// message, FileError when a file cannot be written.
+/// Runs a plan to its end and writes its folder; from a checkpoint as if the run had never stopped. Throws RunError
+/// after having written all records up to it and the message, Interrupted after having written a checkpoint, FileError
+/// when a file cannot be read or written, InputError where the checkpoint is of another deck.
 RunOutcome run(const Plan& plan, const RunRequest& request);
 
 }  // namespace tether

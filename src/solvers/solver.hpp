@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "results/results.hpp"
+#include "results/saved_state.hpp"
 
 namespace tether {
 
@@ -33,6 +34,10 @@ class Solver {
   virtual Record record() const = 0;
   virtual Snapshot points() const = 0;
   virtual Snapshot grid() const = 0;
+  /// All that the next step depends on, so that a solver of the same plan goes on from it to the last bit. restore()
+  /// throws FileError where the saved state is not of this path and scene.
+  virtual SavedState save() const = 0;
+  virtual void restore(const SavedState& saved) = 0;
   /// Warnings that came up since the last call.
   virtual std::vector<std::string> take_messages() = 0;
 };

@@ -26,10 +26,9 @@ constexpr double vanishing = 1e-9;
 
 template <class Order>
 MpmSolver<Order>::MpmSolver(const Plan& plan)
-    : plan_(plan),
-      state_(start(plan.scene)),
-      sort_(plan.scene.points.size()),
-      limit_told_(plan.step.first_step() < plan.step.deck_step) {}
+    : plan_(plan), state_(start(plan.scene)), sort_(plan.scene.points.size()) {
+  state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
+}
 
 template <class Order>
 void MpmSolver<Order>::advance(double until) {
@@ -39,10 +38,10 @@ void MpmSolver<Order>::advance(double until) {
 template <class Order>
 double MpmSolver<Order>::next_step() {
   double dt = plan_.step.step(state_.wave_max);
-  if (dt < plan_.step.deck_step && !limit_told_) {
+  if (dt < plan_.step.deck_step && !state_.limit_told) {
     messages_.push_back(fmt::format("t = {:.6g}: the gas moves at c + |v| = {:.4g}: steps are limited to {:.4g}",
                                     state_.time, state_.wave_max, dt));
-    limit_told_ = true;
+    state_.limit_told = true;
   }
   const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
   if (!gets_on) stop_on_vanishing_step(state_, dt);
@@ -55,7 +54,7 @@ void MpmSolver<Order>::step(double dt) {
   StepWork work{state_, plan_.scene, {}, {}};
   Order::step(work, dt);
   if (work.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.trouble, dt);
-  crossings_since_sort_ += work.found.crossings;
+  state_.crossings_since_sort += work.found.crossings;
   finish_step(work.found, dt);
 }
 
@@ -88,8 +87,8 @@ void MpmSolver<Order>::add_to_time(double dt) {
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
 template <class Order>
 void MpmSolver<Order>::sort_where_scattered() {
-  if (4 * crossings_since_sort_ < static_cast<long long>(state_.points.size())) return;
-  crossings_since_sort_ = 0;
+  if (4 * state_.crossings_since_sort < static_cast<long long>(state_.points.size())) return;
+  state_.crossings_since_sort = 0;
   sort_(state_.points, state_.ranges, plan_.scene);
 }
 

@@ -28,6 +28,8 @@ class MpmSolver final : public Solver {
   Snapshot points() const override;
   Snapshot grid() const override;
   std::vector<std::string> take_messages() override;
+  SavedState save() const override { return mpm::save(state_); }
+  void restore(const SavedState& saved) override { mpm::restore(state_, saved); }
 
  private:
   double next_step();
@@ -39,8 +41,6 @@ class MpmSolver final : public Solver {
   const Plan& plan_;
   State state_;
   CellSort sort_;
-  long long crossings_since_sort_ = 0;
-  bool limit_told_ = false;
   std::vector<std::string> messages_;
 };
 

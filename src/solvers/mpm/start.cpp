@@ -12,9 +12,12 @@
 namespace tether::mpm {
 namespace {
 
-constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 1 + 4 + 8 + 4 + 8;
+constexpr double bytes_of_saved_node = 2 * 5 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
+constexpr double bytes_of_saved_point = 15 * sizeof(double);
+constexpr double bytes_of_node =
+    sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 1 + 4 + 8 + 4 + 8 + bytes_of_saved_node;
 static_assert(bytes_of_node <= bytes_per_node, "scene/size.hpp: a node takes more than it says");
-static_assert(21 * sizeof(double) + 3 * sizeof(int) + 8 * sizeof(double) + 16 <= bytes_per_point,
+static_assert(21 * sizeof(double) + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <= bytes_per_point,
               "scene/size.hpp: a point takes more than it says");
 
 /// Sets what a law keeps at a point beside its stress.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "results/saved_state.hpp"
 #include "scene/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/density.hpp"
@@ -23,11 +24,19 @@ struct State {
   double c_max = 0;                    // largest sound speed of the gas after the last step [velocity]
   double wave_max = 0;                 // its largest c + |v| [velocity]
   long long steps = 0;
-  double dt_last = 0, dt_min = 0;  // [time]
+  double dt_last = 0, dt_min = 0;      // [time]
+  long long crossings_since_sort = 0;  // of points, from cell to cell
+  bool limit_told = false;             // whether a shorter step than the deck's was told
 };
 
 /// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
 /// 1 of the algorithm), so that every step begins with its sums in place.
 State start(const Scene& scene);
+
+/// The state as plain data, and back into a state of the same scene, to the last bit: sums at nodes are kept as they
+/// are, since points that were sorted meanwhile would add up to others. Scratch arrays are left out. restore() throws
+/// FileError.
+SavedState save(const State& state);
+void restore(State& state, const SavedState& saved);
 
 }  // namespace tether::mpm

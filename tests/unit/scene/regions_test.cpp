@@ -161,7 +161,7 @@ TEST(RegionErrors, MorePointsThanTheMemoryHolds) {
   const Texts errors = region_errors(
       "nreg=1,nvi=4,densir=1.,ipath(4,1)=0,matr(1,1)=1.\nnprg=2147395600\nxvi(1,1)=0.,1.,1.,0.\nyvi(1,1)=0.,0.,1.,1.");
   ASSERT_EQ(errors.size(), 1u);
-  EXPECT_EQ(errors[0].substr(0, 70), "6:6: region 1: 5 x 5 nodes and 3.44e+10 points would need 1.099e+04 GB");
+  EXPECT_EQ(errors[0].substr(0, 70), "6:6: region 1: 5 x 5 nodes and 3.44e+10 points would need 1.374e+04 GB");
 }
 
 }  // namespace

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <system_error>
+
+#include "base/errors.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "results/attributes.hpp"
+#include "results/netcdf_input.hpp"
+#include "results/seal.hpp"
+
+namespace tether {
+namespace {
+
+const std::string state_prefix = "state_";
+
+/// Of the variables and attributes below: another one is another file.
+const std::string format = "1";
+
+/// The variables of the file: what the state holds, and what the run has done so far.
+std::vector<double> flat(const std::vector<Record>& records) {
+  std::vector<double> numbers;
+  for (const auto& record : records) numbers.insert(numbers.end(), record.begin(), record.end());
+  return numbers;
+}
+
+std::vector<double> flat(const std::vector<SavedDue>& dues) {
+  std::vector<double> numbers;
+  for (const auto& due : dues) numbers.insert(numbers.end(), {due.interval, due.next});
+  return numbers;
+}
+
+/// Bytes of all numbers and of the header, at most.
+std::size_t room_of(const Checkpoint& checkpoint) {
+  constexpr std::size_t definition = 256, rest = 4096;
+  std::size_t room = provenance_room(checkpoint.provenance) + checkpoint.deck_effective.size() + rest;
+  for (const auto& message : checkpoint.messages) room += message.size() + 1;
+  for (const auto& [name, array] : checkpoint.state) room += array.size() * sizeof(double) + definition;
+  return room + checkpoint.records.size() * checkpoint.records.front().size() * sizeof(double);
+}
+
+/// A variable to be put once all are defined.
+struct Pending {
+  int variable;
+  std::vector<std::size_t> shape;
+  const std::vector<double>* numbers;
+};
+
+class Writer {
+ public:
+  explicit Writer(const std::filesystem::path& path, std::size_t room) : file_(path, NetcdfFormat::offset64, room) {
+    define_seal(file_);
+  }
+
+  void attributes(const Checkpoint& checkpoint) {
+    write_provenance(file_, checkpoint.provenance);
+    file_.global_attribute("checkpoint_format", format);
+    file_.global_attribute("deck_effective", checkpoint.deck_effective);
+    file_.global_attribute("messages", fmt::format("{}", fmt::join(checkpoint.messages, "\n")));
+    file_.global_attribute("cpu_seconds", fmt::format("{}", checkpoint.cpu_seconds));
+    file_.global_attribute("wall_seconds", fmt::format("{}", checkpoint.wall_seconds));
+  }
+  void define(const std::string& name, const std::vector<double>& numbers, std::vector<std::size_t> shape) {
+    std::vector<int> dimensions;
+    for (const std::size_t length : shape) dimensions.push_back(dimension(length));
+    pending_.push_back({file_.number_variable(name, dimensions), std::move(shape), &numbers});
+  }
+  void put_all() {
+    file_.end_definitions();
+    for (const Pending& p : pending_)
+      file_.put(p.variable, {std::vector<std::size_t>(p.shape.size(), 0), p.shape}, *p.numbers);
+    file_.close();
+  }
+
+ private:
+  /// One dimension a length, shared by all arrays of it.
+  int dimension(std::size_t length) {
+    const auto [found, fresh] = dimensions_.try_emplace(length, -1);
+    if (fresh) found->second = file_.dimension(fmt::format("of_{}", length), length);
+    return found->second;
+  }
+  NetcdfFile file_;
+  std::map<std::size_t, int> dimensions_;
+  std::vector<Pending> pending_;
+};
+
+void write(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  const auto history = flat(checkpoint.records), dues = flat(checkpoint.dues);
+  const std::vector<double> run{checkpoint.time, static_cast<double>(checkpoint.point_snapshots),
+                                static_cast<double>(checkpoint.grid_snapshots)};
+  Writer writer(path, room_of(checkpoint));
+  writer.attributes(checkpoint);
+  for (const auto& [name, array] : checkpoint.state) writer.define(state_prefix + name, array, {array.size()});
+  writer.define("history", history, {checkpoint.records.size(), checkpoint.records.front().size()});
+  writer.define("dues", dues, {checkpoint.dues.size(), 2});
+  writer.define("run", run, {run.size()});
+  writer.put_all();
+}
+
+SavedState read_state(const NetcdfInput& file) {
+  SavedState state;
+  for (const auto& name : file.variables()) {
+    if (name.starts_with(state_prefix)) state[name.substr(state_prefix.size())] = file.numbers(name);
+  }
+  return state;
+}
+
+std::vector<Record> read_records(const NetcdfInput& file) {
+  const auto shape = file.shape("history");
+  std::vector<Record> records;
+  for (std::size_t k = 0; k < shape[0]; ++k) records.push_back(file.numbers("history", {{k, 0}, {1, shape[1]}}));
+  return records;
+}
+
+std::vector<SavedDue> read_dues(const NetcdfInput& file) {
+  const auto numbers = file.numbers("dues");
+  std::vector<SavedDue> dues;
+  for (std::size_t k = 0; k + 1 < numbers.size(); k += 2) dues.push_back({numbers[k], numbers[k + 1]});
+  return dues;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  auto fresh = path;
+  fresh += ".new";
+  try {
+    write(fresh, checkpoint);
+    seal(fresh);
+    put_in_place(fresh, path);
+  } catch (const FileError&) {
+    std::error_code ignored;
+    std::filesystem::remove(fresh, ignored);
+    throw;
+  }
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  const std::string broken = broken_seal(path);
+  if (!broken.empty()) throw FileError(fmt::format("{}: {}", path.string(), broken));
+  const NetcdfInput file(path);
+  if (file.global_attribute("checkpoint_format") != format) {
+    throw FileError(fmt::format("{}: another version of the program wrote it, {}", path.string(),
+                                file.global_attribute("program")));
+  }
+  Checkpoint checkpoint;
+  checkpoint.provenance.title = file.global_attribute("title");
+  checkpoint.deck_effective = file.global_attribute("deck_effective");
+  checkpoint.state = read_state(file);
+  checkpoint.records = read_records(file);
+  checkpoint.dues = read_dues(file);
+  checkpoint.messages = split_lines(file.global_attribute("messages"));
+  checkpoint.cpu_seconds = std::stod(file.global_attribute("cpu_seconds"));
+  checkpoint.wall_seconds = std::stod(file.global_attribute("wall_seconds"));
+  const auto run = file.numbers("run");
+  checkpoint.time = run.at(0);
+  checkpoint.point_snapshots = static_cast<std::size_t>(run.at(1));
+  checkpoint.grid_snapshots = static_cast<std::size_t>(run.at(2));
+  return checkpoint;
+}
+
+}  // namespace tether

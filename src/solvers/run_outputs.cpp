@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/run_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "results/earlier_snapshots.hpp"
+
+namespace tether {
+namespace {
+
+/// The folder that a checkpoint's run wrote into.
+std::filesystem::path folder_of(const std::filesystem::path& checkpoint) {
+  return checkpoint.has_parent_path() ? checkpoint.parent_path() : ".";
+}
+
+/// A run that goes on in its own folder must not lose the snapshots that stand there.
+EarlierSnapshots earlier_snapshots(const RunRequest& request) {
+  std::error_code of_a_folder_that_is_not_there;
+  const bool same = !request.restart.empty() && std::filesystem::equivalent(folder_of(request.restart), request.folder,
+                                                                            of_a_folder_that_is_not_there);
+  return same ? EarlierSnapshots::set_aside : EarlierSnapshots::removed;
+}
+
+}  // namespace
+
+RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver& solver)
+    : plan_(plan),
+      request_(request),
+      solver_(solver),
+      folder_(request.folder, solver.history_layout(), request.provenance, earlier_snapshots(request)),
+      history_{solver.history_layout(), {}},
+      history_due_(plan.scene.outputs.history),
+      points_due_(plan.scene.outputs.points),
+      grid_due_(plan.scene.outputs.grid),
+      checkpoint_due_(plan.scene.outputs.checkpoint) {
+  folder_.deck_effective(request.deck_effective);
+  for (const auto& message : request.messages) note(message);
+  for (const auto& warning : plan.warnings) note("warning: " + warning);
+}
+
+void RunOutputs::write_the_start() {
+  write(solver_.record());
+  write_points();
+  write_grid();
+}
+
+double RunOutputs::next() const {
+  return std::min({history_due_.next(), points_due_.next(), grid_due_.next(), checkpoint_due_.next()});
+}
+
+void RunOutputs::write_what_is_due(bool end) {
+  const double time = solver_.time();
+  if (history_due_.passed(time) || end) write(solver_.record());
+  if (points_due_.passed(time) || end) write_points();
+  if (grid_due_.passed(time) || end) write_grid();
+}
+
+bool RunOutputs::takes_checkpoint(bool end) {
+  const bool last = end && plan_.scene.outputs.checkpoint > 0;
+  return checkpoint_due_.passed(solver_.time()) || last;
+}
+
+void RunOutputs::warn(const std::string& text) {
+  keep("warning: " + text);
+  if (request_.warn) request_.warn(text);
+}
+
+void RunOutputs::keep(const std::string& line) {
+  note(line);
+  messages_.push_back(line);
+}
+
+void RunOutputs::save(Checkpoint& checkpoint) const {
+  checkpoint.records = history_.records;
+  for (const Due* due : {&history_due_, &points_due_, &grid_due_, &checkpoint_due_}) {
+    checkpoint.dues.push_back(due->save());
+  }
+  checkpoint.point_snapshots = point_snapshots_, checkpoint.grid_snapshots = grid_snapshots_;
+  checkpoint.messages = messages_;
+}
+
+void RunOutputs::restore(const Checkpoint& checkpoint) {
+  for (const Record& record : checkpoint.records) write(record);
+  for (const auto& message : checkpoint.messages) keep(message);
+  const std::array dues{&history_due_, &points_due_, &grid_due_, &checkpoint_due_};
+  for (std::size_t k = 0; k < dues.size(); ++k) dues[k]->restore(checkpoint.dues.at(k), checkpoint.time);
+  note(fmt::format("goes on from {} at t = {:.6g}", request_.restart.string(), checkpoint.time));
+  take_snapshots_over(checkpoint);
+}
+
+void RunOutputs::take_snapshots_over(const Checkpoint& checkpoint) {
+  const auto from = folder_of(request_.restart);
+  last_points_ = solver_.points();
+  const std::array lost{
+      replay_snapshots(ResultFolder::earlier_snapshots(from, "particles.nc"), last_points_, checkpoint.point_snapshots,
+                       [this](const Snapshot& snapshot) { write_points(snapshot); }),
+      replay_snapshots(ResultFolder::earlier_snapshots(from, "mesh.nc"), solver_.grid(), checkpoint.grid_snapshots,
+                       [this](const Snapshot& snapshot) { write_grid(snapshot); })};
+  for (const auto& message : lost) {
+    if (!message.empty()) warn(message);
+  }
+  folder_.remove_what_was_set_aside();
+}
+
+void RunOutputs::write(Record record) {
+  folder_.append(record);
+  history_.records.push_back(std::move(record));
+}
+
+void RunOutputs::write_points() {
+  last_points_ = solver_.points();
+  write_points(last_points_);
+}
+
+void RunOutputs::write_points(const Snapshot& snapshot) {
+  folder_.points(snapshot);
+  ++point_snapshots_;
+}
+
+void RunOutputs::write_grid() {
+  if (plan_.scene.outputs.grid > 0) write_grid(solver_.grid());
+}
+
+void RunOutputs::write_grid(const Snapshot& snapshot) {
+  folder_.grid(plan_.scene.grid, snapshot);
+  ++grid_snapshots_;
+}
+
+}  // namespace tether

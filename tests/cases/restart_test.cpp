@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A run that was interrupted at random steps, and each time went on from its checkpoint, leaves the same numbers as one
+// that was not, to the last bit: in every variable of history, snapshots and the final checkpoint, for every deck.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+#include "base/errors.hpp"
+#include "plan/load.hpp"
+#include "results/checkpoint.hpp"
+#include "results/netcdf_input.hpp"
+#include "solvers/run.hpp"
+#include "unit/temporary_folder.hpp"
+
+namespace tether::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int steps_a_deck = 5;
+
+struct Case {
+  std::string deck;
+  std::string order;  ///< of the stress update
+  std::string name() const {
+    std::string text = deck + "_" + order;
+    std::replace(text.begin(), text.end(), '-', '_');
+    return text;
+  }
+};
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name(); }
+
+class Restart : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / fmt::format("tether-restart-{}-{}", GetParam().name(), ::getpid());
+    tmax_ = loaded({}).plan.scene.clock.tmax;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Loaded loaded(std::vector<std::string> overrides) const {
+    overrides.push_back("mpm.order='" + GetParam().order + "'");
+    return load(fmt::format("{}/decks/{}.in", TETHER_SOURCE_DIR, GetParam().deck), {overrides, "", "mpm"});
+  }
+  /// All kinds of output; a checkpoint at this time and at the end.
+  Loaded with_outputs(double checkpoint_at) const {
+    const double some = tmax_ / 7;
+    return loaded({"in.iout(41)=1", fmt::format("in.tiout(41)={}", checkpoint_at), "in.iout(13)=1",
+                   fmt::format("in.tiout(13)={}", some), "in.iout(39)=1", fmt::format("in.tiout(39)={}", some)});
+  }
+  fs::path run_whole() const {
+    const Loaded deck = with_outputs(tmax_);
+    run(deck.plan, request_of(deck, folder_ / "whole", ""));
+    return folder_ / "whole";
+  }
+  /// Goes on from a checkpoint (from the start without one), stops at the first step that reaches the time, and returns
+  /// the checkpoint of that step.
+  fs::path run_until(double time, const fs::path& from) const {
+    const Loaded deck = with_outputs(time);
+    RunRequest request = request_of(deck, folder_ / "parts", "");
+    double reached = 0;
+    request.restart = from;
+    request.progress = [&reached](const Progress& progress) { reached = progress.time; };
+    request.interrupted = [&reached, time] { return reached >= time * (1 - 1e-9) ? SIGTERM : 0; };
+    EXPECT_THROW(run(deck.plan, request), Interrupted);
+    return checkpoints_in(folder_ / "parts").at(0);
+  }
+  void run_to_the_end(const fs::path& from) const {
+    const Loaded deck = with_outputs(tmax_);
+    RunRequest request = request_of(deck, folder_ / "parts", "");
+    request.restart = from;
+    run(deck.plan, request);
+  }
+  /// Random times in order, the last at least a step before the end.
+  std::vector<double> random_times() const {
+    std::mt19937 random(std::hash<std::string>{}(GetParam().name()));
+    const double last = tmax_ - 1.5 * loaded({}).plan.step.deck_step;
+    std::uniform_real_distribution<double> any(0.001 * tmax_, last);
+    std::vector<double> times(steps_a_deck);
+    for (double& time : times) time = any(random);
+    std::sort(times.begin(), times.end());
+    return times;
+  }
+
+  fs::path folder_;
+  double tmax_ = 0;
+};
+
+void expect_same_bits(const fs::path& a, const fs::path& b) {
+  const NetcdfInput left(a), right(b);
+  ASSERT_EQ(left.variables(), right.variables()) << b;
+  for (const auto& name : left.variables()) {
+    if (name.ends_with("_name")) continue;  // of bodies and points: text
+    const auto x = left.numbers(name), y = right.numbers(name);
+    ASSERT_EQ(x.size(), y.size()) << name << " of " << b;
+    EXPECT_EQ(std::memcmp(x.data(), y.data(), x.size() * sizeof(double)), 0) << name << " of " << b;
+  }
+}
+
+TEST_P(Restart, GoesOnToTheLastBitFromRandomSteps) {
+  const fs::path whole = run_whole(), parts = folder_ / "parts";
+  fs::path checkpoint;
+  for (const double time : random_times()) {
+    checkpoint = run_until(time, checkpoint);
+    const Checkpoint at = read_checkpoint(checkpoint);
+    fmt::print("{}: stopped after step {}, t = {:.6g} of {:.6g}\n", GetParam().name(), at.state.at("steps").front(),
+               at.time, tmax_);
+  }
+  run_to_the_end(checkpoint);
+  for (const char* file : {"history.nc", "particles.nc", "mesh.nc"}) expect_same_bits(whole / file, parts / file);
+  expect_same_bits(checkpoints_in(whole).at(0), checkpoints_in(parts).at(0));
+}
+
+/// Every deck in the thesis' order of the stress update, a solid and a gas in the others, too.
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const auto& entry : fs::directory_iterator(fs::path(TETHER_SOURCE_DIR) / "decks")) {
+    if (entry.path().extension() == ".in") cases.push_back({entry.path().stem(), "musl"});
+  }
+  for (const char* order : {"usf", "usl"}) {
+    for (const char* deck : {"sod", "noise"}) cases.push_back({deck, order});
+  }
+  std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.name() < b.name(); });
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryDeck, Restart, testing::ValuesIn(all_cases()),
+                         [](const auto& info) { return info.param.name(); });
+
+}  // namespace
+}  // namespace tether::cases

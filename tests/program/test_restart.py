@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checkpoints as users meet them: iout(41), a signal, a kill, a damaged file, another deck."""
+import hashlib
+import os
+import pathlib
+import random
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+import numpy
+
+from program import DECKS, TETHER, ProgramTest, history, netcdf, run, sets
+
+SECONDS_TO_STOP = 5  # from the signal to the end of the program
+KILLS = 50
+
+# A run of some seconds, that writes checkpoints all the time.
+LONG = (DECKS / "sod.in", *sets(**{"in__nx": 201, "in__tstep": 5e-6, "in__iout(33)": 1, "in__tiout(33)": 1e-4}))
+
+
+def checkpoints(folder):
+    """The folder's checkpoints, the newest first."""
+    numbered = [(int(re.fullmatch(r"checkpoint-(\d+)", path.stem)[1]), path) for path in folder.glob("checkpoint-*.nc")]
+    return [path for _, path in sorted(numbered, reverse=True)]
+
+
+def is_whole(path):
+    """Whether the checksum in the file fits the file, as anyone may check it."""
+    data = path.read_bytes()
+    told = re.search(rb"checksum\0\0\0\x02\0\0\0\x40([0-9a-f]{64})", data)
+    return hashlib.sha256(data.replace(told[1], b"0" * 64, 1)).hexdigest().encode() == told[1]
+
+
+class Restart(ProgramTest):
+    def start(self, *options, out="out"):
+        """Starts the long run; returns its process and folder."""
+        folder = self.folder / out
+        process = subprocess.Popen([TETHER, *map(str, LONG), "--out", folder, "--quiet", *map(str, options)],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8")
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process, folder
+
+    def wait_for(self, path, process):
+        while not path.exists():
+            self.assertIsNone(process.poll(), "the run ended too soon")
+            time.sleep(0.01)
+
+    def same_numbers(self, whole, parts):
+        for name in ("history.nc", "particles.nc"):
+            left, right = netcdf(whole / name), netcdf(parts / name)
+            self.assertEqual(left.keys(), right.keys())
+            for variable in left:
+                self.assertEqual(left[variable].tobytes(), right[variable].tobytes(), f"{variable} of {name}")
+
+    def test_a_signal_ends_the_run_with_a_checkpoint_from_which_it_goes_on(self):
+        whole = self.run_ok(*LONG, out="whole")
+        for number in (signal.SIGTERM, signal.SIGINT):
+            process, folder = self.start(out=number.name)
+            self.wait_for(folder / "history.txt", process)
+            time.sleep(0.2)
+            process.send_signal(number)
+            began = time.monotonic()
+            _, stderr = process.communicate(timeout=60)
+            self.assertLess(time.monotonic() - began, SECONDS_TO_STOP)
+            self.assertEqual(process.returncode, 128 + number)
+            newest = checkpoints(folder)[0]
+            self.assertIn(f"goes on with --restart {newest}", stderr)
+            self.assertFalse((folder / "summary.txt").exists())
+            self.run_ok(*LONG, "--restart", newest, out=number.name)
+            self.same_numbers(whole, folder)
+            self.assertIn("goes on from", (folder / "messages.txt").read_text())
+            self.assertEqual(list(folder.glob("*.earlier")), [])
+
+    def test_a_signal_leaves_the_decks_that_follow_alone(self):
+        process, folder = self.start(DECKS / "spring-mass.in")
+        self.wait_for(folder / "sod" / "history.txt", process)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(), 143)
+        self.assertFalse((folder / "spring-mass").exists())
+
+    def test_after_a_kill_the_newest_checkpoint_loads_and_the_history_reads_up_to_it(self):
+        draw = random.Random(41)
+        options = sets(**{"in__iout(41)": 1, "in__tiout(41)": 5e-5})
+        with_checkpoints = 0
+        for kill in range(KILLS):
+            process, folder = self.start(*options, out=f"kill-{kill}")
+            time.sleep(draw.uniform(0.02, 0.5))
+            process.kill()
+            process.wait()
+            found = checkpoints(folder)
+            self.assertLessEqual(len(found), 3)  # the third is removed after the new one is in its place
+            for path in found:
+                self.assertTrue(is_whole(path), f"kill {kill}: {path}")
+                self.expect(0, *LONG, *options, "--restart", path, "--dry-run", "--quiet")
+            if found:
+                with_checkpoints += 1
+                kept = netcdf(found[0])["history"]
+                columns = history(folder)
+                self.assertTrue(numpy.array_equal(kept.T, [column[:len(kept)] for column in columns.values()]))
+                self.assertTrue(numpy.array_equal(netcdf(folder / "history.nc")["time"][:len(kept)], kept[:, 0]))
+        print(f"{KILLS} kills, {with_checkpoints} with a checkpoint, every one of them whole", flush=True)
+        self.assertGreater(with_checkpoints, KILLS // 2)
+
+    def test_a_kill_during_the_restart_costs_nothing(self):
+        options = sets(**{"in__iout(13)": 1, "in__tiout(13)": 2e-3})
+        whole = self.run_ok(*LONG, *options, out="whole")
+        process, folder = self.start(*options)
+        self.wait_for(folder / "particles.xmf", process)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(), 143)
+        newest = checkpoints(folder)[0]
+        for patience in (0.01, 0.03, 0.05, 0.08, 0.12, 0.2):
+            process, _ = self.start(*options, "--restart", newest)
+            time.sleep(patience)
+            process.kill()
+            process.wait()
+        self.run_ok(*LONG, *options, "--restart", newest, out="out")
+        self.same_numbers(whole, folder)
+
+    def test_a_switch_writes_them_and_the_two_newest_stay(self):
+        deck = DECKS / "spring-mass.in"
+        folder = self.run_ok(deck, *sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.01}))
+        self.assertEqual([path.name for path in checkpoints(folder)], ["checkpoint-11.nc", "checkpoint-10.nc"])
+        state = [netcdf(path) for path in checkpoints(folder)]
+        self.assertEqual([round(float(values["state_time"][0]), 4) for values in state], [0.101, 0.1])
+        self.assertEqual(self.expect(2, deck, *sets(**{"in__iout(41)": 1})).stderr.count("needs its interval"), 1)
+
+    def test_a_finished_run_can_be_made_longer(self):
+        deck = DECKS / "spring-mass.in"
+        options = sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.02, "in__iout(33)": 1, "in__tiout(33)": 0.001})
+        folder = self.run_ok(deck, *options)
+        newest = checkpoints(folder)[0]
+        before = history(folder)["time"]
+        self.run_ok(deck, *options, "--restart", newest, *sets(in__tmax=0.15))
+        after = history(folder)["time"]
+        self.assertTrue(numpy.array_equal(after[:len(before)], before))
+        self.assertEqual(after[-1], 0.15)
+
+    def test_another_folder_gets_all_of_it(self):
+        whole = self.run_ok(*LONG, out="whole")
+        process, folder = self.start()
+        self.wait_for(folder / "history.txt", process)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGTERM)
+        process.wait()
+        before = (folder / "history.txt").read_bytes()
+        self.run_ok(*LONG, "--restart", checkpoints(folder)[0], out="elsewhere")
+        self.same_numbers(whole, self.folder / "elsewhere")
+        self.assertEqual((folder / "history.txt").read_bytes(), before)
+
+    def test_lost_snapshots_are_told_and_the_run_goes_on(self):
+        process, folder = self.start()
+        self.wait_for(folder / "history.txt", process)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGTERM)
+        process.wait()
+        (folder / "particles.nc").write_bytes(b"no NetCDF")
+        result = self.expect(0, *LONG, "--out", folder, "--restart", checkpoints(folder)[0])
+        self.assertIn("1 of 1 earlier snapshots are lost", result.stderr)
+
+    def with_checkpoints(self):
+        deck = DECKS / "spring-mass.in"
+        options = sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.02})
+        return deck, options, checkpoints(self.run_ok(deck, *options))
+
+    def test_a_damaged_one_is_refused_and_the_older_offered(self):
+        deck, options, (newest, older) = self.with_checkpoints()
+        data = bytearray(newest.read_bytes())
+        data[len(data) // 2] ^= 1
+        newest.write_bytes(data)
+        before = sorted(os.listdir(newest.parent))
+        result = self.expect(4, deck, *options, "--out", newest.parent, "--restart", newest)
+        self.assertIn(f"{newest}: it is damaged: its checksum does not fit; {older.name} is whole", result.stderr)
+        self.assertIn(f"--restart {older}", result.stderr)
+        self.assertEqual(sorted(os.listdir(newest.parent)), before)
+
+    def test_the_checkpoint_of_another_run_is_refused(self):
+        deck, options, (newest, _) = self.with_checkpoints()
+        summary = (newest.parent / "summary.txt").read_bytes()
+        result = self.expect(2, deck, *options, "--out", newest.parent, "--restart", newest,
+                             *sets(in__nx=3, in__gravc=-10.0))
+        self.assertRegex(result.stderr, r"in\.nx was \d+ in the run of the checkpoint and is 3 in the deck")
+        self.assertIn("in.gravc was", result.stderr)
+        self.assertIn("only in.tmax, in.iout and in.tiout may differ", result.stderr)
+        self.assertEqual((newest.parent / "summary.txt").read_bytes(), summary)
+        other = self.expect(2, DECKS / "string-mass.in", "--restart", newest, "--out", self.folder / "other")
+        self.assertIn("particle data", other.stderr)
+        self.assertFalse((self.folder / "other").exists())
+
+    def test_what_is_no_checkpoint_is_refused(self):
+        deck = DECKS / "spring-mass.in"
+        for path, words in ((deck, "it is no checkpoint"), (self.folder / "nowhere.nc", "cannot be opened")):
+            result = self.expect(4, deck, "--restart", path, "--out", self.folder / "out")
+            self.assertIn(words, result.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_a_restart_is_of_one_deck(self):
+        result = self.expect(2, DECKS / "sod.in", DECKS / "spring-mass.in", "--restart", "x.nc")
+        self.assertIn("--restart goes with one deck", result.stderr)
+
+    def test_a_lost_point_names_the_last_checkpoint(self):
+        options = sets(**{"mpm__cfl": 0, "in__tstep": 1.7e-5, "in__dtmax": 1.7e-5, "in__iout(41)": 1,
+                          "in__tiout(41)": 5e-5})
+        folder = self.folder / "out"
+        result = self.expect(3, DECKS / "piston-m1.in", *options, "--out", folder)
+        newest = checkpoints(folder)[0]
+        self.assertIn(f"last good checkpoint: {newest} (t = ", result.stderr)
+        self.assertIn("last good checkpoint", (folder / "messages.txt").read_text())
+
+    def test_a_new_run_leaves_the_checkpoints_of_the_one_before_until_it_has_its_own(self):
+        deck, options, found = self.with_checkpoints()
+        names = [path.name for path in found]
+        folder = self.run_ok(deck)
+        self.assertEqual([path.name for path in checkpoints(folder)], names)
+        self.run_ok(deck, *options)
+        self.assertEqual([path.name for path in checkpoints(folder)], ["checkpoint-12.nc", "checkpoint-11.nc"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/restart.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/diagnostics.hpp"
+#include "solvers/due.hpp"
+#include "unit/temporary_folder.hpp"
+
+namespace tether {
+namespace {
+
+class CheckpointFor : public test::TemporaryFolder {
+ protected:
+  std::filesystem::path checkpoint_of(const std::string& deck) const {
+    Checkpoint checkpoint;
+    checkpoint.deck_effective = deck;
+    checkpoint.records = {{0}};
+    write_checkpoint(folder / "c.nc", checkpoint);
+    return folder / "c.nc";
+  }
+  std::vector<std::string> differences(const std::string& before, const std::string& now) const {
+    std::vector<std::string> texts;
+    try {
+      checkpoint_for(checkpoint_of(before), now);
+    } catch (const InputError& error) {
+      for (const auto& diagnostic : error.diagnostics()) texts.push_back(diagnostic.message);
+    }
+    return texts;
+  }
+};
+
+TEST_F(CheckpointFor, TheSameDeckIsRead) {
+  EXPECT_TRUE(differences("$in nx=3 $", "other title\n$in nx=3 $").empty());
+  EXPECT_EQ(checkpoint_for(folder / "c.nc", "$in nx=3 $").deck_effective, "$in nx=3 $");
+}
+
+TEST_F(CheckpointFor, TheEndAndTheOutputsMayDiffer) {
+  EXPECT_TRUE(
+      differences("$in nx=3,tmax=1.,iout(33)=1,tiout(33)=.1 $", "$in nx=3,tmax=2.,iout(13)=1,tiout(13)=.2 $").empty());
+}
+
+TEST_F(CheckpointFor, VariablesWithoutEffectMayDiffer) {
+  EXPECT_TRUE(differences("$in nx=3,miter=3 $", "$in nx=3,miter=4 $").empty());
+}
+
+TEST_F(CheckpointFor, EveryOtherDifferenceIsTold) {
+  EXPECT_EQ(differences("$in nx=3,ny=4 $\n$reg nreg=1,rix(1)=2. $", "$in nx=5,ny=4,gravc=1. $"),
+            (std::vector<std::string>{"in.nx was 3 in the run of the checkpoint and is 5 in the deck",
+                                      "in.gravc was not given in the run of the checkpoint and is 1.0 in the deck",
+                                      "reg.nreg was 1 in the run of the checkpoint and is not given in the deck",
+                                      "reg.rix(1) was 2.0 in the run of the checkpoint and is not given in the deck",
+                                      "a restart goes on with the same deck"}));
+}
+
+TEST_F(CheckpointFor, ParticleDataMustBeTheSame) {
+  const auto found = differences("$in nx=3 $\n1 2 3\n", "$in nx=3 $\n1 2 4\n");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0], "the particle data are not those of the checkpoint's run");
+}
+
+TEST(Due, EveryMultipleOfTheInterval) {
+  Due due(0.25);
+  EXPECT_FALSE(due.passed(0.2));
+  EXPECT_TRUE(due.passed(0.25));
+  EXPECT_FALSE(due.passed(0.3));
+  EXPECT_TRUE(due.passed(0.8));  // .5 and .75 at once
+  EXPECT_NEAR(due.next(), 1, 1e-8);
+}
+
+TEST(Due, NeverForNoInterval) {
+  Due due(0);
+  EXPECT_FALSE(due.passed(1e300));
+}
+
+TEST(Due, GoesOnAsSaved) {
+  Due due(0.25);
+  EXPECT_TRUE(due.passed(0.6));
+  Due same(0.25), other(0.1);
+  same.restore(due.save(), 0.6);
+  other.restore(due.save(), 0.6);
+  EXPECT_EQ(same.next(), due.next());
+  EXPECT_NEAR(other.next(), 0.7, 1e-8);
+}
+
+}  // namespace
+}  // namespace tether
