@@ -151,7 +151,11 @@ void Assigner::item(const std::string& group, const Item& item, bool replaces, R
                   suggest_variable(group, name));
     return;
   }
-  if (item.broken || says_something(item)) mentioned_.insert(key_of(*variable));
+  if (item.broken || says_something(item)) {
+    mentioned_.insert(key_of(*variable));
+  } else {
+    left_empty_.try_emplace(key_of(*variable), remarks.place(item.name.line, item.name.column));
+  }
   if (!item.broken) values(*variable, item, replaces, remarks);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ class Assigner {
 
   /// "group.name" of all variables that the deck or an override tried to set, rightly or not.
   const std::set<std::string>& mentioned() const { return mentioned_; }
+  /// "group.name" of variables that have an item with null values only, and where.
+  const std::map<std::string, Place>& left_empty() const { return left_empty_; }
 
  private:
   void item(const std::string& group, const Item& item, bool replaces, Remarks& remarks);
@@ -29,6 +32,7 @@ class Assigner {
 
   Deck::Contents& contents_;
   std::set<std::string> mentioned_;
+  std::map<std::string, Place> left_empty_;
   long long budget_ = 500000;  ///< elements; beyond any use, but not beyond memory
 };
 

@@ -11,21 +11,14 @@
 namespace tether {
 namespace {
 
-void check_required(const Deck& deck, const std::set<std::string>& mentioned, Diagnostics& diagnostics) {
-  if (!deck.has_group("in")) {
-    diagnostics.error({deck.file(), 0, 0}, "", "there is no group $in", "A deck has at least: $in ... $");
-    return;
+/// A study tells of runs whose values stand in decks of their own.
+void check_study(const Deck& deck, Diagnostics& diagnostics) {
+  for (const auto& group : group_names()) {
+    if (group == study_group || !deck.has_group(group)) continue;
+    return diagnostics.add(deck.remark(Severity::error, study_group, "", {1, 1},
+                                       fmt::format("${} stands beside ${}", study_group, group),
+                                       "A study deck for 'tether sweep' has no other group; it names decks to run."));
   }
-  std::string missing;
-  int count = 0;
-  for (const auto& variable : variables()) {
-    if (!variable.required || mentioned.count(fmt::format("{}.{}", variable.group, variable.name)) > 0) continue;
-    if (deck.given(variable.group, variable.name)) continue;
-    missing += (count++ == 0 ? "" : ", ") + std::string(variable.name);
-  }
-  if (count == 0) return;
-  diagnostics.add(deck.remark(Severity::error, "in", "", {1, 1},
-                              fmt::format("$in lacks {}, which {} no default", missing, count == 1 ? "has" : "have")));
 }
 
 /// Box 12 sets vrx(2), Box 9 gives five nvi: of one and two regions.
@@ -101,8 +94,32 @@ void check_regrig(const Deck& deck, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_deck(const Deck& deck, const std::set<std::string>& mentioned, Diagnostics& diagnostics) {
-  check_required(deck, mentioned, diagnostics);
+void check_required(const Deck& deck, const std::set<std::string>& mentioned,
+                    const std::map<std::string, Place>& left_empty, Diagnostics& diagnostics) {
+  if (deck.is_study()) return;
+  if (!deck.has_group("in")) {
+    diagnostics.error({deck.file(), 0, 0}, "", "there is no group $in", "A deck has at least: $in ... $");
+    return;
+  }
+  std::string missing;
+  int count = 0;
+  for (const auto& variable : variables()) {
+    const auto key = fmt::format("{}.{}", variable.group, variable.name);
+    if (!variable.required || mentioned.count(key) > 0) continue;
+    if (const auto empty = left_empty.find(key); empty != left_empty.end()) {
+      diagnostics.error(empty->second, deck.line_text(empty->second),
+                        fmt::format("{} has no default: it needs a value", variable.name));
+      continue;
+    }
+    missing += (count++ == 0 ? "" : ", ") + std::string(variable.name);
+  }
+  if (count == 0) return;
+  diagnostics.add(deck.remark(Severity::error, "in", "", {1, 1},
+                              fmt::format("$in lacks {}, which {} no default", missing, count == 1 ? "has" : "have")));
+}
+
+void check_deck(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.is_study()) return check_study(deck, diagnostics);
   check_regions_beyond_nreg(deck, diagnostics);
   check_inner_ellipses(deck, diagnostics);
   check_vertices(deck, diagnostics);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "deck/opener.hpp"
 #include "deck/spelling.hpp"
 
 namespace tether {
@@ -25,6 +26,12 @@ Type get(const DeckValue& value, std::string_view group, std::string_view name) 
 Deck::Deck(Contents contents) : contents_(std::move(contents)) {}
 
 bool Deck::has_group(std::string_view group) const { return contents_.groups.count(std::string(group)) > 0; }
+
+std::vector<std::string> Deck::possible_groups() const {
+  auto groups = group_names();
+  std::erase_if(groups, [this](const std::string& group) { return (group == study_group) != is_study(); });
+  return groups;
+}
 
 const DeckValue* Deck::find(std::string_view group, std::string_view name, int i, int j) const {
   const auto variable = contents_.values.find(key_of(group, name));
@@ -82,7 +89,10 @@ Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) co
   Contents contents = contents_;
   contents.values.erase("in.particles");
   contents.trailer.text.clear();
-  for (const auto& line : particle_lines) contents.trailer.text += line + "\n";
+  for (const auto& line : particle_lines) {
+    if (opener_of(line)) break;  // no data begin so: this is a note behind them
+    contents.trailer.text += line + "\n";
+  }
   return Deck(std::move(contents));
 }
 

@@ -56,6 +56,10 @@ class Deck {
   const Trailer& trailer() const { return contents_.trailer; }
   const std::vector<std::string>& lines() const { return contents_.lines; }
   bool has_group(std::string_view group) const;
+  /// Whether it is a study deck, which tells of many runs and is none itself.
+  bool is_study() const { return has_group(study_group); }
+  /// The groups of the table that such a deck may have, in its order.
+  std::vector<std::string> possible_groups() const;
 
   // The value of an element, given or default. Throws std::logic_error where the table has no such variable, where it
   // is of another type, and where it has neither: ask given() first for a variable without a default.
@@ -73,7 +77,8 @@ class Deck {
   /// All elements the deck gives, in column-major order.
   std::vector<Subscript> given_elements(std::string_view group, std::string_view name) const;
 
-  /// The same deck with these lines of particle data behind its groups, in place of the file that it names.
+  /// The same deck with these lines of particle data behind its groups, in place of the file that it names; without the
+  /// notes behind the data from the first one on that would open a group.
   Deck with_particle_data(const std::vector<std::string>& particle_lines) const;
 
   /// Where an element was given; else where its group opens; else the file as a whole.

@@ -43,7 +43,7 @@ std::string assignments(const Deck& deck, const Variable& variable) {
 std::string effective_deck(const Deck& deck) {
   std::string text;
   for (const auto& line : deck.header()) text += line + "\n";
-  for (const auto& group : group_names()) {
+  for (const auto& group : deck.possible_groups()) {
     std::string items;
     for (const auto& variable : variables()) {
       if (variable.group == group) items += assignments(deck, variable);

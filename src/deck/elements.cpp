@@ -25,11 +25,10 @@ bool rank_is_right(const Variable& variable, const Item& item, Remarks& remarks)
   return false;
 }
 
-bool in_bounds(const Variable& variable, const Section& section, std::size_t direction, long long bound,
-               Remarks& remarks) {
+bool in_bounds(const Variable& variable, const Bound& bound, std::size_t direction, Remarks& remarks) {
   const int n = extent(variable, direction);
-  if (bound >= 1 && bound <= n) return true;
-  remarks.error(section.line, section.column, fmt::format("subscript {} of {} is out of range", bound, variable.name),
+  if (bound.value >= 1 && bound.value <= n) return true;
+  remarks.error(bound.line, bound.column, fmt::format("subscript {} of {} is out of range", bound.value, variable.name),
                 fmt::format("Subscript {} of {} goes from 1 to {}.", direction + 1, variable.name, n));
   return false;
 }
@@ -37,11 +36,10 @@ bool in_bounds(const Variable& variable, const Section& section, std::size_t dir
 /// Sets one direction of `elements` to a section first:last:step.
 bool set_section(const Variable& variable, const Section& section, std::size_t direction, Elements& elements,
                  Remarks& remarks) {
-  const long long first = section.first.value_or(1);
-  const long long last = section.range ? section.last.value_or(extent(variable, direction)) : first;
-  const long long step = section.step.value_or(1);
-  if (!in_bounds(variable, section, direction, first, remarks)) return false;
-  if (!in_bounds(variable, section, direction, last, remarks)) return false;
+  const Bound lower = section.first.value_or(Bound{1});
+  const Bound upper = section.range ? section.last.value_or(Bound{extent(variable, direction)}) : lower;
+  if (!in_bounds(variable, lower, direction, remarks) || !in_bounds(variable, upper, direction, remarks)) return false;
+  const long long first = lower.value, last = upper.value, step = section.step.value_or(Bound{1}).value;
   if (step == 0 || (last - first) / std::clamp(step, -1LL, 1LL) < 0) {
     remarks.error(section.line, section.column,
                   fmt::format("the section {}:{}:{} of {} has no elements", first, last, step, variable.name),

@@ -6,13 +6,17 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "deck/notes.hpp"
 #include "deck/opener.hpp"
 
 namespace tether {
 namespace {
 
 bool is_plain(char c) { return c > ' ' && c <= '~'; }
-bool ends_word(char c) { return !is_plain(c) || std::string_view(",;/=()!'\":").find(c) != std::string_view::npos; }
+bool ends_word(char c) { return !is_plain(c) || std::string_view(",;/=()!'\":$&").find(c) != std::string_view::npos; }
+
+/// What cannot follow a text in quotes: the text was closed too soon, or is not meant to be closed there.
+bool begins_value(char c) { return c == '\'' || c == '"' || !ends_word(c); }
 
 /// Control characters; bytes above ASCII may stand in quotes (names of files in UTF-8).
 bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
@@ -45,16 +49,16 @@ class Lexer {
   void word();
   void quoted_text();
   bool quoted_character(char quote, std::string& text);
-  void unclosed_quote(const Token& token);
+  bool misclosed(const Token& token);
+  std::string first_word_of(const Token& token);
   void odd_bytes();
   void semicolon();
-  void stray_lines(std::size_t first, std::size_t end);
+  void behind_terminator();
   Trailer trailer(std::size_t first) const;
 
   const std::vector<std::string>& lines_;
   Remarks& remarks_;
   std::size_t line_, end_, column_ = 0;
-  bool quote_left_open_ = false;
   std::vector<Token> tokens_;
 };
 
@@ -65,23 +69,25 @@ LexedDeck Lexer::deck() {
   while (line_ < end_) {
     const auto opener = opener_of(line());
     if (!opener) {
+      tell_of_hidden_opener(line(), line_number(), 0, remarks_);
       if (tokens_.empty()) result.header.push_back(line());
       next_line();
       continue;
     }
-    if (!tokens_.empty() && closed) stray_lines(outside, line_);
+    if (closed) tell_of_stray_lines(lines_, outside, line_, remarks_);
     open_group(*opener);
     closed = group_lines();
     outside = line_;
   }
   if (closed) result.trailer = trailer(outside);
+  if (end_ > 0) line_ = end_ - 1, column_ = line().size();  // what ends too soon is told behind the last line
   push(TokenKind::end_of_text);
   result.tokens = std::move(tokens_);
   return result;
 }
 
 std::vector<Token> Lexer::override_tokens() {
-  if (rest_of_line()) remarks_.error(line_number() - 1, 1, "a group ends in this override", "Write texts in quotes.");
+  if (rest_of_line()) remarks_.error(line_number(), 1, "a group ends in this override", "Write texts in quotes.");
   push(TokenKind::end_of_text);
   return std::move(tokens_);
 }
@@ -99,21 +105,32 @@ void Lexer::open_group(const Opener& opener) {
 /// Up to the group's terminator (true), the next opener or the end of the text (false).
 bool Lexer::group_lines() {
   while (line_ < end_) {
-    if (rest_of_line()) return true;
+    const bool closed = rest_of_line();
+    if (closed) behind_terminator();
     if (line_ < end_) next_line();
+    if (closed) return true;
     if (line_ < end_ && opener_of(line())) return false;
   }
   return false;
 }
 
-/// True when the group's terminator was found; the rest of its line is then passed over.
+/// True when the group's terminator was found.
 bool Lexer::rest_of_line() {
   while (in_line()) {
-    if (!piece()) continue;
-    next_line();
-    return true;
+    if (piece()) return true;
   }
   return false;
+}
+
+/// The rest of a terminator's line is passed over; what was hardly meant so is told.
+void Lexer::behind_terminator() {
+  const auto& end = tokens_.back();
+  const bool glued = line()[column_ - 1] == '/' && in_line() && !is_blank(here()) && here() != '!';
+  if (glued) {
+    remarks_.warn(end.line, end.column, "'/' ends the group; what stands behind it is not read",
+                  "No value has a '/', and a comment begins with '!'.");
+  }
+  tell_of_hidden_opener(line(), line_number(), column_, remarks_);
 }
 
 /// One token, or what is none; true for a terminator.
@@ -163,7 +180,10 @@ bool Lexer::piece() {
 bool Lexer::dollar() {
   const auto rest = trim(std::string_view(line()).substr(column_ + 1));
   const bool alone = rest.empty() || rest[0] == '!';
-  const bool named = lower(std::string_view(line()).substr(column_ + 1, 3)) == "end" && ends_name(line(), column_ + 4);
+  const bool named = lower(rest.substr(0, 3)) == "end" && ends_name(rest, 3);
+  if (named && is_blank(line()[column_ + 1])) {
+    remarks_.error(line_number(), column_number(), "blanks before 'end'", fmt::format("Write '{}end'.", here()));
+  }
   if (alone || named) {
     push_mark(TokenKind::terminator);
     return true;
@@ -190,7 +210,7 @@ void Lexer::quoted_text() {
   ++column_;
   std::string text;
   while (line_ < end_ && quoted_character(quote, text)) continue;
-  if (line_ == end_) unclosed_quote(tokens_.back());
+  if (misclosed(tokens_.back()) && line_number() > tokens_.back().line) text = first_word_of(tokens_.back());
   tokens_.back().text = std::move(text);
 }
 
@@ -212,13 +232,24 @@ bool Lexer::quoted_character(char quote, std::string& text) {
   return true;
 }
 
-/// Goes on behind the line where the quote opened; but only once, for no text is read over and over.
-void Lexer::unclosed_quote(const Token& token) {
-  remarks_.error(token.line, token.column, "this quote is never closed", "End the text with the same quote.");
-  if (quote_left_open_) return;
-  quote_left_open_ = true;
+/// Tells of a text that is not closed, or whose closing quote cannot be meant to be one.
+bool Lexer::misclosed(const Token& token) {
+  if (line_ == end_) {
+    remarks_.error(token.line, token.column, "this quote is never closed", "End the text with the same quote.");
+    return true;
+  }
+  if (!in_line() || !begins_value(here())) return false;
+  remarks_.error(token.line, token.column, fmt::format("'{}' right behind the quote that closes this text", here()),
+                 "Is it closed where it should be? A quote inside a text is written twice: 'it''s'.");
+  return true;
+}
+
+/// Goes back to where the text began: more than its first word may be what follows it in the deck.
+std::string Lexer::first_word_of(const Token& token) {
   line_ = static_cast<std::size_t>(token.line) - 1;
-  column_ = line().size();
+  const auto start = static_cast<std::size_t>(token.column);
+  column_ = std::min(line().find_first_of(" \t,;", start), line().size());
+  return line().substr(start, column_ - start);
 }
 
 /// A run of bytes that are no plain text: one error, then they count as blanks.
@@ -239,16 +270,6 @@ void Lexer::odd_bytes() {
 void Lexer::semicolon() {
   remarks_.warn(line_number(), column_number(), "';' is taken for a comma");
   push_mark(TokenKind::comma);
-}
-
-/// Text between two groups says nothing; an assignment there was meant to.
-void Lexer::stray_lines(std::size_t first, std::size_t end) {
-  for (auto k = first; k < end; ++k) {
-    const auto content = trim(lines_[k]);
-    if (content.empty() || content[0] == '!') continue;
-    remarks_.warn(static_cast<int>(k) + 1, 1, "text between two groups is ignored");
-    return;
-  }
 }
 
 Trailer Lexer::trailer(std::size_t first) const {

@@ -74,7 +74,7 @@ std::string or_dash(std::string_view text) { return text.empty() ? "-" : std::st
 
 std::string check_listing(const Deck& deck) {
   std::string text;
-  for (const auto& group : group_names()) {
+  for (const auto& group : deck.possible_groups()) {
     text += fmt::format("${}{}\n", group, deck.has_group(group) ? "" : " (not in the deck)");
     for (const auto& variable : variables()) {
       if (variable.group == group) text += check_lines(deck, variable);

@@ -58,7 +58,7 @@ class Parser {
   Item item();
   bool subscripts(Item& item);
   bool section(Section& section);
-  bool bound(std::optional<long long>& value);
+  bool bound(std::optional<Bound>& bound);
   bool values(Item& item);
   void value(Item& item);
   void count(ItemValue& value, const Token& token, std::size_t star);
@@ -129,7 +129,8 @@ Item Parser::item() {
   ++at_;
   result.broken = is(open) && !subscripts(result);
   if (!result.broken && !is(equals)) {
-    error(here(), fmt::format("'=' is missing behind {}", in_quotes(result.name.text)), "An item is: name = value.");
+    error(result.name, fmt::format("'=' is missing behind {}", in_quotes(result.name.text)),
+          "An item is: name = value.");
     result.broken = true;
   }
   if (!result.broken) ++at_;
@@ -172,11 +173,13 @@ bool Parser::section(Section& section) {
 }
 
 /// An integer, or nothing where another token stands; false for a word that is none.
-bool Parser::bound(std::optional<long long>& value) {
+bool Parser::bound(std::optional<Bound>& bound) {
   if (!is(word)) return true;
-  value = parse_integer(here().text);
-  if (value) ++at_;
-  return value.has_value();
+  const auto value = parse_integer(here().text);
+  if (!value) return false;
+  bound = Bound{*value, here().line, here().column};
+  ++at_;
+  return true;
 }
 
 /// Up to the next item or the group's end. A comma that no value stands before makes a null value.

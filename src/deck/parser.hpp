@@ -9,9 +9,15 @@
 
 namespace tether {
 
+/// A number of a subscript and where it stands.
+struct Bound {
+  long long value = 1;
+  int line = 0, column = 0;
+};
+
 /// A subscript: i, or first:last:step with any of them left out.
 struct Section {
-  std::optional<long long> first, last, step;
+  std::optional<Bound> first, last, step;
   bool range = false;  ///< there was a ':'
   int line = 0, column = 0;
 };

@@ -59,8 +59,10 @@ Deck read_deck(std::string_view text, const std::string& file, const std::vector
   read_overrides(overrides, assigner, found);
 
   Deck deck(std::move(contents));
-  check_deck(deck, assigner.mentioned(), found);
+  check_deck(deck, found);
   add_in_order(found, diagnostics);
+  // Last, for what is missing may be so by a mistake that was told of, such as a group that ended too soon.
+  check_required(deck, assigner.mentioned(), assigner.left_empty(), diagnostics);
   return deck;
 }
 

@@ -38,9 +38,9 @@ std::string suggest_variable(const std::string& group, const std::string& name) 
   const auto owner = group_of(name);
   if (!owner.empty()) return fmt::format("'{}' belongs to group ${}.", name, owner);
   auto near = nearest_name(name, names_of(group), changes_allowed(name));
-  if (!near.empty()) return fmt::format("Did you mean '{}' (group ${})?", near, group);
-  near = nearest_name(name, names_of(""), changes_allowed(name));
-  return near.empty() ? "" : fmt::format("Did you mean '{}' (group ${})?", near, group_of(near));
+  const auto home = near.empty() ? "" : group;
+  if (near.empty()) near = nearest_name(name, names_of(""), changes_allowed(name));
+  return near.empty() ? "" : fmt::format("Did you mean '{}' (group ${})?", near, home.empty() ? group_of(near) : home);
 }
 
 std::string suggest_group(const std::string& name) {

@@ -37,6 +37,9 @@ const Variable* find_variable(std::string_view group, std::string_view name);
 std::vector<std::string> group_names();
 bool is_group(std::string_view name);
 
+/// The group of study decks, which have no other.
+constexpr std::string_view study_group = "study";
+
 // Sizes of the old code's arrays.
 constexpr int region_count = 20;       ///< regions
 constexpr int vertex_count = 20;       ///< vertices of a region

@@ -17,6 +17,10 @@ Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics&
 }
 
 Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+  if (deck.is_study() && !diagnostics.has_errors()) {
+    diagnostics.add(deck.remark(Severity::error, study_group, "", {1, 1}, "this is a study of many runs, none itself",
+                                "tether sweep runs it; with --dry-run it lists the runs"));
+  }
   if (!deck.complete()) diagnostics.throw_if_errors();  // without a grid and a clock there is no scene to look at
   std::optional<std::filesystem::path> given;
   if (!options.particles.empty()) given = options.particles;

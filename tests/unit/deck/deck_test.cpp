@@ -44,6 +44,9 @@ TEST(Deck, ProgrammersMistakes) {
   EXPECT_THROW(deck.integer("in", "nosuch"), std::logic_error);
   EXPECT_THROW(deck.integer("in", "tmax"), std::logic_error);
   EXPECT_THROW(deck.real("in", "dtmax"), std::logic_error);
+  EXPECT_THROW(deck.real("in", "nx"), std::logic_error);
+  EXPECT_THROW(deck.logical("in", "tmax"), std::logic_error);
+  EXPECT_THROW(deck.text("in", "wl"), std::logic_error);
 }
 
 TEST(Variables, TheTableIsConsistent) {
@@ -66,14 +69,15 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
   for (const auto& variable : variables()) {
     if (variable.fallback.empty()) continue;
     const std::string name(variable.name), subscript = variable.rank == 0 ? "" : variable.rank == 1 ? "(1)" : "(1,1)";
-    const auto reading = read(
-        with_in("$\n"), {std::string(variable.group) + "." + name + subscript + "=" + std::string(variable.fallback)});
+    const auto reading =
+        read(variable.group == study_group ? "$study\n$\n" : with_in("$\n"),
+             {std::string(variable.group) + "." + name + subscript + "=" + std::string(variable.fallback)});
     EXPECT_EQ(reading.errors(), Texts{}) << name;
   }
 }
 
 TEST(Variables, GroupsInTheirOrder) {
-  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "points", "membrane", "mpm", "reference"}));
+  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "points", "membrane", "mpm", "reference", "study"}));
 }
 
 }  // namespace

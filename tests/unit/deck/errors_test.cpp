@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"methd=0 foo bar", {"3:9: methd takes one value, this is one too many"}},
                     Mistake{"wl 4", {"3:1: '=' is missing behind 'wl'"}},
                     Mistake{"wl=4 wr 5", {"3:6: '=' is missing behind 'wr'"}},
-                    Mistake{"iout(13) 1\nwt=7", {"3:10: '=' is missing behind 'iout'", "4:4: wt = 7 is out of range"}},
+                    Mistake{"iout(13) 1\nwt=7", {"3:1: '=' is missing behind 'iout'", "4:4: wt = 7 is out of range"}},
                     Mistake{"wl==4", {"3:4: '=' among the values of 'wl'"}},
                     Mistake{"wl=4)", {"3:5: ')' among the values of 'wl'"}},
                     Mistake{"wl=4 :", {"3:6: ':' among the values of 'wl'"}},
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"wl=3.5", {"3:4: wl must be an integer, not '3.5'"}},
         Mistake{"wl=- 5", {"3:4: wl must be an integer, not '-'", "3:6: wl takes one value, this is one too many"}},
         Mistake{"wl='4'", {"3:4: wl must be an integer, not '4'"}},
-        Mistake{"wl=5$end", {"3:4: wl must be an integer, not '5$end'"}},
+        Mistake{"wl=5$in", {"3:5: '$' inside a line of a group"}},
         Mistake{"miter=2147483648", {"3:7: miter overflows: '2147483648'"}},
         Mistake{"miter=-99999999999999999999", {"3:7: miter overflows: '-99999999999999999999'"}},
         Mistake{"miter=1e10", {"3:7: miter must be an integer, not '1e10'"}},
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Subscripts, InMistakes,
                                          Mistake{"iout(-1)=1", {"3:6: subscript -1 of iout is out of range"}},
                                          Mistake{"iout(99999999999999999999)=1",
                                                  {"3:6: subscript 9223372036854775807 of iout is out of range"}},
-                                         Mistake{"iout(1:61)=1", {"3:6: subscript 61 of iout is out of range"}},
+                                         Mistake{"iout(1:61)=1", {"3:8: subscript 61 of iout is out of range"}},
                                          Mistake{"iout(5:2)=1", {"3:6: the section 5:2:1 of iout has no elements"}},
                                          Mistake{"iout(1:5:0)=1", {"3:6: the section 1:5:0 of iout has no elements"}},
                                          Mistake{"iout(1:5:-9223372036854775807)=1",
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Subscripts, InMistakes,
                                          Mistake{"iout(1=1", {"3:7: '=' in the subscript of 'iout'"}},
                                          Mistake{"iout('1')=1", {"3:6: a text in quotes in the subscript of 'iout'"}},
                                          Mistake{"iout(1", {"4:1: the group's end in the subscript of 'iout'"}},
-                                         Mistake{"iout(1)(2)=1", {"3:8: '=' is missing behind 'iout'"}}));
+                                         Mistake{"iout(1)(2)=1", {"3:1: '=' is missing behind 'iout'"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Characters, InMistakes,
@@ -129,8 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"particles='a\x02 b'", {"3:13: the bytes 0x02 are not plain text"}},
         Mistake{"particles='a\nwl=4", {"3:11: this quote is never closed"}},
         Mistake{"particles='a\nunits=\"b\nwl=7",
-                {"1:1: the group $in is never closed", "3:11: this quote is never closed",
-                 "4:7: this quote is never closed", "4:7: units = 'bwl=7$' is none of its choices"}},
+                {"3:11: this quote is never closed", "4:7: this quote is never closed",
+                 "4:7: units = 'b' is none of its choices", "5:4: wl = 7 is out of range"}},
         Mistake{"wl=4 $fluid mu=2.", {"3:6: '$' inside a line of a group", "3:13: $in has no variable 'mu'"}},
         Mistake{"wl=4 # left", {"3:6: '#' among the values of 'wl'"}},
         Mistake{"# left wall\nwl=7", {"3:1: '#' among the values of 'tstep'", "4:4: wl = 7 is out of range"}},
@@ -202,7 +202,7 @@ TEST(Errors, UnknownGroups) {
   EXPECT_EQ(reading.errors(), (Texts{"4:1: there is no group '$flui'", "7:1: there is no group '$geometry'"}));
   const auto errors = reading.diagnostics.errors();
   EXPECT_EQ(errors[0].hint, "Did you mean '$fluid'?");
-  EXPECT_EQ(errors[1].hint, "The groups are $in, $fluid, $regrig, $reg, $points, $membrane, $mpm, $reference.");
+  EXPECT_EQ(errors[1].hint, "The groups are $in, $fluid, $regrig, $reg, $points, $membrane, $mpm, $reference, $study.");
 }
 
 TEST(Errors, ABlankBeforeTheGroupsName) {
@@ -222,15 +222,16 @@ TEST(Errors, NoIn) {
 
 TEST(Errors, RequiredVariables) {
   EXPECT_EQ(read("\n $in nx=3 xleft=0. xright=1. ybot=, /\n").errors(),
-            (Texts{"2:2: $in lacks ny, ybot, ytop, tmax, tstep, which have no default"}));
+            (Texts{"2:30: ybot has no default: it needs a value",
+                   "2:2: $in lacks ny, ytop, tmax, tstep, which have no default"}));
   EXPECT_EQ(read("$in nx=3 ny=3 xleft=0. xright=1. ybot=0. ytop=1. tstep=.1 /\n").errors(),
             (Texts{"1:1: $in lacks tmax, which has no default"}));
 }
 
 TEST(Errors, AVariableThatWasGivenWronglyIsNotMissing) {
   EXPECT_EQ(read("$in nx=a ny(1)=3 xleft 0. xright=1. ybot=0. ytop=1. tmax==1. tstep=.1 /\n").errors(),
-            (Texts{"1:1: $in lacks xleft, which has no default", "1:8: nx must be an integer, not 'a'",
-                   "1:13: ny is no array and takes no subscript", "1:58: '=' among the values of 'tmax'"}));
+            (Texts{"1:8: nx must be an integer, not 'a'", "1:13: ny is no array and takes no subscript",
+                   "1:58: '=' among the values of 'tmax'", "1:1: $in lacks xleft, which has no default"}));
 }
 
 TEST(Errors, EndAtAHundred) {

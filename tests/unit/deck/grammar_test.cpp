@@ -40,8 +40,8 @@ TEST(Grammar, NamesAreOfAnyCase) {
 }
 
 TEST(Grammar, AGroupClosesInManyWays) {
-  for (const char* end :
-       {"/", "$", "&", " $ ", "\t&\t! done", "$end", "&END rest", "/ rest = 1", "cyl=1 $", "cyl=1 $End", "cyl=1/"}) {
+  for (const char* end : {"/", "$", "&", " $ ", "\t&\t! done", "$end", "&END rest", "/ rest = 1", "cyl=1 $",
+                          "cyl=1 $End", "cyl=1/", "cyl=1$end", "cyl=1&", "cyl=$"}) {
     const auto reading = good(read(with_in(std::string(end) + "\n$reg nreg=1 /\n")));
     EXPECT_EQ(reading.deck.integer("reg", "nreg"), 1) << end;
     EXPECT_EQ(reading.warnings(), Texts{}) << end;

@@ -48,6 +48,27 @@ TEST(Warnings, TextBetweenGroups) {
   EXPECT_EQ(read(with_in("/\n\n! note\n$reg /\n")).warnings(), Texts{});
 }
 
+TEST(Warnings, OpenersInsideLines) {
+  const auto reading = read("of $in\n" + with_in("/ x &reg nreg=1 /\nsee $fluid,mu=2.\n"));
+  EXPECT_EQ(reading.errors(), Texts{});
+  EXPECT_EQ(reading.warnings(),
+            (Texts{"1:4: '$in' inside a line opens no group", "4:5: '$reg' inside a line opens no group",
+                   "5:5: '$fluid' inside a line opens no group"}));
+  EXPECT_FALSE(reading.deck.has_group("reg"));
+  EXPECT_EQ(read("! $in\n5 $ in, $inner $end $nothing\n" + with_in("/ ! $reg\n")).warnings(), Texts{});
+}
+
+TEST(Warnings, ASlashInsideAValue) {
+  for (const char* items : {"gravc=1/2", "wl=4 // left", "wl=4/,"}) {
+    const auto reading = read(with_in(std::string(items) + "\n"));
+    EXPECT_EQ(reading.errors(), Texts{}) << items;
+    ASSERT_EQ(reading.warnings().size(), 1U) << items;
+    EXPECT_NE(reading.warnings()[0].find("'/' ends the group; what stands behind it is not read"), std::string::npos);
+  }
+  EXPECT_EQ(read(with_in("wl=4/ note\n")).warnings(), Texts{});
+  EXPECT_EQ(read(with_in("wl=4/!note\n")).warnings(), Texts{});
+}
+
 TEST(Warnings, RegionsBeyondNreg) {
   EXPECT_EQ(read_reg("nvi=4 xvi(1,1)=1. densir=1.,2.,3. nprg(3)=4 nreg=2").warnings(),
             (Texts{"5:32: densir(3) is set but nreg = 2", "5:43: nprg(3) is set but nreg = 2"}));
