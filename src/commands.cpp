@@ -10,12 +10,14 @@
 #include <set>
 
 #include "base/ending.hpp"
+#include "base/errors.hpp"
 #include "base/signals.hpp"
 #include "base/text.hpp"
 #include "deck/document.hpp"
 #include "progress.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
+#include "studies/sweep.hpp"
 
 namespace tether {
 namespace {
@@ -85,6 +87,22 @@ void refuse_shared_folders(const std::vector<std::string>& decks, const RunOptio
   }
 }
 
+/// False where a bisection found nothing.
+bool run_sweep(const std::string& name, const RunOptions& options) {
+  const Study study = read_study(name);
+  const auto folder = folder_of(name, options, false);
+  if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
+  ProgressLine progress(name, options.quiet);
+  const SweepResult result = sweep(study, {folder, options.jobs, options.command, std::ref(progress)});
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
+  if (result.signal != 0)
+    throw Interrupted(result.signal,
+                      fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
+  return result.verdicts.empty();
+}
+
 }  // namespace
 
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
@@ -113,6 +131,12 @@ int plan_command(const std::string& deck, const DeckOptions& options) {
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
     fmt::print("{}", to_text(loaded.plan));  // which has the plan's own warnings
   });
+}
+
+int sweep_command(const std::string& name, const RunOptions& options) {
+  bool all_found = true;
+  const int code = guarded(name, [&] { all_found = run_sweep(name, options); });
+  return code == exit_done && !all_found ? exit_verdict : code;
 }
 
 int vars_command(const std::string& group, bool markdown) {

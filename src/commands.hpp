@@ -11,6 +11,7 @@ namespace tether {
 struct RunOptions {
   std::string out;  ///< empty: out/<deck name>
   int threads = 1;
+  int jobs = 1;         ///< runs of a sweep side by side
   std::string restart;  ///< checkpoint to go on from; empty: from the start
   bool quiet = false;
   bool dry_run = false;
@@ -24,6 +25,7 @@ std::string version_text();
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options);
 int check_command(const std::string& deck, const DeckOptions& options);
 int plan_command(const std::string& deck, const DeckOptions& options);
+int sweep_command(const std::string& study, const RunOptions& options);
 int vars_command(const std::string& group, bool markdown);
 
 }  // namespace tether

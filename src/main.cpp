@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <csignal>
+#include <thread>
 
 #include "base/ending.hpp"
 #include "commands.hpp"
@@ -19,12 +21,23 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
   app.add_option("--path", options.path, "solver path; this version has mpm")->check(CLI::IsMember({"mpm"}));
 }
 
+CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
+  auto* sweep = app.add_subcommand("sweep", "run a study deck: many runs, one table");
+  sweep->add_option("study", study, "the study deck")->required();
+  sweep->add_option("--out", options.out, "folder for the tables and the runs (default out/<study name>)");
+  options.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  sweep->add_option("--jobs", options.jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 1024));
+  sweep->add_flag("--quiet", options.quiet, "no progress, no table on the terminal");
+  sweep->add_flag("--dry-run", options.dry_run, "list the runs and which are finished, run nothing");
+  return sweep;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
       "tether: fluid and structure on one deck by material points.\nExit codes: 0 done, 2 input wrong, 3 run "
-      "diverged, 4 file trouble, 130 or 143 interrupted.",
+      "diverged, 4 file trouble, 5 a bisection found nothing, 130 or 143 interrupted.",
       "tether");
   app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
@@ -50,6 +63,7 @@ int main(int argc, char** argv) {
   auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
   plan->add_option("deck", deck, "the deck")->required();
   add_deck_options(*plan, options);
+  auto* sweep = add_sweep(app, deck, run_options);
   auto* vars = app.add_subcommand("vars", "the deck reference");
   vars->add_option("group", group, "only this group");
   vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
@@ -63,6 +77,7 @@ int main(int argc, char** argv) {
   for (int k = 0; k < argc; ++k) run_options.command += (k ? " " : "") + std::string(argv[k]);
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options);
+  if (*sweep) return sweep_command(deck, run_options);
   if (*vars) return vars_command(group, markdown);
   if (decks.empty()) {
     std::fputs(app.help().c_str(), stderr);

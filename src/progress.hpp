@@ -4,6 +4,7 @@
 #include <string>
 
 #include "solvers/run.hpp"
+#include "studies/scheduler.hpp"
 
 namespace tether {
 
@@ -15,10 +16,14 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   void operator()(const Progress& progress);
+  void operator()(const SweepProgress& progress);
   /// Ends the line so that other text can follow.
   void clear();
 
  private:
+  bool is_due(double wall_seconds);
+  void show(const std::string& line);
+
   std::string name_;
   bool quiet_, terminal_;
   bool open_ = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tether {
 namespace {
@@ -28,10 +29,17 @@ double energy_drift(const History& history) {
   return exchanged > 0 ? largest_change(history.column("energy_total")) / exchanged : 0;
 }
 
-double energy_growth(const History& history) {
+double energy_rise(const History& history) {
   const double exchanged = exchanged_energy(history);
   const auto total = history.column("energy_total");
   return exchanged > 0 ? (*std::max_element(total.begin(), total.end()) - total.front()) / exchanged : 0;
+}
+
+double energy_growth(const History& history) {
+  double largest = 0;
+  const auto total = history.column("energy_total");
+  for (const double value : total) largest = std::max(largest, std::abs(value));
+  return total.front() == 0 ? std::numeric_limits<double>::quiet_NaN() : largest / std::abs(total.front());
 }
 
 double mass_drift(const History& history) {

@@ -10,6 +10,10 @@ namespace tether {
 double energy_drift(const History& history);
 
 /// Largest rise of the total energy over the start, over the largest energy that was exchanged.
+double energy_rise(const History& history);
+
+/// Largest size of the total energy over its size at the start: how far an unstable run grew. Not a number where the
+/// start has none.
 double energy_growth(const History& history);
 
 /// Largest change of the mass over the mass at the start.

@@ -38,21 +38,25 @@ std::optional<ParticleFile> read_path(const fs::path& path, const Diagnostic& mi
 }
 
 std::optional<ParticleFile> read_named(const Deck& deck, const std::string& name, Diagnostics& diagnostics) {
-  const auto refuse = [&](const char* message) {
-    diagnostics.add(deck.remark(Severity::error, "in", "particles", {1, 1}, message,
+  const std::string mistake = path_mistake(name);
+  if (!mistake.empty()) {
+    diagnostics.add(deck.remark(Severity::error, "in", "particles", {1, 1}, "the particle path " + mistake,
                                 "write a path from the deck's folder, at most one folder up, such as "
                                 "'../particles/x.par', or use --particles FILE"));
-  };
-  const fs::path path(name);
-  if (path.is_absolute()) return refuse("the particle path is absolute"), std::nullopt;
-  if (climbs(path) > 1) return refuse("the particle path climbs more than one folder"), std::nullopt;
+    return std::nullopt;
+  }
   return read_path(
-      fs::path(deck.file()).parent_path() / path,
+      fs::path(deck.file()).parent_path() / name,
       deck.remark(Severity::error, "in", "particles", {1, 1}, "", "the path counts from the deck's folder"),
       diagnostics);
 }
 
 }  // namespace
+
+std::string path_mistake(const std::string& path) {
+  if (fs::path(path).is_absolute()) return "is absolute";
+  return climbs(path) > 1 ? "climbs more than one folder" : "";
+}
 
 std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional<fs::path>& given,
                                            Diagnostics& diagnostics) {

@@ -53,14 +53,18 @@ std::string lacks(ReferenceKind kind, const Scene& scene) {
 
 }  // namespace
 
+ReferenceKind reference_kind(const std::string& name) {
+  return name == "riemann"    ? ReferenceKind::riemann
+         : name == "spring"   ? ReferenceKind::spring
+         : name == "string"   ? ReferenceKind::string
+         : name == "pendulum" ? ReferenceKind::pendulum
+         : name == "piston"   ? ReferenceKind::piston
+                              : ReferenceKind::none;
+}
+
 ReferenceKind reference_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
   const std::string name = deck.text("reference", "solution");
-  const ReferenceKind kind = name == "riemann"    ? ReferenceKind::riemann
-                             : name == "spring"   ? ReferenceKind::spring
-                             : name == "string"   ? ReferenceKind::string
-                             : name == "pendulum" ? ReferenceKind::pendulum
-                             : name == "piston"   ? ReferenceKind::piston
-                                                  : ReferenceKind::none;
+  const ReferenceKind kind = reference_kind(name);
   const std::string missing = lacks(kind, scene);
   if (!missing.empty() && !diagnostics.has_errors()) {
     diagnostics.add(deck.remark(Severity::error, "reference", "solution", {1, 1},

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
 #include "scene/scene.hpp"
 
 namespace tether {
+
+/// The kind of a name of $reference solution; none for "".
+ReferenceKind reference_kind(const std::string& name);
 
 /// The exact solution that $reference names, and whether the scene has what it needs.
 ReferenceKind reference_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics);

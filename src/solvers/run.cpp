@@ -124,7 +124,7 @@ class Runner {
       if (std::isnan(merit.error))
         outputs_.warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
     }
-    const double rise = energy_growth(outputs_.history());
+    const double rise = energy_rise(outputs_.history());
     if (rise > told_rise) {
       outputs_.warn(fmt::format(
           "the total energy rose by {:.2g} of the largest energy exchanged: points that change cell, a step "
@@ -140,6 +140,7 @@ class Runner {
             {"steps", number(counts.steps)},
             {"points", number(counts.points)},
             {"cells_active", number(counts.cells_active)},
+            {"dx", number(plan_.scene.grid.dx)},
             {"time_end", number(solver_->time())},
             {"dt_min", number(counts.dt_min)},
             {"cpu_seconds", number(cpu)},
@@ -147,6 +148,7 @@ class Runner {
             {"ns_per_point_step", number(1e9 * cpu / static_cast<double>(std::max(counts.point_steps, 1LL)))},
             {"peak_memory_mb", number(Clocks::peak_memory_mb())},
             {"energy_drift", number(energy_drift(outputs_.history()))},
+            {"energy_growth", number(energy_growth(outputs_.history()))},
             {"mass_drift", number(mass_drift(outputs_.history()))}};
   }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace tether {
@@ -54,6 +55,22 @@ TEST(EnergyDrift, IsZeroWhereNothingWasExchanged) {
 }
 
 TEST(EnergyDrift, NeedsItsColumns) { EXPECT_THROW(energy_drift(History{}), std::out_of_range); }
+
+TEST(EnergyRise, CountsGainsAlone) {
+  EXPECT_EQ(energy_rise(history_of({{0, 0, 8, -10}, {4, 0, 8, -12}, {0, 0, 8, -14}})), 0.5);
+  EXPECT_EQ(energy_rise(history_of({{4, 0, 0, 0}, {2, 1, 0, 0}})), 0);
+  EXPECT_EQ(energy_rise(history_of({{1, 2, 3, 4}})), 0);
+}
+
+TEST(EnergyGrowth, IsTheLargestSizeOverTheStart) {
+  EXPECT_EQ(energy_growth(history_of({{2, 0, 0, 0}, {1, 4, 0, 0}, {2, 1, 0, 0}})), 2.5);
+  EXPECT_EQ(energy_growth(history_of({{0, 0, 0, -2}, {0, 1, 0, -9}})), 4);  // a size has no sign
+  EXPECT_EQ(energy_growth(history_of({{2, 0, 0, 0}, {1, 0, 0, 0}})), 1);
+}
+
+TEST(EnergyGrowth, IsNoNumberWithoutEnergyAtTheStart) {
+  EXPECT_TRUE(std::isnan(energy_growth(history_of({{2, 0, 0, -2}, {4, 0, 0, 0}}))));
+}
 
 History masses(const std::vector<double>& values) {
   History history;

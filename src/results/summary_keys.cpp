@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/summary_keys.hpp"
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+
+namespace tether {
+namespace {
+
+/// What results/compare_*.cpp tell of: profiles by their error alone.
+std::vector<std::string> merit_keys(ReferenceKind reference) {
+  std::vector<std::string> names;
+  switch (reference) {
+    case ReferenceKind::riemann:
+      return {"error_density", "error_velocity", "error_pressure", "error_specific_energy"};
+    case ReferenceKind::spring:
+      names = {"period", "largest_drop"};
+      break;
+    case ReferenceKind::string:
+      names = {"taut_time", "largest_drop", "slack_again_time", "apex_time"};
+      break;
+    case ReferenceKind::pendulum:
+    case ReferenceKind::piston:
+      names = {"period"};
+      break;
+    case ReferenceKind::none:
+      break;
+  }
+  std::vector<std::string> keys;
+  for (const auto& name : names) keys.insert(keys.end(), {name, "exact_" + name, "error_" + name});
+  return keys;
+}
+
+}  // namespace
+
+std::vector<std::string> summary_keys(ReferenceKind reference) {
+  std::vector<std::string> keys{"path",           "steps",        "points",        "cells_active", "dx",
+                                "time_end",       "dt_min",       "cpu_seconds",   "wall_seconds", "ns_per_point_step",
+                                "peak_memory_mb", "energy_drift", "energy_growth", "mass_drift"};
+  for (auto& key : merit_keys(reference)) keys.push_back(std::move(key));
+  return keys;
+}
+
+Summary read_summary(const std::filesystem::path& path) {
+  Summary summary;
+  for (const auto& line : split_lines(read_file(path))) {
+    const auto equals = line.find(" = ");
+    if (line.starts_with('#') || equals == std::string::npos) continue;
+    summary.emplace_back(line.substr(0, equals), line.substr(equals + 3));
+  }
+  return summary;
+}
+
+}  // namespace tether

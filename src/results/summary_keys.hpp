@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/results.hpp"
+#include "scene/scene.hpp"
+
+namespace tether {
+
+/// The keys of the summary.txt that a run of a scene with this exact solution writes, in order.
+std::vector<std::string> summary_keys(ReferenceKind reference);
+
+/// summary.txt, or another file of lines `key = value` and remarks `# ...`; other lines are passed over. Throws
+/// FileError where it cannot be read.
+Summary read_summary(const std::filesystem::path& path);
+
+}  // namespace tether

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "studies/bisection.hpp"
+#include "studies/combinations.hpp"
+#include "studies/run_record.hpp"
+
+namespace tether {
+
+/// A run of a study that has come to an end, well or not.
+struct FinishedRun {
+  Variant variant;
+  RunRecord record;
+  bool reused = false;                   ///< it had been run before
+  std::map<std::string, double> values;  ///< the numbers of its summary.txt; none where it failed
+
+  bool failed() const { return record.ending.exit_code != exit_done; }
+  /// Of summary.txt, or exit_code; not a number where the run has none of that name.
+  double value(const std::string& key) const {
+    if (key == exit_code_key) return record.ending.exit_code;
+    const auto found = values.find(key);
+    return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  }
+};
+
+}  // namespace tether

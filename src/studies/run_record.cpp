@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/run_record.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "deck/document.hpp"
+#include "deck/numbers.hpp"
+#include "results/summary_keys.hpp"
+#include "results/text_file.hpp"
+#include "scene/load_particles.hpp"
+
+namespace tether {
+namespace {
+
+constexpr std::size_t key_digits_in_a_name = 16;
+
+}  // namespace
+
+std::string run_key(const Deck& deck) {
+  Diagnostics of_the_run;  // which meets them itself, and fails with them
+  const auto particles = load_particles(deck, std::nullopt, of_the_run);
+  const std::string effective = effective_deck(particles ? deck.with_particle_data(particles->lines) : deck);
+  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(), effective));
+}
+
+std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key) {
+  return out / "runs" / key.substr(0, key_digits_in_a_name);
+}
+
+std::optional<RunRecord> read_record(const std::filesystem::path& folder, const std::string& key) {
+  std::map<std::string, std::string> lines;
+  if (!std::filesystem::exists(folder / "run.txt")) return std::nullopt;
+  for (auto& [name, value] : read_summary(folder / "run.txt")) lines[name] = std::move(value);
+  const auto code = parse_integer(lines["exit_code"]);
+  const auto cpu = parse_real(lines["cpu_seconds"]), wall = parse_real(lines["wall_seconds"]);
+  if (lines["key"] != key || !code || !cpu || !wall) return std::nullopt;
+  if (*code == exit_done && !std::filesystem::exists(folder / "summary.txt")) return std::nullopt;
+  return RunRecord{key, {static_cast<int>(*code), lines["message"]}, *cpu, *wall};
+}
+
+void write_record(const std::filesystem::path& folder, const RunRecord& record) {
+  std::error_code reason;
+  std::filesystem::create_directories(folder, reason);
+  if (reason) throw FileError(fmt::format("{}: cannot be created: {}", folder.string(), reason.message()));
+  replace_file(folder / "run.txt",
+               fmt::format("key = {}\nexit_code = {}\ncpu_seconds = {}\nwall_seconds = {}\nmessage = {}\n", record.key,
+                           record.ending.exit_code, record.cpu_seconds, record.wall_seconds, record.ending.message));
+}
+
+std::string one_line(const std::string& message) {
+  std::vector<std::string> lines;
+  for (const auto& line : split_lines(message)) {
+    const auto words = trim(line);
+    if (!words.empty() && words != "^") lines.emplace_back(words);
+  }
+  return fmt::format("{}", fmt::join(lines, " "));
+}
+
+}  // namespace tether

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/ending.hpp"
+#include "deck/deck.hpp"
+
+namespace tether {
+
+/// What is known of a finished run of a study: file run.txt in its folder.
+struct RunRecord {
+  std::string key;  ///< of run_key()
+  Ending ending;    ///< its message without line ends
+  double cpu_seconds = 0, wall_seconds = 0;
+};
+
+/// What makes a run this run: SHA-256 of its deck with all values and its particle data, and of the program's version
+/// and git hash.
+std::string run_key(const Deck& deck);
+
+/// The folder below a study's in which the run writes: runs/<first digits of its key>.
+std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key);
+
+/// The record in the folder, if the run of this key came to an end there.
+std::optional<RunRecord> read_record(const std::filesystem::path& folder, const std::string& key);
+
+/// Writes run.txt in one go: whoever kills the program leaves a whole record or none. Throws FileError.
+void write_record(const std::filesystem::path& folder, const RunRecord& record);
+
+/// A message of several lines as one, without the lines of carets.
+std::string one_line(const std::string& message);
+
+}  // namespace tether

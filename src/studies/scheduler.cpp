@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/scheduler.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/errors.hpp"
+#include "deck/numbers.hpp"
+#include "results/checkpoint.hpp"
+#include "results/summary_keys.hpp"
+#include "solvers/run.hpp"
+
+namespace tether {
+namespace {
+
+/// Seconds between looks at the clock while nothing ends.
+constexpr double patience = 1;
+
+std::map<std::string, double> numbers_of(const std::filesystem::path& summary) {
+  std::map<std::string, double> numbers;
+  for (const auto& [key, text] : read_summary(summary)) {
+    if (const auto number = parse_real(text)) numbers[key] = *number;
+  }
+  return numbers;
+}
+
+/// The command that makes this run alone.
+std::string command_of(const std::string& deck, const std::vector<std::string>& overrides) {
+  return fmt::format("tether {}{}{}", deck, overrides.empty() ? "" : " --set ", fmt::join(overrides, " --set "));
+}
+
+/// The newest checkpoint that an interrupted run of this deck left in the folder; empty where there is none.
+std::filesystem::path checkpoint_of(const std::string& deck_effective, const std::filesystem::path& folder) {
+  for (const auto& path : checkpoints_in(folder)) {
+    try {
+      if (read_checkpoint(path).deck_effective == deck_effective) return path;
+    } catch (const FileError&) {
+      continue;  // damaged: an older one will do, or the start
+    }
+  }
+  return {};
+}
+
+/// A run as the command line does it. For the child process: signals end it at its next look.
+Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, const std::string& command) {
+  SignalWatch watch;
+  return end_of(deck.file(), [&] {
+    Diagnostics diagnostics;
+    const Loaded loaded = load_scene(deck, {}, diagnostics);
+    RunRequest request = request_of(loaded, folder, command);
+    request.restart = checkpoint_of(request.deck_effective, folder);
+    request.interrupted = [&watch] { return watch.take(); };
+    run(loaded.plan, request);
+  });
+}
+
+/// A run that went on from a checkpoint has cost more than its last process: its summary knows.
+void count_earlier_cost(RunRecord& record, const std::filesystem::path& folder) {
+  if (record.ending.exit_code != exit_done) return;
+  const auto numbers = numbers_of(folder / "summary.txt");
+  record.cpu_seconds = std::max(record.cpu_seconds, numbers.at("cpu_seconds"));
+  record.wall_seconds = std::max(record.wall_seconds, numbers.at("wall_seconds"));
+}
+
+bool is_interrupted(const Ending& ending) {
+  return ending.exit_code == exit_signal + SIGINT || ending.exit_code == exit_signal + SIGTERM;
+}
+
+/// What says nothing of the run itself is tried again by the next sweep: an interruption, a full disk.
+bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && !is_interrupted(ending); }
+
+}  // namespace
+
+Scheduler::Scheduler(const Study& study, std::filesystem::path out, int jobs,
+                     std::function<void(const SweepProgress&)> progress)
+    : study_(study),
+      combinations_(combinations(study)),
+      out_(std::move(out)),
+      jobs_(static_cast<std::size_t>(jobs)),
+      progress_(std::move(progress)) {}
+
+Scheduler::Outcome Scheduler::run_all(Sequences& sequences) {
+  const auto wanted = sequences.first();
+  queue_.assign(wanted.begin(), wanted.end());
+  do {
+    start_what_fits(sequences);
+    if (workers_.count() > 0) heed(watch_.wait(patience));
+    take_what_ended(sequences);
+    tell_progress();
+  } while (!queue_.empty() || workers_.count() > 0);
+  heed(watch_.take());
+  std::sort(outcome_.runs.begin(), outcome_.runs.end(), [](const FinishedRun& a, const FinishedRun& b) {
+    return std::tie(a.variant.combination, a.variant.number) < std::tie(b.variant.combination, b.variant.number);
+  });
+  return std::move(outcome_);
+}
+
+void Scheduler::start_what_fits(Sequences& sequences) {
+  while (!queue_.empty() && workers_.count() < jobs_) {
+    const Variant variant = queue_.front();
+    queue_.pop_front();
+    if (!start(variant, sequences)) return queue_.push_front(variant);
+  }
+}
+
+/// False where it has to wait: the same run, wanted by another combination, is under way.
+bool Scheduler::start(const Variant& variant, Sequences& sequences) {
+  const Combination& combination = combinations_[variant.combination];
+  const Deck deck = read_deck(study_, combination, variant.varied);
+  const std::string key = run_key(deck);
+  const auto folder = run_folder(out_, key);
+  if (runs_already(key)) return false;
+  if (auto record = read_record(folder, key)) {
+    finish(variant, std::move(*record), true, sequences);
+    return true;
+  }
+  const auto command = command_of(deck.file(), overrides_of(study_, combination, variant.varied));
+  workers_.start(next_id_, [&] { return run_in_folder(deck, folder, command); });
+  started_[next_id_++] = {variant, key};
+  return true;
+}
+
+bool Scheduler::runs_already(const std::string& key) const {
+  return std::any_of(started_.begin(), started_.end(), [&](const auto& run) { return run.second.key == key; });
+}
+
+void Scheduler::take_what_ended(Sequences& sequences) {
+  while (auto ended = workers_.take()) {
+    const auto [variant, key] = started_.at(ended->id);
+    started_.erase(ended->id);
+    seconds_run_ += ended->wall_seconds;
+    ended->ending.message = one_line(ended->ending.message);
+    if (is_interrupted(ended->ending) && outcome_.signal != 0) continue;  // it was not finished
+    RunRecord record{key, ended->ending, ended->cpu_seconds, ended->wall_seconds};
+    count_earlier_cost(record, run_folder(out_, key));
+    if (is_lasting(record.ending)) write_record(run_folder(out_, key), record);
+    finish(variant, std::move(record), false, sequences);
+  }
+}
+
+void Scheduler::finish(const Variant& variant, RunRecord record, bool reused, Sequences& sequences) {
+  FinishedRun run{variant, std::move(record), reused, {}};
+  if (!run.failed()) run.values = numbers_of(run_folder(out_, run.record.key) / "summary.txt");
+  if (outcome_.signal == 0) {
+    for (const Variant& next : sequences.after(run)) queue_.push_back(next);
+  }
+  outcome_.runs.push_back(std::move(run));
+}
+
+/// Interrupted: nothing is started any more, and the runs stop at their next look at signals.
+void Scheduler::heed(int signal) {
+  if (signal != SIGINT && signal != SIGTERM) return;
+  outcome_.signal = signal;
+  queue_.clear();
+  workers_.tell(signal);
+}
+
+void Scheduler::tell_progress() const {
+  if (!progress_) return;
+  const auto& runs = outcome_.runs;
+  const auto count = [&](const auto& so) {
+    return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), so));
+  };
+  const std::size_t run_now = runs.size() - count([](const FinishedRun& run) { return run.reused; });
+  const std::size_t left = queue_.size() + workers_.count();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
+  const double each = run_now > 0 ? seconds_run_ / static_cast<double>(run_now) : 0;
+  const double seconds_left = each * static_cast<double>(left) / static_cast<double>(jobs_);
+  progress_(
+      {runs.size(), count([](const FinishedRun& run) { return run.failed(); }), left, wall.count(), seconds_left});
+}
+
+}  // namespace tether

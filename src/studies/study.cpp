@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "base/errors.hpp"
+#include "base/file.hpp"
+#include "deck/reader.hpp"
+#include "scene/load_particles.hpp"
+#include "studies/combinations.hpp"
+#include "studies/study_checks.hpp"
+#include "studies/study_remarks.hpp"
+
+namespace tether {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// More runs than this were never meant.
+constexpr double most_runs = 100000;
+
+/// Takes the study out of its deck; every mistake becomes a remark at its place.
+class StudyReader {
+ public:
+  StudyReader(const Deck& deck, Diagnostics& diagnostics)
+      : deck_(deck), diagnostics_(diagnostics), remarks_(deck, diagnostics) {}
+
+  Study read() {
+    study_.file = deck_.file();
+    study_.text = deck_.text();
+    study_.title = fmt::format("{}", fmt::join(deck_.header(), "\n"));
+    const std::string mode = text("mode");
+    study_.mode = mode == "grid" ? Mode::grid : mode == "ensemble" ? Mode::ensemble : Mode::bisect;
+    if (!diagnostics_.has_errors()) check_mode(deck_, study_.mode, remarks_);  // what was not read is not missing
+    read_decks();
+    for (const auto& at : given("set")) read_set(at[0]);
+    for (const auto& at : given("axis")) read_axis(at[0]);
+    for (const auto& at : given("linked")) link(at[0]);
+    for (const auto& at : given("quantities")) study_.quantities.push_back(text("quantities", at[0]));
+    study_.order = text("order");
+    if (study_.mode != Mode::grid && is_given("vary")) read_vary();
+    if (study_.mode == Mode::ensemble) read_ensemble();
+    if (study_.mode == Mode::bisect) read_bisection();
+    check_decks(deck_, study_, remarks_, diagnostics_);
+    if (check_number_of_runs() && study_.mode == Mode::ensemble) find_own_values();
+    return std::move(study_);
+  }
+
+ private:
+  std::vector<Subscript> given(const char* name) const { return deck_.given_elements(study_group, name); }
+  bool is_given(const char* name) const { return deck_.given(study_group, name); }
+  std::string text(const char* name, int k = 1) const { return deck_.text(study_group, name, k); }
+  double number(const char* name) const { return deck_.real(study_group, name); }
+
+  void read_decks() {
+    if (given("decks").empty()) remarks_.error("decks", 1, "the study names no deck", "decks='../sod.in'");
+    for (const auto& at : given("decks")) {
+      const std::string name = text("decks", at[0]), mistake = path_mistake(name);
+      if (!mistake.empty()) {
+        remarks_.error("decks", at[0], "the deck's path " + mistake,
+                       "write a path from the study deck's folder, at most one folder up");
+        continue;
+      }
+      const std::string file = (fs::path(deck_.file()).parent_path() / name).lexically_normal().string();
+      const auto same = [&](const BaseDeck& other) { return other.file == file; };
+      if (std::any_of(study_.decks.begin(), study_.decks.end(), same))
+        remarks_.error("decks", at[0], "this deck stands there twice");
+      try {
+        study_.decks.push_back({at[0], file, read_file(file)});
+      } catch (const FileError& error) {
+        remarks_.error("decks", at[0], error.what(), "the path counts from the study deck's folder");
+      }
+    }
+  }
+
+  void read_set(int k) {
+    const std::string value = text("set", k);
+    const Assignment assignment = read_assignment(value, Taken::together);
+    remarks_.tell("set", k, assignment.mistakes);
+    if (!assignment.mistakes.empty()) return;
+    own("set", k, assignment.all);
+    study_.sets.push_back(value);
+  }
+
+  void read_axis(int k) {
+    const Assignment assignment = read_assignment(text("axis", k), Taken::one_by_one);
+    remarks_.tell("axis", k, assignment.mistakes);
+    if (!assignment.mistakes.empty()) return;
+    own("axis", k, assignment.one_value);
+    Axis axis{assignment.variable, {}, {}, study_.axes.size()};
+    std::set<std::string> seen;
+    for (std::size_t v = 0; v < assignment.values.size(); ++v) {
+      axis.overrides.push_back(assignment.override_text(v));
+      if (!seen.insert(assignment.values[v]).second)
+        remarks_.error("axis", k, fmt::format("the value {} stands there twice", assignment.values[v]));
+      axis.cells.push_back(assignment.cell(v));
+    }
+    numbers_[k] = study_.axes.size();
+    study_.axes.push_back(std::move(axis));
+  }
+
+  void link(int k) {
+    const int leader = deck_.integer(study_group, "linked", k);
+    if (leader == 0) return;
+    if (!deck_.given(study_group, "axis", k) || !deck_.given(study_group, "axis", leader) || leader >= k)
+      return remarks_.error("linked", k, fmt::format("axis {} cannot move along with axis {}", k, leader),
+                            "linked(2)=1 lets axis 2 move along with axis 1: both are there, the lower number leads");
+    if (numbers_.count(k) == 0 || numbers_.count(leader) == 0) return;  // told with its axis
+    Axis &axis = study_.axes[numbers_[k]], &first = study_.axes[numbers_[leader]];
+    if (axis.cells.size() != first.cells.size()) {
+      remarks_.error("linked", k,
+                     fmt::format("axis {} has {} values, axis {} has {}: axes that move together have equally many", k,
+                                 axis.cells.size(), leader, first.cells.size()));
+    }
+    axis.leader = first.leader;
+  }
+
+  void read_vary() {
+    const Assignment varied = read_assignment(text("vary") + "=0.0", Taken::name_alone);
+    remarks_.tell("vary", 1, varied.mistakes);
+    if (!varied.mistakes.empty()) return;
+    if (find_variable(varied.group, varied.name)->type != ValueType::real)
+      return remarks_.error("vary", 1, fmt::format("{} is no real number", varied.variable));
+    own("vary", 1, varied.one_value);
+    study_.vary = {varied.variable, varied.group, varied.name, varied.first};
+  }
+
+  void read_ensemble() {
+    if (is_given("fraction")) study_.fraction = number("fraction");
+    if (is_given("runs")) study_.runs = deck_.integer(study_group, "runs");
+  }
+
+  void read_bisection() {
+    study_.criterion.key = text("criterion");
+    if (is_given("at_least")) study_.criterion.at_least = number("at_least");
+    if (is_given("at_most")) study_.criterion.at_most = number("at_most");
+    if (!is_given("at_least") && !is_given("at_most"))
+      remarks_.error("criterion", 1, "the criterion has no bound", "at_most=100.0, or at_least");
+    if (!is_given("low") || !is_given("high")) return;
+    study_.interval = {number("low"), number("high"), number("tolerance")};
+    if (!(study_.interval.low < study_.interval.high)) remarks_.error("high", 1, "a bisection's high is above its low");
+    for (const char* end : {"low", "high"}) {
+      if (!study_.vary.variable.empty()) tell_of_value(end, number(end));
+    }
+  }
+
+  /// Whether the varied variable may have this value.
+  void tell_of_value(const char* at, double value) {
+    const auto text = fmt::format("{}={}", study_.vary.variable, value);
+    for (const auto& mistake : read_assignment(text, Taken::one_by_one).mistakes)
+      remarks_.error(at, 1, mistake.message, mistake.hint);
+  }
+
+  bool check_number_of_runs() {
+    const double count = count_combinations(study_) * (study_.mode == Mode::ensemble ? study_.runs : 1);
+    if (count > most_runs) remarks_.error("axis", 1, fmt::format("the study has {:.3g} runs, more than 100000", count));
+    return count <= most_runs;
+  }
+
+  /// What the ensemble's value is in each combination; it ends at the first that will not do.
+  void find_own_values() {
+    for (const Combination& combination : combinations(study_)) {
+      if (diagnostics_.has_errors()) return;
+      const Deck deck = read_deck(study_, combination);
+      const auto& [variable, group, name, at] = study_.vary;
+      const bool any = deck.given(group, name, at[0], at[1]) || !find_variable(group, name)->fallback.empty();
+      const double own = any ? deck.real(group, name, at[0], at[1]) : 0;
+      if (own == 0)
+        remarks_.error("vary", 1,
+                       fmt::format("{} is {} in {}: it has no fraction", variable, any ? "0" : "not given",
+                                   study_.decks[combination.deck].file));
+      for (const double end : {1 - study_.fraction, 1 + study_.fraction}) tell_of_value("fraction", own * end);
+      study_.own_values.push_back(own);
+    }
+  }
+
+  /// Notes the elements of the decks that something sets; no two may set one.
+  void own(const std::string& name, int k, const std::set<std::string>& elements) {
+    for (const auto& element : elements) {
+      const auto [owner, fresh] = owners_.try_emplace(element, fmt::format("{}({})", name, k));
+      if (!fresh) return remarks_.error(name, k, fmt::format("{} is set by {}, too", element, owner->second));
+    }
+  }
+
+  const Deck& deck_;
+  Diagnostics& diagnostics_;
+  StudyRemarks remarks_;
+  Study study_;
+  std::map<int, std::size_t> numbers_;  // axis(k) -> its place in study_.axes
+  std::map<std::string, std::string> owners_;
+};
+
+}  // namespace
+
+Study read_study(const std::string& file) {
+  Diagnostics diagnostics;
+  const Deck deck = read_deck(read_file(file), file, {}, diagnostics);
+  if (!deck.is_study()) {
+    diagnostics.error({file, 0, 0}, "", "there is no group $study", "A deck that is no study is run by: tether DECK");
+    diagnostics.throw_if_errors();
+  }
+  Study study = StudyReader(deck, diagnostics).read();
+  diagnostics.throw_if_errors();
+  return study;
+}
+
+}  // namespace tether

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/study_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.hpp"
+#include "deck/reader.hpp"
+#include "results/summary_keys.hpp"
+#include "scene/reference.hpp"
+#include "studies/combinations.hpp"
+#include "studies/run_table.hpp"
+
+namespace tether {
+namespace {
+
+/// For which modes a variable of $study is, and which of them need it.
+struct Rule {
+  const char* name;
+  bool grid, ensemble, bisect;
+  bool required;
+  bool is_for(Mode mode) const { return mode == Mode::grid ? grid : mode == Mode::ensemble ? ensemble : bisect; }
+};
+
+constexpr std::array rules{
+    Rule{"order", true, false, false, false},    Rule{"quantities", true, true, false, true},
+    Rule{"vary", false, true, true, true},       Rule{"fraction", false, true, false, true},
+    Rule{"runs", false, true, false, true},      Rule{"low", false, false, true, true},
+    Rule{"high", false, false, true, true},      Rule{"tolerance", false, false, true, false},
+    Rule{"criterion", false, false, true, true}, Rule{"at_least", false, false, true, false},
+    Rule{"at_most", false, false, true, false},
+};
+
+/// Keys of summary.txt that are numbers of the run itself; the table has the cost of the whole process anyhow.
+bool is_quantity(const std::string& key) { return key != "path" && key != "cpu_seconds" && key != "wall_seconds"; }
+
+std::string meant(const std::string& name, const std::vector<std::string>& known) {
+  const auto near = nearest_name(name, known, 3);
+  if (!near.empty()) return fmt::format("Did you mean '{}'?", near);
+  std::string all;
+  for (const auto& key : known) all += (all.empty() ? "" : ", ") + key;
+  return fmt::format("There are {}.", all);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The quantities that some run of the study can write.
+class Keys {
+ public:
+  void add(const std::string& solution) {
+    for (auto& key : summary_keys(reference_kind(solution))) {
+      if (is_quantity(key) && !contains(known_, key)) known_.push_back(std::move(key));
+    }
+  }
+  const std::vector<std::string>& known() const { return known_; }
+
+ private:
+  std::vector<std::string> known_;
+};
+
+void check_quantities(const Deck& deck, const std::vector<std::string>& known, StudyRemarks& remarks) {
+  std::vector<std::string> before;
+  for (const auto& at : deck.given_elements(study_group, "quantities")) {
+    const std::string key = deck.text(study_group, "quantities", at[0]);
+    if (contains(fixed_columns(), key))
+      remarks.error("quantities", at[0], fmt::format("every table has {}", key), "Leave it out.");
+    else if (!contains(known, key))
+      remarks.error("quantities", at[0], fmt::format("no run writes {} into its summary", key), meant(key, known));
+    else if (contains(before, key))
+      remarks.error("quantities", at[0], fmt::format("{} stands there twice", key));
+    before.push_back(key);
+  }
+}
+
+void check_criterion(const Study& study, std::vector<std::string> known, StudyRemarks& remarks) {
+  known.insert(known.begin(), exit_code_key);
+  if (study.criterion.key.empty() || contains(known, study.criterion.key)) return;
+  remarks.error("criterion", 1, fmt::format("no run writes {} into its summary", study.criterion.key),
+                meant(study.criterion.key, known));
+}
+
+void check_order(const Study& study, StudyRemarks& remarks) {
+  if (study.order.empty()) return;
+  std::vector<std::string> columns = study.quantities;
+  for (const Axis& axis : study.axes) {
+    if (std::holds_alternative<double>(axis.cells.front())) columns.push_back(axis.variable);
+  }
+  if (study.axes.empty()) remarks.error("order", 1, "an order is told along axis 1, and there is none");
+  if (!contains(columns, study.order))
+    remarks.error("order", 1, fmt::format("the table has no column {} of numbers", study.order),
+                  meant(study.order, columns));
+}
+
+/// Reads a base deck with the values of its first combination.
+Deck read_base(const Study& study, std::size_t k, Diagnostics& diagnostics) {
+  const Combination first{k, std::vector<std::size_t>(study.axes.size(), 0)};
+  return read_deck(study.decks[k].text, study.decks[k].file, overrides_of(study, first, {}), diagnostics);
+}
+
+/// Its mistakes; those of overrides were told at the study's axes and sets.
+void tell_of(const Deck& deck, int number, const Diagnostics& found, StudyRemarks& remarks, Diagnostics& diagnostics) {
+  if (deck.is_study()) return remarks.error("decks", number, "this deck is a study itself");
+  for (const auto& error : found.errors()) {
+    if (error.place.file != override_file) diagnostics.add(error);
+  }
+}
+
+}  // namespace
+
+void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks) {
+  const std::string word = deck.text(study_group, "mode");
+  for (const Rule& rule : rules) {
+    const bool given = !deck.given_elements(study_group, rule.name).empty();
+    if (given && !rule.is_for(mode)) {
+      remarks.error(rule.name, 1, fmt::format("{} is not for mode '{}'", rule.name, word));
+    } else if (!given && rule.is_for(mode) && rule.required) {
+      remarks.error("mode", 1, fmt::format("a study of mode '{}' needs {}", word, rule.name));
+    }
+  }
+}
+
+void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Diagnostics& diagnostics) {
+  Keys keys;
+  for (std::size_t k = 0; k < study.decks.size(); ++k) {
+    Diagnostics found;
+    const Deck base = read_base(study, k, found);
+    tell_of(base, study.decks[k].number, found, remarks, diagnostics);
+    keys.add(base.text("reference", "solution"));
+  }
+  for (const Axis& axis : study.axes) {
+    if (axis.variable != "reference.solution") continue;
+    for (const Cell& cell : axis.cells) keys.add(std::get<std::string>(cell));
+  }
+  if (study.decks.empty()) return;  // told; nothing can be known of keys
+  check_quantities(deck, keys.known(), remarks);
+  if (study.mode == Mode::bisect) check_criterion(study, keys.known(), remarks);
+  check_order(study, remarks);
+}
+
+}  // namespace tether

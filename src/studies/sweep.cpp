@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/sweep.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <thread>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "results/text_file.hpp"
+#include "studies/outcome_table.hpp"
+#include "studies/run_table.hpp"
+
+namespace tether {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keeps other sweeps out of a folder. The runs inherit it: while one of a killed sweep still dies, the folder is
+/// taken.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder) {
+    const auto path = folder / "lock";
+    file_ = ::open(path.c_str(), O_RDWR | O_CREAT, 0666);
+    if (file_ < 0) throw FileError(fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
+    for (int k = 0; ::flock(file_, LOCK_EX | LOCK_NB) != 0; ++k) {
+      if (k == tries) refuse(folder);
+      std::this_thread::sleep_for(pause);
+    }
+  }
+  ~FolderLock() { ::close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  static constexpr int tries = 30;
+  static constexpr std::chrono::milliseconds pause{100};
+
+  [[noreturn]] void refuse(const fs::path& folder) const {
+    ::close(file_);
+    throw FileError(fmt::format("{}: another sweep works in this folder", folder.string()));
+  }
+  int file_ = -1;
+};
+
+void create(const fs::path& folder) {
+  std::error_code reason;
+  fs::create_directories(folder, reason);
+  if (reason) throw FileError(fmt::format("{}: cannot be created: {}", folder.string(), reason.message()));
+}
+
+void write_files(const fs::path& stem, const StudyTable& table, const Study& study, const std::string& command) {
+  const auto file = [&stem](const char* ending) { return fs::path(stem).concat(ending); };
+  write_netcdf(file(".nc"), table, {study.title, command, study.text, sha256(study.text), Units::none});
+  replace_file(file(".csv"), csv_text(table));
+}
+
+/// For people: without what is wide, and without the axes that only follow.
+std::string report_text(const Study& study, const StudyTable& table) {
+  std::set<std::string> hidden{"wall_seconds", "message", "folder", "reused"};
+  if (study.decks.size() == 1) hidden.insert("deck");
+  for (std::size_t a = 0; a < study.axes.size(); ++a) {
+    if (study.axes[a].leader != a) hidden.insert(study.axes[a].variable);
+  }
+  std::vector<std::string> names;
+  for (const auto& column : table.columns) {
+    if (hidden.count(column.name) == 0) names.push_back(column.name);
+  }
+  return aligned_text(table, names);
+}
+
+std::string failures_text(const std::vector<FinishedRun>& runs) {
+  std::string text;
+  for (const auto& run : runs) {
+    if (run.failed()) text += run.record.ending.message + "\n";
+  }
+  return text;
+}
+
+/// The bisections that came to an end and found nothing.
+std::vector<std::string> broken_verdicts(const Study& study, const std::vector<Bisection>& bisections) {
+  const auto all = combinations(study);
+  std::vector<std::string> verdicts;
+  for (std::size_t c = 0; c < bisections.size(); ++c) {
+    const std::string verdict = bisections[c].verdict();
+    if (bisections[c].found() || verdict == "not yet") continue;
+    const auto overrides = overrides_of(study, all[c], {});
+    verdicts.push_back(fmt::format("{}: {} from {} to {}: {}{}{}", study.decks[all[c].deck].file, study.vary.variable,
+                                   study.interval.low, study.interval.high, verdict, overrides.empty() ? "" : ", with ",
+                                   fmt::join(overrides, " ")));
+  }
+  return verdicts;
+}
+
+}  // namespace
+
+SweepResult sweep(const Study& study, const SweepOptions& options) {
+  create(options.out);
+  const FolderLock lock(options.out);
+  Sequences sequences(study);
+  Scheduler scheduler(study, options.out, options.jobs, options.progress);
+  const auto [runs, signal] = scheduler.run_all(sequences);
+  const StudyTable table = run_table(study, runs);
+  write_files(options.out / "table", table, study, options.command);
+  SweepResult result{report_text(study, table) + failures_text(runs), broken_verdicts(study, sequences.bisections()),
+                     signal};
+  if (study.mode == Mode::grid) return result;
+  const StudyTable outcome =
+      study.mode == Mode::ensemble ? ensemble_table(study, runs) : bisection_table(study, runs, sequences.bisections());
+  write_files(options.out / "outcome", outcome, study, options.command);
+  result.report += fmt::format("\n{}", report_text(study, outcome));
+  return result;
+}
+
+std::string list_runs(const Study& study, const fs::path& out) {
+  const auto all = combinations(study);
+  std::string text;
+  for (const Variant& variant : Sequences(study).first()) {
+    const Combination& combination = all[variant.combination];
+    const Deck deck = read_deck(study, combination, variant.varied);
+    const std::string key = run_key(deck);
+    const bool finished = read_record(run_folder(out, key), key).has_value();
+    text += fmt::format("{} {} {}\n", finished ? "finished" : "to run  ", deck.file(),
+                        fmt::join(overrides_of(study, combination, variant.varied), " "));
+  }
+  return text;
+}
+
+}  // namespace tether

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/scheduler.hpp"
+#include "studies/study.hpp"
+
+namespace tether {
+
+/// How a study is to be run.
+struct SweepOptions {
+  std::filesystem::path out;  ///< folder for the tables and, below it, the runs
+  int jobs = 1;               ///< runs side by side
+  std::string command;        ///< as it was typed, for the files' provenance
+  std::function<void(const SweepProgress&)> progress;
+};
+
+/// What a sweep has to say at its end.
+struct SweepResult {
+  std::string report;                 ///< the tables, for people
+  std::vector<std::string> verdicts;  ///< of the bisections that found nothing
+  int signal = 0;                     ///< that interrupted it
+};
+
+/// Runs a study; writes table.nc and table.csv, a row a run, and for ensembles and bisections outcome.nc and
+/// outcome.csv, a row a combination, of what is finished, also after a signal. A run that fails is a row like any
+/// other. Throws FileError, also where another sweep works in the same folder.
+SweepResult sweep(const Study& study, const SweepOptions& options);
+
+/// The runs that are known before the first has ended, a line each: whether it is finished, its deck, its overrides.
+std::string list_runs(const Study& study, const std::filesystem::path& out);
+
+}  // namespace tether

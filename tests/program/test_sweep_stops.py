@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sweeps that are killed or interrupted in the middle and started again: nothing is lost, nothing is repeated."""
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+from program import TETHER
+from sweeps import SweepTest
+
+
+def processes_of(folder):
+    """Processes whose command line names the folder."""
+    found = []
+    for entry in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            words = (entry / "cmdline").read_bytes()
+            zombie = (entry / "stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
+        except OSError:
+            continue
+        if str(folder).encode() in words and not zombie:
+            found.append(int(entry.name))
+    return found
+
+
+class Stops(SweepTest):
+    """40 runs of some hundredths of a second, stopped in the middle."""
+
+    COUNT = 40
+
+    def setUp(self):
+        super().setUp()
+        values = ",".join(f"{-250 - k}.0" for k in range(self.COUNT))
+        self.many = self.study(f"decks='../decks/spring-mass.in'\naxis='in.gravc={values}'\nset='in.tmax=0.03'\n"
+                               "quantities='steps','energy_drift'")
+
+    def finished(self):
+        """What identifies the record of each finished run."""
+        return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
+                for path in self.out.glob("runs/*/run.txt")}
+
+    def started(self):
+        command = [TETHER, "sweep", self.many, "--quiet", "--jobs", "2", "--out", self.out]
+        return subprocess.Popen(command, stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def stop_in_the_middle(self, how, at_least=6):
+        """Starts the sweep, sends it the signal when some runs are finished; its exit code."""
+        with self.started() as process:
+            while len(self.finished()) < at_least and process.poll() is None:
+                time.sleep(0.005)
+            process.send_signal(how)
+            return process.wait(timeout=60)
+
+    def wait_for_no_process(self):
+        deadline = time.monotonic() + 10
+        while processes_of(self.folder) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertEqual(processes_of(self.folder), [])
+
+    def go_on(self, before):
+        """The same command again: every run is there, those that were finished are the same records."""
+        self.sweep(self.many, "--jobs", "2")
+        after = self.finished()
+        self.assertEqual({name: after[name] for name in before}, before)
+        rows = self.table()
+        self.assertEqual((len(after), len(rows)), (self.COUNT, self.COUNT))
+        self.assertEqual({row["exit_code"] for row in rows}, {"0"})
+        self.assertEqual({pathlib.Path(row["folder"]).name for row in rows if row["reused"] == "1"}, set(before))
+
+    def test_killed(self):
+        code = self.stop_in_the_middle(signal.SIGKILL)
+        self.assertEqual(code, -signal.SIGKILL)
+        self.wait_for_no_process()
+        before = self.finished()
+        print(f"killed with {len(before)} of {self.COUNT} runs finished", flush=True)
+        self.assertTrue(6 <= len(before) < self.COUNT)
+        self.go_on(before)
+
+    def test_interrupted(self):
+        for number, (how, code) in enumerate(((signal.SIGTERM, 143), (signal.SIGINT, 130))):
+            self.assertEqual(self.stop_in_the_middle(how, at_least=6 + 6 * number), code)
+            self.assertEqual(processes_of(self.folder), [])
+            before = self.finished()
+            print(f"interrupted with {len(before)} of {self.COUNT} runs finished", flush=True)
+            self.assertTrue(6 + 6 * number <= len(before) < self.COUNT)
+            self.assertEqual({pathlib.Path(row["folder"]).name for row in self.table()}, set(before))
+        self.go_on(before)
+
+    def test_a_long_run_goes_on_from_its_checkpoint(self):
+        self.many = self.study("decks='../decks/spring-mass.in', set='in.tmax=1.0', quantities='steps'")
+        with self.started() as process:
+            while not list(self.out.glob("runs/*/history.nc")) and process.poll() is None:
+                time.sleep(0.005)
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(process.wait(timeout=60), 143)
+        self.assertEqual((self.finished(), self.table()), ({}, []))
+        self.sweep(self.many)
+        folder = self.out / self.table()[0]["folder"]
+        self.assertIn("goes on from", (folder / "messages.txt").read_text())
+        alone = self.run_ok(self.folder / "decks/spring-mass.in", "--set", "in.tmax=1.0", out="alone")
+        self.assertEqual((folder / "history.txt").read_bytes(), (alone / "history.txt").read_bytes())
+
+    def test_nothing_is_left_to_do(self):
+        self.sweep(self.many, "--jobs", str(os.cpu_count()))
+        before = self.finished()
+        self.go_on(before)
+        self.assertTrue(all(row["reused"] == "1" for row in self.table()))
+
+
+if __name__ == "__main__":
+    unittest.main()
