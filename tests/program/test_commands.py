@@ -49,10 +49,10 @@ class Talk(ProgramTest):
     def test_help(self):
         for words in (["--help"], ["-h"]):
             text = self.say(*words).stdout
-            for option in ("--out", "--threads", "--set", "--particles", "--path", "--quiet", "--dry-run", "--version",
-                           "check", "plan", "vars"):
+            for option in ("--out", "--threads", "--set", "--particles", "--path", "--quiet", "--dry-run", "--restart", "--version",
+                           "check", "plan", "vars", "sweep"):
                 self.assertIn(option, text)
-        for command in ("check", "plan", "vars"):
+        for command in ("check", "plan", "vars", "sweep"):
             self.assertIn("--help", self.say(command, "--help").stdout)
 
     def test_version(self):
