@@ -38,6 +38,8 @@ def arguments(words):
 def read(path):
     """Columns of the table by name, and the units of those that have some."""
     columns, units = {}, {}
+    if path.suffix != ".nc":
+        raise NothingToDraw(f"{path} is no table: give the sweep's table.nc or outcome.nc")
     with run_folder.open_dataset(path) as data:
         for name, variable in data.variables.items():
             if variable.dtype == "S1":

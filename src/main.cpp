@@ -45,13 +45,13 @@ int main(int argc, char** argv) {
   DeckOptions options;
   RunOptions run_options;
   std::vector<std::string> decks;
-  app.add_option("deck", decks, "decks to run");
+  auto* deck_names = app.add_option("deck", decks, "decks to run");
   add_deck_options(app, options);
   app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)");
   app.add_option("--threads", run_options.threads,
                  "threads; results are the same for any number, and the mpm path uses one")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck");
+  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")->needs(deck_names);
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 

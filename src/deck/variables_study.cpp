@@ -41,7 +41,8 @@ constexpr std::array rows{
     Variable{study_group, "tolerance", real, 0, 1, 1, "", 1e-12, 1, "", "1e-3",
              "Bisection: length of the last interval over the larger of low and high in size."},
     Variable{study_group, "criterion", text, 0, 1, 1, "", -none, none, "", "''",
-             "Bisection: exit_code, or a key of summary.txt (a run that fails then does not hold)."},
+             "Bisection: exit_code (0 holds, without a bound), or a key of summary.txt (a run that fails then does not "
+             "hold)."},
     Variable{study_group, "at_least", real, 0, 1, 1, "", -none, none, "", "",
              "Bisection: the criterion holds from this value on."},
     Variable{study_group, "at_most", real, 0, 1, 1, "", -none, none, "", "",

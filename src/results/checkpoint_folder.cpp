@@ -66,6 +66,9 @@ std::filesystem::path add_checkpoint(const std::filesystem::path& folder, const 
 }
 
 Checkpoint read_checkpoint_or_offer(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw FileError(fmt::format("{}: is a folder{}", path.string(), offer_beside(path / "")));
+  }
   try {
     return read_checkpoint(path);
   } catch (const FileError& error) {

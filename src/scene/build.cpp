@@ -35,9 +35,15 @@ Walls walls_of(const Deck& deck) {
   return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
 }
 
-Clock clock_of(const Deck& deck) {
+Clock clock_of(const Deck& deck, Diagnostics& diagnostics) {
   const double tstep = deck.real("in", "tstep");
   const double dtmax = deck.given("in", "dtmax") ? deck.real("in", "dtmax") : tstep;
+  if (tstep > dtmax) {
+    diagnostics.add(
+        deck.remark(Severity::warning, "in", "tstep", {1, 1},
+                    fmt::format("tstep = {:.6g} is above dtmax = {:.6g}: steps are no longer than dtmax", tstep, dtmax),
+                    "write dtmax, too"));
+  }
   return {deck.real("in", "tmax"), std::min(tstep, dtmax), deck.real("mpm", "cfl")};
 }
 
@@ -104,7 +110,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;
   scene.walls = walls_of(deck);
   scene.gravity = deck.real("in", "gravc");
-  scene.clock = clock_of(deck);
+  scene.clock = clock_of(deck, diagnostics);
   scene.order = order_of(deck);
   add_bodies(deck, particles, scene, diagnostics);
   scene.outputs = outputs_of(deck, scene, diagnostics);

@@ -37,12 +37,14 @@ void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t fi
                         Diagnostics& diagnostics) {
   for (const Subscript at : deck.given_elements("points", "heavy")) {
     const auto p = row_number(deck, "heavy", at, file_first, file_rows, diagnostics);
-    if (p) scene.points.mass[*p] = deck.real("points", "heavy", at[0]);
+    if (!p) break;  // the rest is not there either
+    scene.points.mass[*p] = deck.real("points", "heavy", at[0]);
   }
   for (const Subscript at : deck.given_elements("points", "tracked")) {
     if (!deck.logical("points", "tracked", at[0])) continue;
     const auto p = row_number(deck, "tracked", at, file_first, file_rows, diagnostics);
-    if (p) scene.tracked.push_back(*p);
+    if (!p) break;
+    scene.tracked.push_back(*p);
   }
   for (const Subscript at : deck.given_elements("points", "tracked_at")) {
     if (at[0] != 1) continue;

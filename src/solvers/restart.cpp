@@ -51,9 +51,20 @@ void check_same_run(const std::string& checkpoint_deck, const std::string& deck)
   if (before.trailer().text != now.trailer().text) {
     differences.error({}, "", "the particle data are not those of the checkpoint's run");
   }
-  if (differences.has_errors())
+  if (differences.has_errors()) {
     differences.error({}, "", "a restart goes on with the same deck", "only in.tmax, in.iout and in.tiout may differ");
+  }
   differences.throw_if_errors();
+}
+
+/// There must be something left to do, or at least nothing to undo.
+void check_end(const Checkpoint& checkpoint, const std::string& deck_effective) {
+  Diagnostics ignored;
+  const Deck deck = read_deck(deck_effective, "deck", {}, ignored);
+  if (!deck.given("in", "tmax") || checkpoint.time <= deck.real("in", "tmax")) return;
+  throw InputError(
+      fmt::format("the checkpoint is of t = {:.6g}, behind tmax = {:.6g}", checkpoint.time, deck.real("in", "tmax")),
+      "give the run's own tmax, or a later one");
 }
 
 }  // namespace
@@ -61,6 +72,7 @@ void check_same_run(const std::string& checkpoint_deck, const std::string& deck)
 Checkpoint checkpoint_for(const std::filesystem::path& path, const std::string& deck_effective) {
   Checkpoint checkpoint = read_checkpoint_or_offer(path);
   check_same_run(checkpoint.deck_effective, deck_effective);
+  check_end(checkpoint, deck_effective);
   return checkpoint;
 }
 

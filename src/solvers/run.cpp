@@ -96,8 +96,8 @@ class Runner {
     const int signal = request_.interrupted && !at_end() ? request_.interrupted() : 0;
     if (signal == 0) return;
     write_checkpoint();
-    const auto text = fmt::format("interrupted at t = {:.6g}, step {}; goes on with --restart {}", solver_->time(),
-                                  solver_->counts().steps, last_checkpoint_.string());
+    const auto text = fmt::format("interrupted at t = {:.6g}, step {}; the same command goes on with --restart {}",
+                                  solver_->time(), solver_->counts().steps, last_checkpoint_.string());
     outputs_.note(text);
     throw Interrupted(signal, text);
   }

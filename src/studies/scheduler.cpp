@@ -44,17 +44,23 @@ std::filesystem::path checkpoint_of(const std::string& deck_effective, const std
   return {};
 }
 
-/// A run as the command line does it. For the child process: signals end it at its next look.
+/// A run as the command line does it; of a run that ends well the message is its warnings, since its numbers may mean
+/// less than they seem to. For the child process: signals end it at its next look.
 Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, const std::string& command) {
   SignalWatch watch;
-  return end_of(deck.file(), [&] {
+  std::string warnings;
+  const auto warn = [&warnings](const std::string& text) { warnings += "warning: " + text + "\n"; };
+  const Ending ending = end_of(deck.file(), [&] {
     Diagnostics diagnostics;
     const Loaded loaded = load_scene(deck, {}, diagnostics);
     RunRequest request = request_of(loaded, folder, command);
     request.restart = checkpoint_of(request.deck_effective, folder);
     request.interrupted = [&watch] { return watch.take(); };
+    request.warn = warn;
+    for (const auto& warning : loaded.plan.warnings) warn(warning);
     run(loaded.plan, request);
   });
+  return ending.exit_code == exit_done ? Ending{exit_done, warnings} : ending;
 }
 
 /// A run that went on from a checkpoint has cost more than its last process: its summary knows.

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "deck/reader.hpp"
@@ -140,8 +141,12 @@ class StudyReader {
     study_.criterion.key = text("criterion");
     if (is_given("at_least")) study_.criterion.at_least = number("at_least");
     if (is_given("at_most")) study_.criterion.at_most = number("at_most");
-    if (!is_given("at_least") && !is_given("at_most"))
+    const bool bounded = is_given("at_least") || is_given("at_most");
+    if (!bounded && study_.criterion.key == exit_code_key) study_.criterion.at_most = exit_done;
+    if (!bounded && study_.criterion.key != exit_code_key)
       remarks_.error("criterion", 1, "the criterion has no bound", "at_most=100.0, or at_least");
+    if (study_.criterion.at_least > study_.criterion.at_most)
+      remarks_.error("at_least", 1, "nothing lies between at_least and at_most");
     if (!is_given("low") || !is_given("high")) return;
     study_.interval = {number("low"), number("high"), number("tolerance")};
     if (!(study_.interval.low < study_.interval.high)) remarks_.error("high", 1, "a bisection's high is above its low");

@@ -57,6 +57,15 @@ void create(const fs::path& folder) {
   if (reason) throw FileError(fmt::format("{}: cannot be created: {}", folder.string(), reason.message()));
 }
 
+/// A study of another mode may have been run here.
+void remove_earlier_outcome(const fs::path& folder) {
+  for (const char* name : {"outcome.nc", "outcome.csv"}) {
+    std::error_code reason;
+    fs::remove(folder / name, reason);
+    if (reason) throw FileError(fmt::format("{}: cannot be removed: {}", (folder / name).string(), reason.message()));
+  }
+}
+
 void write_files(const fs::path& stem, const StudyTable& table, const Study& study, const std::string& command) {
   const auto file = [&stem](const char* ending) { return fs::path(stem).concat(ending); };
   write_netcdf(file(".nc"), table, {study.title, command, study.text, sha256(study.text), Units::none});
@@ -79,8 +88,10 @@ std::string report_text(const Study& study, const StudyTable& table) {
 
 std::string failures_text(const std::vector<FinishedRun>& runs) {
   std::string text;
+  int number = 1;
   for (const auto& run : runs) {
-    if (run.failed()) text += run.record.ending.message + "\n";
+    if (run.failed()) text += fmt::format("run {}: {}\n", number, run.record.ending.message);
+    ++number;
   }
   return text;
 }
@@ -105,6 +116,7 @@ std::vector<std::string> broken_verdicts(const Study& study, const std::vector<B
 SweepResult sweep(const Study& study, const SweepOptions& options) {
   create(options.out);
   const FolderLock lock(options.out);
+  remove_earlier_outcome(options.out);
   Sequences sequences(study);
   Scheduler scheduler(study, options.out, options.jobs, options.progress);
   const auto [runs, signal] = scheduler.run_all(sequences);

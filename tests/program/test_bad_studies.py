@@ -53,6 +53,8 @@ class BadStudies(SweepTest):
          "no run writes step into", (4, 61)),
         (GOOD + "mode='bisect', vary='mpm.cfl', low=0.1, high=1.0, criterion='steps'",
          "the criterion has no bound", (4, 61)),
+        (GOOD + "mode='bisect', vary='mpm.cfl', low=0.1, high=1.0, criterion='steps', at_least=3.0, at_most=2.0",
+         "nothing lies between at_least and at_most", (4, 79)),
         (GOOD + "axis='in.nx=51,101'\nfraktion=0.1", "$study has no variable 'fraktion'", (5, 1)),
     )
 

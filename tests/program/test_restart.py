@@ -70,7 +70,7 @@ class Restart(ProgramTest):
             self.assertLess(time.monotonic() - began, SECONDS_TO_STOP)
             self.assertEqual(process.returncode, 128 + number)
             newest = checkpoints(folder)[0]
-            self.assertIn(f"goes on with --restart {newest}", stderr)
+            self.assertIn(f"the same command goes on with --restart {newest}", stderr)
             self.assertFalse((folder / "summary.txt").exists())
             self.run_ok(*LONG, "--restart", newest, out=number.name)
             self.same_numbers(whole, folder)
@@ -204,6 +204,19 @@ class Restart(ProgramTest):
     def test_a_restart_is_of_one_deck(self):
         result = self.expect(2, DECKS / "sod.in", DECKS / "spring-mass.in", "--restart", "x.nc")
         self.assertIn("--restart goes with one deck", result.stderr)
+        self.assertIn("requires deck", self.expect(2, "--restart", "x.nc").stderr)
+
+    def test_a_folder_is_no_checkpoint_but_has_some(self):
+        deck, options, (newest, _) = self.with_checkpoints()
+        result = self.expect(4, deck, *options, "--restart", newest.parent)
+        self.assertIn(f"is a folder; {newest.name} is whole", result.stderr)
+        self.assertIn(f"--restart {newest}", result.stderr)
+
+    def test_an_end_before_the_checkpoint_is_refused(self):
+        deck, options, (newest, _) = self.with_checkpoints()
+        result = self.expect(2, deck, *options, "--restart", newest, *sets(in__tmax=0.05), "--out", newest.parent)
+        self.assertIn("the checkpoint is of t = 0.101, behind tmax = 0.05", result.stderr)
+        self.assertTrue((newest.parent / "summary.txt").exists())
 
     def test_a_lost_point_names_the_last_checkpoint(self):
         options = sets(**{"mpm__cfl": 0, "in__tstep": 1.7e-5, "in__dtmax": 1.7e-5, "in__iout(41)": 1,

@@ -121,6 +121,15 @@ TEST(Outputs, EverySwitchThatIsOnNeedsItsInterval) {
                    "3:32: iout(39)=1 needs its interval tiout(39)"}));
 }
 
+TEST(Clock, AStepAboveTheLargestIsTold) {
+  const auto built = build(square_region("dtmax=.001"), {"in.tstep=.002"});
+  EXPECT_EQ(built.scene.clock.tstep, .001);
+  const auto warnings = built.diagnostics.warnings();
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].message, "tstep = 0.002 is above dtmax = 0.001: steps are no longer than dtmax");
+  EXPECT_TRUE(build(square_region("dtmax=.002"), {"in.tstep=.001"}).diagnostics.warnings().empty());
+}
+
 TEST(Outputs, CheckpointsByTheirSwitch) {
   EXPECT_EQ(outputs("iout(41)=1,tiout(41)=.25").checkpoint, .25);
   EXPECT_EQ(outputs("iout(41)=0,tiout(41)=.25").checkpoint, 0);

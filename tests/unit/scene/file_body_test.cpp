@@ -79,9 +79,9 @@ TEST(FileBody, RegionsAreNotThereWithIgen0) {
 }
 
 TEST(FileBodyErrors, RowsBeyondTheFile) {
-  const Built built = build(string_deck("$points heavy(4)=1.,tracked(9)=.true. $\n"));
+  const Built built = build(string_deck("$points heavy(4)=1.,2.,tracked(9)=3*.true. $\n"));
   EXPECT_EQ(built.errors(), (Texts{"5:18: heavy(4) counts rows of the particle file, which has 3",
-                                   "5:32: tracked(9) counts rows of the particle file, which has 3"}));
+                                   "5:37: tracked(9) counts rows of the particle file, which has 3"}));
 }
 
 TEST(FileBodyErrors, APlaceWithoutY) {
