@@ -67,6 +67,7 @@ class Writer {
   }
   void define(const std::string& name, const std::vector<double>& numbers, std::vector<std::size_t> shape) {
     std::vector<int> dimensions;
+    dimensions.reserve(shape.size());
     for (const std::size_t length : shape) dimensions.push_back(dimension(length));
     pending_.push_back({file_.number_variable(name, dimensions), std::move(shape), &numbers});
   }

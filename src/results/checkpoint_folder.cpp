@@ -59,7 +59,7 @@ std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& f
 std::filesystem::path add_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
   const auto before = checkpoints_in(folder);
   const auto number = before.empty() ? 1 : number_of(before.front()) + 1;
-  const auto path = folder / fmt::format("{}{}{}", prefix, number, suffix);
+  auto path = folder / fmt::format("{}{}{}", prefix, number, suffix);
   write_checkpoint(path, checkpoint);
   remove_older(checkpoints_in(folder));
   return path;

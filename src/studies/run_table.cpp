@@ -30,6 +30,7 @@ Texts texts(const std::vector<FinishedRun>& runs, const Each& each) {
 std::vector<Combination> combinations_of(const Study& study, const std::vector<FinishedRun>& runs) {
   const auto all = combinations(study);
   std::vector<Combination> rows;
+  rows.reserve(runs.size());
   for (const auto& run : runs) rows.push_back(all[run.variant.combination]);
   return rows;
 }

@@ -12,7 +12,7 @@
 namespace tether::mpm {
 namespace {
 
-constexpr double bytes_of_saved_node = 2 * 5 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
+constexpr double bytes_of_saved_node = 10 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
 constexpr double bytes_of_saved_point = 15 * sizeof(double);
 constexpr double bytes_of_node =
     sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 1 + 4 + 8 + 4 + 8 + bytes_of_saved_node;
