@@ -24,8 +24,11 @@ namespace {
 
 /// Runs the command, tells on stderr what went wrong, and returns the exit code.
 int guarded(const std::string& name, const std::function<void()>& command) {
-  const Ending ending = end_of(name, command);
-  fmt::print(stderr, "{}", ending.message);
+  const Ending ending = end_of(name, [&command] {
+    command();
+    if (std::fflush(stdout) != 0) throw FileError("the standard output takes no more text");
+  });
+  std::fputs(ending.message.c_str(), stderr);  // nowhere to tell of it where this fails
   return ending.exit_code;
 }
 
@@ -52,12 +55,12 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
   fmt::print("{} in {}\n", line, folder.string());
 }
 
-void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
+void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several,
+              SignalWatch& signals) {
   const Loaded loaded = load(name, options);
   if (!run_options.quiet) print_warnings(name, loaded);
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
   if (run_options.dry_run) return fmt::print("{}", to_text(loaded.plan));
-  SignalWatch signals;
   ProgressLine progress(name, run_options.quiet);
   const auto warn = [&](const std::string& text) {
     progress.clear();
@@ -100,6 +103,9 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   if (result.signal != 0)
     throw Interrupted(result.signal,
                       fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
+  if (result.file_trouble > 0)
+    throw FileError(
+        fmt::format("{} runs could not read or write a file; the same command tries them again", result.file_trouble));
   return result.verdicts.empty();
 }
 
@@ -108,8 +114,11 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
   int worst = guarded("tether", [&] { refuse_shared_folders(decks, run_options); });
   if (worst != exit_done) return worst;
+  SignalWatch signals;
   for (const auto& deck : decks) {
-    worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
+    worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1, signals); }));
+    const int late = signals.take();  // it came when the deck had come to its end
+    if (late != 0) worst = exit_signal + late;
     if (worst > exit_signal) break;
   }
   return worst;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -32,6 +35,23 @@ CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
   return sweep;
 }
 
+/// A file over the size limit is told as a failed write, with exit code 4. A sweep hears of its runs' ends whatever the
+/// caller left. What is printed where a standard stream is closed must not land in a file that takes its number.
+void settle_in() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGCHLD, SIG_DFL);
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDWR);  // takes the lowest number that is free
+  }
+}
+
+/// An option in front of a command would not reach it.
+bool has_stray_options(const CLI::App& app) {
+  const auto options = app.get_options();
+  return !app.get_subcommands().empty() &&
+         std::any_of(options.begin(), options.end(), [](const CLI::Option* option) { return option->count() > 0; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -51,7 +71,9 @@ int main(int argc, char** argv) {
   app.add_option("--threads", run_options.threads,
                  "threads; results are the same for any number, and the mpm path uses one")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")->needs(deck_names);
+  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
+      ->needs(deck_names)
+      ->check([](const std::string& file) { return std::string(file.empty() ? "a file is wanted" : ""); });
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 
@@ -73,7 +95,11 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_done : exit_input;
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit is told as a failed write, with exit code 4
+  settle_in();
+  if (has_stray_options(app)) {
+    std::fputs("tether: error: options stand behind the command: tether sweep STUDY --out DIR\n", stderr);
+    return exit_input;
+  }
   for (int k = 0; k < argc; ++k) run_options.command += (k ? " " : "") + std::string(argv[k]);
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options);

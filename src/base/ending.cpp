@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <system_error>
 
 #include "base/diagnostics.hpp"
 #include "base/errors.hpp"
@@ -23,6 +24,8 @@ Ending end_of(const std::string& name, const std::function<void()>& work) {
   } catch (const RunError& error) {
     return {exit_run, told(error.what())};
   } catch (const FileError& error) {
+    return {exit_file, told(error.what())};
+  } catch (const std::system_error& error) {  // as of a terminal or a pipe that takes no more text
     return {exit_file, told(error.what())};
   } catch (const Interrupted& interrupted) {
     return {exit_signal + interrupted.signal(), fmt::format("{}: {}\n", name, interrupted.what())};

@@ -13,6 +13,7 @@ void write_provenance(NetcdfFile& file, const Provenance& provenance) {
   file.global_attribute("git_hash", git_hash());
   file.global_attribute("deck", provenance.deck_text);
   file.global_attribute("deck_sha256", provenance.deck_sha256);
+  file.global_attribute(run_attribute, provenance.run_sha256);
 }
 
 std::size_t provenance_room(const Provenance& provenance) {

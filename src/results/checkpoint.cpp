@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
+#include <map>
 #include <system_error>
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "results/attributes.hpp"
 #include "results/netcdf_input.hpp"
 #include "results/seal.hpp"
@@ -22,7 +23,6 @@ const std::string state_prefix = "state_";
 /// Of the variables and attributes below: another one is another file.
 const std::string format = "1";
 
-/// The variables of the file: what the state holds, and what the run has done so far.
 std::vector<double> flat(const std::vector<Record>& records) {
   std::vector<double> numbers;
   for (const auto& record : records) numbers.insert(numbers.end(), record.begin(), record.end());
@@ -141,6 +141,8 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   }
 }
 
+std::string this_program() { return fmt::format("tether {} {}", program_version(), git_hash()); }
+
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
   const std::string broken = broken_seal(path);
   if (!broken.empty()) throw FileError(fmt::format("{}: {}", path.string(), broken));
@@ -151,6 +153,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   }
   Checkpoint checkpoint;
   checkpoint.provenance.title = file.global_attribute("title");
+  checkpoint.written_by = file.global_attribute("program") + " " + file.global_attribute("git_hash");
   checkpoint.deck_effective = file.global_attribute("deck_effective");
   checkpoint.state = read_state(file);
   checkpoint.records = read_records(file);

@@ -28,7 +28,11 @@ struct Checkpoint {
   std::size_t grid_snapshots = 0;     ///< written so far
   std::vector<std::string> messages;  ///< of the run so far, those of its deck left out
   double cpu_seconds = 0, wall_seconds = 0;
+  std::string written_by;  ///< program, version and git hash, of one that was read
 };
+
+/// What stands in written_by of this program's checkpoints.
+std::string this_program();
 
 /// Writes the file under a temporary name, hands it to the disk and renames it, so that under its own name there is a
 /// whole checkpoint or none. The attribute `checksum` is the SHA-256 of the file with 64 zeros in that place. Times
@@ -43,8 +47,5 @@ std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& f
 
 /// Writes checkpoint-N.nc with the next N, then removes all but the two newest. Returns its path. Throws FileError.
 std::filesystem::path add_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
-
-/// As read_checkpoint; where the file is damaged the message offers the newest whole one of its folder.
-Checkpoint read_checkpoint_or_offer(const std::filesystem::path& path);
 
 }  // namespace tether

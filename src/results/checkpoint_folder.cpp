@@ -6,7 +6,6 @@
 
 #include "base/errors.hpp"
 #include "results/checkpoint.hpp"
-#include "results/seal.hpp"
 
 namespace tether {
 namespace {
@@ -33,17 +32,6 @@ void remove_older(const std::vector<std::filesystem::path>& newest_first) {
   }
 }
 
-/// The newest whole checkpoint beside a damaged one; "" where there is none.
-std::string offer_beside(const std::filesystem::path& damaged) {
-  const auto folder = damaged.parent_path().empty() ? std::filesystem::path(".") : damaged.parent_path();
-  for (const auto& path : checkpoints_in(folder)) {
-    if (path.filename() == damaged.filename() || !broken_seal(path).empty()) continue;
-    return fmt::format("; {} is whole, of t = {:.6g}: --restart {}", path.filename().string(),
-                       read_checkpoint(path).time, (damaged.parent_path() / path.filename()).string());
-  }
-  return "";
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& folder) {
@@ -63,17 +51,6 @@ std::filesystem::path add_checkpoint(const std::filesystem::path& folder, const 
   write_checkpoint(path, checkpoint);
   remove_older(checkpoints_in(folder));
   return path;
-}
-
-Checkpoint read_checkpoint_or_offer(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) {
-    throw FileError(fmt::format("{}: is a folder{}", path.string(), offer_beside(path / "")));
-  }
-  try {
-    return read_checkpoint(path);
-  } catch (const FileError& error) {
-    throw FileError(error.what() + offer_beside(path));
-  }
 }
 
 }  // namespace tether

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
+#include <numeric>
 #include <optional>
 
 #include "base/errors.hpp"
+#include "results/attributes.hpp"
 #include "results/netcdf_input.hpp"
 
 namespace tether {
@@ -23,18 +25,41 @@ Snapshot read_snapshot(const NetcdfInput& file, const Snapshot& like, std::size_
   return snapshot;
 }
 
+void check_run(const NetcdfInput& file, const std::filesystem::path& path, const WantedSnapshots& wanted) {
+  bool fits = file.global_attribute(run_attribute) == wanted.run_sha256;
+  for (const Field& field : wanted.like.fields) {
+    const auto shape = file.shape(field.quantity.name);
+    const auto numbers = std::accumulate(shape.begin() + 1, shape.end(), std::size_t{1}, std::multiplies<>());
+    fits = fits && numbers == field.values.size();
+  }
+  if (!fits) throw FileError(fmt::format("{}: is of another run", path.string()));
+}
+
+/// The next snapshot, or nothing and why.
+std::optional<Snapshot> read_or_say_why_not(const std::function<Snapshot()>& read, std::string& why) {
+  try {
+    return read();
+  } catch (const FileError& error) {
+    why = error.what();
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
-std::string replay_snapshots(const std::filesystem::path& path, const Snapshot& like, std::size_t count,
+std::string replay_snapshots(const std::filesystem::path& path, const WantedSnapshots& wanted,
                              const std::function<void(const Snapshot&)>& append) {
-  std::size_t done = 0;
-  try {
-    std::optional<NetcdfInput> file;
-    if (count > 0) file.emplace(path);
-    std::optional<Snapshot> next;
-    for (; done < count; ++done) append(read_snapshot(*file, like, done));
-  } catch (const FileError& error) {
-    return fmt::format("{} of {} earlier snapshots are lost: {}", count - done, count, error.what());
+  std::optional<NetcdfInput> file;
+  for (std::size_t done = 0; done < wanted.count; ++done) {
+    std::string why;
+    const auto read = [&] {
+      if (!file) check_run(file.emplace(path), path, wanted);
+      return read_snapshot(*file, wanted.like, done);
+    };
+    const auto snapshot = read_or_say_why_not(read, why);
+    if (!snapshot)
+      return fmt::format("{} of {} earlier snapshots are lost: {}", wanted.count - done, wanted.count, why);
+    append(*snapshot);
   }
   return "";
 }

@@ -10,9 +10,17 @@
 
 namespace tether {
 
-/// Hands the first `count` snapshots of a file (particles.nc or mesh.nc) to `append`, one by one; their fields are
-/// those of `like`. Returns "", or where some cannot be read, how many and why: the run goes on without them.
-std::string replay_snapshots(const std::filesystem::path& file, const Snapshot& like, std::size_t count,
+/// Which snapshots are wanted of an earlier file: the first `count` of the run with this SHA-256 of its deck.effective,
+/// with the fields of `like`, as many numbers each.
+struct WantedSnapshots {
+  const Snapshot& like;
+  std::size_t count = 0;
+  std::string run_sha256;
+};
+
+/// Hands the snapshots of a file (particles.nc or mesh.nc) to `append`, one by one. Returns "", or where some cannot be
+/// read or are of another run, how many and why. What `append` throws goes through.
+std::string replay_snapshots(const std::filesystem::path& file, const WantedSnapshots& wanted,
                              const std::function<void(const Snapshot&)>& append);
 
 }  // namespace tether

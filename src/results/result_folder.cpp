@@ -67,8 +67,13 @@ std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::pat
   return std::filesystem::exists(aside(folder, name)) ? aside(folder, name) : folder / name;
 }
 
-void ResultFolder::remove_what_was_set_aside() {
-  for (const char* name : snapshot_files) remove_earlier(aside(folder_, name));
+void ResultFolder::remove_what_was_set_aside(const std::string& name) { remove_earlier(aside(folder_, name)); }
+
+std::filesystem::path ResultFolder::keep_what_was_set_aside(const std::string& name) {
+  if (!std::filesystem::exists(aside(folder_, name))) return {};
+  const auto unused = folder_ / (name + ".unused");
+  put_in_place(aside(folder_, name), unused);
+  return unused;
 }
 
 void ResultFolder::append(const Record& record) { history_.append(record); }

@@ -12,8 +12,8 @@
 
 namespace tether {
 
-/// What becomes of the snapshots that an earlier run left: removed, or set aside until a run that goes on from its
-/// checkpoint has taken them over.
+/// What becomes of the snapshots that an earlier run left: removed, or set aside until a run that goes on from a
+/// checkpoint has taken over what is its own.
 enum class EarlierSnapshots { removed, set_aside };
 
 /// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
@@ -26,7 +26,10 @@ class ResultFolder {
                EarlierSnapshots earlier = EarlierSnapshots::removed);
   /// Where the snapshots of an earlier run stand, those of particles.nc or mesh.nc: set aside or not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
-  void remove_what_was_set_aside();
+  /// Ends the setting aside of particles.nc or mesh.nc.
+  void remove_what_was_set_aside(const std::string& name);
+  /// The same for what could not be taken over: it stays as NAME.unused, which is returned; empty where there is none.
+  std::filesystem::path keep_what_was_set_aside(const std::string& name);
 
   void append(const Record& record);                                ///< history.nc and history.txt
   void points(const Snapshot& snapshot);                            ///< particles.nc and particles.xmf

@@ -60,6 +60,7 @@ struct Provenance {
   std::string deck_text;    ///< the deck as read
   std::string deck_sha256;  ///< of deck_text
   Units units = Units::none;
+  std::string run_sha256 = {};  ///< of deck.effective: the same for all files of a run
 };
 
 /// `key = value` lines of summary.txt, in order.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/diagnostics.hpp"
+#include "base/errors.hpp"
 #include "deck/elements.hpp"
 #include "deck/reader.hpp"
 #include "deck/spelling.hpp"
@@ -17,14 +18,18 @@ namespace {
 
 constexpr std::array<std::string_view, 3> may_differ{"tmax", "iout", "tiout"};  // of $in
 
-bool must_agree(const Variable& variable) {
+/// The switch that adds a column to the history.
+constexpr int angle_switch = 38;
+
+bool must_agree(const Variable& variable, Subscript at) {
   const bool free = std::find(may_differ.begin(), may_differ.end(), variable.name) != may_differ.end();
-  return variable.effect == Effect::used && !(variable.group == "in" && free);
+  const bool columns = variable.name == "iout" && at[0] == angle_switch;
+  return variable.effect == Effect::used && (variable.group != "in" || !free || columns);
 }
 
 std::string text_of(const Deck& deck, const Variable& variable, Subscript at) {
-  if (!deck.given(variable.group, variable.name, at[0], at[1])) return "not given";
-  return value_text(deck.value(variable.group, variable.name, at[0], at[1]));
+  const bool any = deck.given(variable.group, variable.name, at[0], at[1]) || !variable.fallback.empty();
+  return any ? value_text(deck.value(variable.group, variable.name, at[0], at[1])) : "not given";
 }
 
 /// Adds an error for each element of a variable that is not the same in both decks.
@@ -35,7 +40,7 @@ void compare(const Deck& before, const Deck& now, const Variable& variable, Diag
   }
   for (const Subscript at : elements) {
     const auto then = text_of(before, variable, at), here = text_of(now, variable, at);
-    if (then == here) continue;
+    if (then == here || !must_agree(variable, at)) continue;
     diagnostics.error({}, "",
                       fmt::format("{}.{} was {} in the run of the checkpoint and is {} in the deck", variable.group,
                                   element_name(variable, at), then, here));
@@ -45,14 +50,13 @@ void compare(const Deck& before, const Deck& now, const Variable& variable, Diag
 void check_same_run(const std::string& checkpoint_deck, const std::string& deck) {
   Diagnostics ignored, differences;
   const Deck before = read_deck(checkpoint_deck, "checkpoint", {}, ignored), now = read_deck(deck, "deck", {}, ignored);
-  for (const Variable& variable : variables()) {
-    if (must_agree(variable)) compare(before, now, variable, differences);
-  }
+  for (const Variable& variable : variables()) compare(before, now, variable, differences);
   if (before.trailer().text != now.trailer().text) {
     differences.error({}, "", "the particle data are not those of the checkpoint's run");
   }
   if (differences.has_errors()) {
-    differences.error({}, "", "a restart goes on with the same deck", "only in.tmax, in.iout and in.tiout may differ");
+    differences.error({}, "", "a restart goes on with the same deck",
+                      "only in.tmax, in.iout but 38, and in.tiout may differ");
   }
   differences.throw_if_errors();
 }
@@ -67,10 +71,38 @@ void check_end(const Checkpoint& checkpoint, const std::string& deck_effective) 
       "give the run's own tmax, or a later one");
 }
 
+/// The newest whole checkpoint of this deck beside a damaged one; "" where there is none.
+std::string offer_beside(const std::filesystem::path& damaged, const std::string& deck_effective) {
+  const bool is_folder = std::filesystem::is_directory(damaged);
+  const auto parent = is_folder ? damaged : damaged.parent_path();
+  for (const auto& path : checkpoints_in(parent.empty() ? "." : parent)) {
+    try {
+      const Checkpoint checkpoint = read_checkpoint(path);
+      check_same_run(checkpoint.deck_effective, deck_effective);
+      return fmt::format("; {} is whole, of t = {:.6g}: --restart {}", path.filename().string(), checkpoint.time,
+                         (parent / path.filename()).string());
+    } catch (const FileError&) {
+      continue;
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return "";
+}
+
+Checkpoint read_or_offer(const std::filesystem::path& path, const std::string& deck_effective) {
+  try {
+    if (std::filesystem::is_directory(path)) throw FileError(fmt::format("{}: is a folder", path.string()));
+    return read_checkpoint(path);
+  } catch (const FileError& error) {
+    throw FileError(error.what() + offer_beside(path, deck_effective));
+  }
+}
+
 }  // namespace
 
 Checkpoint checkpoint_for(const std::filesystem::path& path, const std::string& deck_effective) {
-  Checkpoint checkpoint = read_checkpoint_or_offer(path);
+  Checkpoint checkpoint = read_or_offer(path, deck_effective);
   check_same_run(checkpoint.deck_effective, deck_effective);
   check_end(checkpoint, deck_effective);
   return checkpoint;

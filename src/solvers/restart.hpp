@@ -9,8 +9,9 @@
 namespace tether {
 
 /// The checkpoint from which a deck (the text of its deck.effective) is to go on. Throws FileError where it cannot be
-/// read, InputError that lists the values in which its deck and this one differ; in.tmax, in.iout and in.tiout may: a
-/// run may be made longer.
+/// read, with an offer of the newest whole one beside it, InputError that lists the values in which its deck and this
+/// one differ; in.tmax, in.iout but for 38 (which adds a column to the history) and in.tiout may: a run may be made
+/// longer.
 Checkpoint checkpoint_for(const std::filesystem::path& path, const std::string& deck_effective);
 
 }  // namespace tether

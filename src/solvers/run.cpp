@@ -167,9 +167,14 @@ class Runner {
 RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder, const std::string& command) {
   const std::string& text = loaded.deck.text();
   const Scene& scene = loaded.plan.scene;
-  return {
-      folder, {scene.title, command, text, sha256(text), scene.units}, loaded.effective, loaded.warnings, {}, {}, {},
-      {}};
+  return {folder,
+          {scene.title, command, text, sha256(text), scene.units, sha256(loaded.effective)},
+          loaded.effective,
+          loaded.warnings,
+          {},
+          {},
+          {},
+          {}};
 }
 
 RunOutcome run(const Plan& plan, const RunRequest& request) {

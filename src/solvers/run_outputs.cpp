@@ -5,24 +5,21 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 
-#include "results/earlier_snapshots.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
 
 namespace tether {
 namespace {
 
-/// The folder that a checkpoint's run wrote into.
+/// The folder that a checkpoint's run wrote into, whatever links led to it.
 std::filesystem::path folder_of(const std::filesystem::path& checkpoint) {
-  return checkpoint.has_parent_path() ? checkpoint.parent_path() : ".";
+  return std::filesystem::canonical(checkpoint).parent_path();
 }
 
-/// A run that goes on in its own folder must not lose the snapshots that stand there.
+/// A run that goes on may find its snapshots in its folder.
 EarlierSnapshots earlier_snapshots(const RunRequest& request) {
-  std::error_code of_a_folder_that_is_not_there;
-  const bool same = !request.restart.empty() && std::filesystem::equivalent(folder_of(request.restart), request.folder,
-                                                                            of_a_folder_that_is_not_there);
-  return same ? EarlierSnapshots::set_aside : EarlierSnapshots::removed;
+  return request.restart.empty() ? EarlierSnapshots::removed : EarlierSnapshots::set_aside;
 }
 
 }  // namespace
@@ -88,22 +85,34 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   for (const auto& message : checkpoint.messages) keep(message);
   const std::array dues{&history_due_, &points_due_, &grid_due_, &checkpoint_due_};
   for (std::size_t k = 0; k < dues.size(); ++k) dues[k]->restore(checkpoint.dues.at(k), checkpoint.time);
+  if (checkpoint.written_by != this_program())
+    warn(fmt::format("the checkpoint was written by {}: what follows may differ in last bits", checkpoint.written_by));
   note(fmt::format("goes on from {} at t = {:.6g}", request_.restart.string(), checkpoint.time));
-  take_snapshots_over(checkpoint);
+  last_points_ = solver_.points();
+  const std::string run = sha256(checkpoint.deck_effective);
+  take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run},
+            [this](const Snapshot& snapshot) { write_points(snapshot); });
+  take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
+            [this](const Snapshot& snapshot) { write_grid(snapshot); });
 }
 
-void RunOutputs::take_snapshots_over(const Checkpoint& checkpoint) {
-  const auto from = folder_of(request_.restart);
-  last_points_ = solver_.points();
-  const std::array lost{
-      replay_snapshots(ResultFolder::earlier_snapshots(from, "particles.nc"), last_points_, checkpoint.point_snapshots,
-                       [this](const Snapshot& snapshot) { write_points(snapshot); }),
-      replay_snapshots(ResultFolder::earlier_snapshots(from, "mesh.nc"), solver_.grid(), checkpoint.grid_snapshots,
-                       [this](const Snapshot& snapshot) { write_grid(snapshot); })};
-  for (const auto& message : lost) {
-    if (!message.empty()) warn(message);
+/// From beside the checkpoint, else from the run's own folder.
+void RunOutputs::take_over(const std::string& name, const WantedSnapshots& wanted,
+                           const std::function<void(const Snapshot&)>& write_one) {
+  std::size_t taken = 0;
+  const auto take = [&](const Snapshot& snapshot) {
+    write_one(snapshot);
+    ++taken;
+    const int signal = request_.interrupted ? request_.interrupted() : 0;
+    if (signal != 0) throw Interrupted(signal, "interrupted before the run went on; the same command does it again");
+  };
+  std::string lost;
+  for (const auto& folder : {folder_of(request_.restart), folder_.path()}) {
+    if (taken == 0) lost = replay_snapshots(ResultFolder::earlier_snapshots(folder, name), wanted, take);
+    if (lost.empty()) return folder_.remove_what_was_set_aside(name);
   }
-  folder_.remove_what_was_set_aside();
+  const auto kept = folder_.keep_what_was_set_aside(name);
+  warn(kept.empty() ? lost : fmt::format("{}; what is there stays as {}", lost, kept.string()));
 }
 
 void RunOutputs::write(Record record) {

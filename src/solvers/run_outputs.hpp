@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "results/checkpoint.hpp"
+#include "results/earlier_snapshots.hpp"
 #include "results/result_folder.hpp"
 #include "solvers/due.hpp"
 #include "solvers/run.hpp"
@@ -44,7 +46,8 @@ class RunOutputs {
   void write_points(const Snapshot& snapshot);
   void write_grid();
   void write_grid(const Snapshot& snapshot);
-  void take_snapshots_over(const Checkpoint& checkpoint);
+  void take_over(const std::string& name, const WantedSnapshots& wanted,
+                 const std::function<void(const Snapshot&)>& write_one);
 
   const Plan& plan_;
   const RunRequest& request_;

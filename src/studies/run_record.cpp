@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "deck/document.hpp"
@@ -20,6 +21,12 @@ namespace tether {
 namespace {
 
 constexpr std::size_t key_digits_in_a_name = 16;
+
+/// Of summary.txt, so that one that a power cut emptied is not taken for the run's; "" where there is none.
+std::string summary_sha256(const std::filesystem::path& folder) {
+  const auto path = folder / "summary.txt";
+  return std::filesystem::exists(path) ? sha256(read_file(path)) : "";
+}
 
 }  // namespace
 
@@ -41,7 +48,8 @@ std::optional<RunRecord> read_record(const std::filesystem::path& folder, const 
   const auto code = parse_integer(lines["exit_code"]);
   const auto cpu = parse_real(lines["cpu_seconds"]), wall = parse_real(lines["wall_seconds"]);
   if (lines["key"] != key || !code || !cpu || !wall) return std::nullopt;
-  if (*code == exit_done && !std::filesystem::exists(folder / "summary.txt")) return std::nullopt;
+  const std::string summary = summary_sha256(folder);
+  if (*code == exit_done && (summary.empty() || lines["summary_sha256"] != summary)) return std::nullopt;
   return RunRecord{key, {static_cast<int>(*code), lines["message"]}, *cpu, *wall};
 }
 
@@ -49,9 +57,11 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record) 
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: cannot be created: {}", folder.string(), reason.message()));
-  replace_file(folder / "run.txt",
-               fmt::format("key = {}\nexit_code = {}\ncpu_seconds = {}\nwall_seconds = {}\nmessage = {}\n", record.key,
-                           record.ending.exit_code, record.cpu_seconds, record.wall_seconds, record.ending.message));
+  replace_file(
+      folder / "run.txt",
+      fmt::format("key = {}\nexit_code = {}\ncpu_seconds = {}\nwall_seconds = {}\nsummary_sha256 = {}\nmessage = {}\n",
+                  record.key, record.ending.exit_code, record.cpu_seconds, record.wall_seconds, summary_sha256(folder),
+                  record.ending.message));
 }
 
 std::string one_line(const std::string& message) {

@@ -57,6 +57,9 @@ Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, cons
     request.restart = checkpoint_of(request.deck_effective, folder);
     request.interrupted = [&watch] { return watch.take(); };
     request.warn = warn;
+    for (const auto& warning : loaded.warnings) {
+      if (warning.starts_with(override_file)) warnings += warning;  // of what the study sets
+    }
     for (const auto& warning : loaded.plan.warnings) warn(warning);
     run(loaded.plan, request);
   });
@@ -75,8 +78,8 @@ bool is_interrupted(const Ending& ending) {
   return ending.exit_code == exit_signal + SIGINT || ending.exit_code == exit_signal + SIGTERM;
 }
 
-/// What says nothing of the run itself is tried again by the next sweep: an interruption, a full disk.
-bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && !is_interrupted(ending); }
+/// What says nothing of the run itself is tried again by the next sweep: an interruption, a kill, a full disk.
+bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && ending.exit_code < exit_signal; }
 
 }  // namespace
 

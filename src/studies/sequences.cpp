@@ -25,6 +25,7 @@ std::vector<Variant> Sequences::first() {
 std::vector<Variant> Sequences::after(const FinishedRun& run) {
   if (study_.mode != Mode::bisect) return {};
   const std::size_t c = run.variant.combination;
+  if (!run.decides()) return {};  // the bisection stays where it is
   bisections_[c].take(*run.variant.varied, study_.criterion.holds(run.value(study_.criterion.key)));
   return next(c);
 }

@@ -95,10 +95,10 @@ class StudyReader {
     if (!assignment.mistakes.empty()) return;
     own("axis", k, assignment.one_value);
     Axis axis{assignment.variable, {}, {}, study_.axes.size()};
-    std::set<std::string> seen;
+    std::set<Cell> seen;
     for (std::size_t v = 0; v < assignment.values.size(); ++v) {
       axis.overrides.push_back(assignment.override_text(v));
-      if (!seen.insert(assignment.values[v]).second)
+      if (!seen.insert(assignment.cell(v)).second)
         remarks_.error("axis", k, fmt::format("the value {} stands there twice", assignment.values[v]));
       axis.cells.push_back(assignment.cell(v));
     }

@@ -7,7 +7,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <set>
 #include <thread>
@@ -96,13 +98,19 @@ std::string failures_text(const std::vector<FinishedRun>& runs) {
   return text;
 }
 
-/// The bisections that came to an end and found nothing.
+std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
+  const auto in_trouble = [](const FinishedRun& run) { return run.record.ending.exit_code == exit_file; };
+  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
+}
+
+/// The bisections that found nothing: both ends agree, or a run ended that tells nothing.
 std::vector<std::string> broken_verdicts(const Study& study, const std::vector<Bisection>& bisections) {
   const auto all = combinations(study);
   std::vector<std::string> verdicts;
   for (std::size_t c = 0; c < bisections.size(); ++c) {
-    const std::string verdict = bisections[c].verdict();
-    if (bisections[c].found() || verdict == "not yet") continue;
+    if (bisections[c].found()) continue;
+    const std::string said = bisections[c].verdict();
+    const std::string verdict = said == "not yet" ? "a run ended neither well nor by diverging" : said;
     const auto overrides = overrides_of(study, all[c], {});
     verdicts.push_back(fmt::format("{}: {} from {} to {}: {}{}{}", study.decks[all[c].deck].file, study.vary.variable,
                                    study.interval.low, study.interval.high, verdict, overrides.empty() ? "" : ", with ",
@@ -122,8 +130,9 @@ SweepResult sweep(const Study& study, const SweepOptions& options) {
   const auto [runs, signal] = scheduler.run_all(sequences);
   const StudyTable table = run_table(study, runs);
   write_files(options.out / "table", table, study, options.command);
-  SweepResult result{report_text(study, table) + failures_text(runs), broken_verdicts(study, sequences.bisections()),
-                     signal};
+  SweepResult result{report_text(study, table) + failures_text(runs),
+                     signal == 0 ? broken_verdicts(study, sequences.bisections()) : std::vector<std::string>{}, signal,
+                     count_file_trouble(runs)};
   if (study.mode == Mode::grid) return result;
   const StudyTable outcome =
       study.mode == Mode::ensemble ? ensemble_table(study, runs) : bisection_table(study, runs, sequences.bisections());

@@ -24,6 +24,7 @@ struct SweepResult {
   std::string report;                 ///< the tables, for people
   std::vector<std::string> verdicts;  ///< of the bisections that found nothing
   int signal = 0;                     ///< that interrupted it
+  std::size_t file_trouble = 0;       ///< runs that could not read or write a file
 };
 
 /// Runs a study; writes table.nc and table.csv, a row a run, and for ensembles and bisections outcome.nc and

@@ -9,6 +9,8 @@
 #include <random>
 
 #include "base/errors.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
 #include "plan/load.hpp"
 #include "results/checkpoint.hpp"
 #include "results/netcdf_input.hpp"
@@ -101,6 +103,18 @@ void expect_same_bits(const fs::path& a, const fs::path& b) {
   }
 }
 
+/// Lines of a text, without those that tell of what a run took or of its restarts.
+std::vector<std::string> lines_of_the_run(const fs::path& file) {
+  auto lines = split_lines(read_file(file));
+  std::erase_if(lines, [](const std::string& line) {
+    for (const char* start : {"# ", "cpu_", "wall_", "ns_per", "peak_", "goes on", "interrupted"}) {
+      if (line.starts_with(start)) return true;
+    }
+    return false;
+  });
+  return lines;
+}
+
 TEST_P(Restart, GoesOnToTheLastBitFromRandomSteps) {
   const fs::path whole = run_whole(), parts = folder_ / "parts";
   fs::path checkpoint;
@@ -112,6 +126,9 @@ TEST_P(Restart, GoesOnToTheLastBitFromRandomSteps) {
   }
   run_to_the_end(checkpoint);
   for (const char* file : {"history.nc", "particles.nc", "mesh.nc"}) expect_same_bits(whole / file, parts / file);
+  for (const char* file : {"summary.txt", "messages.txt"}) {
+    EXPECT_EQ(lines_of_the_run(whole / file), lines_of_the_run(parts / file)) << file;
+  }
   expect_same_bits(checkpoints_in(whole).at(0), checkpoints_in(parts).at(0));
 }
 

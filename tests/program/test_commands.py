@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check, plan, vars and the options that only talk."""
 import re
+import subprocess
 import unittest
 
-from program import DECKS, ProgramTest, diagnostics, run
+from program import DECKS, TETHER, ProgramTest, diagnostics, run
 
 SOD = DECKS / "sod.in"
 
@@ -54,6 +55,23 @@ class Talk(ProgramTest):
                 self.assertIn(option, text)
         for command in ("check", "plan", "vars", "sweep"):
             self.assertIn("--help", self.say(command, "--help").stdout)
+
+    def test_options_in_front_of_a_command_are_refused(self):
+        for words in (("--set", "in.tmax=1.0", "check"), ("--quiet", "plan"), ("--out", "x", "sweep")):
+            self.assertIn("options stand behind the command", self.expect(2, *words, DECKS / "sod.in").stderr)
+
+    def test_an_output_that_takes_no_text_is_told(self):
+        for words in (["vars"], ["check", DECKS / "sod.in"]):
+            with open("/dev/full", "w", encoding="ascii") as full:
+                result = subprocess.run([TETHER, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertIn("error: ", result.stderr)
+
+    def test_closed_streams_do_no_harm(self):
+        deck = DECKS / "stability-side.in"
+        result = subprocess.run(f"'{TETHER}' '{deck}' --out '{self.folder}/out' 0<&- 1>&- 2>&-", shell=True, check=False)
+        self.assertEqual(result.returncode, 0)
+        self.assertTrue((self.folder / "out/summary.txt").read_text().endswith("\n"))
 
     def test_version(self):
         lines = self.say("--version").stdout.splitlines()

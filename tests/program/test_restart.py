@@ -6,6 +6,8 @@ import os
 import pathlib
 import random
 import re
+import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -52,7 +54,7 @@ class Restart(ProgramTest):
             time.sleep(0.01)
 
     def same_numbers(self, whole, parts):
-        for name in ("history.nc", "particles.nc"):
+        for name in ("history.nc", "particles.nc", "mesh.nc"):
             left, right = netcdf(whole / name), netcdf(parts / name)
             self.assertEqual(left.keys(), right.keys())
             for variable in left:
@@ -165,6 +167,42 @@ class Restart(ProgramTest):
         result = self.expect(0, *LONG, "--out", folder, "--restart", checkpoints(folder)[0])
         self.assertIn("1 of 1 earlier snapshots are lost", result.stderr)
 
+    def with_snapshots(self):
+        """A finished run with snapshots, its options, and a copy of its older checkpoint in another folder."""
+        options = sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.02, "in__iout(13)": 1, "in__tiout(13)": 0.01})
+        deck = DECKS / "spring-mass.in"
+        folder = self.run_ok(deck, *options)
+        return folder, (deck, *options), shutil.copy(checkpoints(folder)[1], self.folder)
+
+    def test_a_copied_or_linked_checkpoint_finds_the_snapshots(self):
+        folder, words, copy = self.with_snapshots()
+        before = netcdf(folder / "particles.nc")["x"].tobytes()
+        link = self.folder / "link.nc"
+        link.symlink_to(checkpoints(folder)[0])
+        for path in (link, copy):
+            self.run_ok(*words, "--restart", path)
+            self.assertEqual(netcdf(folder / "particles.nc")["x"].tobytes(), before)
+
+    def test_snapshots_of_another_run_are_not_taken_over(self):
+        folder, words, older = self.with_snapshots()
+        for other in (sets(in__gravc=-100.0), sets(in__xright=0.4, in__nx=5)):
+            self.run_ok(*words, *other, *sets(**{"in__iout(41)": 0}))
+            foreign = (folder / "particles.nc").read_bytes()
+            result = self.expect(0, *words, "--out", folder, "--restart", older)
+            self.assertIn("earlier snapshots are lost", result.stderr)
+            self.assertIn("is of another run; what is there stays as", result.stderr)
+            self.assertEqual((folder / "particles.nc.unused").read_bytes(), foreign)
+
+    def test_a_full_disk_during_the_restart_loses_nothing(self):
+        folder, words, older = self.with_snapshots()
+        whole = netcdf(folder / "particles.nc")["x"].tobytes()
+        room = (folder / "particles.nc").stat().st_size // 2
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+        self.expect(4, *words, "--out", folder, "--quiet", "--restart", older, before=limit)
+        self.run_ok(*words, "--restart", older)
+        self.assertEqual(netcdf(folder / "particles.nc")["x"].tobytes(), whole)
+        self.assertEqual([*folder.glob("*.earlier"), *folder.glob("*.unused")], [])
+
     def with_checkpoints(self):
         deck = DECKS / "spring-mass.in"
         options = sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.02})
@@ -188,7 +226,7 @@ class Restart(ProgramTest):
                              *sets(in__nx=3, in__gravc=-10.0))
         self.assertRegex(result.stderr, r"in\.nx was \d+ in the run of the checkpoint and is 3 in the deck")
         self.assertIn("in.gravc was", result.stderr)
-        self.assertIn("only in.tmax, in.iout and in.tiout may differ", result.stderr)
+        self.assertIn("only in.tmax, in.iout but 38, and in.tiout may differ", result.stderr)
         self.assertEqual((newest.parent / "summary.txt").read_bytes(), summary)
         other = self.expect(2, DECKS / "string-mass.in", "--restart", newest, "--out", self.folder / "other")
         self.assertIn("particle data", other.stderr)
@@ -205,6 +243,7 @@ class Restart(ProgramTest):
         result = self.expect(2, DECKS / "sod.in", DECKS / "spring-mass.in", "--restart", "x.nc")
         self.assertIn("--restart goes with one deck", result.stderr)
         self.assertIn("requires deck", self.expect(2, "--restart", "x.nc").stderr)
+        self.assertIn("a file is wanted", self.expect(2, DECKS / "sod.in", "--restart", "").stderr)
 
     def test_a_folder_is_no_checkpoint_but_has_some(self):
         deck, options, (newest, _) = self.with_checkpoints()

@@ -2,6 +2,7 @@
 """Sweeps that are killed or interrupted in the middle and started again: nothing is lost, nothing is repeated."""
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import time
@@ -35,6 +36,22 @@ class Stops(SweepTest):
         values = ",".join(f"{-250 - k}.0" for k in range(self.COUNT))
         self.many = self.study(f"decks='../decks/spring-mass.in'\naxis='in.gravc={values}'\nset='in.tmax=0.03'\n"
                                "quantities='steps','energy_drift'")
+
+    def test_a_full_disk_decides_no_bisection_and_is_tried_again(self):
+        study = self.study("mode='bisect', decks='../decks/stability-side.in', vary='mpm.cfl', low=0.5, high=2.5\n"
+                           "criterion='exit_code', tolerance=0.5, set='in.tstep=1.0','in.dtmax=1.0'", "studies/disk.in")
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000))
+        result = self.expect(4, "sweep", study, "--quiet", "--out", self.out, before=limit)
+        self.assertIn("a run ended neither well nor by diverging", result.stderr)
+        self.assertIn("the same command tries them again", result.stderr)
+        self.sweep(study)
+        self.assertEqual([row["verdict"] for row in self.table("outcome")], ["found"])
+
+    def test_a_caller_that_ignores_its_children_does_no_harm(self):
+        study = self.study("decks='../decks/stability-side.in', quantities='steps'", "studies/one.in")
+        ignore = lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+        self.expect(0, "sweep", study, "--quiet", "--out", self.out, before=ignore)
+        self.assertEqual(len(self.table()), 1)
 
     def finished(self):
         """What identifies the record of each finished run."""

@@ -40,7 +40,7 @@ void damage(const std::filesystem::path& path, std::size_t at) {
 
 std::string refusal(const std::filesystem::path& path) {
   try {
-    read_checkpoint_or_offer(path);
+    read_checkpoint(path);
   } catch (const FileError& error) {
     return error.what();
   }
@@ -114,20 +114,6 @@ TEST_F(CheckpointTest, OtherFilesAreNoCheckpoints) {
   }
   EXPECT_TRUE(checkpoints_in(folder).empty());
   EXPECT_TRUE(checkpoints_in(folder / "nowhere").empty());
-}
-
-TEST_F(CheckpointTest, OffersTheOlderForADamagedOne) {
-  Checkpoint checkpoint = example();
-  add_checkpoint(folder, checkpoint);
-  const auto newer = add_checkpoint(folder, checkpoint);
-  damage(newer, 400);
-  const std::string text = refusal(newer);
-  EXPECT_NE(text.find("checkpoint-2.nc: it is damaged: its checksum does not fit"), std::string::npos) << text;
-  EXPECT_NE(text.find("checkpoint-1.nc is whole, of t = 0.3: --restart " + (folder / "checkpoint-1.nc").string()),
-            std::string::npos)
-      << text;
-  damage(folder / "checkpoint-1.nc", 400);
-  EXPECT_EQ(refusal(newer).find("is whole"), std::string::npos);
 }
 
 TEST_F(CheckpointTest, WhatIsNoCheckpointIsRefused) {

@@ -20,9 +20,11 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-std::vector<double> replayed_times(const std::filesystem::path& file, std::size_t count, std::string& lost) {
+std::vector<double> replayed_times(const std::filesystem::path& file, std::size_t count, std::string& lost,
+                                   const std::string& run = "run 1") {
   std::vector<double> times;
-  lost = replay_snapshots(file, test::three_points(0), count, [&times](const Snapshot& snapshot) {
+  const Snapshot like = test::three_points(0);
+  lost = replay_snapshots(file, {like, count, run}, [&times](const Snapshot& snapshot) {
     const Snapshot same = test::three_points(snapshot.time);
     for (std::size_t k = 0; k < same.fields.size(); ++k) EXPECT_EQ(snapshot.fields[k].values, same.fields[k].values);
     times.push_back(snapshot.time);
@@ -44,7 +46,7 @@ TEST_F(ResultFolderTest, SetsEarlierSnapshotsAsideUntilTheyAreTakenOver) {
   EXPECT_EQ(replayed_times(earlier, 3, lost), (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(lost, "");
   ResultFolder(folder, test::small_layout(), test::provenance(), EarlierSnapshots::set_aside)
-      .remove_what_was_set_aside();
+      .remove_what_was_set_aside("particles.nc");
   EXPECT_FALSE(std::filesystem::exists(earlier));
   EXPECT_EQ(ResultFolder::earlier_snapshots(folder, "particles.nc"), folder / "particles.nc");
 }
@@ -55,6 +57,33 @@ TEST_F(ResultFolderTest, ANewRunRemovesWhatWasSetAside) {
   write_points(folder, EarlierSnapshots::removed, {5});
   std::string lost;
   EXPECT_EQ(replayed_times(ResultFolder::earlier_snapshots(folder, "particles.nc"), 1, lost), std::vector<double>{5});
+}
+
+TEST_F(ResultFolderTest, SnapshotsOfAnotherRunOrShapeAreNotTakenOver) {
+  write_points(folder, EarlierSnapshots::removed, {0, 1});
+  std::string lost;
+  EXPECT_TRUE(replayed_times(folder / "particles.nc", 2, lost, "run 2").empty());
+  EXPECT_EQ(lost, "2 of 2 earlier snapshots are lost: " + (folder / "particles.nc").string() + ": is of another run");
+  Snapshot other = test::three_points(0);
+  for (auto& field : other.fields) field.values.push_back(0);
+  lost = replay_snapshots(folder / "particles.nc", {other, 2, "run 1"}, [](const Snapshot&) { FAIL(); });
+  EXPECT_TRUE(lost.ends_with("is of another run")) << lost;
+}
+
+TEST_F(ResultFolderTest, WhatIsNotTakenOverStaysUnused) {
+  write_points(folder, EarlierSnapshots::removed, {0, 1});
+  ResultFolder again(folder, test::small_layout(), test::provenance(), EarlierSnapshots::set_aside);
+  EXPECT_EQ(again.keep_what_was_set_aside("particles.nc"), folder / "particles.nc.unused");
+  EXPECT_EQ(again.keep_what_was_set_aside("mesh.nc"), std::filesystem::path());
+  std::string lost;
+  EXPECT_EQ(replayed_times(folder / "particles.nc.unused", 2, lost), (std::vector<double>{0, 1}));
+}
+
+TEST_F(ResultFolderTest, AFailedWriteIsNoLostSnapshot) {
+  write_points(folder, EarlierSnapshots::removed, {0, 1});
+  const Snapshot like = test::three_points(0);
+  const auto full = [](const Snapshot&) { throw FileError("no space"); };
+  EXPECT_THROW(replay_snapshots(folder / "particles.nc", {like, 2, "run 1"}, full), FileError);
 }
 
 TEST_F(ResultFolderTest, TellsWhichEarlierSnapshotsAreLost) {

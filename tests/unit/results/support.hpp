@@ -95,7 +95,7 @@ class Reader {
 };
 
 inline Provenance provenance() {
-  return {"Sod's tube\nsecond line", "tether decks/sod.in", "$in tmax=0.2 $end\n", "5f70bf18", Units::si};
+  return {"Sod's tube\nsecond line", "tether decks/sod.in", "$in tmax=0.2 $end\n", "5f70bf18", Units::si, "run 1"};
 }
 
 /// time, one quantity of the scene, one of two bodies, one of three points.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostics.hpp"
+#include "base/errors.hpp"
+#include "base/file.hpp"
 #include "solvers/due.hpp"
 #include "unit/temporary_folder.hpp"
 
@@ -47,9 +49,9 @@ TEST_F(CheckpointFor, VariablesWithoutEffectMayDiffer) {
 TEST_F(CheckpointFor, EveryOtherDifferenceIsTold) {
   EXPECT_EQ(differences("$in nx=3,ny=4 $\n$reg nreg=1,rix(1)=2. $", "$in nx=5,ny=4,gravc=1. $"),
             (std::vector<std::string>{"in.nx was 3 in the run of the checkpoint and is 5 in the deck",
-                                      "in.gravc was not given in the run of the checkpoint and is 1.0 in the deck",
-                                      "reg.nreg was 1 in the run of the checkpoint and is not given in the deck",
-                                      "reg.rix(1) was 2.0 in the run of the checkpoint and is not given in the deck",
+                                      "in.gravc was 0.0 in the run of the checkpoint and is 1.0 in the deck",
+                                      "reg.nreg was 1 in the run of the checkpoint and is 0 in the deck",
+                                      "reg.rix(1) was 2.0 in the run of the checkpoint and is 0.0 in the deck",
                                       "a restart goes on with the same deck"}));
 }
 
@@ -57,6 +59,59 @@ TEST_F(CheckpointFor, ParticleDataMustBeTheSame) {
   const auto found = differences("$in nx=3 $\n1 2 3\n", "$in nx=3 $\n1 2 4\n");
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0], "the particle data are not those of the checkpoint's run");
+}
+
+class Offer : public CheckpointFor {
+ protected:
+  void add(const std::string& deck, double time) const {
+    Checkpoint checkpoint;
+    checkpoint.deck_effective = deck;
+    checkpoint.time = time;
+    checkpoint.records = {{0}};
+    add_checkpoint(folder, checkpoint);
+  }
+  std::string refusal(const std::filesystem::path& path, const std::string& deck) const {
+    try {
+      checkpoint_for(path, deck);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(Offer, OfTheOlderForADamagedOne) {
+  add("$in nx=3 $", 0.3);
+  add("$in nx=3 $", 0.4);
+  const auto damaged = folder / "checkpoint-2.nc", older = folder / "checkpoint-1.nc";
+  std::string bytes = read_file(damaged);
+  bytes[400] = static_cast<char>(bytes[400] ^ 1);
+  write_file(damaged, bytes);
+  EXPECT_EQ(refusal(damaged, "$in nx=3 $"),
+            damaged.string() + ": it is damaged: its checksum does not fit; checkpoint-1.nc is whole, of t = 0.3: " +
+                "--restart " + older.string());
+  EXPECT_EQ(refusal(damaged, "$in nx=4 $").find("is whole"), std::string::npos);
+  EXPECT_EQ(refusal(folder, "$in nx=3 $"),
+            folder.string() + ": is a folder; checkpoint-1.nc is whole, of t = 0.3: " + "--restart " + older.string());
+  write_file(older, bytes);
+  EXPECT_EQ(refusal(damaged, "$in nx=3 $").find("is whole"), std::string::npos);
+}
+
+TEST_F(CheckpointFor, AnEndBeforeItIsRefused) {
+  Checkpoint checkpoint;
+  checkpoint.deck_effective = "$in nx=3,tmax=2. $";
+  checkpoint.time = 1.5;
+  checkpoint.records = {{0}};
+  write_checkpoint(folder / "c.nc", checkpoint);
+  EXPECT_NO_THROW(checkpoint_for(folder / "c.nc", "$in nx=3,tmax=1.5 $"));
+  EXPECT_THROW(checkpoint_for(folder / "c.nc", "$in nx=3,tmax=1.4 $"), InputError);
+}
+
+TEST_F(CheckpointFor, TheColumnsOfTheHistoryMustAgree) {
+  EXPECT_EQ(differences("$in nx=3,iout(38)=1,tiout(38)=.1 $", "$in nx=3 $"),
+            (std::vector<std::string>{"in.iout(38) was 1 in the run of the checkpoint and is 0 in the deck",
+                                      "a restart goes on with the same deck"}));
+  EXPECT_TRUE(differences("$in nx=3,iout(38)=0 $", "$in nx=3 $").empty());
 }
 
 TEST(Due, EveryMultipleOfTheInterval) {

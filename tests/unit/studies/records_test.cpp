@@ -44,7 +44,11 @@ TEST_F(Records, AGoodRunNeedsItsSummary) {
   write_record(folder, {"k1", {exit_done, ""}, 0, 0});
   EXPECT_FALSE(read_record(folder, "k1"));
   write_file(folder / "summary.txt", "steps = 1\n");
+  EXPECT_FALSE(read_record(folder, "k1"));
+  write_record(folder, {"k1", {exit_done, ""}, 0, 0});
   EXPECT_TRUE(read_record(folder, "k1"));
+  write_file(folder / "summary.txt", "");
+  EXPECT_FALSE(read_record(folder, "k1"));
 }
 
 TEST(OneLine, DropsCaretsAndLineEnds) {
