@@ -71,7 +71,7 @@ void ResultFolder::remove_what_was_set_aside(const std::string& name) { remove_e
 
 std::filesystem::path ResultFolder::keep_what_was_set_aside(const std::string& name) {
   if (!std::filesystem::exists(aside(folder_, name))) return {};
-  const auto unused = folder_ / (name + ".unused");
+  auto unused = folder_ / (name + ".unused");
   put_in_place(aside(folder_, name), unused);
   return unused;
 }
