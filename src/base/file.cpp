@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
 #include "base/errors.hpp"
 
@@ -58,6 +59,23 @@ void put_in_place(const std::filesystem::path& fresh, const std::filesystem::pat
   sync_to_disk(fresh);
   if (std::rename(fresh.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
   sync_to_disk(path.has_parent_path() ? path.parent_path() : ".");
+}
+
+void replace_whole(const std::filesystem::path& path, Reach reach,
+                   const std::function<void(const std::filesystem::path&)>& write) {
+  auto fresh = path;
+  fresh += ".new";
+  try {
+    write(fresh);
+    if (reach == Reach::disk)
+      put_in_place(fresh, path);
+    else if (std::rename(fresh.c_str(), path.c_str()) != 0)
+      fail(path, "cannot be replaced");
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(fresh, ignored);
+    throw;
+  }
 }
 
 }  // namespace tether

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,14 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 /// the old file or the whole new one: the disk has the file before the name, and the name before this returns. Throws
 /// FileError.
 void put_in_place(const std::filesystem::path& fresh, const std::filesystem::path& path);
+
+/// Where a replaced file has got to when the call returns: to the system, which survives the program, or to the disk.
+enum class Reach { system, disk };
+
+/// Has `write` make a file under the temporary name that it is given, then puts that into the place of `path` in one
+/// go: whoever reads sees the old file or the whole new one. Where something is thrown, the old one stays and no
+/// temporary file. Throws FileError, and what `write` throws.
+void replace_whole(const std::filesystem::path& path, Reach reach,
+                   const std::function<void(const std::filesystem::path&)>& write);
 
 }  // namespace tether

@@ -2,7 +2,6 @@
 #include "plan/load.hpp"
 
 #include <filesystem>
-#include <optional>
 
 #include "base/file.hpp"
 #include "deck/document.hpp"
@@ -14,6 +13,10 @@ namespace tether {
 
 Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics) {
   return read_deck(read_file(file), file, options.overrides, diagnostics);
+}
+
+std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles) {
+  return effective_deck(particles ? deck.with_particle_data(particles->lines) : deck);
 }
 
 Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
@@ -29,8 +32,7 @@ Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& dia
   diagnostics.throw_if_errors();
   std::vector<std::string> warnings;
   for (const auto& diagnostic : diagnostics.warnings()) warnings.push_back(to_text(diagnostic));
-  const std::string effective = effective_deck(particles ? deck.with_particle_data(particles->lines) : deck);
-  return {deck, make_plan(std::move(scene)), effective, std::move(warnings)};
+  return {deck, make_plan(std::move(scene)), effective_text(deck, particles), std::move(warnings)};
 }
 
 Loaded load(const std::string& file, const DeckOptions& options) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
+#include "deck/particle_file.hpp"
 #include "plan/plan.hpp"
 
 namespace tether {
@@ -27,6 +29,9 @@ struct Loaded {
 
 /// The deck alone; remarks go into `diagnostics`. Throws FileError where it cannot be read.
 Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics);
+
+/// The text of deck.effective: all values, and the particle data in place of the file that the deck names.
+std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles);
 
 /// Particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as far as
 /// the deck can be understood: throws InputError with all of them.

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <map>
-#include <system_error>
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
@@ -128,17 +127,10 @@ std::vector<SavedDue> read_dues(const NetcdfInput& file) {
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  auto fresh = path;
-  fresh += ".new";
-  try {
+  replace_whole(path, Reach::disk, [&checkpoint](const std::filesystem::path& fresh) {
     write(fresh, checkpoint);
     seal(fresh);
-    put_in_place(fresh, path);
-  } catch (const FileError&) {
-    std::error_code ignored;
-    std::filesystem::remove(fresh, ignored);
-    throw;
-  }
+  });
 }
 
 std::string this_program() { return fmt::format("tether {} {}", program_version(), git_hash()); }

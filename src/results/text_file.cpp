@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
@@ -49,17 +48,7 @@ void TextFile::append(std::string_view text) {
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view text) {
-  auto fresh = path;
-  fresh += ".new";
-  std::error_code reason;
-  try {
-    write_file(fresh, text);
-  } catch (const FileError&) {
-    std::filesystem::remove(fresh, reason);
-    throw;
-  }
-  std::filesystem::rename(fresh, path, reason);
-  if (reason) throw FileError(fmt::format("{}: cannot be replaced: {}", path.string(), reason.message()));
+  replace_whole(path, Reach::system, [text](const std::filesystem::path& fresh) { write_file(fresh, text); });
 }
 
 }  // namespace tether

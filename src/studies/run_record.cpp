@@ -11,8 +11,8 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "deck/document.hpp"
 #include "deck/numbers.hpp"
+#include "plan/load.hpp"
 #include "results/summary_keys.hpp"
 #include "results/text_file.hpp"
 #include "scene/load_particles.hpp"
@@ -33,8 +33,7 @@ std::string summary_sha256(const std::filesystem::path& folder) {
 std::string run_key(const Deck& deck) {
   Diagnostics of_the_run;  // which meets them itself, and fails with them
   const auto particles = load_particles(deck, std::nullopt, of_the_run);
-  const std::string effective = effective_deck(particles ? deck.with_particle_data(particles->lines) : deck);
-  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(), effective));
+  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(), effective_text(deck, particles)));
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key) {

@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
-#include "base/errors.hpp"
+#include "base/file.hpp"
 #include "results/attributes.hpp"
 #include "results/netcdf_file.hpp"
 
@@ -109,19 +108,16 @@ std::string aligned_text(const StudyTable& table, const std::vector<std::string>
 }
 
 void write_netcdf(const std::filesystem::path& path, const StudyTable& table, const Provenance& provenance) {
-  auto fresh = path;
-  fresh += ".new";
-  NetcdfFile file(fresh, NetcdfFormat::offset64);
-  write_provenance(file, provenance);
-  const int row = file.dimension(table.row, NetcdfFile::unlimited);  // there may be none
-  std::vector<int> variables;
-  for (const auto& column : table.columns) variables.push_back(define(file, column, row));
-  file.end_definitions();
-  for (std::size_t k = 0; k < variables.size(); ++k) put(file, table.columns[k], variables[k]);
-  file.close();
-  std::error_code reason;
-  std::filesystem::rename(fresh, path, reason);
-  if (reason) throw FileError(fmt::format("{}: cannot be replaced: {}", path.string(), reason.message()));
+  replace_whole(path, Reach::system, [&](const std::filesystem::path& fresh) {
+    NetcdfFile file(fresh, NetcdfFormat::offset64);
+    write_provenance(file, provenance);
+    const int row = file.dimension(table.row, NetcdfFile::unlimited);  // there may be none
+    std::vector<int> variables;
+    for (const auto& column : table.columns) variables.push_back(define(file, column, row));
+    file.end_definitions();
+    for (std::size_t k = 0; k < variables.size(); ++k) put(file, table.columns[k], variables[k]);
+    file.close();
+  });
 }
 
 }  // namespace tether
