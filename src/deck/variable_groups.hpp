@@ -12,7 +12,8 @@ namespace tether {
 std::span<const Variable> in_variables();
 std::span<const Variable> fluid_variables();
 std::span<const Variable> region_variables();  ///< $regrig and $reg
-std::span<const Variable> added_variables();   ///< the groups that the old code did not have
+std::span<const Variable> membrane_variables();
+std::span<const Variable> added_variables();  ///< the other groups that the old code did not have
 std::span<const Variable> study_variables();
 
 namespace bounds {

@@ -10,8 +10,8 @@ namespace {
 
 std::vector<Variable> joined_table() {
   std::vector<Variable> table;
-  for (const auto part :
-       {in_variables(), fluid_variables(), region_variables(), added_variables(), study_variables()}) {
+  for (const auto part : {in_variables(), fluid_variables(), region_variables(), membrane_variables(),
+                          added_variables(), study_variables()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;

@@ -46,5 +46,8 @@ constexpr int vertex_count = 20;       ///< vertices of a region
 constexpr int output_count = 60;       ///< switches iout, tiout
 constexpr int point_count = 100000;    ///< rows of a particle file that can be singled out
 constexpr int tracked_at_count = 100;  ///< places in tracked_at
+constexpr int membrane_count = 10;     ///< membranes
+constexpr int curve_count = 40;        ///< curves of all membranes
+constexpr int curve_vertex_count = 100;
 
 }  // namespace tether

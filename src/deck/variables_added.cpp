@@ -18,17 +18,42 @@ constexpr std::array rows{
              "Whether position and velocity of row i of the particle file go into the history."},
     Variable{"points", "tracked_at", real, 2, 2, tracked_at_count, "length", -none, none, "", "",
              "x, y of a place: the point nearest to it at the start, of any origin, goes into the history."},
-    Variable{"membrane", "law", text, 0, 1, 1, "", -none, none, "uniaxial", "'uniaxial'",
-             "Law of the points of strings and membranes: stress along the tangent only."},
-    Variable{"membrane", "wrinkle", logical, 0, 1, 1, "", -none, none, "", ".true.",
-             "One-way law: compression carries no force, its strain goes on accumulating."},
-    Variable{"mpm", "order", text, 0, 1, 1, "", -none, none, "musl|usf|usl", "'musl'",
-             "When a step updates the stress: with velocities mapped back from the points, first, or last."},
-    Variable{"mpm", "density", text, 0, 1, 1, "", -none, none, "cell|quadratic|continuity", "",
-             "How a gas point finds its density; where it is given it wins over ipath(4,r)."},
-    Variable{"mpm", "cfl", real, 0, 1, 1, "", 0, none, "", "1.0",
-             "Factor of the step limit dx/c; 0 takes the deck's step as it is."},
-    Variable{"reference", "solution", text, 0, 1, 1, "", -none, none, "riemann|spring|string|pendulum|piston", "''",
+    Variable{"points", "pinned", logical, 1, point_count, 1, "", -none, none, "", ".false.",
+             "Whether a pin holds the point of row i of the particle file where it is."},
+    Variable{"mpm", "method", text, 0, 1, 1, "", -none, none, "thesis|robust", "'thesis'",
+             "Set of parts that a run is made of; each part that is given below wins over it."},
+    Variable{"mpm", "kernel", text, 0, 1, 1, "", -none, none, "linear|bspline", "",
+             "Shape functions between points and nodes: bilinear (thesis), or quadratic B-splines (robust)."},
+    Variable{"mpm", "transfer", text, 0, 1, 1, "", -none, none, "flip|apic", "",
+             "What a point takes from the nodes: an increment of its velocity (thesis), or a velocity field that is "
+             "linear about it (robust)."},
+    Variable{"mpm", "order", text, 0, 1, 1, "", -none, none, "musl|usf|usl", "",
+             "When a step updates the stress: with velocities mapped back from the points (thesis), first (robust), or "
+             "last."},
+    Variable{"mpm", "density", text, 0, 1, 1, "", -none, none, "cell|quadratic|continuity|grid", "",
+             "How a gas point finds its density; where it is given it wins over ipath(4,r). The robust method takes "
+             "it from the gas at the nodes."},
+    Variable{"mpm", "energy", text, 0, 1, 1, "", -none, none, "rate|centred", "",
+             "Velocity gradient that heats the gas: the one of its stress (thesis), or that of the mean of old and new "
+             "velocity after the solve (robust)."},
+    Variable{"mpm", "viscosity", text, 0, 1, 1, "", -none, none, "deck|local", "",
+             "Artificial viscosity: by lambda, coef1, coef2 of $fluid and the largest sound speed (thesis), or with "
+             "both coefficients 1 and the local sound speed (robust)."},
+    Variable{"mpm", "contact", text, 0, 1, 1, "", -none, none, "none|release|gap", "",
+             "Bodies at a node: one velocity field (thesis), release by the criteria of A.1.3, or an impulse where "
+             "their points touch (robust). Fluids and membranes always share one field."},
+    Variable{"mpm", "criterion", integer, 0, 1, 1, "", 1, 3, "1|2|3", "1",
+             "Criterion of release: 1 (9.7), 2 (9.8), 3 (9.9)."},
+    Variable{"mpm", "ledger", logical, 0, 1, 1, "", -none, none, "", "",
+             "Whether what transfer and membrane elements lose heats the gas, so that the total energy is kept; the "
+             "robust method does."},
+    Variable{"mpm", "jaumann", logical, 0, 1, 1, "", -none, none, "", ".false.",
+             "Whether the stress of elastic solids turns with their spin; the thesis turns none."},
+    Variable{"mpm", "cfl", real, 0, 1, 1, "", 0, none, "", "",
+             "Factor of the step limit dx/c, 1 by the thesis' method and .65 by the robust one; 0 takes the deck's "
+             "step as it is."},
+    Variable{"reference", "solution", text, 0, 1, 1, "", -none, none,
+             "riemann|spring|string|pendulum|piston|radial-gas|thin-ring", "''",
              "Exact solution that the results are compared with."},
 };
 

@@ -23,7 +23,7 @@ constexpr std::array rows{
     Variable{"fluid", "coef2", real, 0, 1, 1, "", 0, none, "", "0.0",
              "Coefficient of the artificial viscosity's quadratic term."},
     Variable{"fluid", "pambient", real, 0, 1, 1, "stress", -none, none, "", "0.0",
-             "Pressure outside a closed membrane.", Effect::none},
+             "Pressure outside a membrane that encloses gas."},
 };
 
 }  // namespace

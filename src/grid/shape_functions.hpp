@@ -44,4 +44,7 @@ inline std::array<double, 3> quadratic_weights(double centred) {
   return {0.5 * before * before, 0.75 - centred * centred, 0.5 * behind * behind};
 }
 
+/// Their derivatives in the logical coordinate (Table 13); a side of the cell turns them into slopes.
+inline std::array<double, 3> quadratic_slopes(double centred) { return {centred - 0.5, -2 * centred, centred + 0.5}; }
+
 }  // namespace tether

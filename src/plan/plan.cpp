@@ -22,7 +22,7 @@ struct FirstWave {
   const Body& body;
   double operator()(const PlaneElastic& law) const { return law.sound_speed(body.density); }
   double operator()(const LinearFluid& law) const { return law.sound_speed(body.density); }
-  double operator()(const Uniaxial& law) const { return law.sound_speed(body.density); }
+  double operator()(const Membrane& law) const { return law.sound_speed(body.density); }
   double operator()(const IdealGas& law) const {
     double speed = 0;
     for (std::size_t p = body.first; p < body.first + body.count; ++p) {
@@ -42,7 +42,7 @@ struct SharpLimit {
     return law.mu > 0 ? body.density * h * h / (16.0 / 3 * law.mu) : std::numeric_limits<double>::infinity();
   }
   double operator()(const LinearFluid&) const { return std::numeric_limits<double>::infinity(); }
-  double operator()(const Uniaxial&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const Membrane&) const { return std::numeric_limits<double>::infinity(); }
 };
 
 double sharp_limit(const Scene& scene, double h) {
@@ -96,7 +96,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
                     "the rule dx/sqrt(E/rho) does not see: lower tstep or cfl",
                     rule.first_step(), rule.first_step() / rule.sharp_limit, rule.sharp_limit));
   }
-  if (scene.order == StressOrder::usl) {
+  if (scene.method.order == StressOrder::usl) {
     warnings.push_back("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
   }
   return warnings;
@@ -131,8 +131,9 @@ Plan make_plan(Scene scene) {
 
 std::string to_text(const Plan& plan) {
   const Scene& scene = plan.scene;
-  std::string text = fmt::format("path: mpm (material points, plane)\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
-                                 scene.grid.nx, scene.grid.ny, scene.grid.dx, scene.grid.dy);
+  std::string text = fmt::format("path: mpm (material points, {})\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
+                                 scene.geometry == Geometry::plane ? "plane" : "axisymmetric", scene.grid.nx,
+                                 scene.grid.ny, scene.grid.dx, scene.grid.dy);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count, material_name(body.material));

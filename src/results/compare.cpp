@@ -3,9 +3,22 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "results/compare_parts.hpp"
 
 namespace tether {
+
+Merit relative_merit(const char* name, double here, double exact) {
+  return {name, here, exact, (here - exact) / exact, false};
+}
+
+const std::vector<double>& values_of(const Snapshot& snapshot, const std::string& name) {
+  for (const Field& field : snapshot.fields) {
+    if (field.quantity.name == name) return field.values;
+  }
+  throw std::out_of_range("the snapshot has no field " + name);
+}
 
 Comparison compare(const Scene& scene, const History& history, const Snapshot& last_points) {
   switch (scene.reference) {
@@ -19,6 +32,10 @@ Comparison compare(const Scene& scene, const History& history, const Snapshot& l
       return compare_pendulum(scene, history);
     case ReferenceKind::piston:
       return compare_piston(scene, history);
+    case ReferenceKind::radial_gas:
+      return compare_radial_gas(scene, last_points);
+    case ReferenceKind::thin_ring:
+      return compare_thin_ring(scene, last_points);
     case ReferenceKind::none:
       break;
   }

@@ -14,16 +14,14 @@
 namespace tether {
 namespace {
 
-Merit merit(const char* name, double here, double exact) { return {name, here, exact, (here - exact) / exact, false}; }
-
 /// A string from a particle file as one spring between its end points, its last point the mass.
 struct StringAsSpring {
   double length, spacing, area, stiffness, mass, slack;
 
   explicit StringAsSpring(const Scene& scene) {
-    const Body& body = *find_body<Uniaxial>(scene);
+    const Body& body = *find_body<Membrane>(scene);
     const PointSet& P = scene.points;
-    const double E = std::get<Uniaxial>(body.material).E;
+    const double E = std::get<Membrane>(body.material).E;
     const std::size_t first = body.first, last = body.first + body.count - 1;
     length = std::hypot(P.x[last] - P.x[first], P.y[last] - P.y[first]);
     spacing = length / static_cast<double>(body.count - 1);
@@ -88,8 +86,8 @@ Comparison compare_spring(const Scene& scene, const History& history) {
   const SpringMass exact{spring.mass, spring.stiffness, -scene.gravity};
   const auto time = history.column("time"), y = height(scene, history);
   const double start = tracked_column(scene, history, "point_y").front();
-  return {{merit("period", period_about(time, y, middle(y)), exact.period()),
-           merit("largest_drop", largest_drop(time, y), exact.largest_drop())},
+  return {{relative_merit("period", period_about(time, y, middle(y)), exact.period()),
+           relative_merit("largest_drop", largest_drop(time, y), exact.largest_drop())},
           table_of(time, height_name(scene), [&](double t) { return start + exact.position(t); })};
 }
 
@@ -102,21 +100,22 @@ Comparison compare_string(const Scene& scene, const History& history) {
   auto taut = passages(time, y, -string.slack);
   taut.resize(std::max<std::size_t>(taut.size(), 2), std::numeric_limits<double>::quiet_NaN());
   const auto lowest = first_minimum(time, y);
-  return {{merit("taut_time", taut[0], exact.taut_time()), merit("largest_drop", -lowest.value, exact.largest_drop()),
-           merit("slack_again_time", taut[1], exact.slack_again_time()),
-           merit("apex_time", first_maximum_after(time, y, lowest.time).time, exact.apex_time())},
+  return {{relative_merit("taut_time", taut[0], exact.taut_time()),
+           relative_merit("largest_drop", -lowest.value, exact.largest_drop()),
+           relative_merit("slack_again_time", taut[1], exact.slack_again_time()),
+           relative_merit("apex_time", first_maximum_after(time, y, lowest.time).time, exact.apex_time())},
           table_of(time, height_name(scene), [&](double t) { return start + exact.position(t); })};
 }
 
 Comparison compare_pendulum(const Scene& scene, const History& history) {
-  const Body& body = *find_body<Uniaxial>(scene);
+  const Body& body = *find_body<Membrane>(scene);
   const PointSet& P = scene.points;
   const std::size_t first = body.first, last = body.first + body.count - 1;
   const double across = P.x[last] - P.x[first], down = P.y[first] - P.y[last];
   const Pendulum exact{std::hypot(across, down), -scene.gravity, std::atan2(across, down)};
   const auto time = history.column("time"), x = tracked_column(scene, history, "point_x");
   const std::string name = "point_x_" + std::to_string(scene.tracked.size());
-  return {{merit("period", period_about(time, x, P.x[first]), exact.period())},
+  return {{relative_merit("period", period_about(time, x, P.x[first]), exact.period())},
           table_of(time, name, [&](double t) { return P.x[first] + exact.length * std::sin(exact.angle(t)); })};
 }
 
@@ -127,7 +126,7 @@ Comparison compare_piston(const Scene& scene, const History& history) {
   const Piston exact{spring.mass,   spring.stiffness, column.area,
                      column.length, fluid.density,    std::get<LinearFluid>(fluid.material).beta};
   const auto time = history.column("time"), y = height(scene, history);
-  return {{merit("period", period_about(time, y, middle(y)), exact.period())}, {}};
+  return {{relative_merit("period", period_about(time, y, middle(y)), exact.period())}, {}};
 }
 
 }  // namespace tether

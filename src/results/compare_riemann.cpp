@@ -40,13 +40,6 @@ void refuse_waves_at_the_ends(const Scene& scene, const RiemannSolution& solutio
   throw std::domain_error("by then a wave has reached an end of the tube");
 }
 
-const std::vector<double>& values_of(const Snapshot& snapshot, const std::string& name) {
-  for (const Field& field : snapshot.fields) {
-    if (field.quantity.name == name) return field.values;
-  }
-  throw std::out_of_range("the snapshot has no field " + name);
-}
-
 /// L1 error of the profile over the columns of cells that hold points: the mean of a column's points, against the exact
 /// value at its middle. A single point's value scatters about that mean as points cross cells (A.2).
 template <class Exact>

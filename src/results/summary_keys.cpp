@@ -23,6 +23,12 @@ std::vector<std::string> merit_keys(ReferenceKind reference) {
     case ReferenceKind::piston:
       names = {"period"};
       break;
+    case ReferenceKind::radial_gas:
+      names = {"rms_radius", "radius_95"};
+      break;
+    case ReferenceKind::thin_ring:
+      names = {"radius_x", "radius_y", "pressure", "stress"};
+      break;
     case ReferenceKind::none:
       break;
   }

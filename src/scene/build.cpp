@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/axis.hpp"
 #include "scene/bodies.hpp"
+#include "scene/membranes.hpp"
 #include "scene/memory.hpp"
 #include "scene/outputs.hpp"
 #include "scene/reference.hpp"
@@ -25,11 +27,6 @@ Units units_of(const Deck& deck) {
   return name == "si" ? Units::si : name == "cgs" ? Units::cgs : Units::none;
 }
 
-StressOrder order_of(const Deck& deck) {
-  const std::string name = deck.text("mpm", "order");
-  return name == "usf" ? StressOrder::usf : name == "usl" ? StressOrder::usl : StressOrder::musl;
-}
-
 Walls walls_of(const Deck& deck) {
   const auto wall = [&](const char* name) { return static_cast<Wall>(deck.integer("in", name)); };
   return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
@@ -44,7 +41,7 @@ Clock clock_of(const Deck& deck, Diagnostics& diagnostics) {
                     fmt::format("tstep = {:.6g} is above dtmax = {:.6g}: steps are no longer than dtmax", tstep, dtmax),
                     "write dtmax, too"));
   }
-  return {deck.real("in", "tmax"), std::min(tstep, dtmax), deck.real("mpm", "cfl")};
+  return {deck.real("in", "tmax"), std::min(tstep, dtmax), cfl_of(deck)};
 }
 
 /// Whether nodes from low to high are told apart in floating point, and 1/dx too.
@@ -68,12 +65,6 @@ bool check_axes(const Deck& deck, Diagnostics& diagnostics) {
   return x && y;
 }
 
-void check_plane(const Deck& deck, Diagnostics& diagnostics) {
-  if (deck.real("in", "cyl") == 0) return;
-  diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "the material point path runs plane scenes only",
-                              "write cyl=0, or leave it out"));
-}
-
 /// Whether the memory holds grid and particle file; tells where not.
 bool check_memory(const Deck& deck, const BackgroundGrid& grid, std::size_t rows, Diagnostics& diagnostics) {
   const std::string too_large = memory_refusal(grid, static_cast<double>(rows));
@@ -88,31 +79,45 @@ void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, 
   const int regions = igen == 0 ? 0 : deck.integer("reg", "nreg");
   for (int r = 1; r <= regions; ++r) add_region(deck, r, scene, diagnostics);
   const std::size_t file_first = scene.points.size();
-  if (igen != 1 && !particles) return;  // which has been told
   if (particles) add_file_body(deck, *particles, scene, diagnostics);
-  apply_points_group(deck, file_first, scene.points.size() - file_first, scene, diagnostics);
+  const std::size_t file_rows = scene.points.size() - file_first;
+  add_membranes(deck, scene, diagnostics);
+  if (igen != 1 && !particles && diagnostics.has_errors()) return;  // rows of a file that could not be read
+  apply_points_group(deck, file_first, file_rows, scene, diagnostics);
   if (scene.points.size() == 0 && !diagnostics.has_errors()) {
     diagnostics.add(deck.remark(Severity::error, "in", "igen", {1, 1}, "the deck describes no point",
                                 "igen 0 reads a particle file, 1 the regions of $reg, 3 both"));
   }
 }
 
+/// The pressure around membranes, which without one acts on nothing.
+double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
+  const double pressure = deck.real("fluid", "pambient");
+  if (pressure != 0 && !find_body<Membrane>(scene) && !diagnostics.has_errors()) {
+    diagnostics.add(deck.remark(Severity::warning, "fluid", "pambient", {1, 1},
+                                fmt::format("pambient = {:.6g} has no effect: there is no membrane", pressure)));
+  }
+  return pressure;
+}
+
 }  // namespace
 
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Diagnostics& diagnostics) {
   Scene scene;
-  check_plane(deck, diagnostics);
+  check_axis(deck, diagnostics);
   if (!check_axes(deck, diagnostics)) return scene;
   scene.title = title_of(deck);
   scene.units = units_of(deck);
   scene.grid = BackgroundGrid(deck.integer("in", "nx"), deck.integer("in", "ny"), deck.real("in", "xleft"),
                               deck.real("in", "xright"), deck.real("in", "ybot"), deck.real("in", "ytop"));
   if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;
+  scene.geometry = geometry_of(deck);
   scene.walls = walls_of(deck);
   scene.gravity = deck.real("in", "gravc");
   scene.clock = clock_of(deck, diagnostics);
-  scene.order = order_of(deck);
+  scene.method = method_of(deck, diagnostics);
   add_bodies(deck, particles, scene, diagnostics);
+  scene.ambient = ambient_of(deck, scene, diagnostics);
   scene.outputs = outputs_of(deck, scene, diagnostics);
   scene.reference = reference_of(deck, scene, diagnostics);
   return scene;

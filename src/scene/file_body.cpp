@@ -7,17 +7,22 @@
 namespace tether {
 namespace {
 
-void check_file(const ParticleFile& file, const Material& material, const BackgroundGrid& grid,
-                Diagnostics& diagnostics) {
+void check_file(const ParticleFile& file, const Material& material, const Scene& scene, Diagnostics& diagnostics) {
+  const BackgroundGrid& grid = scene.grid;
   for (std::size_t k = 0; k < file.rows.size(); ++k) {
     const ParticleRow& row = file.rows[k];
+    if (scene.geometry == Geometry::axisymmetric && row.x == 0) {
+      diagnostics.error({file.file, row.line, 1}, line_text(file, row.line),
+                        fmt::format("point {} at (0, {:.6g}) lies on the axis", k + 1, row.y),
+                        "a ring of radius 0 has no volume");
+    }
     if (grid.contains(row.x, row.y)) continue;
     diagnostics.error(
         {file.file, row.line, 1}, line_text(file, row.line),
         fmt::format("point {} at ({:.6g}, {:.6g}) lies outside the grid", k + 1, row.x, row.y),
         fmt::format("the grid spans x {:.6g} to {:.6g}, y {:.6g} to {:.6g}", grid.x0, grid.x1, grid.y0, grid.y1));
   }
-  if (!std::holds_alternative<Uniaxial>(material)) return;
+  if (!std::holds_alternative<Membrane>(material)) return;
   if (file.rows.size() < 2) {
     diagnostics.error({file.file, 0, 0}, {}, "a string needs at least 2 points",
                       "its tangent comes from its neighbours");
@@ -35,11 +40,12 @@ void check_file(const ParticleFile& file, const Material& material, const Backgr
 void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Diagnostics& diagnostics) {
   const auto material = file_material(deck, file, diagnostics);
   if (!material) return;
-  check_file(file, *material, scene.grid, diagnostics);
+  check_file(file, *material, scene, diagnostics);
   const std::size_t first = scene.points.size();
-  const double volume = scene.grid.dx * scene.grid.dy / file.per_cell;
+  const double area = scene.grid.dx * scene.grid.dy / file.per_cell;
   PointSet& points = scene.points;
   for (const ParticleRow& row : file.rows) {
+    const double volume = area * depth(scene.geometry, row.x);
     points.x.push_back(row.x), points.y.push_back(row.y);
     points.vx.push_back(row.vx), points.vy.push_back(row.vy);
     points.sxx.push_back(row.sxx), points.syy.push_back(row.syy), points.sxy.push_back(row.sxy);

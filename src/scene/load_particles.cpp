@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "scene/membrane_curves.hpp"
 
 namespace tether {
 namespace {
@@ -77,10 +78,14 @@ std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional
   if (!trim(deck.trailer().text).empty()) {
     return read_particle_file(deck.trailer().text, deck.file(), deck.trailer().first_line, diagnostics);
   }
+  if (igen == 3 && gives_curves(deck)) return std::nullopt;
+  const char* last =
+      igen == 3 ? "use --particles FILE, or give membranes by $membrane curve" : "or use --particles FILE";
   diagnostics.add(deck.remark(Severity::error, "in", "igen", {1, 1},
                               fmt::format("igen = {} takes points from a particle file, and none is named", igen),
-                              "add particles='../particles/x.par' to $in, put the data behind the last group, or use "
-                              "--particles FILE"));
+                              fmt::format("add particles='../particles/x.par' to $in, put the data behind the last "
+                                          "group, {}",
+                                          last)));
   return std::nullopt;
 }
 

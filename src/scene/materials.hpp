@@ -16,4 +16,7 @@ std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& di
 /// The law of a particle file by its own ipath(4) and constants.
 std::optional<Material> file_material(const Deck& deck, const ParticleFile& file, Diagnostics& diagnostics);
 
+/// The law of membrane b (from 1) with Young's modulus E and Poisson's ratio nu.
+Membrane membrane_law(const Deck& deck, int b, double E, double nu);
+
 }  // namespace tether

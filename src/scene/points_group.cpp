@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "scene/bodies.hpp"
 
@@ -31,7 +32,44 @@ std::size_t nearest_point(const PointSet& points, double x, double y) {
   return best;
 }
 
+bool is_membrane_point(const Scene& scene, std::size_t p) {
+  for (const Body& body : scene.bodies) {
+    if (p >= body.first && p < body.first + body.count) return std::holds_alternative<Membrane>(body.material);
+  }
+  return false;
+}
+
+void pin_rows(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene, Diagnostics& diagnostics) {
+  std::vector<std::size_t> pinned;
+  Subscript first{};
+  for (const Subscript at : deck.given_elements("points", "pinned")) {
+    if (!deck.logical("points", "pinned", at[0])) continue;
+    const auto p = row_number(deck, "pinned", at, file_first, file_rows, diagnostics);
+    if (!p) break;
+    if (!is_membrane_point(scene, *p)) {
+      if (diagnostics.has_errors()) return;  // the file may have become no body for another reason
+      diagnostics.add(deck.remark(Severity::error, "points", "pinned", at,
+                                  "a pin holds points of strings and membranes, and the particle file is none",
+                                  "a string has ipath(4) = 8"));
+      return;
+    }
+    if (pinned.empty()) first = at;
+    pinned.push_back(*p);
+  }
+  if (!pinned.empty()) pin_points(deck, "points", first, pinned, scene, diagnostics);
+}
+
 }  // namespace
+
+void pin_points(const Deck& deck, const char* group, Subscript at, const std::vector<std::size_t>& points, Scene& scene,
+                Diagnostics& diagnostics) {
+  scene.pinned.insert(scene.pinned.end(), points.begin(), points.end());
+  if (scene.method.membrane_strain == MembraneStrain::element) return;
+  diagnostics.add(deck.remark(Severity::warning, group, "pinned", at,
+                              "where strain is measured at points a pin holds its point alone, not the nodes around "
+                              "it, which carry the load",
+                              "a fixed wall holds them; or write strain='element' in $membrane"));
+}
 
 void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene,
                         Diagnostics& diagnostics) {
@@ -46,6 +84,7 @@ void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t fi
     if (!p) break;
     scene.tracked.push_back(*p);
   }
+  pin_rows(deck, file_first, file_rows, scene, diagnostics);
   for (const Subscript at : deck.given_elements("points", "tracked_at")) {
     if (at[0] != 1) continue;
     if (!deck.given("points", "tracked_at", 2, at[1])) {

@@ -90,14 +90,17 @@ struct CellSpan {
 
 struct Lattice {
   int side;
-  double volume, mass, vx, vy;
+  double area;  // of a sub-cell [length2]
+  double density, vx, vy;
+  Geometry geometry;
 };
 
 void append(PointSet& points, double x, double y, const Lattice& lattice) {
+  const double volume = lattice.area * depth(lattice.geometry, x);
   points.x.push_back(x), points.y.push_back(y);
   points.vx.push_back(lattice.vx), points.vy.push_back(lattice.vy);
   points.sxx.push_back(0), points.syy.push_back(0), points.sxy.push_back(0);
-  points.volume.push_back(lattice.volume), points.mass.push_back(lattice.mass);
+  points.volume.push_back(volume), points.mass.push_back(lattice.density * volume);
 }
 
 void fill_cell(int i, int j, const BackgroundGrid& grid, const RegionShape& shape, const Lattice& lattice,
@@ -130,8 +133,8 @@ void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics)
   const std::string too_large = memory_refusal(grid, there + columns.count() * rows.count() * side * side);
   if (!too_large.empty()) return reader.error("nprg", {r, 1}, too_large, "use fewer points per cell or a coarser grid");
 
-  const double volume = grid.dx * grid.dy / (side * side);
-  const Lattice lattice{side, volume, density * volume, reader.real("vrx"), reader.real("vry")};
+  const double area = grid.dx * grid.dy / (side * side);
+  const Lattice lattice{side, area, density, reader.real("vrx"), reader.real("vry"), scene.geometry};
   const std::size_t first = scene.points.size();
   for (int j = rows.first; j <= rows.last; ++j) {
     for (int i = columns.first; i <= columns.last; ++i) fill_cell(i, j, grid, *shape, lattice, scene.points);

@@ -6,8 +6,10 @@
 
 #include "base/units.hpp"
 #include "grid/background_grid.hpp"
+#include "grid/geometry.hpp"
 #include "laws/materials/material.hpp"
 #include "laws/walls/walls.hpp"
+#include "scene/method.hpp"
 
 namespace tether {
 
@@ -16,8 +18,8 @@ struct PointSet {
   std::vector<double> x, y;           // [length]
   std::vector<double> vx, vy;         // [velocity]
   std::vector<double> sxx, syy, sxy;  // initial stress [stress]
-  std::vector<double> volume;         // [volume], per unit depth
-  std::vector<double> mass;           // [mass], per unit depth
+  std::vector<double> volume;         // [volume], per unit depth; the whole ring's about an axis
+  std::vector<double> mass;           // [mass], likewise
   std::size_t size() const { return x.size(); }
 };
 
@@ -28,6 +30,7 @@ struct Body {
   double density = 0;          // [mass/volume], of the deck; a heavy point does not change it
   double specific_energy = 0;  // initial, of a gas [energy/mass]
   std::size_t first = 0, count = 0;
+  bool closed = false;  // membrane: its last point is next to its first
 };
 
 struct Clock {
@@ -36,11 +39,8 @@ struct Clock {
   double cfl = 1;    // factor of the step limit; 0 takes the deck's step as it is
 };
 
-/// When stress is updated in a step: after the new velocities were mapped back (musl, the thesis'), first, or last.
-enum class StressOrder { musl, usf, usl };
-
 /// The exact solution to compare with, of src/reference.
-enum class ReferenceKind { none, riemann, spring, string, pendulum, piston };
+enum class ReferenceKind { none, riemann, spring, string, pendulum, piston, radial_gas, thin_ring };
 
 /// Intervals between outputs [time]; 0 where an output is off.
 struct OutputIntervals {
@@ -53,13 +53,16 @@ struct Scene {
   std::string title;
   Units units = Units::none;
   BackgroundGrid grid;
+  Geometry geometry = Geometry::plane;
   Walls walls;
   double gravity = 0;  // acceleration in y [length/time2]
   PointSet points;
   std::vector<Body> bodies;
   std::vector<std::size_t> tracked;  ///< points whose paths are recorded
+  std::vector<std::size_t> pinned;   ///< points that a pin holds where they are
+  double ambient = 0;                ///< pressure outside membranes that enclose gas [stress]
   Clock clock;
-  StressOrder order = StressOrder::musl;
+  Method method;
   OutputIntervals outputs;
   ReferenceKind reference = ReferenceKind::none;
 };

@@ -30,7 +30,7 @@ Scene block(int cells, Material material, StressOrder order) {
   }
   scene.bodies.push_back({"block", material, 1.0, 1e-6, 0, P.size()});  // a gas so cold that it keeps its place
   scene.clock = {1e9, 0.1, 1};
-  scene.order = order;
+  scene.method.order = order;
   return scene;
 }
 

@@ -25,14 +25,16 @@ namespace fs = std::filesystem;
 constexpr int steps_a_deck = 5;
 
 struct Case {
-  std::string deck;
-  std::string order;  ///< of the stress update
+  std::string deck, variant;
+  std::vector<std::string> overrides;  ///< that make the variant of the deck
   std::string name() const {
-    std::string text = deck + "_" + order;
+    std::string text = deck + "_" + variant;
     std::replace(text.begin(), text.end(), '-', '_');
     return text;
   }
 };
+
+constexpr double most_point_steps = 2e6;  ///< of a deck's run: longer ones end sooner
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name(); }
 
@@ -40,12 +42,14 @@ class Restart : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) / fmt::format("tether-restart-{}-{}", GetParam().name(), ::getpid());
-    tmax_ = loaded({}).plan.scene.clock.tmax;
+    const Plan plan = loaded({}).plan;
+    tmax_ = plan.scene.clock.tmax * std::min(1.0, most_point_steps / plan.cost.point_steps);
   }
   void TearDown() override { fs::remove_all(folder_); }
 
   Loaded loaded(std::vector<std::string> overrides) const {
-    overrides.push_back("mpm.order='" + GetParam().order + "'");
+    overrides.insert(overrides.end(), GetParam().overrides.begin(), GetParam().overrides.end());
+    if (tmax_ > 0) overrides.push_back(fmt::format("in.tmax={}", tmax_));
     return load(fmt::format("{}/decks/{}.in", TETHER_SOURCE_DIR, GetParam().deck), {overrides, "", "mpm"});
   }
   /// All kinds of output; a checkpoint at this time and at the end.
@@ -132,15 +136,24 @@ TEST_P(Restart, GoesOnToTheLastBitFromRandomSteps) {
   expect_same_bits(checkpoints_in(whole).at(0), checkpoints_in(parts).at(0));
 }
 
-/// Every deck in the thesis' order of the stress update, a solid and a gas in the others, too.
+/// Every deck as it stands and by the robust method, and what else a run may have to remember.
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const auto& entry : fs::directory_iterator(fs::path(TETHER_SOURCE_DIR) / "decks")) {
-    if (entry.path().extension() == ".in") cases.push_back({entry.path().stem(), "musl"});
+    if (entry.path().extension() != ".in") continue;
+    // With its thin net the ball of this one breaks through at 2.4: the run ends there with exit 3.
+    const bool breaks = entry.path().stem() == "ball-net-orig";
+    cases.push_back({entry.path().stem(), "as_it_stands", std::vector<std::string>(breaks, "in.tmax=2.0")});
+    cases.push_back({entry.path().stem(), "robust", {"mpm.method='robust'"}});
   }
-  for (const char* order : {"usf", "usl"}) {
-    for (const char* deck : {"sod", "noise"}) cases.push_back({deck, order});
+  for (const std::string order : {"usf", "usl"}) {
+    for (const char* deck : {"sod", "noise"}) cases.push_back({deck, order, {"mpm.order='" + order + "'"}});
   }
+  cases.push_back({"two-bar", "criterion_3", {"mpm.criterion=3"}});
+  cases.push_back({"two-bar", "gap", {"mpm.method='robust'", "mpm.contact='gap'"}});
+  cases.push_back({"two-bar", "jaumann", {"mpm.jaumann=.true."}});
+  cases.push_back({"cylinder-expansion", "mass_matrix", {"membrane.normals='mass-quadratic'"}});
+  cases.push_back({"pendulum-20", "pinned", {"mpm.method='robust'", "points.pinned(1)=.true."}});
   std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.name() < b.name(); });
   return cases;
 }

@@ -79,7 +79,7 @@ double standing_wave_error(int cells, StressOrder order) {
   scene.bodies.push_back({"bar", plane_strain(1, 0), 1, 0, 0, P.size()});
   constexpr double tmax = 2.125;  // c = 1 and the period is 2: a sixteenth into the second, with some strain in it
   scene.clock = {tmax, 0.02 * h, 1};
-  scene.order = order;
+  scene.method.order = order;
   const Plan plan = make_plan(std::move(scene));
   const auto solver = make_solver(plan);
   solver->advance(tmax);

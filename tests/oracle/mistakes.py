@@ -29,7 +29,7 @@ BETWEEN = "between"  # a template that stands between two groups
 
 KINDS = {
     "unknown name": {"in": ["^gravity_constant=9.8", "^zzz(3)=1 2", "^x1=.5"], "reg": ["^youngs_modulus(1)=1e5"],
-                     "mpm": ["^viscosity=1."]},
+                     "mpm": ["^viscous_force=1."]},
     "misspelt name": {"in": ["^nnx=11", "^xlft=0.", "^tmx=.5", "^tsteps=1e-5", "^iotu(33)=1", "^wll=6"],
                       "reg": ["^densr=1.,.125", "^xvii(1,1)=0.,.5", "^npgr=4,4"], "fluid": ["^gml=.4"]},
     "name of another group": {"in": ["^gm1=.4", "^nreg=2", "^cfl=1."], "reg": ["^nx=11", "^siep(1)=2.5"],

@@ -24,8 +24,14 @@ REQUIRED = {
     "particles_missing", "particles_not_named", "particles_short", "particles_ambiguous", "particles_absolute_path",
     "particles_climbing_path", "particles_outside", "particles_gas", "particles_single_point", "heavy_beyond_rows",
     "region_outside", "region_without_points", "region_of_two_vertices", "region_without_density", "vertex_not_given",
-    "no_square", "huge_grid", "huge_region", "edges_reversed", "axisymmetric", "unknown_law", "no_stiffness",
+    "no_square", "huge_grid", "huge_region", "edges_reversed", "unknown_law", "no_stiffness",
     "incompressible", "output_without_interval", "reference_of_one_gas", "reference_without_string",
+    "membrane_without_thickness", "membrane_without_count", "membrane_count_and_spacing", "membrane_of_one_point",
+    "huge_membrane", "membrane_outside", "membrane_with_a_gap", "membrane_closed_and_pinned", "membrane_without_curve",
+    "curve_without_kind", "curve_without_radius", "curve_of_three_vertices", "curve_vertex_without_y",
+    "curve_without_length", "curve_beyond_a_turn", "membrane_on_the_axis", "particles_on_the_axis",
+    "grid_beyond_the_axis", "wall_on_the_axis", "plane_stress_about_an_axis", "pin_of_a_solid",
+    "particles_plane_stress_ratio",
 }
 
 
@@ -94,6 +100,7 @@ class BadDecks(ProgramTest):
     def test_a_huge_grid_is_refused_before_memory_is_taken(self):
         self.refuse(FOLDER / "huge_grid.in")
         self.refuse(FOLDER / "huge_region.in")
+        self.refuse(FOLDER / "huge_membrane.in")
         kilobytes = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # the largest of all runs up to here
         self.assertLess(kilobytes, 500_000)
 

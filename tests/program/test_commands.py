@@ -91,8 +91,8 @@ class Talk(ProgramTest):
         for name in ("mpm", "MPM"):
             text = self.say("vars", name).stdout
             self.assertRegex(text, r"^\$mpm\n")
-            self.assertRegex(text, r"(?m)^  order +text .*musl, usf or usl +default 'musl' ")
-            self.assertRegex(text, r"(?m)^  cfl +real .*>= 0 +default 1\.0 ")
+            self.assertRegex(text, r"(?m)^  order +text .*musl, usf or usl +no default ")
+            self.assertRegex(text, r"(?m)^  criterion +integer .*1, 2 or 3 +default 1 ")
             self.assertNotIn("$in", text)
 
     def test_vars_of_no_group(self):
@@ -113,7 +113,7 @@ class Check(ProgramTest):
         self.assertEqual(self.listed(text, "in", "nx"), ["101", "given", "7:4"])
         self.assertEqual(self.listed(text, "in", "tiout(39)"), ["0.05", "given", "time", "19:22"])
         self.assertEqual(self.listed(text, "in", "units"), ["'none'", "default"])
-        self.assertEqual(self.listed(text, "mpm", "cfl"), ["1.0", "default"])
+        self.assertEqual(self.listed(text, "mpm", "criterion"), ["1", "default"])
         self.assertEqual(self.listed(text, "in", "miter"), ["30", "given", "10:17", "read,", "no", "effect"])
         self.assertEqual(self.listed(text, "in", "methd"), ["-", "not", "given", "read,", "no", "effect"])
         self.assertIn("$mpm (not in the deck)\n", text)

@@ -17,8 +17,9 @@ struct PlaneElastic {
   double lambda = 0, G = 0;  // [stress]: sigma_xx = lambda tr(eps) + 2 G eps_xx
 
   Stress updated(const Stress& s, const StrainRate& d, double dt) const {
-    const double trace = lambda * (d.xx + d.yy);
-    return {s.xx + dt * (trace + 2 * G * d.xx), s.yy + dt * (trace + 2 * G * d.yy), s.xy + dt * 2 * G * d.xy};
+    const double trace = lambda * (d.xx + d.yy + d.zz);
+    return {s.xx + dt * (trace + 2 * G * d.xx), s.yy + dt * (trace + 2 * G * d.yy), s.xy + dt * 2 * G * d.xy,
+            s.zz + dt * (trace + 2 * G * d.zz)};
   }
   /// The elastic strain of a stress, C^-1 : sigma (xy the tensor component).
   Strain strain(const Stress& s) const {
@@ -31,7 +32,13 @@ struct PlaneElastic {
     const double squares = s.xx * s.xx + s.yy * s.yy + 2 * s.xy * s.xy;
     return (squares - lambda / (2 * (lambda + G)) * trace * trace) / (4 * G);
   }
-  /// Follows from the others at any time, as no stress is rotated [stress].
+  /// The same about an axis, where the hoop's stress is one of its own.
+  double energy_density_about_axis(const Stress& s) const {
+    const double trace = s.xx + s.yy + s.zz;
+    const double squares = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * s.xy * s.xy;
+    return (squares - nu / (1 + nu) * trace * trace) / (4 * G);
+  }
+  /// In the plane it follows from the others at any time, as no stress is rotated [stress].
   double out_of_plane_stress(const Stress& s) const { return plane == Plane::strain ? nu * (s.xx + s.yy) : 0; }
   /// The thesis' speed for the step limit, sqrt(E / rho) [velocity].
   double sound_speed(double density) const { return std::sqrt(E / density); }

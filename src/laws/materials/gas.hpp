@@ -8,8 +8,9 @@
 
 namespace tether {
 
-/// How a gas point knows its density: from its cell (4.5), from the nine cells around it (4.6), from continuity (4.7).
-enum class DensityRule { cell, quadratic, continuity };
+/// How a gas point knows its density: from its cell (4.5), from the nine cells around it (4.6), from continuity (4.7),
+/// or from the mass of gas at the nodes.
+enum class DensityRule { cell, quadratic, continuity, grid };
 
 /// Compressible viscous ideal gas (chapter 4).
 struct IdealGas {
@@ -18,6 +19,7 @@ struct IdealGas {
   double lambda = 0;            // factor of the artificial viscosity, number
   double coef1 = 0, coef2 = 0;  // its linear and quadratic coefficients, numbers
   DensityRule rule = DensityRule::continuity;
+  bool local_speed = false;  // artificial viscosity with the point's own sound speed instead of the largest one
 
   double pressure(double rho, double i) const { return gm1 * rho * i; }  // (4.4)
 
@@ -33,8 +35,9 @@ struct IdealGas {
 
   /// sigma = -(p + q) I + 2 mu (eps' - tr(eps') / 3 I)  (4.1)
   Stress stress(double p_plus_q, const StrainRate& d) const {
-    const double mean = (d.xx + d.yy) / 3;
-    return {-p_plus_q + 2 * mu * (d.xx - mean), -p_plus_q + 2 * mu * (d.yy - mean), 2 * mu * d.xy};
+    const double mean = (d.xx + d.yy + d.zz) / 3;
+    return {-p_plus_q + 2 * mu * (d.xx - mean), -p_plus_q + 2 * mu * (d.yy - mean), 2 * mu * d.xy,
+            -p_plus_q + 2 * mu * (d.zz - mean)};
   }
 
   /// rho^{k+1} = rho^k / (1 + dt div v)  (4.7)

@@ -6,11 +6,11 @@
 #include "laws/materials/elastic.hpp"
 #include "laws/materials/gas.hpp"
 #include "laws/materials/linear_fluid.hpp"
-#include "laws/materials/uniaxial.hpp"
+#include "laws/materials/membrane.hpp"
 
 namespace tether {
 
 /// Every law a body can obey.
-using Material = std::variant<PlaneElastic, IdealGas, LinearFluid, Uniaxial>;
+using Material = std::variant<PlaneElastic, IdealGas, LinearFluid, Membrane>;
 
 }  // namespace tether

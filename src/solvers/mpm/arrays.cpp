@@ -4,71 +4,114 @@
 #include <algorithm>
 #include <numeric>
 
+#include "grid/kernels.hpp"
+
 namespace tether::mpm {
 namespace {
 
-std::vector<std::uint8_t> held_nodes(const BackgroundGrid& grid, const Walls& walls) {
-  std::vector<std::uint8_t> held(grid.nodes(), holds_none);
-  const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
-  for (std::size_t j = 0; j < ny; ++j) {
-    held[j * nx] |= held_by(walls.left, holds_x);
-    held[j * nx + nx - 1] |= held_by(walls.right, holds_x);
-  }
-  for (std::size_t i = 0; i < nx; ++i) {
-    held[i] |= held_by(walls.bottom, holds_y);
-    held[(ny - 1) * nx + i] |= held_by(walls.top, holds_y);
-  }
-  return held;
-}
+constexpr std::uint32_t never = 0xffffffff;  // stamp of a ghost, which is listed never
 
 }  // namespace
 
-Points::Points(const PointSet& initial)
-    : x(initial.x),
-      y(initial.y),
-      vx(initial.vx),
-      vy(initial.vy),
-      mass(initial.mass),
-      volume(initial.volume),
-      sxx(initial.sxx),
-      syy(initial.syy),
-      sxy(initial.sxy),
-      id(initial.size()) {
-  for (auto* array : {&rho, &energy, &strain, &tx, &ty, &dxx, &dyy, &dxy}) array->assign(initial.size(), 0.0);
+Points::Points(const Scene& scene)
+    : x(scene.points.x),
+      y(scene.points.y),
+      vx(scene.points.vx),
+      vy(scene.points.vy),
+      mass(scene.points.mass),
+      volume(scene.points.volume),
+      sxx(scene.points.sxx),
+      syy(scene.points.syy),
+      sxy(scene.points.sxy),
+      pinned(scene.points.size(), 0),
+      id(scene.points.size()) {
+  for (auto* array : {&vxx, &vyx, &vxy, &vyy, &szz, &rho, &energy, &strain, &hoop, &tx, &ty, &dxx, &dyy, &dxy, &dzz})
+    array->assign(scene.points.size(), 0.0);
+  for (const std::size_t p : scene.pinned) pinned[p] = 1;
   std::iota(id.begin(), id.end(), 0);
 }
 
-Grid::Grid(const BackgroundGrid& shape_, const Walls& walls, std::size_t points)
-    : shape(shape_),
-      sums(shape_.nodes()),
-      motion(shape_.nodes()),
-      convected(shape_.nodes()),
-      held(held_nodes(shape_, walls)),
-      cell_stamp(shape_.cells(), 0),
-      node_stamp(shape_.nodes(), 0) {
-  active_cells.reserve(std::min(points, shape.cells()));
-  active_nodes.reserve(std::min(4 * points, shape.nodes()));
+Grid::Grid(const Scene& scene)
+    : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel),
+      sums(frame.shape.nodes()),
+      motion(frame.shape.nodes()),
+      convected(frame.shape.nodes()),
+      gas(frame.shape.nodes()),
+      squares(scene.method.ledger ? frame.shape.nodes() : 0),
+      cell_stamp(frame.shape.nodes(), 0),
+      node_stamp(frame.shape.nodes(), 0) {
+  const std::size_t points = scene.points.size();
+  active_cells.reserve(std::min(points, frame.shape.nodes()));
+  active_nodes.reserve(std::min(9 * points, frame.shape.nodes()));
+  for (const Ghost& ghost : frame.ghosts) node_stamp[static_cast<std::size_t>(ghost.node)] = never;
 }
 
+template <class Kernel>
 void Grid::list_active(const Points& points) {
-  const Locator locator(shape);
-  const int nx = shape.nx;
+  const Locator locator(frame.shape);
   active_cells.clear();
   active_nodes.clear();
   ++stamp;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const CellPlace at = locator.locate(points.x[p], points.y[p]);
-    const int cell = at.j * (nx - 1) + at.i;
+    const auto at = Kernel::locate(locator, points.x[p], points.y[p]);
+    const int cell = at.j * frame.shape.nx + at.i;
     auto& listed = cell_stamp[static_cast<std::size_t>(cell)];
     if (listed == stamp) continue;
     listed = stamp;
     active_cells.push_back(cell);
-    const int node = at.j * nx + at.i;
-    for (const int corner : {node, node + 1, node + nx, node + nx + 1}) {
-      auto& node_listed = node_stamp[static_cast<std::size_t>(corner)];
-      if (node_listed != stamp) active_nodes.push_back(corner);
+    for (const std::size_t node : Kernel::nodes(locator, at)) {
+      auto& node_listed = node_stamp[node];
+      if (node_listed == stamp || node_listed == never) continue;
       node_listed = stamp;
+      active_nodes.push_back(static_cast<int>(node));
     }
+  }
+}
+
+template void Grid::list_active<LinearKernel>(const Points&);
+template void Grid::list_active<SplineKernel>(const Points&);
+
+void fold_sums(const Frame& frame, std::vector<NodeSums>& sums) {
+  for (const Ghost& ghost : frame.ghosts) {
+    NodeSums& from = sums[static_cast<std::size_t>(ghost.node)];
+    NodeSums& to = sums[static_cast<std::size_t>(ghost.image)];
+    to.m += from.m, to.gas += from.gas;
+    to.momentum += ghost.sign * from.momentum;
+    to.force += ghost.sign * from.force;
+    from = {};
+  }
+}
+
+void Grid::fold_convected() {
+  for (const Ghost& ghost : frame.ghosts) {
+    Pair& from = convected[static_cast<std::size_t>(ghost.node)];
+    convected[static_cast<std::size_t>(ghost.image)] += ghost.sign * from;
+    from = Pair{};
+  }
+}
+
+void Grid::unfold_motion() {
+  for (const Ghost& ghost : frame.ghosts) {
+    const NodeMotion& image = motion[static_cast<std::size_t>(ghost.image)];
+    motion[static_cast<std::size_t>(ghost.node)] = {ghost.sign * image.a, ghost.sign * image.u};
+  }
+}
+
+void Grid::unfold_convected() {
+  for (const Ghost& ghost : frame.ghosts) {
+    convected[static_cast<std::size_t>(ghost.node)] = ghost.sign * convected[static_cast<std::size_t>(ghost.image)];
+  }
+}
+
+void Grid::unfold_gas() {
+  for (const Ghost& ghost : frame.ghosts) {
+    gas[static_cast<std::size_t>(ghost.node)] = gas[static_cast<std::size_t>(ghost.image)];
+  }
+}
+
+void Grid::unfold_squares() {
+  for (const Ghost& ghost : frame.ghosts) {
+    squares[static_cast<std::size_t>(ghost.node)] = squares[static_cast<std::size_t>(ghost.image)];
   }
 }
 

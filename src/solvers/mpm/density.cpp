@@ -8,26 +8,35 @@
 namespace tether::mpm {
 namespace {
 
-/// Places of cells -1 .. cells along one axis, times `stride`; a mirrored ring cell shares its image's place.
-std::vector<std::size_t> folded_axis(int cells, bool mirror_low, bool mirror_high, std::size_t stride) {
-  std::vector<std::size_t> place(static_cast<std::size_t>(cells) + 2);
-  for (std::size_t k = 0; k < place.size(); ++k) place[k] = k * stride;
-  if (mirror_low) place.front() = place[1];
-  if (mirror_high) place.back() = place[place.size() - 2];
+/// Places of cells -1 .. cells along one axis, times `stride`. Behind a wall that mirrors, at the edge of cell `first`
+/// or behind cell `last`, a cell shares its image's place.
+std::vector<std::size_t> folded_axis(int cells, int first, int last, bool mirror_low, bool mirror_high,
+                                     std::size_t stride) {
+  std::vector<std::size_t> place;
+  for (int k = -1; k <= cells; ++k) {
+    const int image = mirror_low && k < first ? 2 * first - 1 - k : mirror_high && k > last ? 2 * last + 1 - k : k;
+    place.push_back(static_cast<std::size_t>(image + 1) * stride);
+  }
   return place;
 }
 
 }  // namespace
 
-CellDensity::CellDensity(const BackgroundGrid& shape, const Walls& walls, DensityRule rule)
-    : shape_(shape),
-      locator_(shape),
+CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule)
+    : locator_(frame.shape),
       rule_(rule),
-      column_(folded_axis(shape.cells_x(), mirrors(walls.left), mirrors(walls.right), 1)),
-      row_(folded_axis(shape.cells_y(), mirrors(walls.bottom), mirrors(walls.top), column_.size())),
-      mass_(column_.size() * row_.size(), 0.0) {}
+      column_(folded_axis(frame.shape.cells_x(), frame.left, frame.left + frame.deck.cells_x() - 1, mirrors(walls.left),
+                          mirrors(walls.right), 1)),
+      row_(folded_axis(frame.shape.cells_y(), frame.bottom, frame.bottom + frame.deck.cells_y() - 1,
+                       mirrors(walls.bottom), mirrors(walls.top), column_.size())),
+      mass_(column_.size() * row_.size(), 0.0) {
+  const BackgroundGrid& shape = frame.shape;
+  for (int i = 0; i < shape.cells_x(); ++i) {
+    volume_.push_back(depth(geometry, shape.x0 + (i + 0.5) * shape.dx) * (shape.dx * shape.dy));
+  }
+}
 
-double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / (shape_.dx * shape_.dy); }
+double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / volume_[static_cast<std::size_t>(i)]; }
 
 void CellDensity::clear_around(const Points& points, Range range) {
   for (std::size_t p = range.begin; p < range.end; ++p) {

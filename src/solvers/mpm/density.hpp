@@ -14,11 +14,11 @@ namespace tether::mpm {
 /// grid; behind a wall that mirrors, the ring's mass is the image of what lies before it and belongs to the edge cell.
 class CellDensity {
  public:
-  CellDensity(const BackgroundGrid& shape, const Walls& walls, DensityRule rule);
+  CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule);
 
   /// Sets P.rho of the points in `takers` from the present places of all gas, whatever body it belongs to.
   void update(Points& points, const std::vector<Range>& gas, const std::vector<Range>& takers);
-  /// Density of a cell at the last update, (i, j) from 0 [mass/volume].
+  /// Density of a cell of the frame at the last update, (i, j) from 0 [mass/volume].
   double operator()(int i, int j) const;
 
  private:
@@ -30,10 +30,10 @@ class CellDensity {
   void add_cell(const Points& points, Range range);
   void add_quadratic(const Points& points, Range range);
 
-  BackgroundGrid shape_;
   Locator locator_;
   DensityRule rule_;
   std::vector<std::size_t> column_, row_;  // where cell i (j), from -1 on, stands in mass_
+  std::vector<double> volume_;             // of a cell of column i, about an axis 2 pi r dx dy [volume]
   std::vector<double> mass_;
 };
 

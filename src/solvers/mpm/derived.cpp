@@ -6,28 +6,31 @@
 namespace tether::mpm {
 namespace {
 
-Stress stress_of(const Points& P, std::size_t p) { return {P.sxx[p], P.syy[p], P.sxy[p]}; }
+Stress stress_of(const Points& P, std::size_t p) { return {P.sxx[p], P.syy[p], P.sxy[p], P.szz[p]}; }
 
-double stored(const PlaneElastic& law, const Points& P, std::size_t p) {
-  return P.volume[p] * law.energy_density(stress_of(P, p));
+double stored(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
+  const Stress s = stress_of(P, p);
+  return P.volume[p] * (geometry == Geometry::plane ? law.energy_density(s) : law.energy_density_about_axis(s));
 }
-double stored(const LinearFluid& law, const Points& P, std::size_t p) {
+double stored(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
   return P.volume[p] * law.energy_density(-P.sxx[p]);
 }
-double stored(const Uniaxial& law, const Points& P, std::size_t p) {
-  return P.volume[p] * law.energy_density(P.strain[p]);
+double stored(const Membrane& law, const Points& P, std::size_t p, Geometry) {
+  return P.volume[p] * law.energy_density(P.strain[p], P.hoop[p]);
 }
-double stored(const IdealGas&, const Points&, std::size_t) { return 0; }
+double stored(const IdealGas&, const Points&, std::size_t, Geometry) { return 0; }
 
 double pressure(const PlaneElastic& law, const Points& P, std::size_t p) {
-  return -(P.sxx[p] + P.syy[p] + law.out_of_plane_stress(stress_of(P, p))) / 3;
+  const Stress s = stress_of(P, p);
+  // In the plane szz is not carried.
+  return -(s.xx + s.yy + (s.zz != 0 ? s.zz : law.out_of_plane_stress(s))) / 3;
 }
 double pressure(const LinearFluid&, const Points& P, std::size_t p) { return -P.sxx[p]; }
-double pressure(const Uniaxial&, const Points& P, std::size_t p) { return -(P.sxx[p] + P.syy[p]) / 3; }
+double pressure(const Membrane&, const Points& P, std::size_t p) { return -(P.sxx[p] + P.syy[p]) / 3; }
 double pressure(const IdealGas& law, const Points& P, std::size_t p) { return law.pressure(P.rho[p], P.energy[p]); }
 
 Strain strain(const PlaneElastic& law, const Points& P, std::size_t p) { return law.strain(stress_of(P, p)); }
-Strain strain(const Uniaxial&, const Points& P, std::size_t p) {
+Strain strain(const Membrane&, const Points& P, std::size_t p) {
   const double e = P.strain[p], x = P.tx[p], y = P.ty[p];
   return {e * x * x, e * y * y, e * x * y};
 }
@@ -42,13 +45,21 @@ std::vector<std::size_t> slots_by_id(const Points& points) {
   return slots;
 }
 
-void Energies::add(const Body& body, const Points& P, const std::vector<std::size_t>& slots) {
+void Energies::add(const Scene& scene, std::size_t b, const State& state, const std::vector<std::size_t>& slots) {
+  const Body& body = scene.bodies[b];
+  const Points& P = state.points;
+  if (state.ambient_of[b]) ambient += state.ambient_of[b]->ambient_energy(P);
+  if (state.elements_of[b]) {
+    strain += state.elements_of[b]->strain_energy(P);
+    ambient += state.elements_of[b]->ambient_energy(P);
+    return;
+  }
   const bool gas = std::holds_alternative<IdealGas>(body.material);
   std::visit(
       [&](const auto& law) {
         for (std::size_t id = body.first; id < body.first + body.count; ++id) {
           const std::size_t p = slots[id];
-          strain += stored(law, P, p);
+          strain += stored(law, P, p, scene.geometry);
           if (gas) internal += P.mass[p] * P.energy[p];
         }
       },

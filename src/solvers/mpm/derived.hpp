@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/state.hpp"
 
 namespace tether::mpm {
 
@@ -14,8 +14,8 @@ std::vector<std::size_t> slots_by_id(const Points& points);
 
 /// Stored and internal energy [energy]. `slots` says where each point of the scene stands.
 struct Energies {
-  double strain = 0, internal = 0;
-  void add(const Body& body, const Points& points, const std::vector<std::size_t>& slots);
+  double strain = 0, internal = 0, ambient = 0;
+  void add(const Scene& scene, std::size_t b, const State& state, const std::vector<std::size_t>& slots);
 };
 
 /// Fields that follow from the state by the point's law, in the order of the scene.

@@ -49,15 +49,19 @@ const std::vector<Quantity>& tracked_quantities() {
   return rows;
 }
 
+/// Of a body. Under APIC a point also carries the field about it: D = h^2/4 an axis of C's squares, and of its spin.
 struct Motion {
+  Pair D{};
   double mass = 0, mx = 0, my = 0, px = 0, py = 0, angular = 0, kinetic = 0;
 
   void add(const Points& P, std::size_t p) {
     const double m = P.mass[p];
     mass += m, mx += m * P.x[p], my += m * P.y[p];
     px += m * P.vx[p], py += m * P.vy[p];
-    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p]);
-    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
+    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p] + D[0] * P.vyx[p] - D[1] * P.vxy[p]);
+    const double field =
+        D[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p]);
+    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p] + field);
   }
   void add(const Motion& other) {
     mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
@@ -66,10 +70,15 @@ struct Motion {
 };
 
 /// Sums over a body in the order of the scene, so that constant sums stay constant to the last bit.
-Motion motion_of(const Body& body, const Points& P, const std::vector<std::size_t>& slots) {
-  Motion motion;
+Motion motion_of(const Body& body, const Points& P, const std::vector<std::size_t>& slots, Pair D) {
+  Motion motion{D};
   for (std::size_t id = body.first; id < body.first + body.count; ++id) motion.add(P, slots[id]);
   return motion;
+}
+
+/// Whether impulses of contact may act: a solid is there, and another body.
+bool by_gap(const Scene& scene) {
+  return scene.method.contact == ContactRule::gap && scene.bodies.size() > 1 && find_body<PlaneElastic>(scene);
 }
 
 /// Angle of the line from the first to the last tracked point, from the downward vertical [degrees].
@@ -82,6 +91,18 @@ double tracked_angle(const Points& P, std::size_t first, std::size_t last) {
 HistoryLayout history_layout(const Scene& scene) {
   HistoryLayout layout;
   layout.quantities = scene_quantities();
+  if (scene.ambient != 0) {
+    layout.quantities.push_back(
+        {"energy_ambient", Dimension::energy, "work done against the pressure outside membranes, part of the total"});
+  }
+  if (keeps_ledger(scene)) {
+    layout.quantities.push_back(
+        {"energy_ledger", Dimension::energy, "heat that the ledger has given to the gas, part of its internal energy"});
+  }
+  if (by_gap(scene)) {
+    layout.quantities.push_back(
+        {"energy_contact", Dimension::energy, "energy that impulses of contact have taken, no longer in the total"});
+  }
   if (scene.outputs.tracked_angle) {
     layout.quantities.push_back(
         {"tracked_angle", Dimension::number,
@@ -102,11 +123,14 @@ Record record(const State& state, const Scene& scene) {
   std::vector<Motion> bodies;
   Motion all;
   Energies energies;
-  for (const Body& body : scene.bodies) {
-    bodies.push_back(motion_of(body, P, slots));
+  const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
+  const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    bodies.push_back(motion_of(scene.bodies[b], P, slots, D));
     all.add(bodies.back());
-    energies.add(body, P, slots);
+    energies.add(scene, b, state, slots);
   }
+  energies.internal += state.heat_under_way;
   const double potential = -scene.gravity * all.my;
   Record values{state.time,
                 state.dt_last,
@@ -114,11 +138,14 @@ Record record(const State& state, const Scene& scene) {
                 energies.strain,
                 energies.internal,
                 potential,
-                all.kinetic + energies.strain + energies.internal + potential,
+                all.kinetic + energies.strain + energies.internal + potential + energies.ambient,
                 all.mass,
                 all.px,
                 all.py,
                 all.angular};
+  if (scene.ambient != 0) values.push_back(energies.ambient);
+  if (state.keeps_ledger) values.push_back(state.heat_given);
+  if (by_gap(scene)) values.push_back(state.contact.lost());
   if (scene.outputs.tracked_angle) {
     values.push_back(tracked_angle(P, slots[scene.tracked.front()], slots[scene.tracked.back()]));
   }

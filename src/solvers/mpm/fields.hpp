@@ -4,6 +4,7 @@
 #include "results/results.hpp"
 #include "scene/scene.hpp"
 #include "solvers/mpm/state.hpp"
+#include "solvers/mpm/steps.hpp"
 
 namespace tether::mpm {
 
@@ -12,6 +13,6 @@ namespace tether::mpm {
 HistoryLayout history_layout(const Scene& scene);
 Record record(const State& state, const Scene& scene);
 Snapshot point_fields(const State& state, const Scene& scene);
-Snapshot grid_fields(const State& state, const Scene& scene);
+Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set);
 
 }  // namespace tether::mpm

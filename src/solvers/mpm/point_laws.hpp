@@ -12,15 +12,18 @@
 //   law_update  strain rate in, stress (and energy, density, strain) of the point out
 //   law_volume  V_p in the nodal force (3.16): the stored one, for gas m_p / rho_p
 //   sound       whether the point's numbers are numbers still, and its density positive
-// A law with needs_neighbours = true is updated only after all points of the body have moved (tangents, densities).
+//   waits       whether it is updated only after all points of the body have moved (tangents, densities)
 
 namespace tether::mpm {
 
 /// What is the same for all points in a step.
 struct StepContext {
-  double dt = 0;     // [time]
-  double c_max = 0;  // largest sound speed of the gas at the end of the step before [velocity]
-  double g = 0;      // length of the mesh in the artificial viscosity, sqrt(dx dy) [length]
+  double dt = 0;         // [time]
+  double c_max = 0;      // largest sound speed of the gas at the end of the step before [velocity]
+  double g = 0;          // length of the mesh in the artificial viscosity, sqrt(dx dy) [length]
+  bool heats = true;     // the gas is heated by the strain rate that makes its stress, not by the centred one
+  bool jaumann = false;  // the stress of solids turns with their spin
+  double heat = 0;       // of the ledger for all gas [energy/mass]
 };
 
 /// What the step tells of all points: waves for the next step limit, and whether the numbers are still sound.
@@ -28,52 +31,77 @@ struct StepFindings {
   double wave_max = 0;       // largest c + |v| of the gas [velocity]
   double c_squared_max = 0;  // of the gas
   long long crossings = 0;   // points that changed cell
+  double heat = 0;           // that the ledger gave to the gas for its own transfers [energy]
+};
+
+/// Strain rate of a point, and the spin (d v_x / d y - d v_y / d x) / 2 [1/time].
+struct Rate {
+  StrainRate d;
+  double spin = 0;
 };
 
 inline bool sound(const PlaneElastic&, const Points& P, std::size_t p) {
   return std::abs(P.sxx[p]) + std::abs(P.syy[p]) + std::abs(P.sxy[p]) < std::numeric_limits<double>::infinity();
 }
 inline bool sound(const LinearFluid&, const Points& P, std::size_t p) { return std::isfinite(P.sxx[p]); }
-inline bool sound(const Uniaxial&, const Points& P, std::size_t p) { return std::isfinite(P.strain[p]); }
+inline bool sound(const Membrane&, const Points& P, std::size_t p) { return std::isfinite(P.strain[p]); }
 inline bool sound(const IdealGas&, const Points& P, std::size_t p) {
   return P.rho[p] > 0 && P.rho[p] < std::numeric_limits<double>::infinity() && std::isfinite(P.energy[p]);
 }
 
-constexpr bool needs_neighbours(const PlaneElastic&) { return false; }
-constexpr bool needs_neighbours(const LinearFluid&) { return false; }
-constexpr bool needs_neighbours(const Uniaxial&) { return true; }
-inline bool needs_neighbours(const IdealGas& gas) { return gas.rule != DensityRule::continuity; }
-
-inline void law_update(const PlaneElastic& law, Points& P, std::size_t p, const StrainRate& d, const StepContext& step,
-                       StepFindings&) {
-  const Stress s = law.updated({P.sxx[p], P.syy[p], P.sxy[p]}, d, step.dt);  // (3.2)
-  P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
+inline bool waits(const PlaneElastic&, bool) { return false; }
+inline bool waits(const LinearFluid&, bool) { return false; }
+inline bool waits(const Membrane&, bool) { return true; }
+/// Where the points stay, the gas at the nodes is known before the pass.
+inline bool waits(const IdealGas& gas, bool moves) {
+  return gas.rule == DensityRule::grid ? moves : gas.rule != DensityRule::continuity;
 }
 
-inline void law_update(const LinearFluid& law, Points& P, std::size_t p, const StrainRate& d, const StepContext& step,
+/// `about_axis`: the hoop's strain rate and stress count.
+template <bool about_axis>
+inline void law_update(const PlaneElastic& law, Points& P, std::size_t p, const Rate& rate, const StepContext& step,
                        StepFindings&) {
-  const double pressure = law.updated_pressure(-P.sxx[p], d.xx + d.yy, step.dt);  // (6.1)
+  Stress old{P.sxx[p], P.syy[p], P.sxy[p], 0};
+  if constexpr (about_axis) old.zz = P.szz[p];
+  if (step.jaumann) old = turned(old, step.dt * rate.spin);
+  const Stress s = law.updated(old, rate.d, step.dt);  // (3.2)
+  P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
+  if constexpr (about_axis) P.szz[p] = s.zz;
+}
+
+template <bool about_axis>
+inline void law_update(const LinearFluid& law, Points& P, std::size_t p, const Rate& rate, const StepContext& step,
+                       StepFindings&) {
+  const double pressure = law.updated_pressure(-P.sxx[p], rate.d.xx + rate.d.yy + rate.d.zz, step.dt);  // (6.1)
   P.sxx[p] = P.syy[p] = -pressure;
+  if constexpr (about_axis) P.szz[p] = -pressure;
 }
 
-/// The strain has been brought up to date with the tangents.
-inline void law_update(const Uniaxial& law, Points& P, std::size_t p, const StrainRate&, const StepContext&,
-                       StepFindings&) {
-  const Stress s = Uniaxial::turned(law.stress(P.strain[p]), {P.tx[p], P.ty[p]});  // (5.5)-(5.9)
+/// The strains have been brought up to date with the tangents.
+template <bool about_axis>
+inline void law_update(const Membrane& law, Points& P, std::size_t p, const Rate&, const StepContext&, StepFindings&) {
+  const MembraneStress stress = law.stress(P.strain[p], P.hoop[p]);       // (5.5), (5.15)
+  const Stress s = Membrane::turned(stress.tangent, {P.tx[p], P.ty[p]});  // (5.9)
   P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
+  P.szz[p] = stress.hoop;
 }
 
 /// The source's order: first the constitutive equation with the new density and the energy so far, then the energy
-/// with that stress. By cell or quadratic interpolation the density stands in P.rho already.
-inline void law_update(const IdealGas& law, Points& P, std::size_t p, const StrainRate& d, const StepContext& step,
+/// with that stress. Unless by continuity, the density stands in P.rho already.
+template <bool about_axis>
+inline void law_update(const IdealGas& law, Points& P, std::size_t p, const Rate& rate, const StepContext& step,
                        StepFindings& found) {
-  const double D = d.xx + d.yy;
+  const StrainRate& d = rate.d;
+  const double D = d.xx + d.yy + d.zz;
   if (law.rule == DensityRule::continuity) P.rho[p] = IdealGas::continued_density(P.rho[p], step.dt, D);  // (4.7)
   const double rho = P.rho[p];
-  const double q = law.artificial_viscosity(rho, step.c_max, step.g, D);  // (4.11), (4.12)
-  const Stress s = law.stress(law.pressure(rho, P.energy[p]) + q, d);     // (4.1), (4.4)
-  P.energy[p] = IdealGas::heated(P.energy[p], step.dt, s, d, rho);        // (4.10)
+  const double own_c_squared = law.sound_speed_squared(P.energy[p]);
+  const double c = law.local_speed ? std::sqrt(own_c_squared) : step.c_max;
+  const double q = law.artificial_viscosity(rho, c, step.g, D);                     // (4.11), (4.12)
+  const Stress s = law.stress(law.pressure(rho, P.energy[p]) + q, d);               // (4.1), (4.4)
+  if (step.heats) P.energy[p] = IdealGas::heated(P.energy[p], step.dt, s, d, rho);  // (4.10)
   P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
+  if constexpr (about_axis) P.szz[p] = s.zz;
   const double c_squared = law.sound_speed_squared(P.energy[p]);
   const double speed = std::sqrt(P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
   found.c_squared_max = std::max(found.c_squared_max, c_squared);

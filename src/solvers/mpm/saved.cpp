@@ -8,7 +8,10 @@ namespace {
 
 /// Sums at the nodes that hold points, in the order of the list of these nodes.
 struct ActiveSums {
-  std::vector<double> m, momentum_x, momentum_y, force_x, force_y;
+  std::vector<int> apart;   // what criterion 3 remembers
+  double contact_lost = 0;  // and what impulses took
+  std::vector<double> m, gas, momentum_x, momentum_y, force_x, force_y, heat;
+  std::vector<double> element_force_x, element_force_y;  // on the points of membranes, of the last step
 };
 
 ActiveSums active_sums(const Grid& grid) {
@@ -16,6 +19,8 @@ ActiveSums active_sums(const Grid& grid) {
   for (const int node : grid.active_nodes) {
     const NodeSums& sum = grid.sums[static_cast<std::size_t>(node)];
     active.m.push_back(sum.m);
+    active.gas.push_back(sum.gas);
+    active.heat.push_back(grid.gas[static_cast<std::size_t>(node)].heat);
     active.momentum_x.push_back(sum.momentum[0]);
     active.momentum_y.push_back(sum.momentum[1]);
     active.force_x.push_back(sum.force[0]);
@@ -28,9 +33,38 @@ void put_sums(const ActiveSums& active, Grid& grid) {
   for (std::size_t k = 0; k < grid.active_nodes.size(); ++k) {
     NodeSums& sum = grid.sums[static_cast<std::size_t>(grid.active_nodes[k])];
     sum.m = active.m[k];
+    sum.gas = active.gas[k];
+    grid.gas[static_cast<std::size_t>(grid.active_nodes[k])].heat = active.heat[k];
     sum.momentum = pair(active.momentum_x[k], active.momentum_y[k]);
     sum.force = pair(active.force_x[k], active.force_y[k]);
   }
+}
+
+/// Calls visit(elements) for those of every body that has some.
+template <class AnyState, class Visit>
+void each_elements(AnyState& state, const Visit& visit) {
+  for (auto* of : {&state.elements_of, &state.ambient_of}) {
+    for (auto& elements : *of) {
+      if (elements) visit(*elements);
+    }
+  }
+}
+
+void take_forces(const State& state, ActiveSums& sums) {
+  each_elements(state, [&](const Elements& elements) {
+    for (std::size_t p = elements.range().begin; p < elements.range().end; ++p) {
+      sums.element_force_x.push_back(elements.force(p)[0]), sums.element_force_y.push_back(elements.force(p)[1]);
+    }
+  });
+}
+
+void put_forces(const ActiveSums& sums, State& state) {
+  std::size_t k = 0;
+  each_elements(state, [&](Elements& elements) {
+    for (std::size_t p = elements.range().begin; p < elements.range().end; ++p, ++k) {
+      elements.set_force(p, pair(sums.element_force_x[k], sums.element_force_y[k]));
+    }
+  });
 }
 
 /// The list of what a state consists of, once for both ways.
@@ -38,17 +72,22 @@ template <class Exchange, class AnyState, class Sums>
 void exchange(Exchange& with, AnyState& state, Sums& sums) {
   auto& P = state.points;
   with("x", P.x), with("y", P.y), with("vx", P.vx), with("vy", P.vy);
+  with("vxx", P.vxx), with("vyx", P.vyx), with("vxy", P.vxy), with("vyy", P.vyy);
   with("mass", P.mass), with("volume", P.volume);
-  with("sxx", P.sxx), with("syy", P.syy), with("sxy", P.sxy);
-  with("rho", P.rho), with("energy", P.energy), with("strain", P.strain);
+  with("sxx", P.sxx), with("syy", P.syy), with("sxy", P.sxy), with("szz", P.szz);
+  with("rho", P.rho), with("energy", P.energy), with("strain", P.strain), with("hoop", P.hoop);
   with("tx", P.tx), with("ty", P.ty), with("id", P.id);
   with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);
-  with.list("node_mass", sums.m);
+  with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_heat", sums.heat);
   with.list("node_momentum_x", sums.momentum_x), with.list("node_momentum_y", sums.momentum_y);
   with.list("node_force_x", sums.force_x), with.list("node_force_y", sums.force_y);
+  with.list("element_force_x", sums.element_force_x), with.list("element_force_y", sums.element_force_y);
   with("time", state.time), with("time_lost", state.time_lost);
   with("c_max", state.c_max), with("wave_max", state.wave_max);
   with("steps", state.steps), with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  with.list("apart", sums.apart), with("contact_lost", sums.contact_lost);
+  with("heat_given", state.heat_given), with("heat_under_way", state.heat_under_way);
+  with("heat_for_all", state.heat_for_all);
   with("crossings_since_sort", state.crossings_since_sort), with("limit_told", state.limit_told);
 }
 
@@ -56,17 +95,24 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
 
 SavedState save(const State& state) {
   StateSaver saver;
-  const ActiveSums sums = active_sums(state.grid);
+  ActiveSums sums = active_sums(state.grid);
+  sums.apart = state.contact.memory();
+  sums.contact_lost = state.contact.lost();
+  take_forces(state, sums);
   exchange(saver, state, sums);
   return saver.take();
 }
 
 void restore(State& state, const SavedState& saved) {
   std::fill(state.grid.sums.begin(), state.grid.sums.end(), NodeSums{});
+  std::fill(state.grid.gas.begin(), state.grid.gas.end(), NodeGas{});
   StateRestorer restorer(saved);
   ActiveSums sums;
   exchange(restorer, state, sums);
   put_sums(sums, state.grid);
+  state.contact.remember(sums.apart);
+  state.contact.set_lost(sums.contact_lost);
+  put_forces(sums, state);
 }
 
 }  // namespace tether::mpm

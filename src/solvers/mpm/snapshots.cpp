@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <functional>
 #include <utility>
 
 #include "solvers/mpm/derived.hpp"
 #include "solvers/mpm/fields.hpp"
-#include "solvers/mpm/kernels.hpp"
 #include "solvers/mpm/steps.hpp"
 
 namespace tether::mpm {
@@ -29,29 +27,24 @@ std::vector<double> numbers(const Points& points, const std::vector<std::size_t>
   return values;
 }
 
-std::vector<double> over_nodes(const std::vector<NodeSums>& sums, const std::function<double(const NodeSums&)>& get) {
+/// Over the nodes of the deck's grid.
+template <class Get>
+std::vector<double> over_nodes(const Frame& frame, const Get& get) {
   std::vector<double> values;
-  values.reserve(sums.size());
-  for (const NodeSums& sum : sums) values.push_back(get(sum));
+  values.reserve(frame.deck.nodes());
+  for (std::size_t n = 0; n < frame.deck.nodes(); ++n) values.push_back(get(frame.of_deck(n)));
   return values;
 }
 
 double quotient(double a, double m) { return m > 0 ? a / m : 0; }
 
 /// sum m_p q_p N_i / m_i of a quantity q that stands in the order of the scene.
-std::vector<double> mean_at_nodes(const State& state, const std::vector<NodeSums>& sums,
+std::vector<double> mean_at_nodes(const State& state, const StepSet& set, const std::vector<NodeSums>& sums,
                                   const std::vector<std::size_t>& slots, const std::vector<double>& q) {
-  const Locator locator(state.grid.shape);
-  std::vector<double> values(sums.size(), 0.0);
-  for (std::size_t id = 0; id < slots.size(); ++id) {
-    const std::size_t p = slots[id];
-    const CellPlace at = locator.locate(state.points.x[p], state.points.y[p]);
-    const LinearShape shape(at);
-    const auto nodes = corners(locator, at);
-    for (std::size_t k = 0; k < 4; ++k) values[nodes[k]] += state.points.mass[p] * q[id] * shape.N[k];
-  }
-  for (std::size_t n = 0; n < values.size(); ++n) values[n] = quotient(values[n], sums[n].m);
-  return values;
+  std::vector<double> of_slots(q.size()), values(sums.size(), 0.0);
+  for (std::size_t id = 0; id < slots.size(); ++id) of_slots[slots[id]] = q[id];
+  set.map_quantity(state, of_slots, values);
+  return over_nodes(state.grid.frame, [&](std::size_t n) { return quotient(values[n], sums[n].m); });
 }
 
 }  // namespace
@@ -74,25 +67,29 @@ Snapshot point_fields(const State& state, const Scene& scene) {
            field("sxx", D::stress, "stress, xx", of(P.sxx)),
            field("syy", D::stress, "stress, yy", of(P.syy)),
            field("sxy", D::stress, "stress, xy", of(P.sxy)),
+           field("szz", D::stress, "stress across the plane, about an axis and of membranes: the hoop's", of(P.szz)),
            field("density", D::density, "density", std::move(derived.density)),
            field("pressure", D::stress, "gas: pressure without its viscous parts; else minus the mean stress",
                  std::move(derived.pressure)),
            field("specific_energy", D::specific_energy, "gas: internal energy per mass", of(P.energy)),
-           field("strain", D::number, "string: strain along its tangent", of(P.strain)),
+           field("strain", D::number, "membrane: strain along its tangent", of(P.strain)),
+           field("strain_hoop", D::number, "membrane: strain across the plane", of(P.hoop)),
            field("strain_xx", D::number, "elastic strain, xx", std::move(derived.strain_xx)),
            field("strain_yy", D::number, "elastic strain, yy", std::move(derived.strain_yy)),
            field("strain_xy", D::number, "elastic strain, xy (tensor)", std::move(derived.strain_xy)),
-           field("normal_x", D::number, "string: unit normal, x", std::move(derived.normal_x)),
-           field("normal_y", D::number, "string: unit normal, y", std::move(derived.normal_y))}};
+           field("normal_x", D::number, "membrane: unit normal, x", std::move(derived.normal_x)),
+           field("normal_y", D::number, "membrane: unit normal, y", std::move(derived.normal_y))}};
 }
 
-Snapshot grid_fields(const State& state, const Scene& scene) {
-  std::vector<NodeSums> sums(state.grid.shape.nodes());
-  map_all(state, scene, sums);
+Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set) {
+  std::vector<NodeSums> sums(state.grid.frame.shape.nodes());
+  set.map_all(state, scene, sums);
   const auto slots = slots_by_id(state.points);
   const DerivedFields derived = derived_fields(scene, state.points, slots);
-  const auto nodes = [&](const auto& get) { return over_nodes(sums, get); };
-  const auto mean = [&](const std::vector<double>& q) { return mean_at_nodes(state, sums, slots, q); };
+  const auto nodes = [&](const auto& get) {
+    return over_nodes(state.grid.frame, [&](std::size_t n) { return get(sums[n]); });
+  };
+  const auto mean = [&](const std::vector<double>& q) { return mean_at_nodes(state, set, sums, slots, q); };
   using D = Dimension;
   return {state.time,
           {field("mass", D::mass, "mass mapped to the node", nodes([](const NodeSums& n) { return n.m; })),

@@ -24,19 +24,16 @@ constexpr double vanishing = 1e-9;
 
 }  // namespace
 
-template <class Order>
-MpmSolver<Order>::MpmSolver(const Plan& plan)
-    : plan_(plan), state_(start(plan.scene)), sort_(plan.scene.points.size()) {
+MpmSolver::MpmSolver(const Plan& plan)
+    : plan_(plan), set_(step_set(plan.scene)), state_(start(plan.scene)), sort_(plan.scene.points.size()) {
   state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
 }
 
-template <class Order>
-void MpmSolver<Order>::advance(double until) {
+void MpmSolver::advance(double until) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
 }
 
-template <class Order>
-double MpmSolver<Order>::next_step() {
+double MpmSolver::next_step() {
   double dt = plan_.step.step(state_.wave_max);
   if (dt < plan_.step.deck_step && !state_.limit_told) {
     messages_.push_back(fmt::format("t = {:.6g}: the gas moves at c + |v| = {:.4g}: steps are limited to {:.4g}",
@@ -49,17 +46,15 @@ double MpmSolver<Order>::next_step() {
   return left <= dt * stretch ? left : dt;
 }
 
-template <class Order>
-void MpmSolver<Order>::step(double dt) {
+void MpmSolver::step(double dt) {
   StepWork work{state_, plan_.scene, {}, {}};
-  Order::step(work, dt);
+  set_.step(work, dt);
   if (work.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.trouble, dt);
   state_.crossings_since_sort += work.found.crossings;
   finish_step(work.found, dt);
 }
 
-template <class Order>
-void MpmSolver<Order>::finish_step(const StepFindings& found, double dt) {
+void MpmSolver::finish_step(const StepFindings& found, double dt) {
   const bool last = plan_.scene.clock.tmax - state_.time <= dt;
   if (last) {
     state_.time = plan_.scene.clock.tmax;
@@ -72,61 +67,40 @@ void MpmSolver<Order>::finish_step(const StepFindings& found, double dt) {
   ++state_.steps;
   state_.c_max = std::sqrt(found.c_squared_max);
   state_.wave_max = found.wave_max;
-  if (found.crossings > 0) state_.grid.list_active(state_.points);
+  state_.heat_given += found.heat;
+  if (found.crossings > 0) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
 }
 
 /// Compensated (Kahan's) sum: 1e5 equal steps must end where their product says.
-template <class Order>
-void MpmSolver<Order>::add_to_time(double dt) {
+void MpmSolver::add_to_time(double dt) {
   const double step = dt - state_.time_lost, sum = state_.time + step;
   state_.time_lost = (sum - state_.time) - step;
   state_.time = sum;
 }
 
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
-template <class Order>
-void MpmSolver<Order>::sort_where_scattered() {
+void MpmSolver::sort_where_scattered() {
   if (4 * state_.crossings_since_sort < static_cast<long long>(state_.points.size())) return;
   state_.crossings_since_sort = 0;
-  sort_(state_.points, state_.ranges, plan_.scene);
+  sort_(state_.points, state_.ranges, plan_.scene, state_.grid.frame.shape);
 }
 
-template <class Order>
-RunCounts MpmSolver<Order>::counts() const {
+RunCounts MpmSolver::counts() const {
   const auto points = state_.points.size();
   return {state_.steps,  state_.steps * static_cast<long long>(points),
           points,        state_.grid.active_cells.size(),
           state_.dt_min, state_.dt_last};
 }
 
-template <class Order>
-HistoryLayout MpmSolver<Order>::history_layout() const {
-  return mpm::history_layout(plan_.scene);
-}
+HistoryLayout MpmSolver::history_layout() const { return mpm::history_layout(plan_.scene); }
 
-template <class Order>
-Record MpmSolver<Order>::record() const {
-  return mpm::record(state_, plan_.scene);
-}
+Record MpmSolver::record() const { return mpm::record(state_, plan_.scene); }
 
-template <class Order>
-Snapshot MpmSolver<Order>::points() const {
-  return point_fields(state_, plan_.scene);
-}
+Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
 
-template <class Order>
-Snapshot MpmSolver<Order>::grid() const {
-  return grid_fields(state_, plan_.scene);
-}
+Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
 
-template <class Order>
-std::vector<std::string> MpmSolver<Order>::take_messages() {
-  return std::exchange(messages_, {});
-}
-
-template class MpmSolver<Musl>;
-template class MpmSolver<Usf>;
-template class MpmSolver<Usl>;
+std::vector<std::string> MpmSolver::take_messages() { return std::exchange(messages_, {}); }
 
 }  // namespace tether::mpm

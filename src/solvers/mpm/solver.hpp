@@ -8,14 +8,13 @@
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/sort.hpp"
 #include "solvers/mpm/state.hpp"
+#include "solvers/mpm/steps.hpp"
 #include "solvers/solver.hpp"
 
 namespace tether::mpm {
 
-/// The material point method of the thesis (chapters 3 to 5): lumped mass, momentum formulation, linear quadrilaterals,
-/// FLIP; one thread. `Order` (Musl, Usf or Usl of steps.hpp) decides when a step updates the stress. The plan must
-/// outlive the solver.
-template <class Order>
+/// The material point method: the thesis' own (chapters 3 to 5: lumped mass, momentum formulation, linear
+/// quadrilaterals, FLIP) or the robust set, by the scene's method; one thread. The plan must outlive the solver.
 class MpmSolver final : public Solver {
  public:
   explicit MpmSolver(const Plan& plan);
@@ -39,6 +38,7 @@ class MpmSolver final : public Solver {
   void sort_where_scattered();
 
   const Plan& plan_;
+  StepSet set_;
   State state_;
   CellSort sort_;
   std::vector<std::string> messages_;

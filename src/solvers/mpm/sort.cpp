@@ -13,10 +13,11 @@ void CellSort::permute(std::vector<T>& array, std::vector<T>& scratch, Range ran
   std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
 }
 
-void CellSort::operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene) {
+void CellSort::operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene,
+                          const BackgroundGrid& shape) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const bool string = std::holds_alternative<Uniaxial>(scene.bodies[b].material);
-    if (!string) sort_body(points, bodies[b], scene.grid);
+    const bool string = std::holds_alternative<Membrane>(scene.bodies[b].material);
+    if (!string) sort_body(points, bodies[b], shape);
   }
 }
 
@@ -29,8 +30,8 @@ void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
   }
   std::sort(keys_.begin(), keys_.end(),
             [](const Key& a, const Key& b) { return a.cell != b.cell ? a.cell < b.cell : a.id < b.id; });
-  for (auto* array : {&P.x, &P.y, &P.vx, &P.vy, &P.mass, &P.volume, &P.sxx, &P.syy, &P.sxy, &P.rho, &P.energy,
-                      &P.strain, &P.tx, &P.ty}) {
+  for (auto* array : {&P.x, &P.y, &P.vx, &P.vy, &P.vxx, &P.vyx, &P.vxy, &P.vyy, &P.mass, &P.volume, &P.sxx, &P.syy,
+                      &P.sxy, &P.szz, &P.rho, &P.energy}) {
     permute(*array, doubles_, range);
   }
   permute(P.id, ints_, range);

@@ -15,7 +15,7 @@ class CellSort {
  public:
   explicit CellSort(std::size_t points);
   /// All bodies of the scene but its strings, which keep the order of their file: it runs along them.
-  void operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene);
+  void operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene, const BackgroundGrid& shape);
 
  private:
   void sort_body(Points& points, Range range, const BackgroundGrid& shape);

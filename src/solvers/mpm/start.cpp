@@ -12,44 +12,52 @@
 namespace tether::mpm {
 namespace {
 
-constexpr double bytes_of_saved_node = 10 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
-constexpr double bytes_of_saved_point = 15 * sizeof(double);
-constexpr double bytes_of_node =
-    sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 1 + 4 + 8 + 4 + 8 + bytes_of_saved_node;
+constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
+constexpr double bytes_of_saved_point = 21 * sizeof(double);
+constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) + 1 + 4 + 8 +
+                                 4 + 8 + 3 * 8 + bytes_of_saved_node;
 static_assert(bytes_of_node <= bytes_per_node, "scene/size.hpp: a node takes more than it says");
-static_assert(21 * sizeof(double) + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <= bytes_per_point,
+static_assert(28 * sizeof(double) + 1 + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <=
+                  bytes_per_point,
               "scene/size.hpp: a point takes more than it says");
+
+bool from_cells(const IdealGas& gas) { return gas.rule == DensityRule::cell || gas.rule == DensityRule::quadratic; }
 
 /// Sets what a law keeps at a point beside its stress.
 struct StartPoints {
   State& state;
   const Body& body;
   Range range;
+  std::size_t number;  // of the body
+  StepFindings found;
 
   void operator()(const PlaneElastic&) const {}  // the scene's stress is the state
-  void operator()(const LinearFluid&) const {
+  void operator()(const LinearFluid&) {
     Points& P = state.points;  // an accumulated pressure starts at zero strain
     for (std::size_t p = range.begin; p < range.end; ++p) P.sxx[p] = P.syy[p] = P.sxy[p] = 0;
   }
   /// A stress in the file is an initial strain E eps = t . sigma . t: negative is slack.
-  void operator()(const Uniaxial& law) const {
+  void operator()(const Membrane& law) {
     Points& P = state.points;
-    StepFindings none;  // a string tells nothing of itself
     for (std::size_t p = range.begin; p < range.end; ++p) {
-      const Vec2 t = tangent_at(P, range, p);
+      const Vec2 t = tangent_at(P, range, p, body.closed);
       P.tx[p] = t.x, P.ty[p] = t.y;
+    }
+    if (state.normals) state.find_tangents(number);
+    for (std::size_t p = range.begin; p < range.end; ++p) {
+      const Vec2 t{P.tx[p], P.ty[p]};
       P.strain[p] = along({P.sxx[p], P.syy[p], P.sxy[p]}, t) / law.E;
-      law_update(law, P, p, {}, {}, none);
+      P.hoop[p] = 0;
+      law_update<true>(law, P, p, {}, {}, found);
     }
   }
-  /// Densities from cells stand in the points already.
-  void operator()(const IdealGas& law) const {
+  /// Densities from cells stand in the points already; from nodes, the body's own is right at the start.
+  void operator()(const IdealGas& law) {
     Points& P = state.points;
-    StepFindings found;
     for (std::size_t p = range.begin; p < range.end; ++p) {
-      if (law.rule == DensityRule::continuity) P.rho[p] = body.density;
+      if (!from_cells(law)) P.rho[p] = body.density;
       P.energy[p] = body.specific_energy;
-      law_update(law, P, p, {}, {}, found);
+      law_update<true>(law, P, p, {}, {}, found);
     }
     state.wave_max = std::max(state.wave_max, found.wave_max);
     state.c_max = std::max(state.c_max, std::sqrt(found.c_squared_max));
@@ -57,33 +65,102 @@ struct StartPoints {
 };
 
 /// By the rule of the first gas that takes its density from cells: a deck has but one such rule.
-std::optional<CellDensity> cell_density(const Scene& scene) {
+std::optional<CellDensity> cell_density(const Scene& scene, const Frame& frame) {
   for (const Body& body : scene.bodies) {
     const auto* gas = std::get_if<IdealGas>(&body.material);
-    if (gas && gas->rule != DensityRule::continuity) return CellDensity(scene.grid, scene.walls, gas->rule);
+    if (gas && from_cells(*gas)) return CellDensity(frame, scene.walls, scene.geometry, gas->rule);
   }
   return std::nullopt;
 }
 
+void list_gas(const Body& body, Range range, const IdealGas& gas, State& state) {
+  state.gas.push_back(range);
+  if (from_cells(gas)) state.gas_by_cells.push_back(range);
+  if (gas.rule == DensityRule::grid) state.gas_by_nodes.push_back(range);
+  for (std::size_t p = body.first; p < body.first + body.count; ++p) state.gas_mass += state.points.mass[p];
+}
+
+/// A rule of chapter 7 for membranes whose strain is their points'. A padded grid's edges are no walls to it.
+void make_normals(const Scene& scene, State& state) {
+  const Method& method = scene.method;
+  if (method.normals == NormalRule::connectivity || method.membrane_strain == MembraneStrain::element) return;
+  std::size_t most = 0;
+  for (const Body& body : scene.bodies) {
+    if (std::holds_alternative<Membrane>(body.material)) most = std::max(most, body.count);
+    const bool fluid =
+        std::holds_alternative<IdealGas>(body.material) || std::holds_alternative<LinearFluid>(body.material);
+    if (fluid) state.fluids.push_back({body.first, body.first + body.count});
+  }
+  if (most == 0) return;
+  const Frame& frame = state.grid.frame;
+  const Walls open{Wall::open, Wall::open, Wall::open, Wall::open};
+  state.normals.emplace(frame.shape, frame.shape == frame.deck ? scene.walls : open, method, most);
+  state.old_tx = state.old_ty = std::vector<double>(state.points.size());
+}
+
+/// Membranes whose forces come from elements, and those on which only the pressure outside acts so.
+void make_elements(const Scene& scene, State& state) {
+  const bool elements = state.pins_hold_loads = scene.method.membrane_strain == MembraneStrain::element;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    auto& of = state.elements_of.emplace_back();
+    auto& ambient = state.ambient_of.emplace_back();
+    if (!std::holds_alternative<Membrane>(scene.bodies[b].material)) continue;
+    if (elements)
+      of.emplace(scene, b, state.points, state.grid.frame);
+    else if (scene.ambient != 0)
+      ambient.emplace(scene, b, state.points, state.grid.frame);
+    std::size_t bad = 0;
+    if (of) of->update(state.points, bad);
+    if (ambient) ambient->update_ambient(state.points);
+  }
+}
+
 }  // namespace
 
+bool keeps_ledger(const Scene& scene) {
+  return scene.method.ledger && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+           const auto* gas = std::get_if<IdealGas>(&body.material);
+           return gas && gas->rule == DensityRule::grid;
+         });
+}
+
 State start(const Scene& scene) {
-  State state{Points(scene.points), Grid(scene.grid, scene.walls, scene.points.size()), {}, {}, {},
-              cell_density(scene)};
+  State state(scene);
+  state.density = cell_density(scene, state.grid.frame);
   for (const Body& body : scene.bodies) {
     state.ranges.push_back({body.first, body.first + body.count});
+    state.has_pins.push_back(std::any_of(scene.pinned.begin(), scene.pinned.end(), [&](std::size_t p) {
+      return p >= body.first && p < body.first + body.count;
+    }));
     const auto* gas = std::get_if<IdealGas>(&body.material);
-    if (gas) state.gas.push_back(state.ranges.back());
-    if (gas && gas->rule != DensityRule::continuity) state.gas_by_cells.push_back(state.ranges.back());
+    if (gas) list_gas(body, state.ranges.back(), *gas, state);
   }
-  CellSort(scene.points.size())(state.points, state.ranges, scene);
+  state.keeps_ledger = keeps_ledger(scene);
+  CellSort(scene.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
   if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
+  make_normals(scene, state);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    std::visit(StartPoints{state, scene.bodies[b], state.ranges[b]}, scene.bodies[b].material);
+    std::visit(StartPoints{state, scene.bodies[b], state.ranges[b], b, {}}, scene.bodies[b].material);
   }
-  state.grid.list_active(state.points);
-  map_all(state, scene, state.grid.sums);
+  make_elements(scene, state);
+  const StepSet set = step_set(scene);
+  set.list_active(state.grid, state.points);
+  set.map_all(state, scene, state.grid.sums);
   return state;
+}
+
+void State::find_tangents(std::size_t b) {
+  normals->update({points.x, points.y}, ranges[b], fluids, {points.tx, points.ty});
+}
+
+void State::turn_tangents(const Scene& scene, std::size_t b) {
+  if (!normals) return mpm::turn_tangents(points, ranges[b], scene.bodies[b].closed);
+  for (std::size_t p = ranges[b].begin; p < ranges[b].end; ++p) old_tx[p] = points.tx[p], old_ty[p] = points.ty[p];
+  find_tangents(b);
+  for (std::size_t p = ranges[b].begin; p < ranges[b].end; ++p) {
+    const double cosine = points.tx[p] * old_tx[p] + points.ty[p] * old_ty[p];
+    points.strain[p] *= cosine * cosine;
+  }
 }
 
 }  // namespace tether::mpm

@@ -7,7 +7,10 @@
 #include "results/saved_state.hpp"
 #include "scene/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/contact.hpp"
 #include "solvers/mpm/density.hpp"
+#include "solvers/mpm/elements.hpp"
+#include "solvers/mpm/normals.hpp"
 #include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
@@ -16,22 +19,46 @@ namespace tether::mpm {
 struct State {
   Points points;
   Grid grid;
-  std::vector<Range> ranges;           // slots of each body
-  std::vector<Range> gas;              // slots of the gas bodies
-  std::vector<Range> gas_by_cells;     // of those that take their density from cells
-  std::optional<CellDensity> density;  // where the gas takes its density from cells
-  double time = 0, time_lost = 0;      // sum of the steps, and what rounding took from it [time]
-  double c_max = 0;                    // largest sound speed of the gas after the last step [velocity]
-  double wave_max = 0;                 // its largest c + |v| [velocity]
+  std::vector<Range> ranges;        // slots of each body
+  std::vector<char> has_pins;       // of each body
+  bool pins_hold_loads = false;     // elements make the forces of membranes: pinned points give the nodes nothing
+  std::vector<Range> gas;           // slots of the gas bodies
+  std::vector<Range> gas_by_cells;  // of those that take their density from cells
+  std::vector<Range> fluids;        // all fluids, where normals ask for them
+  std::vector<Range> gas_by_nodes;  // and from nodes
+  std::optional<MembraneNormals> normals;            // where tangents come from, unless from connectivity
+  std::vector<double> old_tx, old_ty;                // room for the tangents of before
+  std::optional<CellDensity> density;                // where the gas takes its density from cells
+  std::vector<std::optional<Elements>> elements_of;  // of each body: its elements, where they make its forces
+  std::vector<std::optional<Elements>> ambient_of;   // of each body: where only the pressure outside needs them
+  Contact contact;                                   // of bodies that share nodes
+  bool keeps_ledger = false;                         // of heat that transfers and elements lose
+  double gas_mass = 0;                               // [mass]
+  double heat_given = 0;           // to the gas by the ledger on account of membranes, since the start [energy]
+  double heat_under_way = 0;       // of it, what the gas takes in the next step [energy]
+  double heat_for_all = 0;         // of it, what goes to all gas alike [energy]
+  double time = 0, time_lost = 0;  // sum of the steps, and what rounding took from it [time]
+  double c_max = 0;                // largest sound speed of the gas after the last step [velocity]
+  double wave_max = 0;             // its largest c + |v| [velocity]
   long long steps = 0;
   double dt_last = 0, dt_min = 0;      // [time]
   long long crossings_since_sort = 0;  // of points, from cell to cell
   bool limit_told = false;             // whether a shorter step than the deck's was told
+
+  explicit State(const Scene& scene) : points(scene), grid(scene), contact(scene, grid.frame) {}
+
+  /// New tangents of membrane b by the scene's rule, and the total strain's component along them (5.3).
+  void turn_tangents(const Scene& scene, std::size_t b);
+  /// New tangents alone; those of before say which way they run.
+  void find_tangents(std::size_t b);
 };
 
 /// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
 /// 1 of the algorithm), so that every step begins with its sums in place.
 State start(const Scene& scene);
+
+/// Whether heat is booked: the method says so and there is gas, with its density from nodes, to take it.
+bool keeps_ledger(const Scene& scene);
 
 /// The state as plain data, and back into a state of the same scene, to the last bit: sums at nodes are kept as they
 /// are, since points that were sorted meanwhile would add up to others. Scratch arrays are left out. restore() throws

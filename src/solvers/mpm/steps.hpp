@@ -16,19 +16,21 @@ struct StepWork {
   Trouble trouble;
 };
 
-/// One step of length dt in the three orders of stress update. Each begins and ends with mass and momentum (and, but
-/// for Usf, force) mapped to the nodes. After trouble the state is for reading only.
-struct Musl {
-  static void step(StepWork& work, double dt);
-};
-struct Usl {
-  static void step(StepWork& work, double dt);
-};
-struct Usf {
-  static void step(StepWork& work, double dt);
+/// What a method does with a state, compiled for its kernel, transfer and geometry, and chosen once for a run.
+struct StepSet {
+  /// One step of length dt. It begins and ends with mass and momentum (and, but for usf, force) mapped to the nodes.
+  /// After trouble the state is for reading only.
+  void (*step)(StepWork& work, double dt);
+  /// Adds mass, momentum and internal force of all points at their present places to `sums` (3.15), (3.16).
+  void (*map_all)(const State& state, const Scene& scene, std::vector<NodeSums>& sums);
+  /// Lists the cells that hold points, and their nodes.
+  void (*list_active)(Grid& grid, const Points& points);
+  /// sum_p m_p q_p N_i of a quantity q of all points, added to `values`.
+  void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values);
 };
 
-/// Adds mass, momentum and internal force of all points at their present places to `sums` (3.15), (3.16).
-void map_all(const State& state, const Scene& scene, std::vector<NodeSums>& sums);
+StepSet step_set(const Scene& scene);
+StepSet linear_step_set(const Scene& scene);
+StepSet spline_step_set(const Scene& scene);
 
 }  // namespace tether::mpm

@@ -51,7 +51,7 @@ std::string beyond(const BackgroundGrid& grid, const Walls& walls, double x, dou
 std::string what_happened(const State& state, const Walls& walls, const Trouble& trouble, double dt) {
   const Points& P = state.points;
   const std::size_t p = trouble.slot;
-  const BackgroundGrid& grid = state.grid.shape;
+  const BackgroundGrid& grid = state.grid.frame.deck;
   const double cells = std::hypot(P.vx[p] / grid.dx, P.vy[p] / grid.dy) * dt;
   switch (trouble.kind) {
     case TroubleKind::left_grid:
@@ -77,7 +77,7 @@ void stop_on_trouble(const State& state, const Plan& plan, const Trouble& troubl
   const double x = state.points.x[p], y = state.points.y[p];
   throw RunError(fmt::format("t = {:.9g}, step {}: point {} (body {}, {}) at ({:.6g}, {:.6g}) in {} {}{}",
                              state.time + dt, state.steps + 1, state.points.id[p] + 1, b + 1, plan.scene.bodies[b].name,
-                             x, y, cell_text(state.grid.shape, x, y),
+                             x, y, cell_text(state.grid.frame.deck, x, y),
                              what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)));
 }
 

@@ -5,8 +5,9 @@
 
 namespace tether::mpm {
 
-Vec2 tangent_at(const Points& points, Range string, std::size_t p) {
-  const std::size_t before = p > string.begin ? p - 1 : p, behind = p + 1 < string.end ? p + 1 : p;
+Vec2 tangent_at(const Points& points, Range string, std::size_t p, bool closed) {
+  const std::size_t before = p > string.begin ? p - 1 : closed ? string.end - 1 : p;
+  const std::size_t behind = p + 1 < string.end ? p + 1 : closed ? string.begin : p;
   const double dx = points.x[behind] - points.x[before], dy = points.y[behind] - points.y[before];
   const double length = std::sqrt(dx * dx + dy * dy);
   return length > 0 ? Vec2{dx / length, dy / length} : Vec2{};
@@ -15,12 +16,13 @@ Vec2 tangent_at(const Points& points, Range string, std::size_t p) {
 void stretch_along_tangents(Points& P, Range string, double dt) {
   for (std::size_t p = string.begin; p < string.end; ++p) {
     P.strain[p] += dt * along({P.dxx[p], P.dyy[p], P.dxy[p]}, {P.tx[p], P.ty[p]});
+    P.hoop[p] += dt * P.dzz[p];
   }
 }
 
-void turn_tangents(Points& P, Range string) {
+void turn_tangents(Points& P, Range string, bool closed) {
   for (std::size_t p = string.begin; p < string.end; ++p) {
-    const Vec2 t = tangent_at(P, string, p);
+    const Vec2 t = tangent_at(P, string, p, closed);
     if (t.x == 0 && t.y == 0) continue;
     const double cosine = t.x * P.tx[p] + t.y * P.ty[p];
     P.strain[p] *= cosine * cosine;

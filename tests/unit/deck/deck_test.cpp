@@ -77,7 +77,7 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
 }
 
 TEST(Variables, GroupsInTheirOrder) {
-  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "points", "membrane", "mpm", "reference", "study"}));
+  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "study"}));
 }
 
 }  // namespace

@@ -159,5 +159,21 @@ TEST(QuadraticWeights, MeetWithoutAJumpWhereAPointChangesCells) {
   EXPECT_EQ(right[2], 0);
 }
 
+/// A central difference is exact for a quadratic but for rounding.
+TEST(QuadraticSlopes, AreTheSlopesOfTheWeights) {
+  const double step = 1e-3;
+  for (const double r : {-0.5, -0.31, 0.0, 0.125, 0.5}) {
+    const auto behind = quadratic_weights(r + step), before = quadratic_weights(r - step), slope = quadratic_slopes(r);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR((behind[k] - before[k]) / (2 * step), slope[k], 1e-12);
+  }
+}
+
+/// Products with the other axis' weights are Table 13: S_2x and S_9y at r = .25, s = -.5, times a cell's side.
+TEST(QuadraticSlopes, ValuesOfTable13) {
+  const double r = 0.25, s = -0.5;
+  EXPECT_EQ(quadratic_slopes(r)[2] * quadratic_weights(s)[1], (0.5 + r) * (0.75 - s * s));
+  EXPECT_EQ(quadratic_weights(r)[2] * quadratic_slopes(s)[0], -0.5 * (0.5 + r) * (0.5 + r) * (0.5 - s));
+}
+
 }  // namespace
 }  // namespace tether

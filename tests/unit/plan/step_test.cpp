@@ -22,7 +22,7 @@ TEST(StepRuleTest, OfASolidIsTheSmallerSideOverSqrtEOverRho) {
 
 TEST(StepRuleTest, OfAStringAndOfALinearFluid) {
   Scene string = empty_scene(), fluid = empty_scene();
-  add_body(string, Uniaxial{16, 0.3, true}, 1, 0, {{0, 0}, {7, 7}});  // a solid's own speed does not count
+  add_body(string, Membrane{16, 0.3, true}, 1, 0, {{0, 0}, {7, 7}});  // a solid's own speed does not count
   add_body(fluid, LinearFluid{64}, 1, 0, {{0, 0}});
   EXPECT_EQ(make_plan(string).step.first_limit, 0.0625);
   EXPECT_EQ(make_plan(fluid).step.first_limit, 0.03125);
@@ -144,7 +144,7 @@ TEST(StepWarning, ThatPressureWavesAreFaster) {
 TEST(StepWarning, OfTheUnstableOrder) {
   Scene scene = elastic_scene();
   scene.clock.tstep = 0.01;
-  scene.order = StressOrder::usl;
+  scene.method.order = StressOrder::usl;
   const auto warnings = make_plan(scene).warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("'usl' is unstable"), std::string::npos);

@@ -24,7 +24,7 @@ inline Scene hanging_string(ReferenceKind reference) {
   scene.reference = reference;
   for (int k = 0; k < 4; ++k) add_point(scene.points, 1, 3 - 0.5 * k, 0.25, 0.001);
   scene.points.mass[3] = 2;
-  scene.bodies = {{"string", Uniaxial{8, 0, false}, 1, 0, 0, 4}};
+  scene.bodies = {{"string", Membrane{8, 0, false}, 1, 0, 0, 4}};
   scene.tracked = {0, 3};
   return scene;
 }

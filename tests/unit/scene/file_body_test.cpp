@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "unit/scene/scene_support.hpp"
 
 namespace tether::test {
@@ -88,6 +90,16 @@ TEST(FileBodyErrors, APlaceWithoutY) {
   EXPECT_EQ(build(string_deck("$points tracked_at(1,2)=.4 $\n")).errors(), (Texts{"5:25: tracked_at needs x and y"}));
 }
 
+/// V = 2 pi r dx dy / np2: the whole ring of the point's radius.
+TEST(FileBody, PointsAreRingsAboutAnAxis) {
+  const Scene scene = build(string_deck("", "igen=0,cyl=1.")).scene;
+  ASSERT_EQ(scene.points.size(), 3u);
+  for (std::size_t p = 0; p < 3; ++p) {
+    EXPECT_NEAR(scene.points.volume[p], 0.03125 * 2 * std::numbers::pi * scene.points.x[p], 1e-16);
+    EXPECT_NEAR(scene.points.mass[p], 0.5 * scene.points.volume[p], 1e-17);
+  }
+}
+
 /// File 2 from line 5 on: header of 5 lines, then the rows from line 10 on.
 Texts file_errors(const std::string& header, const std::string& rows) {
   return build(on_unit_square("igen=0\n$\n" + header + rows)).errors();
@@ -98,6 +110,13 @@ TEST(FileBodyErrors, EveryPointOutsideTheGridIsNamed) {
       file_errors("1.\n1,0,0,0,0,0,0\n3,3,3,0\n3\n3,1\n", ".5 .5 0 0 0 0 0\n1.5 .5 0 0 0 0 0\n.5 -.25 0 0 0 0 0\n"),
       (Texts{"11:1: point 2 at (1.5, 0.5) lies outside the grid",
              "12:1: point 3 at (0.5, -0.25) lies outside the grid"}));
+}
+
+TEST(FileBodyErrors, APointOnTheAxis) {
+  const std::string file = "1.\n1,0,0,0,0,0,0\n3,3,3,0\n2\n2,1\n.5 .5 0 0 0 0 0\n0. .5 0 0 0 0 0\n";
+  EXPECT_EQ(build(on_unit_square("igen=0,cyl=1.\n$\n" + file)).errors(),
+            (Texts{"11:1: point 2 at (0, 0.5) lies on the axis"}));
+  EXPECT_EQ(build(on_unit_square("igen=0\n$\n" + file)).errors(), Texts{});
 }
 
 TEST(FileBodyErrors, AStringIsOneSequenceOfTwoPointsAtLeast) {

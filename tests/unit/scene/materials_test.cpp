@@ -86,12 +86,19 @@ Built file_with(const std::string& ipath, const std::string& constants, const st
 }
 
 TEST(FileMaterial, AStringPullsOnlyUnlessTheDeckSaysOtherwise) {
-  const auto string = std::get<Uniaxial>(file_with("8", "7,.3").scene.bodies.at(0).material);
+  const auto string = std::get<Membrane>(file_with("8", "7,.3").scene.bodies.at(0).material);
   EXPECT_EQ(string.E, 7);
   EXPECT_EQ(string.nu, .3);
   EXPECT_TRUE(string.wrinkle);
   const Built spring = file_with("8", "7,.3", "$membrane wrinkle=.false. $\n");
-  EXPECT_FALSE(std::get<Uniaxial>(spring.scene.bodies.at(0).material).wrinkle);
+  EXPECT_FALSE(std::get<Membrane>(spring.scene.bodies.at(0).material).wrinkle);
+}
+
+TEST(FileMaterial, AMembraneInPlaneStressByTheDeck) {
+  const char* group = "$membrane law(1)='plane-stress' $\n";
+  const auto kind = [](const Built& built) { return std::get<Membrane>(built.scene.bodies.at(0).material).kind; };
+  EXPECT_EQ(kind(file_with("8", "7,.3", group)), Membrane::Kind::plane_stress);
+  EXPECT_EQ(kind(file_with("8", "7,.3")), Membrane::Kind::uniaxial);
 }
 
 TEST(FileMaterial, ElasticInPlaneStrainOrPlaneStress) {
@@ -105,6 +112,9 @@ TEST(FileMaterial, ElasticInPlaneStrainOrPlaneStress) {
 TEST(FileMaterialErrors, AtTheirLines) {
   EXPECT_EQ(file_with("7", "1,0").errors(), (Texts{"7:1: ipath(4) = 7 in a particle file names no law"}));
   EXPECT_EQ(file_with("8", "0,0").errors(), (Texts{"6:1: a string needs Young's modulus > 0, not 0"}));
+  EXPECT_EQ(file_with("8", "7,.51", "$membrane law='plane-stress' $\n").errors(),
+            (Texts{"7:1: Poisson's ratio 0.51 is out of range"}));
+  EXPECT_EQ(file_with("8", "7,.51").errors(), Texts{});  // which a uniaxial law does not read
   EXPECT_EQ(file_with("0", "1,.5").errors(), (Texts{"6:1: Poisson's ratio 0.5 is out of range"}));
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/memory.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "scene/size.hpp"
 
 namespace tether {
 namespace {
@@ -11,17 +14,17 @@ TEST(MemoryRefusal, IsEmptyForWhatCanBeHeld) {
   EXPECT_EQ(memory_refusal(BackgroundGrid(101, 101, 0, 1, 0, 1), 10000), "");
 }
 
-/// 128 bytes a node: 1e12 nodes are 1.28e5 GB.
 TEST(MemoryRefusal, NamesTheNodesAndTheirMemory) {
   const std::string refusal = memory_refusal(BackgroundGrid(1000000, 1000000, 0, 1, 0, 1), 0);
-  EXPECT_TRUE(refusal.starts_with("1000000 x 1000000 nodes and 0 points would need 2.24e+05 GB of memory, and "));
+  EXPECT_TRUE(refusal.starts_with(
+      fmt::format("1000000 x 1000000 nodes and 0 points would need {:.4g} GB of memory, and ", 1e3 * bytes_per_node)));
   EXPECT_TRUE(refusal.ends_with(" GB can be used"));
 }
 
-/// 320 bytes a point: 1e15 points are 3.2e8 GB.
 TEST(MemoryRefusal, NamesThePointsAndTheirMemory) {
   const std::string refusal = memory_refusal(BackgroundGrid(2, 2, 0, 1, 0, 1), 1e15);
-  EXPECT_TRUE(refusal.starts_with("2 x 2 nodes and 1e+15 points would need 4e+08 GB of memory, and "));
+  EXPECT_TRUE(refusal.starts_with(
+      fmt::format("2 x 2 nodes and 1e+15 points would need {:.4g} GB of memory, and ", 1e6 * bytes_per_point)));
 }
 
 /// Whatever the memory, node and point numbers are of the range of int.

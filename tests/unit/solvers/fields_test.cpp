@@ -82,7 +82,7 @@ TEST(PointFields, FollowFromTheLaws) {
 TEST(PointFields, NormalsStandOnTheTangentsOfStrings) {
   Scene scene = open_scene(6, 6);
   add_block(scene, plane_strain(1, 0), 1, 4, 2, 3, 1);  // three places in a row along x, taken as a string
-  scene.bodies[0].material = Uniaxial{1, 0, true};
+  scene.bodies[0].material = Membrane{1, 0, true};
   const Snapshot snapshot = point_fields(start(scene), scene);
   EXPECT_EQ(field(snapshot, "normal_x"), (std::vector<double>{0, 0, 0}));
   EXPECT_EQ(field(snapshot, "normal_y"), (std::vector<double>{1, 1, 1}));
@@ -91,7 +91,7 @@ TEST(PointFields, NormalsStandOnTheTangentsOfStrings) {
 TEST(GridFields, AreMeansByMassAtTheNodes) {
   Scene scene = gas_and_solid();
   scene.points.x[1] = 2.5;  // side by side: the nodes at x = 3 have half of either
-  const Snapshot snapshot = grid_fields(start(scene), scene);
+  const Snapshot snapshot = grid_fields(start(scene), scene, step_set(scene));
   const std::size_t shared = 2 * 6 + 3, gas_only = 2 * 6 + 4, empty = 0;
   EXPECT_NEAR(field(snapshot, "mass")[shared], 0.25 * (2 + 3), 1e-15);
   EXPECT_NEAR(field(snapshot, "vx")[shared], (2 * 0.5 + 3 * -1) / 5.0, 1e-15);

@@ -31,7 +31,7 @@ Scene stirred_block(StressOrder order) {
   Scene scene = open_scene(11, 11);
   add_block(scene, plane_strain(1, 0.3), 3, 7, 3, 6, 2);
   stir(scene, 0.02);
-  scene.order = order;
+  scene.method.order = order;
   return scene;
 }
 
@@ -58,7 +58,7 @@ TEST_P(SteadyOrder, MovesARigidTranslationExactly) {
   add_block(scene, plane_strain(1, 0.3), 2, 5, 2, 5, 2);
   scene.points.vx.assign(scene.points.size(), 0.25);
   scene.points.vy.assign(scene.points.size(), 0.125);
-  scene.order = GetParam();
+  scene.method.order = GetParam();
   const Plan plan = make_plan(std::move(scene));
   const auto solver = make_solver(plan);
   solver->advance(12);
@@ -81,7 +81,7 @@ TEST_P(EveryOrder, FirstStressIncrementOfALinearVelocity) {
     scene.points.vx[p] = L[0][0] * scene.points.x[p] + L[0][1] * scene.points.y[p];
     scene.points.vy[p] = L[1][0] * scene.points.x[p] + L[1][1] * scene.points.y[p];
   }
-  scene.order = GetParam();
+  scene.method.order = GetParam();
   const Plan plan = make_plan(std::move(scene));
   const auto solver = make_solver(plan);
   solver->advance(0.01);
@@ -119,7 +119,7 @@ TEST_P(EveryOrder, AFixedWallTakesAllMomentumOfItsNodes) {
   scene.walls.left = Wall::fixed;
   add_block(scene, plane_strain(1e-20, 0), 0, 1, 0, 1, 1);  // too soft for a force to tell
   scene.points.vx[0] = scene.points.vy[0] = 0.1;
-  scene.order = GetParam();
+  scene.method.order = GetParam();
   const Plan plan = make_plan(std::move(scene));
   const auto solver = make_solver(plan);
   solver->advance(0.01);

@@ -128,7 +128,7 @@ TEST(Clock, AnotherWarningOfThePlanDoesNotSilenceTheLimit) {
   Scene scene = open_scene(8, 8);
   add_block(scene, IdealGas{.rule = DensityRule::continuity}, 3, 4, 3, 4, 3, 1.0, 1.0);
   scene.clock = {2, 0.9 / std::sqrt(1.4 * 0.4), 1};
-  scene.order = StressOrder::usl;  // of which the plan warns
+  scene.method.order = StressOrder::usl;  // of which the plan warns
   const Plan plan = make_plan(std::move(scene));
   EXPECT_EQ(plan.warnings.size(), 1U);
   const auto solver = make_solver(plan);

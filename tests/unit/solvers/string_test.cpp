@@ -20,7 +20,7 @@ Scene slanted_string(double stress, bool wrinkle) {
     P.sxx.push_back(stress * 0.36), P.syy.push_back(stress * 0.64), P.sxy.push_back(stress * 0.48);
     P.volume.push_back(0.1), P.mass.push_back(0.1);
   }
-  scene.bodies.push_back({"string", Uniaxial{100, 0, wrinkle}, 1, 0, 0, 4});
+  scene.bodies.push_back({"string", Membrane{100, 0, wrinkle}, 1, 0, 0, 4});
   return scene;
 }
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solvers/mpm/elements.hpp"
+#include "solvers/mpm/nodes.hpp"
+#include "solvers/mpm/passes.hpp"
+#include "solvers/mpm/steps.hpp"
+
+// Passes of membranes whose forces come from elements, of what the ledger books of them, and of gas at the nodes where
+// points have moved meanwhile.
+
+namespace tether::mpm {
+
+/// Forces of the points, spread by N. A pin takes what pulls at it.
+template <class S>
+inline void spread_forces(const Points& P, const Locator& locator, const Elements& elements,
+                          std::vector<NodeSums>& sums) {
+  for (std::size_t p = elements.range().begin; p < elements.range().end; ++p) {
+    if (P.pinned[p]) continue;
+    const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
+    const auto nodes = S::Kernel::nodes(locator, at);
+    const auto N = S::Kernel::values(at);
+    for (std::size_t k = 0; k < S::Kernel::size; ++k) sums[nodes[k]].force += N[k] * elements.force(p);
+  }
+}
+
+/// Strains and stresses of the elements, and their forces on the nodes.
+template <class S>
+inline void pull_elements(const PassWork& work, Elements& elements) {
+  std::size_t bad = 0;
+  if (!elements.update(work.P, bad)) {
+    work.trouble.note(TroubleKind::unsound, bad);
+    return;
+  }
+  spread_forces<S>(work.P, work.locator, elements, work.grid.sums);
+}
+
+/// The pressure outside on a membrane whose stress is its points'.
+template <class S>
+inline void press_ambient(const PassWork& work, Elements& elements) {
+  elements.update_ambient(work.P);
+  spread_forces<S>(work.P, work.locator, elements, work.grid.sums);
+}
+
+/// Velocities, new places, mass and momentum; with the ledger also what the point's forces gave on the way.
+template <class S>
+inline void accelerate_move_and_map_membrane(const PassWork& work, Elements& elements, bool ledger) {
+  Points& P = work.P;
+  const double dt = work.step.dt;
+  for (std::size_t p = elements.range().begin; p < elements.range().end; ++p) {
+    if (P.pinned[p]) {
+      elements.book(p, pair(P.x[p], P.y[p]), Pair{}, 0);
+      continue;
+    }
+    auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+    const auto nodes = S::Kernel::nodes(work.locator, at);
+    if (ledger) {
+      const auto middle = [&](std::size_t n) { return 0.5 * (work.grid.convected[n] + work.grid.motion[n].u); };
+      const Pair moved = dt * S::Kernel::value(at, nodes, middle);
+      const double lost = P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes);
+      elements.book(p, pair(P.x[p], P.y[p]), moved, lost);
+    } else {
+      accelerate<S>(P, p, dt, work.grid.motion, work.locator, at, nodes);
+    }
+    move<S>(P, p, dt, work.grid.motion, at, nodes);
+    if (!accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, work.found, work.trouble)) continue;
+    map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
+  }
+}
+
+/// Gives energy to the gas around a place, to each node's in the measure of N_i rho_gas, so that the node of a wall
+/// counts as much as if there were none; where there is no gas, to all of it.
+template <class S>
+inline void heat_gas_around(const PassWork& work, State& state, std::size_t p, double energy) {
+  const Grid& grid = work.grid;
+  const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
+  const auto nodes = S::Kernel::nodes(work.locator, at);
+  const auto N = S::Kernel::values(at);
+  double rho = 0;
+  for (std::size_t k = 0; k < S::Kernel::size; ++k) {
+    const std::size_t n = grid.frame.image[nodes[k]];
+    rho += N[k] * grid.sums[n].gas * grid.frame.per_volume[n];
+  }
+  if (!(rho > 0)) return give_to_all_gas(state, energy);
+  state.heat_under_way += energy;
+  state.heat_given += energy;
+  for (std::size_t k = 0; k < S::Kernel::size; ++k) {
+    const std::size_t n = grid.frame.image[nodes[k]];
+    work.grid.gas[n].heat += energy * N[k] * grid.frame.per_volume[n] / rho;
+  }
+}
+
+/// What membranes lost in this step goes to the gas, which takes it at the beginning of the next one.
+template <class S>
+inline void settle_ledger(StepWork& work, const PassWork& pass) {
+  State& state = work.state;
+  for (auto& elements : state.elements_of) {
+    if (!elements) continue;
+    elements->settle(state.points);
+    for (std::size_t p = elements->range().begin; p < elements->range().end; ++p) {
+      heat_gas_around<S>(pass, state, p, elements->heat(p));
+    }
+  }
+}
+
+/// Density of gas at the nodes of its present places, sum_p m_p N_i / V_i.
+template <class S>
+inline void density_at_nodes(const PassWork& work, const std::vector<Range>& gas) {
+  const Points& P = work.P;
+  const auto each = [&](const auto& visit) {
+    for (const Range range : gas) {
+      for (std::size_t p = range.begin; p < range.end; ++p) {
+        const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+        visit(p, S::Kernel::nodes(work.locator, at), S::Kernel::values(at));
+      }
+    }
+  };
+  each([&](std::size_t, const auto& nodes, const auto&) {
+    for (const std::size_t n : nodes) work.grid.gas[n].rho = work.grid.gas[work.grid.frame.image[n]].rho = 0;
+  });
+  each([&](std::size_t p, const auto& nodes, const auto& N) {
+    for (std::size_t k = 0; k < S::Kernel::size; ++k) {
+      const std::size_t n = work.grid.frame.image[nodes[k]];
+      work.grid.gas[n].rho += N[k] * P.mass[p] * work.grid.frame.per_volume[n];
+    }
+  });
+  work.grid.unfold_gas();
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/mpm/nodes.hpp"
+
+#include "solvers/mpm/node_pieces.hpp"
+
+namespace tether::mpm {
+void solve_momentum(StepWork& work, double dt) {
+  Grid& grid = work.state.grid;
+  const Pair gravity = pair(0, work.scene.gravity);
+  for (const int node : grid.active_nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    const NodeSums& sum = grid.sums[n];
+    const double per_m = inverse(sum.m);
+    NodeMotion& motion = grid.motion[n];
+    motion.a = sum.force * per_m + gravity;
+    motion.u = sum.momentum * per_m + dt * motion.a;
+    hold(grid.frame.held[n], motion.a);
+    hold(grid.frame.held[n], motion.u);
+  }
+  grid.unfold_motion();
+}
+
+void divide_convected(Grid& grid) {
+  for (const int node : grid.active_nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    grid.convected[n] *= inverse(grid.sums[n].m);
+    hold(grid.frame.held[n], grid.convected[n]);
+  }
+  grid.unfold_convected();
+}
+
+void mapped_velocity(Grid& grid) {
+  for (const int node : grid.active_nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    grid.convected[n] = grid.sums[n].momentum;
+  }
+  divide_convected(grid);
+}
+
+void clear_convected(Grid& grid) {
+  for (const int node : grid.active_nodes) grid.convected[static_cast<std::size_t>(node)] = Pair{};
+  for (const Ghost& ghost : grid.frame.ghosts) grid.convected[static_cast<std::size_t>(ghost.node)] = Pair{};
+}
+
+void clear_sums(Grid& grid) {
+  for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)] = {};
+}
+
+void clear_forces(Grid& grid) {
+  for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)].force = Pair{};
+}
+
+void gas_at_nodes(Grid& grid) {
+  for (const int node : grid.active_nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    grid.gas[n].rho = grid.sums[n].gas * grid.frame.per_volume[n];
+  }
+  grid.unfold_gas();
+}
+
+void give_to_all_gas(State& state, double energy) {
+  state.heat_under_way += energy;
+  state.heat_for_all += energy;
+  state.heat_given += energy;
+}
+
+void clear_heat(State& state) {
+  Grid& grid = state.grid;
+  for (const int node : grid.active_nodes) grid.gas[static_cast<std::size_t>(node)].heat = 0;
+  state.heat_under_way = state.heat_for_all = 0;
+}
+
+void note_squares(Grid& grid) {
+  for (const int node : grid.active_nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion[n].u);
+  }
+  grid.unfold_squares();
+}
+
+}  // namespace tether::mpm

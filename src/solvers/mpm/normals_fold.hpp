@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tether::mpm {
+
+/// What a kernel's numbers along an axis count. A wall runs through a node and beside a cell.
+enum class AxisOf { cells, nodes };
+
+/// Places of the numbers -1 .. count along one axis, times `stride`. What stands behind a mirror shares its image's
+/// place: the cell next to the wall, or the node behind the wall's.
+inline std::vector<std::size_t> folded_axis(AxisOf what, int count, bool mirror_low, bool mirror_high,
+                                            std::size_t stride) {
+  std::vector<std::size_t> place(static_cast<std::size_t>(count) + 2);
+  for (std::size_t k = 0; k < place.size(); ++k) place[k] = k * stride;
+  const std::size_t image = what == AxisOf::cells ? 1 : 2;
+  if (mirror_low) place.front() = place[image];
+  if (mirror_high) place.back() = place[place.size() - 1 - image];
+  return place;
+}
+
+/// Sums that are all zero after clear(), which costs nothing: a sum of an earlier round counts as zero.
+template <class T>
+class RoundSums {
+ public:
+  explicit RoundSums(std::size_t count) : sums_(count) {}
+  void clear() { ++round_; }
+  void add(std::size_t k, const T& value) {
+    Sum& sum = sums_[k];
+    if (sum.round != round_) sum = {T{}, round_};
+    sum.value += value;
+  }
+  T operator[](std::size_t k) const { return sums_[k].round == round_ ? sums_[k].value : T{}; }
+
+ private:
+  struct Sum {
+    T value{};
+    std::uint64_t round = 0;
+  };
+  std::vector<Sum> sums_;
+  std::uint64_t round_ = 0;
+};
+
+}  // namespace tether::mpm

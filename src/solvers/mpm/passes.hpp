@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solvers/mpm/kernels.hpp"
+#include "solvers/mpm/ledger.hpp"
+
+// The passes over the points of one body. A pass whose template argument `pins` is true leaves pinned points where they
+// are, at rest. Where elements make the forces they give nothing to their nodes, and the pin takes the load; else their
+// mass and stress stand on the nodes as other points' do, and the nodes are not held.
+
+namespace tether::mpm {
+
+/// What the passes of a step work on.
+struct PassWork {
+  Points& P;
+  Grid& grid;
+  Locator locator;
+  StepContext step;
+  StepFindings& found;
+  Trouble& trouble;
+};
+
+/// What a pass over the points does beside the strain rate. The three orders of a step differ in nothing else.
+struct MuslPass {  // strain rate from the convected velocity (3.24), then move
+  static constexpr bool accelerates = false, moves = true;
+  static Pair velocity(const Grid& grid, std::size_t n) { return grid.convected[n]; }
+};
+struct UslPass {  // strain rate from the solution of the momentum equation, then accelerate and move
+  static constexpr bool accelerates = true, moves = true;
+  static Pair velocity(const Grid& grid, std::size_t n) { return grid.motion[n].u; }
+};
+struct UsfPass {  // strain rate from the mapped velocity; the points stay
+  static constexpr bool accelerates = false, moves = false;
+  static Pair velocity(const Grid& grid, std::size_t n) { return grid.convected[n]; }
+};
+
+/// Velocities of the points, and their momenta back on the nodes, sum m_p v_p N_i (3.22), (3.24).
+template <class S, bool pins>
+inline void accelerate_and_convect(const PassWork& work, Range range) {
+  Points& P = work.P;
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    if (pins && P.pinned[p]) continue;
+    const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+    const auto nodes = S::Kernel::nodes(work.locator, at);
+    accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes);
+    each_momentum<S>(P, p, work.locator, at, nodes,
+                     [&](std::size_t n, double, Pair momentum) { work.grid.convected[n] += momentum; });
+  }
+}
+
+/// Strain rate at the old place, and what else the pass does there; `at` is the place's cell before and after. False
+/// where the point came into trouble.
+template <class S, class Pass>
+inline bool strain_and_move(const PassWork& work, std::size_t p, typename S::Kernel::Place& at, Rate& rate) {
+  const auto nodes = S::Kernel::nodes(work.locator, at);
+  rate = rate_at<S>(
+      work.locator, at, nodes, [&](std::size_t n) { return Pass::velocity(work.grid, n); }, work.P.x[p]);
+  if constexpr (Pass::accelerates) accelerate<S>(work.P, p, work.step.dt, work.grid.motion, work.locator, at, nodes);
+  if constexpr (!Pass::moves) return true;
+  move<S>(work.P, p, work.step.dt, work.grid.motion, at, nodes);
+  return accept_place<typename S::Kernel>(work.P, p, work.locator, work.grid.frame, at, work.found, work.trouble);
+}
+
+/// Whether the gas finds its density, and its heat, at the nodes.
+template <class Law>
+constexpr bool from_nodes(const Law&) {
+  return false;
+}
+inline bool from_nodes(const IdealGas& gas) { return gas.rule == DensityRule::grid; }
+
+/// Stress of the point by its law, then its mass, momentum and force to the nodes of its present place (only the force
+/// where the points have not moved: mass and momentum stand there already).
+template <class S, class Pass, class Law>
+inline void stress_and_map(const Law& law, const PassWork& work, std::size_t p, const typename S::Kernel::Place& at,
+                           const Rate& rate) {
+  Points& P = work.P;
+  const auto nodes = S::Kernel::nodes(work.locator, at);
+  if (from_nodes(law)) read_gas<typename S::Kernel>(P, p, work.grid.gas, work.step.heat, at, nodes);
+  law_update<S::about_axis>(law, P, p, rate, work.step, work.found);
+  if (!sound(law, P, p)) {
+    work.trouble.note(TroubleKind::unsound, p);
+    return;
+  }
+  if constexpr (Pass::moves) map_momentum<S>(P, p, work.grid.sums, work.locator, at, nodes);
+  map_force<S>(P, p, law_volume(law, P, p), work.grid.sums, work.locator, at, nodes);
+}
+
+/// For laws that look at the point alone: both halves in one pass.
+template <class S, class Pass, class Law>
+inline void strain_stress_and_map(const Law& law, const PassWork& work, Range range) {
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
+    Rate rate;
+    if (!strain_and_move<S, Pass>(work, p, at, rate)) continue;
+    stress_and_map<S, Pass>(law, work, p, at, rate);
+  }
+}
+
+/// First half for laws that need the new places of neighbours: the strain rates are kept.
+template <class S, class Pass, bool pins>
+inline void strain_and_move_all(const PassWork& work, Range range) {
+  Points& P = work.P;
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+    Rate rate;
+    if (pins && P.pinned[p]) {
+      const auto velocity = [&](std::size_t n) { return Pass::velocity(work.grid, n); };
+      rate = rate_at<S>(work.locator, at, S::Kernel::nodes(work.locator, at), velocity, P.x[p]);
+    } else {
+      strain_and_move<S, Pass>(work, p, at, rate);
+    }
+    P.dxx[p] = rate.d.xx, P.dyy[p] = rate.d.yy, P.dxy[p] = rate.d.xy, P.dzz[p] = rate.d.zz;
+  }
+}
+
+/// Second half of it.
+template <class S, class Pass, class Law>
+inline void stress_and_map_all(const Law& law, const PassWork& work, Range range) {
+  const Points& P = work.P;
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+    stress_and_map<S, Pass>(law, work, p, at, {{P.dxx[p], P.dyy[p], P.dxy[p], P.dzz[p]}, 0});
+  }
+}
+
+/// Mass and momentum of points that take their forces elsewhere.
+template <class S>
+inline void map_momentum_all(const PassWork& work, Range range) {
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    if (work.P.pinned[p]) continue;
+    const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
+    map_momentum<S>(work.P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
+  }
+}
+
+/// New velocities and places from the momentum equation, mass and momentum to the new places' nodes: what remains of a
+/// step that updated stress first. Returns what the transfers lost, where the ledger is kept [energy].
+template <class S, bool pins>
+inline double accelerate_move_and_map(const PassWork& work, Range range, bool ledger) {
+  double lost = 0;
+  Points& P = work.P;
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+    const auto nodes = S::Kernel::nodes(work.locator, at);
+    if (!pins || !P.pinned[p]) {
+      if (ledger)
+        lost += P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes);
+      else
+        accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes);
+      move<S>(P, p, work.step.dt, work.grid.motion, at, nodes);
+    }
+    if (!accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, work.found, work.trouble)) continue;
+    map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
+  }
+  return lost;
+}
+
+/// i += dt (sigma : eps') / rho (4.10) with the strain rate of (v_old + v_new) / 2.
+template <class S>
+inline void heat_centred(const PassWork& work, std::size_t p, const typename S::Kernel::Place& at,
+                         const typename S::Kernel::Nodes& nodes) {
+  Points& P = work.P;
+  const auto middle = [&](std::size_t n) { return 0.5 * (work.grid.convected[n] + work.grid.motion[n].u); };
+  const Rate rate = rate_at<S>(work.locator, at, nodes, middle, P.x[p]);
+  const Stress s{P.sxx[p], P.syy[p], P.sxy[p], S::about_axis ? P.szz[p] : 0};
+  P.energy[p] = IdealGas::heated(P.energy[p], work.step.dt, s, rate.d, P.rho[p]);
+}
+
+/// The same for gas. Centred, it is heated by the velocity gradient half way between the velocities before and after
+/// the solve, which gives it exactly what its forces took from the nodes; the ledger adds what the transfer loses.
+template <class S>
+inline void accelerate_move_and_map_gas(const IdealGas& law, const PassWork& work, Range range, bool ledger) {
+  Points& P = work.P;
+  const Grid& grid = work.grid;
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
+    const auto nodes = S::Kernel::nodes(work.locator, at);
+    if (!work.step.heats) heat_centred<S>(work, p, at, nodes);
+    if (ledger) {
+      const double lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes);
+      P.energy[p] += lost;
+      work.found.heat += P.mass[p] * lost;
+    } else {
+      accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes);
+    }
+    move<S>(P, p, work.step.dt, grid.motion, at, nodes);
+    if (!accept_place<typename S::Kernel>(P, p, work.locator, grid.frame, at, work.found, work.trouble)) continue;
+    const auto there = S::Kernel::nodes(work.locator, at);
+    if (from_nodes(law)) {
+      map_gas_momentum<S>(P, p, work.grid.sums, work.locator, at, there);
+    } else {
+      map_momentum<S>(P, p, work.grid.sums, work.locator, at, there);
+    }
+  }
+}
+
+}  // namespace tether::mpm
