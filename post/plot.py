@@ -12,7 +12,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-import figures
+import run_figures
 import run_folder
 import style
 
@@ -33,7 +33,7 @@ def main(words=None):
         print(f"plot: {mistake}", file=sys.stderr)
         return 2
     try:
-        for path in figures.save_all(run, chosen.out or chosen.folder):
+        for path in run_figures.save_all(run, chosen.out or chosen.folder):
             print(path)
     except OSError as reason:
         print(f"plot: {reason}", file=sys.stderr)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run left in its folder: history.nc, particles.nc and reference.txt as numpy arrays."""
+"""What a run left in its folder: history.nc, particles.nc and reference.txt as numpy arrays, summary.txt's numbers."""
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import netCDF4
 import numpy
@@ -27,11 +28,13 @@ class Fields:
 @dataclass
 class Run:
     name: str
+    folder: Path
     history: Fields
     particles: Fields = None  # None where the run wrote no snapshots
     exact: dict = field(default_factory=dict)  # columns of reference.txt in order; empty where there is none
     body_names: list = field(default_factory=list)
     point_names: list = field(default_factory=list)
+    summary: dict = field(default_factory=dict)  # numbers of summary.txt; empty where the run did not end
 
 
 def is_numeric(variable):
@@ -65,6 +68,12 @@ def open_dataset(path):
     return dataset
 
 
+def read_fields(path):
+    """All numbers of particles.nc or mesh.nc."""
+    with open_dataset(path) as dataset:
+        return fields_of(dataset, path)
+
+
 def read_exact(path):
     """Columns by name of `# name name ...` and rows of numbers under it."""
     try:
@@ -76,18 +85,31 @@ def read_exact(path):
     return dict(zip(names, rows.T))
 
 
+def read_summary(path):
+    """The numbers among its lines `key = value`."""
+    numbers = {}
+    for line in path.read_text().splitlines():
+        key, _, value = line.partition(" = ")
+        try:
+            numbers[key] = float(value)
+        except ValueError:
+            continue  # a remark, or a text
+    return numbers
+
+
 def read(folder):
     """The run of a folder (a Path). Raises NotARun without history.nc, or for a file that cannot be understood."""
     if not (folder / "history.nc").is_file():
         raise NotARun(f"{folder}: has no history.nc: give the folder of a run")
     with open_dataset(folder / "history.nc") as dataset:
-        run = Run(folder.resolve().name, fields_of(dataset, folder / "history.nc"))
+        run = Run(folder.resolve().name, folder, fields_of(dataset, folder / "history.nc"))
         run.body_names, run.point_names = texts(dataset, "body_name"), texts(dataset, "point_name")
     if (folder / "particles.nc").is_file():
-        with open_dataset(folder / "particles.nc") as dataset:
-            run.particles = fields_of(dataset, folder / "particles.nc")
+        run.particles = read_fields(folder / "particles.nc")
     if (folder / "reference.txt").is_file():
         run.exact = read_exact(folder / "reference.txt")
+    if (folder / "summary.txt").is_file():
+        run.summary = read_summary(folder / "summary.txt")
     return run
 
 

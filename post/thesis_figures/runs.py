@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The runs that figures are drawn from, made when they are asked for."""
+import hashlib
+import subprocess
+import sys
+
+import run_folder
+
+
+class NoProgram(Exception):
+    """There is no program to run; the text says how to get it."""
+
+
+class RunFailed(Exception):
+    """The program ended with an error; the text is the program's."""
+
+
+class Runs:
+    def __init__(self, program, decks, folder):
+        """`program` runs the decks of one folder (their particle files are in ../particles) into another."""
+        self.program, self.decks, self.folder = program, decks, folder
+
+    def of(self, deck, *settings):
+        """The finished run of decks/<deck>.in with these `group.name=value`."""
+        folder = self.folder / self._name(deck, settings)
+        if not self._is_fresh(folder / "summary.txt", self.decks / f"{deck}.in"):
+            self._make(self.decks / f"{deck}.in", settings, folder)
+        return run_folder.read(folder)
+
+    @staticmethod
+    def _name(deck, settings):
+        """As long as deck and settings are the same, so is the folder."""
+        if not settings:
+            return deck
+        return f"{deck}-{hashlib.sha256(' '.join(settings).encode()).hexdigest()[:8]}"
+
+    def _is_fresh(self, result, deck):
+        """Whether a run ended after the last change of all that it is made from."""
+        if not self.program.is_file():
+            raise NoProgram(f"{self.program}: is not there; ./quickstart build makes it")
+        sources = [self.program, deck, *(self.decks.parent / "particles").glob("*.par")]
+        made = result.stat().st_mtime if result.is_file() else 0
+        return made > max(path.stat().st_mtime for path in sources)
+
+    def _make(self, deck, settings, folder):
+        words = [word for setting in settings for word in ("--set", setting)]
+        print(f"running {' '.join([deck.stem, *settings])}", file=sys.stderr, flush=True)
+        done = subprocess.run([self.program, deck, "--quiet", "--out", folder, *words], capture_output=True, text=True)
+        if done.returncode != 0:
+            raise RunFailed(f"{deck} failed with exit code {done.returncode}:\n{done.stderr.strip()}")
