@@ -37,6 +37,7 @@ Grid::Grid(const Scene& scene)
       motion(frame.shape.nodes()),
       convected(frame.shape.nodes()),
       gas(frame.shape.nodes()),
+      loss(scene.method.ledger ? frame.shape.nodes() : 0),
       squares(scene.method.ledger ? frame.shape.nodes() : 0),
       cell_stamp(frame.shape.nodes(), 0),
       node_stamp(frame.shape.nodes(), 0) {
@@ -87,6 +88,14 @@ void Grid::fold_convected() {
     Pair& from = convected[static_cast<std::size_t>(ghost.node)];
     convected[static_cast<std::size_t>(ghost.image)] += ghost.sign * from;
     from = Pair{};
+  }
+}
+
+void Grid::fold_loss() {
+  for (const Ghost& ghost : frame.ghosts) {
+    double& from = loss[static_cast<std::size_t>(ghost.node)];
+    loss[static_cast<std::size_t>(ghost.image)] += from;
+    from = 0;
   }
 }
 

@@ -59,6 +59,7 @@ struct Grid {
   std::vector<NodeMotion> motion;
   std::vector<Pair> convected;  // (3.24): first sum m v N, then divided by m; by usf the velocity before the solve
   std::vector<NodeGas> gas;     // where the gas takes its density from the nodes
+  std::vector<double> loss;     // where the ledger is kept: energy that the gas takes in the next step [energy]
   std::vector<double> squares;  // where the ledger is kept: |v|^2 before the solve plus after it
   std::vector<int> active_cells, active_nodes;
   std::vector<std::uint32_t> cell_stamp, node_stamp;  // the list in which a cell or node stands already
@@ -75,6 +76,7 @@ struct Grid {
   // What points read at ghosts.
   void unfold_motion();
   void unfold_convected();
+  void fold_loss();
   void unfold_gas();
   void unfold_squares();
 };

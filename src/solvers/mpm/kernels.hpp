@@ -83,6 +83,18 @@ inline void map_gas_momentum(const Points& P, std::size_t p, std::vector<NodeSum
   });
 }
 
+/// The same, and what the ledger booked of the point, per mass.
+template <class S>
+inline void map_gas_momentum_and_loss(const Points& P, std::size_t p, double lost, Grid& grid, const Locator& locator,
+                                      const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
+  each_momentum<S>(P, p, locator, at, nodes, [&](std::size_t n, double m, Pair momentum) {
+    grid.sums[n].m += m;
+    grid.sums[n].gas += m;
+    grid.sums[n].momentum += momentum;
+    grid.loss[n] += m * lost;
+  });
+}
+
 /// Calls add(node, force) with the internal force of the point on each of its nodes, -V_p sigma_p G_ip (3.16), about an
 /// axis also -sigma_theta V_p N_i / r_p in r.
 template <class S, class Add>

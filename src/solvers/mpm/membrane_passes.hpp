@@ -86,14 +86,15 @@ inline void heat_gas_around(const PassWork& work, State& state, std::size_t p, d
   state.heat_given += energy;
   for (std::size_t k = 0; k < S::Kernel::size; ++k) {
     const std::size_t n = grid.frame.image[nodes[k]];
-    work.grid.gas[n].heat += energy * N[k] * grid.frame.per_volume[n] / rho;
+    work.grid.loss[n] += energy * N[k] * grid.sums[n].gas * grid.frame.per_volume[n] / rho;
   }
 }
 
-/// What membranes lost in this step goes to the gas, which takes it at the beginning of the next one.
+/// What gas and membranes lost in this step goes to the gas, which takes it at the beginning of the next one.
 template <class S>
 inline void settle_ledger(StepWork& work, const PassWork& pass) {
   State& state = work.state;
+  state.grid.fold_loss();
   for (auto& elements : state.elements_of) {
     if (!elements) continue;
     elements->settle(state.points);

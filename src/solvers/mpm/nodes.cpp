@@ -53,7 +53,9 @@ void clear_forces(Grid& grid) {
 void gas_at_nodes(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    grid.gas[n].rho = grid.sums[n].gas * grid.frame.per_volume[n];
+    const double gas = grid.sums[n].gas;
+    grid.gas[n].rho = gas * grid.frame.per_volume[n];
+    if (!grid.loss.empty()) grid.gas[n].heat = grid.loss[n] * inverse(gas);
   }
   grid.unfold_gas();
 }
@@ -66,7 +68,7 @@ void give_to_all_gas(State& state, double energy) {
 
 void clear_heat(State& state) {
   Grid& grid = state.grid;
-  for (const int node : grid.active_nodes) grid.gas[static_cast<std::size_t>(node)].heat = 0;
+  for (const int node : grid.active_nodes) grid.loss[static_cast<std::size_t>(node)] = 0;
   state.heat_under_way = state.heat_for_all = 0;
 }
 

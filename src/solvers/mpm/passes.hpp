@@ -176,9 +176,9 @@ inline void accelerate_move_and_map_gas(const IdealGas& law, const PassWork& wor
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (!work.step.heats) heat_centred<S>(work, p, at, nodes);
+    double lost = 0;
     if (ledger) {
-      const double lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes);
-      P.energy[p] += lost;
+      lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes);
       work.found.heat += P.mass[p] * lost;
     } else {
       accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes);
@@ -186,7 +186,9 @@ inline void accelerate_move_and_map_gas(const IdealGas& law, const PassWork& wor
     move<S>(P, p, work.step.dt, grid.motion, at, nodes);
     if (!accept_place<typename S::Kernel>(P, p, work.locator, grid.frame, at, work.found, work.trouble)) continue;
     const auto there = S::Kernel::nodes(work.locator, at);
-    if (from_nodes(law)) {
+    if (ledger) {
+      map_gas_momentum_and_loss<S>(P, p, lost, work.grid, work.locator, at, there);
+    } else if (from_nodes(law)) {
       map_gas_momentum<S>(P, p, work.grid.sums, work.locator, at, there);
     } else {
       map_momentum<S>(P, p, work.grid.sums, work.locator, at, there);

@@ -10,7 +10,7 @@ namespace {
 struct ActiveSums {
   std::vector<int> apart;   // what criterion 3 remembers
   double contact_lost = 0;  // and what impulses took
-  std::vector<double> m, gas, momentum_x, momentum_y, force_x, force_y, heat;
+  std::vector<double> m, gas, momentum_x, momentum_y, force_x, force_y, loss;
   std::vector<double> element_force_x, element_force_y;  // on the points of membranes, of the last step
 };
 
@@ -20,7 +20,7 @@ ActiveSums active_sums(const Grid& grid) {
     const NodeSums& sum = grid.sums[static_cast<std::size_t>(node)];
     active.m.push_back(sum.m);
     active.gas.push_back(sum.gas);
-    active.heat.push_back(grid.gas[static_cast<std::size_t>(node)].heat);
+    active.loss.push_back(grid.loss.empty() ? 0 : grid.loss[static_cast<std::size_t>(node)]);
     active.momentum_x.push_back(sum.momentum[0]);
     active.momentum_y.push_back(sum.momentum[1]);
     active.force_x.push_back(sum.force[0]);
@@ -34,7 +34,7 @@ void put_sums(const ActiveSums& active, Grid& grid) {
     NodeSums& sum = grid.sums[static_cast<std::size_t>(grid.active_nodes[k])];
     sum.m = active.m[k];
     sum.gas = active.gas[k];
-    grid.gas[static_cast<std::size_t>(grid.active_nodes[k])].heat = active.heat[k];
+    if (!grid.loss.empty()) grid.loss[static_cast<std::size_t>(grid.active_nodes[k])] = active.loss[k];
     sum.momentum = pair(active.momentum_x[k], active.momentum_y[k]);
     sum.force = pair(active.force_x[k], active.force_y[k]);
   }
@@ -78,7 +78,7 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   with("rho", P.rho), with("energy", P.energy), with("strain", P.strain), with("hoop", P.hoop);
   with("tx", P.tx), with("ty", P.ty), with("id", P.id);
   with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);
-  with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_heat", sums.heat);
+  with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_loss", sums.loss);
   with.list("node_momentum_x", sums.momentum_x), with.list("node_momentum_y", sums.momentum_y);
   with.list("node_force_x", sums.force_x), with.list("node_force_y", sums.force_y);
   with.list("element_force_x", sums.element_force_x), with.list("element_force_y", sums.element_force_y);
@@ -105,7 +105,7 @@ SavedState save(const State& state) {
 
 void restore(State& state, const SavedState& saved) {
   std::fill(state.grid.sums.begin(), state.grid.sums.end(), NodeSums{});
-  std::fill(state.grid.gas.begin(), state.grid.gas.end(), NodeGas{});
+  std::fill(state.grid.loss.begin(), state.grid.loss.end(), 0.0);
   StateRestorer restorer(saved);
   ActiveSums sums;
   exchange(restorer, state, sums);

@@ -68,6 +68,7 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   state_.c_max = std::sqrt(found.c_squared_max);
   state_.wave_max = found.wave_max;
   state_.heat_given += found.heat;
+  state_.heat_under_way += found.heat;
   if (found.crossings > 0) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
 }

@@ -13,7 +13,7 @@ namespace tether::mpm {
 namespace {
 
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
-constexpr double bytes_of_saved_point = 21 * sizeof(double);
+constexpr double bytes_of_saved_point = 23 * sizeof(double);
 constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) + 1 + 4 + 8 +
                                  4 + 8 + 3 * 8 + bytes_of_saved_node;
 static_assert(bytes_of_node <= bytes_per_node, "scene/size.hpp: a node takes more than it says");

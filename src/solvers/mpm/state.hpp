@@ -34,12 +34,12 @@ struct State {
   Contact contact;                                   // of bodies that share nodes
   bool keeps_ledger = false;                         // of heat that transfers and elements lose
   double gas_mass = 0;                               // [mass]
-  double heat_given = 0;           // to the gas by the ledger on account of membranes, since the start [energy]
-  double heat_under_way = 0;       // of it, what the gas takes in the next step [energy]
-  double heat_for_all = 0;         // of it, what goes to all gas alike [energy]
-  double time = 0, time_lost = 0;  // sum of the steps, and what rounding took from it [time]
-  double c_max = 0;                // largest sound speed of the gas after the last step [velocity]
-  double wave_max = 0;             // its largest c + |v| [velocity]
+  double heat_given = 0;                             // to the gas by the ledger since the start [energy]
+  double heat_under_way = 0;                         // of it, what the gas takes in the next step [energy]
+  double heat_for_all = 0;                           // of it, what goes to all gas alike [energy]
+  double time = 0, time_lost = 0;                    // sum of the steps, and what rounding took from it [time]
+  double c_max = 0;                                  // largest sound speed of the gas after the last step [velocity]
+  double wave_max = 0;                               // its largest c + |v| [velocity]
   long long steps = 0;
   double dt_last = 0, dt_min = 0;      // [time]
   long long crossings_since_sort = 0;  // of points, from cell to cell

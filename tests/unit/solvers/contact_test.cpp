@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies that share nodes: what an impulse does at a node, and what bodies do that meet.
+#include "solvers/mpm/contact.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "solvers/mpm/node_pieces.hpp"
+#include "solvers/mpm/steps_of_scheme.hpp"
+#include "unit/solvers/robust_support.hpp"
+
+namespace tether::mpm {
+namespace {
+
+using namespace scenes;
+using Splines = Scheme<SplineKernel, Apic, Geometry::plane>;
+
+const BackgroundGrid grid(21, 21, 0, 4, 0, 4);  // cells of .2
+
+/// The thesis' method with contact by a criterion, or the robust set.
+Method method_of(ContactRule rule, int criterion = 1) {
+  Method method = rule == ContactRule::gap ? robust_method() : Method{};
+  method.contact = rule, method.criterion = criterion;
+  return method;
+}
+
+struct NodeOf {  // of one body at one node, before and after the impulses
+  double m = 0;
+  Pair alone{}, after{};
+};
+
+/// The velocities of all bodies at a scene's shared nodes after one solve.
+class Meeting {
+ public:
+  explicit Meeting(Scene scene) : scene_(std::move(scene)), state_(start(scene_)) {
+    StepWork work{state_, scene_, {}, {}};
+    mapped_velocity(state_.grid);
+    open_contact<Splines>(work, dt_);
+    solve_with_contact<Splines>(work, dt_);
+    for (std::size_t n = 0; n < state_.grid.frame.shape.nodes(); ++n) read_node(n);
+  }
+  const std::vector<std::vector<NodeOf>>& nodes() const { return nodes_; }
+
+ private:
+  void read_node(std::size_t n) {
+    const int slot = state_.contact.slot(n);
+    if (slot < 0) return;
+    std::vector<NodeOf> bodies;
+    for (int g = 0; g < static_cast<int>(scene_.bodies.size()); ++g) {
+      const NodeSums& sum = state_.contact.sums(slot, g);
+      NodeOf body;
+      body.m = sum.m;
+      if (sum.m > 0) body.alone = (sum.momentum + dt_ * sum.force) * (1 / sum.m) + pair(0, dt_ * scene_.gravity);
+      hold(state_.grid.frame.held[n], body.alone);
+      state_.contact.exchange(state_.grid, g);
+      body.after = state_.grid.motion[n].u;
+      state_.contact.exchange(state_.grid, g);
+      bodies.push_back(body);
+    }
+    nodes_.push_back(bodies);
+  }
+  static constexpr double dt_ = 0.01;
+  Scene scene_;
+  State state_;
+  std::vector<std::vector<NodeOf>> nodes_;
+};
+
+/// Discs that overlap, in random motion; the third lies on both.
+Scene overlapping(int bodies) {
+  Scene scene = scene_on(grid, all_walls(Wall::free_slip), 0.01, method_of(ContactRule::gap));
+  scene.gravity = -1;
+  const double centres[3][2] = {{0.9, 1.1}, {1.7, 1.3}, {1.3, 0.5}};
+  for (int b = 0; b < bodies; ++b) {
+    const double x = centres[b][0], y = centres[b][1];
+    add_body(scene, plane_strain(3, 0.3),
+             lattice(0.1 - 0.01 * b, 0, 4, 0, 4, [=](double a, double c) { return std::hypot(a - x, c - y) < 0.5; }),
+             1.0 + b);
+  }
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (std::size_t p = 0; p < scene.points.size(); ++p)
+    scene.points.vx[p] = any(random), scene.points.vy[p] = any(random), scene.points.sxx[p] = any(random);
+  return scene;
+}
+
+TEST(Impulse, KeepsANodesMomentumAndNeverAddsEnergy) {
+  for (const int bodies : {2, 3}) {
+    int pushed = 0, with_three = 0;
+    const Meeting meeting(overlapping(bodies));
+    for (const auto& node : meeting.nodes()) {
+      Pair before{}, after{};
+      double energy_before = 0, energy_after = 0;
+      int there = 0;
+      for (const NodeOf& body : node) {
+        before += body.m * body.alone, after += body.m * body.after;
+        energy_before += 0.5 * body.m * squared(body.alone), energy_after += 0.5 * body.m * squared(body.after);
+        there += body.m > 0;
+      }
+      EXPECT_NEAR(after[0], before[0], 1e-15);
+      EXPECT_NEAR(after[1], before[1], 1e-15);
+      EXPECT_LE(energy_after, energy_before + 1e-15);
+      pushed += energy_after < energy_before - 1e-6;
+      with_three += there == 3;
+    }
+    EXPECT_GT(pushed, 10);
+    EXPECT_EQ(with_three > 5, bodies == 3);
+  }
+}
+
+// What is left of two bodies' approach along the push is nothing, and across it everything is as it was.
+TEST(Impulse, ActsAlongOneLineWithoutFriction) {
+  int pushed = 0;
+  const Meeting meeting(overlapping(2));
+  for (const auto& node : meeting.nodes()) {
+    const NodeOf &a = node[0], &b = node[1];
+    const Pair push = a.after - a.alone;
+    const double length = std::sqrt(squared(push));
+    if (a.m <= 0 || b.m <= 0 || length < 1e-9) continue;
+    const Pair n = push * (1 / length), across = pair(-n[1], n[0]);
+    EXPECT_NEAR(dot(a.after - b.after, n), 0, 1e-14);
+    EXPECT_LT(dot(a.alone - b.alone, n), 0);  // they did approach
+    EXPECT_NEAR(dot(a.after, across), dot(a.alone, across), 1e-14);
+    EXPECT_NEAR(dot(b.after, across), dot(b.alone, across), 1e-14);
+    ++pushed;
+  }
+  EXPECT_GT(pushed, 10);
+}
+
+/// Two blocks of the same height with faces at these places, moving at these velocities.
+Scene two_blocks(const Method& method, double face_a, double face_b, double va, double vb, double E = 100) {
+  Scene scene = scene_on(grid, all_walls(Wall::open), 0.4 * 0.2 / std::sqrt(E), method);
+  const auto block = [&](double x0, double x1) {
+    auto points = lattice(0.1, 0, x1 - x0, 1, 3);
+    for (PointAt& at : points) at.x += x0;
+    add_body(scene, plane_stress(E, 0), points, 1);
+  };
+  block(face_a - 1, face_a), block(face_b, face_b + 1);
+  for (std::size_t p = 0; p < scene.points.size(); ++p) scene.points.vx[p] = p < scene.bodies[1].first ? va : vb;
+  return scene;
+}
+
+// Faces a cell and less apart share nodes. By the gap's rule they know nothing of each other until they meet.
+TEST(Gap, BodiesThatShareNodesDoNotTouch) {
+  Running run(two_blocks(method_of(ContactRule::gap), 1.63, 1.81, 1, 0));
+  const std::size_t b = run.scene().bodies[1].first;
+  const auto face = [&](std::size_t from, std::size_t to, double sense) {
+    const auto x = run.field("x");
+    double edge = -1e300;
+    for (std::size_t p = from; p < to; ++p) edge = std::max(edge, sense * x[p] + 0.05);
+    return sense * edge;
+  };
+  for (;;) {
+    const double gap = face(b, run.scene().points.size(), -1) - face(0, b, 1);
+    if (gap <= 0) break;
+    const auto vx = run.field("vx");
+    for (std::size_t p = 0; p < vx.size(); ++p) ASSERT_NEAR(vx[p], p < b ? 1 : 0, 1e-12) << gap;
+    run.steps(1);
+  }
+  EXPECT_NEAR(run.time(), 0.18, 0.01);
+  run.steps(3);
+  EXPECT_GT(run.field("vx")[b], 0.01);  // and then they do
+  EXPECT_NEAR(run.value("momentum_x"), 2, 1e-12);
+}
+
+struct Rule {
+  ContactRule rule;
+  int criterion;
+};
+void PrintTo(const Rule& r, std::ostream* out) { *out << static_cast<int>(r.rule) << "/" << r.criterion; }
+
+class EveryRule : public testing::TestWithParam<Rule> {};
+INSTANTIATE_TEST_SUITE_P(Contact, EveryRule,
+                         testing::Values(Rule{ContactRule::release, 1}, Rule{ContactRule::release, 2},
+                                         Rule{ContactRule::release, 3}, Rule{ContactRule::gap, 1}));
+
+// Equal bars: the one that came stays, the other goes on with its velocity, but for what the impact costs and leaves
+// as vibration.
+TEST_P(EveryRule, EqualBarsSwapTheirMomenta) {
+  Running run(two_blocks(method_of(GetParam().rule, GetParam().criterion), 1.6, 1.9, 1, 0));
+  const double energy = run.value("energy_total");
+  run.until(1);  // meet at .3, part .2 later
+  fmt::print("rule {} criterion {}: {:.4f} {:.4f}, energy {:.4f}\n", static_cast<int>(GetParam().rule),
+             GetParam().criterion, run.value("body_vx_1"), run.value("body_vx_2"), run.value("energy_total") / energy);
+  EXPECT_NEAR(run.value("momentum_x"), 2, 1e-12);
+  EXPECT_NEAR(run.value("momentum_y"), 0, 1e-12);
+  EXPECT_LT(run.value("body_vx_1"), 0.2);
+  EXPECT_GT(run.value("body_vx_2"), 0.8);
+}
+
+// A membrane between two blocks that close on it: at its nodes there are three bodies. Neither block passes it.
+TEST_P(EveryRule, AMembranePinchedBetweenTwoSolids) {
+  Scene scene = two_blocks(method_of(GetParam().rule, GetParam().criterion), 1.45, 2.15, 1, -1);
+  add_body(scene, Membrane{100, 0, true}, line(1.8, 0.8, 1.8, 3.2, 49, 0.04), 1);
+  Running run(std::move(scene));
+  const auto& bodies = run.scene().bodies;
+  for (int k = 0; k < 12; ++k) {
+    run.until(0.1 * (k + 1));
+    EXPECT_NEAR(run.value("momentum_x"), 0, 1e-12);
+    EXPECT_NEAR(run.value("momentum_y"), 0, 1e-12);
+    const auto x = run.field("x"), y = run.field("y");
+    for (std::size_t m = bodies[2].first; m < x.size(); ++m) {
+      for (std::size_t p = 0; p < bodies[2].first; ++p) {
+        if (std::abs(y[p] - y[m]) > 0.05) continue;
+        const double beyond = p < bodies[1].first ? x[p] - x[m] : x[m] - x[p];
+        ASSERT_LT(beyond, 0) << run.time();
+      }
+    }
+  }
+  EXPECT_LT(run.value("body_vx_1"), 0);  // they have met and go apart again
+  EXPECT_GT(run.value("body_vx_2"), 0);
+}
+
+TEST(Release, CriteriaOneAndTwoAgreeForTwoBodies) {
+  Running one(two_blocks(method_of(ContactRule::release, 1), 1.6, 1.9, 1, 0));
+  Running two(two_blocks(method_of(ContactRule::release, 2), 1.6, 1.9, 1, 0));
+  one.until(1), two.until(1);
+  EXPECT_EQ(one.field("x"), two.field("x"));
+  EXPECT_EQ(one.field("vx"), two.field("vx"));
+}
+
+// (9.9): the state changes only when both bodies agree; what a node holds must outlast a restart.
+TEST(Release, CriterionThreeRemembers) {
+  const auto scene = [] { return two_blocks(method_of(ContactRule::release, 3), 1.6, 1.9, 1, 0); };
+  Running whole(scene()), first(scene()), second(scene()), forgetful(scene());
+  first.until(0.55);
+  SavedState saved = first.solver().save();
+  EXPECT_FALSE(saved.at("apart").empty());
+  second.solver().restore(saved);
+  saved.at("apart").clear();
+  forgetful.solver().restore(saved);
+  for (Running* run : {&whole, &second, &forgetful}) run->until(0.8);
+  EXPECT_EQ(second.field("vx"), whole.field("vx"));
+  EXPECT_NE(forgetful.field("vx"), whole.field("vx"));
+}
+
+// Blocks that slide along each other: what is given across the faces is little against what passes along the normal.
+TEST(Gap, FacesSlide) {
+  Scene scene = two_blocks(method_of(ContactRule::gap), 1.6, 1.7, 1, -1);
+  for (std::size_t p = 0; p < scene.points.size(); ++p) scene.points.vy[p] = p < scene.bodies[1].first ? 0.2 : -0.2;
+  Running run(std::move(scene));
+  run.until(0.5);
+  const double turned = run.value("body_vx_2") + 1;  // of the right block's momentum along the normal
+  EXPECT_GT(turned, 1.5);
+  EXPECT_NEAR(run.value("body_vy_1"), 0.2, 0.02 * turned);
+  EXPECT_NEAR(run.value("body_vy_2"), -0.2, 0.02 * turned);
+  fmt::print("slide: {:.4f} {:.4f}, turned {:.4f}\n", run.value("body_vy_1"), run.value("body_vy_2"), turned);
+}
+
+}  // namespace
+}  // namespace tether::mpm
