@@ -52,6 +52,7 @@ Contact::Contact(const Scene& scene, const Frame& frame)
   if (rule_ == ContactRule::none) groups_ = 1;
   if (!on()) return;
   radius_ = radii(scene);
+  pushed_.resize(static_cast<std::size_t>(groups_));
   const std::size_t n = frame.shape.nodes();
   for (auto* array : {&cell_stamp_, &owner_stamp_, &slot_stamp_, &near_stamp_}) array->assign(n, 0);
   owner_.assign(n, 0), slot_.assign(n, 0);

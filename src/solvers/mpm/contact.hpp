@@ -108,6 +108,7 @@ class Contact {
   std::vector<Vec2> normal_;
   std::vector<int> field_;  // the lowest group that shares its field
   std::vector<std::vector<Near>> near_;
+  std::vector<Pair> pushed_;  // of each group at one node: its impulses [momentum]
   std::vector<BodyNormals> normals_;
   double lost_ = 0;
   std::map<std::pair<int, int>, bool> apart_;  // criterion 3: node and pair that were let go

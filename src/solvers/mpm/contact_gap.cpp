@@ -61,21 +61,25 @@ void Contact::push_apart(const Points& P, const Frame& frame, int slot, int a, i
   NodeMotion &of_a_body = motion_[index(slot, a)], &of_b_body = motion_[index(slot, b)];
   const double approach = dot(of_a_body.u - of_b_body.u, normal);
   if (approach <= 0) return;
-  const double impulse = approach * A.m * B.m / (A.m + B.m);
-  // What it takes from the nodes: the impulse times the approach half way between before and after, of which none is
-  // left.
-  lost_ += 0.5 * impulse * dot(convected_[index(slot, a)] - convected_[index(slot, b)], normal);
-  push(of_a_body, (-impulse / A.m) * normal, dt, frame.held[n]);
-  push(of_b_body, (impulse / B.m) * normal, dt, frame.held[n]);
+  const Pair impulse = (approach * A.m * B.m / (A.m + B.m)) * normal;
+  push(of_a_body, impulse * (-1 / A.m), dt, frame.held[n]);
+  push(of_b_body, impulse * (1 / B.m), dt, frame.held[n]);
+  pushed_[static_cast<std::size_t>(a)] -= impulse, pushed_[static_cast<std::size_t>(b)] += impulse;
 }
 
 /// A body between two others is pushed by both: a few rounds over the pairs settle it.
 void Contact::impulses(const Points& P, const Frame& frame, int slot, double dt) {
   const int rounds = groups_ > 2 ? 4 : 1;
+  std::fill(pushed_.begin(), pushed_.end(), Pair{});
   for (int round = 0; round < rounds; ++round) {
     for (int a = 0; a < groups_; ++a) {
       for (int b = a + 1; b < groups_; ++b) push_apart(P, frame, slot, a, b, dt);
     }
+  }
+  // What they take from the bodies: the impulses times the velocities half way between before and after the solve.
+  for (int g = 0; g < groups_; ++g) {
+    const Pair middle = 0.5 * (convected_[index(slot, g)] + motion_[index(slot, g)].u);
+    lost_ -= dot(pushed_[static_cast<std::size_t>(g)], middle);
   }
 }
 

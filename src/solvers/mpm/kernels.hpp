@@ -132,11 +132,12 @@ inline void accelerate(Points& P, std::size_t p, double dt, const std::vector<No
   }
 }
 
-/// x_p += dt sum N_i (mv)_i^L / m_i (3.21).
+/// x_p += dt sum N_i (mv)_i^L / m_i (3.21). Of APIC that sum is the velocity that the point has just taken.
 template <class S>
 inline void move(Points& P, std::size_t p, double dt, const std::vector<NodeMotion>& motion,
                  const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
-  const Pair u = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion[n].u; });
+  Pair u = pair(P.vx[p], P.vy[p]);
+  if constexpr (!S::affine) u = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion[n].u; });
   P.x[p] += dt * u[0], P.y[p] += dt * u[1];
 }
 

@@ -122,6 +122,7 @@ class Running {
   }
   const Scene& scene() const { return plan_->scene; }
   Solver& solver() { return *solver_; }
+  const Solver& solver() const { return *solver_; }
   double time() const { return solver_->time(); }
   void until(double time) { solver_->advance(time); }
   void steps(int n) {
