@@ -37,7 +37,8 @@ def arguments(words):
 
 
 def title(name):
-    return f"Fig. {name}: {FIGURES[name].__doc__.splitlines()[0].rstrip('.')}"
+    text = FIGURES[name].__doc__.splitlines()[0].rstrip(".")
+    return f"Fig. {name}: {text}" if name.isdigit() else text
 
 
 def path_of(name, folder):

@@ -54,3 +54,9 @@ def legend(axes, **look):
 def legend_above(axes, columns):
     """Outside the panel, where it hides no curve."""
     legend(axes, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns, borderaxespad=0.2)
+
+
+def note(figure, text):
+    """Below the panels: what a reader must know of the runs; nothing for an empty text."""
+    if text:
+        figure.supxlabel(text, fontsize=8, x=0.01, ha="left")

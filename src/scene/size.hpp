@@ -5,7 +5,7 @@ namespace tether {
 
 /// Memory that a node of the background grid and a material point take while a scene runs and a checkpoint of it is
 /// written [bytes]. The solver asserts that these hold.
-constexpr double bytes_per_node = 300;
+constexpr double bytes_per_node = 360;
 constexpr double bytes_per_point = 520;
 
 }  // namespace tether

@@ -14,8 +14,11 @@ namespace {
 
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
 constexpr double bytes_of_saved_point = 23 * sizeof(double);
-constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) + 1 + 4 + 8 +
-                                 4 + 8 + 3 * 8 + bytes_of_saved_node;
+constexpr double bytes_of_frame = sizeof(std::size_t) + sizeof(Pair) + sizeof(double) + 1;
+constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
+constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) +
+                                 2 * sizeof(double) + 4 * sizeof(int) + bytes_of_frame + bytes_of_contact +
+                                 bytes_of_saved_node;
 static_assert(bytes_of_node <= bytes_per_node, "scene/size.hpp: a node takes more than it says");
 static_assert(28 * sizeof(double) + 1 + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <=
                   bytes_per_point,

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "plan/terms.hpp"
+#include "scene/size.hpp"
 #include "unit/plan/plan_support.hpp"
 
 namespace tether::test {
@@ -13,7 +14,7 @@ TEST(CostTest, CountsStepsPointsAndMemory) {
   const Cost cost = make_plan(elastic_scene()).cost;  // tmax = 1, steps of 1/16, one point, 25 nodes
   EXPECT_EQ(cost.steps, 16);
   EXPECT_EQ(cost.point_steps, 16);
-  EXPECT_NEAR(cost.megabytes, 1e-6 * (25 * 300 + 520), 1e-15);
+  EXPECT_NEAR(cost.megabytes, 1e-6 * (25 * bytes_per_node + bytes_per_point), 1e-15);
   EXPECT_GT(cost.seconds, 0);
 }
 
@@ -31,7 +32,7 @@ TEST(CostTest, GrowsWithThePoints) {
   const Cost one = make_plan(elastic_scene()).cost, three = make_plan(scene).cost;
   EXPECT_EQ(three.point_steps, 48);
   EXPECT_NEAR(three.seconds, 3 * one.seconds, 1e-18);
-  EXPECT_NEAR(three.megabytes, 1e-6 * (25 * 300 + 3 * 520), 1e-15);
+  EXPECT_NEAR(three.megabytes, 1e-6 * (25 * bytes_per_node + 3 * bytes_per_point), 1e-15);
 }
 
 Term term_of(const Scene& scene, const std::string& name) {
@@ -130,7 +131,7 @@ TEST(PlanText, SaysWhatIsModelledAndWhatIsLeftOutAndWhy) {
       "  heat conduction: not in the source's energy equation (4.8)\n"
       "  third dimension: the scene is plane, one unit deep\n"
       "step: 0.0625 at the start (deck 0.125, limit dx/c 0.0625, cfl 1)\n"
-      "cost: 16 steps, 16 point-steps, 0.00802 MB, about ";
+      "cost: 16 steps, 16 point-steps, 0.00952 MB, about ";
   EXPECT_EQ(text.substr(0, expected.size()), expected);
   EXPECT_NE(text.find(" s on one core\nwarning: the deck's step 0.125 is 2.00 times the limit dx/c = 0.0625: steps are "
                       "limited to 0.0625\n"),
