@@ -17,6 +17,7 @@
 #include "progress.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
+#include "studies/reproduce.hpp"
 #include "studies/sweep.hpp"
 
 namespace tether {
@@ -109,6 +110,22 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   return result.verdicts.empty();
 }
 
+/// False where a method does not agree where it is judged.
+bool run_published(const PublishedOptions& published, const RunOptions& options) {
+  ProgressLine progress("reproduce", options.quiet);
+  const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
+  const ReproduceOptions how{published.decks, out, published.write, options.jobs, options.command, std::ref(progress)};
+  if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
+  const ReproduceResult result = reproduce(published.names, how);
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  for (const auto& row : result.disagreed) fmt::print(stderr, "reproduce: error: {}\n", row);
+  if (result.file_trouble > 0)
+    throw FileError(
+        fmt::format("{} runs could not read or write a file; the same command tries them again", result.file_trouble));
+  return result.disagreed.empty();
+}
+
 }  // namespace
 
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
@@ -146,6 +163,12 @@ int sweep_command(const std::string& name, const RunOptions& options) {
   bool all_found = true;
   const int code = guarded(name, [&] { all_found = run_sweep(name, options); });
   return code == exit_done && !all_found ? exit_verdict : code;
+}
+
+int reproduce_command(const PublishedOptions& published, const RunOptions& options) {
+  bool all_agree = true;
+  const int code = guarded("reproduce", [&] { all_agree = run_published(published, options); });
+  return code == exit_done && !all_agree ? exit_verdict : code;
 }
 
 int vars_command(const std::string& group, bool markdown) {

@@ -18,6 +18,13 @@ struct RunOptions {
   std::string command;  ///< as it was typed, for provenance
 };
 
+/// Which published problems are wanted, and what is done with them beside what RunOptions say.
+struct PublishedOptions {
+  std::vector<std::string> names;  ///< none: all
+  std::string decks = "decks";     ///< folder of their decks
+  std::string write;               ///< file for the table in Markdown; empty for none
+};
+
 /// Version, git hash and libraries.
 std::string version_text();
 
@@ -26,6 +33,7 @@ int run_command(const std::vector<std::string>& decks, const DeckOptions& option
 int check_command(const std::string& deck, const DeckOptions& options);
 int plan_command(const std::string& deck, const DeckOptions& options);
 int sweep_command(const std::string& study, const RunOptions& options);
+int reproduce_command(const PublishedOptions& published, const RunOptions& options);
 int vars_command(const std::string& group, bool markdown);
 
 }  // namespace tether

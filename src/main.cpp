@@ -24,15 +24,30 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
   app.add_option("--path", options.path, "solver path; this version has mpm")->check(CLI::IsMember({"mpm"}));
 }
 
+/// What all commands of many runs take.
+void add_many_runs(CLI::App& app, RunOptions& options) {
+  options.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  app.add_option("--jobs", options.jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 1024));
+  app.add_flag("--quiet", options.quiet, "no progress, no table on the terminal");
+  app.add_flag("--dry-run", options.dry_run, "list the runs and which are finished, run nothing");
+}
+
 CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
   auto* sweep = app.add_subcommand("sweep", "run a study deck: many runs, one table");
   sweep->add_option("study", study, "the study deck")->required();
   sweep->add_option("--out", options.out, "folder for the tables and the runs (default out/<study name>)");
-  options.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  sweep->add_option("--jobs", options.jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 1024));
-  sweep->add_flag("--quiet", options.quiet, "no progress, no table on the terminal");
-  sweep->add_flag("--dry-run", options.dry_run, "list the runs and which are finished, run nothing");
+  add_many_runs(*sweep, options);
   return sweep;
+}
+
+CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& options) {
+  auto* reproduce = app.add_subcommand("reproduce", "run the thesis' problems, set its numbers beside this program's");
+  reproduce->add_option("name", published.names, "problems (default: all)");
+  reproduce->add_option("--decks", published.decks, "folder of their decks (default decks)");
+  reproduce->add_option("--write", published.write, "file for the table, as Markdown");
+  reproduce->add_option("--out", options.out, "folder for the runs (default out/reproduce)");
+  add_many_runs(*reproduce, options);
+  return reproduce;
 }
 
 /// A file over the size limit is told as a failed write, with exit code 4. A sweep hears of its runs' ends whatever the
@@ -57,7 +72,7 @@ bool has_stray_options(const CLI::App& app) {
 int main(int argc, char** argv) {
   CLI::App app(
       "tether: fluid and structure on one deck by material points.\nExit codes: 0 done, 2 input wrong, 3 run "
-      "diverged, 4 file trouble, 5 a bisection found nothing, 130 or 143 interrupted.",
+      "diverged, 4 file trouble, 5 a bisection found nothing or a published number is missed, 130 or 143 interrupted.",
       "tether");
   app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
@@ -86,6 +101,8 @@ int main(int argc, char** argv) {
   plan->add_option("deck", deck, "the deck")->required();
   add_deck_options(*plan, options);
   auto* sweep = add_sweep(app, deck, run_options);
+  PublishedOptions published;
+  auto* reproduce = add_reproduce(app, published, run_options);
   auto* vars = app.add_subcommand("vars", "the deck reference");
   vars->add_option("group", group, "only this group");
   vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
@@ -104,6 +121,7 @@ int main(int argc, char** argv) {
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options);
   if (*sweep) return sweep_command(deck, run_options);
+  if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);
   if (decks.empty()) {
     std::fputs(app.help().c_str(), stderr);

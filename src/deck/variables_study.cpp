@@ -26,7 +26,8 @@ constexpr std::array rows{
     Variable{study_group, "set", text, 1, most_sets, 1, "", -none, none, "", "",
              "A value that all runs share: 'group.name=value', as with --set."},
     Variable{study_group, "quantities", text, 1, most_quantities, 1, "", -none, none, "", "",
-             "Keys of summary.txt that become columns of the table."},
+             "Columns of the table: keys of summary.txt, or last, max, min, time_of_max or time_of_min of a column of "
+             "history.txt, 'last(body_vx_1)'."},
     Variable{study_group, "order", text, 0, 1, 1, "", -none, none, "", "''",
              "Column against which the observed order of each error_ quantity is told, along axis 1 (grid)."},
     Variable{study_group, "vary", text, 0, 1, 1, "", -none, none, "", "''",
@@ -40,9 +41,10 @@ constexpr std::array rows{
              "Bisection: a larger value, at which it does not hold."},
     Variable{study_group, "tolerance", real, 0, 1, 1, "", 1e-12, 1, "", "1e-3",
              "Bisection: length of the last interval over the larger of low and high in size."},
-    Variable{study_group, "criterion", text, 0, 1, 1, "", -none, none, "", "''",
-             "Bisection: exit_code (0 holds, without a bound), or a key of summary.txt (a run that fails then does not "
-             "hold)."},
+    Variable{
+        study_group, "criterion", text, 0, 1, 1, "", -none, none, "", "''",
+        "Bisection: exit_code (0 holds, without a bound), or what quantities can be (a run that fails then does not "
+        "hold)."},
     Variable{study_group, "at_least", real, 0, 1, 1, "", -none, none, "", "",
              "Bisection: the criterion holds from this value on."},
     Variable{study_group, "at_most", real, 0, 1, 1, "", -none, none, "", "",

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <vector>
 
@@ -22,10 +24,21 @@ namespace {
 
 constexpr std::size_t key_digits_in_a_name = 16;
 
-/// Of summary.txt, so that one that a power cut emptied is not taken for the run's; "" where there is none.
-std::string summary_sha256(const std::filesystem::path& folder) {
-  const auto path = folder / "summary.txt";
+/// Of a file of the run's, so that one that a power cut emptied is not taken for the run's; "" where there is none.
+std::string file_sha256(const std::filesystem::path& path) {
   return std::filesystem::exists(path) ? sha256(read_file(path)) : "";
+}
+
+/// The files that a study takes its numbers from, and what the record calls their sums.
+struct Summed {
+  const char *name, *file;
+};
+constexpr std::array summed{Summed{"summary_sha256", "summary.txt"}, Summed{"history_sha256", "history.txt"}};
+
+/// Whether they are as the run left them; of one that ended well the summary is there.
+bool is_whole(const std::filesystem::path& folder, std::map<std::string, std::string>& lines) {
+  const auto same = [&](const Summed& sum) { return lines[sum.name] == file_sha256(folder / sum.file); };
+  return !lines["summary_sha256"].empty() && std::all_of(summed.begin(), summed.end(), same);
 }
 
 }  // namespace
@@ -47,8 +60,7 @@ std::optional<RunRecord> read_record(const std::filesystem::path& folder, const 
   const auto code = parse_integer(lines["exit_code"]);
   const auto cpu = parse_real(lines["cpu_seconds"]), wall = parse_real(lines["wall_seconds"]);
   if (lines["key"] != key || !code || !cpu || !wall) return std::nullopt;
-  const std::string summary = summary_sha256(folder);
-  if (*code == exit_done && (summary.empty() || lines["summary_sha256"] != summary)) return std::nullopt;
+  if (*code == exit_done && !is_whole(folder, lines)) return std::nullopt;
   return RunRecord{key, {static_cast<int>(*code), lines["message"]}, *cpu, *wall};
 }
 
@@ -56,11 +68,10 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record) 
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: cannot be created: {}", folder.string(), reason.message()));
-  replace_file(
-      folder / "run.txt",
-      fmt::format("key = {}\nexit_code = {}\ncpu_seconds = {}\nwall_seconds = {}\nsummary_sha256 = {}\nmessage = {}\n",
-                  record.key, record.ending.exit_code, record.cpu_seconds, record.wall_seconds, summary_sha256(folder),
-                  record.ending.message));
+  std::string text = fmt::format("key = {}\nexit_code = {}\ncpu_seconds = {}\nwall_seconds = {}\n", record.key,
+                                 record.ending.exit_code, record.cpu_seconds, record.wall_seconds);
+  for (const auto& [name, file] : summed) text += fmt::format("{} = {}\n", name, file_sha256(folder / file));
+  replace_file(folder / "run.txt", text + fmt::format("message = {}\n", record.ending.message));
 }
 
 std::string one_line(const std::string& message) {

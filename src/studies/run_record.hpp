@@ -24,7 +24,7 @@ std::string run_key(const Deck& deck);
 /// The folder below a study's in which the run writes: runs/<first digits of its key>.
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key);
 
-/// The record in the folder, if the run of this key came to an end there.
+/// The record in the folder, if the run of this key came to an end there and the numbers of a good end are whole.
 std::optional<RunRecord> read_record(const std::filesystem::path& folder, const std::string& key);
 
 /// Writes run.txt in one go: whoever kills the program leaves a whole record or none. Throws FileError.

@@ -55,6 +55,13 @@ Numbers orders(const Study& study, const std::vector<FinishedRun>& runs, const N
   return cells;
 }
 
+std::string meaning_of(const Study& study, const std::string& key) {
+  for (const auto& wanted : study.history_values) {
+    if (wanted.value.name() == key) return wanted.value.meaning();
+  }
+  return "key of summary.txt";
+}
+
 void add_quantities(StudyTable& table, const Study& study, const std::vector<FinishedRun>& runs) {
   auto keys = study.quantities;
   const bool shown = std::find(keys.begin(), keys.end(), study.criterion.key) != keys.end();
@@ -62,7 +69,7 @@ void add_quantities(StudyTable& table, const Study& study, const std::vector<Fin
   if (own) keys.push_back(study.criterion.key);
   for (const auto& key : keys) {
     table.columns.push_back(
-        {key, "key of summary.txt", "", numbers(runs, [&](const auto& run) { return run.value(key); })});
+        {key, meaning_of(study, key), "", numbers(runs, [&](const auto& run) { return run.value(key); })});
   }
   if (study.order.empty()) return;
   const Numbers h = column_of(table, study.order);

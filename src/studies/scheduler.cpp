@@ -27,6 +27,20 @@ std::map<std::string, double> numbers_of(const std::filesystem::path& summary) {
   return numbers;
 }
 
+/// What the study can want of a run that ended well; a column that its history does not have becomes a warning.
+void read_numbers(const Study& study, const std::filesystem::path& folder, FinishedRun& run) {
+  std::vector<HistoryValue> wanted;
+  for (const WantedValue& each : study.history_values) wanted.push_back(each.value);
+  auto [values, lacking] = read_history_numbers(folder / "history.txt", wanted);
+  run.values = numbers_of(folder / "summary.txt");
+  run.values.merge(values);
+  run.lacking = std::move(lacking);
+  for (const auto& [column, hint] : run.lacking) {
+    run.record.ending.message += fmt::format("{}warning: its history.txt has no column '{}'. {}",
+                                             run.record.ending.message.empty() ? "" : " ", column, hint);
+  }
+}
+
 /// The command that makes this run alone.
 std::string command_of(const std::string& deck, const std::vector<std::string>& overrides) {
   return fmt::format("tether {}{}{}", deck, overrides.empty() ? "" : " --set ", fmt::join(overrides, " --set "));
@@ -152,7 +166,7 @@ void Scheduler::take_what_ended(Sequences& sequences) {
 
 void Scheduler::finish(const Variant& variant, RunRecord record, bool reused, Sequences& sequences) {
   FinishedRun run{variant, std::move(record), reused, {}};
-  if (!run.failed()) run.values = numbers_of(run_folder(out_, run.record.key) / "summary.txt");
+  if (!run.failed()) read_numbers(study_, run_folder(out_, run.record.key), run);
   if (outcome_.signal == 0) {
     for (const Variant& next : sequences.after(run)) queue_.push_back(next);
   }

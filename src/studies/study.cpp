@@ -14,6 +14,7 @@
 #include "base/file.hpp"
 #include "deck/reader.hpp"
 #include "scene/load_particles.hpp"
+#include "studies/column_checks.hpp"
 #include "studies/combinations.hpp"
 #include "studies/study_checks.hpp"
 #include "studies/study_remarks.hpp"
@@ -43,13 +44,14 @@ class StudyReader {
     for (const auto& at : given("set")) read_set(at[0]);
     for (const auto& at : given("axis")) read_axis(at[0]);
     for (const auto& at : given("linked")) link(at[0]);
-    for (const auto& at : given("quantities")) study_.quantities.push_back(text("quantities", at[0]));
+    for (const auto& at : given("quantities")) study_.quantities.push_back(quantity("quantities", at[0]));
     study_.order = text("order");
     if (study_.mode != Mode::grid && is_given("vary")) read_vary();
     if (study_.mode == Mode::ensemble) read_ensemble();
     if (study_.mode == Mode::bisect) read_bisection();
     check_decks(deck_, study_, remarks_, diagnostics_);
     if (check_number_of_runs() && study_.mode == Mode::ensemble) find_own_values();
+    if (!diagnostics_.has_errors()) check_columns(study_, remarks_);
     return std::move(study_);
   }
 
@@ -95,15 +97,22 @@ class StudyReader {
     if (!assignment.mistakes.empty()) return;
     own("axis", k, assignment.one_value);
     Axis axis{assignment.variable, {}, {}, study_.axes.size()};
-    std::set<Cell> seen;
     for (std::size_t v = 0; v < assignment.values.size(); ++v) {
       axis.overrides.push_back(assignment.override_text(v));
-      if (!seen.insert(assignment.cell(v)).second)
-        remarks_.error("axis", k, fmt::format("the value {} stands there twice", assignment.values[v]));
       axis.cells.push_back(assignment.cell(v));
     }
+    if (deck_.integer(study_group, "linked", k) == 0) tell_of_doubles(k, axis, assignment.values);
     numbers_[k] = study_.axes.size();
     study_.axes.push_back(std::move(axis));
+  }
+
+  /// Of an axis that moves alone: one that follows may well stay where it is.
+  void tell_of_doubles(int k, const Axis& axis, const std::vector<std::string>& values) {
+    std::set<Cell> seen;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      if (!seen.insert(axis.cells[v]).second)
+        remarks_.error("axis", k, fmt::format("the value {} stands there twice", values[v]));
+    }
   }
 
   void link(int k) {
@@ -122,6 +131,17 @@ class StudyReader {
     axis.leader = first.leader;
   }
 
+  /// The column of a quantity; "" where its text is a mistake, which is told.
+  std::string quantity(const char* name, int k = 1) {
+    const std::string as_given = text(name, k);
+    if (!is_history_value(as_given)) return as_given;
+    const auto [value, mistakes] = read_history_value(as_given);
+    remarks_.tell(name, k, mistakes);
+    if (!mistakes.empty()) return "";
+    study_.history_values.push_back({value, name, k});
+    return value.name();
+  }
+
   void read_vary() {
     const Assignment varied = read_assignment(text("vary") + "=0.0", Taken::name_alone);
     remarks_.tell("vary", 1, varied.mistakes);
@@ -138,7 +158,7 @@ class StudyReader {
   }
 
   void read_bisection() {
-    study_.criterion.key = text("criterion");
+    study_.criterion.key = quantity("criterion");
     if (is_given("at_least")) study_.criterion.at_least = number("at_least");
     if (is_given("at_most")) study_.criterion.at_most = number("at_most");
     const bool bounded = is_given("at_least") || is_given("at_most");

@@ -8,6 +8,7 @@
 #include "base/diagnostics.hpp"
 #include "studies/assignment.hpp"
 #include "studies/bisection.hpp"
+#include "studies/history_value.hpp"
 
 namespace tether {
 
@@ -34,6 +35,13 @@ struct BaseDeck {
   std::string file, text;
 };
 
+/// A value of the runs' histories, and which text of $study wants it.
+struct WantedValue {
+  HistoryValue value;
+  std::string variable;  ///< "quantities" or "criterion"
+  int number = 1;        ///< quantities(number)
+};
+
 /// What a study deck says. Its axes, sets and quantities suit the table of variables and the decks.
 struct Study {
   std::string file, text, title;
@@ -41,8 +49,9 @@ struct Study {
   std::vector<BaseDeck> decks;
   std::vector<Axis> axes;
   std::vector<std::string> sets;
-  std::vector<std::string> quantities;
-  std::string order;  ///< column for observed orders; empty for none
+  std::vector<std::string> quantities;      ///< their columns: keys of summary.txt, names of values of the history
+  std::vector<WantedValue> history_values;  ///< those of quantities and criterion
+  std::string order;                        ///< column for observed orders; empty for none
   Varied vary;
   double fraction = 0;
   int runs = 0;

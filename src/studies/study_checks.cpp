@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 
-#include "base/text.hpp"
 #include "deck/reader.hpp"
 #include "results/summary_keys.hpp"
 #include "scene/reference.hpp"
 #include "studies/combinations.hpp"
+#include "studies/meant.hpp"
 #include "studies/run_table.hpp"
 
 namespace tether {
@@ -36,14 +36,6 @@ constexpr std::array rules{
 /// Keys of summary.txt that are numbers of the run itself; the table has the cost of the whole process anyhow.
 bool is_quantity(const std::string& key) { return key != "path" && key != "cpu_seconds" && key != "wall_seconds"; }
 
-std::string meant(const std::string& name, const std::vector<std::string>& known) {
-  const auto near = nearest_name(name, known, 3);
-  if (!near.empty()) return fmt::format("Did you mean '{}'?", near);
-  std::string all;
-  for (const auto& key : known) all += (all.empty() ? "" : ", ") + key;
-  return fmt::format("There are {}.", all);
-}
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -62,25 +54,39 @@ class Keys {
   std::vector<std::string> known_;
 };
 
-void check_quantities(const Deck& deck, const std::vector<std::string>& known, StudyRemarks& remarks) {
+/// What a user may have meant by a key that no run writes; a column of the history wants a function.
+std::string meant_key(const std::string& key, const std::vector<std::string>& known) {
+  return meant(key, known) + " Of a column of history.txt: last(body_vx_1), say.";
+}
+
+bool is_of_history(const Study& study, const std::string& key) {
+  const auto named = [&](const WantedValue& wanted) { return wanted.value.name() == key; };
+  return std::any_of(study.history_values.begin(), study.history_values.end(), named);
+}
+
+void check_quantities(const Deck& deck, const Study& study, const std::vector<std::string>& known,
+                      StudyRemarks& remarks) {
+  const auto given = deck.given_elements(study_group, "quantities");
   std::vector<std::string> before;
-  for (const auto& at : deck.given_elements(study_group, "quantities")) {
-    const std::string key = deck.text(study_group, "quantities", at[0]);
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const std::string key = study.quantities[k];
+    if (key.empty()) continue;  // told
     if (contains(fixed_columns(), key))
-      remarks.error("quantities", at[0], fmt::format("every table has {}", key), "Leave it out.");
-    else if (!contains(known, key))
-      remarks.error("quantities", at[0], fmt::format("no run writes {} into its summary", key), meant(key, known));
+      remarks.error("quantities", given[k][0], fmt::format("every table has {}", key), "Leave it out.");
+    else if (!contains(known, key) && !is_of_history(study, key))
+      remarks.error("quantities", given[k][0], fmt::format("no run writes {} into its summary", key),
+                    meant_key(key, known));
     else if (contains(before, key))
-      remarks.error("quantities", at[0], fmt::format("{} stands there twice", key));
+      remarks.error("quantities", given[k][0], fmt::format("{} stands there twice", key));
     before.push_back(key);
   }
 }
 
 void check_criterion(const Study& study, std::vector<std::string> known, StudyRemarks& remarks) {
   known.insert(known.begin(), exit_code_key);
-  if (study.criterion.key.empty() || contains(known, study.criterion.key)) return;
-  remarks.error("criterion", 1, fmt::format("no run writes {} into its summary", study.criterion.key),
-                meant(study.criterion.key, known));
+  const std::string& key = study.criterion.key;
+  if (key.empty() || contains(known, key) || is_of_history(study, key)) return;
+  remarks.error("criterion", 1, fmt::format("no run writes {} into its summary", key), meant_key(key, known));
 }
 
 void check_order(const Study& study, StudyRemarks& remarks) {
@@ -136,7 +142,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     for (const Cell& cell : axis.cells) keys.add(std::get<std::string>(cell));
   }
   if (study.decks.empty()) return;  // told; nothing can be known of keys
-  check_quantities(deck, keys.known(), remarks);
+  check_quantities(deck, study, keys.known(), remarks);
   if (study.mode == Mode::bisect) check_criterion(study, keys.known(), remarks);
   check_order(study, remarks);
 }

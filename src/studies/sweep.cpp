@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -119,6 +120,23 @@ std::vector<std::string> broken_verdicts(const Study& study, const std::vector<B
   return verdicts;
 }
 
+/// The columns that no run's history has, though some ended well: what wants them is a mistake that could not be told
+/// before. Where other runs have one, a missing cell says enough.
+std::vector<std::string> lacking_columns(const Study& study, const std::vector<FinishedRun>& runs) {
+  std::map<std::string, std::string> told;  // once a column
+  for (const auto& [value, variable, number] : study.history_values) {
+    const auto has = [&](const FinishedRun& run) { return run.values.count(value.name()) > 0; };
+    if (std::any_of(runs.begin(), runs.end(), has)) continue;
+    for (const FinishedRun& run : runs) {
+      if (const auto found = run.lacking.find(value.column); found != run.lacking.end()) told.insert(*found);
+    }
+  }
+  std::vector<std::string> verdicts;
+  for (const auto& [column, hint] : told)
+    verdicts.push_back(fmt::format("no run's history.txt has a column '{}'. {}", column, hint));
+  return verdicts;
+}
+
 }  // namespace
 
 SweepResult sweep(const Study& study, const SweepOptions& options) {
@@ -133,6 +151,7 @@ SweepResult sweep(const Study& study, const SweepOptions& options) {
   SweepResult result{report_text(study, table) + failures_text(runs),
                      signal == 0 ? broken_verdicts(study, sequences.bisections()) : std::vector<std::string>{}, signal,
                      count_file_trouble(runs)};
+  for (auto& verdict : lacking_columns(study, runs)) result.verdicts.push_back(std::move(verdict));
   if (study.mode == Mode::grid) return result;
   const StudyTable outcome =
       study.mode == Mode::ensemble ? ensemble_table(study, runs) : bisection_table(study, runs, sequences.bisections());

@@ -22,7 +22,7 @@ struct SweepOptions {
 /// What a sweep has to say at its end.
 struct SweepResult {
   std::string report;                 ///< the tables, for people
-  std::vector<std::string> verdicts;  ///< of the bisections that found nothing
+  std::vector<std::string> verdicts;  ///< of bisections that found nothing, of columns that no history has
   int signal = 0;                     ///< that interrupted it
   std::size_t file_trouble = 0;       ///< runs that could not read or write a file
 };

@@ -55,6 +55,24 @@ class BadStudies(SweepTest):
          "the criterion has no bound", (4, 61)),
         (GOOD + "mode='bisect', vary='mpm.cfl', low=0.1, high=1.0, criterion='steps', at_least=3.0, at_most=2.0",
          "nothing lies between at_least and at_most", (4, 79)),
+        (GOOD + "quantities(2)='lst(energy_total)'", "there is no function 'lst' of a column", (4, 16)),
+        (GOOD + "quantities(2)='last(energy_total'", "this bracket is not closed", (4, 20)),
+        (GOOD + "quantities(2)='last energy_total)'", "nothing opens this bracket", (4, 33)),
+        (GOOD + "quantities(2)='last(energy_total)/2'", "something stands behind the bracket", (4, 34)),
+        (GOOD + "quantities(2)='last( energy total )'", "'energy total' is no name of a column", (4, 22)),
+        (GOOD + "quantities(2)='last()'", "'' is no name of a column", (4, 21)),
+        (GOOD + "quantities(2)='last(body_vx_2)'", "no run's history.txt has a column 'body_vx_2'", (4, 21)),
+        (GOOD + "quantities(2)='last(dt)','last(dt)'", "last_dt stands there twice", (4, 26)),
+        (GOOD + "quantities(2)='energy_total'", "no run writes energy_total", (4, 15)),
+        (GOOD + "axis=\"mpm.method='thesis','robust'\"\nquantities(2)='max(energy_heat)'",
+         "no run's history.txt has a column 'energy_heat'", (5, 20)),
+        ("decks='../decks/spring-mass.in'\nmode='bisect', vary='mpm.cfl', low=0.1, high=1.0\n"
+         "criterion='max(point_y_2)', at_most=1.0", "no run's history.txt has a column 'point_y_2'", (5, 16)),
+        ("decks='../decks/spring-mass.in'\nmode='bisect', vary='mpm.cfl', low=0.1, high=1.0\n"
+         "criterion='most(point_y_1)', at_most=1.0", "there is no function 'most'", (5, 12)),
+        ("decks='../decks/spring-mass.in'\nmode='bisect', vary='mpm.cfl', low=0.1, high=1.0\n"
+         "criterion='max(point_y_1)'", "the criterion has no bound", (5, 11)),
+        (GOOD + "axis(1)='in.nx=5,7'\naxis(2)='in.tstep=1.e-6,1.e-6'", "the value 1.e-6 stands there twice", (5, 9)),
         (GOOD + "axis='in.nx=51,101'\nfraktion=0.1", "$study has no variable 'fraktion'", (5, 1)),
     )
 
@@ -79,6 +97,12 @@ class BadStudies(SweepTest):
                            "axis(2)='in.ny=0'\nset='mpm.cfl=x'")
         result = self.expect(2, "sweep", study, "--out", self.out)
         self.assertEqual([int(head["line"]) for head, _ in diagnostics(result.stderr)], [7, 5, 6, 4])
+
+    def test_a_column_that_is_nearly_there_is_named(self):
+        study = self.study(self.GOOD + "quantities(2)='last(point_vx_2)','min(nothing_of_it)'")
+        told = diagnostics(self.expect(2, "sweep", study, "--out", self.out).stderr)
+        self.assertIn("Did you mean 'point_vx_1'?", told[0][1][-1])
+        self.assertIn("There are time, dt, energy_kinetic,", told[1][1][-1])
 
     def test_thousands_of_wrong_values_do_not_drown_the_reader(self):
         study = self.study(self.GOOD + "axis='in.nx=" + ",".join(f"x{k}" for k in range(5000)) + "'")

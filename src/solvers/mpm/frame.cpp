@@ -96,7 +96,7 @@ std::vector<double> integrals(Kernel kernel, const Axis& axis, double first, dou
   for (int piece = 2 * begin; piece < 2 * end; ++piece) {
     for (const double gauss : {-1.0, 1.0}) {
       const double place = 0.5 * piece + 0.25 * (1 + gauss / std::sqrt(3.0));  // in cells from node 0
-      const int nearest = static_cast<int>(place + 0.5);
+      const int nearest = static_cast<int>(std::floor(place + 0.5));
       for (int i = std::max(0, nearest - 1); i <= std::min(axis.nodes - 1, nearest + 1); ++i) {
         of[static_cast<std::size_t>(axis.image(i))] +=
             0.25 * h * weight(first + place * h) * shape_value(kernel, place - i);

@@ -132,9 +132,9 @@ State start(const Scene& scene) {
   state.density = cell_density(scene, state.grid.frame);
   for (const Body& body : scene.bodies) {
     state.ranges.push_back({body.first, body.first + body.count});
-    state.has_pins.push_back(std::any_of(scene.pinned.begin(), scene.pinned.end(), [&](std::size_t p) {
-      return p >= body.first && p < body.first + body.count;
-    }));
+    const bool pins = std::any_of(scene.pinned.begin(), scene.pinned.end(),
+                                  [&](std::size_t p) { return p >= body.first && p < body.first + body.count; });
+    state.has_pins.push_back(pins ? 1 : 0);
     const auto* gas = std::get_if<IdealGas>(&body.material);
     if (gas) list_gas(body, state.ranges.back(), *gas, state);
   }

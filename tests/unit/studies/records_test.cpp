@@ -51,6 +51,20 @@ TEST_F(Records, AGoodRunNeedsItsSummary) {
   EXPECT_FALSE(read_record(folder, "k1"));
 }
 
+TEST_F(Records, AGoodRunNeedsItsWholeHistory) {
+  const std::string history = "# time\n0\n1\n";
+  write_file(folder / "summary.txt", "steps = 1\n");
+  write_file(folder / "history.txt", history);
+  write_record(folder, {"k1", {exit_done, ""}, 0, 0});
+  EXPECT_TRUE(read_record(folder, "k1"));
+  write_file(folder / "history.txt", history.substr(0, history.size() - 2));
+  EXPECT_FALSE(read_record(folder, "k1"));
+  write_file(folder / "history.txt", history);
+  EXPECT_TRUE(read_record(folder, "k1"));
+  std::filesystem::remove(folder / "history.txt");
+  EXPECT_FALSE(read_record(folder, "k1"));
+}
+
 TEST(OneLine, DropsCaretsAndLineEnds) {
   EXPECT_EQ(one_line("d.in:3:5: error: wrong\n  nx=1\n     ^\n  Allowed: 2.\n"),
             "d.in:3:5: error: wrong nx=1 Allowed: 2.");

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include "studies/reproduce_problems.hpp"
+#include "studies/reproduce_readings.hpp"
+
+namespace tether::published {
+namespace {
+
+// Normals: 7.5.2, Fig. 73. A quarter of a cylinder of gas, body 1, in a membrane, body 2. With exact normals it swings
+// about a strain of p r (1 - nu^2)/(E t) = 9e-4; what grows by a twentieth is not held.
+
+constexpr int membrane = 2;
+constexpr double let_go = 1.05;
+
+double mean_radius(const RunFiles& run, std::size_t snapshot) {
+  const auto x = run.points("x", snapshot, membrane), y = run.points("y", snapshot, membrane);
+  std::vector<double> radii;
+  for (std::size_t p = 0; p < x.size(); ++p) radii.push_back(std::hypot(x[p], y[p]));
+  return mean(radii);
+}
+
+double growth(const RunFiles& run) { return mean_radius(run, run.snapshots() - 1) / mean_radius(run, 0); }
+double holds(const RunFiles& run) { return growth(run) < let_go ? 1 : 0; }
+
+Problem expanding_cylinder(const std::string& normals, bool held) {
+  Problem problem{.name = "cylinder-" + normals, .place = "7.5.2, Fig. 73", .deck = "cylinder-expansion"};
+  problem.thesis.overrides = {"membrane.normals='" + normals + "'"};
+  problem.robust = std::nullopt;  // elements between the points take the place of normals
+  problem.quantities = {{.name = "the membrane holds (1) or gives way (0)",
+                         .reading = holds,
+                         .published = {{held ? 1.0 : 0.0, "7.5.2"}},
+                         .thesis = within(0.5)},
+                        {.name = "mean radius at t = .05 over the first", .reading = growth}};
+  return problem;
+}
+
+// The longest stable step: 8.5, Fig. 91. Between fixed walls the five cells' shortest wave has the angle 4 pi/5 a cell,
+// the one that a centred difference sees most 2 pi/5 or 3 pi/5: with points at the sides (8.36) becomes
+// C sin(2 pi/5) <= 1, with points at the centres (8.41) C sin(2 pi/5) <= 2.
+
+double side_limit() { return 1 / std::sin(2 * std::numbers::pi / 5); }
+double centre_limit() { return 2 * side_limit(); }
+
+Problem stability(const char* where, double published, double (*exact)()) {
+  Problem problem{.name = std::string("stability-") + where, .place = "8.5, Fig. 91"};
+  problem.deck = problem.name, problem.study = "stability";
+  problem.robust = std::nullopt;  // chapter 8 is on the thesis' method
+  problem.quantities = {{.name = "longest stable step c dt/dx",
+                         .reading = [](const RunFiles& run) { return run.largest_holding(); },
+                         .published = {{published, "8.5"}},
+                         .exact = exact,
+                         .thesis = within_part(0.01)}};
+  return problem;
+}
+
+}  // namespace
+
+std::vector<Problem> problems_of_chapters7and8() {
+  return {expanding_cylinder("connectivity", true), expanding_cylinder("mass-linear", true),
+          expanding_cylinder("cubic", false),       expanding_cylinder("quadratic", false),
+          expanding_cylinder("color", false),       stability("centre", 2.0, centre_limit),
+          stability("side", 1.1, side_limit)};
+}
+
+}  // namespace tether::published

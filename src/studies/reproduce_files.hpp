@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tether::published {
+
+/// The files of a finished run. Each call reads what it gives, and throws FileError where the run did not write it.
+class RunFiles {
+ public:
+  /// `beside` is the folder of the run that a problem compares this one with; empty where there is none.
+  explicit RunFiles(std::filesystem::path folder, std::filesystem::path beside = {})
+      : folder_(std::move(folder)), beside_(std::move(beside)) {}
+  RunFiles beside() const { return RunFiles(beside_); }
+
+  /// A number of summary.txt; not a number where the run wrote that.
+  double summary(const std::string& key) const;
+
+  /// A quantity of history.nc over its records, of body or tracked point k where it has several, counted from 1.
+  std::vector<double> history(const std::string& quantity, std::size_t k = 1) const;
+
+  /// Number of the snapshots in particles.nc.
+  std::size_t snapshots() const;
+  /// Time of one of them, counted from 0.
+  double time(std::size_t snapshot) const;
+  /// A field of all points, or of those of one body, counted from 1.
+  std::vector<double> points(const std::string& field, std::size_t snapshot) const;
+  std::vector<double> points(const std::string& field, std::size_t snapshot, int body) const;
+
+  /// The nodes of mesh.nc, row by row: where they are, a field in one of its snapshots, the number of those.
+  std::vector<double> node_x() const;
+  std::vector<double> node_y() const;
+  std::vector<double> nodes(const std::string& field, std::size_t snapshot) const;
+  std::size_t node_snapshots() const;
+
+  /// Of a bisection's outcome.nc: the largest value that held. Not a number where it found none.
+  double largest_holding() const;
+
+ private:
+  std::filesystem::path folder_, beside_;
+};
+
+}  // namespace tether::published

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The studies of decks/studies, on fewer or coarser grids, over fewer runs or for a shorter time than they ask for."""
+import pathlib
+import unittest
+
+from program import DECKS
+from sweeps import SweepTest
+
+STUDIES = {path.stem for path in (DECKS / "studies").glob("*.in")}
+ELSEWHERE = {"stability", "sod-convergence"}  # test_sweep.py
+
+
+def number(row, name):
+    return float(row[name])
+
+
+class StudyDecks(SweepTest):
+    """A test_<name> for each study."""
+
+    def shortened(self, name, *changes):
+        """Runs a copy of the study in which each pair of texts is exchanged; its table."""
+        folder = self.folder / "decks/studies"
+        folder.mkdir(exist_ok=True)
+        text = (DECKS / f"studies/{name}.in").read_text()
+        for old, new in changes:
+            self.assertIn(old, text, name)
+            text = text.replace(old, new)
+        (folder / f"{name}.in").write_text(text)
+        self.sweep(folder / f"{name}.in")
+        return self.table()
+
+    def test_each_study_is_run_by_a_test_and_told_of_in_the_readme(self):
+        tests = {name.removeprefix("test_").replace("_", "-") for name in dir(self)}
+        self.assertEqual(STUDIES - tests, ELSEWHERE)
+        rows = {line.split(" |")[0] for line in (DECKS / "README.md").read_text().splitlines()}
+        self.assertEqual({name for name in STUDIES if f"| studies/{name}" not in rows}, set())
+
+    def test_two_bar_step(self):
+        """The thesis' bars stick or part by the step, the robust ones part all alike and gain no energy."""
+        steps = "1.0d-4,1.5d-4,2.0d-4,2.5d-4,3.0d-4,3.5d-4,4.0d-4,4.5d-4,5.0d-4,5.5d-4,6.0d-4,6.5d-4,7.0d-4"
+        rows = self.shortened("two-bar-step", (steps, "2.0d-4,4.0d-4,7.0d-4"))
+        left = {rule: [number(row, "last_body_vx_1") for row in rows if row["mpm.contact"] == rule]
+                for rule in ("none", "release", "gap")}
+        self.assertTrue(all(len(of) == 3 for of in left.values()))
+        self.assertLess(max(left["gap"]) - min(left["gap"]), 0.03)
+        self.assertTrue(0.15 < min(left["gap"]) and max(left["gap"]) < 0.25)
+        self.assertGreater(max(left["release"]) - min(left["release"]), 0.3)
+        self.assertGreater(min(left["none"]), 0.6)
+        for row in rows:
+            self.assertAlmostEqual(number(row, "last_body_vx_1") + number(row, "last_body_vx_2"), 2, places=9)
+            if row["mpm.contact"] == "gap":
+                self.assertLess(number(row, "max_energy_total"), 11.25 * 1.003)
+
+    def test_two_bar_mesh(self):
+        """What the impulses take and what the left bar keeps shrink with the cells."""
+        rows = self.shortened("two-bar-mesh", ("21,41,81", "21,41"), (",1.75d-4", ""), ("'robust','thesis'", "'robust'"),
+                              ("'gap','release'", "'gap'"))
+        coarse, fine = rows
+        self.assertLess(number(fine, "last_body_vx_1"), 0.8 * number(coarse, "last_body_vx_1"))
+        self.assertGreater(number(fine, "last_body_vx_1"), 0.05)
+        self.assertTrue(0.4 < number(fine, "last_energy_contact") / number(coarse, "last_energy_contact") < 0.6)
+        self.assertLess(max(number(row, "energy_growth") for row in rows), 1.01)
+
+    def test_membrane_expansion(self):
+        """Simulation 1: the robust method's radius varies less with the step than the thesis', and keeps the energy."""
+        decks = "'../membrane-expansion-1.in', '../membrane-expansion-2.in', '../membrane-expansion-3.in'"
+        self.shortened("membrane-expansion", (decks, "'../membrane-expansion-1.in'"), ("runs=10", "runs=3"))
+        thesis, robust = self.table("outcome")
+        self.assertEqual([thesis["failed"], robust["failed"]], ["0", "0"])
+        for radius in ("radius_x", "radius_y"):
+            self.assertLess(number(robust, f"spread_{radius}"), 0.1 * number(thesis, f"spread_{radius}"))
+            self.assertLess(abs(number(robust, f"mean_error_{radius}")), 0.03)
+        self.assertLess(number(robust, "max_energy_drift"), 1e-10)
+        self.assertGreater(number(thesis, "min_energy_drift"), 1e-4)
+
+    def test_membrane_expansion_fine(self):
+        """The first hundredths of a second of simulation 4, before anything has happened."""
+        deck = self.folder / "decks/membrane-expansion-4.in"
+        deck.write_text(deck.read_text().replace("tmax=8.500014", "tmax=0.007"))
+        rows = self.shortened("membrane-expansion-fine", ("runs=4", "runs=2"))
+        self.assertEqual([row["exit_code"] for row in rows], ["0"] * 4)
+        for row in rows:
+            self.assertAlmostEqual(number(row, "radius_x"), 0.5, delta=0.02)
+
+    def test_ball_net(self):
+        """A five times longer step: the ball flies back from the thicker net, the robust method's run like run."""
+        deck = self.folder / "decks/ball-net.in"
+        deck.write_text(deck.read_text().replace("tstep=0.0001d0", "tstep=0.0005d0"))
+        self.shortened("ball-net", ("runs=10", "runs=3"), ("=0.125,0.0125", "=0.125"))
+        thesis, robust = self.table("outcome")
+        for row in (thesis, robust):
+            self.assertTrue(-1 < number(row, "mean_last_body_vx_1") < -0.4, row)
+        self.assertLess(number(robust, "spread_last_body_vx_1"), 1e-3)
+        self.assertLess(number(robust, "max_energy_growth"), 1 + 1e-9)
+
+    def test_pendulum_robust(self):
+        """Errors of the period on cells of .2 and .1, and a swing as far to the other side."""
+        rows = self.shortened("pendulum-robust", (", '../pendulum-80.in', '../pendulum-320.in'", ""))
+        robust = [row for row in rows if row["mpm.method"] == "robust"]
+        thesis = [row for row in rows if row["mpm.method"] == "thesis"]
+        coarse, fine = (abs(number(row, "error_period")) for row in robust)
+        self.assertLess(coarse, 0.012)
+        self.assertGreater(coarse / fine, 3.5)
+        for ours, theirs in zip(robust, thesis, strict=True):
+            lost, lost_there = (2 / 3 - 0.101 - number(row, "max_point_x_2") for row in (ours, theirs))
+            self.assertLess(abs(lost), 0.003)
+            self.assertGreater(lost_there, 0.01)
+
+    def test_sod_robust(self):
+        rows = self.shortened("sod-robust", (",401,801", ""), (",0.25d-4,0.125d-4", ""), (",0.0025,0.00125", ""),
+                              (",4*0.0025,4*0.00125", ""))
+        orders = {row["mpm.method"]: row for row in rows if row["order_density"]}
+        for key in ("density", "velocity", "pressure"):
+            self.assertGreater(number(orders["robust"], f"order_{key}"), 0.85)
+            self.assertLess(number(orders["thesis"], f"order_{key}"), 0.7)
+        self.assertLess(number(orders["robust"], "energy_drift"), 1e-10)
+
+    def test_spring_robust(self):
+        rows = self.shortened("spring-robust")
+        weak = [row for row in rows if row["in.gravc"] == "-2.5"]
+        self.assertEqual(len(weak), 4)
+        self.assertLess(number(weak[0], "error_period"), 0.015)
+        for row in weak[1:]:
+            self.assertGreater(number(row, "order_period"), 1.6)
+        limits = [number(row, "error_period") for row in rows if row["in.gravc"] == "-250"]
+        self.assertAlmostEqual(limits[-1], 0.013, delta=0.001)  # the logarithmic strain
+
+    def test_airbags(self):
+        """The first 4 ms on the coarsest grid: the probes still fall as they were let go."""
+        rows = self.shortened("airbags", ("18,26,35", "18"), ("26,38,51", "26"), ("in.tmax=0.080", "in.tmax=0.004"))
+        self.assertEqual([row["exit_code"] for row in rows], ["0"] * 4)
+        for row in rows:
+            speed = 3.9 if row["deck"].endswith("cyl-200.in") else 4.7
+            fallen = number(row, "max_body_y_3") - number(row, "min_body_y_3")
+            self.assertAlmostEqual(fallen, speed * 0.004, delta=1e-3)
+            self.assertAlmostEqual(number(row, "time_of_min_body_y_3"), 0.004, places=12)
+
+    def test_cost(self):
+        """A short part of each run has all columns of its family, and energies that the robust method keeps."""
+        rows = self.shortened("cost", ("$study", "$study\nset='in.tmax=0.02'"),
+                              (" '../membrane-expansion-3.in',", ""))
+        family = {"membrane": "error_pressure", "sod": "error_density", "two": "last_body_vx_1"}
+        self.assertEqual(len(rows), 10)
+        for row in rows:
+            name = pathlib.Path(row["deck"]).stem
+            self.assertTrue(row[family[name.split("-")[0]]], name)
+            self.assertGreater(number(row, "ns_per_point_step"), 0)
+            if row["mpm.method"] == "robust" and not name.startswith("two"):
+                self.assertLess(number(row, "energy_drift"), 1e-10)
+
+
+if __name__ == "__main__":
+    unittest.main()
