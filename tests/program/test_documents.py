@@ -18,7 +18,7 @@ class Documents(unittest.TestCase):
         for deck in pathlib.Path("decks").glob("*.in"):
             family = deck.stem.split("-")[0]
             self.assertIn(family, reference, deck.name)
-            self.assertTrue(deck.stem in reference or f"-{deck.stem.split('-', 1)[1]}" in reference, deck.name)
+            self.assertTrue(deck.stem in reference or f"-{deck.stem.rsplit('-', 1)[-1]}" in reference, deck.name)
 
 
 if __name__ == "__main__":
