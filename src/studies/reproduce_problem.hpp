@@ -22,7 +22,8 @@ struct Printed {
   std::string place;  ///< "Table 3"
 };
 
-/// How near a method's value must come.
+/// How near a method's value must come. Most were set about what the runs gave: they show that results change, and are
+/// no judgement from outside.
 struct Tolerance {
   double size = 0;
   bool relative = true;  ///< a part of what it is compared with; else in the quantity's own unit

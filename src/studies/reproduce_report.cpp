@@ -130,6 +130,9 @@ std::string markdown_text(const std::vector<ReportRow>& rows, const std::vector<
     for (const auto& column : columns) text += fmt::format("| {} ", cell(row.*column.text));
     text += "|\n";
   }
+  text +=
+      "\nMost tolerances were set about what the runs gave, so they show changes; that a row agrees is no proof of its "
+      "own. What a method is known to miss is reported and not judged.\n";
   text += "\n## Their runs\n\n| problem | thesis | deck | overrides, thesis method | overrides, robust method |\n";
   text += "|---|---|---|---|---|\n";
   for (const Problem& problem : problems) text += runs_of(problem);
