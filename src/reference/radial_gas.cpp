@@ -149,7 +149,7 @@ GasShells shells_of(const GasCylinder& cylinder, int count) {
   return shells;
 }
 
-GasShells expanded(GasShells shells, double duration) {
+GasShells expanded(const GasShells& shells, double duration) {
   if (!(duration >= 0)) throw std::domain_error("gas expansion: the solution begins at t = 0");
   RadialSolver solver(shells);
   double left = duration;

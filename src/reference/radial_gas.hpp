@@ -45,7 +45,7 @@ GasShells shells_of(const GasCylinder& cylinder, int count = 1600);
 /// the flow is smooth. Kinetic and internal energy exchange the same work, so that their sum is kept to rounding.
 /// Source: E. J. Caramana, D. E. Burton, M. J. Shashkov and P. P. Whalen, J. Comput. Phys. 146 (1998) 227-262, in one
 /// dimension. Throws std::domain_error for a negative duration.
-GasShells expanded(GasShells shells, double duration);
+GasShells expanded(const GasShells& shells, double duration);
 
 RadialProfile profile_of(const GasShells& shells);
 

@@ -4,30 +4,15 @@
 #include <array>
 
 #include "grid/shape_functions.hpp"
+#include "solvers/mpm/folds.hpp"
 
 namespace tether::mpm {
-namespace {
-
-/// Places of cells -1 .. cells along one axis, times `stride`. Behind a wall that mirrors, at the edge of cell `first`
-/// or behind cell `last`, a cell shares its image's place.
-std::vector<std::size_t> folded_axis(int cells, int first, int last, bool mirror_low, bool mirror_high,
-                                     std::size_t stride) {
-  std::vector<std::size_t> place;
-  for (int k = -1; k <= cells; ++k) {
-    const int image = mirror_low && k < first ? 2 * first - 1 - k : mirror_high && k > last ? 2 * last + 1 - k : k;
-    place.push_back(static_cast<std::size_t>(image + 1) * stride);
-  }
-  return place;
-}
-
-}  // namespace
-
 CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule)
     : locator_(frame.shape),
       rule_(rule),
-      column_(folded_axis(frame.shape.cells_x(), frame.left, frame.left + frame.deck.cells_x() - 1, mirrors(walls.left),
-                          mirrors(walls.right), 1)),
-      row_(folded_axis(frame.shape.cells_y(), frame.bottom, frame.bottom + frame.deck.cells_y() - 1,
+      column_(folded_axis(AxisOf::cells, frame.shape.cells_x(), frame.left, frame.left + frame.deck.cells_x() - 1,
+                          mirrors(walls.left), mirrors(walls.right), 1)),
+      row_(folded_axis(AxisOf::cells, frame.shape.cells_y(), frame.bottom, frame.bottom + frame.deck.cells_y() - 1,
                        mirrors(walls.bottom), mirrors(walls.top), column_.size())),
       mass_(column_.size() * row_.size(), 0.0) {
   const BackgroundGrid& shape = frame.shape;

@@ -35,8 +35,10 @@ void at_corners(const CellPlace& at, const With& with) {
 
 CellColor::CellColor(const BackgroundGrid& shape, const Walls& walls)
     : locator_(shape),
-      column_(folded_axis(AxisOf::cells, shape.cells_x(), mirrors(walls.left), mirrors(walls.right), 1)),
-      row_(folded_axis(AxisOf::cells, shape.cells_y(), mirrors(walls.bottom), mirrors(walls.top), column_.size())),
+      column_(folded_axis(AxisOf::cells, shape.cells_x(), 0, shape.cells_x() - 1, mirrors(walls.left),
+                          mirrors(walls.right), 1)),
+      row_(folded_axis(AxisOf::cells, shape.cells_y(), 0, shape.cells_y() - 1, mirrors(walls.bottom),
+                       mirrors(walls.top), column_.size())),
       color_(column_.size() * row_.size()) {}
 
 void CellColor::add(const PlaceArrays& places, Range range) {
@@ -115,8 +117,9 @@ void QuadraticNormals::update(const PlaceArrays& places, Range membrane, std::sp
 CubicNormals::CubicNormals(const BackgroundGrid& shape, const Walls& walls)
     : locator_(shape),
       least_(least_slope(shape)),
-      column_(folded_axis(AxisOf::nodes, shape.nx, mirrors(walls.left), mirrors(walls.right), 1)),
-      row_(folded_axis(AxisOf::nodes, shape.ny, mirrors(walls.bottom), mirrors(walls.top), column_.size())),
+      column_(folded_axis(AxisOf::nodes, shape.nx, 0, shape.nx - 1, mirrors(walls.left), mirrors(walls.right), 1)),
+      row_(folded_axis(AxisOf::nodes, shape.ny, 0, shape.ny - 1, mirrors(walls.bottom), mirrors(walls.top),
+                       column_.size())),
       sides_x_(sides(shape.nx, mirrors(walls.left), mirrors(walls.right))),
       sides_y_(sides(shape.ny, mirrors(walls.bottom), mirrors(walls.top))),
       color_(column_.size() * row_.size()) {

@@ -8,7 +8,7 @@
 #include "grid/background_grid.hpp"
 #include "grid/pair.hpp"
 #include "laws/walls/walls.hpp"
-#include "solvers/mpm/normals_fold.hpp"
+#include "solvers/mpm/folds.hpp"
 #include "solvers/mpm/normals_points.hpp"
 #include "solvers/mpm/range.hpp"
 

@@ -10,15 +10,18 @@ namespace tether::mpm {
 /// What a kernel's numbers along an axis count. A wall runs through a node and beside a cell.
 enum class AxisOf { cells, nodes };
 
-/// Places of the numbers -1 .. count along one axis, times `stride`. What stands behind a mirror shares its image's
-/// place: the cell next to the wall, or the node behind the wall's.
-inline std::vector<std::size_t> folded_axis(AxisOf what, int count, bool mirror_low, bool mirror_high,
-                                            std::size_t stride) {
-  std::vector<std::size_t> place(static_cast<std::size_t>(count) + 2);
-  for (std::size_t k = 0; k < place.size(); ++k) place[k] = k * stride;
-  const std::size_t image = what == AxisOf::cells ? 1 : 2;
-  if (mirror_low) place.front() = place[image];
-  if (mirror_high) place.back() = place[place.size() - 1 - image];
+/// Places of the numbers -1 .. count along one axis, times `stride`. Number `first` stands at the low wall, `last` at
+/// the high one; what stands behind a wall that mirrors shares its image's place.
+inline std::vector<std::size_t> folded_axis(AxisOf what, int count, int first, int last, bool mirror_low,
+                                            bool mirror_high, std::size_t stride) {
+  const int beside = what == AxisOf::cells ? 1 : 0;
+  std::vector<std::size_t> place;
+  for (int k = -1; k <= count; ++k) {
+    const int image = mirror_low && k < first   ? 2 * first - beside - k
+                      : mirror_high && k > last ? 2 * last + beside - k
+                                                : k;
+    place.push_back(static_cast<std::size_t>(image + 1) * stride);
+  }
   return place;
 }
 
