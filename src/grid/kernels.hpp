@@ -86,7 +86,8 @@ struct SplineKernel {
 
   static Place locate(const Locator& locator, double x, double y) {
     const double a = (x - locator.x0) * locator.per_dx, b = (y - locator.y0) * locator.per_dy;
-    const int i = static_cast<int>(a + 0.5), j = static_cast<int>(b + 0.5);
+    // the nearest node; a place on the grid is at least 0
+    const int i = static_cast<int>(a + 0.5), j = static_cast<int>(b + 0.5);  // NOLINT(bugprone-incorrect-roundings)
     return {i, j, a - i, b - j};
   }
   static Nodes nodes(const Locator& locator, const Place& at) {

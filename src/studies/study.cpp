@@ -133,7 +133,7 @@ class StudyReader {
 
   /// The column of a quantity; "" where its text is a mistake, which is told.
   std::string quantity(const char* name, int k = 1) {
-    const std::string as_given = text(name, k);
+    std::string as_given = text(name, k);
     if (!is_history_value(as_given)) return as_given;
     const auto [value, mistakes] = read_history_value(as_given);
     remarks_.tell(name, k, mistakes);

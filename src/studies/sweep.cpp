@@ -124,7 +124,8 @@ std::vector<std::string> broken_verdicts(const Study& study, const std::vector<B
 /// before. Where other runs have one, a missing cell says enough.
 std::vector<std::string> lacking_columns(const Study& study, const std::vector<FinishedRun>& runs) {
   std::map<std::string, std::string> told;  // once a column
-  for (const auto& [value, variable, number] : study.history_values) {
+  for (const auto& wanted : study.history_values) {
+    const auto& value = wanted.value;
     const auto has = [&](const FinishedRun& run) { return run.values.count(value.name()) > 0; };
     if (std::any_of(runs.begin(), runs.end(), has)) continue;
     for (const FinishedRun& run : runs) {
@@ -132,6 +133,7 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
     }
   }
   std::vector<std::string> verdicts;
+  verdicts.reserve(told.size());
   for (const auto& [column, hint] : told)
     verdicts.push_back(fmt::format("no run's history.txt has a column '{}'. {}", column, hint));
   return verdicts;

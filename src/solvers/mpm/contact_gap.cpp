@@ -48,8 +48,9 @@ void Contact::push_apart(const Points& P, const Frame& frame, int slot, int a, i
   if (A.m <= 0 || B.m <= 0) return;
   const auto n = static_cast<std::size_t>(nodes_[static_cast<std::size_t>(slot)]);
   const auto nx = static_cast<std::size_t>(frame.shape.nx);
-  const Pair at = pair(frame.shape.x0 + static_cast<double>(n % nx) * frame.shape.dx,
-                       frame.shape.y0 + static_cast<double>(n / nx) * frame.shape.dy);
+  const std::size_t column = n % nx, row = n / nx;
+  const Pair at = pair(frame.shape.x0 + static_cast<double>(column) * frame.shape.dx,
+                       frame.shape.y0 + static_cast<double>(row) * frame.shape.dy);
   Pair normal = centroid(slot, b) - centroid(slot, a);
   hold(frame.held[n], normal);  // the images behind a wall make it lie along it
   const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1]);
