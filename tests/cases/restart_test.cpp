@@ -103,7 +103,8 @@ void expect_same_bits(const fs::path& a, const fs::path& b) {
     if (name.ends_with("_name")) continue;  // of bodies and points: text
     const auto x = left.numbers(name), y = right.numbers(name);
     ASSERT_EQ(x.size(), y.size()) << name << " of " << b;
-    EXPECT_EQ(std::memcmp(x.data(), y.data(), x.size() * sizeof(double)), 0) << name << " of " << b;
+    const auto size = x.size() * sizeof(double);  // of an empty array data() may be null, which memcmp does not take
+    EXPECT_TRUE(size == 0 || std::memcmp(x.data(), y.data(), size) == 0) << name << " of " << b;
   }
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 /// A membrane's end no further than this from a wall that mirrors, in spacings of its points, goes on behind it.
 constexpr double reach = 0.75;
+/// No further than this it stands on the wall.
+constexpr double at_a_wall = 1e-9;
 
 }  // namespace
 
@@ -26,18 +28,18 @@ Elements::Elements(const Scene& scene, std::size_t b, const Points& points, cons
   for (std::size_t p = first; p < last; ++p) add(points, p, p + 1, -1, 0);
   if (closed_) {
     add(points, last, first, -1, 0);
+    encloses_ = true;
   } else {
-    add_mirrored_end(points, scene, first, first + 1);
-    add_mirrored_end(points, scene, last, last - 1);
+    const bool begins_at_wall = ends_at_wall(points, scene, first, first + 1);
+    encloses_ = ends_at_wall(points, scene, last, last - 1) && begins_at_wall;
   }
   for (auto* array : {&energy_, &turn_}) array->assign(elements_.size(), 0.0);
   pull_.assign(elements_.size(), Pair{});
   swept_.assign(elements_.size(), Swept{});
   for (auto* array : {&heat_, &strain_, &hoop_, &tension_, &ring_, &parts_}) array->assign(scene.bodies[b].count, 0.0);
   for (auto* array : {&force_, &place_, &moved_}) array->assign(scene.bodies[b].count, Pair{});
-  const bool encloses = closed_ || elements_.size() == scene.bodies[b].count + 1;  // both ends mirrored
   enclosed_at_start_ = enclosed_volume(points);
-  if (encloses) ambient_ = enclosed_at_start_ < 0 ? -scene.ambient : scene.ambient;
+  if (encloses_) ambient_ = enclosed_at_start_ < 0 ? -scene.ambient : scene.ambient;
 }
 
 /// A point's share of the cross-section is its volume over the depth; of a pinned end it is half a piece, so that the
@@ -53,18 +55,22 @@ void Elements::add(const Points& P, std::size_t a, std::size_t b, int mirror, do
   elements_.push_back(element);
 }
 
-void Elements::add_mirrored_end(const Points& P, const Scene& scene, std::size_t end, std::size_t inner) {
+/// Goes on to its image behind a wall that mirrors; an end that stands on a wall, as a pin may, needs none.
+bool Elements::ends_at_wall(const Points& P, const Scene& scene, std::size_t end, std::size_t inner) {
   const double spacing = std::hypot(P.x[end] - P.x[inner], P.y[end] - P.y[inner]);
   const BackgroundGrid& grid = scene.grid;
-  const auto near = [&](Wall wall, double distance) {
-    return mirrors(wall) && distance > 0 && distance < reach * spacing;
+  const auto ends = [&](Wall wall, double distance, int mirror, double place) {
+    if (wall == Wall::open || distance >= reach * spacing) return false;
+    if (distance <= at_a_wall * spacing) return true;
+    if (mirrors(wall)) add(P, end, end, mirror, place);
+    return mirrors(wall);
   };
-  if (near(scene.walls.left, P.x[end] - grid.x0)) return add(P, end, end, 0, grid.x0);
-  if (near(scene.walls.right, grid.x1 - P.x[end])) return add(P, end, end, 0, grid.x1);
-  if (near(scene.walls.bottom, P.y[end] - grid.y0)) return add(P, end, end, 1, grid.y0);
-  if (!near(scene.walls.top, grid.y1 - P.y[end])) return;
-  add(P, end, end, 1, grid.y1);
+  if (ends(scene.walls.left, P.x[end] - grid.x0, 0, grid.x0)) return true;
+  if (ends(scene.walls.right, grid.x1 - P.x[end], 0, grid.x1)) return true;
+  if (ends(scene.walls.bottom, P.y[end] - grid.y0, 1, grid.y0)) return true;
+  if (!ends(scene.walls.top, grid.y1 - P.y[end], 1, grid.y1)) return false;
   reference_y_ = grid.y1;  // along the top the way from one wall to the other is level, too
+  return true;
 }
 
 Elements::Shape Elements::shape(const Points& P, const Element& element) const {

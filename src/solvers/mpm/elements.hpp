@@ -23,6 +23,7 @@ class Elements {
   /// Energy stored in the elements at the points' present places; that of the pressure outside, 0 at the start
   /// [energy].
   double strain_energy(const Points& points) const;
+  bool encloses() const { return encloses_; }
   double ambient_energy(const Points& points) const {
     return ambient_ * (enclosed_volume(points) - enclosed_at_start_);
   }
@@ -69,7 +70,7 @@ class Elements {
   };
 
   void add(const Points& points, std::size_t a, std::size_t b, int mirror, double wall);
-  void add_mirrored_end(const Points& points, const Scene& scene, std::size_t end, std::size_t inner);
+  bool ends_at_wall(const Points& points, const Scene& scene, std::size_t end, std::size_t inner);
   Shape shape(const Points& points, const Element& element) const;
   double share(const Element& element) const { return element.mirror < 0 ? 1 : 0.5; }
   double energy_of(const Element& element, const Shape& shape) const;
@@ -82,7 +83,7 @@ class Elements {
 
   Range range_;
   Membrane law_;
-  bool about_axis_ = false, closed_ = false;
+  bool about_axis_ = false, closed_ = false, encloses_ = false;
   double ambient_ = 0;                        // pressure outside, signed by the sense of the points
   double reference_x_ = 0, reference_y_ = 0;  // where the enclosed volume counts from
   double enclosed_at_start_ = 0;

@@ -27,6 +27,12 @@ constexpr double vanishing = 1e-9;
 MpmSolver::MpmSolver(const Plan& plan)
     : plan_(plan), set_(step_set(plan.scene)), state_(start(plan.scene)), sort_(plan.scene.points.size()) {
   state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
+  const auto encloses = [](const std::optional<Elements>& of) { return of && of->encloses(); };
+  const bool acts = std::any_of(state_.elements_of.begin(), state_.elements_of.end(), encloses) ||
+                    std::any_of(state_.ambient_of.begin(), state_.ambient_of.end(), encloses);
+  if (plan.scene.ambient != 0 && !acts) {
+    messages_.push_back("pambient acts on nothing: no membrane is closed or has both its ends at walls");
+  }
 }
 
 void MpmSolver::advance(double until) {
