@@ -21,7 +21,8 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
   app.add_option("--set", options.overrides, "group.name=value: takes the place of a deck's value; repeatable")
       ->allow_extra_args(false);
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
-  app.add_option("--path", options.path, "solver path; this version has mpm")->check(CLI::IsMember({"mpm"}));
+  app.add_option("--path", options.path, "solver path: mpm or fem (default: what the deck's groups say)")
+      ->check(CLI::IsMember({"mpm", "fem"}));
 }
 
 /// What all commands of many runs take.
@@ -71,7 +72,8 @@ bool has_stray_options(const CLI::App& app) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "tether: fluid and structure on one deck by material points.\nExit codes: 0 done, 2 input wrong, 3 run "
+      "tether: fluid and structure on one deck by material points or finite elements.\nExit codes: 0 done, 2 input "
+      "wrong, 3 run "
       "diverged, 4 file trouble, 5 a bisection found nothing or a published number is missed, 130 or 143 interrupted.",
       "tether");
   app.set_version_flag("--version", version_text);

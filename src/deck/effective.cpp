@@ -40,10 +40,12 @@ std::string assignments(const Deck& deck, const Variable& variable) {
 
 }  // namespace
 
-std::string effective_deck(const Deck& deck) {
+std::string effective_deck(const Deck& deck, const std::vector<std::string>& also) {
   std::string text;
   for (const auto& line : deck.header()) text += line + "\n";
   for (const auto& group : deck.possible_groups()) {
+    const bool silent = chooses_path(group) && !deck.has_group(group);
+    if (silent && std::find(also.begin(), also.end(), group) == also.end()) continue;
     std::string items;
     for (const auto& variable : variables()) {
       if (variable.group == group) items += assignments(deck, variable);

@@ -37,6 +37,9 @@ const Variable* find_variable(std::string_view group, std::string_view name);
 std::vector<std::string> group_names();
 bool is_group(std::string_view name);
 
+/// Whether a group chooses the path of a deck by being there.
+bool chooses_path(std::string_view group);
+
 /// The group of study decks, which have no other.
 constexpr std::string_view study_group = "study";
 
@@ -49,5 +52,7 @@ constexpr int tracked_at_count = 100;  ///< places in tracked_at
 constexpr int membrane_count = 10;     ///< membranes
 constexpr int curve_count = 40;        ///< curves of all membranes
 constexpr int curve_vertex_count = 100;
+constexpr int load_count = 40;   ///< loads, and supports, of a mesh
+constexpr int table_count = 50;  ///< times of one of them
 
 }  // namespace tether

@@ -43,7 +43,7 @@ constexpr std::array rows{
              "Bodies at a node: one velocity field (thesis), release by the criteria of A.1.3, or an impulse where "
              "their points touch (robust). Fluids and membranes always share one field."},
     Variable{"mpm", "criterion", integer, 0, 1, 1, "", 1, 3, "1|2|3", "1",
-             "Criterion of release: 1 (9.7), 2 (9.8), 3 (9.9)."},
+             "Criterion of release: 1 (9.7), 2 (9.8), which say the same of two bodies, 3 (9.9)."},
     Variable{"mpm", "ledger", logical, 0, 1, 1, "", -none, none, "", "",
              "Whether what transfer and membrane elements lose heats the gas, so that the total energy is kept; the "
              "robust method does."},

@@ -15,8 +15,10 @@ Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics&
   return read_deck(read_file(file), file, options.overrides, diagnostics);
 }
 
-std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles) {
-  return effective_deck(particles ? deck.with_particle_data(particles->lines) : deck);
+std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles, Path path) {
+  const std::vector<std::string> also =
+      path == Path::fem ? std::vector<std::string>{"fem"} : std::vector<std::string>{};
+  return effective_deck(particles ? deck.with_particle_data(particles->lines) : deck, also);
 }
 
 Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
@@ -28,11 +30,12 @@ Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& dia
   std::optional<std::filesystem::path> given;
   if (!options.particles.empty()) given = options.particles;
   const auto particles = load_particles(deck, given, diagnostics);
-  Scene scene = build_scene(deck, particles, diagnostics);
+  const Path path = path_of(deck, options.path, diagnostics);
+  Scene scene = build_scene(deck, particles, path, diagnostics);
   diagnostics.throw_if_errors();
   std::vector<std::string> warnings;
   for (const auto& diagnostic : diagnostics.warnings()) warnings.push_back(to_text(diagnostic));
-  return {deck, make_plan(std::move(scene)), effective_text(deck, particles), std::move(warnings)};
+  return {deck, make_plan(std::move(scene)), effective_text(deck, particles, path), std::move(warnings)};
 }
 
 Loaded load(const std::string& file, const DeckOptions& options) {

@@ -16,7 +16,7 @@ namespace tether {
 struct DeckOptions {
   std::vector<std::string> overrides;  ///< group.name=value
   std::string particles;               ///< empty: what the deck names
-  std::string path = "mpm";
+  std::string path;                    ///< empty: what the deck's groups say
 };
 
 /// A deck on its way to a run: what was read, what it asks for, what will be done.
@@ -30,8 +30,9 @@ struct Loaded {
 /// The deck alone; remarks go into `diagnostics`. Throws FileError where it cannot be read.
 Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics);
 
-/// The text of deck.effective: all values, and the particle data in place of the file that the deck names.
-std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles);
+/// The text of deck.effective: all values, the particle data in place of the file that the deck names, and the group
+/// that chooses the path.
+std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles, Path path);
 
 /// Particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as far as
 /// the deck can be understood: throws InputError with all of them.

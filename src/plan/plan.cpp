@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "base/diagnostics.hpp"
+#include "plan/bar_plan.hpp"
+#include "plan/solid_plan.hpp"
 #include "plan/terms.hpp"
 #include "scene/size.hpp"
 
@@ -79,8 +81,8 @@ Cost cost_of(const Scene& scene, const StepRule& rule) {
 /// Of the deck's step against the limit of the rule.
 std::string step_warning(const StepRule& rule) {
   const double ratio = rule.deck_step / rule.first_limit;
-  const std::string above = fmt::format("the deck's step {:.4g} is {:#.3g} times the limit dx/c = {:.4g}",
-                                        rule.deck_step, ratio, rule.first_limit);
+  const std::string above = fmt::format("the deck's step {:.4g} is {:#.3g} times the limit {} = {:.4g}", rule.deck_step,
+                                        ratio, rule.limit_name, rule.first_limit);
   if (rule.cfl == 0) return ratio > 1 + 1e-9 ? above + " and taken as it is (cfl = 0)" : "";
   const double limited = rule.cfl * rule.first_limit;
   return rule.deck_step > limited * (1 + 1e-9) ? fmt::format("{}: steps are limited to {:.4g}", above, limited) : "";
@@ -96,7 +98,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
                     "the rule dx/sqrt(E/rho) does not see: lower tstep or cfl",
                     rule.first_step(), rule.first_step() / rule.sharp_limit, rule.sharp_limit));
   }
-  if (scene.method.order == StressOrder::usl) {
+  if (scene.path == Path::mpm && scene.method.order == StressOrder::usl) {
     warnings.push_back("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
   }
   return warnings;
@@ -105,25 +107,58 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
 /// A step that is lost in the rounding of the time would never reach the end.
 void refuse_lost_steps(const Clock& clock, const StepRule& rule) {
   if (clock.tmax + rule.first_step() > clock.tmax) return;
-  throw InputError(fmt::format("steps of {:.3g} are lost against tmax = {:.6g}", rule.first_step(), clock.tmax),
-                   fmt::format("tstep is {:.3g}, the limit dx/c {:.3g}", rule.deck_step, rule.first_limit));
+  throw InputError(
+      fmt::format("steps of {:.3g} are lost against tmax = {:.6g}", rule.first_step(), clock.tmax),
+      fmt::format("tstep is {:.3g}, the limit {} {:.3g}", rule.deck_step, rule.limit_name, rule.first_limit));
+}
+
+void plan_points(const Scene& scene, Plan& plan) {
+  plan.step = step_rule(scene);
+  plan.terms = terms_of(scene);
+  plan.cost = cost_of(scene, plan.step);
+}
+
+void plan_solids(const Scene& scene, Plan& plan) {
+  plan.step = solid_step_rule(scene);
+  plan.terms = solid_terms(*scene.solids, scene.gravity);
+  plan.cost = solid_cost(scene, plan.step);
+}
+
+void plan_bars(const Scene& scene, Plan& plan) {
+  const BarMesh mesh = bars_of(scene);
+  plan.step = bar_step_rule(scene, mesh);
+  plan.terms = bar_terms(scene, mesh);
+  plan.cost = bar_cost(scene, mesh, plan.step);
+}
+
+/// What the scene is made of on its path, and on which grid.
+std::string head(const Scene& scene) {
+  if (scene.solids) return solid_head(*scene.solids);
+  if (runs_as_bars(scene)) return "path: fem (bars)\n";
+  return fmt::format("path: mpm (material points, {})\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
+                     scene.geometry == Geometry::plane ? "plane" : "axisymmetric", scene.grid.nx, scene.grid.ny,
+                     scene.grid.dx, scene.grid.dy);
 }
 
 }  // namespace
 
 double StepRule::limit(double gas_wave) const {
   const double fastest = std::max(solid_speed, gas_wave);
-  return fastest > 0 ? h / fastest : std::numeric_limits<double>::infinity();
+  return fastest > 0 ? std::min(element_limit, h / fastest) : element_limit;
 }
 
 double StepRule::within(double limit) const { return cfl == 0 ? deck_step : std::min(deck_step, cfl * limit); }
 
 Plan make_plan(Scene scene) {
   Plan plan;
-  plan.step = step_rule(scene);
+  if (scene.solids) {
+    plan_solids(scene, plan);
+  } else if (runs_as_bars(scene)) {
+    plan_bars(scene, plan);
+  } else {
+    plan_points(scene, plan);
+  }
   refuse_lost_steps(scene.clock, plan.step);
-  plan.terms = terms_of(scene);
-  plan.cost = cost_of(scene, plan.step);
   plan.warnings = warnings_of(scene, plan.step);
   plan.scene = std::move(scene);
   return plan;
@@ -131,9 +166,7 @@ Plan make_plan(Scene scene) {
 
 std::string to_text(const Plan& plan) {
   const Scene& scene = plan.scene;
-  std::string text = fmt::format("path: mpm (material points, {})\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
-                                 scene.geometry == Geometry::plane ? "plane" : "axisymmetric", scene.grid.nx,
-                                 scene.grid.ny, scene.grid.dx, scene.grid.dy);
+  std::string text = head(scene);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count, material_name(body.material));
@@ -146,8 +179,9 @@ std::string to_text(const Plan& plan) {
   for (const Term& term : plan.terms) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
-  text += fmt::format("step: {:.6g} at the start (deck {:.6g}, limit dx/c {:.6g}, cfl {:.3g})\n",
-                      plan.step.first_step(), plan.step.deck_step, plan.step.first_limit, plan.step.cfl);
+  text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
+                      runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
+                      plan.step.first_limit, plan.step.cfl);
   text += fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} s on one core\n",
                       plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds);
   for (const auto& warning : plan.warnings) text += fmt::format("warning: {}\n", warning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,17 +9,20 @@
 
 namespace tether {
 
-/// dt = min(deck's step, cfl h / c), c = sqrt(E / rho) for solids and strings, c + |v| for gas; cfl 0: the deck's step.
+/// dt = min(deck's step, cfl limit); cfl 0: the deck's step. The limit of material points is h / c, c = sqrt(E / rho)
+/// for solids and strings, c + |v| for gas; that of explicit elements is 2 over their highest frequency.
 struct StepRule {
   double deck_step = 0;    // [time]
   double cfl = 1;          // number
   double h = 0;            // smaller side of a cell [length]
   double solid_speed = 0;  // largest c of all but gas, constant in time [velocity]
-  double first_limit = 0;  // h / c at the start; infinite where nothing has a speed [time]
+  double first_limit = 0;  // at the start; infinite where nothing has a speed [time]
+  double element_limit = std::numeric_limits<double>::infinity();  // of explicit elements, constant in time [time]
+  const char* limit_name = "dx/c";                                 // what the limit is, for people
 
   double sharp_limit = 0;  // what pressure waves and viscosity allow; not part of the rule [time]
 
-  /// h / c while the fastest wave of the gas has this speed (0 without gas); infinite where nothing has a speed.
+  /// The limit while the fastest wave of the gas has this speed (0 without gas); infinite where nothing has a speed.
   double limit(double gas_wave) const;
   double step(double gas_wave) const { return within(limit(gas_wave)); }
   double first_step() const { return within(first_limit); }

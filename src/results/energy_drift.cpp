@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tether {
 namespace {
@@ -12,6 +13,18 @@ double largest_change(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value - values.front()));
   return largest;
+}
+
+/// The total energy less what came from outside, and with what damping took; a path without these columns has neither.
+std::vector<double> balance(const History& history) {
+  auto total = history.column("energy_total");
+  const auto names = history.layout.column_names();
+  for (const auto& [name, sign] : {std::pair("energy_outside", -1.0), std::pair("energy_damped", 1.0)}) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+    const auto values = history.column(name);
+    for (std::size_t k = 0; k < total.size(); ++k) total[k] += sign * values[k];
+  }
+  return total;
 }
 
 double exchanged_energy(const History& history) {
@@ -26,12 +39,12 @@ double exchanged_energy(const History& history) {
 
 double energy_drift(const History& history) {
   const double exchanged = exchanged_energy(history);
-  return exchanged > 0 ? largest_change(history.column("energy_total")) / exchanged : 0;
+  return exchanged > 0 ? largest_change(balance(history)) / exchanged : 0;
 }
 
 double energy_rise(const History& history) {
   const double exchanged = exchanged_energy(history);
-  const auto total = history.column("energy_total");
+  const auto total = balance(history);
   return exchanged > 0 ? (*std::max_element(total.begin(), total.end()) - total.front()) / exchanged : 0;
 }
 

@@ -5,8 +5,8 @@
 
 namespace tether {
 
-/// Largest change of the total energy (nothing outside does work on these scenes), over the largest energy that was
-/// exchanged: the largest change of any one kind. 0 where nothing was exchanged.
+/// Largest change of the total energy less the work done from outside and with what damping took, over the largest
+/// energy that was exchanged: the largest change of any one kind. 0 where nothing was exchanged.
 double energy_drift(const History& history);
 
 /// Largest rise of the total energy over the start, over the largest energy that was exchanged.

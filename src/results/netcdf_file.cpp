@@ -90,6 +90,10 @@ int NetcdfFile::number_variable(const std::string& name, const std::vector<int>&
   return define(name, NC_DOUBLE, dimensions);
 }
 
+int NetcdfFile::integer_variable(const std::string& name, const std::vector<int>& dimensions) {
+  return define(name, NC_INT, dimensions);
+}
+
 int NetcdfFile::text_variable(const std::string& name, const std::vector<int>& dimensions) {
   return define(name, NC_CHAR, dimensions);
 }

@@ -36,8 +36,9 @@ class NetcdfFile {
   /// Definitions; they return the identifier of the dimension or variable. A variable's dimensions are listed slowest
   /// first.
   int dimension(const std::string& name, std::size_t length);
-  int number_variable(const std::string& name, const std::vector<int>& dimensions);  ///< of 8-byte floating point
-  int text_variable(const std::string& name, const std::vector<int>& dimensions);    ///< of single characters
+  int number_variable(const std::string& name, const std::vector<int>& dimensions);   ///< of 8-byte floating point
+  int integer_variable(const std::string& name, const std::vector<int>& dimensions);  ///< of 4 bytes; put as numbers
+  int text_variable(const std::string& name, const std::vector<int>& dimensions);     ///< of single characters
   void attribute(int variable, const std::string& name, std::string_view text);
   void global_attribute(const std::string& name, std::string_view text);
   /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.

@@ -61,6 +61,7 @@ ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLay
       history_(folder_, layout, provenance),
       points_(folder_, provenance),
       grid_(folder_, provenance),
+      mesh_(folder_, provenance),
       messages_(folder_ / "messages.txt") {}
 
 std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::path& folder, const std::string& name) {
@@ -82,6 +83,8 @@ void ResultFolder::points(const Snapshot& snapshot) { points_.append(snapshot); 
 
 void ResultFolder::grid(const BackgroundGrid& grid, const Snapshot& snapshot) { grid_.append(grid, snapshot); }
 
+void ResultFolder::mesh(const Mesh& mesh, const Snapshot& snapshot) { mesh_.append(mesh, snapshot); }
+
 void ResultFolder::message(const std::string& text) {
   const bool ended = !text.empty() && text.back() == '\n';
   messages_.append(ended ? text : text + '\n');
@@ -95,6 +98,7 @@ void ResultFolder::finish(const Summary& summary) {
   history_.close();
   points_.close();
   grid_.close();
+  mesh_.close();
   write_summary(folder_ / "summary.txt", summary,
                 {fmt::format("tether {} {}", program_version(), git_hash()), command_});
 }

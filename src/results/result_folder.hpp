@@ -5,7 +5,9 @@
 #include <string>
 
 #include "grid/background_grid.hpp"
+#include "grid/mesh.hpp"
 #include "results/history_writer.hpp"
+#include "results/mesh_writer.hpp"
 #include "results/results.hpp"
 #include "results/snapshot_writer.hpp"
 #include "results/text_file.hpp"
@@ -34,6 +36,7 @@ class ResultFolder {
   void append(const Record& record);                                ///< history.nc and history.txt
   void points(const Snapshot& snapshot);                            ///< particles.nc and particles.xmf
   void grid(const BackgroundGrid& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
+  void mesh(const Mesh& mesh, const Snapshot& snapshot);            ///< the same, of finite elements
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
   void reference(const Table& table);            ///< reference.txt
@@ -48,6 +51,7 @@ class ResultFolder {
   HistoryWriter history_;
   PointWriter points_;
   GridWriter grid_;
+  MeshWriter mesh_;
   TextFile messages_;
 };
 

@@ -23,20 +23,25 @@ std::size_t product(const std::vector<Axis>& axes) {
                          [](std::size_t n, const Axis& axis) { return n * axis.length; });
 }
 
-std::size_t definition_room(const std::vector<Axis>& axes, const Snapshot& first, const Provenance& provenance) {
+std::size_t definition_room(const std::vector<Axis>& axes, const Snapshot& first, const Provenance& provenance,
+                            const std::vector<FixedNumbers>& fixed) {
   std::size_t room = provenance_room(provenance) + room_per_file;
   room += (first.fields.size() + axes.size() + 1) * room_per_variable;
   for (const auto& axis : axes) room += axis.places.size() * sizeof(double);
+  for (const auto& numbers : fixed) room += room_per_variable + numbers.values.size() * sizeof(int);
   return room;
 }
 
 }  // namespace
 
 SnapshotFile::SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first,
-                           const Provenance& provenance)
+                           const Provenance& provenance, std::vector<FixedNumbers> fixed,
+                           std::vector<std::pair<std::string, std::string>> of_each_field)
     : axes_(std::move(axes)),
+      fixed_(std::move(fixed)),
+      of_each_field_(std::move(of_each_field)),
       values_(product(axes_)),
-      file_(std::move(path), NetcdfFormat::netcdf4, definition_room(axes_, first, provenance)) {
+      file_(std::move(path), NetcdfFormat::netcdf4, definition_room(axes_, first, provenance, fixed_)) {
   define(first, provenance);
 }
 
@@ -56,14 +61,32 @@ void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
   for (const auto& field : first.fields) {
     names_.push_back(field.quantity.name);
     variables_.push_back(define_quantity(file_, field.quantity, dimensions, provenance.units));
+    for (const auto& [name, text] : of_each_field_) file_.attribute(variables_.back(), name, text);
     file_.chunk(variables_.back(), chunk);
   }
+  const std::vector<int> fixed = define_fixed();
   file_.end_definitions();
+  for (std::size_t k = 0; k < fixed.size(); ++k) {
+    NetcdfFile::Part whole;
+    for (const auto& axis : fixed_[k].axes) whole.start.push_back(0), whole.count.push_back(axis.length);
+    file_.put(fixed[k], whole, fixed_[k].values);
+  }
   auto place = places.begin();
   for (const auto& axis : axes_) {
     if (!axis.places.empty()) file_.put(*place++, {{0}, {axis.length}}, axis.places);
   }
   file_.sync();
+}
+
+std::vector<int> SnapshotFile::define_fixed() {
+  std::vector<int> variables;
+  for (const auto& numbers : fixed_) {
+    std::vector<int> dimensions;
+    for (const auto& axis : numbers.axes) dimensions.push_back(file_.dimension(axis.name, axis.length));
+    variables.push_back(file_.integer_variable(numbers.name, dimensions));
+    for (const auto& [name, text] : numbers.attributes) file_.attribute(variables.back(), name, text);
+  }
+  return variables;
 }
 
 void SnapshotFile::check(const Snapshot& snapshot) const {

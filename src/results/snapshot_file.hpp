@@ -17,12 +17,23 @@ struct Axis {
   std::vector<double> places;  ///< none, or as many as the length: then a coordinate variable of the axis' name
 };
 
+/// Whole numbers that no record changes, and what they are: a mesh's nodes of its elements.
+struct FixedNumbers {
+  std::string name;
+  std::vector<Axis> axes;  ///< slowest first
+  std::vector<double> values;
+  std::vector<std::pair<std::string, std::string>> attributes;
+};
+
 /// A NetCDF-4 file of fields over `time` (unlimited) and the given axes, slowest first. Which fields there are, and how
 /// long they are, is settled by the first snapshot.
 class SnapshotFile {
  public:
-  /// Creates the file and defines the fields of `first` without writing their values. Throws FileError.
-  SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first, const Provenance& provenance);
+  /// Creates the file and defines the fields of `first`, each with the attributes `of_each_field`, without writing
+  /// their values; writes what is fixed. Throws FileError.
+  SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first, const Provenance& provenance,
+               std::vector<FixedNumbers> fixed = {},
+               std::vector<std::pair<std::string, std::string>> of_each_field = {});
   /// One more record, with the system before this returns. Throws FileError, and the records before stay readable;
   /// std::invalid_argument where the fields are not those of the first snapshot.
   void append(const Snapshot& snapshot);
@@ -30,9 +41,12 @@ class SnapshotFile {
 
  private:
   void define(const Snapshot& first, const Provenance& provenance);
+  std::vector<int> define_fixed();
   void check(const Snapshot& snapshot) const;
 
   std::vector<Axis> axes_;
+  std::vector<FixedNumbers> fixed_;
+  std::vector<std::pair<std::string, std::string>> of_each_field_;
   std::size_t values_;  ///< numbers of one field: the product of the axes' lengths
   NetcdfFile file_;
   int time_ = -1;

@@ -76,4 +76,30 @@ std::string xdmf_grid(const XdmfSeries& series, const BackgroundGrid& grid) {
   });
 }
 
+namespace {
+
+const char* topology_name(ElementKind kind) {
+  constexpr const char* names[] = {"Quadrilateral", "Quadrilateral_9", "Triangle",
+                                   "Hexahedron",    "Hexahedron_27",   "Tetrahedron"};
+  return names[static_cast<int>(kind)];
+}
+
+}  // namespace
+
+std::string xdmf_mesh(const XdmfSeries& series, const Mesh& mesh) {
+  const std::size_t nodes = mesh.node_count(), elements = mesh.element_count();
+  const Layout layout{{nodes}, {nodes}};
+  const auto shape = fmt::format("{} {}", elements, node_count_of(mesh.kind));
+  return collection(series, layout, [&](std::size_t record) {
+    std::string text = fmt::format(
+        "<Topology TopologyType=\"{}\" NumberOfElements=\"{}\">\n<DataItem Dimensions=\"{}\" NumberType=\"Int\" "
+        "Format=\"HDF\">{}:/element_nodes</DataItem>\n</Topology>\n<Geometry GeometryType=\"{}\">\n",
+        topology_name(mesh.kind), elements, shape, series.file, mesh.dim() == 2 ? "X_Y" : "X_Y_Z");
+    for (const char* axis : {"x", "y", "z"}) {
+      if (mesh.dim() == 3 || *axis != 'z') text += record_item(series, axis, record, layout);
+    }
+    return text + "</Geometry>\n";
+  });
+}
+
 }  // namespace tether

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grid/background_grid.hpp"
+#include "grid/mesh.hpp"
 #include "results/results.hpp"
 
 namespace tether {
@@ -22,5 +23,9 @@ std::string xdmf_points(const XdmfSeries& series, std::size_t points);
 
 /// The same for fields over time, node_y, node_x on the nodes of a background grid.
 std::string xdmf_grid(const XdmfSeries& series, const BackgroundGrid& grid);
+
+/// The same for fields over time and the nodes of a mesh of finite elements, drawn at the fields x, y (and z); the file
+/// has their nodes as `element_nodes`, in the order of vtk_order().
+std::string xdmf_mesh(const XdmfSeries& series, const Mesh& mesh);
 
 }  // namespace tether

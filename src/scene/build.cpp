@@ -8,10 +8,12 @@
 
 #include "scene/axis.hpp"
 #include "scene/bodies.hpp"
+#include "scene/fem_checks.hpp"
 #include "scene/membranes.hpp"
 #include "scene/memory.hpp"
 #include "scene/outputs.hpp"
 #include "scene/reference.hpp"
+#include "scene/solids_of_deck.hpp"
 
 namespace tether {
 namespace {
@@ -32,7 +34,7 @@ Walls walls_of(const Deck& deck) {
   return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
 }
 
-Clock clock_of(const Deck& deck, Diagnostics& diagnostics) {
+Clock clock_of(const Deck& deck, Path path, Diagnostics& diagnostics) {
   const double tstep = deck.real("in", "tstep");
   const double dtmax = deck.given("in", "dtmax") ? deck.real("in", "dtmax") : tstep;
   if (tstep > dtmax) {
@@ -41,7 +43,7 @@ Clock clock_of(const Deck& deck, Diagnostics& diagnostics) {
                     fmt::format("tstep = {:.6g} is above dtmax = {:.6g}: steps are no longer than dtmax", tstep, dtmax),
                     "write dtmax, too"));
   }
-  return {deck.real("in", "tmax"), std::min(tstep, dtmax), cfl_of(deck)};
+  return {deck.real("in", "tmax"), std::min(tstep, dtmax), path == Path::fem ? deck.real("fem", "cfl") : cfl_of(deck)};
 }
 
 /// Whether nodes from low to high are told apart in floating point, and 1/dx too.
@@ -102,8 +104,9 @@ double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics
 
 }  // namespace
 
-Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Diagnostics& diagnostics) {
+Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Path path, Diagnostics& diagnostics) {
   Scene scene;
+  scene.path = path;
   check_axis(deck, diagnostics);
   if (!check_axes(deck, diagnostics)) return scene;
   scene.title = title_of(deck);
@@ -114,11 +117,18 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   scene.geometry = geometry_of(deck);
   scene.walls = walls_of(deck);
   scene.gravity = deck.real("in", "gravc");
-  scene.clock = clock_of(deck, diagnostics);
+  scene.clock = clock_of(deck, path, diagnostics);
   scene.method = method_of(deck, diagnostics);
-  add_bodies(deck, particles, scene, diagnostics);
+  if (path == Path::fem) scene.method.membrane_strain = MembraneStrain::element;  // bars, whose nodes a pin holds
+  if (deck.has_group("mesh")) {
+    add_solids(deck, scene, diagnostics);
+  } else {
+    add_bodies(deck, particles, scene, diagnostics);
+    if (path == Path::fem) check_fem(deck, particles, scene, diagnostics);
+  }
   scene.ambient = ambient_of(deck, scene, diagnostics);
   scene.outputs = outputs_of(deck, scene, diagnostics);
+  drop_grid_outputs(deck, scene, diagnostics);
   scene.reference = reference_of(deck, scene, diagnostics);
   return scene;
 }

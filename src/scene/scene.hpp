@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,11 @@
 #include "laws/materials/material.hpp"
 #include "laws/walls/walls.hpp"
 #include "scene/method.hpp"
+#include "scene/path.hpp"
 
 namespace tether {
+
+struct Solids;
 
 /// Initial state of material points, one array a property, all of one length.
 struct PointSet {
@@ -51,6 +55,7 @@ struct OutputIntervals {
 /// What the user asked for, without a word on how it is computed: values only, no files, no deck, no solver.
 struct Scene {
   std::string title;
+  Path path = Path::mpm;
   Units units = Units::none;
   BackgroundGrid grid;
   Geometry geometry = Geometry::plane;
@@ -58,9 +63,10 @@ struct Scene {
   double gravity = 0;  // acceleration in y [length/time2]
   PointSet points;
   std::vector<Body> bodies;
-  std::vector<std::size_t> tracked;  ///< points whose paths are recorded
-  std::vector<std::size_t> pinned;   ///< points that a pin holds where they are
-  double ambient = 0;                ///< pressure outside membranes that enclose gas [stress]
+  std::shared_ptr<const Solids> solids;  ///< elastic bodies on a mesh, which has no points
+  std::vector<std::size_t> tracked;      ///< points whose paths are recorded
+  std::vector<std::size_t> pinned;       ///< points that a pin holds where they are
+  double ambient = 0;                    ///< pressure outside membranes that enclose gas [stress]
   Clock clock;
   Method method;
   OutputIntervals outputs;

@@ -106,6 +106,7 @@ class Runner {
     warn_of_what_looks_wrong(comparison);
     if (!comparison.exact.names.empty()) outputs_.folder().reference(comparison.exact);
     Summary summary = summary_of_run();
+    for (auto& line : solver_->more_summary()) summary.push_back(std::move(line));
     for (auto& line : summary_of(comparison)) summary.push_back(std::move(line));
     outputs_.folder().finish(summary);
     return {std::move(summary), outputs_.history()};
@@ -136,7 +137,7 @@ class Runner {
     const RunCounts counts = solver_->counts();
     const double cpu = clocks_.cpu_seconds();
     const auto number = [](auto value) { return fmt::format("{}", value); };
-    return {{"path", "mpm"},
+    return {{"path", path_name(plan_.scene.path)},
             {"steps", number(counts.steps)},
             {"points", number(counts.points)},
             {"cells_active", number(counts.cells_active)},

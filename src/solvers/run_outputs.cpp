@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "scene/solids.hpp"
 
 namespace tether {
 namespace {
@@ -90,8 +91,9 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   note(fmt::format("goes on from {} at t = {:.6g}", request_.restart.string(), checkpoint.time));
   last_points_ = solver_.points();
   const std::string run = sha256(checkpoint.deck_effective);
-  take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run},
-            [this](const Snapshot& snapshot) { write_points(snapshot); });
+  if (!last_points_.fields.empty())
+    take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run},
+              [this](const Snapshot& snapshot) { write_points(snapshot); });
   take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
             [this](const Snapshot& snapshot) { write_grid(snapshot); });
 }
@@ -126,6 +128,7 @@ void RunOutputs::write_points() {
 }
 
 void RunOutputs::write_points(const Snapshot& snapshot) {
+  if (snapshot.fields.empty()) return;  // a path without points
   folder_.points(snapshot);
   ++point_snapshots_;
 }
@@ -135,7 +138,10 @@ void RunOutputs::write_grid() {
 }
 
 void RunOutputs::write_grid(const Snapshot& snapshot) {
-  folder_.grid(plan_.scene.grid, snapshot);
+  if (plan_.scene.solids)
+    folder_.mesh(plan_.scene.solids->mesh, snapshot);
+  else
+    folder_.grid(plan_.scene.grid, snapshot);
   ++grid_snapshots_;
 }
 

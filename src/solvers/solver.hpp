@@ -38,6 +38,8 @@ class Solver {
   /// throws FileError where the saved state is not of this path and scene.
   virtual SavedState save() const = 0;
   virtual void restore(const SavedState& saved) = 0;
+  /// What the path tells in summary.txt beside what all paths do.
+  virtual Summary more_summary() const { return {}; }
   /// Warnings that came up since the last call.
   virtual std::vector<std::string> take_messages() = 0;
 };

@@ -46,7 +46,8 @@ bool is_whole(const std::filesystem::path& folder, std::map<std::string, std::st
 std::string run_key(const Deck& deck) {
   Diagnostics of_the_run;  // which meets them itself, and fails with them
   const auto particles = load_particles(deck, std::nullopt, of_the_run);
-  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(), effective_text(deck, particles)));
+  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(),
+                            effective_text(deck, particles, path_of(deck, "", of_the_run))));
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key) {

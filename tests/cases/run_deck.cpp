@@ -16,7 +16,7 @@ DeckRun run_deck(const std::string& name, const std::vector<std::string>& overri
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto folder = std::filesystem::path(testing::TempDir()) /
                       ("tether-" + std::to_string(getpid()) + "-" + test->name() + "-" + name);
-  const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {overrides, "", "mpm"});
+  const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {overrides, "", ""});
   RunRequest request;
   request.folder = folder;
   request.deck_effective = loaded.effective;

@@ -77,7 +77,8 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
 }
 
 TEST(Variables, GroupsInTheirOrder) {
-  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "study"}));
+  EXPECT_EQ(group_names(),
+            (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "mesh", "fem", "study"}));
 }
 
 }  // namespace

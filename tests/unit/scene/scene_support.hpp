@@ -30,7 +30,7 @@ inline Built build(const std::string& text, const std::vector<std::string>& over
   Built built;
   const Deck deck = read_deck(text, "a.in", overrides, built.diagnostics);
   const auto particles = load_particles(deck, std::nullopt, built.diagnostics);
-  built.scene = build_scene(deck, particles, built.diagnostics);
+  built.scene = build_scene(deck, particles, Path::mpm, built.diagnostics);
   return built;
 }
 

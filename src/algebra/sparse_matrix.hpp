@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tether {
+
+/// Square sparse matrix by compressed columns, the rows of a column ascending.
+struct SparseMatrix {
+  std::int64_t n = 0;
+  std::vector<std::int64_t> start;  ///< n + 1: where each column begins in row and value
+  std::vector<std::int64_t> row;
+  std::vector<double> value;
+
+  void set_zero();
+  /// y = A x, both of n numbers.
+  void multiply(std::span<const double> x, std::span<double> y) const;
+};
+
+/// The matrix of a mesh whose nodes have `dim` unknowns each, dim A .. dim A + dim - 1, and couple with the nodes of
+/// their elements; and where each element's numbers stand in it, so that an assembly neither searches nor allocates.
+class NodalPattern {
+ public:
+  /// `nodes` has the nodes of the elements, `per_element` each.
+  NodalPattern(int dim, std::size_t node_count, std::span<const int> nodes, int per_element);
+
+  /// A matrix of this pattern, all zero.
+  SparseMatrix matrix() const;
+  /// Adds an element's matrix k (row-major, dim per_element squared; unknown dim a + i of its a-th node) to A.
+  void add(std::size_t element, std::span<const double> k, SparseMatrix& A) const;
+
+ private:
+  int dim_, per_element_;
+  std::span<const int> nodes_;
+  std::vector<std::int64_t> start_, row_;
+  std::vector<std::int32_t> rank_;  // of node a among those that couple with node b, for each pair of an element
+};
+
+/// Makes rows and columns of the unknowns marked `held` those of `diagonal` times the identity.
+void hold(SparseMatrix& A, const std::vector<std::uint8_t>& held, double diagonal);
+
+}  // namespace tether

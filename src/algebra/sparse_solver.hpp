@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "algebra/sparse_matrix.hpp"
+
+namespace tether {
+
+/// What is known of a matrix. `positive` is a guess: where the factorisation finds it wrong, the general one is used.
+enum class Definite { positive, general };
+
+/// Direct solution of A x = b: Cholesky (CHOLMOD, the lower triangle of A) for symmetric positive definite matrices, LU
+/// (UMFPACK) for others. The symbolic analysis is kept while matrices have the pattern of the one before.
+class SparseSolver {
+ public:
+  SparseSolver();
+  ~SparseSolver();
+  SparseSolver(SparseSolver&&) noexcept;
+  SparseSolver& operator=(SparseSolver&&) noexcept;
+
+  /// False where A is singular to working precision. Throws RunError where memory does not do.
+  bool factorise(const SparseMatrix& A, Definite definite);
+  /// x of the matrix factorised last; b and x may be the same.
+  void solve(std::span<const double> b, std::span<double> x);
+
+  double factor_nonzeros() const;   ///< of the last factorisation, L or L and U
+  double analysis_seconds() const;  ///< of all symbolic analyses so far [s]
+  std::string method() const;       ///< "cholesky" or "lu", of the last factorisation
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tether

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "deck/variable_groups.hpp"
+
+namespace tether {
+namespace {
+
+using bounds::above_zero;
+using bounds::none;
+using enum ValueType;
+constexpr int nr = region_count, nl = load_count, nt = table_count;
+
+// group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
+constexpr std::array rows{
+    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, "q1|q2|p1", "'q1'",
+             "Elements of all regions: quadrilaterals or hexahedra of order 1 or 2, triangles or tetrahedra."},
+    Variable{"mesh", "cells", integer, 2, 3, nr, "", 1, 100000, "", "1",
+             "Cells of region r along its first edge (vertex 1 to 2), its second (2 to 3) and z."},
+    Variable{"mesh", "grading", real, 2, 3, nr, "", above_zero, none, "", "1.0",
+             "Last cell over first along the same; sizes grow by a constant ratio."},
+    Variable{"mesh", "z", real, 2, 2, nr, "length", -none, none, "", "",
+             "Lowest and highest z of region r; with them the mesh is three-dimensional."},
+    Variable{"mesh", "edge", text, 2, 4, nr, "", -none, none, "line|arc|ellipse", "'line'",
+             "Shape of edge k of region r, from vertex k to the next: an arc about a centre goes the shorter way."},
+    Variable{"mesh", "edge_xc", real, 2, 4, nr, "length", -none, none, "", "0.0", "x of the centre of a curved edge."},
+    Variable{"mesh", "edge_yc", real, 2, 4, nr, "length", -none, none, "", "0.0", "y of the centre of a curved edge."},
+    Variable{"mesh", "edge_a", real, 2, 4, nr, "length", above_zero, none, "", "", "Half axis in x of an ellipse."},
+    Variable{"mesh", "edge_b", real, 2, 4, nr, "length", above_zero, none, "", "", "Half axis in y of an ellipse."},
+    Variable{"mesh", "side", text, 2, 6, nr, "", -none, none, "", "''",
+             "Names of region r's sides on edges 1 to 4, at the lowest and at the highest z. Several sides may share a "
+             "name; each is also '<r>.bottom', '.right', '.top', '.left', '.back', '.front' in that order."},
+    Variable{"mesh", "tracked_z", real, 1, tracked_at_count, 1, "length", -none, none, "", "0.0",
+             "z of the place tracked_at(:,k) of $points."},
+    Variable{"fem", "integrator", text, 0, 1, 1, "", -none, none, "energy|midpoint|trapezoid|central", "'energy'",
+             "Time step of solids: the discrete gradient, which keeps energy and momenta at any step, the mid-point "
+             "rule, Newmark's trapezoidal rule, or central differences (explicit, lumped masses)."},
+    Variable{"fem", "static", logical, 0, 1, 1, "", -none, none, "", ".false.",
+             "Whether each step is an equilibrium with the loads of its end, without inertia; loads and prescribed "
+             "displacements without a table then grow in proportion to time, to their full size at tmax."},
+    Variable{"fem", "law", text, 1, nr, 1, "", -none, none, "linear|svk|neo-hookean|fibre", "'svk'",
+             "Law of region r: small strains, St Venant-Kirchhoff, compressible neo-Hookean, all by matr(1,r) = E and "
+             "matr(2,r) = nu in plane strain (ipath(4,r) = 0), plane stress (2) or space; or a hoop fibre of modulus "
+             "matr(1,r)."},
+    Variable{"fem", "volumetric", text, 1, nr, 1, "", -none, none, "log|square|mixed", "'log'",
+             "What a neo-Hookean body's change of volume costs: lambda/2 ln(J)^2, lambda/2 (J-1)^2 or lambda/4 (J^2 - "
+             "1 - 2 ln J)."},
+    Variable{"fem", "fibre_x", real, 1, nr, 1, "length", -none, none, "", "0.0",
+             "x of the axis that the fibres of region r go around."},
+    Variable{"fem", "fibre_y", real, 1, nr, 1, "length", -none, none, "", "0.0", "y of that axis."},
+    Variable{"fem", "vrz", real, 1, nr, 1, "velocity", -none, none, "", "0.0",
+             "Velocity of region r in z at the start, beside vrx and vry of $reg."},
+    Variable{"fem", "spin", real, 2, 3, nr, "1/time", -none, none, "", "0.0",
+             "Angular velocity of region r about its centre of mass at the start; in the plane the third counts."},
+    Variable{"fem", "settle", logical, 0, 1, 1, "", -none, none, "", ".false.",
+             "Whether the run starts in equilibrium with the loads of t = 0."},
+    Variable{"fem", "load_on", text, 1, nl, 1, "", -none, none, "", "",
+             "Side that load k acts on, force per area of the shape at the start, or 'region r', force per volume."},
+    Variable{"fem", "load", real, 2, 3, nl, "stress", -none, none, "", "0.0",
+             "Components of load k, which keep their direction."},
+    Variable{"fem", "load_time", real, 2, nt, nl, "time", -none, none, "", "",
+             "Ascending times of load k's table; between them the factor is linear, outside constant."},
+    Variable{"fem", "load_factor", real, 2, nt, nl, "", -none, none, "", "", "Factors of load k at these times."},
+    Variable{"fem", "fix_on", text, 1, nl, 1, "", -none, none, "", "", "Side whose nodes support k holds or moves."},
+    Variable{"fem", "fix", real, 2, 3, nl, "length", -none, none, "", "",
+             "Displacement that support k prescribes in x, y, z; a direction that is not given stays free."},
+    Variable{"fem", "fix_time", real, 2, nt, nl, "time", -none, none, "", "",
+             "Ascending times of support k's table, as load_time."},
+    Variable{"fem", "fix_factor", real, 2, nt, nl, "", -none, none, "", "", "Factors of its displacement."},
+    Variable{"fem", "alpha", real, 0, 1, 1, "1/time", 0, none, "", "0.0", "Damping in proportion to the mass."},
+    Variable{"fem", "beta", real, 0, 1, 1, "time", 0, none, "", "0.0",
+             "Damping in proportion to the stiffness of the shape at the start."},
+    Variable{"fem", "tolerance", real, 0, 1, 1, "", 1e-14, 1e-3, "", "1e-11",
+             "Of Newton's method: the forces' residual over the largest of them."},
+    Variable{"fem", "cfl", real, 0, 1, 1, "", 0, none, "", "0.9",
+             "Factor of the step limit of explicit steps, 2 over the highest frequency; 0 takes the deck's step as it "
+             "is."},
+};
+
+}  // namespace
+
+std::span<const Variable> fem_variables() { return rows; }
+
+}  // namespace tether

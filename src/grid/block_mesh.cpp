@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid/block_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "grid/element_sides.hpp"
+#include "grid/joined_nodes.hpp"
+
+namespace tether {
+namespace {
+
+using Place = std::array<double, 2>;
+
+/// Part of the length at which line k of n cells stands whose sizes grow by a constant ratio, from first to last by
+/// `grading`; a half-integer k is the middle of a cell.
+double graded(double k, int n, double grading) {
+  if (n == 1 || grading == 1) return k / n;
+  const double ratio = std::pow(grading, 1.0 / (n - 1));
+  const double whole = std::floor(k), part = k - whole;
+  const auto up_to = [&](double cells) { return (std::pow(ratio, cells) - 1) / (std::pow(ratio, n) - 1); };
+  return (1 - part) * up_to(whole) + part * up_to(whole + 1);
+}
+
+/// Transfinite interpolation (W. J. Gordon and C. A. Hall, Int. J. Numer. Meth. Engng 7 (1973) 461-477).
+Place mapped(const Block& block, double s, double t) {
+  const Place bottom = block.edges[0](s), right = block.edges[1](t), top = block.edges[2](1 - s),
+              left = block.edges[3](1 - t);
+  const Place c0 = block.edges[0](0), c1 = block.edges[1](0), c2 = block.edges[2](0), c3 = block.edges[3](0);
+  Place at;
+  for (std::size_t i = 0; i < 2; ++i) {
+    at[i] = (1 - t) * bottom[i] + s * right[i] + t * top[i] + (1 - s) * left[i] -
+            ((1 - s) * (1 - t) * c0[i] + s * (1 - t) * c1[i] + s * t * c2[i] + (1 - s) * t * c3[i]);
+  }
+  return at;
+}
+
+/// The lattice of one block's nodes, from 0.
+class Lattice {
+ public:
+  Lattice(const Block& block, ElementKind kind) : block_(block), p_(order_of(kind)), dim_(dimension_of(kind)) {
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      lines_[axis] = k < dim_ ? p_ * block.cells[axis] + 1 : 1;
+    }
+  }
+  int node(int i, int j, int k) const { return i + lines_[0] * (j + lines_[1] * k); }
+  /// Appends the places of all nodes.
+  void add_places(std::vector<double>& x) const {
+    for (int k = 0; k < lines_[2]; ++k) {
+      for (int j = 0; j < lines_[1]; ++j) {
+        for (int i = 0; i < lines_[0]; ++i) {
+          const Place at = mapped(block_, part(i, 0), part(j, 1));
+          x.insert(x.end(), at.begin(), at.end());
+          if (dim_ == 3) x.push_back(block_.z_low + part(k, 2) * (block_.z_high - block_.z_low));
+        }
+      }
+    }
+  }
+  /// Nodes of the box element at cell (i, j, k).
+  std::vector<int> box(int i, int j, int k) const {
+    std::vector<int> nodes;
+    for (int c = 0; c <= (dim_ == 3 ? p_ : 0); ++c) {
+      for (int b = 0; b <= p_; ++b) {
+        for (int a = 0; a <= p_; ++a) nodes.push_back(node(p_ * i + a, p_ * j + b, p_ * k + c));
+      }
+    }
+    return nodes;
+  }
+
+ private:
+  double part(int line, std::size_t axis) const {
+    return graded(static_cast<double>(line) / p_, block_.cells[axis], block_.grading[axis]);
+  }
+  const Block& block_;
+  int p_, dim_;
+  std::array<int, 3> lines_{};
+};
+
+/// Six tetrahedra about the diagonal of a box, two triangles in the plane: neighbours' diagonals meet.
+constexpr int triangles[2][3] = {{0, 1, 3}, {0, 3, 2}};
+constexpr int tetrahedra[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
+
+void add_elements(const std::vector<int>& box, int first, int region, Mesh& mesh) {
+  const auto add = [&](const int* of_box, int count) {
+    for (int a = 0; a < count; ++a) mesh.nodes.push_back(first + box[static_cast<std::size_t>(of_box ? of_box[a] : a)]);
+    mesh.region.push_back(region);
+  };
+  if (mesh.kind == ElementKind::tri3) {
+    for (const auto& corners : triangles) add(corners, 3);
+  } else if (mesh.kind == ElementKind::tet4) {
+    for (const auto& corners : tetrahedra) add(corners, 4);
+  } else {
+    add(nullptr, node_count_of(mesh.kind));
+  }
+}
+
+void add_block(const Block& block, int region, Mesh& mesh) {
+  const auto first = static_cast<int>(mesh.node_count());
+  const Lattice lattice(block, mesh.kind);
+  lattice.add_places(mesh.x);
+  for (int k = 0; k < (mesh.dim() == 3 ? block.cells[2] : 1); ++k) {
+    for (int j = 0; j < block.cells[1]; ++j) {
+      for (int i = 0; i < block.cells[0]; ++i) add_elements(lattice.box(i, j, k), first, region, mesh);
+    }
+  }
+}
+
+/// Which of the block's six sides all these nodes lie on, as numbers of Block::names; -1 for none. Nodes of a block are
+/// consecutive and stand on its lattice.
+int side_number(const Block& block, ElementKind kind, const int* nodes, int count, int first) {
+  const int p = order_of(kind), dim = dimension_of(kind);
+  const int nx = p * block.cells[0] + 1, ny = p * block.cells[1] + 1, nz = dim == 3 ? p * block.cells[2] + 1 : 1;
+  bool on[6] = {true, true, true, true, dim == 3, dim == 3};
+  for (int a = 0; a < count; ++a) {
+    const int at = nodes[a] - first, i = at % nx, j = at / nx % ny, k = at / nx / ny;
+    on[0] &= j == 0, on[1] &= i == nx - 1, on[2] &= j == ny - 1, on[3] &= i == 0, on[4] &= k == 0, on[5] &= k == nz - 1;
+  }
+  const auto number = std::find(on, on + 6, true) - on;
+  return number < 6 ? static_cast<int>(number) : -1;
+}
+
+constexpr const char* own_names[6] = {"bottom", "right", "top", "left", "back", "front"};
+
+/// Sides of one block by their names, before its nodes are joined with those of others.
+using NamedSides = std::vector<std::pair<std::string, std::vector<int>>>;
+
+NamedSides named_sides(const std::vector<Block>& blocks, const Mesh& mesh, const std::vector<int>& first_node) {
+  const int per_side = side_node_count_of(mesh.kind);
+  NamedSides named;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto b = static_cast<std::size_t>(mesh.region[e]);
+    Sides sides;
+    add_sides(mesh.kind, mesh.element(e), sides);
+    for (std::size_t s = 0; s < sides.size(); s += static_cast<std::size_t>(per_side)) {
+      const int number = side_number(blocks[b], mesh.kind, &sides[s], per_side, first_node[b]);
+      if (number < 0) continue;
+      const auto begin = sides.begin() + static_cast<std::ptrdiff_t>(s);
+      const std::vector<int> nodes(begin, begin + per_side);
+      named.emplace_back(fmt::format("{}.{}", b + 1, own_names[number]), nodes);
+      const std::string& given = blocks[b].names[static_cast<std::size_t>(number)];
+      if (!given.empty()) named.emplace_back(given, nodes);
+    }
+  }
+  return named;
+}
+
+}  // namespace
+
+EdgeCurve straight(Place from, Place to) {
+  return [=](double s) -> Place { return {(1 - s) * from[0] + s * to[0], (1 - s) * from[1] + s * to[1]}; };
+}
+
+EdgeCurve elliptic(Place from, Place to, Place centre, double a, double b) {
+  const auto angle = [&](const Place& at) { return std::atan2((at[1] - centre[1]) / b, (at[0] - centre[0]) / a); };
+  const double begin = angle(from);
+  const double turn = std::remainder(angle(to) - begin, 2 * std::numbers::pi);
+  return [=](double s) -> Place {
+    if (s == 0) return from;
+    if (s == 1) return to;
+    return {centre[0] + a * std::cos(begin + s * turn), centre[1] + b * std::sin(begin + s * turn)};
+  };
+}
+
+Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vector<MeshFlaw>& flaws) {
+  Mesh mesh;
+  mesh.kind = kind;
+  std::vector<int> first_node;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    first_node.push_back(static_cast<int>(mesh.node_count()));
+    add_block(blocks[b], static_cast<int>(b), mesh);
+  }
+  NamedSides named = named_sides(blocks, mesh, first_node);
+  const std::vector<int> renumbered = join_nodes(mesh);
+  for (auto& [name, nodes] : named) {
+    for (int& node : nodes) node = renumbered[static_cast<std::size_t>(node)];
+    mesh.sides[name].insert(mesh.sides[name].end(), nodes.begin(), nodes.end());
+  }
+  find_inverted(mesh, flaws);
+  if (blocks.size() > 1) find_hanging(mesh, flaws);
+  return mesh;
+}
+
+}  // namespace tether

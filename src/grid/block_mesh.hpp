@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grid/mesh.hpp"
+
+namespace tether {
+
+/// A place on one of a block's four edges, at the part `s` (0 .. 1) of its length.
+using EdgeCurve = std::function<std::array<double, 2>(double s)>;
+
+/// One mapped quadrilateral, and in space what it sweeps from z_low to z_high. Edge k runs from corner k to corner k +
+/// 1; corners counter-clockwise. `first` cells lie along edges 0 and 2, `second` along edges 1 and 3.
+struct Block {
+  std::array<EdgeCurve, 4> edges;
+  std::array<int, 3> cells{1, 1, 1};
+  std::array<double, 3> grading{1, 1, 1};  ///< last cell over first along edge 0, edge 1 and z
+  double z_low = 0, z_high = 0;
+  /// Names of the sides on edges 0 to 3 and at z_low and z_high; none is "".
+  std::array<std::string, 6> names;
+};
+
+/// What is wrong with a mesh: of which element or node, and where.
+struct MeshFlaw {
+  std::size_t region = 0;  ///< from 0
+  std::string message;
+};
+
+/// Straight line between two corners.
+EdgeCurve straight(std::array<double, 2> from, std::array<double, 2> to);
+/// Part of an ellipse (of a circle where a = b) about `centre` with half axes a, b, whose parameter's angle runs from
+/// that of `from` to that of `to` the shorter way. [length]
+EdgeCurve elliptic(std::array<double, 2> from, std::array<double, 2> to, std::array<double, 2> centre, double a,
+                   double b);
+
+/// The mesh of blocks 0, 1, ...: nodes by transfinite interpolation between the edges, those of different blocks that
+/// coincide are one. Each side has the name that its block gives it and `<block from 1>.bottom`, `.right`, `.top`,
+/// `.left` (edges 0 to 3), `.back`, `.front` (z_low, z_high), where it is not shared. Flaws, of which there must be
+/// none for the mesh to be used: an inverted element, a node of one block on a side of another that does not have it.
+Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vector<MeshFlaw>& flaws);
+
+/// Elements whose Jacobian is not positive at a point of quadrature or at a corner, the first of each region.
+void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
+
+/// Nodes within a side of the boundary that does not have them: parts that touch without being joined.
+void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
+
+}  // namespace tether

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid/mesh.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "grid/element_sides.hpp"
+
+namespace tether {
+namespace {
+
+/// Sides by their nodes in ascending order, so that the two sides of a face meet.
+struct Face {
+  std::vector<int> sorted;
+  std::size_t side;
+  bool operator<(const Face& other) const { return sorted != other.sorted ? sorted < other.sorted : side < other.side; }
+};
+
+int root_of(std::vector<int>& above, int node) {
+  while (above[static_cast<std::size_t>(node)] != node) {
+    auto& next = above[static_cast<std::size_t>(node)];
+    next = above[static_cast<std::size_t>(next)];
+    node = next;
+  }
+  return node;
+}
+
+}  // namespace
+
+const char* element_name(ElementKind kind) { return is_simplex(kind) ? "p1" : order_of(kind) == 1 ? "q1" : "q2"; }
+
+Sides boundary_of(const Mesh& mesh) {
+  const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
+  Sides all;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) add_sides(mesh.kind, mesh.element(e), all);
+  std::vector<Face> faces;
+  for (std::size_t s = 0; s * per_side < all.size(); ++s) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(s * per_side);
+    faces.push_back({{first, first + static_cast<std::ptrdiff_t>(per_side)}, s});
+    std::sort(faces.back().sorted.begin(), faces.back().sorted.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<std::size_t> alone;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const bool with_last = k > 0 && faces[k].sorted == faces[k - 1].sorted;
+    const bool with_next = k + 1 < faces.size() && faces[k].sorted == faces[k + 1].sorted;
+    if (!with_last && !with_next) alone.push_back(faces[k].side);
+  }
+  std::sort(alone.begin(), alone.end());
+  Sides boundary;
+  for (const std::size_t s : alone) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(s * per_side);
+    boundary.insert(boundary.end(), first, first + static_cast<std::ptrdiff_t>(per_side));
+  }
+  return boundary;
+}
+
+std::vector<int> parts_of(const Mesh& mesh) {
+  std::vector<int> above(mesh.node_count()), part(mesh.node_count(), -1);
+  std::iota(above.begin(), above.end(), 0);
+  const auto per_element = static_cast<std::size_t>(node_count_of(mesh.kind));
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const int root = root_of(above, mesh.element(e)[0]);
+    for (std::size_t a = 0; a < per_element; ++a) {
+      above[static_cast<std::size_t>(root_of(above, mesh.element(e)[a]))] = root;
+    }
+  }
+  std::vector<int> number(mesh.node_count(), -1);
+  int parts = 0;
+  for (const int node : mesh.nodes) {
+    int& of_root = number[static_cast<std::size_t>(root_of(above, node))];
+    if (of_root < 0) of_root = parts++;
+    part[static_cast<std::size_t>(node)] = of_root;
+  }
+  return part;
+}
+
+}  // namespace tether

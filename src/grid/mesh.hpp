@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tether {
+
+/// Elements: quadrilaterals and hexahedra with Lagrange functions of order 1 or 2, triangles and tetrahedra of order 1.
+/// Nodes of quadrilaterals and hexahedra stand as on a lattice, along x first, then y, then z.
+enum class ElementKind { quad4, quad9, tri3, hex8, hex27, tet4 };
+
+constexpr int dimension_of(ElementKind kind) {
+  return kind == ElementKind::quad4 || kind == ElementKind::quad9 || kind == ElementKind::tri3 ? 2 : 3;
+}
+/// Nodes along an edge less one; 1 or 2.
+constexpr int order_of(ElementKind kind) { return kind == ElementKind::quad9 || kind == ElementKind::hex27 ? 2 : 1; }
+constexpr bool is_simplex(ElementKind kind) { return kind == ElementKind::tri3 || kind == ElementKind::tet4; }
+constexpr int node_count_of(ElementKind kind) {
+  constexpr int counts[] = {4, 9, 3, 8, 27, 4};
+  return counts[static_cast<int>(kind)];
+}
+/// Nodes of an element's side: an edge in the plane, a face in space.
+constexpr int side_node_count_of(ElementKind kind) {
+  constexpr int counts[] = {2, 3, 2, 4, 9, 3};
+  return counts[static_cast<int>(kind)];
+}
+/// "q1", "q2" or "p1".
+const char* element_name(ElementKind kind);
+
+/// Nodes of element sides, side_node_count_of() each.
+using Sides = std::vector<int>;
+
+/// Elements of one kind with their nodes.
+struct Mesh {
+  ElementKind kind = ElementKind::quad4;
+  std::vector<double> x;               ///< dim numbers a node [length]
+  std::vector<int> nodes;              ///< of the elements, one after the other
+  std::vector<int> region;             ///< of each element, from 0
+  std::map<std::string, Sides> sides;  ///< named parts of the boundary
+
+  int dim() const { return dimension_of(kind); }
+  std::size_t node_count() const { return x.size() / static_cast<std::size_t>(dim()); }
+  std::size_t element_count() const { return region.size(); }
+  const int* element(std::size_t e) const { return &nodes[e * static_cast<std::size_t>(node_count_of(kind))]; }
+};
+
+/// The sides of all elements that belong to one element alone, in the order of the elements.
+Sides boundary_of(const Mesh& mesh);
+
+/// For each node the number of its connected part of the mesh, from 0; -1 for a node of no element.
+std::vector<int> parts_of(const Mesh& mesh);
+
+}  // namespace tether

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "grid/block_mesh.hpp"
+#include "grid/jacobian.hpp"
+
+namespace tether {
+namespace {
+
+std::string place_text(const Mesh& mesh, int node) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  const double* at = &mesh.x[static_cast<std::size_t>(node) * dim];
+  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", at[0], at[1])
+                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
+}
+
+/// Smallest Jacobian of an element over its points of quadrature.
+template <class Shapes>
+double smallest_jacobian(const Mesh& mesh, std::size_t e) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int point = 0; point < Shapes::points; ++point) {
+    smallest = std::min(smallest, jacobian_at<Shapes>(mesh, e, Shapes::place(point)).determinant);
+  }
+  return smallest;
+}
+
+double coordinate(const Mesh& mesh, int node, std::size_t i) {
+  return mesh.x[static_cast<std::size_t>(node) * static_cast<std::size_t>(mesh.dim()) + i];
+}
+
+/// Corners of a side in its own order of nodes.
+std::vector<int> corners_of(ElementKind kind, const int* side) {
+  const int count = side_node_count_of(kind), p = order_of(kind);
+  if (dimension_of(kind) == 2) return {side[0], side[count - 1]};
+  if (kind == ElementKind::tet4) return {side[0], side[1], side[2]};
+  const int line = p + 1;
+  return {side[0], side[p], side[line * line - 1], side[line * p]};
+}
+
+/// Whether a node lies within a side, to 1e-6 of its size: in the plane of its corners and on the inner side of each of
+/// its edges, not at a corner.
+bool lies_within(const Mesh& mesh, const std::vector<int>& corners, int node) {
+  using V = std::array<double, 3>;
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  const auto at = [&](int n) {
+    V v{};
+    for (std::size_t i = 0; i < dim; ++i) v[i] = coordinate(mesh, n, i);
+    return v;
+  };
+  const auto minus = [](const V& a, const V& b) { return V{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
+  const auto dot = [](const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto cross = [](const V& a, const V& b) {
+    return V{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const V p = at(node), a = at(corners[0]), along = minus(at(corners[1]), a), to = minus(p, a);
+  const double length = std::sqrt(dot(along, along)), within = 1e-6;
+  if (dim == 2) {
+    const double s = dot(to, along) / (length * length), off = std::abs(along[0] * to[1] - along[1] * to[0]) / length;
+    return s > within && s < 1 - within && off < within * length;
+  }
+  const V normal = cross(along, minus(at(corners.back()), a));
+  const double size = std::sqrt(dot(normal, normal));
+  if (std::abs(dot(normal, to)) > within * size * length) return false;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const V from = at(corners[k]), edge = minus(at(corners[(k + 1) % corners.size()]), from), there = minus(p, from);
+    const double inside = dot(cross(edge, there), normal) / (size * size);
+    if (inside < -within) return false;
+    if (dot(there, there) < within * within * length * length) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
+  std::set<int> told;
+  with_shapes(mesh.kind, [&](auto shapes) {
+    using Shapes = decltype(shapes);
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      if (smallest_jacobian<Shapes>(mesh, e) > 0 || !told.insert(mesh.region[e]).second) continue;
+      flaws.push_back(
+          {static_cast<std::size_t>(mesh.region[e]),
+           fmt::format("element {} at {} is turned inside out or flat", e + 1, place_text(mesh, mesh.element(e)[0]))});
+    }
+  });
+}
+
+void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
+  const Sides boundary = boundary_of(mesh);
+  const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
+  std::vector<int> nodes(boundary);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::sort(nodes.begin(), nodes.end(), [&](int a, int b) { return coordinate(mesh, a, 0) < coordinate(mesh, b, 0); });
+  for (std::size_t s = 0; s < boundary.size(); s += per_side) {
+    const std::vector<int> side(boundary.begin() + static_cast<std::ptrdiff_t>(s),
+                                boundary.begin() + static_cast<std::ptrdiff_t>(s + per_side));
+    const auto corners = corners_of(mesh.kind, side.data());
+    const auto [low, high] = std::minmax_element(
+        corners.begin(), corners.end(), [&](int a, int b) { return coordinate(mesh, a, 0) < coordinate(mesh, b, 0); });
+    const double slack = 1e-6 * (coordinate(mesh, *high, 0) - coordinate(mesh, *low, 0)) + 1e-12;
+    auto node = std::lower_bound(nodes.begin(), nodes.end(), coordinate(mesh, *low, 0) - slack,
+                                 [&](int n, double x) { return coordinate(mesh, n, 0) < x; });
+    for (; node != nodes.end() && coordinate(mesh, *node, 0) <= coordinate(mesh, *high, 0) + slack; ++node) {
+      if (std::find(side.begin(), side.end(), *node) != side.end() || !lies_within(mesh, corners, *node)) continue;
+      flaws.push_back({0, fmt::format("the node at {} hangs: it lies within a side of another block that does not "
+                                      "have it",
+                                      place_text(mesh, *node))});
+      return;
+    }
+  }
+}
+
+}  // namespace tether

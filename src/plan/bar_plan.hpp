@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "scene/bars.hpp"
+
+namespace tether {
+
+/// The step rule of a scene that runs by bars, 2 over their highest frequency; what of the method it needs and what it
+/// does not; and what it is expected to cost.
+StepRule bar_step_rule(const Scene& scene, const BarMesh& mesh);
+std::vector<Term> bar_terms(const Scene& scene, const BarMesh& mesh);
+Cost bar_cost(const Scene& scene, const BarMesh& mesh, const StepRule& rule);
+
+}  // namespace tether

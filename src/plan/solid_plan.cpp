@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/solid_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tether {
+namespace {
+
+struct LawName {
+  std::string operator()(const LinearElastic& law) const {
+    return fmt::format("linear elastic, lambda {:.4g}, mu {:.4g}", law.law.lambda, law.law.mu);
+  }
+  std::string operator()(const StVenantKirchhoff& law) const {
+    return fmt::format("St Venant-Kirchhoff, lambda {:.4g}, mu {:.4g}", law.lambda, law.mu);
+  }
+  std::string operator()(const NeoHookean& law) const {
+    constexpr const char* volumetric[] = {"lambda/2 ln(J)^2", "lambda/2 (J-1)^2", "lambda/4 (J^2 - 1 - 2 ln J)"};
+    return fmt::format("neo-Hookean, lambda {:.4g}, mu {:.4g}, {}", law.lambda, law.mu,
+                       volumetric[static_cast<int>(law.volumetric)]);
+  }
+  std::string operator()(const HoopFibre& law) const {
+    return fmt::format("hoop fibre, mu {:.4g}, about ({:.4g}, {:.4g})", law.mu, law.centre_x, law.centre_y);
+  }
+};
+
+const char* integrator_text(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::energy:
+      return "discrete gradient: keeps energy and momenta at any step";
+    case Integrator::midpoint:
+      return "mid-point rule";
+    case Integrator::trapezoid:
+      return "Newmark's trapezoidal rule";
+    case Integrator::central:
+      return "central differences with lumped masses";
+    case Integrator::equilibrium:
+      break;
+  }
+  return "none: each step is an equilibrium";
+}
+
+/// Nonzeros of a factor, by what nested dissection leaves on regular meshes (A. George, SIAM J. Numer. Anal. 10 (1973)
+/// 345-363): n log n in the plane, n^(4/3) in space.
+double factor_nonzeros(const Mesh& mesh) {
+  const double n = static_cast<double>(mesh.x.size());
+  return mesh.dim() == 2 ? 8 * n * std::log2(n + 2) : 12 * std::pow(n, 4.0 / 3);
+}
+
+}  // namespace
+
+StepRule solid_step_rule(const Scene& scene) {
+  StepRule rule;
+  rule.deck_step = scene.clock.tstep;
+  rule.cfl = 0;  // the solver limits explicit steps, whose limit changes with the shape
+  rule.first_limit = rule.sharp_limit = std::numeric_limits<double>::infinity();
+  return rule;
+}
+
+std::vector<Term> solid_terms(const Solids& solids, double gravity) {
+  const bool damped = solids.alpha > 0 || solids.beta > 0;
+  const auto term = [](const char* name, bool on, const std::string& yes, const std::string& no) {
+    return Term{name, on, on ? yes : no};
+  };
+  return {
+      term("inertia", solids.integrator != Integrator::equilibrium, integrator_text(solids.integrator),
+           integrator_text(solids.integrator)),
+      term("gravity", gravity != 0, fmt::format("gravc = {:.6g} in y", gravity), "gravc = 0"),
+      term("loads", !solids.loads.empty(), fmt::format("{}, dead", solids.loads.size()), "none given"),
+      term("supports", !solids.supports.empty(), fmt::format("{} of sides and walls", solids.supports.size()),
+           "none given, and no wall that a node stands at"),
+      term("damping", damped, fmt::format("alpha {:.4g}, beta {:.4g}", solids.alpha, solids.beta), "alpha = beta = 0"),
+      {"contact", false, "bodies on a mesh do not meet"},
+      {"third dimension", solids.mesh.dim() == 3,
+       solids.mesh.dim() == 3 ? "the mesh is three-dimensional" : "the mesh is plane, one unit deep"},
+  };
+}
+
+Cost solid_cost(const Scene& scene, const StepRule& rule) {
+  constexpr double bytes_per_nonzero = 8, seconds_per_nonzero = 5e-8, iterations = 4;
+  const Mesh& mesh = scene.solids->mesh;
+  const bool direct = scene.solids->integrator != Integrator::central;
+  Cost cost;
+  cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
+  cost.point_steps = cost.steps * static_cast<double>(mesh.node_count());
+  const double factor = direct ? factor_nonzeros(mesh) : 0;
+  const double element_matrices =
+      static_cast<double>(mesh.element_count()) * std::pow(mesh.dim() * node_count_of(mesh.kind), 2);
+  cost.megabytes = 1e-6 * bytes_per_nonzero * (factor + 2 * element_matrices);
+  cost.seconds =
+      cost.steps * seconds_per_nonzero * (direct ? iterations * (factor + element_matrices) : element_matrices);
+  return cost;
+}
+
+std::string solid_head(const Solids& solids) {
+  const Mesh& mesh = solids.mesh;
+  std::string text = fmt::format("path: fem (elastic bodies, {})\nmesh: {} elements {}, {} nodes, {} unknowns\n",
+                                 mesh.dim() == 2 ? "plane" : "space", mesh.element_count(), element_name(mesh.kind),
+                                 mesh.node_count(), mesh.x.size());
+  for (const SolidRegion& region : solids.regions) {
+    text += fmt::format("{}: density {:.4g}, {}\n", region.name, region.density, std::visit(LawName{}, region.law));
+  }
+  return text;
+}
+
+}  // namespace tether

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "grid/mesh.hpp"
+#include "results/results.hpp"
+#include "results/snapshot_file.hpp"
+#include "results/xdmf.hpp"
+
+namespace tether {
+
+/// Numbers of an element's nodes in the order in which VTK, XDMF and UGRID count them: corners around, first below; of
+/// order 2 then the middles of edges and faces, and the centre.
+std::vector<int> vtk_order(ElementKind kind);
+
+/// Writes mesh.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions, and mesh.xmf. As
+/// PointWriter.
+class MeshWriter {
+ public:
+  MeshWriter(std::filesystem::path folder, Provenance provenance);
+  /// The snapshot's first fields are the places of the nodes; mesh and fields are the same every time. Throws
+  /// FileError.
+  void append(const Mesh& mesh, const Snapshot& snapshot);
+  void close();
+
+ private:
+  std::filesystem::path folder_;
+  Provenance provenance_;
+  XdmfSeries series_;
+  std::optional<SnapshotFile> file_;
+};
+
+}  // namespace tether

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "scene/bars.hpp"
+#include "solvers/fem/bars.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether::fem {
+
+/// Strings as two-node bars with lumped mass by central differences: the code that the thesis compares its pendulum
+/// with (5.7, Figs. 36 and 37). The plan must outlive the solver.
+class BarSolver final : public Solver {
+ public:
+  explicit BarSolver(const Plan& plan);
+
+  double time() const override { return state_.time; }
+  void advance(double until) override;
+  RunCounts counts() const override;
+  HistoryLayout history_layout() const override;
+  Record record() const override;
+  Snapshot points() const override;
+  Snapshot grid() const override { return {state_.time, {}}; }  // bars have none
+  SavedState save() const override { return fem::save(state_); }
+  void restore(const SavedState& saved) override { fem::restore(state_, saved); }
+  std::vector<std::string> take_messages() override;
+
+ private:
+  double next_step() const;
+  void step(double dt);
+  void carry_over(double dt);
+  void add_to_time(double dt);
+  void look_behind_walls();
+  [[noreturn]] void stop(double dt) const;
+
+  const Plan& plan_;
+  BarMesh mesh_;
+  BarArrays bars_;
+  BarState state_;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace tether::fem

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_matrix.hpp"
+#include "scene/solids.hpp"
+
+namespace tether::fem {
+
+/// Where the stress of a step is taken, q0 at its start and q1 at its end: Gonzalez' discrete gradient between them, at
+/// the middle, or at the end.
+enum class StressAt { gradient, middle, end };
+
+/// The elements of a mesh with their laws: integrals over them. Vectors have dim numbers a node, [length] or [force].
+class Elements {
+ public:
+  virtual ~Elements() = default;
+
+  /// Adds the internal forces f_A = sum_B q_B <grad N_A, S grad N_B> (13), q and S where `at` says.
+  virtual void add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
+                          std::span<double> f) const = 0;
+  /// Adds their derivative by q1, and `inertia` times the consistent mass matrix.
+  virtual void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
+                           const NodalPattern& pattern, SparseMatrix& K) const = 0;
+  /// Energy stored at q [energy].
+  virtual double strain_energy(std::span<const double> q) const = 0;
+  /// Cauchy's stress xx, yy, zz, xy, yz, xz and the energy density at the nodes, the mean over the volume around them;
+  /// 7 numbers a node. In the plane zz, yz, xz are 0.
+  virtual std::vector<double> nodal_stress(std::span<const double> q) const = 0;
+  /// The consistent mass matrix <rho N_A, N_B> (9), one number a pair of nodes, and its row sums (of Q2: those of its
+  /// diagonal, scaled to the mass).
+  virtual SparseMatrix mass() const = 0;
+  virtual std::vector<double> lumped_mass() const = 0;
+  /// <N_A> of one region, for forces in its volume [volume].
+  virtual std::vector<double> volumes(int region) const = 0;
+  /// A bound on the highest frequency with lumped masses at q: the largest of the elements alone [1/time].
+  virtual double frequency_bound(std::span<const double> q, std::span<const double> lumped) const = 0;
+};
+
+/// The elements of the solids' mesh, which must outlive them.
+std::unique_ptr<Elements> make_elements(const Solids& solids);
+
+/// <N_A> over sides of the reference shape: a load's part of each node [area].
+std::vector<double> side_areas(const Mesh& mesh, const Sides& sides);
+
+}  // namespace tether::fem

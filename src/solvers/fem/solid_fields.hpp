@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "results/results.hpp"
+#include "scene/scene.hpp"
+#include "solvers/fem/solid_state.hpp"
+#include "solvers/fem/solid_system.hpp"
+
+namespace tether::fem {
+
+/// What elastic bodies can write: the history's columns and a record of them, and fields of the nodes: places,
+/// displacements, velocities, Cauchy's stress and the energy density.
+HistoryLayout history_layout(const Solids& solids);
+Record record(const SolidState& state, const SolidSystem& system);
+Snapshot node_fields(const SolidState& state, const SolidSystem& system);
+
+}  // namespace tether::fem

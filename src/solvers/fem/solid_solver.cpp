@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/solid_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "solvers/fem/solid_fields.hpp"
+
+namespace tether::fem {
+namespace {
+
+constexpr double stretch = 1 + 1e-9;  // a last step this much longer is taken whole: no sliver before tmax
+constexpr int most_halvings = 6;
+
+std::string residuals_text(const NewtonReport& report) {
+  std::string text;
+  const std::size_t first = report.residuals.size() > 6 ? report.residuals.size() - 6 : 0;
+  for (std::size_t k = first; k < report.residuals.size(); ++k) text += fmt::format(" {:.2g}", report.residuals[k]);
+  return text;
+}
+
+/// Velocities of the nodes at the start: each region moves and turns about its centre of mass; a node that regions
+/// share has the mean of theirs by mass. Supported directions are at rest.
+std::vector<double> first_velocities(const SolidSystem& system) {
+  const Solids& solids = system.solids;
+  const auto d = static_cast<std::size_t>(system.dim());
+  std::vector<double> v(system.unknowns(), 0.0), mass(system.lumped.size(), 0.0);
+  for (std::size_t r = 0; r < solids.regions.size(); ++r) {
+    const SolidRegion& region = solids.regions[r];
+    std::vector<double> weights = system.elements->volumes(static_cast<int>(r));
+    std::array<double, 3> centre{};
+    double total = 0;
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+      total += weights[n];
+      for (std::size_t i = 0; i < d; ++i) centre[i] += weights[n] * solids.mesh.x[n * d + i];
+    }
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+      std::array<double, 3> arm{};
+      for (std::size_t i = 0; i < d; ++i) arm[i] = solids.mesh.x[n * d + i] - centre[i] / total;
+      const double m = region.density * std::abs(weights[n]);
+      mass[n] += m;
+      for (std::size_t i = 0; i < d; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        v[n * d + i] += m * (region.velocity[i] + region.spin[j] * arm[k] - region.spin[k] * arm[j]);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < v.size(); ++k) v[k] = system.held[k] || mass[k / d] == 0 ? 0 : v[k] / mass[k / d];
+  return v;
+}
+
+}  // namespace
+
+SolidSolver::SolidSolver(const Plan& plan)
+    : plan_(plan), system_(*plan.scene.solids, plan.scene.gravity), step_(system_) {
+  state_.q = system_.solids.mesh.x;
+  state_.v = first_velocities(system_);
+  if (system_.solids.integrator == Integrator::central) state_.a.assign(state_.q.size(), 0.0);
+  system_.place_supports(0, state_.q);
+  if (system_.solids.from_equilibrium) start();
+}
+
+void SolidSolver::start() {
+  const NewtonReport report = step_.settle(state_, 0);
+  state_.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+  if (report.converged) return;
+  throw RunError(
+      fmt::format("t = 0: no equilibrium with the loads of the start is found: residuals over the largest "
+                  "force{}: likely cause, loads too large for one step",
+                  residuals_text(report)));
+}
+
+void SolidSolver::advance(double until) {
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
+}
+
+double SolidSolver::next_step() const {
+  double dt = plan_.step.deck_step;
+  if (system_.solids.integrator == Integrator::central && plan_.scene.clock.cfl > 0)
+    dt = std::min(dt, plan_.scene.clock.cfl * step_.longest_explicit_step(state_));
+  const double left = plan_.scene.clock.tmax - state_.time;
+  return left <= dt * stretch ? left : dt;
+}
+
+void SolidSolver::step(double dt) {
+  const bool last = plan_.scene.clock.tmax - state_.time <= dt;
+  whole_step(dt, 0);
+  if (last) state_.time = plan_.scene.clock.tmax, state_.time_lost = 0;
+  state_.dt_last = dt;
+  if (state_.dt_min == 0 || (!last && dt < state_.dt_min)) state_.dt_min = dt;
+}
+
+/// A step that does not converge is taken in two halves, each of which may be halved again.
+void SolidSolver::whole_step(double dt, int halvings) {
+  const NewtonReport report = step_.advance(state_, dt);
+  if (report.converged) {
+    add_to_time(dt);
+    ++state_.steps;
+    return;
+  }
+  if (halvings == most_halvings) stop(dt, report);
+  if (state_.halvings++ == 0) {
+    messages_.push_back(fmt::format("t = {:.6g}: a step of {:.4g} does not converge and is halved", state_.time, dt));
+  }
+  whole_step(0.5 * dt, halvings + 1);
+  whole_step(0.5 * dt, halvings + 1);
+}
+
+void SolidSolver::stop(double dt, const NewtonReport& report) const {
+  std::size_t worst = 0;
+  double fastest = 0;
+  for (std::size_t k = 0; k < state_.v.size(); ++k) {
+    if (std::abs(state_.v[k]) > fastest) fastest = std::abs(state_.v[k]), worst = k;
+  }
+  const std::size_t node = worst / static_cast<std::size_t>(system_.dim());
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} "
+                  "times; residuals over the largest force{}; fastest is node {} at ({:.6g}, {:.6g}): likely "
+                  "cause, a step or a load increment too long, or an element turned inside out",
+                  state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report), node + 1,
+                  state_.q[node * static_cast<std::size_t>(system_.dim())],
+                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]));
+}
+
+/// Compensated (Kahan's) sum.
+void SolidSolver::add_to_time(double dt) {
+  const double step = dt - state_.time_lost, sum = state_.time + step;
+  state_.time_lost = (sum - state_.time) - step;
+  state_.time = sum;
+}
+
+RunCounts SolidSolver::counts() const {
+  RunCounts counts;
+  counts.steps = state_.steps;
+  counts.points = system_.lumped.size();
+  counts.point_steps = state_.steps * static_cast<long long>(counts.points);
+  counts.cells_active = system_.solids.mesh.element_count();
+  counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
+  return counts;
+}
+
+HistoryLayout SolidSolver::history_layout() const { return fem::history_layout(system_.solids); }
+
+Record SolidSolver::record() const { return fem::record(state_, system_); }
+
+Snapshot SolidSolver::grid() const { return node_fields(state_, system_); }
+
+std::vector<std::string> SolidSolver::take_messages() { return std::exchange(messages_, {}); }
+
+SavedState SolidSolver::save() const {
+  StateSaver saver;
+  SolidState state = state_;
+  exchange(saver, state);
+  return saver.take();
+}
+
+void SolidSolver::restore(const SavedState& saved) {
+  StateRestorer restorer(saved);
+  exchange(restorer, state_);
+}
+
+Summary SolidSolver::more_summary() const {
+  const SolidCost& cost = step_.cost();
+  const auto number = [](auto value) { return fmt::format("{}", value); };
+  const auto free = std::count(system_.held.begin(), system_.held.end(), 0);
+  return {{"unknowns", number(free)},
+          {"newton_iterations", number(state_.newton_steps)},
+          {"halvings", number(state_.halvings)},
+          {"factor_nonzeros", number(cost.factor_nonzeros)},
+          {"assembly_seconds", number(cost.assembly_seconds)},
+          {"solve_seconds", number(cost.solve_seconds)}};
+}
+
+}  // namespace tether::fem

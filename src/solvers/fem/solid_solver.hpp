@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "solvers/fem/solid_state.hpp"
+#include "solvers/fem/solid_step.hpp"
+#include "solvers/fem/solid_system.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether::fem {
+
+/// Elastic bodies by finite elements (2.1). The plan, whose scene has solids, must outlive the solver.
+class SolidSolver final : public Solver {
+ public:
+  /// Throws RunError where the start wants an equilibrium that Newton's method does not find.
+  explicit SolidSolver(const Plan& plan);
+
+  double time() const override { return state_.time; }
+  void advance(double until) override;
+  RunCounts counts() const override;
+  HistoryLayout history_layout() const override;
+  Record record() const override;
+  Snapshot points() const override { return {state_.time, {}}; }
+  Snapshot grid() const override;
+  std::vector<std::string> take_messages() override;
+  SavedState save() const override;
+  void restore(const SavedState& saved) override;
+  Summary more_summary() const override;
+
+ private:
+  void start();
+  double next_step() const;
+  void step(double dt);
+  void whole_step(double dt, int halvings);
+  void add_to_time(double dt);
+  [[noreturn]] void stop(double dt, const NewtonReport& report) const;
+
+  const Plan& plan_;
+  SolidSystem system_;
+  SolidStep step_;
+  SolidState state_;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace tether::fem

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/solid_step.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace tether::fem {
+namespace {
+
+constexpr int most_iterations = 25, most_backsteps = 10;
+double norm(const std::vector<double>& f) {
+  double sum = 0;
+  for (const double value : f) sum += value * value;
+  return std::sqrt(sum);
+}
+
+double largest(const std::vector<double>& f) {
+  double size = 0;
+  for (const double value : f) size = std::max(size, std::abs(value));
+  return size;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point from) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+}
+
+StressAt rule_of(Integrator integrator) {
+  return integrator == Integrator::energy     ? StressAt::gradient
+         : integrator == Integrator::midpoint ? StressAt::middle
+                                              : StressAt::end;
+}
+
+}  // namespace
+
+SolidStep::SolidStep(const SolidSystem& system)
+    : system_(system),
+      dynamic_(system.solids.integrator != Integrator::equilibrium),
+      K_(system.pattern.matrix()),
+      q1_(system.unknowns()),
+      start_(system.unknowns()),
+      inner_(system.unknowns()),
+      outer_(system.unknowns()),
+      inertia_(system.unknowns()),
+      damping_(system.unknowns()),
+      residual_(system.unknowns()),
+      change_(system.unknowns()),
+      scratch_(system.unknowns()) {
+  if (system.solids.beta == 0) return;
+  K0_ = system.pattern.matrix();
+  system.elements->add_tangent(StressAt::end, system.solids.mesh.x, system.solids.mesh.x, 0, system.pattern, K0_);
+}
+
+NewtonReport SolidStep::advance(SolidState& state, double dt) {
+  if (system_.solids.integrator == Integrator::central) {
+    explicit_step(state, dt);
+    return {true, {}};
+  }
+  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = state.q[k] + (dynamic_ ? dt * state.v[k] : 0);
+  system_.place_supports(state.time + dt, q1_);
+  find_outer_forces(state.time, dt);
+  NewtonReport report = newton(state, dt);
+  state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+  if (report.converged) accept(state, dt);
+  return report;
+}
+
+NewtonReport SolidStep::settle(SolidState& state, double at) {
+  const bool dynamic = dynamic_;
+  dynamic_ = false;
+  q1_ = state.q;
+  system_.place_supports(at, q1_);
+  system_.external_forces(at, outer_);
+  NewtonReport report = newton(state, 0);
+  if (report.converged) state.q = q1_;
+  dynamic_ = dynamic;
+  return report;
+}
+
+/// Of loads and gravity, where the integrator takes its stress.
+void SolidStep::find_outer_forces(double time, double dt) {
+  if (!dynamic_) return system_.external_forces(time + dt, outer_);
+  if (system_.solids.integrator != Integrator::trapezoid) return system_.external_forces(time + 0.5 * dt, outer_);
+  system_.external_forces(time, inner_);
+  system_.external_forces(time + dt, outer_);
+  for (std::size_t k = 0; k < outer_.size(); ++k) outer_[k] = 0.5 * (outer_[k] + inner_[k]);
+}
+
+/// (13) between q0 and q1; of the trapezoidal rule the mean of both ends.
+void SolidStep::find_inner_forces(std::span<const double> q0, bool again) {
+  const Elements& elements = *system_.elements;
+  const bool mean = dynamic_ && system_.solids.integrator == Integrator::trapezoid;
+  std::fill(inner_.begin(), inner_.end(), 0.0);
+  if (mean && !again) {
+    std::fill(start_.begin(), start_.end(), 0.0);
+    elements.add_forces(StressAt::end, q0, q0, start_);
+  }
+  elements.add_forces(dynamic_ ? rule_of(system_.solids.integrator) : StressAt::end, q0, q1_, inner_);
+  if (!mean) return;
+  for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = 0.5 * (inner_[k] + start_[k]);
+}
+
+/// alpha M + beta K of the reference shape, times the mean velocity of the step.
+void SolidStep::add_damping(double dt, std::span<const double> q0) {
+  const double alpha = system_.solids.alpha, beta = system_.solids.beta;
+  std::fill(damping_.begin(), damping_.end(), 0.0);
+  if (alpha == 0 && beta == 0) return;
+  for (std::size_t k = 0; k < q1_.size(); ++k) scratch_[k] = (q1_[k] - q0[k]) / dt;
+  if (beta != 0) K0_.multiply(scratch_, damping_);
+  system_.multiply_mass(scratch_, residual_);
+  for (std::size_t k = 0; k < q1_.size(); ++k) damping_[k] = beta * damping_[k] + alpha * residual_[k];
+}
+
+/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17); its size over the largest of them.
+double SolidStep::find_residual(const SolidState& state, double dt) {
+  std::fill(inertia_.begin(), inertia_.end(), 0.0);
+  std::fill(damping_.begin(), damping_.end(), 0.0);
+  if (dynamic_) {
+    add_damping(dt, state.q);
+    for (std::size_t k = 0; k < q1_.size(); ++k) {
+      scratch_[k] = 2 / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
+    }
+    system_.multiply_mass(scratch_, inertia_);
+  }
+  double square = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    residual_[k] = inertia_[k] + inner_[k] + damping_[k] - outer_[k];
+    if (!system_.held[k]) square += residual_[k] * residual_[k];
+  }
+  scale_ = std::max({norm(inner_), norm(outer_), norm(inertia_)});
+  return scale_ > 0 ? std::sqrt(square) / scale_ : 0;
+}
+
+NewtonReport SolidStep::newton(const SolidState& state, double dt) {
+  NewtonReport report;
+  const auto from = std::chrono::steady_clock::now();
+  find_inner_forces(state.q, false);
+  report.residuals.push_back(find_residual(state, dt));
+  cost_.assembly_seconds += seconds_since(from);
+  for (int k = 0; k < most_iterations; ++k) {
+    report.converged = report.residuals.back() <= system_.solids.tolerance;
+    if (report.converged || !correct(state, dt)) return report;
+    report.residuals.push_back(residual_behind_correction(state, dt));
+    const bool stagnates = report.residuals.back() > 0.5 * report.residuals[report.residuals.size() - 2];
+    report.converged = stagnates && report.residuals.back() <= rounding();
+    if (report.converged) return report;
+  }
+  return report;
+}
+
+/// What rounding leaves of the residual over the largest force: the places are known to epsilon, and stiff bodies whose
+/// forces nearly cancel answer it with the tangent's largest number.
+double SolidStep::rounding() const {
+  const double epsilon = std::numeric_limits<double>::epsilon(), n = static_cast<double>(q1_.size());
+  return epsilon * std::sqrt(n) * stiffest_ * largest(q1_) / scale_;
+}
+
+/// A correction that turns an element inside out is halved until none is.
+double SolidStep::residual_behind_correction(const SolidState& state, double dt) {
+  for (int back = 0; back < most_backsteps; ++back) {
+    find_inner_forces(state.q, true);
+    const double size = find_residual(state, dt);
+    if (std::isfinite(size)) return size;
+    for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i] *= 0.5;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// One correction of Newton's method, into change and q1. False where the tangent is singular.
+bool SolidStep::correct(const SolidState& state, double dt) {
+  const auto from = std::chrono::steady_clock::now();
+  const Solids& solids = system_.solids;
+  const bool mean = dynamic_ && solids.integrator == Integrator::trapezoid;
+  const double share = mean ? 0.5 : 1, inertia = dynamic_ ? 2 / (dt * dt) + solids.alpha / dt : 0;
+  K_.set_zero();
+  system_.elements->add_tangent(dynamic_ ? rule_of(solids.integrator) : StressAt::end, state.q, q1_, inertia / share,
+                                system_.pattern, K_);
+  stiffest_ = 0;
+  for (double& value : K_.value) stiffest_ = std::max(stiffest_, value *= share);
+  if (dynamic_ && solids.beta != 0) {
+    for (std::size_t k = 0; k < K_.value.size(); ++k) K_.value[k] += solids.beta / dt * K0_.value[k];
+  }
+  hold(K_, system_.held, stiffest_);
+  for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
+  cost_.assembly_seconds += seconds_since(from);
+  const auto solve_from = std::chrono::steady_clock::now();
+  const bool symmetric = !dynamic_ || solids.integrator != Integrator::energy;
+  const bool regular = solver_.factorise(K_, symmetric ? Definite::positive : Definite::general);
+  if (regular) solver_.solve(change_, change_);
+  cost_.solve_seconds += seconds_since(solve_from);
+  cost_.factor_nonzeros = solver_.factor_nonzeros();
+  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] += change_[k];
+  return regular && std::isfinite(norm(change_));
+}
+
+/// Energies that came from outside, and the new state. In (17) the mean velocity does the work; from equilibrium to
+/// equilibrium what is stored is what came in.
+void SolidStep::accept(SolidState& state, double dt) {
+  double outside = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it with the other sign
+  if (!dynamic_) outside += system_.elements->strain_energy(q1_) - system_.elements->strain_energy(state.q);
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    const double way = q1_[k] - state.q[k];
+    if (dynamic_) outside += (outer_[k] + (system_.held[k] ? residual_[k] : 0)) * way;
+    state.damped += damping_[k] * way;
+    state.v[k] = dynamic_ ? 2 * way / dt - state.v[k] : 0;
+    state.q[k] = q1_[k];
+  }
+  state.work += outside;
+}
+
+void SolidStep::find_accelerations(std::span<const double> q, std::span<const double> v, double time,
+                                   std::span<double> a) {
+  system_.external_forces(time, outer_);
+  std::fill(inner_.begin(), inner_.end(), 0.0);
+  system_.elements->add_forces(StressAt::end, q, q, inner_);
+  std::fill(damping_.begin(), damping_.end(), 0.0);
+  if (system_.solids.beta != 0) K0_.multiply(v, damping_);
+  const auto d = static_cast<std::size_t>(system_.dim());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double m = system_.lumped[k / d];
+    damping_[k] = system_.solids.beta * damping_[k] + system_.solids.alpha * m * v[k];
+    residual_[k] = outer_[k] - inner_[k] - damping_[k];
+    a[k] = system_.held[k] ? 0 : residual_[k] / m;
+  }
+}
+
+/// Central differences by half steps of the velocity; damping acts with the velocity of the half step.
+void SolidStep::explicit_step(SolidState& state, double dt) {
+  if (state.steps == 0) find_accelerations(state.q, state.v, state.time, state.a);
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    state.v[k] += 0.5 * dt * state.a[k];
+    q1_[k] = state.q[k] + dt * state.v[k];
+  }
+  system_.place_supports(state.time + dt, q1_);
+  system_.external_forces(state.time, start_);
+  find_accelerations(q1_, state.v, state.time + dt, state.a);
+  double outside = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    const double way = q1_[k] - state.q[k];
+    outside += (0.5 * (start_[k] + outer_[k]) - (system_.held[k] ? residual_[k] : 0)) * way;
+    state.damped += damping_[k] * way;
+    state.v[k] = system_.held[k] ? way / dt : state.v[k] + 0.5 * dt * state.a[k];
+    state.q[k] = q1_[k];
+  }
+  state.work += outside;
+}
+
+double SolidStep::longest_explicit_step(const SolidState& state) const {
+  return 2 / system_.elements->frequency_bound(state.q, system_.lumped);
+}
+
+}  // namespace tether::fem

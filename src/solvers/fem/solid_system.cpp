@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/solid_system.hpp"
+
+#include <algorithm>
+
+namespace tether::fem {
+
+SolidSystem::SolidSystem(const Solids& of, double gravity)
+    : solids(of),
+      elements(make_elements(of)),
+      pattern(of.mesh.dim(), of.mesh.node_count(), of.mesh.nodes, node_count_of(of.mesh.kind)),
+      mass(elements->mass()),
+      lumped(elements->lumped_mass()),
+      held(of.mesh.x.size(), 0),
+      gravity_(gravity),
+      weights_(of.mesh.node_count()) {
+  mass.multiply(std::vector<double>(weights_.size(), 1.0), weights_);
+  for (const Load& load : solids.loads) {
+    loads_.push_back({load.region < 0 ? side_areas(solids.mesh, load.sides) : elements->volumes(load.region), &load});
+  }
+  const auto d = static_cast<std::size_t>(dim());
+  for (const Support& support : solids.supports) {
+    for (const int node : support.nodes) {
+      for (std::size_t i = 0; i < d; ++i) held[static_cast<std::size_t>(node) * d + i] |= support.fixed[i] ? 1 : 0;
+    }
+  }
+}
+
+void SolidSystem::multiply_mass(std::span<const double> v, std::span<double> y) const {
+  const auto d = static_cast<std::size_t>(dim());
+  std::fill(y.begin(), y.end(), 0.0);
+  for (std::size_t b = 0; b < weights_.size(); ++b) {
+    for (auto k = static_cast<std::size_t>(mass.start[b]); k < static_cast<std::size_t>(mass.start[b + 1]); ++k) {
+      const auto a = static_cast<std::size_t>(mass.row[k]);
+      for (std::size_t i = 0; i < d; ++i) y[a * d + i] += mass.value[k] * v[b * d + i];
+    }
+  }
+}
+
+void SolidSystem::external_forces(double time, std::span<double> f) const {
+  const auto d = static_cast<std::size_t>(dim());
+  for (std::size_t a = 0; a < weights_.size(); ++a) {
+    for (std::size_t i = 0; i < d; ++i) f[a * d + i] = i == 1 ? gravity_ * weights_[a] : 0;
+  }
+  for (const NodalLoad& load : loads_) {
+    const double factor = load.load->amplitude.at(time);
+    for (std::size_t a = 0; a < load.parts.size(); ++a) {
+      for (std::size_t i = 0; i < d; ++i) f[a * d + i] += factor * load.parts[a] * load.load->force[i];
+    }
+  }
+}
+
+double SolidSystem::gravity_energy(std::span<const double> q) const {
+  const auto d = static_cast<std::size_t>(dim());
+  double energy = 0;
+  for (std::size_t a = 0; a < weights_.size(); ++a) energy -= gravity_ * weights_[a] * q[a * d + 1];
+  return energy;
+}
+
+void SolidSystem::place_supports(double time, std::span<double> q) const {
+  const auto d = static_cast<std::size_t>(dim());
+  for (const Support& support : solids.supports) {
+    const double factor = support.amplitude.at(time);
+    for (const int node : support.nodes) {
+      const std::size_t first = static_cast<std::size_t>(node) * d;
+      for (std::size_t i = 0; i < d; ++i) {
+        if (support.fixed[i]) q[first + i] = solids.mesh.x[first + i] + factor * support.displacement[i];
+      }
+    }
+  }
+}
+
+}  // namespace tether::fem

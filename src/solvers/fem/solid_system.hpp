@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra/sparse_matrix.hpp"
+#include "algebra/sparse_solver.hpp"
+#include "scene/solids.hpp"
+#include "solvers/fem/elements.hpp"
+
+namespace tether::fem {
+
+/// What the equations of elastic bodies are made of, that no step changes. Vectors have dim numbers a node.
+class SolidSystem {
+ public:
+  /// `gravity` acts along y [length/time2]. The solids must outlive the system.
+  SolidSystem(const Solids& solids, double gravity);
+
+  int dim() const { return solids.mesh.dim(); }
+  std::size_t unknowns() const { return solids.mesh.x.size(); }
+  /// y = M v, the consistent mass matrix for each direction.
+  void multiply_mass(std::span<const double> v, std::span<double> y) const;
+  /// Loads and gravity at a time [force].
+  void external_forces(double time, std::span<double> f) const;
+  /// Potential energy of gravity, zero at y = 0 [energy].
+  double gravity_energy(std::span<const double> q) const;
+  /// Sets the places of supported nodes to where they are at a time.
+  void place_supports(double time, std::span<double> q) const;
+
+  const Solids& solids;
+  std::unique_ptr<Elements> elements;
+  NodalPattern pattern;
+  SparseMatrix mass;               ///< a number a pair of nodes
+  std::vector<double> lumped;      ///< a number a node [mass]
+  std::vector<std::uint8_t> held;  ///< unknowns that supports prescribe
+
+ private:
+  struct NodalLoad {
+    std::vector<double> parts;  // a number a node: area or volume
+    const Load* load;
+  };
+  double gravity_;
+  std::vector<double> weights_;  // of the nodes: row sums of the consistent mass [mass]
+  std::vector<NodalLoad> loads_;
+};
+
+}  // namespace tether::fem

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/mesh_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/file.hpp"
+#include "grid/block_mesh.hpp"
+#include "unit/results/support.hpp"
+
+namespace tether {
+namespace {
+
+Mesh unit_box(ElementKind kind) {
+  Block block;
+  block.edges = {straight({0, 0}, {1, 0}), straight({1, 0}, {1, 1}), straight({1, 1}, {0, 1}),
+                 straight({0, 1}, {0, 0})};
+  block.z_high = 1;
+  std::vector<MeshFlaw> flaws;
+  return mesh_of_blocks({block}, kind, flaws);
+}
+
+using Place = std::array<double, 3>;
+
+/// Places of the one element's nodes in VTK's order.
+std::vector<Place> places(ElementKind kind) {
+  const Mesh mesh = unit_box(kind);
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  std::vector<Place> places;
+  for (const int a : vtk_order(kind)) {
+    Place place{};
+    for (std::size_t i = 0; i < dim; ++i) place[i] = mesh.x[static_cast<std::size_t>(mesh.element(0)[a]) * dim + i];
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// Mean of the nodes of those numbers.
+Place mean(const std::vector<Place>& of, std::initializer_list<std::size_t> numbers) {
+  Place sum{};
+  for (const std::size_t n : numbers) {
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += of[n][i] / static_cast<double>(numbers.size());
+  }
+  return sum;
+}
+
+TEST(MeshWriter, CountsCornersAroundAndThenMiddles) {
+  const std::vector<Place> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_EQ(places(ElementKind::quad4), square);
+  const auto nine = places(ElementKind::quad9);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(nine[k], square[k]);
+    EXPECT_EQ(nine[4 + k], mean(nine, {k, (k + 1) % 4}));
+  }
+  EXPECT_EQ(nine[8], mean(nine, {0, 1, 2, 3}));
+  const auto box = places(ElementKind::hex27);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(box[k], square[k]);
+    EXPECT_EQ(box[4 + k], (Place{square[k][0], square[k][1], 1}));
+    EXPECT_EQ(box[8 + k], mean(box, {k, (k + 1) % 4}));
+    EXPECT_EQ(box[12 + k], mean(box, {4 + k, 4 + (k + 1) % 4}));
+    EXPECT_EQ(box[16 + k], mean(box, {k, 4 + k}));
+  }
+  EXPECT_EQ(box[20], mean(box, {0, 3, 4, 7}));
+  EXPECT_EQ(box[21], mean(box, {1, 2, 5, 6}));
+  EXPECT_EQ(box[22], mean(box, {0, 1, 4, 5}));
+  EXPECT_EQ(box[23], mean(box, {2, 3, 6, 7}));
+  EXPECT_EQ(box[24], mean(box, {0, 1, 2, 3}));
+  EXPECT_EQ(box[25], mean(box, {4, 5, 6, 7}));
+  EXPECT_EQ(box[26], mean(box, {0, 6}));
+  const auto eight = places(ElementKind::hex8);
+  EXPECT_TRUE(std::equal(eight.begin(), eight.end(), box.begin()));
+}
+
+using MeshWriterTest = test::TemporaryFolder;
+using Values = std::vector<double>;
+
+TEST_F(MeshWriterTest, WritesElementsAndFieldsOfEachRecord) {
+  const Mesh mesh = unit_box(ElementKind::quad4);
+  MeshWriter writer(folder, test::provenance());
+  for (const double time : {0.0, 0.5}) {
+    Snapshot snapshot{time, {}};
+    snapshot.fields.push_back({{"x", Dimension::length, "place"}, {0 + time, 1 + time, 0 + time, 1 + time}});
+    snapshot.fields.push_back({{"y", Dimension::length, "place"}, {0, 0, 1, 1}});
+    writer.append(mesh, snapshot);
+  }
+  writer.close();
+  const test::Reader reader(folder / "mesh.nc");
+  EXPECT_EQ(reader.values("element_nodes"), (Values{0, 1, 3, 2}));
+  EXPECT_EQ(reader.values("x"), (Values{0, 1, 0, 1, 0.5, 1.5, 0.5, 1.5}));
+  EXPECT_EQ(reader.attribute("cf_role", "mesh"), "mesh_topology");
+  EXPECT_EQ(reader.attribute("location", "x"), "node");
+  const std::string xdmf = read_file(folder / "mesh.xmf");
+  EXPECT_NE(xdmf.find("TopologyType=\"Quadrilateral\" NumberOfElements=\"1\""), std::string::npos);
+  EXPECT_NE(xdmf.find("<Time Value=\"0.5\"/>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tether
