@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/rigid_body.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+#include "base/diagnostics.hpp"
+
+namespace tether::fem {
+namespace {
+
+/// Below this volume of their unit vectors directors count as dependent: 8 of 16 digits of every theta would be lost.
+constexpr double least_volume = 1e-8;
+/// Below this ratio of the principal moments of inertia about the centre the mass counts as lying on a line.
+constexpr double least_breadth = 1e-12;
+
+void check_directors(const Eigen::Matrix3d& directors) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const double length = directors.col(i).norm();
+    if (std::isfinite(length) && length > 0) continue;
+    throw InputError(fmt::format("rigid body: director d{} has length {}", i + 1, length),
+                     "give three independent directions");
+  }
+  const double volume = std::abs(directors.colwise().normalized().determinant());
+  if (volume >= least_volume) return;
+  throw InputError(
+      fmt::format("rigid body: the directors d1, d2, d3 lie in one plane (their unit vectors span {:.3g})", volume),
+      "give three independent directions; they need not be orthogonal");
+}
+
+void check_mass(const RigidFrame& frame, const RigidInertia& inertia) {
+  if (!inertia.moments.allFinite() || !frame.point.allFinite()) {
+    throw InputError("rigid body: a position or a mass is not a finite number");
+  }
+  if (!(inertia.mass() > 0)) {
+    throw InputError(fmt::format("rigid body: the total mass is {}, not positive", inertia.mass()),
+                     "give its elements a density");
+  }
+  const Eigen::Matrix3d central = inertia.about(inertia.first() / inertia.mass()).second();
+  const Eigen::Vector3d principal =
+      rigid_inertia_tensor(central, frame.directors).selfadjointView<Eigen::Lower>().eigenvalues();
+  if (principal[2] > 0 && principal[0] > least_breadth * principal[2]) return;
+  throw InputError("rigid body: all of its mass lies on one line or in one point, about which it has no inertia",
+                   "give it breadth, or model it as a bar or as a point mass");
+}
+
+void check(const RigidFrame& frame, const RigidInertia& inertia) {
+  check_directors(frame.directors);
+  check_mass(frame, inertia);
+}
+
+/// [1, theta] of one of the positions.
+Eigen::Vector4d with_one(const RigidFrame& frame, std::span<const double> positions, std::size_t k) {
+  Eigen::Vector4d one;
+  one << 1, frame.convective(Eigen::Vector3d(positions.data() + 3 * k));
+  return one;
+}
+
+double power_of_two_near(double x) { return std::exp2(std::round(std::log2(x))); }
+
+}  // namespace
+
+Eigen::Vector3d RigidFrame::convective(const Eigen::Vector3d& position) const {
+  return directors.inverse() * (position - point);
+}
+
+RigidColumns RigidFrame::columns() const {
+  RigidColumns q;
+  q << point, directors;
+  return q;
+}
+
+Eigen::Matrix<double, 12, 12> RigidInertia::matrix() const {
+  Eigen::Matrix<double, 12, 12> m;
+  for (Eigen::Index a = 0; a < 4; ++a) {
+    for (Eigen::Index b = 0; b < 4; ++b)
+      m.block<3, 3>(3 * a, 3 * b) = moments(a, b) * Eigen::Matrix3d::Identity();  // (24)
+  }
+  return m;
+}
+
+RigidInertia RigidInertia::about(const Eigen::Vector3d& theta) const {
+  // With the point y = phi + theta^i d_i the columns are [phi d] = [y d] Z, and the energy is tr(V m V^T) / 2.
+  Eigen::Matrix4d Z = Eigen::Matrix4d::Identity();
+  Z.block<3, 1>(1, 0) = -theta;
+  return {Z * moments * Z.transpose()};
+}
+
+Eigen::Matrix3d rigid_inertia_tensor(const Eigen::Matrix3d& second, const Eigen::Matrix3d& directors) {
+  const Eigen::Matrix3d S = directors * second * directors.transpose();
+  return S.trace() * Eigen::Matrix3d::Identity() - S;
+}
+
+RigidInertia rigid_inertia(const RigidFrame& frame, std::span<const double> positions, std::span<const double> masses) {
+  assert(positions.size() == 3 * masses.size());
+  check_directors(frame.directors);
+  RigidInertia inertia;
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    const Eigen::Vector4d theta = with_one(frame, positions, k);
+    inertia.moments += masses[k] * theta * theta.transpose();  // (25)
+  }
+  check_mass(frame, inertia);
+  return inertia;
+}
+
+RigidInertia rigid_inertia(const RigidFrame& frame, std::span<const double> nodes, const RigidNodalMass& mass) {
+  assert(mass.row.size() == mass.value.size() && mass.column.size() == mass.value.size());
+  check_directors(frame.directors);
+  RigidInertia inertia;
+  for (std::size_t k = 0; k < mass.value.size(); ++k) {
+    assert(3 * mass.row[k] + 2 < nodes.size() && 3 * mass.column[k] + 2 < nodes.size());
+    inertia.moments +=
+        mass.value[k] * with_one(frame, nodes, mass.row[k]) * with_one(frame, nodes, mass.column[k]).transpose();
+  }
+  check_mass(frame, inertia);
+  return inertia;
+}
+
+RigidBody rigid_body(const RigidFrame& frame, const RigidInertia& inertia) {
+  check(frame, inertia);
+  RigidBody body{frame, inertia, std::nullopt};
+  const double inertia_trace = rigid_inertia_tensor(inertia.second(), frame.directors).trace();
+  body.unit[0] = power_of_two_near(std::sqrt(inertia_trace / inertia.mass()));
+  for (int i = 0; i < 3; ++i) body.unit[i + 1] = power_of_two_near(frame.directors.col(i).norm());
+  body.unit_of_inertia = power_of_two_near(inertia_trace);
+  return body;
+}
+
+RigidBody rigid_body(const RigidFrame& frame, const RigidInertia& inertia, const Eigen::Vector3d& pin) {
+  RigidBody body = rigid_body(frame, inertia);
+  if (!pin.allFinite()) throw InputError("rigid body: the place of its fixed point is not a finite number");
+  body.pin = frame.convective(pin);
+  return body;
+}
+
+}  // namespace tether::fem
