@@ -50,7 +50,7 @@ class Restart : public testing::TestWithParam<Case> {
   Loaded loaded(std::vector<std::string> overrides) const {
     overrides.insert(overrides.end(), GetParam().overrides.begin(), GetParam().overrides.end());
     if (tmax_ > 0) overrides.push_back(fmt::format("in.tmax={}", tmax_));
-    return load(fmt::format("{}/decks/{}.in", TETHER_SOURCE_DIR, GetParam().deck), {overrides, "", "mpm"});
+    return load(fmt::format("{}/decks/{}.in", TETHER_SOURCE_DIR, GetParam().deck), {overrides, "", ""});
   }
   /// All kinds of output; a checkpoint at this time and at the end.
   Loaded with_outputs(double checkpoint_at) const {
@@ -112,7 +112,8 @@ void expect_same_bits(const fs::path& a, const fs::path& b) {
 std::vector<std::string> lines_of_the_run(const fs::path& file) {
   auto lines = split_lines(read_file(file));
   std::erase_if(lines, [](const std::string& line) {
-    for (const char* start : {"# ", "cpu_", "wall_", "ns_per", "peak_", "goes on", "interrupted"}) {
+    for (const char* start :
+         {"# ", "cpu_", "wall_", "ns_per", "peak_", "assembly_", "solve_", "goes on", "interrupted"}) {
       if (line.starts_with(start)) return true;
     }
     return false;
@@ -130,7 +131,10 @@ TEST_P(Restart, GoesOnToTheLastBitFromRandomSteps) {
                at.time, tmax_);
   }
   run_to_the_end(checkpoint);
-  for (const char* file : {"history.nc", "particles.nc", "mesh.nc"}) expect_same_bits(whole / file, parts / file);
+  for (const char* file : {"history.nc", "particles.nc", "mesh.nc"}) {
+    ASSERT_EQ(fs::exists(whole / file), fs::exists(parts / file)) << file;
+    if (fs::exists(whole / file)) expect_same_bits(whole / file, parts / file);  // a mesh has no points
+  }
   for (const char* file : {"summary.txt", "messages.txt"}) {
     EXPECT_EQ(lines_of_the_run(whole / file), lines_of_the_run(parts / file)) << file;
   }
@@ -145,7 +149,12 @@ std::vector<Case> all_cases() {
     // With its thin net the ball of this one breaks through at 2.4: the run ends there with exit 3.
     const bool breaks = entry.path().stem() == "ball-net-orig";
     cases.push_back({entry.path().stem(), "as_it_stands", std::vector<std::string>(breaks, "in.tmax=2.0")});
-    cases.push_back({entry.path().stem(), "robust", {"mpm.method='robust'"}});
+    const std::string text = read_file(entry.path());
+    if (text.find("\n$mesh") == std::string::npos) {
+      cases.push_back({entry.path().stem(), "robust", {"mpm.method='robust'"}});
+    } else if (text.find("static=.true.") != std::string::npos) {
+      cases.back().overrides.emplace_back("in.tstep=0.02");  // steps enough to stop between
+    }
   }
   for (const std::string order : {"usf", "usl"}) {
     for (const char* deck : {"sod", "noise"}) cases.push_back({deck, order, {"mpm.order='" + order + "'"}});
