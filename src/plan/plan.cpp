@@ -179,9 +179,13 @@ std::string to_text(const Plan& plan) {
   for (const Term& term : plan.terms) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
-  text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
-                      runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
-                      plan.step.first_limit, plan.step.cfl);
+  if (scene.solids)
+    text += fmt::format("step: {:.6g}, the deck's{}\n", plan.step.deck_step,
+                        scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
+  else
+    text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
+                        runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
+                        plan.step.first_limit, plan.step.cfl);
   text += fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} s on one core\n",
                       plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds);
   for (const auto& warning : plan.warnings) text += fmt::format("warning: {}\n", warning);

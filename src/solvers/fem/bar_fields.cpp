@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "solvers/plane_quantities.hpp"
+
 namespace tether::fem {
 namespace {
 
@@ -25,21 +27,6 @@ const std::vector<Quantity>& scene_quantities() {
       {"angular_momentum_z", Dimension::angular_momentum, "angular momentum about the origin"},
       {"energy_step", Dimension::energy,
        "part of the total that central differences keep beside the others, -dt^2 sum f^2/(8 m)"},
-  };
-  return rows;
-}
-
-const std::vector<Quantity>& part_quantities() {
-  static const std::vector<Quantity> rows{
-      {"body_x", Dimension::length, "centre of mass, x", Per::body},
-      {"body_y", Dimension::length, "centre of mass, y", Per::body},
-      {"body_vx", Dimension::velocity, "velocity of the centre of mass, x", Per::body},
-      {"body_vy", Dimension::velocity, "velocity of the centre of mass, y", Per::body},
-      {"body_mass", Dimension::mass, "mass", Per::body},
-      {"point_x", Dimension::length, "place, x", Per::point},
-      {"point_y", Dimension::length, "place, y", Per::point},
-      {"point_vx", Dimension::velocity, "velocity, x", Per::point},
-      {"point_vy", Dimension::velocity, "velocity, y", Per::point},
   };
   return rows;
 }
@@ -129,8 +116,9 @@ HistoryLayout history_layout(const Scene& scene) {
         {"tracked_angle", Dimension::number,
          "degrees from the downward vertical of the line from the first to the last tracked point"});
   }
-  for (const auto& row : part_quantities()) {
-    if (row.per == Per::body || !scene.tracked.empty()) layout.quantities.push_back(row);
+  for (const auto& row : body_quantities()) layout.quantities.push_back(row);
+  if (!scene.tracked.empty()) {
+    for (const auto& row : tracked_quantities()) layout.quantities.push_back(row);
   }
   for (const Body& body : scene.bodies) layout.body_names.push_back(body.name);
   for (const std::size_t p : scene.tracked) layout.point_names.push_back(fmt::format("point {}", p + 1));

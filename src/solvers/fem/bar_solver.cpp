@@ -9,13 +9,10 @@
 
 #include "base/errors.hpp"
 #include "solvers/fem/bar_fields.hpp"
+#include "solvers/step_time.hpp"
 
 namespace tether::fem {
 namespace {
-
-/// A last step this much longer than the step would be is taken whole: rounding in the sum of steps must not leave a
-/// sliver before tmax.
-constexpr double stretch = 1 + 1e-9;
 
 /// Steps between looks at what is behind walls: by number, so that what is told does not depend on outputs.
 constexpr long long steps_between_looks = 64;
@@ -62,8 +59,7 @@ void BarSolver::advance(double until) {
 }
 
 double BarSolver::next_step() const {
-  const double dt = plan_.step.first_step(), left = plan_.scene.clock.tmax - state_.time;
-  return left <= dt * stretch ? left : dt;
+  return step_before_end(plan_.step.first_step(), state_.time, plan_.scene.clock.tmax);
 }
 
 void BarSolver::step(double dt) {
@@ -73,7 +69,7 @@ void BarSolver::step(double dt) {
   if (last) {
     state_.time = plan_.scene.clock.tmax;
   } else {
-    add_to_time(dt);
+    add_compensated(state_.time, state_.time_lost, dt);
   }
   state_.dt_last = dt;
   // A last step that tmax cuts short tells nothing of the run.
@@ -85,13 +81,6 @@ void BarSolver::step(double dt) {
 void BarSolver::carry_over(double dt) {
   const double change = dt * dt - state_.dt_last * state_.dt_last;
   state_.carried_over += 0.125 * change * squared_forces_per_mass(state_, plan_.scene);
-}
-
-/// Compensated (Kahan's) sum: 1e5 equal steps must end where their product says.
-void BarSolver::add_to_time(double dt) {
-  const double step = dt - state_.time_lost, sum = state_.time + step;
-  state_.time_lost = (sum - state_.time) - step;
-  state_.time = sum;
 }
 
 void BarSolver::look_behind_walls() {

@@ -32,7 +32,6 @@ class BarSolver final : public Solver {
   double next_step() const;
   void step(double dt);
   void carry_over(double dt);
-  void add_to_time(double dt);
   void look_behind_walls();
   [[noreturn]] void stop(double dt) const;
 

@@ -42,12 +42,9 @@ void add_node(Motion& motion, double mass, const std::array<double, 3>& x, const
 
 /// Of all nodes, with their momenta M v.
 Motion motion_of(const SolidState& state, const SolidSystem& system, const std::vector<double>& momenta) {
-  const std::vector<double> ones(system.lumped.size(), 1.0);
-  std::vector<double> weights(system.lumped.size());
-  system.mass.multiply(ones, weights);
   Motion motion;
-  for (std::size_t n = 0; n < weights.size(); ++n) {
-    add_node(motion, weights[n], node_vector(state.q, n, system.dim()), node_vector(momenta, n, system.dim()));
+  for (std::size_t n = 0; n < system.weights.size(); ++n) {
+    add_node(motion, system.weights[n], node_vector(state.q, n, system.dim()), node_vector(momenta, n, system.dim()));
   }
   return motion;
 }

@@ -9,11 +9,11 @@
 
 #include "base/errors.hpp"
 #include "solvers/fem/solid_fields.hpp"
+#include "solvers/step_time.hpp"
 
 namespace tether::fem {
 namespace {
 
-constexpr double stretch = 1 + 1e-9;  // a last step this much longer is taken whole: no sliver before tmax
 constexpr int most_halvings = 6;
 
 std::string residuals_text(const NewtonReport& report) {
@@ -82,8 +82,7 @@ double SolidSolver::next_step() const {
   double dt = plan_.step.deck_step;
   if (system_.solids.integrator == Integrator::central && plan_.scene.clock.cfl > 0)
     dt = std::min(dt, plan_.scene.clock.cfl * step_.longest_explicit_step(state_));
-  const double left = plan_.scene.clock.tmax - state_.time;
-  return left <= dt * stretch ? left : dt;
+  return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
 }
 
 void SolidSolver::step(double dt) {
@@ -98,7 +97,7 @@ void SolidSolver::step(double dt) {
 void SolidSolver::whole_step(double dt, int halvings) {
   const NewtonReport report = step_.advance(state_, dt);
   if (report.converged) {
-    add_to_time(dt);
+    add_compensated(state_.time, state_.time_lost, dt);
     ++state_.steps;
     return;
   }
@@ -124,13 +123,6 @@ void SolidSolver::stop(double dt, const NewtonReport& report) const {
                   state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report), node + 1,
                   state_.q[node * static_cast<std::size_t>(system_.dim())],
                   state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]));
-}
-
-/// Compensated (Kahan's) sum.
-void SolidSolver::add_to_time(double dt) {
-  const double step = dt - state_.time_lost, sum = state_.time + step;
-  state_.time_lost = (sum - state_.time) - step;
-  state_.time = sum;
 }
 
 RunCounts SolidSolver::counts() const {

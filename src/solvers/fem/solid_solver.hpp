@@ -35,7 +35,6 @@ class SolidSolver final : public Solver {
   double next_step() const;
   void step(double dt);
   void whole_step(double dt, int halvings);
-  void add_to_time(double dt);
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;

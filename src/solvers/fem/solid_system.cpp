@@ -11,10 +11,10 @@ SolidSystem::SolidSystem(const Solids& of, double gravity)
       pattern(of.mesh.dim(), of.mesh.node_count(), of.mesh.nodes, node_count_of(of.mesh.kind)),
       mass(elements->mass()),
       lumped(elements->lumped_mass()),
+      weights(of.mesh.node_count()),
       held(of.mesh.x.size(), 0),
-      gravity_(gravity),
-      weights_(of.mesh.node_count()) {
-  mass.multiply(std::vector<double>(weights_.size(), 1.0), weights_);
+      gravity_(gravity) {
+  mass.multiply(std::vector<double>(weights.size(), 1.0), weights);
   for (const Load& load : solids.loads) {
     loads_.push_back({load.region < 0 ? side_areas(solids.mesh, load.sides) : elements->volumes(load.region), &load});
   }
@@ -29,7 +29,7 @@ SolidSystem::SolidSystem(const Solids& of, double gravity)
 void SolidSystem::multiply_mass(std::span<const double> v, std::span<double> y) const {
   const auto d = static_cast<std::size_t>(dim());
   std::fill(y.begin(), y.end(), 0.0);
-  for (std::size_t b = 0; b < weights_.size(); ++b) {
+  for (std::size_t b = 0; b < weights.size(); ++b) {
     for (auto k = static_cast<std::size_t>(mass.start[b]); k < static_cast<std::size_t>(mass.start[b + 1]); ++k) {
       const auto a = static_cast<std::size_t>(mass.row[k]);
       for (std::size_t i = 0; i < d; ++i) y[a * d + i] += mass.value[k] * v[b * d + i];
@@ -39,8 +39,8 @@ void SolidSystem::multiply_mass(std::span<const double> v, std::span<double> y) 
 
 void SolidSystem::external_forces(double time, std::span<double> f) const {
   const auto d = static_cast<std::size_t>(dim());
-  for (std::size_t a = 0; a < weights_.size(); ++a) {
-    for (std::size_t i = 0; i < d; ++i) f[a * d + i] = i == 1 ? gravity_ * weights_[a] : 0;
+  for (std::size_t a = 0; a < weights.size(); ++a) {
+    for (std::size_t i = 0; i < d; ++i) f[a * d + i] = i == 1 ? gravity_ * weights[a] : 0;
   }
   for (const NodalLoad& load : loads_) {
     const double factor = load.load->amplitude.at(time);
@@ -53,7 +53,7 @@ void SolidSystem::external_forces(double time, std::span<double> f) const {
 double SolidSystem::gravity_energy(std::span<const double> q) const {
   const auto d = static_cast<std::size_t>(dim());
   double energy = 0;
-  for (std::size_t a = 0; a < weights_.size(); ++a) energy -= gravity_ * weights_[a] * q[a * d + 1];
+  for (std::size_t a = 0; a < weights.size(); ++a) energy -= gravity_ * weights[a] * q[a * d + 1];
   return energy;
 }
 

@@ -36,6 +36,7 @@ class SolidSystem {
   NodalPattern pattern;
   SparseMatrix mass;               ///< a number a pair of nodes
   std::vector<double> lumped;      ///< a number a node [mass]
+  std::vector<double> weights;     ///< row sums of the consistent mass matrix, a number a node [mass]
   std::vector<std::uint8_t> held;  ///< unknowns that supports prescribe
 
  private:
@@ -44,7 +45,6 @@ class SolidSystem {
     const Load* load;
   };
   double gravity_;
-  std::vector<double> weights_;  // of the nodes: row sums of the consistent mass [mass]
   std::vector<NodalLoad> loads_;
 };
 

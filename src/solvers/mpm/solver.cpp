@@ -11,13 +11,10 @@
 #include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/steps.hpp"
 #include "solvers/mpm/stop.hpp"
+#include "solvers/step_time.hpp"
 
 namespace tether::mpm {
 namespace {
-
-/// A last step this much longer than the step would be is taken whole: rounding in the sum of steps must not leave a
-/// sliver before tmax.
-constexpr double stretch = 1 + 1e-9;
 
 /// A step this much shorter than the deck's is no step any more.
 constexpr double vanishing = 1e-9;
@@ -48,8 +45,7 @@ double MpmSolver::next_step() {
   }
   const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
   if (!gets_on) stop_on_vanishing_step(state_, dt);
-  const double left = plan_.scene.clock.tmax - state_.time;
-  return left <= dt * stretch ? left : dt;
+  return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
 }
 
 void MpmSolver::step(double dt) {
@@ -65,7 +61,7 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   if (last) {
     state_.time = plan_.scene.clock.tmax;
   } else {
-    add_to_time(dt);
+    add_compensated(state_.time, state_.time_lost, dt);
   }
   state_.dt_last = dt;
   // A last step that tmax cuts short tells nothing of the run.
@@ -77,13 +73,6 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   state_.heat_under_way += found.heat;
   if (found.crossings > 0) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
-}
-
-/// Compensated (Kahan's) sum: 1e5 equal steps must end where their product says.
-void MpmSolver::add_to_time(double dt) {
-  const double step = dt - state_.time_lost, sum = state_.time + step;
-  state_.time_lost = (sum - state_.time) - step;
-  state_.time = sum;
 }
 
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.

@@ -34,7 +34,6 @@ class MpmSolver final : public Solver {
   double next_step();
   void step(double dt);
   void finish_step(const StepFindings& found, double dt);
-  void add_to_time(double dt);
   void sort_where_scattered();
 
   const Plan& plan_;
