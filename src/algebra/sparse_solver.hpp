@@ -12,11 +12,13 @@ namespace tether {
 /// What is known of a matrix. `positive` is a guess: where the factorisation finds it wrong, the general one is used.
 enum class Definite { positive, general };
 
-/// Direct solution of A x = b: Cholesky (CHOLMOD, the lower triangle of A) for symmetric positive definite matrices, LU
-/// (UMFPACK) for others. The symbolic analysis is kept while matrices have the pattern of the one before.
+/// Direct solution of A x = b where A has a symmetric pattern: Cholesky (CHOLMOD, the lower triangle of A) for
+/// symmetric positive definite matrices, LU (UMFPACK) for others. The symbolic analysis is kept while matrices have the
+/// pattern of the one before.
 class SparseSolver {
  public:
-  SparseSolver();
+  /// `block`: unknowns of a node, which stand together in the pattern.
+  explicit SparseSolver(int block = 1);
   ~SparseSolver();
   SparseSolver(SparseSolver&&) noexcept;
   SparseSolver& operator=(SparseSolver&&) noexcept;

@@ -164,7 +164,8 @@ Summary SolidSolver::more_summary() const {
           {"halvings", number(state_.halvings)},
           {"factor_nonzeros", number(cost.factor_nonzeros)},
           {"assembly_seconds", number(cost.assembly_seconds)},
-          {"solve_seconds", number(cost.solve_seconds)}};
+          {"solve_seconds", number(cost.solve_seconds)},
+          {"analysis_seconds", number(cost.analysis_seconds)}};
 }
 
 }  // namespace tether::fem

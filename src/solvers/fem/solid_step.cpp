@@ -9,7 +9,7 @@
 namespace tether::fem {
 namespace {
 
-constexpr int most_iterations = 25, most_backsteps = 10;
+constexpr int most_iterations = 25, most_backsteps = 10, most_shortenings = 6;
 double norm(const std::vector<double>& f) {
   double sum = 0;
   for (const double value : f) sum += value * value;
@@ -37,6 +37,8 @@ StressAt rule_of(Integrator integrator) {
 SolidStep::SolidStep(const SolidSystem& system)
     : system_(system),
       dynamic_(system.solids.integrator != Integrator::equilibrium),
+      rigid_guess_(system.solids.mesh, system.weights, system.held),
+      solver_(system.dim()),
       K_(system.pattern.matrix()),
       q1_(system.unknowns()),
       start_(system.unknowns()),
@@ -57,10 +59,14 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     explicit_step(state, dt);
     return {true, {}};
   }
-  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = state.q[k] + (dynamic_ ? dt * state.v[k] : 0);
-  system_.place_supports(state.time + dt, q1_);
   find_outer_forces(state.time, dt);
-  NewtonReport report = newton(state, dt);
+  guess(state, dt);
+  NewtonReport report = newton(state, dt, dynamic_ ? most_shortenings : 0);
+  if (!report.converged) {
+    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+    guess(state, dt);
+    report = newton(state, dt, dynamic_ ? 0 : most_shortenings);
+  }
   state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (report.converged) accept(state, dt);
   return report;
@@ -72,10 +78,28 @@ NewtonReport SolidStep::settle(SolidState& state, double at) {
   q1_ = state.q;
   system_.place_supports(at, q1_);
   system_.external_forces(at, outer_);
-  NewtonReport report = newton(state, 0);
+  NewtonReport report = newton(state, 0, 0);
   if (report.converged) state.q = q1_;
   dynamic_ = dynamic;
   return report;
+}
+
+/// Where Newton's method starts: with the velocity carried on, or as rigid bodies would move on, whichever leaves the
+/// smaller residual.
+void SolidStep::guess(const SolidState& state, double dt) {
+  if (!dynamic_) {
+    q1_ = state.q;
+    return system_.place_supports(state.time + dt, q1_);
+  }
+  rigid_guess_.find(state.q, state.v, dt, change_);
+  system_.place_supports(state.time + dt, change_);
+  q1_ = change_;
+  find_inner_forces(state.q, false);
+  const double rigid = find_residual(state, dt) * scale_;
+  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = state.q[k] + dt * state.v[k];
+  system_.place_supports(state.time + dt, q1_);
+  find_inner_forces(state.q, false);
+  if (!(find_residual(state, dt) * scale_ <= rigid)) q1_ = change_;
 }
 
 /// Of loads and gravity, where the integrator takes its stress.
@@ -112,7 +136,8 @@ void SolidStep::add_damping(double dt, std::span<const double> q0) {
   for (std::size_t k = 0; k < q1_.size(); ++k) damping_[k] = beta * damping_[k] + alpha * residual_[k];
 }
 
-/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17); its size over the largest of them.
+/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17); its size over the largest of them,
+/// infinite where that is not finite.
 double SolidStep::find_residual(const SolidState& state, double dt) {
   std::fill(inertia_.begin(), inertia_.end(), 0.0);
   std::fill(damping_.begin(), damping_.end(), 0.0);
@@ -129,10 +154,13 @@ double SolidStep::find_residual(const SolidState& state, double dt) {
     if (!system_.held[k]) square += residual_[k] * residual_[k];
   }
   scale_ = std::max({norm(inner_), norm(outer_), norm(inertia_)});
+  if (!std::isfinite(scale_)) return std::numeric_limits<double>::infinity();
   return scale_ > 0 ? std::sqrt(square) / scale_ : 0;
 }
 
-NewtonReport SolidStep::newton(const SolidState& state, double dt) {
+/// Corrections behind which the residual is larger than before are shortened, up to `shortenings` times. Long steps of
+/// free bodies want that; slender ones that loads bend come to their places through larger residuals only.
+NewtonReport SolidStep::newton(const SolidState& state, double dt, int shortenings) {
   NewtonReport report;
   const auto from = std::chrono::steady_clock::now();
   find_inner_forces(state.q, false);
@@ -141,7 +169,7 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt) {
   for (int k = 0; k < most_iterations; ++k) {
     report.converged = report.residuals.back() <= system_.solids.tolerance;
     if (report.converged || !correct(state, dt)) return report;
-    report.residuals.push_back(residual_behind_correction(state, dt));
+    report.residuals.push_back(residual_behind_correction(state, dt, shortenings, report.residuals.back() * scale_));
     const bool stagnates = report.residuals.back() > 0.5 * report.residuals[report.residuals.size() - 2];
     report.converged = stagnates && report.residuals.back() <= rounding();
     if (report.converged) return report;
@@ -157,11 +185,11 @@ double SolidStep::rounding() const {
 }
 
 /// A correction that turns an element inside out is halved until none is.
-double SolidStep::residual_behind_correction(const SolidState& state, double dt) {
+double SolidStep::residual_behind_correction(const SolidState& state, double dt, int shortenings, double before) {
   for (int back = 0; back < most_backsteps; ++back) {
     find_inner_forces(state.q, true);
     const double size = find_residual(state, dt);
-    if (std::isfinite(size)) return size;
+    if (std::isfinite(size) && (back >= shortenings || size * scale_ <= before)) return size;
     for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i] *= 0.5;
   }
   return std::numeric_limits<double>::infinity();
@@ -189,7 +217,7 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   const bool regular = solver_.factorise(K_, symmetric ? Definite::positive : Definite::general);
   if (regular) solver_.solve(change_, change_);
   cost_.solve_seconds += seconds_since(solve_from);
-  cost_.factor_nonzeros = solver_.factor_nonzeros();
+  cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis_seconds = solver_.analysis_seconds();
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] += change_[k];
   return regular && std::isfinite(norm(change_));
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "solvers/fem/rigid_guess.hpp"
 #include "solvers/fem/solid_state.hpp"
 #include "solvers/fem/solid_system.hpp"
 
@@ -15,9 +16,9 @@ struct NewtonReport {
   std::vector<double> residuals;  ///< of each iteration, over the largest force
 };
 
-/// What the steps have cost.
+/// What the steps have cost; the symbolic analysis is a part of the solution.
 struct SolidCost {
-  double assembly_seconds = 0, solve_seconds = 0, factor_nonzeros = 0;
+  double assembly_seconds = 0, solve_seconds = 0, analysis_seconds = 0, factor_nonzeros = 0;
 };
 
 /// One step of elastic bodies, from q0, v0 at t to q1, v1 at t + dt, by the solids' integrator.
@@ -36,11 +37,12 @@ class SolidStep {
   const SolidCost& cost() const { return cost_; }
 
  private:
-  NewtonReport newton(const SolidState& state, double dt);
+  NewtonReport newton(const SolidState& state, double dt, int shortenings);
+  void guess(const SolidState& state, double dt);
   void find_outer_forces(double time, double dt);
   void find_inner_forces(std::span<const double> q0, bool again);
   double find_residual(const SolidState& state, double dt);
-  double residual_behind_correction(const SolidState& state, double dt);
+  double residual_behind_correction(const SolidState& state, double dt, int shortenings, double before);
   double rounding() const;
   bool correct(const SolidState& state, double dt);
   void accept(SolidState& state, double dt);
@@ -50,6 +52,7 @@ class SolidStep {
 
   const SolidSystem& system_;
   bool dynamic_;
+  RigidGuess rigid_guess_;
   SparseSolver solver_;
   SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
   // Places at the step's end; forces: half of those at the start (trapezoidal rule), inner, outer, inertia, damping;

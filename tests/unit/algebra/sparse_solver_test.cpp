@@ -54,8 +54,8 @@ Eigen::MatrixXd full_of(const SparseMatrix& A) {
   return full;
 }
 
-double error_of_solution(const Assembled& A, Definite definite, const std::string& method) {
-  SparseSolver solver;
+double error_of_solution(const Assembled& A, Definite definite, const std::string& method, int block = 1) {
+  SparseSolver solver(block);
   EXPECT_TRUE(solver.factorise(A.sparse, definite));
   EXPECT_EQ(solver.method(), method);
   EXPECT_GT(solver.factor_nonzeros(), 0);
@@ -87,6 +87,11 @@ TEST(SparseSolver, SolvesSymmetricAndOtherMatrices) {
   EXPECT_LT(error_of_solution(assembled(Chain(40), 40, true), Definite::positive, "cholesky"), 1e-12);
   EXPECT_LT(error_of_solution(assembled(Chain(40), 40, true), Definite::general, "lu"), 1e-12);
   EXPECT_LT(error_of_solution(assembled(Chain(40), 40, false), Definite::general, "lu"), 1e-10);
+}
+
+TEST(SparseSolver, OrdersNodesForTheirUnknowns) {
+  EXPECT_LT(error_of_solution(assembled(Chain(40), 40, true), Definite::positive, "cholesky", 2), 1e-12);
+  EXPECT_LT(error_of_solution(assembled(Chain(40), 40, false), Definite::general, "lu", 2), 1e-10);
 }
 
 TEST(SparseSolver, TakesTheGeneralWayWhereAMatrixIsNotPositive) {

@@ -165,6 +165,29 @@ TEST(Solids, TangentIsTheDerivativeOfTheForces) {
   }
 }
 
+/// Newton's method squares the error with every iteration: of three residuals above rounding r2/r1 is (r1/r0)^2 but for
+/// a factor of order one.
+TEST(Solids, NewtonsMethodIsQuadratic) {
+  for (const Integrator integrator : {Integrator::energy, Integrator::midpoint, Integrator::trapezoid}) {
+    for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3})}) {
+      Solids solids = skew_block(ElementKind::hex8, law);
+      solids.integrator = integrator;
+      const SolidSystem system(solids, 0);
+      SolidStep step(system);
+      SolidState state;
+      state.q = shaken(solids.mesh, 3, 0.02), state.v.assign(state.q.size(), 0.0);
+      const NewtonReport report = step.advance(state, 0.3);
+      ASSERT_TRUE(report.converged);
+      const auto& r = report.residuals;
+      const auto last = static_cast<std::size_t>(
+          std::find_if(r.begin(), r.end(), [](double size) { return size < 1e-10; }) - r.begin());
+      ASSERT_GT(last, 2U);
+      EXPECT_GT(std::log(r[last - 1] / r[last - 2]) / std::log(r[last - 2] / r[last - 3]), 1.7)
+          << static_cast<int>(integrator) << " " << law.index();
+    }
+  }
+}
+
 /// Lowest frequency of a bar of length 1 between a clamp and a free end that only stretches: pi/2 with E = rho = 1.
 double bar_frequency(ElementKind kind, int cells) {
   Block block;
