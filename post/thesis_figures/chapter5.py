@@ -8,6 +8,7 @@ import style
 # The spring of 5.5: A E/L with L between its end points; its mass and gravity.
 SPRING, MASS, GRAVITY = 0.1 * 1e6 / 0.3, 3.33, 250.0
 PENDULUMS = {"20": "pendulum-20", "40": "pendulum-40", "80": "pendulum-80", "320": "pendulum-320"}
+BARS = "--path=fem"
 SNAPSHOTS = ("in.tiout(13)=0.25", "in.iout(32)=0")  # of the pendulum: at these and at the end
 
 
@@ -133,18 +134,15 @@ def label_outer(figure, run, columns):
             panel.set_ylabel(style.label("y", run.particles.units["y"]))
 
 
-def pendulum_frames(run, with_points):
-    """One frame a snapshot: the points, and the rigid pendulum at the same time."""
+def pendulum_frames(run, method="MPM"):
+    """One frame a snapshot: the method's points, and the rigid pendulum at the same time."""
     times = run.particles["time"]
     figure, axes = style.panels(len(times), 4, 2.4, 2.9)
     for record, (panel, time) in enumerate(zip(axes, times)):
         frame_pendulum(panel, run, time)
-        if with_points:
-            panel.plot(run.particles["x"][record], run.particles["y"][record], color="tab:blue", label="MPM",
-                       **style.POINTS)
+        panel.plot(run.particles["x"][record], run.particles["y"][record], color="tab:blue", label=method,
+                   **style.POINTS)
         draw_rod(panel, run, time, **style.EXACT | {"label": "exact, rigid"})
-        if not with_points:
-            panel.plot(*panel.lines[-1].get_xydata()[-1], "ko", markersize=6)
     label_outer(figure, run, 4)
     style.legend(axes[0], loc="lower right")
     return figure
@@ -152,44 +150,47 @@ def pendulum_frames(run, with_points):
 
 def pendulum_20(runs):
     """Pendulum at various times, 20 material points."""
-    return pendulum_frames(runs.of(PENDULUMS["20"], *SNAPSHOTS), True)
+    return pendulum_frames(runs.of(PENDULUMS["20"], *SNAPSHOTS))
 
 
 def pendulum_40(runs):
     """Pendulum at various times, 40 material points."""
-    return pendulum_frames(runs.of(PENDULUMS["40"], *SNAPSHOTS), True)
+    return pendulum_frames(runs.of(PENDULUMS["40"], *SNAPSHOTS))
 
 
 def pendulum_80(runs):
     """Pendulum at various times, 80 material points."""
-    return pendulum_frames(runs.of(PENDULUMS["80"], *SNAPSHOTS), True)
+    return pendulum_frames(runs.of(PENDULUMS["80"], *SNAPSHOTS))
 
 
 def pendulum_320(runs):
     """Pendulum at various times, 320 material points."""
-    return pendulum_frames(runs.of(PENDULUMS["320"], *SNAPSHOTS), True)
+    return pendulum_frames(runs.of(PENDULUMS["320"], *SNAPSHOTS))
 
 
-def pendulum_exact(runs):
-    """Pendulum at various times, exact and rigid in place of the thesis' finite elements."""
-    return pendulum_frames(runs.of(PENDULUMS["320"], *SNAPSHOTS), False)
+def pendulum_bars(runs):
+    """Pendulum at various times, finite elements: 319 bars that only pull."""
+    return pendulum_frames(runs.of(PENDULUMS["320"], *SNAPSHOTS, BARS), "bars")
 
 
 def pendulum_two_way(runs):
     """Pendulum at various times, 40 material points, without the wrinkle algorithm."""
-    return pendulum_frames(runs.of("pendulum-40-two-way", *SNAPSHOTS), True)
+    return pendulum_frames(runs.of("pendulum-40-two-way", *SNAPSHOTS))
 
 
 def pendulum_angles(runs):
-    """Angle of the pendulum on four grids, with the exact one for the thesis' finite elements."""
+    """Angle of the pendulum on four grids and by finite elements."""
     figure, (axes,) = style.panels(1, 1, 8, 4.5)
     for count, deck in PENDULUMS.items():
         run = runs.of(deck, *SNAPSHOTS)
         period = run.summary["period"]
         axes.plot(run.history["time"], run.history["tracked_angle"], label=f"{count} points, period {period:.3f}")
+    bars = runs.of(PENDULUMS["320"], *SNAPSHOTS, BARS)
+    axes.plot(bars.history["time"], bars.history["tracked_angle"], color="tab:purple",
+              label=f"319 bars, period {bars.summary['period']:.4f}")
     exact = numpy.degrees(exact_angle(run, run.history["time"]))
     axes.plot(run.history["time"], exact,
-              **style.EXACT | {"label": f"exact, rigid, period {run.summary['exact_period']:.3f}"})
+              **style.EXACT | {"label": f"exact, rigid, period {run.summary['exact_period']:.4f}"})
     axes.set_ylabel("angle to the right of the vertical [degrees]")
     time_axis(axes, run)
     style.legend_above(axes, 3)
@@ -197,4 +198,4 @@ def pendulum_angles(runs):
 
 
 FIGURES = {"26": spring, "28": string_places, "29": string_motion, "32": pendulum_20, "33": pendulum_40,
-           "34": pendulum_80, "35": pendulum_320, "36": pendulum_exact, "37": pendulum_angles, "38": pendulum_two_way}
+           "34": pendulum_80, "35": pendulum_320, "36": pendulum_bars, "37": pendulum_angles, "38": pendulum_two_way}

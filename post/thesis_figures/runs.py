@@ -21,7 +21,7 @@ class Runs:
         self.program, self.decks, self.folder = program, decks, folder
 
     def of(self, deck, *settings):
-        """The finished run of decks/<deck>.in with these `group.name=value`."""
+        """The finished run of decks/<deck>.in with these `group.name=value`, and options such as `--path=fem`."""
         folder = self.folder / self._name(deck, settings)
         if not self._is_fresh(folder / "summary.txt", self.decks / f"{deck}.in"):
             self._make(self.decks / f"{deck}.in", settings, folder)
@@ -43,7 +43,7 @@ class Runs:
         return made > max(path.stat().st_mtime for path in sources)
 
     def _make(self, deck, settings, folder):
-        words = [word for setting in settings for word in ("--set", setting)]
+        words = [word for setting in settings for word in ([setting] if setting.startswith("--") else ["--set", setting])]
         print(f"running {' '.join([deck.stem, *settings])}", file=sys.stderr, flush=True)
         done = subprocess.run([self.program, deck, "--quiet", "--out", folder, *words], capture_output=True, text=True)
         if done.returncode != 0:
