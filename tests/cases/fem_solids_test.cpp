@@ -82,6 +82,19 @@ TEST(FemSolids, TumblingNeoHookeanBlockKeepsEnergyAndMomenta) {
   expect_kept_where_the_middle_is_not("'neo-hookean'", "0.3", "3.0", 1);
 }
 
+TEST(FemSolids, BodiesAreTheRegions) {
+  const DeckRun run = run_deck("l-block", {"in.tmax=1.0"});
+  const double masses[] = {27000, 27000, 63000}, centres[] = {1.5, 4.5, 1.5};
+  double momentum = 0;
+  for (int r = 1; r <= 3; ++r) {
+    const std::string body = std::to_string(r);
+    EXPECT_NEAR(run.last("body_mass_" + body), masses[r - 1], 1e-9);
+    EXPECT_NEAR(run.first("body_x_" + body), centres[r - 1], 1e-12);
+    momentum += run.last("body_mass_" + body) * run.last("body_vx_" + body);
+  }
+  EXPECT_NEAR(momentum / run.last("momentum_x"), 1, 1e-12);
+}
+
 /// The other two rules keep one or none of them: the mid-point rule the momenta, Newmark's neither.
 TEST(FemSolids, OtherRulesLoseWhatTheDiscreteGradientKeeps) {
   const DeckRun middle = run_deck("l-block", {"in.tstep=0.25", "fem.integrator='midpoint'", "in.tmax=15.0"});

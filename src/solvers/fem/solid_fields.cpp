@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numeric>
 
 namespace tether::fem {
 namespace {
@@ -18,10 +19,9 @@ void add_vector(HistoryLayout& layout, const std::string& name, Dimension dimens
   }
 }
 
-/// Sums over the nodes of one region, or of all, with the consistent mass: m x, m v, and x cross m v.
+/// Sums over all nodes with the consistent mass: m v, and x cross m v.
 struct Motion {
-  double mass = 0;
-  std::array<double, 3> first{}, momentum{}, angular{};
+  std::array<double, 3> momentum{}, angular{};
 };
 
 std::array<double, 3> node_vector(std::span<const double> q, std::size_t node, int dim) {
@@ -31,22 +31,30 @@ std::array<double, 3> node_vector(std::span<const double> q, std::size_t node, i
   return v;
 }
 
-void add_node(Motion& motion, double mass, const std::array<double, 3>& x, const std::array<double, 3>& p) {
-  motion.mass += mass;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    motion.first[i] += mass * x[i], motion.momentum[i] += p[i];
-    motion.angular[i] += x[j] * p[k] - x[k] * p[j];
-  }
-}
-
 /// Of all nodes, with their momenta M v.
 Motion motion_of(const SolidState& state, const SolidSystem& system, const std::vector<double>& momenta) {
   Motion motion;
   for (std::size_t n = 0; n < system.weights.size(); ++n) {
-    add_node(motion, system.weights[n], node_vector(state.q, n, system.dim()), node_vector(momenta, n, system.dim()));
+    const auto x = node_vector(state.q, n, system.dim()), p = node_vector(momenta, n, system.dim());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      motion.momentum[i] += p[i], motion.angular[i] += x[j] * p[k] - x[k] * p[j];
+    }
   }
   return motion;
+}
+
+/// Adds the mean of each component over each region's mass: its centre, or that centre's velocity.
+void add_means(const std::vector<double>& values, const SolidSystem& system, const std::vector<double>& masses,
+               Record& record) {
+  const auto d = static_cast<std::size_t>(system.dim());
+  for (std::size_t i = 0; i < d; ++i) {
+    for (std::size_t r = 0; r < masses.size(); ++r) {
+      double sum = 0;
+      for (std::size_t n = 0; n < system.weights.size(); ++n) sum += system.region_weights[r][n] * values[n * d + i];
+      record.push_back(sum / masses[r]);
+    }
+  }
 }
 
 }  // namespace
@@ -81,7 +89,7 @@ HistoryLayout history_layout(const Solids& solids) {
     add_vector(layout, "point_", Dimension::length, "place, ", dim, Per::point);
     add_vector(layout, "point_v", Dimension::velocity, "velocity, ", dim, Per::point);
   }
-  layout.body_names = {"solids"};
+  for (const SolidRegion& region : solids.regions) layout.body_names.push_back(region.name);
   for (const int node : solids.tracked) layout.point_names.push_back(fmt::format("node {}", node + 1));
   return layout;
 }
@@ -97,19 +105,27 @@ Record record(const SolidState& state, const SolidSystem& system) {
     system.multiply_mass(state.v, momenta);
   }
   const Motion motion = motion_of(state, system, momenta);
+  std::vector<double> masses;
+  for (const auto& weights : system.region_weights)
+    masses.push_back(std::accumulate(weights.begin(), weights.end(), 0.0));
   double kinetic = 0;
   for (std::size_t k = 0; k < momenta.size(); ++k) kinetic += 0.5 * momenta[k] * state.v[k];
   const double strain = system.elements->strain_energy(state.q), potential = system.gravity_energy(state.q);
-  Record values{state.time, state.dt_last, kinetic,    strain, 0, potential, kinetic + strain + potential,
-                state.work, state.damped,  motion.mass};
-  const auto add = [&](const std::array<double, 3>& v, double over) {
-    for (std::size_t i = 0; i < d; ++i) values.push_back(v[i] / over);
-  };
-  add(motion.momentum, 1);
-  if (dim == 3) add(motion.angular, 1);
-  if (dim == 2) values.push_back(motion.angular[2]);
-  add(motion.first, motion.mass), add(motion.momentum, motion.mass);
-  values.push_back(motion.mass);
+  Record values{state.time,
+                state.dt_last,
+                kinetic,
+                strain,
+                0,
+                potential,
+                kinetic + strain + potential,
+                state.work,
+                state.damped,
+                std::accumulate(masses.begin(), masses.end(), 0.0)};
+  values.insert(values.end(), motion.momentum.begin(), motion.momentum.begin() + dim);
+  values.insert(values.end(), motion.angular.begin() + (dim == 3 ? 0 : 2), motion.angular.end());
+  add_means(state.q, system, masses, values);
+  add_means(state.v, system, masses, values);
+  values.insert(values.end(), masses.begin(), masses.end());
   for (std::size_t i = 0; i < d; ++i) {
     for (const int node : system.solids.tracked) values.push_back(state.q[static_cast<std::size_t>(node) * d + i]);
   }

@@ -31,7 +31,7 @@ std::vector<double> first_velocities(const SolidSystem& system) {
   std::vector<double> v(system.unknowns(), 0.0), mass(system.lumped.size(), 0.0);
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     const SolidRegion& region = solids.regions[r];
-    std::vector<double> weights = system.elements->volumes(static_cast<int>(r));
+    const std::vector<double>& weights = system.region_weights[r];
     std::array<double, 3> centre{};
     double total = 0;
     for (std::size_t n = 0; n < weights.size(); ++n) {
@@ -41,7 +41,7 @@ std::vector<double> first_velocities(const SolidSystem& system) {
     for (std::size_t n = 0; n < weights.size(); ++n) {
       std::array<double, 3> arm{};
       for (std::size_t i = 0; i < d; ++i) arm[i] = solids.mesh.x[n * d + i] - centre[i] / total;
-      const double m = region.density * std::abs(weights[n]);
+      const double m = weights[n];
       mass[n] += m;
       for (std::size_t i = 0; i < d; ++i) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;

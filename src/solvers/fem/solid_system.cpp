@@ -4,6 +4,24 @@
 #include <algorithm>
 
 namespace tether::fem {
+namespace {
+
+/// <rho N_A> of each region; central differences move lumped masses instead, of which a region has the same share.
+std::vector<std::vector<double>> masses_of_regions(const SolidSystem& system) {
+  std::vector<std::vector<double>> all;
+  const bool lumped = system.solids.integrator == Integrator::central;
+  for (std::size_t r = 0; r < system.solids.regions.size(); ++r) {
+    std::vector<double> masses = system.elements->volumes(static_cast<int>(r));
+    for (std::size_t n = 0; n < masses.size(); ++n) {
+      masses[n] *= system.solids.regions[r].density;
+      if (lumped && system.weights[n] != 0) masses[n] *= system.lumped[n] / system.weights[n];
+    }
+    all.push_back(std::move(masses));
+  }
+  return all;
+}
+
+}  // namespace
 
 SolidSystem::SolidSystem(const Solids& of, double gravity)
     : solids(of),
@@ -15,6 +33,7 @@ SolidSystem::SolidSystem(const Solids& of, double gravity)
       held(of.mesh.x.size(), 0),
       gravity_(gravity) {
   mass.multiply(std::vector<double>(weights.size(), 1.0), weights);
+  region_weights = masses_of_regions(*this);
   for (const Load& load : solids.loads) {
     loads_.push_back({load.region < 0 ? side_areas(solids.mesh, load.sides) : elements->volumes(load.region), &load});
   }

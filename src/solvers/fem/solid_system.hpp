@@ -34,9 +34,11 @@ class SolidSystem {
   const Solids& solids;
   std::unique_ptr<Elements> elements;
   NodalPattern pattern;
-  SparseMatrix mass;               ///< a number a pair of nodes
-  std::vector<double> lumped;      ///< a number a node [mass]
-  std::vector<double> weights;     ///< row sums of the consistent mass matrix, a number a node [mass]
+  SparseMatrix mass;            ///< a number a pair of nodes
+  std::vector<double> lumped;   ///< a number a node [mass]
+  std::vector<double> weights;  ///< row sums of the consistent mass matrix, a number a node [mass]
+  /// Of each region its part of the nodes' masses, of those that the integrator moves [mass].
+  std::vector<std::vector<double>> region_weights;
   std::vector<std::uint8_t> held;  ///< unknowns that supports prescribe
 
  private:
