@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   add_deck_options(app, options);
   app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)");
   app.add_option("--threads", run_options.threads,
-                 "threads; results are the same for any number, and the mpm path uses one")
+                 "threads; results are the same for any number, and so far all paths use one")
       ->check(CLI::Range(1, 1024));
   app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
       ->needs(deck_names)

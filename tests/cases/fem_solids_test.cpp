@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/errors.hpp"
 #include "cases/run_deck.hpp"
 #include "results/signal.hpp"
 
@@ -112,6 +113,45 @@ double period(const DeckRun& run, const std::string& column, double level) {
 /// The end of a bar let go swings with the period 4 L/c, whatever its shape.
 TEST(FemSolids, BarSwingsWithItsFirstPeriod) {
   EXPECT_NEAR(period(run_deck("bar-vibration"), "point_x_1", 1) / 4, 1, 5e-4);
+}
+
+/// Damping by mass takes e^(-alpha t/2) of all modes alike; damping by stiffness e^(-beta omega^2 t/2) of the first,
+/// which has 8/pi^2 of the end's first place, and soon all of the others.
+TEST(FemSolids, DampingTakesItsShareOfABarsSwing) {
+  const double t = 20, omega = std::numbers::pi / 2;
+  for (const char* integrator : {"'energy'", "'midpoint'", "'trapezoid'", "'central'"}) {
+    SCOPED_TRACE(integrator);
+    const auto swing = [&](const char* damping) {
+      const DeckRun run =
+          run_deck("bar-vibration", {damping, std::string("fem.integrator=") + integrator, "in.tmax=20.0"});
+      EXPECT_LT(run.summary.at("energy_drift"), integrator[1] == 'e' ? 1e-9 : 0.02);
+      return (run.last("point_x_1") - 1) / 1e-3;
+    };
+    EXPECT_NEAR(swing("fem.alpha=0.05") / swing("fem.alpha=0"), std::exp(-0.05 * t / 2), 0.005);
+    EXPECT_NEAR(swing("fem.beta=0.02") / (8 / std::pow(std::numbers::pi, 2)), std::exp(-0.02 * omega * omega * t / 2),
+                0.005);
+  }
+}
+
+TEST(FemSolids, ExplicitStepsAboveTheirLimitAreTold) {
+  try {
+    run_deck("bar-vibration", {"fem.integrator='central'", "fem.cfl=0", "in.tstep=0.2"});
+    FAIL() << "it came to its end";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("steps of 0.2 above the limit 0.0"), std::string::npos) << error.what();
+  }
+}
+
+/// A support that moves stretches a bar step by step: E A u^2/(2 L) is stored, and all of it came from outside.
+TEST(FemSolids, MovedSupportsDoTheWork) {
+  const DeckRun run =
+      run_deck("bar-vibration", {"fem.static=.true.", "fem.settle=.false.", "fem.load(1,1)=0.0",
+                                 "fem.fix_on(2)='1.right'", "fem.fix(1,2)=0.01", "fem.fix_time(1,2)=0,1,2",
+                                 "fem.fix_factor(1,2)=0,2,1", "in.tmax=2.0", "in.tstep=0.5"});
+  const auto stored = run.history.column("energy_strain");
+  EXPECT_NEAR(*std::max_element(stored.begin(), stored.end()), 0.1 * 0.02 * 0.02 / 2, 1e-12);
+  EXPECT_NEAR(run.last("energy_strain"), 0.1 * 0.01 * 0.01 / 2, 1e-12);
+  EXPECT_NEAR(run.last("energy_outside"), run.last("energy_strain"), 1e-14);
 }
 
 /// First frequency b sqrt(E I/(rho A L^4)) of a cantilever of height h = .05, L = 1, by Timoshenko's theory with

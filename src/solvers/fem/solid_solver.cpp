@@ -81,7 +81,7 @@ void SolidSolver::advance(double until) {
 double SolidSolver::next_step() const {
   double dt = plan_.step.deck_step;
   if (system_.solids.integrator == Integrator::central && plan_.scene.clock.cfl > 0)
-    dt = std::min(dt, plan_.scene.clock.cfl * step_.longest_explicit_step(state_));
+    dt = std::min(dt, plan_.scene.clock.cfl * step_.longest_explicit_step(state_.q));
   return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
 }
 
@@ -101,12 +101,26 @@ void SolidSolver::whole_step(double dt, int halvings) {
     ++state_.steps;
     return;
   }
+  if (system_.solids.integrator == Integrator::central) lose(dt);
   if (halvings == most_halvings) stop(dt, report);
   if (state_.halvings++ == 0) {
     messages_.push_back(fmt::format("t = {:.6g}: a step of {:.4g} does not converge and is halved", state_.time, dt));
   }
   whole_step(0.5 * dt, halvings + 1);
   whole_step(0.5 * dt, halvings + 1);
+}
+
+/// An explicit step that ran away leaves no state to go on from.
+void SolidSolver::lose(double dt) const {
+  std::size_t k = 0;
+  while (k + 1 < state_.v.size() && std::isfinite(state_.v[k])) ++k;
+  const auto d = static_cast<std::size_t>(system_.dim());
+  const double* place = &system_.solids.mesh.x[k / d * d];
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: node {}, at the start at ({:.6g}, {:.6g}), has no velocity any more: "
+                  "likely cause, steps of {:.3g} above the limit {:.3g} of central differences at the start",
+                  state_.time, state_.steps + 1, k / d + 1, place[0], place[1], dt,
+                  step_.longest_explicit_step(system_.solids.mesh.x)));
 }
 
 void SolidSolver::stop(double dt, const NewtonReport& report) const {

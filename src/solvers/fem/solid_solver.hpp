@@ -35,6 +35,7 @@ class SolidSolver final : public Solver {
   double next_step() const;
   void step(double dt);
   void whole_step(double dt, int halvings);
+  [[noreturn]] void lose(double dt) const;
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;

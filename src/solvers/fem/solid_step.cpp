@@ -57,7 +57,7 @@ SolidStep::SolidStep(const SolidSystem& system)
 NewtonReport SolidStep::advance(SolidState& state, double dt) {
   if (system_.solids.integrator == Integrator::central) {
     explicit_step(state, dt);
-    return {true, {}};
+    return {std::isfinite(norm(state.v)), {}};
   }
   find_outer_forces(state.time, dt);
   guess(state, dt);
@@ -274,8 +274,12 @@ void SolidStep::explicit_step(SolidState& state, double dt) {
   state.work += outside;
 }
 
-double SolidStep::longest_explicit_step(const SolidState& state) const {
-  return 2 / system_.elements->frequency_bound(state.q, system_.lumped);
+/// 2/omega, less where damping of the ratio xi acts with the velocity of half a step before (T. Belytschko, W. K. Liu,
+/// B. Moran, Nonlinear Finite Elements for Continua and Structures, 2000, 6.2).
+double SolidStep::longest_explicit_step(std::span<const double> q) const {
+  const double omega = system_.elements->frequency_bound(q, system_.lumped);
+  const double xi = (system_.solids.alpha / omega + system_.solids.beta * omega) / 2;
+  return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
 }
 
 }  // namespace tether::fem

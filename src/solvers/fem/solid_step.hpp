@@ -32,7 +32,7 @@ class SolidStep {
   /// Brings the state into equilibrium with loads and supports of time `at`, at rest.
   NewtonReport settle(SolidState& state, double at);
   /// What central differences allow at these places [time].
-  double longest_explicit_step(const SolidState& state) const;
+  double longest_explicit_step(std::span<const double> q) const;
 
   const SolidCost& cost() const { return cost_; }
 
