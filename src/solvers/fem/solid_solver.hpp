@@ -34,7 +34,6 @@ class SolidSolver final : public Solver {
   void start();
   double next_step() const;
   void step(double dt);
-  void whole_step(double dt, int halvings);
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;
