@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "deck/elements.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -26,7 +27,8 @@ class RigidReader {
     for (const int k : numbers("torque", {"torque_time", "torque_factor"})) {
       rigid.torques.push_back({components("torque", k), amplitude_of(deck_, "rigid", "torque", k, diagnostics_)});
     }
-    for (const int k : numbers("force", {"force_at", "force_time", "force_factor"})) rigid.forces.push_back(force(k));
+    for (const int k : numbers("force", {"force_at", "force_time", "force_factor", "turning"}))
+      rigid.forces.push_back(force(k));
     return rigid;
   }
 
@@ -45,7 +47,8 @@ class RigidReader {
     }
     if (given == 3) return components(name, k);
     if (given > 0) {
-      error("rigid", name, {last, k}, fmt::format("{} has {} of its three components", name, given),
+      const std::string what = name == std::string("directors") ? fmt::format("director {}", k) : name;
+      error("rigid", name, {last, k}, fmt::format("{} has {} of its three components", what, given),
             "give x, y and z of it");
     }
     return std::nullopt;
@@ -88,16 +91,17 @@ class RigidReader {
     }
     return pinned ? Eigen::Vector3d::Zero() : first;
   }
-  /// Numbers k of the torques or forces that are given; tells where tables or places stand alone.
+  /// Numbers k of the torques or forces that are given; tells of tables and places that belong to none.
   std::set<int> numbers(const char* name, std::initializer_list<const char*> with) {
-    std::set<int> given;
+    std::set<int> given, told;
     for (const Subscript at : deck_.given_elements("rigid", name)) given.insert(at[1]);
     for (const char* other : with) {
+      const Variable& variable = *find_variable("rigid", other);
       for (const Subscript at : deck_.given_elements("rigid", other)) {
-        if (given.count(at[1]) > 0) continue;
-        error("rigid", other, at, fmt::format("{}(1:3,{}) is not given", name, at[1]),
-              fmt::format("{} number {} belongs to it", other, at[1]));
-        break;
+        const int k = at[static_cast<std::size_t>(variable.rank - 1)];
+        if (given.count(k) > 0 || !told.insert(k).second) continue;
+        error("rigid", other, at, fmt::format("{} belongs to no {}", element_name(variable, at), name),
+              fmt::format("give {}(1:3,{})", name, k));
       }
     }
     return given;

@@ -164,6 +164,7 @@ std::vector<Case> all_cases() {
   cases.push_back({"two-bar", "jaumann", {"mpm.jaumann=.true."}});
   cases.push_back({"cylinder-expansion", "mass_matrix", {"membrane.normals='mass-quadratic'"}});
   cases.push_back({"pendulum-20", "pinned", {"mpm.method='robust'", "points.pinned(1)=.true."}});
+  cases.push_back({"rigid-torque", "pinned_with_multipliers", {"rigid.form='constrained'", "rigid.pin=.5,.2,-.4"}});
   std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.name() < b.name(); });
   return cases;
 }
