@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "base/errors.hpp"
 #include "cases/rigid_support.hpp"
@@ -36,7 +37,7 @@ TEST(RigidTop, PrecessesSteadily) {
     const DeckRun run = run_deck("rigid-top", {std::string("in.tstep=") + steps[k]});
     EXPECT_EQ(run.summary.at("unknowns"), 3);
     const Vector3d axis = last_of(run, "point_", "_1") / .4;
-    angle[k] = std::abs(std::remainder(std::atan2(axis[0], axis[2]) - .981 * end, 2 * M_PI));
+    angle[k] = std::abs(std::remainder(std::atan2(axis[0], axis[2]) - .981 * end, 2 * std::numbers::pi));
     const auto y = run.history.column("point_y_1");
     height[k] = *std::max_element(y.begin(), y.end()) - *std::min_element(y.begin(), y.end());
     EXPECT_LT(run.last("pin_slip"), 1e-13);
@@ -62,6 +63,35 @@ TEST(RigidTop, NodsAsEulersEquationsSay) {
   }
   expect_second_order(attitude, 1e-2);
   expect_second_order(omega, 1e-2);
+}
+
+/// Snapshots of the mesh: all distances stay, velocities stretch none, and displacements count from the start.
+TEST(RigidTop, ItsMeshMovesAsABody) {
+  const DeckRun run = run_deck("rigid-top", {"in.tmax=1."});
+  const auto fields = [&](const std::string& name, std::size_t record) {
+    constexpr std::size_t nodes = 27;
+    Eigen::Matrix<double, 3, nodes> of;
+    for (int i = 0; i < 3; ++i) {
+      const auto all = read_variable(run.folder + "/mesh.nc", name + "xyz"[i]);
+      EXPECT_EQ(all.size(), 6 * nodes);  // at 0, .2, ... 1
+      for (std::size_t n = 0; n < nodes; ++n) of(i, static_cast<Eigen::Index>(n)) = all[record * nodes + n];
+    }
+    return of;
+  };
+  const auto x0 = fields("", 0), x1 = fields("", 5), v = fields("v", 5), u = fields("u", 5);
+  EXPECT_GT(u.norm(), 1);
+  EXPECT_LT((x0 + u - x1).norm(), 1e-14);
+  for (Eigen::Index a = 0; a < x0.cols(); ++a) {
+    for (Eigen::Index b = 0; b < a; ++b) {
+      const Vector3d arm = x1.col(a) - x1.col(b);
+      EXPECT_NEAR(arm.norm(), (x0.col(a) - x0.col(b)).norm(), 1e-13);
+      EXPECT_NEAR(arm.dot(v.col(a) - v.col(b)), 0, 1e-12);
+    }
+  }
+  const Vector3d tracked = last_of(run, "point_", "_1"), speed = last_of(run, "point_v", "_1");
+  EXPECT_LT((x1.colwise() - tracked).colwise().norm().minCoeff(), 1e-15);
+  EXPECT_LT((v.colwise() - speed).colwise().norm().minCoeff(), 1e-13);
+  EXPECT_GT(speed.norm(), .39);
 }
 
 /// A step in which the body would turn by 3.5 rad does not converge; half of it or a quarter does.
