@@ -69,6 +69,16 @@ TEST(RigidDecks, TheTorquesWorkIsTheEnergyGained) {
   }
 }
 
+/// A table's impulse is taken exactly where its times are those of steps: 1 to 0 over 4 is 2, loads being those of the
+/// middle of each step.
+TEST(RigidDecks, TablesActAtTheMiddleOfEachStep) {
+  const DeckRun run =
+      run_deck("rigid-torque", {"in.tstep=.1", "rigid.torque_time(1,1)=0.,4.", "rigid.torque_factor(1,1)=1.,0."});
+  const Vector3d first(run.first("angular_momentum_x"), run.first("angular_momentum_y"),
+                       run.first("angular_momentum_z"));
+  EXPECT_LT((last_of(run, "angular_momentum_") - first - 2 * constant_torque).norm(), 1e-11);
+}
+
 TEST(RigidDecks, ATorquesMotionFollowsEulersEquationsBySecondOrder) {
   const Inertia inertia(angle);
   const Turning exact(inertia.moments, {.5, -.3, .2}, 8, [](double, const Matrix3d&) { return constant_torque; });
