@@ -44,7 +44,7 @@ struct Rigid {
 /// would be lost.
 constexpr double least_spanned_volume = 1e-8;
 
-/// The volume that the directions of three directors span, of any hand; not a number where one has no length.
+/// The volume that the directions of three directors span, of any hand; their lengths are finite and not 0.
 inline double spanned_volume(const Eigen::Matrix3d& directors) {
   return std::abs((directors * directors.colwise().norm().cwiseInverse().asDiagonal()).determinant());
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "deck/spelling.hpp"
 #include "scene/axis.hpp"
 #include "scene/rigid_of_deck.hpp"
@@ -83,6 +85,21 @@ void check_rigid(const Deck& deck, Diagnostics& diagnostics) {
   checks.damping();
   checks.spin();
   checks.warn_of_what_has_no_effect();
+}
+
+void check_rigid_places(const Deck& deck, const Rigid& rigid, const Mesh& mesh, Diagnostics& diagnostics) {
+  constexpr double farthest = 1e4;  // its square leaves half of the digits to the body's own moments
+  const Eigen::Map<const Eigen::Matrix3Xd> x(mesh.x.data(), 3, static_cast<Eigen::Index>(mesh.node_count()));
+  const Eigen::Vector3d low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
+  for (const auto& [name, place] : {std::pair("point", rigid.point), std::pair("pin", rigid.pin)}) {
+    if (!place) continue;
+    const double times = (*place - (low + high) / 2).norm() / (high - low).norm();
+    if (times <= farthest) continue;
+    diagnostics.add(
+        deck.remark(Severity::error, "rigid", name, {1, 1},
+                    fmt::format("the {} is {:.3g} times the body's size away from it", name, times),
+                    fmt::format("place it nearer: from {:.0e} sizes on inertia is lost in rounding", farthest)));
+  }
 }
 
 void check_rigid_walls(const Deck& deck, const Scene& scene, const Mesh& mesh, Diagnostics& diagnostics) {

@@ -58,12 +58,18 @@ class RigidReader {
     for (int k = 1; k <= 3; ++k) {
       if (const auto given = place("directors", k)) directors.col(k - 1) = *given;
     }
+    for (int k = 1; k <= 3; ++k) {
+      const double length = directors.col(k - 1).norm();
+      if (std::isfinite(length) && length > 0) continue;
+      error("rigid", "directors", {1, k}, fmt::format("director {} has length {}", k, length),
+            "give three independent directions, neither 0 nor beyond all numbers");
+      return Eigen::Matrix3d::Identity();
+    }
     const double volume = spanned_volume(directors);
     if (volume >= least_spanned_volume) return directors;
     const auto first = deck_.given_elements("rigid", "directors").front();  // the unit vectors span 1
     error("rigid", "directors", first,
-          std::isnan(volume) ? "a director has no length, or one beyond all numbers"
-                             : fmt::format("the directors lie in one plane: their directions span {:.3g}", volume),
+          fmt::format("the directors lie in one plane: their directions span {:.3g}", volume),
           "give three independent directions; they need not be orthogonal");
     return Eigen::Matrix3d::Identity();
   }

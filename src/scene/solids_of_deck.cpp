@@ -142,6 +142,7 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   add_loads(deck, solids, diagnostics);
   track_nodes(deck, solids);
   if (scene.rigid) {
+    if (dim == 3) check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);
   } else {
     add_supports(deck, scene, solids, diagnostics);

@@ -159,6 +159,14 @@ TEST(RigidDecks, LoadsAreForcesAtTheirCentres) {
   expect_same_motion(spread, single, 1e-11);
 }
 
+/// However small the masses and what acts on them, the motion is that of the deck.
+TEST(RigidDecks, UnitsDoNotMatter) {
+  const DeckRun run = run_deck("rigid-torque");
+  const DeckRun tiny =
+      run_deck("rigid-torque", {"reg.densir=1.d-200,2.d-200", "rigid.torque=.3d-200,-.8d-200,.5d-200"});
+  expect_same_motion(tiny, run, 1e-11);
+}
+
 /// A force at the centre of a body that spins steadily, and turns with it, drives the centre along a cycloid.
 TEST(RigidDecks, AForceThatTurnsGoesAlong) {
   const DeckRun run =

@@ -34,7 +34,7 @@ REQUIRED = {
     "particles_plane_stress_ratio", "rigid_on_a_plane_mesh", "rigid_without_a_mesh", "rigid_directors_in_a_plane",
     "rigid_director_without_length", "rigid_without_density", "rigid_pinned_and_moving", "rigid_regions_that_part",
     "rigid_region_that_spins", "rigid_force_without_place", "rigid_table_without_torque", "rigid_at_a_wall",
-    "rigid_with_supports", "rigid_without_time", "rigid_with_damping", "rigid_by_central_differences",
+    "rigid_with_supports", "rigid_point_far_away", "rigid_without_time", "rigid_with_damping", "rigid_by_central_differences",
 }
 
 

@@ -52,7 +52,8 @@ HistoryLayout history_layout(const Solids& solids, const Rigid& rigid) {
 Record record(const RigidRunState& state, const RigidSystem& system) {
   const RigidInertia& inertia = system.body.inertia;
   const RigidColumns& q = state.body.q;
-  const RigidState motion{q, rigid_velocities(system.body, state.body), {}, {}};
+  RigidState motion;
+  motion.q = q, motion.v = rigid_velocities(system.body, state.body);
   const double kinetic = rigid_kinetic_energy(inertia, state.body), mass = inertia.mass();
   const double potential = rigid_potential_energy(inertia, state.body, system.gravity);
   Record values{state.time, state.dt_last, kinetic, 0, 0, potential, kinetic + potential, state.work, mass};

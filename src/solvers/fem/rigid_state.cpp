@@ -50,7 +50,9 @@ Eigen::Vector3d rigid_angular_velocity(const RigidBody& body, const RigidState& 
   const Eigen::Matrix3d directors = state.q.rightCols<3>(), momenta = state.v.rightCols<3>() * second;
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i) spin += directors.col(i).cross(momenta.col(i));
-  return rigid_inertia_tensor(second, directors).inverse() * spin;
+  // In the body's unit of inertia, so that no mass, however small or large, takes the determinant out of all numbers.
+  const double unit = 1 / body.unit_of_inertia;
+  return (unit * rigid_inertia_tensor(second, directors)).inverse() * (unit * spin);
 }
 
 RigidColumns rigid_velocities(const RigidBody& body, const RigidState& state) {

@@ -84,7 +84,7 @@ TEST(RigidScene, AllMistakesAreToldAtOnce) {
                        "13:11: region 2 does not turn alone: it is part of a rigid body",
                        "14:14: point has 1 of its three components",
                        "14:24: pin has 2 of its three components",
-                       "14:42: a director has no length, or one beyond all numbers",
+                       "14:42: director 1 has length 0",
                        "1:12: region 2 moves with vrx = 2, region 1 with 1: they are one rigid body",
                        "14:62: force 2 has no place",
                        "14:82: turning(3) belongs to no force"};
