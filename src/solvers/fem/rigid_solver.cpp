@@ -34,7 +34,7 @@ RigidReport RigidSolver::try_step(double dt) {
   all.add(system_.weight);
   const RigidColumns q0 = state_.body.q;
   const auto one_step = system_.rigid.form == RigidForm::reduced ? rigid_reduced_step : rigid_constrained_step;
-  const RigidReport report = one_step(system_.body, all, dt, state_.body, {});
+  RigidReport report = one_step(system_.body, all, dt, state_.body, {});
   state_.newton_steps += report.iterations;
   if (report.converged) {
     const RigidColumns way = state_.body.q - q0, middle = 0.5 * (state_.body.q + q0);
