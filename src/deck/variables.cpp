@@ -11,7 +11,7 @@ namespace {
 std::vector<Variable> joined_table() {
   std::vector<Variable> table;
   for (const auto part : {in_variables(), fluid_variables(), region_variables(), membrane_variables(),
-                          added_variables(), fem_variables(), study_variables()}) {
+                          added_variables(), fem_variables(), rigid_variables(), study_variables()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;

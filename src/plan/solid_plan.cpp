@@ -78,7 +78,7 @@ std::vector<Term> solid_terms(const Solids& solids, double gravity) {
 }
 
 Cost solid_cost(const Scene& scene, const StepRule& rule) {
-  constexpr double bytes_per_nonzero = 8, seconds_per_nonzero = 5e-8, iterations = 4;
+  constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 5e-8, iterations = 4;
   const Mesh& mesh = scene.solids->mesh;
   const bool direct = scene.solids->integrator != Integrator::central;
   Cost cost;

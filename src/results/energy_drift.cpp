@@ -27,12 +27,18 @@ std::vector<double> balance(const History& history) {
   return total;
 }
 
+/// Part of the energy below which what seems exchanged is rounding.
+constexpr double rounding = 1e-12;
+
+/// The largest change of one of the energies. Within a free rigid body none is exchanged: then its energy itself.
 double exchanged_energy(const History& history) {
-  double exchanged = 0;
+  double exchanged = 0, there = 0;
   for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal", "energy_potential"}) {
-    exchanged = std::max(exchanged, largest_change(history.column(kind)));
+    const auto values = history.column(kind);
+    exchanged = std::max(exchanged, largest_change(values));
+    for (const double value : values) there = std::max(there, std::abs(value));
   }
-  return exchanged;
+  return exchanged > rounding * there ? exchanged : there;
 }
 
 }  // namespace

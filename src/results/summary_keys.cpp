@@ -47,6 +47,11 @@ std::vector<std::string> summary_keys(ReferenceKind reference) {
   return keys;
 }
 
+std::vector<std::string> mesh_summary_keys() {
+  return {"unknowns",         "newton_iterations", "halvings",     "factor_nonzeros",
+          "assembly_seconds", "analysis_seconds",  "solve_seconds"};
+}
+
 Summary read_summary(const std::filesystem::path& path) {
   Summary summary;
   for (const auto& line : split_lines(read_file(path))) {

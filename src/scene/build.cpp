@@ -120,7 +120,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   scene.clock = clock_of(deck, path, diagnostics);
   scene.method = method_of(deck, diagnostics);
   if (path == Path::fem) scene.method.membrane_strain = MembraneStrain::element;  // bars, whose nodes a pin holds
-  if (deck.has_group("mesh")) {
+  if (deck.has_group("mesh") || deck.has_group("rigid")) {
     add_solids(deck, scene, diagnostics);
   } else {
     add_bodies(deck, particles, scene, diagnostics);

@@ -15,27 +15,6 @@ void refuse(const Deck& deck, const char* name, Subscript at, const std::string&
   diagnostics.add(deck.remark(Severity::error, "fem", name, at, message, hint));
 }
 
-/// The table of load or support k; where there is none, a static problem's grows in proportion to time.
-Amplitude amplitude_of(const Deck& deck, const std::string& what, int k, Diagnostics& diagnostics) {
-  const std::string times = what + "_time", factors = what + "_factor";
-  Amplitude amplitude;
-  for (int i = 1; i <= table_count && deck.given("fem", times, i, k); ++i) {
-    if (!deck.given("fem", factors, i, k)) {
-      refuse(deck, times.c_str(), {i, k}, fmt::format("{}({},{}) is not given", factors, i, k),
-             "each time of a table has its factor", diagnostics);
-      return {};
-    }
-    amplitude.time.push_back(deck.real("fem", times, i, k));
-    amplitude.factor.push_back(deck.real("fem", factors, i, k));
-    if (i > 1 && !(amplitude.time.back() > amplitude.time[amplitude.time.size() - 2])) {
-      refuse(deck, times.c_str(), {i, k}, "the times of a table ascend", "write them in order", diagnostics);
-      return {};
-    }
-  }
-  if (amplitude.time.empty() && deck.logical("fem", "static")) return {{0, deck.real("in", "tmax")}, {0, 1}};
-  return amplitude;
-}
-
 std::string names_of(const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& side : mesh.sides) names.push_back(side.first);
@@ -51,23 +30,63 @@ const Sides* sides_of(const Deck& deck, const Mesh& mesh, const char* variable, 
   return nullptr;
 }
 
-/// Adds the nodes of a mesh that stand on the line x_axis = place, held there as a wall of this kind does.
-void add_wall(const Mesh& mesh, std::size_t axis, double place, double size, Wall wall, Solids& solids) {
-  if (wall == Wall::open) return;
-  const auto dim = static_cast<std::size_t>(mesh.dim());
+/// Adds the nodes of a mesh that stand at an edge, held there as its wall does.
+void add_wall(const Mesh& mesh, const GridEdge& edge, Solids& solids) {
+  if (edge.wall == Wall::open) return;
   Support support;
-  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    if (std::abs(mesh.x[n * dim + axis] - place) <= 1e-9 * size) support.nodes.push_back(static_cast<int>(n));
-  }
-  if (wall == Wall::fixed) {
-    support.fixed = {true, true, dim == 3};
+  support.nodes = nodes_at(mesh, edge);
+  if (edge.wall == Wall::fixed) {
+    support.fixed = {true, true, mesh.dim() == 3};
   } else {
-    support.fixed[axis] = true;
+    support.fixed[edge.axis] = true;
   }
   if (!support.nodes.empty()) solids.supports.push_back(std::move(support));
 }
 
 }  // namespace
+
+std::array<GridEdge, 4> edges_of(const Scene& scene) {
+  const BackgroundGrid& grid = scene.grid;
+  const double width = grid.x1 - grid.x0, height = grid.y1 - grid.y0;
+  return {{{"wl", 0, grid.x0, width, scene.walls.left},
+           {"wr", 0, grid.x1, width, scene.walls.right},
+           {"wb", 1, grid.y0, height, scene.walls.bottom},
+           {"wt", 1, grid.y1, height, scene.walls.top}}};
+}
+
+std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    if (std::abs(mesh.x[n * dim + edge.axis] - edge.place) <= 1e-9 * edge.size) nodes.push_back(static_cast<int>(n));
+  }
+  return nodes;
+}
+
+Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
+                       Diagnostics& diagnostics) {
+  const std::string times = what + "_time", factors = what + "_factor";
+  const auto error = [&](const std::string& name, int i, const std::string& message, const std::string& hint) {
+    diagnostics.add(deck.remark(Severity::error, group, name, {i, k}, message, hint));
+    return Amplitude{};
+  };
+  Amplitude amplitude;
+  for (int i = 1; i <= table_count; ++i) {
+    const bool time = deck.given(group, times, i, k), factor = deck.given(group, factors, i, k);
+    if (!time && !factor) break;
+    if (time != factor) {
+      return error(time ? times : factors, i, fmt::format("{}({},{}) is not given", time ? factors : times, i, k),
+                   "each time of a table has its factor");
+    }
+    amplitude.time.push_back(deck.real(group, times, i, k));
+    amplitude.factor.push_back(deck.real(group, factors, i, k));
+    if (i > 1 && !(amplitude.time.back() > amplitude.time[amplitude.time.size() - 2]))
+      return error(times, i, "the times of a table ascend", "write them in order");
+  }
+  const bool is_static = group == "fem" && deck.logical("fem", "static");
+  if (amplitude.time.empty() && is_static) return {{0, deck.real("in", "tmax")}, {0, 1}};
+  return amplitude;
+}
 
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   for (const Subscript at : deck.given_elements("fem", "load_on")) {
@@ -88,18 +107,13 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
     for (int i = 1; i <= 3; ++i) load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem", "load", i, k);
     if (solids.mesh.dim() == 2 && load.force[2] != 0)
       refuse(deck, "load", {3, k}, "a plane mesh has no z", "give z of the regions in $mesh", diagnostics);
-    load.amplitude = amplitude_of(deck, "load", k, diagnostics);
+    load.amplitude = amplitude_of(deck, "fem", "load", k, diagnostics);
     solids.loads.push_back(std::move(load));
   }
 }
 
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics) {
-  const BackgroundGrid& grid = scene.grid;
-  const double width = grid.x1 - grid.x0, height = grid.y1 - grid.y0;
-  add_wall(solids.mesh, 0, grid.x0, width, scene.walls.left, solids);
-  add_wall(solids.mesh, 0, grid.x1, width, scene.walls.right, solids);
-  add_wall(solids.mesh, 1, grid.y0, height, scene.walls.bottom, solids);
-  add_wall(solids.mesh, 1, grid.y1, height, scene.walls.top, solids);
+  for (const GridEdge& edge : edges_of(scene)) add_wall(solids.mesh, edge, solids);
   for (const Subscript at : deck.given_elements("fem", "fix_on")) {
     const int k = at[0];
     const Sides* sides = sides_of(deck, solids.mesh, "fix_on", k, diagnostics);
@@ -116,7 +130,7 @@ void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnost
     if (support.fixed == std::array<bool, 3>{})
       refuse(deck, "fix_on", at, fmt::format("support {} holds no direction", k),
              fmt::format("write fix(1:2,{})=0,0", k), diagnostics);
-    support.amplitude = amplitude_of(deck, "fix", k, diagnostics);
+    support.amplitude = amplitude_of(deck, "fem", "fix", k, diagnostics);
     solids.supports.push_back(std::move(support));
   }
 }

@@ -16,6 +16,7 @@
 namespace tether {
 
 struct Solids;
+struct Rigid;
 
 /// Initial state of material points, one array a property, all of one length.
 struct PointSet {
@@ -63,7 +64,8 @@ struct Scene {
   double gravity = 0;  // acceleration in y [length/time2]
   PointSet points;
   std::vector<Body> bodies;
-  std::shared_ptr<const Solids> solids;  ///< elastic bodies on a mesh, which has no points
+  std::shared_ptr<const Solids> solids;  ///< bodies on a mesh, which has no points
+  std::shared_ptr<const Rigid> rigid;    ///< that they are one rigid body; null where they are elastic
   std::vector<std::size_t> tracked;      ///< points whose paths are recorded
   std::vector<std::size_t> pinned;       ///< points that a pin holds where they are
   double ambient = 0;                    ///< pressure outside membranes that enclose gas [stress]

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scene/materials.hpp"
+#include "scene/rigid_of_deck.hpp"
 
 namespace tether {
 namespace {
@@ -48,7 +49,7 @@ ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
 SolidRegion region_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
   SolidRegion region;
   region.name = fmt::format("region {}", r);
-  region.law = law_of(deck, r, dim, diagnostics);
+  if (!deck.has_group("rigid")) region.law = law_of(deck, r, dim, diagnostics);
   region.velocity = {deck.real("reg", "vrx", r), deck.real("reg", "vry", r), deck.real("fem", "vrz", r)};
   for (int i = 1; i <= 3; ++i) region.spin[static_cast<std::size_t>(i - 1)] = deck.real("fem", "spin", i, r);
   if (deck.given("reg", "densir", r)) {
@@ -123,6 +124,11 @@ int free_motions(const Solids& solids) {
 }
 
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
+  if (deck.has_group("rigid")) {
+    check_rigid(deck, diagnostics);
+    scene.rigid = rigid_of(deck, diagnostics);
+    if (!deck.has_group("mesh")) return;
+  }
   auto mesh = mesh_of(deck, diagnostics);
   const int dim = deck.given_elements("mesh", "z").empty() ? 2 : 3;
   Solids solids;
@@ -134,9 +140,14 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   solids.tolerance = deck.real("fem", "tolerance");
   solids.from_equilibrium = deck.logical("fem", "settle");
   add_loads(deck, solids, diagnostics);
-  add_supports(deck, scene, solids, diagnostics);
   track_nodes(deck, solids);
-  const bool rests = solids.integrator == Integrator::equilibrium || solids.from_equilibrium;
+  if (scene.rigid) {
+    if (dim == 3) check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
+    check_rigid_walls(deck, scene, solids.mesh, diagnostics);
+  } else {
+    add_supports(deck, scene, solids, diagnostics);
+  }
+  const bool rests = !scene.rigid && (solids.integrator == Integrator::equilibrium || solids.from_equilibrium);
   if (const int left = rests ? free_motions(solids) : 0; left > 0) {
     diagnostics.add(deck.remark(
         Severity::error, "fem", solids.from_equilibrium ? "settle" : "static", {1, 1},

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
@@ -14,13 +17,31 @@ namespace tether {
 /// elements turned inside out, blocks that touch without being joined.
 std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics);
 
-/// Adds the elastic bodies that $reg, $mesh and $fem describe, with loads, supports and tracked nodes. A static problem
-/// that supports leave free to move as a whole is a mistake of its own.
+/// Adds the bodies on a mesh that $reg, $mesh and $fem describe, with loads, supports and tracked nodes; with $rigid
+/// they are one rigid body, without laws and supports. A static problem that supports leave free to move as a whole is
+/// a mistake of its own.
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// Loads of $fem on a mesh, and supports of $fem and of the walls that its nodes stand on at the start.
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics);
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics);
+
+/// The table of $group what_time and what_factor in column k; where there is none, a static problem's grows in
+/// proportion to time.
+Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
+                       Diagnostics& diagnostics);
+
+/// An edge of the grid, x or y (axis 0, 1) = place, what the deck calls its wall, and the grid's size across it
+/// [length].
+struct GridEdge {
+  const char* variable;
+  std::size_t axis;
+  double place, size;
+  Wall wall;
+};
+std::array<GridEdge, 4> edges_of(const Scene& scene);
+/// Nodes of a mesh that stand at an edge, as near as rounding tells.
+std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge);
 
 /// Directions and turns in which the supports leave a connected part of the mesh free, 0 where it is held.
 int free_motions(const Solids& solids);

@@ -43,14 +43,16 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// The quantities that some run of the study can write.
 class Keys {
  public:
-  void add(const std::string& solution) {
-    for (auto& key : summary_keys(reference_kind(solution))) {
-      if (is_quantity(key) && !contains(known_, key)) known_.push_back(std::move(key));
-    }
-  }
+  void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
+  void add_those_of_meshes() { add(mesh_summary_keys()); }
   const std::vector<std::string>& known() const { return known_; }
 
  private:
+  void add(std::vector<std::string> keys) {
+    for (auto& key : keys) {
+      if (is_quantity(key) && !contains(known_, key)) known_.push_back(std::move(key));
+    }
+  }
   std::vector<std::string> known_;
 };
 
@@ -136,6 +138,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     const Deck base = read_base(study, k, found);
     tell_of(base, study.decks[k].number, found, remarks, diagnostics);
     keys.add(base.text("reference", "solution"));
+    if (base.has_group("mesh")) keys.add_those_of_meshes();
   }
   for (const Axis& axis : study.axes) {
     if (axis.variable != "reference.solution") continue;

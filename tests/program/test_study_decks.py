@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The studies of decks/studies, on fewer or coarser grids, over fewer runs or for a shorter time than they ask for."""
+import math
 import pathlib
 import unittest
 
@@ -142,6 +143,30 @@ class StudyDecks(SweepTest):
     def test_airbag_500(self):
         self.falls(self.shortened("airbag-500", ("18,26,35,52", "18"), ("26,38,51,76", "26"),
                                   ("in.tmax=0.050", "in.tmax=0.004")), 4.7)
+
+    def test_elastic_to_rigid(self):
+        """Ten times stiffer is ten times nearer to the rigid body, which costs less and does not know of E."""
+        rows = self.shortened("elastic-to-rigid", ("$study", "$study\nset='in.tmax=2.0', 'in.tstep=0.08'"),
+                              ("3*1.d3,3*1.d4,3*1.d5,3*1.d6,3*1.d7,3*1.d8,3*1.d9,3*1.d10,3*1.d11,3*1.d12",
+                               "3*1.d4,3*1.d6,3*1.d8"))
+        elastic, rigid = rows[:3], rows[3:]
+        self.assertEqual([(row["unknowns"], row["exit_code"]) for row in rows], [("243", "0")] * 3 + [("6", "0")] * 3)
+        places = [f"last_point_{axis}_{point}" for axis in "xyz" for point in (1, 2, 3)]
+        self.assertEqual(len({tuple(row[place] for place in places) for row in rigid}), 1)
+        apart = [math.dist(*([number(row, place) for place in places] for row in (one, rigid[0]))) for one in elastic]
+        for coarse, fine in zip(apart, apart[1:]):
+            self.assertAlmostEqual(coarse / fine, 100, delta=3)
+        self.assertLess(apart[0], 0.01)
+
+    def test_block_growth(self):
+        """More hexahedra lean further; what they cost stands in the table."""
+        rows = self.shortened("block-growth", ("3*10,3*15,3*22,3*32,3*46", "3*2,3*4"))
+        self.assertEqual([(row["cells_active"], row["unknowns"]) for row in rows], [("8", "54"), ("64", "300")])
+        few, many = [number(row, "last_point_x_1") for row in rows]
+        self.assertLess(1, few)
+        self.assertLess(few, many)
+        for column in ("factor_nonzeros", "assembly_seconds", "analysis_seconds", "solve_seconds", "peak_memory_mb"):
+            self.assertGreater(number(rows[1], column), 0, column)
 
     def test_cost(self):
         """A short part of each run has all columns of its family, and energies that the robust method keeps."""

@@ -10,12 +10,11 @@
 #include <string>
 
 #include "base/diagnostics.hpp"
+#include "scene/rigid.hpp"
 
 namespace tether::fem {
 namespace {
 
-/// Below this volume of their unit vectors directors count as dependent: 8 of 16 digits of every theta would be lost.
-constexpr double least_volume = 1e-8;
 /// Below this ratio of the principal moments of inertia about the centre the mass counts as lying on a line.
 constexpr double least_breadth = 1e-12;
 
@@ -26,8 +25,8 @@ void check_directors(const Eigen::Matrix3d& directors) {
     throw InputError(fmt::format("rigid body: director d{} has length {}", i + 1, length),
                      "give three independent directions");
   }
-  const double volume = std::abs(directors.colwise().normalized().determinant());
-  if (volume >= least_volume) return;
+  const double volume = spanned_volume(directors);
+  if (volume >= least_spanned_volume) return;
   throw InputError(
       fmt::format("rigid body: the directors d1, d2, d3 lie in one plane (their unit vectors span {:.3g})", volume),
       "give three independent directions; they need not be orthogonal");

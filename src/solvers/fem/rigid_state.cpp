@@ -29,7 +29,7 @@ double rigid_kinetic_energy(const RigidInertia& inertia, const RigidState& state
 }
 
 double rigid_potential_energy(const RigidInertia& inertia, const RigidState& state, const Eigen::Vector3d& g) {
-  return -g.dot(state.q * inertia.moments.col(0));
+  return 0 - g.dot(state.q * inertia.moments.col(0));
 }
 
 Eigen::Vector3d rigid_linear_momentum(const RigidInertia& inertia, const RigidState& state) {
@@ -50,7 +50,19 @@ Eigen::Vector3d rigid_angular_velocity(const RigidBody& body, const RigidState& 
   const Eigen::Matrix3d directors = state.q.rightCols<3>(), momenta = state.v.rightCols<3>() * second;
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i) spin += directors.col(i).cross(momenta.col(i));
-  return rigid_inertia_tensor(second, directors).inverse() * spin;
+  // In the body's unit of inertia, so that no mass, however small or large, takes the determinant out of all numbers.
+  const double unit = 1 / body.unit_of_inertia;
+  return (unit * rigid_inertia_tensor(second, directors)).inverse() * (unit * spin);
+}
+
+RigidColumns rigid_velocities(const RigidBody& body, const RigidState& state) {
+  const Eigen::Vector3d omega = rigid_angular_velocity(body, state);
+  RigidColumns v;
+  for (int i = 1; i < 4; ++i) v.col(i) = omega.cross(state.q.col(i));
+  const Eigen::Vector3d theta = body.pin ? *body.pin : Eigen::Vector3d(body.inertia.first() / body.inertia.mass());
+  v.col(0) = -v.rightCols<3>() * theta;
+  if (!body.pin) v.col(0) += rigid_linear_momentum(body.inertia, state) / body.inertia.mass();
+  return v;
 }
 
 Eigen::Vector3d rigid_spin(const Eigen::Matrix3d& directors, const Eigen::Matrix3d& velocities) {

@@ -33,6 +33,9 @@ Eigen::Vector3d rigid_angular_momentum(const RigidInertia& inertia, const RigidS
 /// nearest one in the norm of the kinetic energy [rad/time]. What the velocities hold beside it is described in
 /// rigid_step.hpp.
 Eigen::Vector3d rigid_angular_velocity(const RigidBody& body, const RigidState& state);
+/// The velocities of that rigid motion: omega x d_i, and of phi such that the centre of mass has the state's momentum
+/// or, with a fixed point, that this rests.
+RigidColumns rigid_velocities(const RigidBody& body, const RigidState& state);
 /// Angular velocity of directors with the velocities v_i = omega x d_i: sum d^i x v_i / 2, with reciprocal d^i.
 Eigen::Vector3d rigid_spin(const Eigen::Matrix3d& directors, const Eigen::Matrix3d& velocities);
 /// Power of a torque on it, m . omega = sum v_i . f^i (29) with f^i of the reciprocal vectors [power].

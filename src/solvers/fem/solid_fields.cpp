@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/solid_fields.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <numeric>
 
+#include "solvers/fem/mesh_fields.hpp"
+
 namespace tether::fem {
 namespace {
-
-constexpr std::array axes{"x", "y", "z"};
-
-void add_vector(HistoryLayout& layout, const std::string& name, Dimension dimension, const std::string& meaning,
-                int dim, Per per) {
-  for (int i = 0; i < dim; ++i) {
-    const std::string axis = axes[static_cast<std::size_t>(i)];
-    layout.quantities.push_back({name + axis, dimension, meaning + axis, per});
-  }
-}
 
 /// Sums over all nodes with the consistent mass: m v, and x cross m v.
 struct Motion {
@@ -60,37 +50,15 @@ void add_means(const std::vector<double>& values, const SolidSystem& system, con
 }  // namespace
 
 HistoryLayout history_layout(const Solids& solids) {
-  const int dim = solids.mesh.dim();
   HistoryLayout layout;
-  layout.quantities = {
-      {"time", Dimension::time, "time"},
-      {"dt", Dimension::time, "length of the last step"},
-      {"energy_kinetic", Dimension::energy, "kinetic energy"},
-      {"energy_strain", Dimension::energy, "energy stored in solids"},
-      {"energy_internal", Dimension::energy, "internal energy of gas: none"},
-      {"energy_potential", Dimension::energy, "potential energy in gravity, zero at y = 0"},
-      {"energy_total", Dimension::energy, "sum of the energies"},
-      {"energy_outside", Dimension::energy, "work that loads and moved supports have done on the solids"},
-      {"energy_damped", Dimension::energy, "energy that damping has taken"},
-      {"mass", Dimension::mass, "mass"},
-  };
-  add_vector(layout, "momentum_", Dimension::momentum, "momentum in ", dim, Per::scene);
-  if (dim == 3) {
-    add_vector(layout, "angular_momentum_", Dimension::angular_momentum, "angular momentum about the origin, ", 3,
-               Per::scene);
-  } else {
-    layout.quantities.push_back(
-        {"angular_momentum_z", Dimension::angular_momentum, "angular momentum about the origin"});
-  }
-  add_vector(layout, "body_", Dimension::length, "centre of mass, ", dim, Per::body);
-  add_vector(layout, "body_v", Dimension::velocity, "velocity of the centre of mass, ", dim, Per::body);
-  layout.quantities.push_back({"body_mass", Dimension::mass, "mass", Per::body});
-  if (!solids.tracked.empty()) {
-    add_vector(layout, "point_", Dimension::length, "place, ", dim, Per::point);
-    add_vector(layout, "point_v", Dimension::velocity, "velocity, ", dim, Per::point);
-  }
-  for (const SolidRegion& region : solids.regions) layout.body_names.push_back(region.name);
-  for (const int node : solids.tracked) layout.point_names.push_back(fmt::format("node {}", node + 1));
+  add_energies(layout);
+  layout.quantities.push_back(
+      {"energy_outside", Dimension::energy, "work that loads and moved supports have done on the solids"});
+  layout.quantities.push_back({"energy_damped", Dimension::energy, "energy that damping has taken"});
+  add_momenta(layout, solids.mesh.dim());
+  std::vector<std::string> names;
+  for (const SolidRegion& region : solids.regions) names.push_back(region.name);
+  add_bodies_and_nodes(layout, solids, names);
   return layout;
 }
 
@@ -126,39 +94,23 @@ Record record(const SolidState& state, const SolidSystem& system) {
   add_means(state.q, system, masses, values);
   add_means(state.v, system, masses, values);
   values.insert(values.end(), masses.begin(), masses.end());
-  for (std::size_t i = 0; i < d; ++i) {
-    for (const int node : system.solids.tracked) values.push_back(state.q[static_cast<std::size_t>(node) * d + i]);
-  }
-  for (std::size_t i = 0; i < d; ++i) {
-    for (const int node : system.solids.tracked) values.push_back(state.v[static_cast<std::size_t>(node) * d + i]);
-  }
+  append_nodes(system.solids, state.q, state.v, values);
   return values;
 }
 
 Snapshot node_fields(const SolidState& state, const SolidSystem& system) {
   const auto d = static_cast<std::size_t>(system.dim());
   const std::size_t nodes = system.lumped.size();
-  Snapshot snapshot;
-  snapshot.time = state.time;
-  const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning, auto value) {
-    Field field{{name, dimension, meaning}, std::vector<double>(nodes)};
-    for (std::size_t n = 0; n < nodes; ++n) field.values[n] = value(n);
-    snapshot.fields.push_back(std::move(field));
-  };
-  for (std::size_t i = 0; i < d; ++i)
-    add(axes[i], Dimension::length, "place", [&](std::size_t n) { return state.q[n * d + i]; });
-  for (std::size_t i = 0; i < d; ++i) {
-    add(std::string("u") + axes[i], Dimension::length, "displacement",
-        [&](std::size_t n) { return state.q[n * d + i] - system.solids.mesh.x[n * d + i]; });
-  }
-  for (std::size_t i = 0; i < d; ++i)
-    add(std::string("v") + axes[i], Dimension::velocity, "velocity", [&](std::size_t n) { return state.v[n * d + i]; });
+  Snapshot snapshot = motion_fields(state.time, system.solids.mesh, state.q, state.v);
   const std::vector<double> stress = system.elements->nodal_stress(state.q);
   constexpr std::array names{"sxx", "syy", "szz", "sxy", "syz", "sxz", "energy_density"};
   for (std::size_t f = 0; f < names.size(); ++f) {
     if (d == 2 && (f == 2 || f == 4 || f == 5)) continue;
-    add(names[f], Dimension::stress, f == 6 ? "strain energy per volume of the shape at the start" : "Cauchy's stress",
-        [&](std::size_t n) { return stress[n * names.size() + f]; });
+    Field field{{names[f], Dimension::stress,
+                 f == 6 ? "strain energy per volume of the shape at the start" : "Cauchy's stress"},
+                std::vector<double>(nodes)};
+    for (std::size_t n = 0; n < nodes; ++n) field.values[n] = stress[n * names.size() + f];
+    snapshot.fields.push_back(std::move(field));
   }
   return snapshot;
 }

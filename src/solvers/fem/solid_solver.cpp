@@ -8,20 +8,12 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "solvers/fem/halved_steps.hpp"
 #include "solvers/fem/solid_fields.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::fem {
 namespace {
-
-constexpr int most_halvings = 6;
-
-std::string residuals_text(const NewtonReport& report) {
-  std::string text;
-  const std::size_t first = report.residuals.size() > 6 ? report.residuals.size() - 6 : 0;
-  for (std::size_t k = first; k < report.residuals.size(); ++k) text += fmt::format(" {:.2g}", report.residuals[k]);
-  return text;
-}
 
 /// Velocities of the nodes at the start: each region moves and turns about its centre of mass; a node that regions
 /// share has the mean of theirs by mass. Supported directions are at rest.
@@ -71,7 +63,7 @@ void SolidSolver::start() {
   throw RunError(
       fmt::format("t = 0: no equilibrium with the loads of the start is found: residuals over the largest "
                   "force{}: likely cause, loads too large for one step",
-                  residuals_text(report)));
+                  residuals_text(report.residuals)));
 }
 
 void SolidSolver::advance(double until) {
@@ -86,28 +78,16 @@ double SolidSolver::next_step() const {
 }
 
 void SolidSolver::step(double dt) {
-  const bool last = plan_.scene.clock.tmax - state_.time <= dt;
-  whole_step(dt, 0);
-  if (last) state_.time = plan_.scene.clock.tmax, state_.time_lost = 0;
-  state_.dt_last = dt;
-  if (state_.dt_min == 0 || (!last && dt < state_.dt_min)) state_.dt_min = dt;
+  clock_step(
+      state_, dt, plan_.scene.clock.tmax, [this](double part) { return advanced(part); },
+      [this](double part, const NewtonReport& report) { stop(part, report); }, messages_);
 }
 
-/// A step that does not converge is taken in two halves, each of which may be halved again.
-void SolidSolver::whole_step(double dt, int halvings) {
-  const NewtonReport report = step_.advance(state_, dt);
-  if (report.converged) {
-    add_compensated(state_.time, state_.time_lost, dt);
-    ++state_.steps;
-    return;
-  }
-  if (system_.solids.integrator == Integrator::central) lose(dt);
-  if (halvings == most_halvings) stop(dt, report);
-  if (state_.halvings++ == 0) {
-    messages_.push_back(fmt::format("t = {:.6g}: a step of {:.4g} does not converge and is halved", state_.time, dt));
-  }
-  whole_step(0.5 * dt, halvings + 1);
-  whole_step(0.5 * dt, halvings + 1);
+/// Explicit steps have nothing to be halved for.
+NewtonReport SolidSolver::advanced(double dt) {
+  NewtonReport report = step_.advance(state_, dt);
+  if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
+  return report;
 }
 
 /// An explicit step that ran away leaves no state to go on from.
@@ -134,7 +114,7 @@ void SolidSolver::stop(double dt, const NewtonReport& report) const {
       fmt::format("t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} "
                   "times; residuals over the largest force{}; fastest is node {} at ({:.6g}, {:.6g}): likely "
                   "cause, a step or a load increment too long, or an element turned inside out",
-                  state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report), node + 1,
+                  state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report.residuals), node + 1,
                   state_.q[node * static_cast<std::size_t>(system_.dim())],
                   state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]));
 }

@@ -34,7 +34,7 @@ class SolidSolver final : public Solver {
   void start();
   double next_step() const;
   void step(double dt);
-  void whole_step(double dt, int halvings);
+  NewtonReport advanced(double dt);
   [[noreturn]] void lose(double dt) const;
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 

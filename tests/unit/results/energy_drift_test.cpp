@@ -54,6 +54,14 @@ TEST(EnergyDrift, IsZeroWhereNothingWasExchanged) {
   EXPECT_EQ(energy_drift(history_of({{1, 2, 3, 4}})), 0);
 }
 
+/// Of a free rigid body all changes are rounding.
+TEST(EnergyDrift, IsOverTheEnergyItselfWhereOnlyRoundingWasExchanged) {
+  const double small = 1.0 / (1LL << 42);
+  EXPECT_EQ(energy_drift(history_of({{8, 0, 0, 0}, {8 + small, 0, 0, 0}})), small / (8 + small));
+  EXPECT_EQ(energy_rise(history_of({{8, 0, 0, 0}, {8 + small, 0, 0, 0}})), small / (8 + small));
+  EXPECT_EQ(energy_drift(history_of({{8, 0, 0, 0}, {8 + 128 * small, 0, 0, 0}})), 1);
+}
+
 TEST(EnergyDrift, NeedsItsColumns) { EXPECT_THROW(energy_drift(History{}), std::out_of_range); }
 
 TEST(EnergyRise, CountsGainsAlone) {

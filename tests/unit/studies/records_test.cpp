@@ -140,5 +140,18 @@ TEST_F(Records, SummariesHaveTheForetoldKeys) {
   EXPECT_EQ(kinds.size(), 7u);
 }
 
+TEST_F(Records, SummariesOfMeshesHaveTheirKeysToo) {
+  for (const char* name : {"l-block", "rigid-torque"}) {
+    const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {{"in.tmax=.3"}, "", ""});
+    run(loaded.plan, request_of(loaded, folder / name, ""));
+    std::set<std::string> keys;
+    for (const auto& [key, value] : read_summary(folder / name / "summary.txt")) keys.insert(key);
+    const auto written = std::string(name) == "l-block"
+                             ? mesh_summary_keys()
+                             : std::vector<std::string>{"unknowns", "newton_iterations", "halvings"};
+    for (const auto& key : written) EXPECT_EQ(keys.count(key), 1u) << key << " of " << name;
+  }
+}
+
 }  // namespace
 }  // namespace tether
