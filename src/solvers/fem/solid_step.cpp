@@ -9,7 +9,7 @@
 namespace tether::fem {
 namespace {
 
-constexpr int most_iterations = 25, most_backsteps = 10, most_shortenings = 6;
+constexpr int most_backsteps = 10;
 double norm(const std::vector<double>& f) {
   double sum = 0;
   for (const double value : f) sum += value * value;
@@ -25,6 +25,10 @@ double largest(const std::vector<double>& f) {
 double seconds_since(std::chrono::steady_clock::time_point from) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
+
+/// Whole corrections find the way in stiff and slender bodies, through larger residuals; where they lead nowhere, as in
+/// long steps of soft ones, a second attempt takes care.
+constexpr NewtonRule whole{12, 0}, careful{25, 6};
 
 StressAt rule_of(Integrator integrator) {
   return integrator == Integrator::energy     ? StressAt::gradient
@@ -61,11 +65,11 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   }
   find_outer_forces(state.time, dt);
   guess(state, dt);
-  NewtonReport report = newton(state, dt, dynamic_ ? most_shortenings : 0);
+  NewtonReport report = newton(state, dt, whole);
   if (!report.converged) {
     state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
     guess(state, dt);
-    report = newton(state, dt, dynamic_ ? 0 : most_shortenings);
+    report = newton(state, dt, careful);
   }
   state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (report.converged) accept(state, dt);
@@ -75,10 +79,14 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
 NewtonReport SolidStep::settle(SolidState& state, double at) {
   const bool dynamic = dynamic_;
   dynamic_ = false;
-  q1_ = state.q;
-  system_.place_supports(at, q1_);
   system_.external_forces(at, outer_);
-  NewtonReport report = newton(state, 0, 0);
+  NewtonReport report;
+  for (const NewtonRule& rule : {whole, careful}) {
+    q1_ = state.q;
+    system_.place_supports(at, q1_);
+    report = newton(state, 0, rule);
+    if (report.converged) break;
+  }
   if (report.converged) state.q = q1_;
   dynamic_ = dynamic;
   return report;
@@ -158,18 +166,17 @@ double SolidStep::find_residual(const SolidState& state, double dt) {
   return scale_ > 0 ? std::sqrt(square) / scale_ : 0;
 }
 
-/// Corrections behind which the residual is larger than before are shortened, up to `shortenings` times. Long steps of
-/// free bodies want that; slender ones that loads bend come to their places through larger residuals only.
-NewtonReport SolidStep::newton(const SolidState& state, double dt, int shortenings) {
+NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonRule& rule) {
   NewtonReport report;
   const auto from = std::chrono::steady_clock::now();
   find_inner_forces(state.q, false);
   report.residuals.push_back(find_residual(state, dt));
   cost_.assembly_seconds += seconds_since(from);
-  for (int k = 0; k < most_iterations; ++k) {
+  for (int k = 0; k < rule.most_iterations; ++k) {
     report.converged = report.residuals.back() <= system_.solids.tolerance;
     if (report.converged || !correct(state, dt)) return report;
-    report.residuals.push_back(residual_behind_correction(state, dt, shortenings, report.residuals.back() * scale_));
+    report.residuals.push_back(
+        residual_behind_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
     const bool stagnates = report.residuals.back() > 0.5 * report.residuals[report.residuals.size() - 2];
     report.converged = stagnates && report.residuals.back() <= rounding();
     if (report.converged) return report;
@@ -184,15 +191,26 @@ double SolidStep::rounding() const {
   return epsilon * std::sqrt(n) * stiffest_ * largest(q1_) / scale_;
 }
 
-/// A correction that turns an element inside out is halved until none is.
+/// A correction is halved while it turns an element inside out, and `shortenings` times at most where it leads away:
+/// where neither the residual is smaller than `before` nor the next correction with the same tangent smaller than this
+/// one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
 double SolidStep::residual_behind_correction(const SolidState& state, double dt, int shortenings, double before) {
+  const double length = norm(change_);
   for (int back = 0; back < most_backsteps; ++back) {
     find_inner_forces(state.q, true);
     const double size = find_residual(state, dt);
-    if (std::isfinite(size) && (back >= shortenings || size * scale_ <= before)) return size;
+    if (std::isfinite(size) && (back >= shortenings || size * scale_ <= before || next_correction() <= length))
+      return size;
     for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i] *= 0.5;
   }
   return std::numeric_limits<double>::infinity();
+}
+
+/// Length of the correction that the tangent of this one would make next.
+double SolidStep::next_correction() {
+  for (std::size_t k = 0; k < scratch_.size(); ++k) scratch_[k] = system_.held[k] ? 0 : -residual_[k];
+  solver_.solve(scratch_, scratch_);
+  return norm(scratch_);
 }
 
 /// One correction of Newton's method, into change and q1. False where the tangent is singular.

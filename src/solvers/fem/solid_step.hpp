@@ -10,6 +10,11 @@
 
 namespace tether::fem {
 
+/// How far Newton's method goes in a step.
+struct NewtonRule {
+  int most_iterations, most_shortenings;  ///< corrections, and halvings of one that leads away
+};
+
 /// How Newton's method went in a step.
 struct NewtonReport {
   bool converged = false;
@@ -37,12 +42,13 @@ class SolidStep {
   const SolidCost& cost() const { return cost_; }
 
  private:
-  NewtonReport newton(const SolidState& state, double dt, int shortenings);
+  NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
   void guess(const SolidState& state, double dt);
   void find_outer_forces(double time, double dt);
   void find_inner_forces(std::span<const double> q0, bool again);
   double find_residual(const SolidState& state, double dt);
   double residual_behind_correction(const SolidState& state, double dt, int shortenings, double before);
+  double next_correction();
   double rounding() const;
   bool correct(const SolidState& state, double dt);
   void accept(SolidState& state, double dt);
