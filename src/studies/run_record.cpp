@@ -11,9 +11,9 @@
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "deck/numbers.hpp"
 #include "plan/load.hpp"
 #include "results/summary_keys.hpp"
 #include "results/text_file.hpp"
