@@ -83,13 +83,19 @@ class Deck {
 
   /// Where an element was given; else where its group opens; else the file as a whole.
   Place place(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  /// Where byte `offset` (from 0) of a text that the deck gives stands within its quotes.
+  Place place_within(std::string_view group, std::string_view name, Subscript at, std::size_t offset) const;
   /// The text of a line of the deck (empty for line 0), for diagnostics.
   std::string line_text(const Place& place) const;
   /// A remark on an element's value, at its place, with its line.
   Diagnostic remark(Severity severity, std::string_view group, std::string_view name, Subscript at, std::string message,
                     std::string hint = {}) const;
+  /// The same on one byte of a text.
+  Diagnostic remark_within(Severity severity, std::string_view group, std::string_view name, Subscript at,
+                           std::size_t offset, std::string message, std::string hint = {}) const;
 
  private:
+  const std::vector<std::string>& lines_of(const Place& place) const;
   const DeckValue* find(std::string_view group, std::string_view name, int i, int j) const;
   Contents contents_;
 };
