@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "deck/opener.hpp"
 #include "deck/spelling.hpp"
 
@@ -93,6 +94,19 @@ Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) co
     if (opener_of(line)) break;  // no data begin so: this is a note behind them
     contents.trailer.text += line + "\n";
   }
+  return Deck(std::move(contents));
+}
+
+Deck Deck::with_mesh_text(std::string text) const {
+  Contents contents = contents_;
+  contents.mesh_text = std::make_shared<const std::string>(std::move(text));
+  return Deck(std::move(contents));
+}
+
+Deck Deck::with_mesh_named(const std::string& file) const {
+  Contents contents = contents_;
+  contents.values["mesh.file"][{1, 1}].data = file;
+  contents.values["mesh.file_sha256"][{1, 1}].data = sha256(*contents_.mesh_text);
   return Deck(std::move(contents));
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -47,6 +48,7 @@ class Deck {
     Trailer trailer;
     std::map<std::string, Place> groups;                           ///< the groups that are there, and where they open
     std::map<std::string, std::map<Subscript, DeckValue>> values;  ///< by "group.name"
+    std::shared_ptr<const std::string> mesh_text;                  ///< of the file that $mesh names, once it is read
   };
   explicit Deck(Contents contents);
 
@@ -80,6 +82,13 @@ class Deck {
   /// The same deck with these lines of particle data behind its groups, in place of the file that it names; without the
   /// notes behind the data from the first one on that would open a group.
   Deck with_particle_data(const std::vector<std::string>& particle_lines) const;
+
+  /// The same deck with the text of the mesh file that it names.
+  Deck with_mesh_text(std::string text) const;
+  /// That text, or null where no file was named or read.
+  const std::shared_ptr<const std::string>& mesh_text() const { return contents_.mesh_text; }
+  /// The same deck with that file under another name, and with the SHA-256 of its text.
+  Deck with_mesh_named(const std::string& file) const;
 
   /// Where an element was given; else where its group opens; else the file as a whole.
   Place place(std::string_view group, std::string_view name, int i = 1, int j = 1) const;

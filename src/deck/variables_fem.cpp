@@ -15,6 +15,14 @@ constexpr int nr = region_count, nl = load_count, nt = table_count;
 constexpr std::array rows{
     Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, "q1|q2|p1", "'q1'",
              "Elements of all regions: quadrilaterals or hexahedra of order 1 or 2, triangles or tetrahedra."},
+    Variable{
+        "mesh", "file", text, 0, 1, 1, "", -none, none, "", "''",
+        "ASCII mesh file of Gmsh (version 2.2 or 4.1), as a path from the deck's folder, at most one folder up; in "
+        "place of blocks."},
+    Variable{"mesh", "file_sha256", text, 0, 1, 1, "", -none, none, "", "''",
+             "SHA-256 of that file as deck.effective has it: another content is an error."},
+    Variable{"mesh", "physical", text, 1, nr, 1, "", -none, none, "", "''",
+             "Name of the physical group of that file that is region r; without a name it is the one of tag r."},
     Variable{"mesh", "cells", integer, 2, 3, nr, "", 1, 100000, "", "1",
              "Cells of region r along its first edge (vertex 1 to 2), its second (2 to 3) and z."},
     Variable{"mesh", "grading", real, 2, 3, nr, "", above_zero, none, "", "1.0",

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "grid/block_mesh.hpp"
+#include "grid/gmsh_file.hpp"
+#include "scene/named_file.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -96,16 +98,8 @@ ElementKind kind_of(const Deck& deck, bool solid) {
   return solid ? ElementKind::tet4 : ElementKind::tri3;
 }
 
-}  // namespace
-
-std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
+std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, int regions, Diagnostics& diagnostics) {
   const bool solid = !deck.given_elements("mesh", "z").empty();
-  const int regions = deck.integer("reg", "nreg");
-  if (regions == 0) {
-    diagnostics.add(deck.remark(Severity::error, "reg", "nreg", {1, 1}, "a mesh needs a region at least",
-                                "nreg counts the blocks that the mesh is made of"));
-    return std::nullopt;
-  }
   std::vector<Block> blocks;
   for (int r = 1; r <= regions; ++r) {
     if (auto block = BlockReader(deck, r, solid, diagnostics).read()) blocks.push_back(std::move(*block));
@@ -120,6 +114,47 @@ std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
                                 "cells and the same grading coincide"));
   }
   return flaws.empty() ? std::optional(std::move(mesh)) : std::nullopt;
+}
+
+/// What the deck says of blocks, which a mesh file has in their place.
+void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
+  for (const char* name : {"element", "cells", "grading", "z", "edge", "side"}) {
+    const auto given = deck.given_elements("mesh", name);
+    if (given.empty()) continue;
+    diagnostics.add(deck.remark(Severity::warning, "mesh", name, given.front(),
+                                fmt::format("{} has no effect: the mesh is that of the file", name)));
+  }
+}
+
+std::optional<Mesh> mesh_of_deck_file(const Deck& deck, int regions, Diagnostics& diagnostics) {
+  warn_of_blocks(deck, diagnostics);
+  if (!deck.mesh_text()) return std::nullopt;  // why, has been told
+  std::vector<std::string> groups;
+  for (int r = 1; r <= regions; ++r) groups.push_back(deck.text("mesh", "physical", r));
+  std::vector<MeshFlaw> flaws;
+  auto mesh =
+      read_gmsh(*deck.mesh_text(), path_beside(deck, deck.text("mesh", "file")).string(), groups, flaws, diagnostics);
+  for (const MeshFlaw& flaw : flaws) {
+    const int r = static_cast<int>(flaw.region) + 1;
+    const bool named = deck.given("mesh", "physical", r);
+    diagnostics.add(deck.remark(Severity::error, named ? "mesh" : "reg", named ? "physical" : "nreg",
+                                {named ? r : 1, 1}, fmt::format("region {}: {}", r, flaw.message),
+                                "region r is the physical group of tag r, or the one that physical(r) of $mesh names"));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
+  const int regions = deck.integer("reg", "nreg");
+  if (regions == 0) {
+    diagnostics.add(deck.remark(Severity::error, "reg", "nreg", {1, 1}, "a mesh needs a region at least",
+                                "nreg counts the blocks that the mesh is made of, or the physical groups of its file"));
+    return std::nullopt;
+  }
+  return deck.text("mesh", "file").empty() ? mesh_of_deck_blocks(deck, regions, diagnostics)
+                                           : mesh_of_deck_file(deck, regions, diagnostics);
 }
 
 }  // namespace tether

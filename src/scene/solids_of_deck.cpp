@@ -124,7 +124,7 @@ int free_motions(const Solids& solids) {
 
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   auto mesh = mesh_of(deck, diagnostics);
-  const int dim = deck.given_elements("mesh", "z").empty() ? 2 : 3;
+  const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;
   Solids solids;
   for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) solids.regions.push_back(region_of(deck, r, dim, diagnostics));
   if (!mesh) return;

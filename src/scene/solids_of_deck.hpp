@@ -10,8 +10,9 @@
 
 namespace tether {
 
-/// The mesh that $reg and $mesh describe. Mistakes are told at their places: regions that are no quadrilaterals,
-/// elements turned inside out, blocks that touch without being joined.
+/// The mesh that $reg and $mesh describe by blocks, or the one of the file that $mesh names, whose text the deck must
+/// have by then (load_mesh). Mistakes are told at their places: regions that are no quadrilaterals, elements turned
+/// inside out, blocks that touch without being joined; and those of a mesh file.
 std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics);
 
 /// Adds the elastic bodies that $reg, $mesh and $fem describe, with loads, supports and tracked nodes. A static problem
