@@ -60,10 +60,10 @@ void check_inverted(const NamedMesh& named, Remarks& remarks) {
 void check_hanging(const NamedMesh& named, Remarks& remarks) {
   const auto hanging = hanging_node(named.mesh);
   if (!hanging) return;
-  const Node& node = *named.nodes[static_cast<std::size_t>(*hanging)];
+  const Node& node = *named.nodes[static_cast<std::size_t>(hanging->node)];
   remarks.error(node.line, 1,
                 fmt::format("node {} at {} hangs: it lies within a side of an element that does not have it",
-                            node.number, place_text(named.mesh, *hanging)),
+                            node.number, place_text(named.mesh, hanging->node)),
                 "Parts that touch share their nodes: in Gmsh, 'Coherence' joins their geometry before meshing.");
 }
 

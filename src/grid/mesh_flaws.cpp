@@ -69,6 +69,19 @@ bool lies_within(const Mesh& mesh, const std::vector<int>& corners, int node) {
   return true;
 }
 
+/// The region of the first element that has all these nodes.
+int region_with(const Mesh& mesh, const std::vector<int>& nodes) {
+  const auto per_element = static_cast<std::ptrdiff_t>(node_count_of(mesh.kind));
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const int* first = mesh.element(e);
+    const bool all = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+      return std::find(first, first + per_element, node) != first + per_element;
+    });
+    if (all) return mesh.region[e];
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::string place_text(const Mesh& mesh, int node) {
@@ -95,11 +108,12 @@ void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
     if (!told.insert(mesh.region[e]).second) continue;
     flaws.push_back(
         {static_cast<std::size_t>(mesh.region[e]),
-         fmt::format("element {} at {} is turned inside out or flat", e + 1, place_text(mesh, mesh.element(e)[0]))});
+         fmt::format("element {} at {} is turned inside out or flat", e + 1, place_text(mesh, mesh.element(e)[0])),
+         "corners go counter-clockwise, and no corner's angle is 180 degrees or more"});
   }
 }
 
-std::optional<int> hanging_node(const Mesh& mesh) {
+std::optional<HangingNode> hanging_node(const Mesh& mesh) {
   const Sides boundary = boundary_of(mesh);
   const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
   std::vector<int> nodes(boundary);
@@ -117,18 +131,19 @@ std::optional<int> hanging_node(const Mesh& mesh) {
                                  [&](int n, double x) { return coordinate(mesh, n, 0) < x; });
     for (; node != nodes.end() && coordinate(mesh, *node, 0) <= coordinate(mesh, *high, 0) + slack; ++node) {
       if (std::find(side.begin(), side.end(), *node) != side.end() || !lies_within(mesh, corners, *node)) continue;
-      return *node;
+      return HangingNode{*node, region_with(mesh, {*node}), region_with(mesh, side)};
     }
   }
   return std::nullopt;
 }
 
 void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
-  if (const auto node = hanging_node(mesh)) {
-    flaws.push_back({0, fmt::format("the node at {} hangs: it lies within a side of another block that does not "
-                                    "have it",
-                                    place_text(mesh, *node))});
-  }
+  const auto hanging = hanging_node(mesh);
+  if (!hanging) return;
+  flaws.push_back({static_cast<std::size_t>(hanging->region),
+                   fmt::format("the node at {} hangs: it lies within a side of region {} that does not have it",
+                               place_text(mesh, hanging->node), hanging->region_of_side + 1),
+                   "blocks are joined where whole edges with equally many cells and the same grading coincide"});
 }
 
 }  // namespace tether

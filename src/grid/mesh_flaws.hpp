@@ -14,6 +14,7 @@ namespace tether {
 struct MeshFlaw {
   std::size_t region = 0;  ///< from 0
   std::string message;
+  std::string hint = {};  ///< what would be right
 };
 
 /// "(x, y)" or "(x, y, z)" of a node.
@@ -24,8 +25,13 @@ std::vector<std::size_t> inverted_elements(const Mesh& mesh);
 /// Of these the first of each region.
 void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
 
-/// A node within a side of the boundary that does not have it: parts that touch without being joined.
-std::optional<int> hanging_node(const Mesh& mesh);
+/// A node within a side of the boundary that does not have it: parts that touch without being joined. With the regions
+/// of both, from 0.
+struct HangingNode {
+  int node = 0;
+  int region = 0, region_of_side = 0;
+};
+std::optional<HangingNode> hanging_node(const Mesh& mesh);
 void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
 
 /// Pairs of nodes in one place, to 1e-9 of the mesh's size: each node with the lowest one there, in ascending order.

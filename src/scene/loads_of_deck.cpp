@@ -12,6 +12,8 @@
 namespace tether {
 namespace {
 
+constexpr const char* plane_hint = "x and y are all there is; with z of the regions in $mesh there are bodies in space";
+
 void refuse(const Deck& deck, const char* name, Subscript at, const std::string& message, const std::string& hint,
             Diagnostics& diagnostics) {
   diagnostics.add(deck.remark(Severity::error, "fem", name, at, message, hint));
@@ -142,7 +144,8 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
     }
     for (int i = 1; i <= 3; ++i) load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem", "load", i, k);
     if (solids.mesh.dim() == 2 && load.force[2] != 0)
-      refuse(deck, "load", {3, k}, "a plane mesh has no z", "give z of the regions in $mesh", diagnostics);
+      refuse(deck, "load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
+             diagnostics);
     load.amplitude = amplitude_of(deck, "load", k, diagnostics);
     solids.loads.push_back(std::move(load));
   }
@@ -171,7 +174,9 @@ void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnost
     }
     if (support.fixed == std::array<bool, 3>{})
       refuse(deck, "fix_on", at, fmt::format("support {} holds no direction", k),
-             fmt::format("write fix(1:2,{})=0,0", k), diagnostics);
+             fmt::format("write fix(1,{0})=0,0{1}", k, solids.mesh.dim() == 3 ? ",0" : ""), diagnostics);
+    if (solids.mesh.dim() == 2 && support.fixed[2])
+      refuse(deck, "fix", {3, k}, fmt::format("support {} holds z, but the mesh is plane", k), plane_hint, diagnostics);
     support.amplitude = amplitude_of(deck, "fix", k, diagnostics);
     solids.supports.push_back(std::move(support));
   }

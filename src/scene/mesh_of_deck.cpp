@@ -75,8 +75,11 @@ class BlockReader {
     return elliptic(from, to, centre, a, b);
   }
   void read_depth(Block& block) {
-    if (!deck_.given("mesh", "z", 1, r_) || !deck_.given("mesh", "z", 2, r_)) {
-      error("mesh", "z", {1, r_}, "z is not given, but that of other regions is", "all regions are plane, or none");
+    for (const int k : {1, 2}) {
+      if (deck_.given("mesh", "z", k, r_)) continue;
+      const Subscript other = deck_.given_elements("mesh", "z").front();
+      error("mesh", "z", other, fmt::format("z({},{}) is not given, but z({},{}) is", k, r_, other[0], other[1]),
+            "all regions have a lowest and a highest z, or none has");
       return;
     }
     block.z_low = deck_.real("mesh", "z", 1, r_), block.z_high = deck_.real("mesh", "z", 2, r_);
@@ -109,15 +112,16 @@ std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, int regions, Diagnosti
   Mesh mesh = mesh_of_blocks(blocks, kind_of(deck, solid), flaws);
   for (const MeshFlaw& flaw : flaws) {
     const int r = static_cast<int>(flaw.region) + 1;
-    diagnostics.add(deck.remark(Severity::error, "reg", "xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message),
-                                "corners go counter-clockwise; blocks are joined where whole edges with equally many "
-                                "cells and the same grading coincide"));
+    diagnostics.add(
+        deck.remark(Severity::error, "reg", "xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message), flaw.hint));
   }
   return flaws.empty() ? std::optional(std::move(mesh)) : std::nullopt;
 }
 
-/// What the deck says of blocks, which a mesh file has in their place.
+/// What the deck says of blocks, which a mesh file has in their place; deck.effective, which shows defaults, too, means
+/// nothing by them.
 void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.given("mesh", "file_sha256")) return;
   for (const char* name : {"element", "cells", "grading", "z", "edge", "side"}) {
     const auto given = deck.given_elements("mesh", name);
     if (given.empty()) continue;
