@@ -89,8 +89,8 @@ TEST(Loads, TellOfTablesThatAreNone) {
 
 TEST(Loads, TellOfNumbersWithoutASide) {
   const Built built = square("load(1,3)=1.,2.,fix_expression(4)='t',fix(1,4)=0.");
-  EXPECT_EQ(built.errors(),
-            (Texts{"10:11: load 3 acts on nothing: load_on(3) is not given", "10:48: support 4 acts on nothing: fix_on(4) is not given"}));
+  EXPECT_EQ(built.errors(), (Texts{"10:11: load 3 acts on nothing: load_on(3) is not given",
+                                   "10:48: support 4 acts on nothing: fix_on(4) is not given"}));
 }
 
 TEST(Loads, SuggestTheSideThatIsMeant) {
