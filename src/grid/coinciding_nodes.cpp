@@ -36,14 +36,16 @@ Extent extent_of(const Mesh& mesh) {
   return extent;
 }
 
-/// Cells whose lattice lies a part of a cell off the lowest corner, where regular meshes have no nodes.
+/// The node's cell and those that it comes near to from below: of two nodes in one place both touch the one that the
+/// higher coordinates of each direction are in. The lattice lies a part of a cell off the lowest corner, so that nodes
+/// of regular meshes touch one cell alone.
 void add_touches(const Mesh& mesh, int node, const Extent& extent, std::vector<Touch>& touches) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
   const double within = tolerance * extent.size, cell = cell_size * within;
   std::array<std::array<long long, 2>, 3> range{};
   for (std::size_t i = 0; i < dim; ++i) {
     const double x = mesh.x[static_cast<std::size_t>(node) * dim + i] - extent.low[i] + 0.4 * cell;
-    range[i] = {std::llround(std::floor((x - within) / cell)), std::llround(std::floor((x + within) / cell))};
+    range[i] = {std::llround(std::floor(x / cell)), std::llround(std::floor((x + within) / cell))};
   }
   for (long long k = range[2][0]; k <= range[2][1]; ++k) {
     for (long long j = range[1][0]; j <= range[1][1]; ++j) {

@@ -46,10 +46,10 @@ std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& rem
                     type->instead);
     } else if (one != nullptr) {
       remarks.error(line, 1,
-                    fmt::format("{} elements are of the type {}, this and others, {} in all, {}: a mesh is of one kind",
+                    fmt::format("elements of two kinds: {} of the type {}, and {} of the type {}, the first here",
                                 found[one->number].first, one->name, count, type->name),
-                    dim == 2 ? "In Gmsh, 'Recombine Surface' makes all quadrangles, leaving it away all triangles."
-                             : "Tetrahedra always fit; hexahedra want transfinite or extruded volumes.");
+                    dim == 2 ? "A mesh is of one kind. In Gmsh 'Recombine Surface' makes all quadrangles."
+                             : "A mesh is of one kind. Tetrahedra always fit.");
     } else {
       one = type;
     }

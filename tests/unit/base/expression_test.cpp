@@ -82,13 +82,14 @@ TEST_P(WrongExpressions, AreRefusedAtTheirPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Texts, WrongExpressions,
     testing::Values(Wrong{"", 0, "empty"}, Wrong{"   ", 3, "empty"}, Wrong{"2*sn(t)", 2, "Did you mean 'sin'?"},
-                    Wrong{"1 + T", 4, "Did you mean 't'?"}, Wrong{"x*2", 0, "unknown word 'x'"},
-                    Wrong{"2*(t", 4, "missing parenthesis"}, Wrong{"t+", 2, "end of expression"},
-                    Wrong{"2 t", 2, "unexpected variable"}, Wrong{"*t", 0, "unexpected operator"},
-                    Wrong{"t=3", 1, "nothing is assigned"}, Wrong{"!t", 0, "no operator"},
-                    Wrong{"t + \"a\"", 4, "no meaning"}, Wrong{"1,5*t", 1, "decimal point"},
-                    Wrong{"sin(t,2)", 7, "too many parameters"}, Wrong{"max(t)", 5, "too few parameters"},
-                    Wrong{"t>0?1", 5, "else"}, Wrong{"1d3", 1, "unknown word 'd3'"}, Wrong{"0x10", 1, "unknown word"},
+                    Wrong{"atna2(t, 1)", 0, "Did you mean 'atan2'?"}, Wrong{"1 + T", 4, "Did you mean 't'?"},
+                    Wrong{"x*2", 0, "unknown word 'x'"}, Wrong{"2*(t", 4, "missing parenthesis"},
+                    Wrong{"t+", 2, "end of expression"}, Wrong{"2 t", 2, "unexpected variable"},
+                    Wrong{"*t", 0, "unexpected operator"}, Wrong{"t=3", 1, "nothing is assigned"},
+                    Wrong{"!t", 0, "no operator"}, Wrong{"t + \"a\"", 4, "no meaning"},
+                    Wrong{"1,5*t", 1, "decimal point"}, Wrong{"sin(t,2)", 7, "too many parameters"},
+                    Wrong{"max(t)", 5, "too few parameters"}, Wrong{"t>0?1", 5, "else"},
+                    Wrong{"1d3", 1, "unknown word 'd3'"}, Wrong{"0x10", 1, "unknown word"},
                     Wrong{"t;t", 1, "no meaning"}, Wrong{"t \xc3\xa9", 2, "no meaning"},
                     Wrong{"rnd", 0, "unknown word"}, Wrong{"1:2", 1, "colon"}, Wrong{"t(2)", 1, "parenthesis"}));
 

@@ -35,6 +35,7 @@ Mesh mesh_of(const std::string& text, const std::vector<std::string>& regions = 
 /// A box element's nodes stand as on a lattice, along x first: the box from 0 to `size`.
 void expect_lattice(const Mesh& mesh, std::array<double, 3> size) {
   const int p = order_of(mesh.kind), dim = mesh.dim();
+  ASSERT_GT(mesh.element_count(), 0U);
   for (int a = 0; a < node_count_of(mesh.kind); ++a) {
     const int index[] = {a % (p + 1), a / (p + 1) % (p + 1), a / (p + 1) / (p + 1)};
     const auto node = static_cast<std::size_t>(mesh.element(0)[a]);

@@ -34,6 +34,11 @@ TEST(Loads, FollowATable) {
   ASSERT_EQ(built.errors(), Texts{});
   for (const auto& [t, factor] : {std::pair{0.0, 10.0}, {1.0, 10.0}, {2.5, 17.5}, {3.0, 20.0}, {9.0, 20.0}})
     EXPECT_DOUBLE_EQ(first_load(built).at(t), factor);
+  const Built with_gap = square(
+      "load_on(1)='1.top',load(1,1)=1.,load_time(1,1)=0.,load_time(4,1)=2.,"
+      "load_factor(1,1)=1.,load_factor(4,1)=3.");
+  ASSERT_EQ(with_gap.errors(), Texts{});
+  EXPECT_DOUBLE_EQ(first_load(with_gap).at(1), 2);
 }
 
 TEST(Loads, GrowInProportionToTimeWhereNothingIsGiven) {
