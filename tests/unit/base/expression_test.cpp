@@ -66,6 +66,8 @@ struct Wrong {
   const char* message;
 };
 
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << testing::PrintToString(std::string(wrong.text)); }
+
 class WrongExpressions : public testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongExpressions, AreRefusedAtTheirPlace) {
@@ -82,7 +84,7 @@ TEST_P(WrongExpressions, AreRefusedAtTheirPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Texts, WrongExpressions,
     testing::Values(Wrong{"", 0, "empty"}, Wrong{"   ", 3, "empty"}, Wrong{"2*sn(t)", 2, "Did you mean 'sin'?"},
-                    Wrong{"atna2(t, 1)", 0, "Did you mean 'atan2'?"}, Wrong{"1 + T", 4, "Did you mean 't'?"},
+                    Wrong{"flaar(t)", 0, "Did you mean 'floor'?"}, Wrong{"1 + T", 4, "Did you mean 't'?"},
                     Wrong{"x*2", 0, "unknown word 'x'"}, Wrong{"2*(t", 4, "missing parenthesis"},
                     Wrong{"t+", 2, "end of expression"}, Wrong{"2 t", 2, "unexpected variable"},
                     Wrong{"*t", 0, "unexpected operator"}, Wrong{"t=3", 1, "nothing is assigned"},
@@ -91,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"max(t)", 5, "too few parameters"}, Wrong{"t>0?1", 5, "else"},
                     Wrong{"1d3", 1, "unknown word 'd3'"}, Wrong{"0x10", 1, "unknown word"},
                     Wrong{"t;t", 1, "no meaning"}, Wrong{"t \xc3\xa9", 2, "no meaning"},
-                    Wrong{"rnd", 0, "unknown word"}, Wrong{"1:2", 1, "colon"}, Wrong{"t(2)", 1, "parenthesis"}));
+                    Wrong{"rnd", 0, "unknown word"}, Wrong{"1:2", 1, "colon"}, Wrong{"t(2)", 1, "parenthesis"}),
+    [](const auto& test) { return "Number" + std::to_string(test.index); });
 
 TEST(Expressions, OfAnyBytesAreRefusedOrComputed) {
   const std::string seeds[] = {"sin(2*pi*t)", "t < 1 ? t^2 : max(t, 1e-3)", "(t>1 && t<=2)*exp(-t/0.5)"};
