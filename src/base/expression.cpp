@@ -52,6 +52,7 @@ constexpr std::size_t longest_text = 1000;  // a longer one is no formula that s
 
 std::vector<std::string> known_words() {
   std::vector<std::string> words;
+  words.reserve(functions_of_one.size() + functions_of_two.size() + constants.size());
   for (const auto& function : functions_of_one) words.emplace_back(function.name);
   for (const auto& function : functions_of_two) words.emplace_back(function.name);
   for (const auto& constant : constants) words.emplace_back(constant.name);

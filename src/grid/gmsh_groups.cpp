@@ -32,6 +32,7 @@ std::set<int> tags_there(const Content& content, const NamedMesh& named) {
 
 std::string listed(const Content& content, int dim, const std::set<int>& tags) {
   std::vector<std::string> texts;
+  texts.reserve(tags.size());
   for (const int tag : tags) texts.push_back(group_text(content, dim, tag));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
