@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.hpp"
 #include "base/text.hpp"
-#include "deck/numbers.hpp"
 #include "deck/opener.hpp"
 #include "deck/spelling.hpp"
 #include "deck/variable_groups.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "deck/opener.hpp"
 #include "deck/spelling.hpp"
 
@@ -96,14 +97,50 @@ Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) co
   return Deck(std::move(contents));
 }
 
+Deck Deck::with_mesh_text(std::string text) const {
+  Contents contents = contents_;
+  contents.mesh_text = std::make_shared<const std::string>(std::move(text));
+  return Deck(std::move(contents));
+}
+
+Deck Deck::with_mesh_named(const std::string& file) const {
+  Contents contents = contents_;
+  contents.values["mesh.file"][{1, 1}].data = file;
+  contents.values["mesh.file_sha256"][{1, 1}].data = sha256(*contents_.mesh_text);
+  return Deck(std::move(contents));
+}
+
 Place Deck::place(std::string_view group, std::string_view name, int i, int j) const {
   if (const auto* given = find(group, name, i, j)) return given->place;
   const auto opened = contents_.groups.find(std::string(group));
   return opened == contents_.groups.end() ? Place{contents_.file, 0, 0} : opened->second;
 }
 
+const std::vector<std::string>& Deck::lines_of(const Place& place) const {
+  return place.file == override_file ? contents_.overrides : contents_.lines;
+}
+
+/// From the opening quote on: a quote within the text is written twice, and the text may go on over ends of lines.
+Place Deck::place_within(std::string_view group, std::string_view name, Subscript at, std::size_t offset) const {
+  Place place = this->place(group, name, at[0], at[1]);
+  const auto& lines = lines_of(place);
+  auto line = static_cast<std::size_t>(place.line) - 1;
+  if (place.line < 1 || line >= lines.size()) return place;
+  std::size_t column = lines[line].find_first_of("'\"", static_cast<std::size_t>(place.column) - 1);
+  if (column == std::string::npos) return place;
+  const char quote = lines[line][column++];
+  const auto at_end = [&] { return column >= lines[line].size() && line + 1 < lines.size(); };
+  for (std::size_t k = 0; k < offset; ++k) {
+    while (at_end()) ++line, column = 0;
+    if (column >= lines[line].size()) break;
+    column += lines[line].compare(column, 2, std::string(2, quote)) == 0 ? 2 : 1;
+  }
+  while (at_end()) ++line, column = 0;
+  return {place.file, static_cast<int>(line) + 1, static_cast<int>(column) + 1};
+}
+
 std::string Deck::line_text(const Place& place) const {
-  const auto& lines = place.file == override_file ? contents_.overrides : contents_.lines;
+  const auto& lines = lines_of(place);
   const auto index = static_cast<std::size_t>(place.line) - 1;
   return place.line > 0 && index < lines.size() ? lines[index] : "";
 }
@@ -111,6 +148,12 @@ std::string Deck::line_text(const Place& place) const {
 Diagnostic Deck::remark(Severity severity, std::string_view group, std::string_view name, Subscript at,
                         std::string message, std::string hint) const {
   const auto where = place(group, name, at[0], at[1]);
+  return {severity, where, line_text(where), std::move(message), std::move(hint)};
+}
+
+Diagnostic Deck::remark_within(Severity severity, std::string_view group, std::string_view name, Subscript at,
+                               std::size_t offset, std::string message, std::string hint) const {
+  const auto where = place_within(group, name, at, offset);
   return {severity, where, line_text(where), std::move(message), std::move(hint)};
 }
 

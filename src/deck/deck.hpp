@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -47,6 +48,7 @@ class Deck {
     Trailer trailer;
     std::map<std::string, Place> groups;                           ///< the groups that are there, and where they open
     std::map<std::string, std::map<Subscript, DeckValue>> values;  ///< by "group.name"
+    std::shared_ptr<const std::string> mesh_text;                  ///< of the file that $mesh names, once it is read
   };
   explicit Deck(Contents contents);
 
@@ -81,15 +83,28 @@ class Deck {
   /// notes behind the data from the first one on that would open a group.
   Deck with_particle_data(const std::vector<std::string>& particle_lines) const;
 
+  /// The same deck with the text of the mesh file that it names.
+  Deck with_mesh_text(std::string text) const;
+  /// That text, or null where no file was named or read.
+  const std::shared_ptr<const std::string>& mesh_text() const { return contents_.mesh_text; }
+  /// The same deck with that file under another name, and with the SHA-256 of its text.
+  Deck with_mesh_named(const std::string& file) const;
+
   /// Where an element was given; else where its group opens; else the file as a whole.
   Place place(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  /// Where byte `offset` (from 0) of a text that the deck gives stands within its quotes.
+  Place place_within(std::string_view group, std::string_view name, Subscript at, std::size_t offset) const;
   /// The text of a line of the deck (empty for line 0), for diagnostics.
   std::string line_text(const Place& place) const;
   /// A remark on an element's value, at its place, with its line.
   Diagnostic remark(Severity severity, std::string_view group, std::string_view name, Subscript at, std::string message,
                     std::string hint = {}) const;
+  /// The same on one byte of a text.
+  Diagnostic remark_within(Severity severity, std::string_view group, std::string_view name, Subscript at,
+                           std::size_t offset, std::string message, std::string hint = {}) const;
 
  private:
+  const std::vector<std::string>& lines_of(const Place& place) const;
   const DeckValue* find(std::string_view group, std::string_view name, int i, int j) const;
   Contents contents_;
 };

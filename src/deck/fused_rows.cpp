@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 
 namespace tether {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/remarks.hpp"
 #include "deck/deck.hpp"
-#include "deck/remarks.hpp"
 
 namespace tether {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/remarks.hpp"
+#include "base/remarks.hpp"
 
 namespace tether {
 

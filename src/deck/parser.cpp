@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 #include "deck/opener.hpp"
 #include "deck/variables.hpp"
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <optional>
 
+#include "base/numbers.hpp"
+#include "base/remarks.hpp"
 #include "base/text.hpp"
 #include "deck/fused_rows.hpp"
-#include "deck/numbers.hpp"
-#include "deck/remarks.hpp"
 
 namespace tether {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 #include "deck/variable_groups.hpp"
 
 namespace tether {

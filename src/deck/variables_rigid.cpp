@@ -30,6 +30,8 @@ constexpr std::array rows{
     Variable{"rigid", "torque_time", real, 2, nt, nl, "time", -none, none, "", "",
              "Ascending times of torque k's table, as load_time of $fem."},
     Variable{"rigid", "torque_factor", real, 2, nt, nl, "", -none, none, "", "", "Factors of torque k at these times."},
+    Variable{"rigid", "torque_expression", text, 1, nl, 1, "", -none, none, "", "",
+             "Factor of torque k as an expression in t, in place of a table."},
     Variable{"rigid", "force", real, 2, 3, nl, "force", -none, none, "", "0.0",
              "Components of force k at a point of the body."},
     Variable{"rigid", "force_at", real, 2, 3, nl, "length", -none, none, "", "",
@@ -37,6 +39,8 @@ constexpr std::array rows{
     Variable{"rigid", "force_time", real, 2, nt, nl, "time", -none, none, "", "",
              "Ascending times of force k's table, as load_time of $fem."},
     Variable{"rigid", "force_factor", real, 2, nt, nl, "", -none, none, "", "", "Factors of force k at these times."},
+    Variable{"rigid", "force_expression", text, 1, nl, 1, "", -none, none, "", "",
+             "Factor of force k as an expression in t, in place of a table."},
     Variable{"rigid", "turning", logical, 1, nl, 1, "", -none, none, "", ".false.",
              "Whether force k turns with the body; else it keeps its direction."},
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grid/mesh.hpp"
+#include "grid/mesh_flaws.hpp"
 
 namespace tether {
 
@@ -24,12 +25,6 @@ struct Block {
   std::array<std::string, 6> names;
 };
 
-/// What is wrong with a mesh: of which element or node, and where.
-struct MeshFlaw {
-  std::size_t region = 0;  ///< from 0
-  std::string message;
-};
-
 /// Straight line between two corners.
 EdgeCurve straight(std::array<double, 2> from, std::array<double, 2> to);
 /// Part of an ellipse (of a circle where a = b) about `centre` with half axes a, b, whose parameter's angle runs from
@@ -42,11 +37,5 @@ EdgeCurve elliptic(std::array<double, 2> from, std::array<double, 2> to, std::ar
 /// `.left` (edges 0 to 3), `.back`, `.front` (z_low, z_high), where it is not shared. Flaws, of which there must be
 /// none for the mesh to be used: an inverted element, a node of one block on a side of another that does not have it.
 Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vector<MeshFlaw>& flaws);
-
-/// Elements whose Jacobian is not positive at a point of quadrature or at a corner, the first of each region.
-void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
-
-/// Nodes within a side of the boundary that does not have them: parts that touch without being joined.
-void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
 
 }  // namespace tether

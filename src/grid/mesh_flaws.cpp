@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid/mesh_flaws.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,18 +8,10 @@
 #include <limits>
 #include <set>
 
-#include "grid/block_mesh.hpp"
 #include "grid/jacobian.hpp"
 
 namespace tether {
 namespace {
-
-std::string place_text(const Mesh& mesh, int node) {
-  const auto dim = static_cast<std::size_t>(mesh.dim());
-  const double* at = &mesh.x[static_cast<std::size_t>(node) * dim];
-  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", at[0], at[1])
-                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
-}
 
 /// Smallest Jacobian of an element over its points of quadrature.
 template <class Shapes>
@@ -75,22 +69,51 @@ bool lies_within(const Mesh& mesh, const std::vector<int>& corners, int node) {
   return true;
 }
 
+/// The region of the first element that has all these nodes.
+int region_with(const Mesh& mesh, const std::vector<int>& nodes) {
+  const auto per_element = static_cast<std::ptrdiff_t>(node_count_of(mesh.kind));
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const int* first = mesh.element(e);
+    const bool all = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+      return std::find(first, first + per_element, node) != first + per_element;
+    });
+    if (all) return mesh.region[e];
+  }
+  return 0;
+}
+
 }  // namespace
 
-void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
-  std::set<int> told;
+std::string place_text(const Mesh& mesh, int node) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  const double* at = &mesh.x[static_cast<std::size_t>(node) * dim];
+  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", at[0], at[1])
+                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
+}
+
+std::vector<std::size_t> inverted_elements(const Mesh& mesh) {
+  std::vector<std::size_t> inverted;
   with_shapes(mesh.kind, [&](auto shapes) {
     using Shapes = decltype(shapes);
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      if (smallest_jacobian<Shapes>(mesh, e) > 0 || !told.insert(mesh.region[e]).second) continue;
-      flaws.push_back(
-          {static_cast<std::size_t>(mesh.region[e]),
-           fmt::format("element {} at {} is turned inside out or flat", e + 1, place_text(mesh, mesh.element(e)[0]))});
+      if (!(smallest_jacobian<Shapes>(mesh, e) > 0)) inverted.push_back(e);
     }
   });
+  return inverted;
 }
 
-void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
+void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
+  std::set<int> told;
+  for (const std::size_t e : inverted_elements(mesh)) {
+    if (!told.insert(mesh.region[e]).second) continue;
+    flaws.push_back(
+        {static_cast<std::size_t>(mesh.region[e]),
+         fmt::format("element {} at {} is turned inside out or flat", e + 1, place_text(mesh, mesh.element(e)[0])),
+         "corners go counter-clockwise, and no corner's angle is 180 degrees or more"});
+  }
+}
+
+std::optional<HangingNode> hanging_node(const Mesh& mesh) {
   const Sides boundary = boundary_of(mesh);
   const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
   std::vector<int> nodes(boundary);
@@ -108,12 +131,19 @@ void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
                                  [&](int n, double x) { return coordinate(mesh, n, 0) < x; });
     for (; node != nodes.end() && coordinate(mesh, *node, 0) <= coordinate(mesh, *high, 0) + slack; ++node) {
       if (std::find(side.begin(), side.end(), *node) != side.end() || !lies_within(mesh, corners, *node)) continue;
-      flaws.push_back({0, fmt::format("the node at {} hangs: it lies within a side of another block that does not "
-                                      "have it",
-                                      place_text(mesh, *node))});
-      return;
+      return HangingNode{*node, region_with(mesh, {*node}), region_with(mesh, side)};
     }
   }
+  return std::nullopt;
+}
+
+void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
+  const auto hanging = hanging_node(mesh);
+  if (!hanging) return;
+  flaws.push_back({static_cast<std::size_t>(hanging->region),
+                   fmt::format("the node at {} hangs: it lies within a side of region {} that does not have it",
+                               place_text(mesh, hanging->node), hanging->region_of_side + 1),
+                   "blocks are joined where whole edges with equally many cells and the same grading coincide"});
 }
 
 }  // namespace tether

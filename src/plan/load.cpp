@@ -7,6 +7,7 @@
 #include "deck/document.hpp"
 #include "deck/reader.hpp"
 #include "scene/build.hpp"
+#include "scene/load_mesh.hpp"
 #include "scene/load_particles.hpp"
 
 namespace tether {
@@ -18,10 +19,12 @@ Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics&
 std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles, Path path) {
   const std::vector<std::string> also =
       path == Path::fem ? std::vector<std::string>{"fem"} : std::vector<std::string>{};
-  return effective_deck(particles ? deck.with_particle_data(particles->lines) : deck, also);
+  const Deck named = deck.mesh_text() ? deck.with_mesh_named(effective_mesh_file) : deck;
+  return effective_deck(particles ? named.with_particle_data(particles->lines) : named, also);
 }
 
-Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+Loaded load_scene(const Deck& given_deck, const DeckOptions& options, Diagnostics& diagnostics) {
+  const Deck deck = load_mesh(given_deck, diagnostics);
   if (deck.is_study() && !diagnostics.has_errors()) {
     diagnostics.add(deck.remark(Severity::error, study_group, "", {1, 1}, "this is a study of many runs, none itself",
                                 "tether sweep runs it; with --dry-run it lists the runs"));

@@ -30,12 +30,15 @@ struct Loaded {
 /// The deck alone; remarks go into `diagnostics`. Throws FileError where it cannot be read.
 Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics);
 
-/// The text of deck.effective: all values, the particle data in place of the file that the deck names, and the group
-/// that chooses the path.
+/// Name of the copy of a mesh file that stands beside deck.effective, which names it.
+constexpr const char* effective_mesh_file = "deck.effective.msh";
+
+/// The text of deck.effective: all values, the particle data in place of the file that the deck names, the copy of the
+/// mesh file, and the group that chooses the path.
 std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles, Path path);
 
-/// Particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as far as
-/// the deck can be understood: throws InputError with all of them.
+/// Mesh and particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as
+/// far as the deck can be understood: throws InputError with all of them.
 Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics);
 
 /// Both.

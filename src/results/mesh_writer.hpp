@@ -16,7 +16,8 @@ namespace tether {
 /// order 2 then the middles of edges and faces, and the centre.
 std::vector<int> vtk_order(ElementKind kind);
 
-/// Writes mesh.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions, and mesh.xmf. As
+/// Writes mesh.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions (1.0, with places of
+/// the reference shape; the fields x, y, z are where the nodes are at a time), and mesh.xmf. As
 /// PointWriter.
 class MeshWriter {
  public:

@@ -110,6 +110,10 @@ void NetcdfFile::attribute(int variable, const std::string& name, std::string_vi
         fmt::format("write attribute {}", name));
 }
 
+void NetcdfFile::attribute(int variable, const std::string& name, int number) {
+  check(nc_put_att_int(id_, variable, name.c_str(), NC_INT, 1, &number), fmt::format("write attribute {}", name));
+}
+
 void NetcdfFile::global_attribute(const std::string& name, std::string_view text) { attribute(NC_GLOBAL, name, text); }
 
 void NetcdfFile::chunk(int variable, const std::vector<std::size_t>& lengths) {

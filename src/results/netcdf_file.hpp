@@ -40,6 +40,7 @@ class NetcdfFile {
   int integer_variable(const std::string& name, const std::vector<int>& dimensions);  ///< of 4 bytes; put as numbers
   int text_variable(const std::string& name, const std::vector<int>& dimensions);     ///< of single characters
   void attribute(int variable, const std::string& name, std::string_view text);
+  void attribute(int variable, const std::string& name, int number);
   void global_attribute(const std::string& name, std::string_view text);
   /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.
   void chunk(int variable, const std::vector<std::size_t>& lengths);

@@ -14,9 +14,9 @@
 namespace tether {
 namespace {
 
-constexpr std::array owned{"history.nc",  "history.txt",  "particles.nc",      "particles.xmf",
-                           "mesh.nc",     "mesh.xmf",     "particles.xmf.new", "mesh.xmf.new",
-                           "summary.txt", "messages.txt", "deck.effective",    "reference.txt"};
+constexpr std::array owned{"history.nc",     "history.txt",        "particles.nc", "particles.xmf", "mesh.nc",
+                           "mesh.xmf",       "particles.xmf.new",  "mesh.xmf.new", "summary.txt",   "messages.txt",
+                           "deck.effective", "deck.effective.msh", "reference.txt"};
 
 constexpr std::array snapshot_files{"particles.nc", "mesh.nc"};
 
@@ -91,6 +91,8 @@ void ResultFolder::message(const std::string& text) {
 }
 
 void ResultFolder::deck_effective(const std::string& text) { write_file(folder_ / "deck.effective", text); }
+
+void ResultFolder::beside_deck(const std::string& name, const std::string& text) { write_file(folder_ / name, text); }
 
 void ResultFolder::reference(const Table& table) { write_table(folder_ / "reference.txt", table); }
 

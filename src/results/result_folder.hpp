@@ -39,7 +39,9 @@ class ResultFolder {
   void mesh(const Mesh& mesh, const Snapshot& snapshot);            ///< the same, of finite elements
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
-  void reference(const Table& table);            ///< reference.txt
+  /// A file that deck.effective names, under a name that begins with its.
+  void beside_deck(const std::string& name, const std::string& text);
+  void reference(const Table& table);  ///< reference.txt
   /// Closes all files, then writes summary.txt: where it stands, the run came to its end. Nothing may follow.
   void finish(const Summary& summary);
 

@@ -28,31 +28,30 @@ std::size_t definition_room(const std::vector<Axis>& axes, const Snapshot& first
   std::size_t room = provenance_room(provenance) + room_per_file;
   room += (first.fields.size() + axes.size() + 1) * room_per_variable;
   for (const auto& axis : axes) room += axis.places.size() * sizeof(double);
-  for (const auto& numbers : fixed) room += room_per_variable + numbers.values.size() * sizeof(int);
+  for (const auto& numbers : fixed) room += room_per_variable + numbers.values.size() * sizeof(double);
   return room;
 }
 
 }  // namespace
 
 SnapshotFile::SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first,
-                           const Provenance& provenance, std::vector<FixedNumbers> fixed,
-                           std::vector<std::pair<std::string, std::string>> of_each_field)
+                           const Provenance& provenance, FixedPart fixed)
     : axes_(std::move(axes)),
       fixed_(std::move(fixed)),
-      of_each_field_(std::move(of_each_field)),
       values_(product(axes_)),
-      file_(std::move(path), NetcdfFormat::netcdf4, definition_room(axes_, first, provenance, fixed_)) {
+      file_(std::move(path), NetcdfFormat::netcdf4, definition_room(axes_, first, provenance, fixed_.numbers)) {
   define(first, provenance);
 }
 
 void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
   write_provenance(file_, provenance);
+  if (!fixed_.conventions.empty()) file_.global_attribute("Conventions", fixed_.conventions);
   std::vector<int> dimensions{file_.dimension("time", NetcdfFile::unlimited)};
   time_ = define_quantity(file_, {"time", Dimension::time, "time"}, dimensions, provenance.units);
   std::vector<std::size_t> chunk{1};
   std::vector<int> places;
   for (const auto& axis : axes_) {
-    dimensions.push_back(file_.dimension(axis.name, axis.length));
+    dimensions.push_back(dimension(axis));
     chunk.push_back(axis.length);
     if (axis.places.empty()) continue;
     const Quantity place{axis.name, Dimension::length, "place of the nodes"};
@@ -61,15 +60,15 @@ void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
   for (const auto& field : first.fields) {
     names_.push_back(field.quantity.name);
     variables_.push_back(define_quantity(file_, field.quantity, dimensions, provenance.units));
-    for (const auto& [name, text] : of_each_field_) file_.attribute(variables_.back(), name, text);
+    for (const auto& [name, text] : fixed_.of_each_field) file_.attribute(variables_.back(), name, text);
     file_.chunk(variables_.back(), chunk);
   }
   const std::vector<int> fixed = define_fixed();
   file_.end_definitions();
   for (std::size_t k = 0; k < fixed.size(); ++k) {
     NetcdfFile::Part whole;
-    for (const auto& axis : fixed_[k].axes) whole.start.push_back(0), whole.count.push_back(axis.length);
-    file_.put(fixed[k], whole, fixed_[k].values);
+    for (const auto& axis : fixed_.numbers[k].axes) whole.start.push_back(0), whole.count.push_back(axis.length);
+    file_.put(fixed[k], whole, fixed_.numbers[k].values);
   }
   auto place = places.begin();
   for (const auto& axis : axes_) {
@@ -78,13 +77,23 @@ void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
   file_.sync();
 }
 
+int SnapshotFile::dimension(const Axis& axis) {
+  const auto [known, fresh] = dimensions_.try_emplace(axis.name, -1);
+  if (fresh) known->second = file_.dimension(axis.name, axis.length);
+  return known->second;
+}
+
 std::vector<int> SnapshotFile::define_fixed() {
   std::vector<int> variables;
-  for (const auto& numbers : fixed_) {
+  for (const auto& numbers : fixed_.numbers) {
     std::vector<int> dimensions;
-    for (const auto& axis : numbers.axes) dimensions.push_back(file_.dimension(axis.name, axis.length));
-    variables.push_back(file_.integer_variable(numbers.name, dimensions));
-    for (const auto& [name, text] : numbers.attributes) file_.attribute(variables.back(), name, text);
+    for (const auto& axis : numbers.axes) dimensions.push_back(dimension(axis));
+    variables.push_back(numbers.whole ? file_.integer_variable(numbers.name, dimensions)
+                                      : file_.number_variable(numbers.name, dimensions));
+    for (const auto& attribute : numbers.attributes) {
+      std::visit([&](const auto& value) { file_.attribute(variables.back(), attribute.first, value); },
+                 attribute.second);
+    }
   }
   return variables;
 }

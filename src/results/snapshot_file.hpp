@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "results/netcdf_file.hpp"
@@ -17,23 +19,30 @@ struct Axis {
   std::vector<double> places;  ///< none, or as many as the length: then a coordinate variable of the axis' name
 };
 
-/// Whole numbers that no record changes, and what they are: a mesh's nodes of its elements.
+/// Numbers that no record changes, and what they are: a mesh's nodes of its elements. Axes of one name are one.
 struct FixedNumbers {
   std::string name;
   std::vector<Axis> axes;  ///< slowest first
   std::vector<double> values;
-  std::vector<std::pair<std::string, std::string>> attributes;
+  std::vector<std::pair<std::string, std::variant<std::string, int>>> attributes;
+  bool whole = true;  ///< 4-byte integers, else 8-byte floating point
+};
+
+/// What a file has beside its fields.
+struct FixedPart {
+  std::vector<FixedNumbers> numbers;
+  std::vector<std::pair<std::string, std::string>> of_each_field;  ///< attributes of every field
+  std::string conventions;                                         ///< in place of those of other files; "" for theirs
 };
 
 /// A NetCDF-4 file of fields over `time` (unlimited) and the given axes, slowest first. Which fields there are, and how
 /// long they are, is settled by the first snapshot.
 class SnapshotFile {
  public:
-  /// Creates the file and defines the fields of `first`, each with the attributes `of_each_field`, without writing
-  /// their values; writes what is fixed. Throws FileError.
+  /// Creates the file and defines the fields of `first` without writing their values; writes what is fixed. Throws
+  /// FileError.
   SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first, const Provenance& provenance,
-               std::vector<FixedNumbers> fixed = {},
-               std::vector<std::pair<std::string, std::string>> of_each_field = {});
+               FixedPart fixed = {});
   /// One more record, with the system before this returns. Throws FileError, and the records before stay readable;
   /// std::invalid_argument where the fields are not those of the first snapshot.
   void append(const Snapshot& snapshot);
@@ -41,14 +50,15 @@ class SnapshotFile {
 
  private:
   void define(const Snapshot& first, const Provenance& provenance);
+  int dimension(const Axis& axis);
   std::vector<int> define_fixed();
   void check(const Snapshot& snapshot) const;
 
   std::vector<Axis> axes_;
-  std::vector<FixedNumbers> fixed_;
-  std::vector<std::pair<std::string, std::string>> of_each_field_;
+  FixedPart fixed_;
   std::size_t values_;  ///< numbers of one field: the product of the axes' lengths
   NetcdfFile file_;
+  std::map<std::string, int> dimensions_;  ///< of all axes by name
   int time_ = -1;
   std::vector<std::string> names_;
   std::vector<int> variables_;  ///< of the fields

@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/errors.hpp"
 #include "scene/solids.hpp"
 
 namespace tether {
+namespace {
+
+double value_of(const Expression& expression, double t, const std::string& of) {
+  const double value = expression(std::array{t});
+  if (std::isfinite(value)) return value;
+  throw RunError(
+      fmt::format("t = {:.9g}: the expression of {}, '{}', gives {}: likely cause, a division by zero or a "
+                  "function outside its range",
+                  t, of, expression.text(), value));
+}
+
+}  // namespace
 
 double Amplitude::at(double t) const {
+  if (expression) return value_of(*expression, t, of);
   if (time.empty()) return 1;
   const auto next = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
   if (next == 0) return factor.front();

@@ -3,29 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "scene/membrane_curves.hpp"
+#include "scene/named_file.hpp"
 
 namespace tether {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Folders that a relative path climbs above the one it starts from.
-int climbs(const fs::path& path) {
-  int level = 0, lowest = 0;
-  for (const auto& part : path) {
-    if (part == "..")
-      lowest = std::min(lowest, --level);
-    else if (part != "." && !part.empty())
-      ++level;
-  }
-  return -lowest;
-}
 
 std::optional<ParticleFile> read_path(const fs::path& path, const Diagnostic& missing, Diagnostics& diagnostics) {
   try {
@@ -42,22 +29,16 @@ std::optional<ParticleFile> read_named(const Deck& deck, const std::string& name
   const std::string mistake = path_mistake(name);
   if (!mistake.empty()) {
     diagnostics.add(deck.remark(Severity::error, "in", "particles", {1, 1}, "the particle path " + mistake,
-                                "write a path from the deck's folder, at most one folder up, such as "
-                                "'../particles/x.par', or use --particles FILE"));
+                                path_hint("../particles/x.par") + ", or use --particles FILE"));
     return std::nullopt;
   }
   return read_path(
-      fs::path(deck.file()).parent_path() / name,
+      path_beside(deck, name),
       deck.remark(Severity::error, "in", "particles", {1, 1}, "", "the path counts from the deck's folder"),
       diagnostics);
 }
 
 }  // namespace
-
-std::string path_mistake(const std::string& path) {
-  if (fs::path(path).is_absolute()) return "is absolute";
-  return climbs(path) > 1 ? "climbs more than one folder" : "";
-}
 
 std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional<fs::path>& given,
                                            Diagnostics& diagnostics) {

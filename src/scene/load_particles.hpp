@@ -11,10 +11,6 @@
 
 namespace tether {
 
-/// What is wrong with a path that stands in a deck ("is absolute", ...): it counts from the deck's folder and climbs at
-/// most one folder. Empty where nothing is wrong.
-std::string path_mistake(const std::string& path);
-
 /// The particle data of a deck with igen 0 or 3: from `given` (the command line's --particles), else from the file that
 /// $in particles names (relative to the deck, at most one folder up), else from behind the deck's last group. Nothing
 /// for igen 1, nor for igen 3 where none of these is there but membranes are given by curves.

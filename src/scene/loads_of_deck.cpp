@@ -4,21 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "base/text.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
 namespace {
+
+constexpr const char* plane_hint = "x and y are all there is; with z of the regions in $mesh there are bodies in space";
 
 void refuse(const Deck& deck, const char* name, Subscript at, const std::string& message, const std::string& hint,
             Diagnostics& diagnostics) {
   diagnostics.add(deck.remark(Severity::error, "fem", name, at, message, hint));
 }
 
-std::string names_of(const Mesh& mesh) {
+/// What a user may have meant, or all names there are.
+std::string hint_for(const std::string& name, const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& side : mesh.sides) names.push_back(side.first);
-  return fmt::format("sides of this mesh: {}", fmt::join(names, ", "));
+  const std::string near = nearest_name(name, names);
+  const std::string all = fmt::format("The sides of this mesh: {}.", fmt::join(names, ", "));
+  return near.empty() ? all : fmt::format("Did you mean '{}'? {}", near, all);
 }
 
 /// The sides of that name, or null where the mesh has none, which is told.
@@ -26,8 +33,25 @@ const Sides* sides_of(const Deck& deck, const Mesh& mesh, const char* variable, 
   const std::string name = deck.text("fem", variable, k);
   const auto found = mesh.sides.find(name);
   if (found != mesh.sides.end()) return &found->second;
-  refuse(deck, variable, {k, 1}, fmt::format("no side is called '{}'", name), names_of(mesh), diagnostics);
+  refuse(deck, variable, {k, 1}, fmt::format("no side is called '{}'", name), hint_for(name, mesh), diagnostics);
   return nullptr;
+}
+
+/// Tells of numbers of loads (or supports) that act on nothing.
+void check_all_act(const Deck& deck, const std::string& on, const std::vector<std::string>& others,
+                   Diagnostics& diagnostics) {
+  std::set<int> told;
+  for (const std::string& name : others) {
+    const bool listed = find_variable("fem", name)->rank == 1;
+    for (const Subscript at : deck.given_elements("fem", name)) {
+      const int k = at[listed ? 0 : 1];
+      if (deck.given("fem", on, k) || !told.insert(k).second) continue;
+      refuse(deck, name.c_str(), at,
+             fmt::format("{} {} acts on nothing: {}({}) is not given", on.starts_with("fix") ? "support" : "load", k,
+                         on, k),
+             fmt::format("{}({}) names a side", on, k), diagnostics);
+    }
+  }
 }
 
 /// Adds the nodes of a mesh that stand at an edge, held there as its wall does.
@@ -63,32 +87,8 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
   return nodes;
 }
 
-Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
-                       Diagnostics& diagnostics) {
-  const std::string times = what + "_time", factors = what + "_factor";
-  const auto error = [&](const std::string& name, int i, const std::string& message, const std::string& hint) {
-    diagnostics.add(deck.remark(Severity::error, group, name, {i, k}, message, hint));
-    return Amplitude{};
-  };
-  Amplitude amplitude;
-  for (int i = 1; i <= table_count; ++i) {
-    const bool time = deck.given(group, times, i, k), factor = deck.given(group, factors, i, k);
-    if (!time && !factor) break;
-    if (time != factor) {
-      return error(time ? times : factors, i, fmt::format("{}({},{}) is not given", time ? factors : times, i, k),
-                   "each time of a table has its factor");
-    }
-    amplitude.time.push_back(deck.real(group, times, i, k));
-    amplitude.factor.push_back(deck.real(group, factors, i, k));
-    if (i > 1 && !(amplitude.time.back() > amplitude.time[amplitude.time.size() - 2]))
-      return error(times, i, "the times of a table ascend", "write them in order");
-  }
-  const bool is_static = group == "fem" && deck.logical("fem", "static");
-  if (amplitude.time.empty() && is_static) return {{0, deck.real("in", "tmax")}, {0, 1}};
-  return amplitude;
-}
-
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
+  check_all_act(deck, "load_on", {"load", "load_time", "load_factor", "load_expression"}, diagnostics);
   for (const Subscript at : deck.given_elements("fem", "load_on")) {
     const int k = at[0];
     Load load;
@@ -106,13 +106,15 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
     }
     for (int i = 1; i <= 3; ++i) load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem", "load", i, k);
     if (solids.mesh.dim() == 2 && load.force[2] != 0)
-      refuse(deck, "load", {3, k}, "a plane mesh has no z", "give z of the regions in $mesh", diagnostics);
+      refuse(deck, "load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
+             diagnostics);
     load.amplitude = amplitude_of(deck, "fem", "load", k, diagnostics);
     solids.loads.push_back(std::move(load));
   }
 }
 
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics) {
+  check_all_act(deck, "fix_on", {"fix", "fix_time", "fix_factor", "fix_expression"}, diagnostics);
   for (const GridEdge& edge : edges_of(scene)) add_wall(solids.mesh, edge, solids);
   for (const Subscript at : deck.given_elements("fem", "fix_on")) {
     const int k = at[0];
@@ -129,7 +131,9 @@ void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnost
     }
     if (support.fixed == std::array<bool, 3>{})
       refuse(deck, "fix_on", at, fmt::format("support {} holds no direction", k),
-             fmt::format("write fix(1:2,{})=0,0", k), diagnostics);
+             fmt::format("write fix(1,{0})=0,0{1}", k, solids.mesh.dim() == 3 ? ",0" : ""), diagnostics);
+    if (solids.mesh.dim() == 2 && support.fixed[2])
+      refuse(deck, "fix", {3, k}, fmt::format("support {} holds z, but the mesh is plane", k), plane_hint, diagnostics);
     support.amplitude = amplitude_of(deck, "fem", "fix", k, diagnostics);
     solids.supports.push_back(std::move(support));
   }

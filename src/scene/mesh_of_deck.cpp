@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "grid/block_mesh.hpp"
+#include "grid/gmsh_file.hpp"
+#include "scene/named_file.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -73,8 +75,11 @@ class BlockReader {
     return elliptic(from, to, centre, a, b);
   }
   void read_depth(Block& block) {
-    if (!deck_.given("mesh", "z", 1, r_) || !deck_.given("mesh", "z", 2, r_)) {
-      error("mesh", "z", {1, r_}, "z is not given, but that of other regions is", "all regions are plane, or none");
+    for (const int k : {1, 2}) {
+      if (deck_.given("mesh", "z", k, r_)) continue;
+      const Subscript other = deck_.given_elements("mesh", "z").front();
+      error("mesh", "z", other, fmt::format("z({},{}) is not given, but z({},{}) is", k, r_, other[0], other[1]),
+            "all regions have a lowest and a highest z, or none has");
       return;
     }
     block.z_low = deck_.real("mesh", "z", 1, r_), block.z_high = deck_.real("mesh", "z", 2, r_);
@@ -96,16 +101,8 @@ ElementKind kind_of(const Deck& deck, bool solid) {
   return solid ? ElementKind::tet4 : ElementKind::tri3;
 }
 
-}  // namespace
-
-std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
+std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, int regions, Diagnostics& diagnostics) {
   const bool solid = !deck.given_elements("mesh", "z").empty();
-  const int regions = deck.integer("reg", "nreg");
-  if (regions == 0) {
-    diagnostics.add(deck.remark(Severity::error, "reg", "nreg", {1, 1}, "a mesh needs a region at least",
-                                "nreg counts the blocks that the mesh is made of"));
-    return std::nullopt;
-  }
   std::vector<Block> blocks;
   for (int r = 1; r <= regions; ++r) {
     if (auto block = BlockReader(deck, r, solid, diagnostics).read()) blocks.push_back(std::move(*block));
@@ -115,11 +112,53 @@ std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
   Mesh mesh = mesh_of_blocks(blocks, kind_of(deck, solid), flaws);
   for (const MeshFlaw& flaw : flaws) {
     const int r = static_cast<int>(flaw.region) + 1;
-    diagnostics.add(deck.remark(Severity::error, "reg", "xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message),
-                                "corners go counter-clockwise; blocks are joined where whole edges with equally many "
-                                "cells and the same grading coincide"));
+    diagnostics.add(
+        deck.remark(Severity::error, "reg", "xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message), flaw.hint));
   }
   return flaws.empty() ? std::optional(std::move(mesh)) : std::nullopt;
+}
+
+/// What the deck says of blocks, which a mesh file has in their place; deck.effective, which shows defaults, too, means
+/// nothing by them.
+void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.given("mesh", "file_sha256")) return;
+  for (const char* name : {"element", "cells", "grading", "z", "edge", "side"}) {
+    const auto given = deck.given_elements("mesh", name);
+    if (given.empty()) continue;
+    diagnostics.add(deck.remark(Severity::warning, "mesh", name, given.front(),
+                                fmt::format("{} has no effect: the mesh is that of the file", name)));
+  }
+}
+
+std::optional<Mesh> mesh_of_deck_file(const Deck& deck, int regions, Diagnostics& diagnostics) {
+  warn_of_blocks(deck, diagnostics);
+  if (!deck.mesh_text()) return std::nullopt;  // why, has been told
+  std::vector<std::string> groups;
+  for (int r = 1; r <= regions; ++r) groups.push_back(deck.text("mesh", "physical", r));
+  std::vector<MeshFlaw> flaws;
+  auto mesh =
+      read_gmsh(*deck.mesh_text(), path_beside(deck, deck.text("mesh", "file")).string(), groups, flaws, diagnostics);
+  for (const MeshFlaw& flaw : flaws) {
+    const int r = static_cast<int>(flaw.region) + 1;
+    const bool named = deck.given("mesh", "physical", r);
+    diagnostics.add(deck.remark(Severity::error, named ? "mesh" : "reg", named ? "physical" : "nreg",
+                                {named ? r : 1, 1}, fmt::format("region {}: {}", r, flaw.message),
+                                "region r is the physical group of tag r, or the one that physical(r) of $mesh names"));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
+  const int regions = deck.integer("reg", "nreg");
+  if (regions == 0) {
+    diagnostics.add(deck.remark(Severity::error, "reg", "nreg", {1, 1}, "a mesh needs a region at least",
+                                "nreg counts the blocks that the mesh is made of, or the physical groups of its file"));
+    return std::nullopt;
+  }
+  return deck.text("mesh", "file").empty() ? mesh_of_deck_blocks(deck, regions, diagnostics)
+                                           : mesh_of_deck_file(deck, regions, diagnostics);
 }
 
 }  // namespace tether

@@ -24,10 +24,10 @@ class RigidReader {
     rigid.directors = directors();
     rigid.omega = components("omega", 1);
     rigid.velocity = velocity(rigid.pin.has_value());
-    for (const int k : numbers("torque", {"torque_time", "torque_factor"})) {
+    for (const int k : numbers("torque", {"torque_time", "torque_factor", "torque_expression"})) {
       rigid.torques.push_back({components("torque", k), amplitude_of(deck_, "rigid", "torque", k, diagnostics_)});
     }
-    for (const int k : numbers("force", {"force_at", "force_time", "force_factor", "turning"}))
+    for (const int k : numbers("force", {"force_at", "force_time", "force_factor", "force_expression", "turning"}))
       rigid.forces.push_back(force(k));
     return rigid;
   }

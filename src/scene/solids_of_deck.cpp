@@ -27,7 +27,9 @@ ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
   if (ipath != 0 && ipath != 2)
     error("reg", "ipath", {4, r}, fmt::format("ipath(4) = {} is no elastic law", ipath),
           "a mesh takes 0, plane strain or space, and 2, plane stress");
-  if (ipath == 2 && dim == 3) error("reg", "ipath", {4, r}, "plane stress has no meaning in space", "ipath(4,r) = 0");
+  if (ipath == 2 && dim == 3)
+    error("reg", "ipath", {4, r}, "plane stress has no meaning in space",
+          fmt::format("write ipath(4,{})=0, the law in space, or leave z of $mesh away", r));
   const bool stress = ipath == 2;
   if (!(nu > -1) || !(nu < 0.5)) {
     error("reg", "matr", {2, r}, fmt::format("Poisson's ratio {:.6g} is out of range", nu), "-1 < nu < 0.5");
@@ -130,7 +132,7 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
     if (!deck.has_group("mesh")) return;
   }
   auto mesh = mesh_of(deck, diagnostics);
-  const int dim = deck.given_elements("mesh", "z").empty() ? 2 : 3;
+  const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;
   Solids solids;
   for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) solids.regions.push_back(region_of(deck, r, dim, diagnostics));
   if (!mesh) return;

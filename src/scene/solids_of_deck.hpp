@@ -13,8 +13,9 @@
 
 namespace tether {
 
-/// The mesh that $reg and $mesh describe. Mistakes are told at their places: regions that are no quadrilaterals,
-/// elements turned inside out, blocks that touch without being joined.
+/// The mesh that $reg and $mesh describe by blocks, or the one of the file that $mesh names, whose text the deck must
+/// have by then (load_mesh). Mistakes are told at their places: regions that are no quadrilaterals, elements turned
+/// inside out, blocks that touch without being joined; and those of a mesh file.
 std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics);
 
 /// Adds the bodies on a mesh that $reg, $mesh and $fem describe, with loads, supports and tracked nodes; with $rigid
@@ -26,8 +27,8 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics);
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics);
 
-/// The table of $group what_time and what_factor in column k; where there is none, a static problem's grows in
-/// proportion to time.
+/// The factor that $group gives as what_time and what_factor in column k, or as what_expression(k); where it gives
+/// neither, a static problem's grows in proportion to time.
 Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
                        Diagnostics& diagnostics);
 

@@ -175,7 +175,8 @@ RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder,
           {},
           {},
           {},
-          {}};
+          {},
+          loaded.deck.mesh_text()};
 }
 
 RunOutcome run(const Plan& plan, const RunRequest& request) {

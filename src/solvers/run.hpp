@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "plan/load.hpp"
@@ -29,6 +30,7 @@ struct RunRequest {
   std::function<void(const std::string&)> warn;   ///< called with every warning of the run
   std::function<int()> interrupted;               ///< asked several times a second: the signal to stop for, or 0
   std::filesystem::path restart;                  ///< checkpoint to go on from; empty: from the start
+  std::shared_ptr<const std::string> mesh_text;   ///< of the file beside deck.effective; null without one
 };
 
 /// The request of a deck as it was loaded, into a folder; `command` is for the files' provenance.

@@ -36,6 +36,7 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       grid_due_(plan.scene.outputs.grid),
       checkpoint_due_(plan.scene.outputs.checkpoint) {
   folder_.deck_effective(request.deck_effective);
+  if (request.mesh_text) folder_.beside_deck(effective_mesh_file, *request.mesh_text);
   for (const auto& message : request.messages) note(message);
   for (const auto& warning : plan.warnings) note("warning: " + warning);
 }

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "base/file.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
-#include "deck/numbers.hpp"
 #include "studies/meant.hpp"
 
 namespace tether {

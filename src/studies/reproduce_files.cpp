@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 #include "results/netcdf_input.hpp"
 #include "results/summary_keys.hpp"
 

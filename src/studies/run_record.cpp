@@ -11,12 +11,13 @@
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "deck/numbers.hpp"
 #include "plan/load.hpp"
 #include "results/summary_keys.hpp"
 #include "results/text_file.hpp"
+#include "scene/load_mesh.hpp"
 #include "scene/load_particles.hpp"
 
 namespace tether {
@@ -45,9 +46,10 @@ bool is_whole(const std::filesystem::path& folder, std::map<std::string, std::st
 
 std::string run_key(const Deck& deck) {
   Diagnostics of_the_run;  // which meets them itself, and fails with them
-  const auto particles = load_particles(deck, std::nullopt, of_the_run);
+  const Deck whole = load_mesh(deck, of_the_run);
+  const auto particles = load_particles(whole, std::nullopt, of_the_run);
   return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(),
-                            effective_text(deck, particles, path_of(deck, "", of_the_run))));
+                            effective_text(whole, particles, path_of(whole, "", of_the_run))));
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key) {

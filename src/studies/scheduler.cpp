@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/errors.hpp"
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 #include "results/checkpoint.hpp"
 #include "results/summary_keys.hpp"
 #include "solvers/run.hpp"

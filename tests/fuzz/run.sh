@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tests/fuzz/run.sh SECONDS: libFuzzer on decks, overrides and particle files, all three at once. Fails on any finding
+# tests/fuzz/run.sh SECONDS: libFuzzer on decks, overrides, particle and mesh files, all four at once. Fails on any finding
 # and says which bytes make it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 duration=${1:?usage: tests/fuzz/run.sh SECONDS}
-targets=(deck overrides particles)
+targets=(deck overrides particles mesh)
 
 cmake --preset fuzz
 cmake --build --preset fuzz
 
 work=$(mktemp -d)
-mkdir "$work"/{deck,overrides,particles}
+mkdir "$work"/{deck,overrides,particles,mesh}
 cp tests/thesis-boxes/*.in decks/*.in tests/bad_decks/*.in "$work/deck"
+cp tests/meshes/*.msh tests/bad_decks/*.msh "$work/mesh"
 cp tests/thesis-boxes/*.par particles/*.par tests/bad_decks/*.par "$work/particles"
 printf '%s\n' 'in.tmax=0.5d0' 'IN.Wl = 4' 'reg.nprg(2)=9' 'reg.ipath(1,2)=3,3,3,7' "in.particles='a.par'" "mpm.order='usl'" \
   > "$work/overrides/all"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "deck/remarks.hpp"
+#include "base/remarks.hpp"
 #include "deck/spelling.hpp"
 #include "deck/suggest.hpp"
 #include "deck_support.hpp"

@@ -67,5 +67,25 @@ TEST(Places, ATextMayStandBeforeAnyMark) {
   }
 }
 
+/// Byte by byte: quotes written twice, ends of lines that a text goes on over, the closing quote.
+TEST(Places, WithinAText) {
+  const auto reading = read_in("particles='it''s\n.par',wl=4,\nunits='si'");
+  EXPECT_EQ(reading.deck.text("in", "particles"), "it's.par");
+  const auto at = [&](std::size_t offset) {
+    const Place place = reading.deck.place_within("in", "particles", {1, 1}, offset);
+    return std::pair(place.line, place.column);
+  };
+  EXPECT_EQ(at(0), std::pair(3, 12));
+  EXPECT_EQ(at(2), std::pair(3, 14));
+  EXPECT_EQ(at(3), std::pair(3, 16));
+  EXPECT_EQ(at(4), std::pair(4, 1));
+  EXPECT_EQ(at(8), std::pair(4, 5));
+  const Diagnostic remark = reading.deck.remark_within(Severity::error, "in", "particles", {1, 1}, 4, "here");
+  EXPECT_EQ(to_text(remark), "a.in:4:1: error: here\n  .par',wl=4,\n  ^\n");
+  const auto set = read(with_in("$\n"), {"in.units='si'"});
+  const Place place = set.deck.place_within("in", "units", {1, 1}, 1);
+  EXPECT_EQ((std::pair{place.line, place.column}), std::pair(1, 12));
+}
+
 }  // namespace
 }  // namespace tether::test

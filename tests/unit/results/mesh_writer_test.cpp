@@ -92,6 +92,14 @@ TEST_F(MeshWriterTest, WritesElementsAndFieldsOfEachRecord) {
   EXPECT_EQ(reader.values("x"), (Values{0, 1, 0, 1, 0.5, 1.5, 0.5, 1.5}));
   EXPECT_EQ(reader.attribute("cf_role", "mesh"), "mesh_topology");
   EXPECT_EQ(reader.attribute("location", "x"), "node");
+  EXPECT_EQ(reader.attribute("Conventions"), "CF-1.10 UGRID-1.0");
+  EXPECT_EQ(reader.whole_attribute("topology_dimension", "mesh"), 2);
+  EXPECT_EQ(reader.whole_attribute("start_index", "element_nodes"), 0);
+  EXPECT_EQ(reader.attribute("node_coordinates", "mesh"), "node_x node_y");
+  EXPECT_EQ(reader.values("node_x"), (Values{0, 1, 0, 1}));
+  EXPECT_EQ(reader.values("node_y"), (Values{0, 0, 1, 1}));
+  EXPECT_EQ(reader.dimensions("node_x"), std::vector<std::string>{"node"});
+  EXPECT_EQ(reader.dimensions("element_region"), std::vector<std::string>{"element"});
   const std::string xdmf = read_file(folder / "mesh.xmf");
   EXPECT_NE(xdmf.find("TopologyType=\"Quadrilateral\" NumberOfElements=\"1\""), std::string::npos);
   EXPECT_NE(xdmf.find("<Time Value=\"0.5\"/>"), std::string::npos);

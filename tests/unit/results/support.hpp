@@ -76,6 +76,15 @@ class Reader {
     check(nc_get_att_text(id_, v, name.c_str(), all.data()));
     return all;
   }
+  /// Of a whole number; another type is an error.
+  int whole_attribute(const std::string& name, const std::string& of) const {
+    nc_type type = NC_NAT;
+    int number = 0;
+    check(nc_inq_atttype(id_, variable(of), name.c_str(), &type));
+    if (type != NC_INT) throw std::runtime_error(name + " is no whole number");
+    check(nc_get_att_int(id_, variable(of), name.c_str(), &number));
+    return number;
+  }
 
  private:
   static void check(int status) {

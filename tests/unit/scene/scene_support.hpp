@@ -8,6 +8,7 @@
 #include "deck/reader.hpp"
 #include "scene/build.hpp"
 #include "scene/load_particles.hpp"
+#include "scene/solids.hpp"
 
 namespace tether::test {
 
@@ -31,6 +32,14 @@ inline Built build(const std::string& text, const std::vector<std::string>& over
   const Deck deck = read_deck(text, "a.in", overrides, built.diagnostics);
   const auto particles = load_particles(deck, std::nullopt, built.diagnostics);
   built.scene = build_scene(deck, particles, Path::mpm, built.diagnostics);
+  return built;
+}
+
+/// Of a deck with a mesh, which has no particle file.
+inline Built build_on_mesh(const std::string& text) {
+  Built built;
+  const Deck deck = read_deck(text, "a.in", {}, built.diagnostics);
+  built.scene = build_scene(deck, std::nullopt, Path::fem, built.diagnostics);
   return built;
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 #include "studies/reproduce_runs.hpp"
 #include "unit/studies/reproduce_support.hpp"
 

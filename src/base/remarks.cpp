@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deck/remarks.hpp"
+#include "base/remarks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deck/numbers.hpp"
+#include "base/numbers.hpp"
 
 #include <charconv>
 #include <cstdlib>

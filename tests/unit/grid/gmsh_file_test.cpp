@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid/gmsh_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/file.hpp"
+#include "grid/jacobian.hpp"
+#include "unit/grid/gmsh_support.hpp"
+
+namespace tether::test {
+namespace {
+
+double volume(const Mesh& mesh) {
+  return with_shapes(mesh.kind, [&](auto shapes) {
+    using Shapes = decltype(shapes);
+    double sum = 0;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      for (int k = 0; k < Shapes::points; ++k)
+        sum += Shapes::weight(k) * jacobian_at<Shapes>(mesh, e, Shapes::place(k)).determinant;
+    }
+    return sum;
+  });
+}
+
+Mesh mesh_of(const std::string& text, const std::vector<std::string>& regions = {""}) {
+  const GmshReading reading = read_mesh(text, regions);
+  EXPECT_EQ(reading.errors(), Texts{});
+  for (const auto& flaw : reading.flaws) ADD_FAILURE() << flaw.message;
+  return reading.mesh.value_or(Mesh{});
+}
+
+/// A box element's nodes stand as on a lattice, along x first: the box from 0 to `size`.
+void expect_lattice(const Mesh& mesh, std::array<double, 3> size) {
+  const int p = order_of(mesh.kind), dim = mesh.dim();
+  ASSERT_GT(mesh.element_count(), 0U);
+  for (int a = 0; a < node_count_of(mesh.kind); ++a) {
+    const int index[] = {a % (p + 1), a / (p + 1) % (p + 1), a / (p + 1) / (p + 1)};
+    const auto node = static_cast<std::size_t>(mesh.element(0)[a]);
+    for (int i = 0; i < dim; ++i) {
+      EXPECT_NEAR(mesh.x[node * static_cast<std::size_t>(dim) + static_cast<std::size_t>(i)],
+                  size[static_cast<std::size_t>(i)] * index[i] / p, 1e-9)
+          << "node " << a << " axis " << i;
+    }
+  }
+}
+
+/// One element of each kind with one side that is a group, by the drawings of Gmsh's manual.
+struct Kind {
+  ElementKind kind;
+  MadeFile file;
+  double volume;
+};
+
+std::vector<std::array<double, 3>> corners_of_box() {
+  return {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 3}, {2, 0, 3}, {2, 1, 3}, {0, 1, 3}};
+}
+
+/// Means of the nodes of these numbers (from 0), one behind the other.
+void add_means(std::vector<std::array<double, 3>>& nodes, const std::vector<std::vector<int>>& of) {
+  for (const auto& numbers : of) {
+    std::array<double, 3> mean{};
+    for (const int n : numbers) {
+      for (std::size_t i = 0; i < 3; ++i)
+        mean[i] += nodes[static_cast<std::size_t>(n)][i] / static_cast<double>(numbers.size());
+    }
+    nodes.push_back(mean);
+  }
+}
+
+std::vector<int> up_to(int count) {
+  std::vector<int> numbers;
+  for (int n = 1; n <= count; ++n) numbers.push_back(n);
+  return numbers;
+}
+
+std::vector<Kind> all_kinds() {
+  std::vector<std::array<double, 3>> quad9{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, quad4 = quad9;
+  add_means(quad9, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}});
+  auto hex27 = corners_of_box();
+  add_means(hex27, {{0, 1},
+                    {0, 3},
+                    {0, 4},
+                    {1, 2},
+                    {1, 5},
+                    {2, 3},
+                    {2, 6},
+                    {3, 7},
+                    {4, 5},
+                    {4, 7},
+                    {5, 6},
+                    {6, 7},
+                    {0, 3, 2, 1},
+                    {0, 1, 5, 4},
+                    {0, 4, 7, 3},
+                    {1, 2, 6, 5},
+                    {2, 3, 7, 6},
+                    {4, 5, 6, 7},
+                    {0, 6}});
+  return {{ElementKind::tri3, {{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{2, 2, 1, {1, 2, 3}}, {1, 1, 7, {1, 3}}}, {}}, 1},
+          {ElementKind::quad4, {quad4, {{2, 3, 1, up_to(4)}, {1, 1, 7, {1, 4}}}, {}}, 2},
+          {ElementKind::quad9, {quad9, {{2, 10, 1, up_to(9)}, {1, 8, 7, {1, 4, 8}}}, {}}, 2},
+          {ElementKind::tet4,
+           {{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 3}}, {{3, 4, 1, up_to(4)}, {2, 2, 7, {1, 3, 4}}}, {}},
+           1},
+          {ElementKind::hex8, {corners_of_box(), {{3, 5, 1, up_to(8)}, {2, 3, 7, {1, 5, 8, 4}}}, {}}, 6},
+          {ElementKind::hex27, {hex27, {{3, 12, 1, up_to(27)}, {2, 10, 7, {1, 5, 8, 4, 11, 18, 16, 10, 23}}}, {}}, 6}};
+}
+
+TEST(GmshFile, HasEachKindOfElementInBothVersions) {
+  for (const Kind& kind : all_kinds()) {
+    for (const auto& text : {kind.file.version_22(), kind.file.version_41()}) {
+      SCOPED_TRACE(text);
+      const Mesh mesh = mesh_of(text);
+      EXPECT_EQ(mesh.kind, kind.kind);
+      EXPECT_NEAR(volume(mesh), kind.volume, 1e-12);
+      if (!is_simplex(kind.kind)) expect_lattice(mesh, {2, 1, 3});
+      // The group is the side at x = 0, in the order of the mesh's own boundary.
+      ASSERT_EQ(mesh.sides.count("physical 7"), 1U);
+      const Sides& side = mesh.sides.at("physical 7");
+      ASSERT_EQ(side.size(), static_cast<std::size_t>(side_node_count_of(kind.kind)));
+      const Sides boundary = boundary_of(mesh);
+      EXPECT_NE(std::search(boundary.begin(), boundary.end(), side.begin(), side.end()), boundary.end());
+      for (const int node : side)
+        EXPECT_EQ(mesh.x[static_cast<std::size_t>(node) * static_cast<std::size_t>(mesh.dim())], 0);
+    }
+  }
+}
+
+/// Files that Gmsh 4.8.4 wrote.
+TEST(GmshFile, ReadsWhatGmshWrites) {
+  const std::string folder = std::string(TETHER_SOURCE_DIR) + "/tests/meshes/";
+  const Mesh box = mesh_of(read_file(folder + "box-41.msh"), {"box"});
+  EXPECT_EQ(box.kind, ElementKind::hex27);
+  EXPECT_NEAR(volume(box), 2, 1e-9);
+  expect_lattice(box, {2, 1, 1});
+  ASSERT_EQ(box.sides.size(), 1U);
+  ASSERT_EQ(box.sides.at("top").size(), 9U);
+  for (const int node : box.sides.at("top")) EXPECT_NEAR(box.x[static_cast<std::size_t>(node) * 3 + 2], 1, 1e-12);
+  const Mesh plate = mesh_of(read_file(folder + "plate-22.msh"));
+  EXPECT_EQ(plate.kind, ElementKind::quad9);
+  EXPECT_EQ(plate.element_count(), 2U);
+  EXPECT_NEAR(volume(plate), 2, 1e-9);
+  ASSERT_EQ(plate.sides.size(), 2U);
+  EXPECT_EQ(plate.sides.at("left").size(), 3U);
+  for (const int node : plate.sides.at("physical 8")) EXPECT_NEAR(plate.x[static_cast<std::size_t>(node) * 2], 2, 1e-9);
+}
+
+TEST(GmshFile, RegionsAreGroupsByTagOrName) {
+  MadeFile file = two_squares();
+  file.elements[1].group = 2;
+  file.groups.push_back("2 2 \"core\"");
+  for (const auto& text : {file.version_22(), file.version_41()}) {
+    EXPECT_EQ(mesh_of(text, {"", ""}).region, (std::vector<int>{0, 1}));
+    EXPECT_EQ(mesh_of(text, {"core", "plate"}).region, (std::vector<int>{1, 0}));
+    const Mesh mesh = mesh_of(text, {"", "core"});
+    EXPECT_EQ(mesh.sides.size(), 2U);
+    EXPECT_EQ(mesh.sides.count("left"), 1U);
+    EXPECT_EQ(mesh.sides.count("physical 9"), 1U);
+  }
+}
+
+TEST(GmshFile, WithoutGroupsIsRegionOne) {
+  MadeFile file = two_squares();
+  for (auto& element : file.elements) element.group = 0;
+  file.groups.clear();
+  for (const auto& text : {file.version_22(), file.version_41()}) {
+    const Mesh mesh = mesh_of(text);
+    EXPECT_EQ(mesh.region, (std::vector<int>{0, 0}));
+    EXPECT_TRUE(mesh.sides.empty());
+    const auto reading = read_mesh(text, {"", "plate"});
+    ASSERT_EQ(reading.flaws.size(), 1U);
+    EXPECT_EQ(reading.flaws[0].region, 1U);
+    EXPECT_FALSE(reading.mesh);
+  }
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+TEST(GmshFile, TakesOtherLineEndsCommentsAndSections) {
+  const MadeFile file = two_squares();
+  for (const auto& text : {file.version_22(), file.version_41()}) {
+    const Mesh mesh = mesh_of(text);
+    std::string windows;
+    for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_EQ(mesh_of(windows).nodes, mesh.nodes);
+    const std::string comments = "$Comments\nanything $Nodes\n$Elements\n$EndComments\n";
+    EXPECT_EQ(mesh_of(comments + text).nodes, mesh.nodes);
+    EXPECT_EQ(mesh_of(text + comments + "$Periodic\n0\n$EndPeriodic\n\n").nodes, mesh.nodes);
+    EXPECT_EQ(mesh_of(replaced(text, "$Nodes\n", "$Nodes\n\n")).nodes, mesh.nodes);
+    EXPECT_EQ(mesh_of(text.substr(0, text.size() - 1)).nodes, mesh.nodes);
+  }
+}
+
+/// Numbers of nodes with gaps, in any order; the plane may be any z.
+TEST(GmshFile, TakesSparseNumbersAndAnotherPlane) {
+  const std::string text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n900000000007 0 1 5\n4 0 0 5\n77 1 0 5\n$EndNodes\n"
+      "$Elements\n1\n12 2 0 4 77 900000000007\n$EndElements\n";
+  const Mesh mesh = mesh_of(text);
+  EXPECT_EQ(mesh.nodes, (std::vector<int>{1, 2, 0}));
+  EXPECT_DOUBLE_EQ(volume(mesh), 0.5);
+}
+
+/// Parametric nodes of version 4.1 have up to three numbers more.
+TEST(GmshFile, PassesOverParameters) {
+  const std::string text = replaced(two_squares().version_41(), "2 1 0 6", "2 1 1 6");
+  EXPECT_NEAR(volume(mesh_of(replaced(text, "1 0 0\n2 0 0\n", "1 0 0 .5\n2 0 0 .1 .2\n"))), 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace tether::test
