@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/axis.hpp"
 #include "scene/materials.hpp"
 #include "scene/rigid_of_deck.hpp"
 
@@ -130,6 +131,9 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
     check_rigid(deck, diagnostics);
     scene.rigid = rigid_of(deck, diagnostics);
     if (!deck.has_group("mesh")) return;
+  } else if (geometry_of(deck) == Geometry::axisymmetric) {
+    diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "elastic bodies on a mesh have no axis",
+                                "write cyl=0.; a ring of revolution is a mesh in space, by z of the regions in $mesh"));
   }
   auto mesh = mesh_of(deck, diagnostics);
   const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;

@@ -35,7 +35,7 @@ REQUIRED = {
     "rigid_director_without_length", "rigid_without_density", "rigid_pinned_and_moving", "rigid_regions_that_part",
     "rigid_region_that_spins", "rigid_force_without_place", "rigid_table_without_torque", "rigid_at_a_wall",
     "rigid_with_supports", "rigid_point_far_away", "rigid_without_time", "rigid_with_damping", "rigid_by_central_differences",
-    "mesh_edge_off_its_curve", "mesh_file_absolute", "mesh_file_changed", "mesh_file_climbing",
+    "mesh_about_an_axis", "mesh_edge_off_its_curve", "mesh_file_absolute", "mesh_file_changed", "mesh_file_climbing",
     "mesh_file_cut_off", "mesh_file_missing", "mesh_file_second_order", "mesh_file_unknown_group",
     "mesh_hanging_nodes", "mesh_incompressible", "mesh_inverted_element", "mesh_load_expression", "mesh_load_in_z",
     "mesh_load_table_descending", "mesh_load_table_unequal", "mesh_load_without_side", "mesh_partly_constrained",

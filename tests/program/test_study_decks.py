@@ -157,6 +157,7 @@ class StudyDecks(SweepTest):
         for coarse, fine in zip(apart, apart[1:]):
             self.assertAlmostEqual(coarse / fine, 100, delta=3)
         self.assertLess(apart[0], 0.01)
+        self.assertLess(max(number(row, "newton_iterations") for row in elastic), 6 * 25)  # stiff or soft
 
     def test_block_growth(self):
         """More hexahedra lean further; what they cost stands in the table."""
