@@ -179,6 +179,7 @@ Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vec
     for (int& node : nodes) node = renumbered[static_cast<std::size_t>(node)];
     mesh.sides[name].insert(mesh.sides[name].end(), nodes.begin(), nodes.end());
   }
+  drop_twins(mesh);
   find_inverted(mesh, flaws);
   if (blocks.size() > 1) find_hanging(mesh, flaws);
   return mesh;

@@ -176,6 +176,7 @@ void add_named_sides(const Content& content, const std::map<long long, int>& ind
       of_name.insert(of_name.end(), side->second.begin(), side->second.end());
     }
   }
+  drop_twins(named.mesh);
 }
 
 }  // namespace tether::gmsh

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "grid/element_sides.hpp"
 
@@ -25,14 +26,9 @@ int root_of(std::vector<int>& above, int node) {
   return node;
 }
 
-}  // namespace
-
-const char* element_name(ElementKind kind) { return is_simplex(kind) ? "p1" : order_of(kind) == 1 ? "q1" : "q2"; }
-
-Sides boundary_of(const Mesh& mesh) {
+/// The sides of all elements, sorted so that those with the same nodes stand together.
+std::vector<Face> faces_of(const Mesh& mesh, const Sides& all) {
   const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
-  Sides all;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) add_sides(mesh.kind, mesh.element(e), all);
   std::vector<Face> faces;
   for (std::size_t s = 0; s * per_side < all.size(); ++s) {
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(s * per_side);
@@ -40,6 +36,23 @@ Sides boundary_of(const Mesh& mesh) {
     std::sort(faces.back().sorted.begin(), faces.back().sorted.end());
   }
   std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+Sides sides_of_all(const Mesh& mesh) {
+  Sides all;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) add_sides(mesh.kind, mesh.element(e), all);
+  return all;
+}
+
+}  // namespace
+
+const char* element_name(ElementKind kind) { return is_simplex(kind) ? "p1" : order_of(kind) == 1 ? "q1" : "q2"; }
+
+Sides boundary_of(const Mesh& mesh) {
+  const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
+  const Sides all = sides_of_all(mesh);
+  const std::vector<Face> faces = faces_of(mesh, all);
   std::vector<std::size_t> alone;
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const bool with_last = k > 0 && faces[k].sorted == faces[k - 1].sorted;
@@ -53,6 +66,20 @@ Sides boundary_of(const Mesh& mesh) {
     boundary.insert(boundary.end(), first, first + static_cast<std::ptrdiff_t>(per_side));
   }
   return boundary;
+}
+
+void drop_twins(Mesh& mesh) {
+  const auto per_side = static_cast<std::ptrdiff_t>(side_node_count_of(mesh.kind));
+  for (auto& [name, sides] : mesh.sides) {
+    std::set<std::vector<int>> seen;
+    Sides once;
+    for (auto first = sides.begin(); first != sides.end(); first += per_side) {
+      std::vector<int> sorted(first, first + per_side);
+      std::sort(sorted.begin(), sorted.end());
+      if (seen.insert(std::move(sorted)).second) once.insert(once.end(), first, first + per_side);
+    }
+    sides = std::move(once);
+  }
 }
 
 std::vector<int> parts_of(const Mesh& mesh) {
@@ -73,6 +100,33 @@ std::vector<int> parts_of(const Mesh& mesh) {
     part[static_cast<std::size_t>(node)] = of_root;
   }
   return part;
+}
+
+int count_parts(const Mesh& mesh) {
+  const std::vector<int> part = parts_of(mesh);
+  return part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1;
+}
+
+std::vector<int> blocks_by_sides(const Mesh& mesh) {
+  const Sides all = sides_of_all(mesh);
+  const std::vector<Face> faces = faces_of(mesh, all);
+  const std::size_t elements = mesh.element_count();
+  const std::size_t per_element =
+      elements == 0 ? 1 : all.size() / static_cast<std::size_t>(side_node_count_of(mesh.kind)) / elements;
+  std::vector<int> above(elements), number(elements, -1), block(elements);
+  std::iota(above.begin(), above.end(), 0);
+  for (std::size_t k = 1; k < faces.size(); ++k) {
+    if (faces[k].sorted != faces[k - 1].sorted) continue;
+    const int a = static_cast<int>(faces[k].side / per_element), b = static_cast<int>(faces[k - 1].side / per_element);
+    above[static_cast<std::size_t>(root_of(above, a))] = root_of(above, b);
+  }
+  int blocks = 0;
+  for (std::size_t e = 0; e < elements; ++e) {
+    int& of_root = number[static_cast<std::size_t>(root_of(above, static_cast<int>(e)))];
+    if (of_root < 0) of_root = blocks++;
+    block[e] = of_root;
+  }
+  return block;
 }
 
 }  // namespace tether

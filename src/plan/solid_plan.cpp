@@ -41,6 +41,18 @@ const char* integrator_text(Integrator integrator) {
   return "none: each step is an equilibrium";
 }
 
+/// Each support and wall with the nodes that it holds or moves.
+std::string supports_text(const Solids& solids) {
+  std::string text;
+  for (const Support& support : solids.supports) {
+    std::string axes;
+    for (std::size_t i = 0; i < 3; ++i) axes += support.fixed[i] ? std::string(1, "xyz"[i]) : "";
+    text += fmt::format("{}{} ({} nodes in {})", text.empty() ? "" : ", ", support.amplitude.of, support.nodes.size(),
+                        axes);
+  }
+  return text;
+}
+
 /// Nonzeros of a factor, by what nested dissection leaves on regular meshes (A. George, SIAM J. Numer. Anal. 10 (1973)
 /// 345-363): n log n in the plane, n^(4/3) in space.
 double factor_nonzeros(const Mesh& mesh) {
@@ -68,10 +80,10 @@ std::vector<Term> solid_terms(const Solids& solids, double gravity) {
            integrator_text(solids.integrator)),
       term("gravity", gravity != 0, fmt::format("gravc = {:.6g} in y", gravity), "gravc = 0"),
       term("loads", !solids.loads.empty(), fmt::format("{}, dead", solids.loads.size()), "none given"),
-      term("supports", !solids.supports.empty(), fmt::format("{} of sides and walls", solids.supports.size()),
+      term("supports", !solids.supports.empty(), supports_text(solids),
            "none given, and no wall that a node stands at"),
       term("damping", damped, fmt::format("alpha {:.4g}, beta {:.4g}", solids.alpha, solids.beta), "alpha = beta = 0"),
-      {"contact", false, "bodies on a mesh do not meet"},
+      {"contact", false, "bodies on a mesh do not meet, and walls stop none but hold what stands at them"},
       {"third dimension", solids.mesh.dim() == 3,
        solids.mesh.dim() == 3 ? "the mesh is three-dimensional" : "the mesh is plane, one unit deep"},
   };
@@ -84,7 +96,8 @@ Cost solid_cost(const Scene& scene, const StepRule& rule) {
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * static_cast<double>(mesh.node_count());
-  const double factor = direct ? factor_nonzeros(mesh) : 0;
+  const bool unsymmetric = scene.solids->integrator == Integrator::energy;  // L and U
+  const double factor = direct ? factor_nonzeros(mesh) * (unsymmetric ? 2 : 1) : 0;
   const double element_matrices =
       static_cast<double>(mesh.element_count()) * std::pow(mesh.dim() * node_count_of(mesh.kind), 2);
   cost.megabytes = 1e-6 * bytes_per_nonzero * (factor + 2 * element_matrices);
@@ -98,6 +111,7 @@ std::string solid_head(const Solids& solids) {
   std::string text = fmt::format("path: fem (elastic bodies, {})\nmesh: {} elements {}, {} nodes, {} unknowns\n",
                                  mesh.dim() == 2 ? "plane" : "space", mesh.element_count(), element_name(mesh.kind),
                                  mesh.node_count(), mesh.x.size());
+  if (const int parts = count_parts(mesh); parts > 1) text += fmt::format("{} parts that nothing joins\n", parts);
   for (const SolidRegion& region : solids.regions) {
     text += fmt::format("{}: density {:.4g}, {}\n", region.name, region.density, std::visit(LawName{}, region.law));
   }

@@ -58,6 +58,17 @@ std::shared_ptr<const Expression> expression_of(const Named& of) {
   }
 }
 
+/// A load that comes and goes within one step may never be seen.
+void warn_of_short(const Named& of, const Amplitude& amplitude) {
+  const double step = of.deck.real("in", "tstep");
+  if (amplitude.time.size() < 3 || amplitude.factor.front() != amplitude.factor.back() ||
+      amplitude.time.back() - amplitude.time.front() >= step)
+    return;
+  of.diagnostics.add(of.deck.remark(Severity::warning, of.group, of.name("_time"), {1, of.k},
+                                    fmt::format("{} comes and goes within one step of {:.4g}", amplitude.of, step),
+                                    "steps take their loads at their middle or end: lower tstep"));
+}
+
 }  // namespace
 
 Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
@@ -65,6 +76,7 @@ Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::st
   const Named of{deck, group, what, k, diagnostics};
   Amplitude amplitude = table_of(of);
   amplitude.of = fmt::format("{} {}", what == "fix" ? "support" : what, k);
+  warn_of_short(of, amplitude);
   const std::string name = of.name("_expression");
   if (deck.given(group, name, k)) {
     if (!amplitude.time.empty())

@@ -24,6 +24,7 @@ std::string hint_for(const std::string& name, const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& side : mesh.sides) names.push_back(side.first);
   const std::string near = nearest_name(name, names);
+  if (names.empty()) return "this mesh has no sides with names: its file has no physical groups of curves or surfaces";
   const std::string all = fmt::format("The sides of this mesh: {}.", fmt::join(names, ", "));
   return near.empty() ? all : fmt::format("Did you mean '{}'? {}", near, all);
 }
@@ -55,10 +56,13 @@ void check_all_act(const Deck& deck, const std::string& on, const std::vector<st
 }
 
 /// Adds the nodes of a mesh that stand at an edge, held there as its wall does.
-void add_wall(const Mesh& mesh, const GridEdge& edge, Solids& solids) {
+void add_wall(const Deck& deck, const GridEdge& edge, Solids& solids, Diagnostics& diagnostics) {
+  const Mesh& mesh = solids.mesh;
   if (edge.wall == Wall::open) return;
   Support support;
   support.nodes = nodes_at(mesh, edge);
+  support.amplitude.of = fmt::format("the wall {}", edge.variable);
+  check_wall(deck, mesh, edge, support.nodes.size(), diagnostics);
   if (edge.wall == Wall::fixed) {
     support.fixed = {true, true, mesh.dim() == 3};
   } else {
@@ -104,7 +108,14 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
     } else if (const Sides* sides = sides_of(deck, solids.mesh, "load_on", k, diagnostics)) {
       load.sides = *sides;
     }
-    for (int i = 1; i <= 3; ++i) load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem", "load", i, k);
+    bool sized = false;
+    for (int i = 1; i <= 3; ++i) {
+      load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem", "load", i, k);
+      sized |= deck.given("fem", "load", i, k);
+    }
+    if (!sized)
+      refuse(deck, "load_on", at, fmt::format("load {} has no size: load(1,{}) is not given", k, k),
+             fmt::format("write load(1:2,{0})=0.,-1., force per area along x and y", k), diagnostics);
     if (solids.mesh.dim() == 2 && load.force[2] != 0)
       refuse(deck, "load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
              diagnostics);
@@ -115,13 +126,13 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
 
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics) {
   check_all_act(deck, "fix_on", {"fix", "fix_time", "fix_factor", "fix_expression"}, diagnostics);
-  for (const GridEdge& edge : edges_of(scene)) add_wall(solids.mesh, edge, solids);
+  for (const GridEdge& edge : edges_of(scene)) add_wall(deck, edge, solids, diagnostics);
   for (const Subscript at : deck.given_elements("fem", "fix_on")) {
     const int k = at[0];
     const Sides* sides = sides_of(deck, solids.mesh, "fix_on", k, diagnostics);
     if (!sides) continue;
     Support support;
-    support.nodes = *sides;
+    support.nodes = *sides, support.number = k;
     std::sort(support.nodes.begin(), support.nodes.end());
     support.nodes.erase(std::unique(support.nodes.begin(), support.nodes.end()), support.nodes.end());
     for (int i = 1; i <= 3; ++i) {

@@ -49,6 +49,7 @@ struct Support {
   std::array<bool, 3> fixed{};
   std::array<double, 3> displacement{};
   Amplitude amplitude;
+  int number = 0;  ///< of the deck's support, from 1; 0 of a wall
 };
 
 /// Elastic bodies on a mesh, as the deck's groups $mesh and $fem describe them.
@@ -61,8 +62,7 @@ struct Solids {
   Integrator integrator = Integrator::energy;
   double alpha = 0, beta = 0;     ///< Rayleigh damping alpha M + beta K [1/time], [time]
   double tolerance = 1e-11;       ///< of Newton's method: residual over the largest force
-  double cfl = 0.9;               ///< of central differences
-  bool from_equilibrium = false;  ///< starts at rest in equilibrium with the loads of t = 0
+  bool from_equilibrium = false;  ///< starts in equilibrium with the loads of t = 0
 };
 
 }  // namespace tether

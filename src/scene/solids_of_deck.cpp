@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include "scene/axis.hpp"
 #include "scene/materials.hpp"
 #include "scene/rigid_of_deck.hpp"
 
@@ -45,7 +44,8 @@ ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
                                                : Volumetric::mixed,
                       stress ? Plane::stress : Plane::strain};
   }
-  const StVenantKirchhoff svk{stress ? 2 * l.lambda * l.mu / (l.lambda + 2 * l.mu) : l.lambda, l.mu};
+  const StVenantKirchhoff svk{stress ? 2 * l.lambda * l.mu / (l.lambda + 2 * l.mu) : l.lambda, l.mu,
+                              stress ? Plane::stress : Plane::strain};
   return name == "linear" ? ElasticLaw(LinearElastic{svk}) : ElasticLaw(svk);
 }
 
@@ -74,8 +74,14 @@ Integrator integrator_of(const Deck& deck) {
                                : Integrator::central;
 }
 
+/// The longest extent of a mesh along an axis [length].
+double size_of(const Mesh& mesh) {
+  const Eigen::Map<const Eigen::MatrixXd> x(mesh.x.data(), mesh.dim(), static_cast<Eigen::Index>(mesh.node_count()));
+  return (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+}
+
 /// Nodes nearest to tracked_at.
-void track_nodes(const Deck& deck, Solids& solids) {
+void track_nodes(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   const auto dim = static_cast<std::size_t>(solids.mesh.dim());
   for (const Subscript at : deck.given_elements("points", "tracked_at")) {
     if (at[0] != 1 || !deck.given("points", "tracked_at", 2, at[1])) continue;
@@ -88,53 +94,23 @@ void track_nodes(const Deck& deck, Solids& solids) {
       for (std::size_t i = 0; i < dim; ++i) square += std::pow(solids.mesh.x[n * dim + i] - place[i], 2);
       if (square < least) least = square, nearest = n;
     }
+    if (const double away = std::sqrt(least), size = size_of(solids.mesh); away > size)
+      diagnostics.add(
+          deck.remark(Severity::warning, "points", "tracked_at", {1, at[1]},
+                      fmt::format("the nearest node is {:.4g} away, {:.2g} of the mesh's size", away, away / size)));
     solids.tracked.push_back(static_cast<int>(nearest));
   }
 }
 
 }  // namespace
 
-/// The supports' equations on the rigid motions of each part: its rank says how many of them are left.
-int free_motions(const Solids& solids) {
-  const Mesh& mesh = solids.mesh;
-  const int dim = mesh.dim(), motions = dim == 2 ? 3 : 6;
-  const std::vector<int> part = parts_of(mesh);
-  const int parts = part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1;
-  std::vector<Eigen::MatrixXd> normal(static_cast<std::size_t>(parts), Eigen::MatrixXd::Zero(motions, motions));
-  for (const Support& support : solids.supports) {
-    for (const int node : support.nodes) {
-      const double* x = &mesh.x[static_cast<std::size_t>(node) * static_cast<std::size_t>(dim)];
-      for (int i = 0; i < dim; ++i) {
-        if (!support.fixed[static_cast<std::size_t>(i)]) continue;
-        Eigen::VectorXd row = Eigen::VectorXd::Zero(motions);
-        row[i] = 1;
-        if (dim == 2) {
-          row[2] = i == 0 ? -x[1] : x[0];
-        } else {
-          row[3 + (i + 1) % 3] = x[(i + 2) % 3], row[3 + (i + 2) % 3] = -x[(i + 1) % 3];
-        }
-        normal[static_cast<std::size_t>(part[static_cast<std::size_t>(node)])] += row * row.transpose();
-      }
-    }
-  }
-  int left = 0;
-  for (const auto& matrix : normal) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
-    qr.setThreshold(1e-10);
-    left = std::max(left, motions - static_cast<int>(qr.rank()));
-  }
-  return left;
-}
-
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (deck.has_group("rigid")) {
     check_rigid(deck, diagnostics);
     scene.rigid = rigid_of(deck, diagnostics);
     if (!deck.has_group("mesh")) return;
-  } else if (geometry_of(deck) == Geometry::axisymmetric) {
-    diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "elastic bodies on a mesh have no axis",
-                                "write cyl=0.; a ring of revolution is a mesh in space, by z of the regions in $mesh"));
   }
+  check_mesh_deck(deck, diagnostics);
   auto mesh = mesh_of(deck, diagnostics);
   const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;
   Solids solids;
@@ -146,20 +122,31 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   solids.tolerance = deck.real("fem", "tolerance");
   solids.from_equilibrium = deck.logical("fem", "settle");
   add_loads(deck, solids, diagnostics);
-  track_nodes(deck, solids);
+  track_nodes(deck, solids, diagnostics);
   if (scene.rigid) {
     if (dim == 3) check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
+    if (dim == 2 && deck.given("mesh", "file"))
+      diagnostics.add(deck.remark(Severity::error, "mesh", "file", {1, 1},
+                                  "a rigid body moves in space, and the mesh of this file is plane",
+                                  "give a file with tetrahedra or hexahedra"));
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);
   } else {
     add_supports(deck, scene, solids, diagnostics);
+    check_supports_agree(deck, solids, diagnostics);
   }
   const bool rests = !scene.rigid && (solids.integrator == Integrator::equilibrium || solids.from_equilibrium);
+  const int parts = count_parts(solids.mesh);
   if (const int left = rests ? free_motions(solids) : 0; left > 0) {
     diagnostics.add(deck.remark(
         Severity::error, "fem", solids.from_equilibrium ? "settle" : "static", {1, 1},
-        fmt::format("the supports leave {} rigid motion{} free: there is no equilibrium", left, left > 1 ? "s" : ""),
+        fmt::format("the supports leave {} rigid motion{}{} free: there is no equilibrium", left, left > 1 ? "s" : "",
+                    parts > 1 ? fmt::format(" of one of {} parts that nothing joins", parts) : ""),
         "hold more by fix_on and fix, or by a wall that the body stands at"));
   }
+  if (!scene.rigid && solids.beta > 0 && free_motions(solids) > 0)
+    diagnostics.add(deck.remark(Severity::warning, "fem", "beta", {1, 1},
+                                "beta damps the turning of a body that nothing holds, as if it were strain",
+                                "it acts with the stiffness of the shape at the start; alpha damps all motion"));
   scene.solids = std::make_shared<const Solids>(std::move(solids));
 }
 

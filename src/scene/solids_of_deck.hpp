@@ -44,6 +44,14 @@ std::array<GridEdge, 4> edges_of(const Scene& scene);
 /// Nodes of a mesh that stand at an edge, as near as rounding tells.
 std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge);
 
+/// Tells what a deck with a mesh says without effect, of points, membranes and regions that there are none of; and of
+/// an axis, which elastic bodies do not have.
+void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics);
+/// Tells of an edge of the grid that goes through the mesh and whose wall would hold `held` nodes.
+void check_wall(const Deck& deck, const Mesh& mesh, const GridEdge& edge, std::size_t held, Diagnostics& diagnostics);
+/// Tells of supports that move one node along one axis to different places.
+void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
+
 /// Directions and turns in which the supports leave a connected part of the mesh free, 0 where it is held.
 int free_motions(const Solids& solids);
 

@@ -66,6 +66,11 @@ struct Response {
 /// What holds the third direction of a plane body.
 enum class Plane { strain, stress };
 
+/// The third direction of a plane body: its stretch, and the second Piola-Kirchhoff stress along it [stress].
+struct Across {
+  double stretch = 1, S = 0;
+};
+
 /// Lame's constants of E and nu [stress].
 struct Lame {
   double lambda = 0, mu = 0;
@@ -74,7 +79,8 @@ inline Lame lame(double E, double nu) { return {E * nu / ((1 + nu) * (1 - 2 * nu
 
 /// St Venant-Kirchhoff: Psi = lambda/2 (tr E)^2 + mu E : E, E = (C - 1)/2. With E = eps, the linear law.
 struct StVenantKirchhoff {
-  double lambda = 0, mu = 0;  // in plane stress lambda is 2 lambda mu/(lambda + 2 mu) [stress]
+  double lambda = 0, mu = 0;    // in plane stress lambda is 2 lambda mu/(lambda + 2 mu) [stress]
+  Plane plane = Plane::strain;  // of plane bodies
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C) const {
@@ -89,6 +95,12 @@ struct StVenantKirchhoff {
     r.D.template topLeftCorner<dim, dim>().setConstant(lambda);
     for (int k = 0; k < component_count<dim>(); ++k) r.D(k, k) += k < dim ? 2 * mu : mu;
     return r;
+  }
+  /// In plane stress E33 = -lambda/(lambda + 2 mu) tr E, which is the lambda here over 2 mu.
+  Across across(const Symmetric<2>& C) const {
+    const double trace = 0.5 * (C[0] + C[1]) - 1;
+    if (plane == Plane::strain) return {1, lambda * trace};
+    return {std::sqrt(std::fmax(1 - lambda / mu * trace, 0)), 0};
   }
 };
 
@@ -143,6 +155,11 @@ struct NeoHookean {
       r.D -= (coupling * coupling / D33) * inverse * inverse.transpose();
       return r;
     }
+  }
+  Across across(const Symmetric<2>& C) const {
+    const double square = 1 + determinant_less_one<2>(C);
+    if (plane == Plane::strain) return {1, g(std::sqrt(square))};
+    return {std::sqrt(thickness_stretch_squared(square)), 0};
   }
 
  private:

@@ -30,25 +30,39 @@ Symmetric<dim> right_cauchy_green(const Square<dim>& F) {
   return symmetric<dim>((F.transpose() * F).eval());
 }
 
+/// What the middle stress lacks along dC to do the work of the energies' difference: s = (2 (Psi1 - Psi0) - S_m : dC) /
+/// (dC : dC). For small dC that quotient is all rounding; there the difference is the integral of S : dC / 2 by two
+/// points of Gauss, exact but for |dC|^5.
+template <int dim, class Respond>
+double lacking_stress(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const Symmetric<dim>& middle, double dC2,
+                      const Respond& respond) {
+  constexpr double small = 1e-6, gauss = 0.21132486540518711775;
+  const Symmetric<dim> dC = C1 - C0;
+  if (dC2 > small) return (2 * (respond(C1).energy - respond(C0).energy) - contract<dim>(middle, dC)) / dC2;
+  const Symmetric<dim> before = respond(Symmetric<dim>(C0 + gauss * dC)).S,
+                       behind = respond(Symmetric<dim>(C1 - gauss * dC)).S;
+  return contract<dim>(Symmetric<dim>(0.5 * ((before - middle) + (behind - middle))), dC) / dC2;
+}
+
 /// Gonzalez' stress between C0 and C1 and its derivative by C1 (O. Gonzalez, Comput. Methods Appl. Mech. Engrg 190
-/// (2000) 1763-1783): S_m + s dC with s such that S : dC / 2 is the difference of the energies. Below |dC|^2 = 1e-24
-/// the quotient is all rounding and its limit, S_m, is taken.
+/// (2000) 1763-1783): S_m + s dC. Steps so small that s dC is below rounding do without it, their tangent sooner: what
+/// it has of dC is of no use to Newton's method then.
 template <int dim, class Respond>
 void discrete_gradient(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const Respond& respond,
                        PointStress<dim>& at) {
-  constexpr double too_small = 1e-24;
+  constexpr double no_stress = 1e-16, no_tangent = 1e-12;  // of |dC|^2
   const Response<dim> middle = respond(Symmetric<dim>(0.5 * (C0 + C1)));
   const Symmetric<dim> dC = C1 - C0;
   const double dC2 = contract<dim>(dC, dC);
   at.S = middle.S, at.D = 0.5 * middle.D;
-  if (dC2 < too_small) return;
-  const Response<dim> end = respond(C1);
-  const double s = (2 * (end.energy - respond(C0).energy) - contract<dim>(middle.S, dC)) / dC2;
+  if (dC2 < no_stress) return;
+  const double s = lacking_stress<dim>(C0, C1, middle.S, dC2, respond);
+  at.S += s * dC;
+  if (dC2 < no_tangent) return;
   const Symmetric<dim> w = contraction_weights<dim>();
   // ds by dE1, shears twice: dC1 = 2 dE1
   const Symmetric<dim> ds =
-      (2 * (end.S - middle.S) - 4 * s * dC - 0.5 * middle.D.transpose() * w.cwiseProduct(dC)) / dC2;
-  at.S += s * dC;
+      (2 * (respond(C1).S - middle.S) - 4 * s * dC - 0.5 * middle.D.transpose() * w.cwiseProduct(dC)) / dC2;
   at.D += dC * ds.transpose();
   for (int k = 0; k < component_count<dim>(); ++k) at.D(k, k) += 2 * s / w[k];
 }
@@ -104,6 +118,16 @@ Response<dim> response_at(const ElasticLaw& law, const Square<dim>& F, double X,
   if (const auto* svk = std::get_if<StVenantKirchhoff>(&law)) return svk->respond<dim>(C);
   if (const auto* neo = std::get_if<NeoHookean>(&law)) return neo->respond<dim>(C);
   return std::get_if<HoopFibre>(&law)->respond<dim>(C, X, Y);
+}
+
+/// The third direction of a plane body at F.
+inline Across across_at(const ElasticLaw& law, const Square<2>& F) {
+  const Symmetric<2> C = right_cauchy_green<2>(F);
+  if (const auto* linear = std::get_if<LinearElastic>(&law))
+    return linear->law.across(symmetric<2>((F + F.transpose() - Square<2>::Identity()).eval()));
+  if (const auto* svk = std::get_if<StVenantKirchhoff>(&law)) return svk->across(C);
+  if (const auto* neo = std::get_if<NeoHookean>(&law)) return neo->across(C);
+  return {};
 }
 
 /// B_A(F): change of E (shears twice) by the place of a node whose shape function has the gradient g.

@@ -28,7 +28,7 @@ class Elements {
   /// Energy stored at q [energy].
   virtual double strain_energy(std::span<const double> q) const = 0;
   /// Cauchy's stress xx, yy, zz, xy, yz, xz and the energy density at the nodes, the mean over the volume around them;
-  /// 7 numbers a node. In the plane zz, yz, xz are 0.
+  /// 7 numbers a node. In the plane yz, xz are 0.
   virtual std::vector<double> nodal_stress(std::span<const double> q) const = 0;
   /// The consistent mass matrix <rho N_A, N_B> (9), one number a pair of nodes, and its row sums (of Q2: those of its
   /// diagonal, scaled to the mass).

@@ -53,7 +53,8 @@ HistoryLayout history_layout(const Solids& solids) {
   HistoryLayout layout;
   add_energies(layout);
   layout.quantities.push_back(
-      {"energy_outside", Dimension::energy, "work that loads and moved supports have done on the solids"});
+      {"energy_outside", Dimension::energy,
+       "work that loads and moved supports have done on the solids; of statics what they gained"});
   layout.quantities.push_back({"energy_damped", Dimension::energy, "energy that damping has taken"});
   add_momenta(layout, solids.mesh.dim());
   std::vector<std::string> names;
@@ -105,7 +106,7 @@ Snapshot node_fields(const SolidState& state, const SolidSystem& system) {
   const std::vector<double> stress = system.elements->nodal_stress(state.q);
   constexpr std::array names{"sxx", "syy", "szz", "sxy", "syz", "sxz", "energy_density"};
   for (std::size_t f = 0; f < names.size(); ++f) {
-    if (d == 2 && (f == 2 || f == 4 || f == 5)) continue;
+    if (d == 2 && (f == 4 || f == 5)) continue;
     Field field{{names[f], Dimension::stress,
                  f == 6 ? "strain energy per volume of the shape at the start" : "Cauchy's stress"},
                 std::vector<double>(nodes)};

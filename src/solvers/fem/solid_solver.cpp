@@ -53,6 +53,8 @@ SolidSolver::SolidSolver(const Plan& plan)
   state_.v = first_velocities(system_);
   if (system_.solids.integrator == Integrator::central) state_.a.assign(state_.q.size(), 0.0);
   system_.place_supports(0, state_.q);
+  if (system_.solids.integrator != Integrator::equilibrium)
+    system_.move_supports(0, slope_width * plan.scene.clock.tstep, state_.v);
   if (system_.solids.from_equilibrium) start();
 }
 
@@ -85,17 +87,23 @@ void SolidSolver::step(double dt) {
 
 /// Explicit steps have nothing to be halved for.
 NewtonReport SolidSolver::advanced(double dt) {
+  if (state_.time + dt <= state_.time) lose(dt);
   NewtonReport report = step_.advance(state_, dt);
   if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
   return report;
 }
 
-/// An explicit step that ran away leaves no state to go on from.
+/// An explicit step that ran away, or is lost in the time, leaves nothing to go on with.
 void SolidSolver::lose(double dt) const {
   std::size_t k = 0;
   while (k + 1 < state_.v.size() && std::isfinite(state_.v[k])) ++k;
   const auto d = static_cast<std::size_t>(system_.dim());
   const double* place = &system_.solids.mesh.x[k / d * d];
+  if (state_.time + dt <= state_.time)
+    throw RunError(
+        fmt::format("t = {:.9g}, step {}: steps of {:.3g} are lost in the time: likely cause, cfl or damping "
+                    "that leaves central differences no step",
+                    state_.time, state_.steps + 1, dt));
   throw RunError(
       fmt::format("t = {:.9g}, step {}: node {}, at the start at ({:.6g}, {:.6g}), has no velocity any more: "
                   "likely cause, steps of {:.3g} above the limit {:.3g} of central differences at the start",

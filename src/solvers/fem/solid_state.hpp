@@ -12,7 +12,7 @@ struct SolidState {
   double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
   std::vector<double> q, v;        ///< places [length] and velocities of the nodes
   std::vector<double> a;           ///< accelerations, of central differences only [length/time2]
-  double work = 0;                 ///< done from outside so far, by loads and supports; damping's is below 0 [energy]
+  double work = 0;                 ///< done from outside so far, by loads and supports [energy]
   double damped = 0;               ///< taken by damping so far [energy]
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, halvings = 0;

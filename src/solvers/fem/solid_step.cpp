@@ -10,6 +10,7 @@ namespace tether::fem {
 namespace {
 
 constexpr int most_backsteps = 10;
+
 double norm(const std::vector<double>& f) {
   double sum = 0;
   for (const double value : f) sum += value * value;
@@ -52,7 +53,8 @@ SolidStep::SolidStep(const SolidSystem& system)
       damping_(system.unknowns()),
       residual_(system.unknowns()),
       change_(system.unknowns()),
-      scratch_(system.unknowns()) {
+      scratch_(system.unknowns()),
+      moved_(system.unknowns()) {
   if (system.solids.beta == 0) return;
   K0_ = system.pattern.matrix();
   system.elements->add_tangent(StressAt::end, system.solids.mesh.x, system.solids.mesh.x, 0, system.pattern, K0_);
@@ -64,6 +66,7 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     return {std::isfinite(norm(state.v)), {}};
   }
   find_outer_forces(state.time, dt);
+  if (dynamic_) system_.move_supports(state.time + dt, slope_width * dt, moved_);
   guess(state, dt);
   NewtonReport report = newton(state, dt, whole);
   if (!report.converged) {
@@ -144,7 +147,8 @@ void SolidStep::add_damping(double dt, std::span<const double> q0) {
   for (std::size_t k = 0; k < q1_.size(); ++k) damping_[k] = beta * damping_[k] + alpha * residual_[k];
 }
 
-/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17); its size over the largest of them,
+/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17), of supported nodes the velocity that
+/// they are given, which that rule would let alternate about its mean for ever; its size over the largest of them,
 /// infinite where that is not finite.
 double SolidStep::find_residual(const SolidState& state, double dt) {
   std::fill(inertia_.begin(), inertia_.end(), 0.0);
@@ -152,7 +156,8 @@ double SolidStep::find_residual(const SolidState& state, double dt) {
   if (dynamic_) {
     add_damping(dt, state.q);
     for (std::size_t k = 0; k < q1_.size(); ++k) {
-      scratch_[k] = 2 / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
+      scratch_[k] =
+          system_.held[k] ? (moved_[k] - state.v[k]) / dt : 2 / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
     }
     system_.multiply_mass(scratch_, inertia_);
   }
@@ -240,16 +245,20 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   return regular && std::isfinite(norm(change_));
 }
 
-/// Energies that came from outside, and the new state. In (17) the mean velocity does the work; from equilibrium to
-/// equilibrium what is stored is what came in.
+/// Energies that came from outside, and the new state. In (17) the mean velocity does the work; that of a supported
+/// node need not be its way over the step, and its inertia works along the mean. From equilibrium to equilibrium what
+/// is stored is what came in.
 void SolidStep::accept(SolidState& state, double dt) {
   double outside = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it with the other sign
   if (!dynamic_) outside += system_.elements->strain_energy(q1_) - system_.elements->strain_energy(state.q);
   for (std::size_t k = 0; k < q1_.size(); ++k) {
-    const double way = q1_[k] - state.q[k];
-    if (dynamic_) outside += (outer_[k] + (system_.held[k] ? residual_[k] : 0)) * way;
+    const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : 2 * way / dt - state.v[k];
+    if (dynamic_) {
+      const double inertial_way = 0.5 * dt * (state.v[k] + v1);
+      outside += system_.held[k] ? inertia_[k] * inertial_way + (inner_[k] + damping_[k]) * way : outer_[k] * way;
+    }
     state.damped += damping_[k] * way;
-    state.v[k] = dynamic_ ? 2 * way / dt - state.v[k] : 0;
+    state.v[k] = dynamic_ ? v1 : 0;
     state.q[k] = q1_[k];
   }
   state.work += outside;

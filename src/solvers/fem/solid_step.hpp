@@ -21,6 +21,9 @@ struct NewtonReport {
   std::vector<double> residuals;  ///< of each iteration, over the largest force
 };
 
+/// Part of a step over which the velocities of supports are measured, to both sides of its end.
+constexpr double slope_width = 1e-3;
+
 /// What the steps have cost; the symbolic analysis is a part of the solution.
 struct SolidCost {
   double assembly_seconds = 0, solve_seconds = 0, analysis_seconds = 0, factor_nonzeros = 0;
@@ -64,6 +67,7 @@ class SolidStep {
   // Places at the step's end; forces: half of those at the start (trapezoidal rule), inner, outer, inertia, damping;
   // their sum, the residual; the correction; and what is in between.
   std::vector<double> q1_, start_, inner_, outer_, inertia_, damping_, residual_, change_, scratch_;
+  std::vector<double> moved_;        // velocities of supported nodes at the step's end
   double scale_ = 0, stiffest_ = 0;  // the largest force, and the largest number of the tangent
   SolidCost cost_;
 };

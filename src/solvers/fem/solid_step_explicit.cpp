@@ -20,26 +20,35 @@ void SolidStep::find_accelerations(std::span<const double> q, std::span<const do
     const double m = system_.lumped[k / d];
     damping_[k] = system_.solids.beta * damping_[k] + system_.solids.alpha * m * v[k];
     residual_[k] = outer_[k] - inner_[k] - damping_[k];
-    a[k] = system_.held[k] ? 0 : residual_[k] / m;
+    a[k] = residual_[k] / m;
   }
 }
 
-/// Central differences by half steps of the velocity; damping acts with the velocity of the half step.
+/// Central differences by half steps of the velocity; damping acts with the velocity of the half step. Supported nodes
+/// go where they are led; what they would be accelerated by without, a, is what the supports hold against.
 void SolidStep::explicit_step(SolidState& state, double dt) {
   if (state.steps == 0) find_accelerations(state.q, state.v, state.time, state.a);
+  scratch_ = state.v, change_ = state.a;
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     state.v[k] += 0.5 * dt * state.a[k];
     q1_[k] = state.q[k] + dt * state.v[k];
   }
   system_.place_supports(state.time + dt, q1_);
+  system_.move_supports(state.time + dt, slope_width * dt, moved_);
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    if (system_.held[k]) state.v[k] = (q1_[k] - state.q[k]) / dt;
+  }
   system_.external_forces(state.time, start_);
   find_accelerations(q1_, state.v, state.time + dt, state.a);
   double outside = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);
+  const auto d = static_cast<std::size_t>(system_.dim());
   for (std::size_t k = 0; k < q1_.size(); ++k) {
-    const double way = q1_[k] - state.q[k];
-    outside += (0.5 * (start_[k] + outer_[k]) - (system_.held[k] ? residual_[k] : 0)) * way;
+    const double way = q1_[k] - state.q[k], m = system_.lumped[k / d];
+    outside += 0.5 * (start_[k] + outer_[k]) * way;
+    if (system_.held[k])
+      outside += 0.5 * m * (moved_[k] * moved_[k] - scratch_[k] * scratch_[k] - (change_[k] + state.a[k]) * way);
     state.damped += damping_[k] * way;
-    state.v[k] = system_.held[k] ? way / dt : state.v[k] + 0.5 * dt * state.a[k];
+    state.v[k] = system_.held[k] ? moved_[k] : state.v[k] + 0.5 * dt * state.a[k];
     state.q[k] = q1_[k];
   }
   state.work += outside;
@@ -50,7 +59,7 @@ void SolidStep::explicit_step(SolidState& state, double dt) {
 double SolidStep::longest_explicit_step(std::span<const double> q) const {
   const double omega = system_.elements->frequency_bound(q, system_.lumped);
   const double xi = (system_.solids.alpha / omega + system_.solids.beta * omega) / 2;
-  return 2 / omega * (std::sqrt(1 + xi * xi) - xi);
+  return 2 / (omega * (std::hypot(1, xi) + xi));
 }
 
 }  // namespace tether::fem

@@ -89,4 +89,17 @@ void SolidSystem::place_supports(double time, std::span<double> q) const {
   }
 }
 
+void SolidSystem::move_supports(double time, double h, std::span<double> v) const {
+  const auto d = static_cast<std::size_t>(dim());
+  const double from = std::max(0.0, time - h), to = time + h;
+  for (const Support& support : solids.supports) {
+    const double slope = (support.amplitude.at(to) - support.amplitude.at(from)) / (to - from);
+    for (const int node : support.nodes) {
+      for (std::size_t i = 0; i < d; ++i) {
+        if (support.fixed[i]) v[static_cast<std::size_t>(node) * d + i] = slope * support.displacement[i];
+      }
+    }
+  }
+}
+
 }  // namespace tether::fem

@@ -30,6 +30,9 @@ class SolidSystem {
   double gravity_energy(std::span<const double> q) const;
   /// Sets the places of supported nodes to where they are at a time.
   void place_supports(double time, std::span<double> q) const;
+  /// Sets the velocities of supported nodes to how their places change about a time, from `h` before it, though not
+  /// before t = 0, to `h` behind it.
+  void move_supports(double time, double h, std::span<double> v) const;
 
   const Solids& solids;
   std::unique_ptr<Elements> elements;
