@@ -122,7 +122,7 @@ void check_deck(const Deck& deck, Diagnostics& diagnostics) {
   if (deck.is_study()) return check_study(deck, diagnostics);
   check_regions_beyond_nreg(deck, diagnostics);
   check_inner_ellipses(deck, diagnostics);
-  check_vertices(deck, diagnostics);
+  if (!deck.has_group("mesh")) check_vertices(deck, diagnostics);
   check_outputs_off(deck, diagnostics);
   check_regrig(deck, diagnostics);
 }

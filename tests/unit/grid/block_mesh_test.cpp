@@ -160,5 +160,29 @@ TEST(BlockMesh, SidesHaveNamesAndTheirWholeArea) {
   }
 }
 
+/// A side between two blocks that both name is loaded once.
+TEST(BlockMesh, ASideOfTwoBlocksStandsOnceUnderItsName) {
+  Block left = rectangle({0, 0}, {1, 1}, {2, 2, 2}), right = rectangle({1, 0}, {2, 1}, {2, 2, 2});
+  left.names[1] = right.names[3] = "joint";
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::hex8}) {
+    std::vector<MeshFlaw> flaws;
+    const Mesh mesh = mesh_of_blocks({left, right}, kind, flaws);
+    EXPECT_TRUE(flaws.empty());
+    EXPECT_EQ(mesh.sides.at("joint").size(), mesh.sides.at("1.left").size());
+  }
+}
+
+TEST(BlockMesh, BlocksHangTogetherByWholeSides) {
+  const Block first = rectangle({0, 0}, {1, 1}, {2, 2, 2}), beside = rectangle({1, 0}, {2, 1}, {2, 2, 2}),
+              hinged = rectangle({2, 1}, {3, 2}, {2, 2, 2});
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9, ElementKind::tri3, ElementKind::tet4}) {
+    std::vector<MeshFlaw> flaws;
+    const Mesh mesh = mesh_of_blocks({first, beside, hinged}, kind, flaws);
+    EXPECT_EQ(count_parts(mesh), 1);
+    const std::vector<int> block = blocks_by_sides(mesh);
+    for (std::size_t e = 0; e < block.size(); ++e) EXPECT_EQ(block[e], mesh.region[e] == 2 ? 1 : 0);
+  }
+}
+
 }  // namespace
 }  // namespace tether
