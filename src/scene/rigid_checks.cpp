@@ -19,7 +19,7 @@ class RigidChecks {
     if (!deck_.has_group("mesh")) {
       error("rigid", "", {1, 1}, "a rigid body needs a mesh, which gives it its mass and its shape",
             "add $mesh, and the blocks of it as regions of $reg");
-    } else if (deck_.given_elements("mesh", "z").empty()) {
+    } else if (deck_.text("mesh", "file").empty() && deck_.given_elements("mesh", "z").empty()) {
       error("mesh", "", {1, 1}, "a rigid body moves in space, and this mesh is plane",
             "give z(1:2,r), the lowest and the highest z of each region r");
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "cases/run_deck.hpp"
 
@@ -64,6 +65,13 @@ TEST(MeshFiles, APlateWithAHoleConcentratesTheStress) {
   EXPECT_NEAR(concentration(run), 3.03, 0.01);
   // A small hole in the same plate would have 3: the finite width is seen.
   EXPECT_GT(concentration(run), 3.02);
+}
+
+/// A box of 2 x 1 x 1 and density 10 as a rigid body; a plane mesh is none.
+TEST(MeshFiles, RigidBodiesHaveTheMassOfTheirFile) {
+  const DeckRun run = run_deck("rigid-top", {"mesh.file='../tests/meshes/box-41.msh'", "in.tmax=0.1"});
+  EXPECT_NEAR(run.last("mass"), 20, 1e-12);
+  EXPECT_THROW(run_deck("rigid-top", {"mesh.file='../tests/meshes/plate-22.msh'", "in.tmax=0.1"}), InputError);
 }
 
 /// A load that grows, then turns round.
