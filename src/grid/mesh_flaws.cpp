@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -13,12 +14,18 @@
 namespace tether {
 namespace {
 
-/// Smallest Jacobian of an element over its points of quadrature.
+/// Smallest Jacobian of an element over its points of quadrature, and the corners of quadrilaterals and hexahedra.
 template <class Shapes>
 double smallest_jacobian(const Mesh& mesh, std::size_t e) {
   double smallest = std::numeric_limits<double>::infinity();
   for (int point = 0; point < Shapes::points; ++point) {
     smallest = std::min(smallest, jacobian_at<Shapes>(mesh, e, Shapes::place(point)).determinant);
+  }
+  if (is_simplex(mesh.kind)) return smallest;  // it is the same everywhere
+  for (int corner = 0; corner < 1 << Shapes::dim; ++corner) {
+    std::array<double, Shapes::dim> s;
+    for (int i = 0; i < Shapes::dim; ++i) s[static_cast<std::size_t>(i)] = (corner >> i & 1) == 1 ? 1 : -1;
+    smallest = std::min(smallest, jacobian_at<Shapes>(mesh, e, s).determinant);
   }
   return smallest;
 }

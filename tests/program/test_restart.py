@@ -232,6 +232,13 @@ class Restart(ProgramTest):
         self.assertIn("particle data", other.stderr)
         self.assertFalse((self.folder / "other").exists())
 
+    def test_a_static_run_keeps_its_end(self):
+        """Its loads grow until tmax: another end would change the load that the checkpoint has."""
+        deck, options = DECKS / "flag.in", sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.25})
+        newest = checkpoints(self.run_ok(deck, *options))[0]
+        result = self.expect(2, deck, *options, "--restart", newest, "--out", self.folder / "longer", *sets(in__tmax=2.0))
+        self.assertRegex(result.stderr, r"in\.tmax was 1\S* in the run of the checkpoint and is 2\S* in the deck")
+
     def test_what_is_no_checkpoint_is_refused(self):
         deck = DECKS / "spring-mass.in"
         for path, words in ((deck, "it is no checkpoint"), (self.folder / "nowhere.nc", "cannot be opened")):

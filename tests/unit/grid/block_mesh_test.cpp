@@ -114,6 +114,15 @@ TEST(BlockMesh, TellsOfElementsTurnedInsideOut) {
   }
 }
 
+/// With an angle of more than 180 degrees a quadrilateral is turned inside out at that corner alone.
+TEST(BlockMesh, TellsOfConcaveElements) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9, ElementKind::hex8}) {
+    std::vector<MeshFlaw> flaws;
+    mesh_of_blocks({quadrilateral({{{0, 0}, {1, 0}, {0.4, 0.4}, {0, 1}}}, {1, 1, 1})}, kind, flaws);
+    EXPECT_EQ(flaws.size(), 1u);
+  }
+}
+
 TEST(BlockMesh, CurvedEdgesBringTheArea) {
   constexpr double pi = std::numbers::pi;
   std::array<double, 2> error{};
