@@ -67,10 +67,10 @@ struct Box {
     return product;
   }
   /// Gradient of node a: numbers d a .. d a + d - 1.
-  static std::array<double, nodes * d> gradients(const std::array<double, d>& s) {
+  static std::array<double, std::size_t{nodes} * d> gradients(const std::array<double, d>& s) {
     std::array<std::array<double, line>, d> N, dN;
     for (int k = 0; k < d; ++k) N[k] = Line<p>::values(s[k]), dN[k] = Line<p>::slopes(s[k]);
-    std::array<double, nodes * d> product;
+    std::array<double, std::size_t{nodes} * d> product;
     for (int a = 0; a < nodes; ++a) {
       for (int i = 0; i < d; ++i) {
         double value = 1;
@@ -104,8 +104,8 @@ struct Simplex {
     for (int k = 0; k < d; ++k) N[0] -= s[k], N[k + 1] = s[k];
     return N;
   }
-  static std::array<double, nodes * d> gradients(const std::array<double, d>&) {
-    std::array<double, nodes * d> G{};
+  static std::array<double, std::size_t{nodes} * d> gradients(const std::array<double, d>&) {
+    std::array<double, std::size_t{nodes} * d> G{};
     for (int k = 0; k < d; ++k) G[k] = -1, G[(k + 1) * d + k] = 1;
     return G;
   }

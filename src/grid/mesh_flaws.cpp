@@ -39,7 +39,7 @@ std::vector<int> corners_of(ElementKind kind, const int* side) {
   const int count = side_node_count_of(kind), p = order_of(kind);
   if (dimension_of(kind) == 2) return {side[0], side[count - 1]};
   if (kind == ElementKind::tet4) return {side[0], side[1], side[2]};
-  const int line = p + 1;
+  const std::ptrdiff_t line = p + 1;
   return {side[0], side[p], side[line * line - 1], side[line * p]};
 }
 

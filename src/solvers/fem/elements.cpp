@@ -15,8 +15,8 @@ double side_measure(const Mesh& mesh, const int* side, const std::array<double, 
   for (int a = 0; a < Side::nodes; ++a) {
     for (std::size_t i = 0; i < dim; ++i) {
       for (int k = 0; k < Side::dim; ++k) {
-        tangents(static_cast<int>(i), k) +=
-            mesh.x[static_cast<std::size_t>(side[a]) * dim + i] * G[static_cast<std::size_t>(a * Side::dim + k)];
+        tangents(static_cast<int>(i), k) += mesh.x[static_cast<std::size_t>(side[a]) * dim + i] *
+                                            G[static_cast<std::size_t>(a) * Side::dim + static_cast<std::size_t>(k)];
       }
     }
   }
