@@ -19,9 +19,6 @@ class RigidChecks {
     if (!deck_.has_group("mesh")) {
       error("rigid", "", {1, 1}, "a rigid body needs a mesh, which gives it its mass and its shape",
             "add $mesh, and the blocks of it as regions of $reg");
-    } else if (deck_.text("mesh", "file").empty() && deck_.given_elements("mesh", "z").empty()) {
-      error("mesh", "", {1, 1}, "a rigid body moves in space, and this mesh is plane",
-            "give z(1:2,r), the lowest and the highest z of each region r");
     }
     if (geometry_of(deck_) == Geometry::axisymmetric)
       error("in", "cyl", {1, 1}, "a rigid body moves in space: it has no axis", "write cyl=0.");
@@ -88,6 +85,13 @@ void check_rigid(const Deck& deck, Diagnostics& diagnostics) {
 }
 
 void check_rigid_places(const Deck& deck, const Rigid& rigid, const Mesh& mesh, Diagnostics& diagnostics) {
+  if (mesh.dim() == 2) {
+    const bool of_file = !deck.text("mesh", "file").empty();
+    return diagnostics.add(deck.remark(Severity::error, "mesh", of_file ? "file" : "", {1, 1},
+                                       "a rigid body moves in space, and this mesh is plane",
+                                       of_file ? "give a file with tetrahedra or hexahedra"
+                                               : "give z(1:2,r), the lowest and the highest z of each region r"));
+  }
   constexpr double farthest = 1e4;  // its square leaves half of the digits to the body's own moments
   const Eigen::Map<const Eigen::Matrix3Xd> x(mesh.x.data(), 3, static_cast<Eigen::Index>(mesh.node_count()));
   const Eigen::Vector3d low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();

@@ -18,8 +18,8 @@ std::shared_ptr<const Rigid> rigid_of(const Deck& deck, Diagnostics& diagnostics
 /// problem, steps by another rule; warns of what has no effect.
 void check_rigid(const Deck& deck, Diagnostics& diagnostics);
 
-/// Tells of a reference point or a pin so far from the mesh that the body's inertia would be lost beside that of its
-/// arm.
+/// Tells of a plane mesh, and of a reference point or a pin so far from the mesh that the body's inertia would be lost
+/// beside that of its arm.
 void check_rigid_places(const Deck& deck, const Rigid& rigid, const Mesh& mesh, Diagnostics& diagnostics);
 
 /// Tells of nodes that stand at an edge of the grid whose wall would hold them.

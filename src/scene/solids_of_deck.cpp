@@ -124,26 +124,23 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   add_loads(deck, solids, diagnostics);
   track_nodes(deck, solids, diagnostics);
   if (scene.rigid) {
-    if (dim == 3) check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
-    if (dim == 2 && deck.given("mesh", "file"))
-      diagnostics.add(deck.remark(Severity::error, "mesh", "file", {1, 1},
-                                  "a rigid body moves in space, and the mesh of this file is plane",
-                                  "give a file with tetrahedra or hexahedra"));
+    check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);
   } else {
     add_supports(deck, scene, solids, diagnostics);
     check_supports_agree(deck, solids, diagnostics);
   }
   const bool rests = !scene.rigid && (solids.integrator == Integrator::equilibrium || solids.from_equilibrium);
-  const int parts = count_parts(solids.mesh);
-  if (const int left = rests ? free_motions(solids) : 0; left > 0) {
+  const bool damped = !scene.rigid && solids.beta > 0;
+  const int parts = count_parts(solids.mesh), left = rests || damped ? free_motions(solids) : 0;
+  if (rests && left > 0) {
     diagnostics.add(deck.remark(
         Severity::error, "fem", solids.from_equilibrium ? "settle" : "static", {1, 1},
         fmt::format("the supports leave {} rigid motion{}{} free: there is no equilibrium", left, left > 1 ? "s" : "",
                     parts > 1 ? fmt::format(" of one of {} parts that nothing joins", parts) : ""),
         "hold more by fix_on and fix, or by a wall that the body stands at"));
   }
-  if (!scene.rigid && solids.beta > 0 && free_motions(solids) > 0)
+  if (damped && left > 0)
     diagnostics.add(deck.remark(Severity::warning, "fem", "beta", {1, 1},
                                 "beta damps the turning of a body that nothing holds, as if it were strain",
                                 "it acts with the stiffness of the shape at the start; alpha damps all motion"));

@@ -11,8 +11,7 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 RigidGuess::RigidGuess(const Mesh& mesh, std::span<const double> weights, const std::vector<std::uint8_t>& held)
     : dim_(static_cast<std::size_t>(mesh.dim())), weights_(weights), part_(parts_of(mesh)) {
-  const int count = part_.empty() ? 0 : *std::max_element(part_.begin(), part_.end()) + 1;
-  parts_.resize(static_cast<std::size_t>(count));
+  parts_.resize(static_cast<std::size_t>(count_parts(mesh)));
   inertia_.resize(parts_.size()), momentum_.resize(parts_.size());
   for (std::size_t n = 0; n < part_.size(); ++n) {
     if (part_[n] < 0) continue;

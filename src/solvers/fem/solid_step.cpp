@@ -67,14 +67,13 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   }
   find_outer_forces(state.time, dt);
   if (dynamic_) system_.move_supports(state.time + dt, slope_width * dt, moved_);
-  guess(state, dt);
-  NewtonReport report = newton(state, dt, whole);
-  if (!report.converged) {
-    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+  NewtonReport report;
+  for (const NewtonRule& rule : {whole, careful}) {
     guess(state, dt);
-    report = newton(state, dt, careful);
+    report = newton(state, dt, rule);
+    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+    if (report.converged) break;
   }
-  state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (report.converged) accept(state, dt);
   return report;
 }
@@ -109,7 +108,7 @@ void SolidStep::guess(const SolidState& state, double dt) {
   const double rigid = find_residual(state, dt) * scale_;
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = state.q[k] + dt * state.v[k];
   system_.place_supports(state.time + dt, q1_);
-  find_inner_forces(state.q, false);
+  find_inner_forces(state.q, true);
   if (!(find_residual(state, dt) * scale_ <= rigid)) q1_ = change_;
 }
 
