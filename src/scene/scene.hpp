@@ -17,6 +17,7 @@ namespace tether {
 
 struct Solids;
 struct Rigid;
+struct Flow;
 
 /// Initial state of material points, one array a property, all of one length.
 struct PointSet {
@@ -66,6 +67,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::shared_ptr<const Solids> solids;  ///< bodies on a mesh, which has no points
   std::shared_ptr<const Rigid> rigid;    ///< that they are one rigid body; null where they are elastic
+  std::shared_ptr<const Flow> flow;      ///< a fluid on a mesh; with it, solids are immersed in it
   std::vector<std::size_t> tracked;      ///< points whose paths are recorded
   std::vector<std::size_t> pinned;       ///< points that a pin holds where they are
   double ambient = 0;                    ///< pressure outside membranes that enclose gas [stress]

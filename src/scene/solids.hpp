@@ -2,29 +2,18 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "base/expression.hpp"
 #include "grid/mesh.hpp"
 #include "laws/materials/hyperelastic.hpp"
+#include "scene/amplitude.hpp"
 
 namespace tether {
 
 /// How a step of the finite element path goes: the discrete gradient that keeps the energy, the mid-point rule, the
 /// trapezoidal rule (Newmark's with beta = 1/4, gamma = 1/2), central differences with lumped masses; or no dynamics.
 enum class Integrator { energy, midpoint, trapezoid, central, equilibrium };
-
-/// A factor over time: an expression in t, or a table, linear between its times, constant before the first and behind
-/// the last; 1 without either. Copies share the expression, so that one thread at a time may ask all of them.
-struct Amplitude {
-  std::vector<double> time, factor;
-  std::shared_ptr<const Expression> expression = {};
-  std::string of = {};  ///< what it belongs to, for messages: "load 2"
-  /// Throws RunError where the expression has no finite value.
-  double at(double t) const;
-};
 
 /// One material of a mesh.
 struct SolidRegion {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/flow.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/errors.hpp"
+
+namespace tether {
+
+std::array<double, 2> FlowVector::at(double x, double y, double t) const {
+  std::array<double, 2> v{};
+  if (absent()) return v;
+  const double size = factor.at(t);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!component[i]) continue;
+    v[i] = size * (*component[i])(std::array{x, y, t});
+    if (!std::isfinite(v[i]))
+      throw RunError(
+          fmt::format("t = {:.9g}: the expression of {}, '{}', gives {} at ({:.6g}, {:.6g}): likely cause, a division "
+                      "by zero or a function outside its range",
+                      t, factor.of, component[i]->text(), v[i], x, y));
+  }
+  return v;
+}
+
+}  // namespace tether

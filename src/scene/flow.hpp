@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/expression.hpp"
+#include "grid/mesh.hpp"
+#include "scene/amplitude.hpp"
+
+namespace tether {
+
+/// Bilinear velocity and pressure, stabilised; or biquadratic velocity with bilinear pressure (Taylor and Hood).
+enum class FlowElement { q1q1, q2q1 };
+
+/// How a flow goes on in time: the mid-point rule (47), backward Euler, or no dynamics: each step is a steady flow.
+enum class FlowIntegrator { midpoint, euler, steady };
+
+/// What a correction takes of the convective term's derivative: all of it, or the part that carries the velocity along.
+enum class Linearisation { newton, picard };
+
+/// What a side of the fluid's boundary does.
+enum class Boundary { no_slip, slip, moving, inflow, open, periodic };
+
+/// A plane vector that may change in place and time: an expression in x, y, t for each component, null for 0, times a
+/// factor over time.
+struct FlowVector {
+  std::array<std::shared_ptr<const Expression>, 2> component{};
+  Amplitude factor;
+  /// Throws RunError where an expression has no finite value.
+  std::array<double, 2> at(double x, double y, double t) const;
+  /// Whether it is zero by the deck's word.
+  bool absent() const { return !component[0] && !component[1]; }
+};
+
+/// Part of the boundary with its condition. Of `periodic` the nodes say the rest (Flow::twin).
+struct FlowSide {
+  std::string name;
+  Boundary boundary = Boundary::no_slip;
+  Sides sides;
+  FlowVector velocity;  ///< prescribed on moving walls and inflows
+  int number = 0;       ///< of the deck's boundary_on, from 1; 0 of the sides that the deck does not name
+};
+
+/// Part of the boundary on which the fluid's force is recorded, and its torque about a centre.
+struct ForceSide {
+  std::string name;
+  Sides sides;
+  std::array<double, 2> centre{};  // [length]
+};
+
+/// A rectangle of tracers, nx x ny of them at the middles of its equal parts, that go with the fluid from the start.
+struct TracerBox {
+  std::array<int, 2> count{};             // along x and y; 0: none
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [length]
+};
+
+/// An incompressible Newtonian fluid on a plane mesh that stays where it is, as the deck's groups $mesh and $flow
+/// describe it (2.3).
+struct Flow {
+  Mesh mesh;  ///< quad4 for q1q1, quad9 for q2q1
+  FlowElement element = FlowElement::q2q1;
+  double density = 0;    // [mass/volume]
+  double viscosity = 0;  // mu [stress time]
+  /// All of the boundary, each part once. Where sides meet, a node belongs to the wall at rest before the moving wall
+  /// before the inflow; slip holds what these leave.
+  std::vector<FlowSide> sides;
+  std::vector<int> twin;    ///< of each node the one whose unknowns it shares, itself but on periodic sides
+  FlowVector acceleration;  ///< of the deck's body force [length/time2]; gravity is the scene's
+  FlowVector start;         ///< velocity at the start
+  FlowIntegrator integrator = FlowIntegrator::midpoint;
+  Linearisation linearisation = Linearisation::newton;
+  double tolerance = 1e-6;       ///< of Newton's method: residual over the largest force
+  double speed = 0, length = 0;  ///< of the Reynolds number and of drag and lift coefficients; 0: not given
+  std::vector<ForceSide> forces;
+  std::vector<std::array<double, 2>> probes;    ///< places whose pressure and velocity are recorded [length]
+  std::vector<std::array<int, 2>> differences;  ///< of the pressures at two of them, from 0
+  TracerBox tracers;
+  std::vector<double> volume_penalty;  ///< of each region of the solids, 0 for none [stress]
+};
+
+}  // namespace tether
