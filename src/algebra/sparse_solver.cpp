@@ -44,30 +44,55 @@ cholmod_sparse lower_view(std::size_t n, const std::vector<std::int64_t>& start,
   return matrix;
 }
 
+/// The graph of the nodes whose unknowns stand together in the pattern; of a node without unknowns nothing.
+struct NodeGraph {
+  std::vector<std::int64_t> start{0}, row;
+  std::vector<std::int64_t> first{0};  // unknown of each node, and their number
+};
+
+/// `block_start` tells of nodes with different numbers of unknowns; where it is empty, each has `block`.
+NodeGraph graph_of(const SparseMatrix& A, std::int64_t block, const std::vector<int>& block_start) {
+  NodeGraph graph;
+  if (block_start.empty()) {
+    for (std::int64_t end = block; end <= A.n; end += block) graph.first.push_back(end);
+  } else {
+    for (const int end : block_start) {
+      if (end > graph.first.back()) graph.first.push_back(end);
+    }
+  }
+  std::vector<std::int64_t> node_at(static_cast<std::size_t>(A.n), -1);  // whose first unknown this is
+  for (std::size_t k = 0; k + 1 < graph.first.size(); ++k)
+    node_at[static_cast<std::size_t>(graph.first[k])] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k + 1 < graph.first.size(); ++k) {
+    const auto j = static_cast<std::size_t>(graph.first[k]);
+    for (auto at = A.start[j]; at < A.start[j + 1]; ++at) {
+      const auto node = node_at[static_cast<std::size_t>(A.row[static_cast<std::size_t>(at)])];
+      if (node >= 0) graph.row.push_back(node);
+    }
+    graph.start.push_back(static_cast<std::int64_t>(graph.row.size()));
+  }
+  return graph;
+}
+
 /// An order of elimination with little fill for a pattern whose unknowns come in blocks, those of a node: minimum
 /// degree or nested dissection, whichever is better, for the nodes' graph, which takes a part of the
 /// time that the unknowns' takes and loses nothing.
-std::vector<std::int64_t> order_of_blocks(const SparseMatrix& A, std::int64_t block) {
-  std::vector<std::int64_t> start{0}, row;
-  for (std::int64_t j = 0; j < A.n; j += block) {
-    for (auto k = A.start[static_cast<std::size_t>(j)]; k < A.start[static_cast<std::size_t>(j) + 1]; ++k) {
-      const auto i = A.row[static_cast<std::size_t>(k)];
-      if (i % block == 0) row.push_back(i / block);
-    }
-    start.push_back(static_cast<std::int64_t>(row.size()));
-  }
+std::vector<std::int64_t> order_of_blocks(const SparseMatrix& A, std::int64_t block,
+                                          const std::vector<int>& block_start) {
+  const NodeGraph nodes = graph_of(A, block, block_start);
   cholmod_common common;
   cholmod_l_start(&common);
   common.print = 0;
   // Both are tried, as by itself CHOLMOD judges whether the second is worth it by the small graph's work.
   common.nmethods = 2, common.method[0].ordering = CHOLMOD_AMD, common.method[1].ordering = CHOLMOD_METIS;
-  cholmod_sparse graph = lower_view(start.size() - 1, start, row);
+  cholmod_sparse graph = lower_view(nodes.start.size() - 1, nodes.start, nodes.row);
   cholmod_factor* factor = cholmod_l_analyze(&graph, &common);
   std::vector<std::int64_t> order;
   if (factor) {
-    const auto* nodes = static_cast<const SuiteSparse_long*>(factor->Perm);
+    const auto* node = static_cast<const SuiteSparse_long*>(factor->Perm);
     for (std::size_t k = 0; k < factor->n; ++k) {
-      for (std::int64_t c = 0; c < block; ++c) order.push_back(nodes[k] * block + c);
+      const auto n = static_cast<std::size_t>(node[k]);
+      for (auto unknown = nodes.first[n]; unknown < nodes.first[n + 1]; ++unknown) order.push_back(unknown);
     }
     cholmod_l_free_factor(&factor, &common);
   }
@@ -179,6 +204,8 @@ struct SparseSolver::Parts {
   Cholesky cholesky;
   Lu lu;
   int block = 1;
+  std::vector<int> block_start;          // in place of block, or empty
+  bool ordered = false;                  // once and for all
   std::vector<std::int64_t> start, row;  // the pattern that the analyses are of
   std::vector<std::int64_t> order;       // of elimination
   bool positive = false;
@@ -186,20 +213,31 @@ struct SparseSolver::Parts {
 };
 
 SparseSolver::SparseSolver(int block) : parts_(std::make_unique<Parts>()) { parts_->block = block; }
+SparseSolver::SparseSolver(std::vector<int> block_start) : parts_(std::make_unique<Parts>()) {
+  parts_->block_start = std::move(block_start);
+}
 SparseSolver::~SparseSolver() = default;
 SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
+
+void SparseSolver::order_by(const SparseMatrix& A) {
+  const Stopwatch watch(parts_->analysis_seconds);
+  parts_->order = order_of_blocks(A, parts_->block, parts_->block_start);
+  parts_->ordered = true;
+}
 
 bool SparseSolver::factorise(const SparseMatrix& A, Definite definite) {
   if (A.start != parts_->start || A.row != parts_->row) {
     parts_->cholesky.forget(), parts_->lu.forget();
     parts_->start = A.start, parts_->row = A.row;
-    const Stopwatch watch(parts_->analysis_seconds);
-    parts_->order = order_of_blocks(A, parts_->block);
+    if (!parts_->ordered) {
+      const Stopwatch watch(parts_->analysis_seconds);
+      parts_->order = order_of_blocks(A, parts_->block, parts_->block_start);
+    }
   }
-  auto& [cholesky, lu, block, start, row, order, positive, analysis_seconds] = *parts_;
-  positive = definite == Definite::positive && cholesky.factorise(A, order, analysis_seconds);
-  return positive || lu.factorise(A, order, analysis_seconds);
+  Parts& at = *parts_;
+  at.positive = definite == Definite::positive && at.cholesky.factorise(A, at.order, at.analysis_seconds);
+  return at.positive || at.lu.factorise(A, at.order, at.analysis_seconds);
 }
 
 void SparseSolver::solve(std::span<const double> b, std::span<double> x) {

@@ -19,10 +19,16 @@ class SparseSolver {
  public:
   /// `block`: unknowns of a node, which stand together in the pattern.
   explicit SparseSolver(int block = 1);
+  /// Nodes with different numbers of unknowns: those of node A are block_start[A] .. block_start[A + 1] - 1. All of a
+  /// node couple with the same nodes.
+  explicit SparseSolver(std::vector<int> block_start);
   ~SparseSolver();
   SparseSolver(SparseSolver&&) noexcept;
   SparseSolver& operator=(SparseSolver&&) noexcept;
 
+  /// Finds the order of elimination for matrices of this size once and for all by this one's pattern, though theirs may
+  /// have some couplings more, which change.
+  void order_by(const SparseMatrix& A);
   /// False where A is singular to working precision. Throws RunError where memory does not do.
   bool factorise(const SparseMatrix& A, Definite definite);
   /// x of the matrix factorised last; b and x may be the same.

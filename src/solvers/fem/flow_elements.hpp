@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_matrix.hpp"
+#include "scene/flow.hpp"
+#include "solvers/fem/flow_unknowns.hpp"
+
+namespace tether::fem {
+
+/// What the equations of one step are about: velocities v0 at its start, v1 at its end, 2 numbers a node, which act as
+/// v_t = (1 - theta) v0 + theta v1; the pressure p in between, 1 number a node. Of steady flows the rate is 0.
+struct FlowMoment {
+  std::span<const double> v0, v1, p;
+  double theta = 0.5;
+  double rate = 0;                       ///< 1/dt [1/time]
+  double viscosity = 0;                  ///< mu [stress time]
+  std::span<const double> acceleration;  ///< of body forces, 2 numbers a point of quadrature [length/time2]
+  Linearisation linearisation = Linearisation::newton;
+};
+
+/// Sizes that a residual is measured against: of the elements' forces and fluxes before they balance each other, and of
+/// what rounding may leave of either.
+struct FlowScale {
+  double force = 0, flux = 0, force_rounding = 0, flux_rounding = 0;
+};
+
+/// What goes through a flow's boundary and is lost inside [energy/time].
+struct FlowPower {
+  double carried_out = 0;    ///< kinetic energy through open sides and inflows
+  double open_traction = 0;  ///< of the stress that open sides leave
+  double dissipated = 0;     ///< 2 mu e : e
+  double body = 0;           ///< of body forces
+};
+
+/// The elements of a flow: integrals over its mesh, and over its sides.
+class FlowElements {
+ public:
+  virtual ~FlowElements() = default;
+
+  /// Adds the residual of momentum (45) to f, 2 numbers a node [force], and of incompressibility (46) to g, 1 number a
+  /// node [volume/time]; of twins to the node whose unknowns they share. At prescribed nodes f is the force of the wall
+  /// on the fluid.
+  virtual FlowScale add_residual(const FlowMoment& m, std::span<double> f, std::span<double> g) const = 0;
+  /// Adds the residual's derivative by the unknowns.
+  virtual void add_tangent(const FlowMoment& m, const ClusterPattern& pattern, SparseMatrix& K) const = 0;
+  /// The body force's acceleration at all points of quadrature, with that of gravity along y [length/time2].
+  virtual std::vector<double> accelerations(double gravity, double time) const = 0;
+  virtual double kinetic_energy(std::span<const double> v) const = 0;  ///< [energy]
+  virtual FlowPower power(const FlowMoment& m) const = 0;
+  /// dv/dx - du/dy, the mean around each node [1/time].
+  virtual std::vector<double> vorticity(std::span<const double> v) const = 0;
+  /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations.
+  virtual SparseMatrix laplacian() const = 0;
+  virtual std::vector<double> stream_source(std::span<const double> v) const = 0;
+  /// The pressure at all nodes: between those that have one as its functions are.
+  virtual std::vector<double> pressure_at_nodes(std::span<const double> p) const = 0;
+};
+
+/// The unknowns' flow and they must outlive the elements.
+std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns);
+
+/// The clusters of unknowns that elements couple, for ClusterPattern: the nodes of each, twins as one.
+Lists clusters_of(const Flow& flow);
+
+}  // namespace tether::fem

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "results/saved_state.hpp"
+
+namespace tether::fem {
+
+/// Where the equations were linearised last, whose factors steps keep while they lead on: a run that goes on from a
+/// checkpoint finds the same ones again.
+struct LinearisedAt {
+  double time = 0, dt = 0;  // dt 0: nowhere yet [time]
+  std::vector<double> v0, v1, p;
+  std::vector<double> q0, mid;  // of immersed solids: places at the start, and where the fluid was asked
+};
+
+/// Of a flow: 2 numbers a node of velocities, 1 of pressures; of immersed solids 2 a node of places.
+struct FlowState {
+  double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
+  std::vector<double> v;           ///< velocities at `time`
+  std::vector<double> p;           ///< pressures of the step that ended there
+  std::vector<double> force;       ///< of walls on the fluid in that step, at prescribed nodes [force]
+  std::vector<double> q, w;        ///< places and velocities of immersed solids' nodes
+  double work = 0;                 ///< done from outside so far [energy]
+  double damped = 0;               ///< lost to viscosity so far [energy]
+  double dt_last = 0, dt_min = 0;  ///< [time]
+  long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
+  LinearisedAt linearised;
+};
+
+/// Lists what a step depends on over saver and restorer alike.
+template <class Exchange>
+void exchange(Exchange& with, FlowState& state) {
+  with("time", state.time), with("time_lost", state.time_lost);
+  with("v", state.v), with("p", state.p), with("force", state.force), with("q", state.q), with("w", state.w);
+  with("work", state.work), with("damped", state.damped);
+  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  with("steps", state.steps), with("newton_steps", state.newton_steps);
+  with("factorisations", state.factorisations), with("halvings", state.halvings);
+  LinearisedAt& at = state.linearised;
+  with("linearised_time", at.time), with("linearised_dt", at.dt);
+  with.list("linearised_v0", at.v0), with.list("linearised_v1", at.v1), with.list("linearised_p", at.p);
+  with.list("linearised_q0", at.q0), with.list("linearised_mid", at.mid);
+}
+
+}  // namespace tether::fem

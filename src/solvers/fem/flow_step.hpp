@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_solver.hpp"
+#include "solvers/fem/flow_elements.hpp"
+#include "solvers/fem/flow_state.hpp"
+#include "solvers/fem/flow_unknowns.hpp"
+
+namespace tether::fem {
+
+/// How Newton's method went in a step: of each iteration the residual over what is measured against, 1 and less where
+/// the tolerance is met.
+struct FlowReport {
+  bool converged = false;
+  std::vector<double> residuals;
+};
+
+/// What the steps have cost; the symbolic analysis is a part of the solution.
+struct FlowCost {
+  double assembly_seconds = 0, solve_seconds = 0, analysis_seconds = 0, factor_nonzeros = 0;
+};
+
+/// Numbers of a step that the deck's clock decides.
+struct FlowStepTime {
+  double start = 0, dt = 0;  ///< [time]
+  double tmax = 0;           ///< of steady flows, whose viscosity is mu tmax/(start + dt) [time]
+};
+
+/// One step of a flow from v0 at t to v1 at t + dt (47), or one steady flow.
+class FlowStep {
+ public:
+  /// `gravity` acts along y [length/time2]. The unknowns must outlive it.
+  FlowStep(const FlowUnknowns& unknowns, double gravity);
+
+  /// Advances the state by dt, its time apart, or leaves it as it was where Newton's method does not converge.
+  FlowReport advance(FlowState& state, const FlowStepTime& at);
+  /// Finds the factors again that a saved state went on with.
+  void resume(const FlowState& state, double tmax);
+
+  const FlowElements& elements() const { return *elements_; }
+  const FlowCost& cost() const { return cost_; }
+
+ private:
+  void begin(const FlowState& state, const FlowStepTime& at);
+  FlowMoment moment(std::span<const double> v0) const;
+  double find_residual(const FlowState& state);
+  bool factorise(FlowState& state);
+  bool correct();
+  void accept(FlowState& state);
+  bool worth_factors(const std::vector<double>& residuals) const;
+
+  const FlowUnknowns& unknowns_;
+  std::unique_ptr<FlowElements> elements_;
+  double gravity_;
+  ClusterPattern pattern_;
+  SparseMatrix K_;
+  SparseSolver solver_;
+  bool factors_ = false;  // whether there are any
+  // The step: velocities and pressure at its end, residuals of momentum and incompressibility, right side, correction.
+  FlowStepTime at_;
+  double theta_ = 0.5, rate_ = 0, viscosity_ = 0;
+  std::vector<double> v1_, p_, f_, g_, acceleration_, change_;
+  FlowCost cost_;
+};
+
+}  // namespace tether::fem

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_solver.hpp"
+#include "solvers/fem/flow_elements.hpp"
+
+namespace tether::fem {
+
+/// The stream function psi of plane flows, u = dpsi/dy, v = -dpsi/dx, zero at the mesh's first node: the one whose
+/// curl is nearest to the velocity, <grad N_A, grad psi> = <grad N_A, (-v, u)>, which holes in the mesh do not disturb.
+class StreamFunction {
+ public:
+  explicit StreamFunction(const FlowElements& elements);
+  /// At all nodes [area/time].
+  std::vector<double> of(std::span<const double> v) const;
+
+ private:
+  const FlowElements& elements_;
+  SparseMatrix A_;
+  mutable SparseSolver solver_;  // keeps its work space
+};
+
+}  // namespace tether::fem

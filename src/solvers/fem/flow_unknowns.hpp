@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_matrix.hpp"
+#include "scene/flow.hpp"
+
+namespace tether::fem {
+
+/// Which numbers of a flow's nodes are unknown: velocities that no side prescribes, pressures at the corners of the
+/// elements. Nodes on periodic sides share those of their twins. Where no side is open, one pressure is pinned to zero.
+class FlowUnknowns {
+ public:
+  /// The flow must outlive it.
+  explicit FlowUnknowns(const Flow& flow);
+
+  /// Sets the velocities that sides prescribe at a time. [velocity], 2 numbers a node
+  void prescribe(double time, std::span<double> v) const;
+  /// Gives twins the numbers of the nodes whose unknowns they share; `per_node` numbers a node.
+  template <class Number>
+  void copy_to_twins(std::vector<Number>& values, std::size_t per_node) const {
+    for (std::size_t n = 0; n < flow.twin.size(); ++n) {
+      const auto of = static_cast<std::size_t>(flow.twin[n]);
+      for (std::size_t i = 0; of != n && i < per_node; ++i) values[n * per_node + i] = values[of * per_node + i];
+    }
+  }
+
+  const Flow& flow;
+  std::vector<int> velocity;       ///< unknown of each component of each node, -1 where it is prescribed
+  std::vector<int> pressure;       ///< unknown of each node, -1 where it has none or is pinned
+  std::vector<int> first;          ///< of each node the first of its unknowns, which stand together; and their number
+  std::vector<int> prescribed_by;  ///< number in Flow::sides of the side that prescribes a node's velocity, or -1
+  bool pinned = false;
+  std::size_t count() const { return static_cast<std::size_t>(first.back()); }
+};
+
+/// Nodes of an element that have a pressure, counted in the element.
+std::span<const int> pressure_nodes(FlowElement element);
+
+}  // namespace tether::fem
