@@ -11,7 +11,7 @@ namespace {
 std::vector<Variable> joined_table() {
   std::vector<Variable> table;
   for (const auto part : {in_variables(), fluid_variables(), region_variables(), membrane_variables(),
-                          added_variables(), fem_variables(), rigid_variables(), study_variables()}) {
+                          added_variables(), fem_variables(), rigid_variables(), flow_variables(), study_variables()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;
@@ -40,7 +40,9 @@ std::vector<std::string> group_names() {
   return names;
 }
 
-bool chooses_path(std::string_view group) { return group == "fem" || group == "mesh" || group == "rigid"; }
+bool chooses_path(std::string_view group) {
+  return group == "fem" || group == "mesh" || group == "rigid" || group == "flow";
+}
 
 bool is_group(std::string_view name) {
   const auto table = variables();

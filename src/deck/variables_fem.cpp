@@ -46,10 +46,10 @@ constexpr std::array rows{
     Variable{"fem", "static", logical, 0, 1, 1, "", -none, none, "", ".false.",
              "Whether each step is an equilibrium with the loads of its end, without inertia; loads and prescribed "
              "displacements without a table then grow in proportion to time, to their full size at tmax."},
-    Variable{"fem", "law", text, 1, nr, 1, "", -none, none, "linear|svk|neo-hookean|fibre", "'svk'",
+    Variable{"fem", "law", text, 1, nr, 1, "", -none, none, "linear|svk|neo-hookean|fibre|fluid", "'svk'",
              "Law of region r: small strains, St Venant-Kirchhoff, compressible neo-Hookean, all by matr(1,r) = E and "
-             "matr(2,r) = nu in plane strain (ipath(4,r) = 0), plane stress (2) or space; or a hoop fibre of modulus "
-             "matr(1,r)."},
+             "matr(2,r) = nu in plane strain (ipath(4,r) = 0), plane stress (2) or space; a hoop fibre of modulus "
+             "matr(1,r); or an incompressible fluid of viscosity matr(1,r), in which the other regions are immersed."},
     Variable{"fem", "volumetric", text, 1, nr, 1, "", -none, none, "log|square|mixed", "'log'",
              "What a neo-Hookean body's change of volume costs: lambda/2 ln(J)^2, lambda/2 (J-1)^2 or lambda/4 (J^2 - "
              "1 - 2 ln J)."},

@@ -140,7 +140,7 @@ NamedSides named_sides(const std::vector<Block>& blocks, const Mesh& mesh, const
       if (number < 0) continue;
       const auto begin = sides.begin() + static_cast<std::ptrdiff_t>(s);
       const std::vector<int> nodes(begin, begin + per_side);
-      named.emplace_back(fmt::format("{}.{}", b + 1, own_names[number]), nodes);
+      named.emplace_back(fmt::format("{}.{}", number_of(blocks, b), own_names[number]), nodes);
       const std::string& given = blocks[b].names[static_cast<std::size_t>(number)];
       if (!given.empty()) named.emplace_back(given, nodes);
     }
@@ -165,6 +165,10 @@ EdgeCurve elliptic(Place from, Place to, Place centre, double a, double b) {
   };
 }
 
+int number_of(const std::vector<Block>& blocks, std::size_t b) {
+  return blocks[b].number > 0 ? blocks[b].number : static_cast<int>(b) + 1;
+}
+
 Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vector<MeshFlaw>& flaws) {
   Mesh mesh;
   mesh.kind = kind;
@@ -181,7 +185,9 @@ Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vec
   }
   drop_twins(mesh);
   find_inverted(mesh, flaws);
-  if (blocks.size() > 1) find_hanging(mesh, flaws);
+  std::vector<int> numbers;
+  for (std::size_t b = 0; b < blocks.size(); ++b) numbers.push_back(number_of(blocks, b));
+  if (blocks.size() > 1) find_hanging(mesh, numbers, flaws);
   return mesh;
 }
 

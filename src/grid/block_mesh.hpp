@@ -23,6 +23,7 @@ struct Block {
   double z_low = 0, z_high = 0;
   /// Names of the sides on edges 0 to 3 and at z_low and z_high; none is "".
   std::array<std::string, 6> names;
+  int number = 0;  ///< of the block in the names of its sides and in flaws; 0: its place in the list, from 1
 };
 
 /// Straight line between two corners.
@@ -33,9 +34,11 @@ EdgeCurve elliptic(std::array<double, 2> from, std::array<double, 2> to, std::ar
                    double b);
 
 /// The mesh of blocks 0, 1, ...: nodes by transfinite interpolation between the edges, those of different blocks that
-/// coincide are one. Each side has the name that its block gives it and `<block from 1>.bottom`, `.right`, `.top`,
+/// coincide are one. Each side has the name that its block gives it and `<block's number>.bottom`, `.right`, `.top`,
 /// `.left` (edges 0 to 3), `.back`, `.front` (z_low, z_high), where it is not shared. Flaws, of which there must be
 /// none for the mesh to be used: an inverted element, a node of one block on a side of another that does not have it.
 Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vector<MeshFlaw>& flaws);
+/// The number of block b, from 0, in such names.
+int number_of(const std::vector<Block>& blocks, std::size_t b);
 
 }  // namespace tether

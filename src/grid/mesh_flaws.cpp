@@ -144,13 +144,14 @@ std::optional<HangingNode> hanging_node(const Mesh& mesh) {
   return std::nullopt;
 }
 
-void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws) {
+void find_hanging(const Mesh& mesh, const std::vector<int>& numbers, std::vector<MeshFlaw>& flaws) {
   const auto hanging = hanging_node(mesh);
   if (!hanging) return;
-  flaws.push_back({static_cast<std::size_t>(hanging->region),
-                   fmt::format("the node at {} hangs: it lies within a side of region {} that does not have it",
-                               place_text(mesh, hanging->node), hanging->region_of_side + 1),
-                   "blocks are joined where whole edges with equally many cells and the same grading coincide"});
+  flaws.push_back(
+      {static_cast<std::size_t>(hanging->region),
+       fmt::format("the node at {} hangs: it lies within a side of region {} that does not have it",
+                   place_text(mesh, hanging->node), numbers[static_cast<std::size_t>(hanging->region_of_side)]),
+       "blocks are joined where whole edges with equally many cells and the same grading coincide"});
 }
 
 }  // namespace tether

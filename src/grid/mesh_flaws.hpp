@@ -32,7 +32,8 @@ struct HangingNode {
   int region = 0, region_of_side = 0;
 };
 std::optional<HangingNode> hanging_node(const Mesh& mesh);
-void find_hanging(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
+/// Tells of it; `numbers` are the deck's of the regions.
+void find_hanging(const Mesh& mesh, const std::vector<int>& numbers, std::vector<MeshFlaw>& flaws);
 
 /// Pairs of nodes in one place, to 1e-9 of the mesh's size: each node with the lowest one there, in ascending order.
 std::vector<std::pair<int, int>> coinciding_nodes(const Mesh& mesh);

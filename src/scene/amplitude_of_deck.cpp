@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "scene/expression_of_deck.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -46,18 +47,6 @@ Amplitude table_of(const Named& of) {
   return amplitude;
 }
 
-/// The expression in t, or null where it is wrong, which is told.
-std::shared_ptr<const Expression> expression_of(const Named& of) {
-  const std::string name = of.name("_expression");
-  try {
-    return std::make_shared<const Expression>(of.deck.text(of.group, name, of.k), std::vector<std::string>{"t"});
-  } catch (const ExpressionError& error) {
-    of.diagnostics.add(
-        of.deck.remark_within(Severity::error, of.group, name, {of.k, 1}, error.at(), error.what(), error.hint()));
-    return nullptr;
-  }
-}
-
 /// A load that comes and goes within one step may never be seen.
 void warn_of_short(const Named& of, const Amplitude& amplitude) {
   const double step = of.deck.real("in", "tstep");
@@ -82,7 +71,7 @@ Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::st
     if (!amplitude.time.empty())
       of.refuse(name, {k, 1}, fmt::format("{} has a table and an expression", amplitude.of),
                 fmt::format("leave {0}_time and {0}_factor away, or this", what));
-    amplitude.expression = expression_of(of);
+    amplitude.expression = expression_of(deck, group, name, k, {"t"}, diagnostics);
   } else if (amplitude.time.empty() && group == "fem" && deck.logical("fem", "static")) {
     amplitude.time = {0, deck.real("in", "tmax")}, amplitude.factor = {0, 1};
   }

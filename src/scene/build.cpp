@@ -9,6 +9,7 @@
 #include "scene/axis.hpp"
 #include "scene/bodies.hpp"
 #include "scene/fem_checks.hpp"
+#include "scene/flow_of_deck.hpp"
 #include "scene/membranes.hpp"
 #include "scene/memory.hpp"
 #include "scene/outputs.hpp"
@@ -120,7 +121,9 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   scene.clock = clock_of(deck, path, diagnostics);
   scene.method = method_of(deck, diagnostics);
   if (path == Path::fem) scene.method.membrane_strain = MembraneStrain::element;  // bars, whose nodes a pin holds
-  if (deck.has_group("mesh") || deck.has_group("rigid")) {
+  if (has_flow(deck)) {
+    add_flow(deck, scene, diagnostics);
+  } else if (deck.has_group("mesh") || deck.has_group("rigid")) {
     add_solids(deck, scene, diagnostics);
   } else {
     add_bodies(deck, particles, scene, diagnostics);

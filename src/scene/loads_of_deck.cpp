@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "base/text.hpp"
+#include "scene/flow_of_deck.hpp"
+#include "scene/named_sides.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -19,40 +18,9 @@ void refuse(const Deck& deck, const char* name, Subscript at, const std::string&
   diagnostics.add(deck.remark(Severity::error, "fem", name, at, message, hint));
 }
 
-/// What a user may have meant, or all names there are.
-std::string hint_for(const std::string& name, const Mesh& mesh) {
-  std::vector<std::string> names;
-  for (const auto& side : mesh.sides) names.push_back(side.first);
-  const std::string near = nearest_name(name, names);
-  if (names.empty()) return "this mesh has no sides with names: its file has no physical groups of curves or surfaces";
-  const std::string all = fmt::format("The sides of this mesh: {}.", fmt::join(names, ", "));
-  return near.empty() ? all : fmt::format("Did you mean '{}'? {}", near, all);
-}
-
-/// The sides of that name, or null where the mesh has none, which is told.
-const Sides* sides_of(const Deck& deck, const Mesh& mesh, const char* variable, int k, Diagnostics& diagnostics) {
-  const std::string name = deck.text("fem", variable, k);
-  const auto found = mesh.sides.find(name);
-  if (found != mesh.sides.end()) return &found->second;
-  refuse(deck, variable, {k, 1}, fmt::format("no side is called '{}'", name), hint_for(name, mesh), diagnostics);
-  return nullptr;
-}
-
-/// Tells of numbers of loads (or supports) that act on nothing.
-void check_all_act(const Deck& deck, const std::string& on, const std::vector<std::string>& others,
-                   Diagnostics& diagnostics) {
-  std::set<int> told;
-  for (const std::string& name : others) {
-    const bool listed = find_variable("fem", name)->rank == 1;
-    for (const Subscript at : deck.given_elements("fem", name)) {
-      const int k = at[listed ? 0 : 1];
-      if (deck.given("fem", on, k) || !told.insert(k).second) continue;
-      refuse(deck, name.c_str(), at,
-             fmt::format("{} {} acts on nothing: {}({}) is not given", on.starts_with("fix") ? "support" : "load", k,
-                         on, k),
-             fmt::format("{}({}) names a side", on, k), diagnostics);
-    }
-  }
+std::string region_hint(const Deck& deck) {
+  return regions_of(deck, true).empty() ? "regions are 1 to nreg"
+                                        : "loads act on the regions that are no fluid; a fluid has bx, by of $flow";
 }
 
 /// Adds the nodes of a mesh that stand at an edge, held there as its wall does.
@@ -92,7 +60,7 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
 }
 
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
-  check_all_act(deck, "load_on", {"load", "load_time", "load_factor", "load_expression"}, diagnostics);
+  check_all_act(deck, "fem", "load", "load_on", {"load", "load_time", "load_factor", "load_expression"}, diagnostics);
   for (const Subscript at : deck.given_elements("fem", "load_on")) {
     const int k = at[0];
     Load load;
@@ -102,10 +70,10 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
                                       [&](const SolidRegion& region) { return region.name == on; });
       load.region = static_cast<int>(named - solids.regions.begin());
       if (named == solids.regions.end()) {
-        refuse(deck, "load_on", at, fmt::format("there is no {}", on), "regions are 1 to nreg", diagnostics);
+        refuse(deck, "load_on", at, fmt::format("there is no {}", on), region_hint(deck), diagnostics);
         continue;
       }
-    } else if (const Sides* sides = sides_of(deck, solids.mesh, "load_on", k, diagnostics)) {
+    } else if (const Sides* sides = named_sides(deck, "fem", "load_on", k, solids.mesh, diagnostics)) {
       load.sides = *sides;
     }
     bool sized = false;
@@ -125,11 +93,11 @@ void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
 }
 
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics) {
-  check_all_act(deck, "fix_on", {"fix", "fix_time", "fix_factor", "fix_expression"}, diagnostics);
+  check_all_act(deck, "fem", "support", "fix_on", {"fix", "fix_time", "fix_factor", "fix_expression"}, diagnostics);
   for (const GridEdge& edge : edges_of(scene)) add_wall(deck, edge, solids, diagnostics);
   for (const Subscript at : deck.given_elements("fem", "fix_on")) {
     const int k = at[0];
-    const Sides* sides = sides_of(deck, solids.mesh, "fix_on", k, diagnostics);
+    const Sides* sides = named_sides(deck, "fem", "fix_on", k, solids.mesh, diagnostics);
     if (!sides) continue;
     Support support;
     support.nodes = *sides, support.number = k;

@@ -7,6 +7,7 @@
 
 #include "deck/spelling.hpp"
 #include "scene/axis.hpp"
+#include "scene/flow_of_deck.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -57,7 +58,8 @@ void warn_of_absent_regions(const Deck& deck, Diagnostics& diagnostics) {
     const bool by_second = variable.rank == 2 && variable.n2 == region_count;
     const bool by_first = variable.rank == 1 && variable.n1 == region_count;
     const bool of_loads = variable.name.starts_with("load") || variable.name.starts_with("fix");
-    if ((variable.group != "mesh" && variable.group != "fem") || of_loads || !(by_first || by_second)) continue;
+    const bool of_meshes = variable.group == "mesh" || variable.group == "fem" || variable.group == "flow";
+    if (!of_meshes || of_loads || !(by_first || by_second)) continue;
     for (const Subscript at : deck.given_elements(variable.group, variable.name)) {
       const int r = by_second ? at[1] : at[0];
       if (r <= regions) continue;
@@ -72,8 +74,12 @@ void warn_of_absent_regions(const Deck& deck, Diagnostics& diagnostics) {
 
 void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics) {
   if (!deck.has_group("rigid") && geometry_of(deck) == Geometry::axisymmetric) {
-    diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "elastic bodies on a mesh have no axis",
-                                "write cyl=0.; a ring of revolution is a mesh in space, by z of the regions in $mesh"));
+    const bool flow = has_flow(deck);
+    diagnostics.add(
+        deck.remark(Severity::error, "in", "cyl", {1, 1},
+                    fmt::format("{} on a mesh {} no axis", flow ? "a fluid" : "elastic bodies", flow ? "has" : "have"),
+                    flow ? "write cyl=0.: a fluid is plane"
+                         : "write cyl=0.; a ring of revolution is a mesh in space, by z of the regions in $mesh"));
   }
   warn_of_points(deck, diagnostics);
   warn_of_point_outputs(deck, diagnostics);

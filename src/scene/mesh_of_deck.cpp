@@ -3,6 +3,7 @@
 
 #include "grid/block_mesh.hpp"
 #include "grid/gmsh_file.hpp"
+#include "scene/flow_of_deck.hpp"
 #include "scene/named_file.hpp"
 #include "scene/solids_of_deck.hpp"
 
@@ -41,6 +42,7 @@ class BlockReader {
       block.cells[static_cast<std::size_t>(k - 1)] = deck_.integer("mesh", "cells", k, r_);
       block.grading[static_cast<std::size_t>(k - 1)] = deck_.real("mesh", "grading", k, r_);
     }
+    block.number = r_;
     for (int k = 1; k <= 6; ++k) block.names[static_cast<std::size_t>(k - 1)] = deck_.text("mesh", "side", k, r_);
     if (solid_) read_depth(block);
     return block;
@@ -94,24 +96,26 @@ class BlockReader {
   Diagnostics& diagnostics_;
 };
 
-ElementKind kind_of(const Deck& deck, bool solid) {
+ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
+  if (fluid) return deck.text("flow", "element") == "q1q1" ? ElementKind::quad4 : ElementKind::quad9;
   const std::string element = deck.text("mesh", "element");
   if (element == "q1") return solid ? ElementKind::hex8 : ElementKind::quad4;
   if (element == "q2") return solid ? ElementKind::hex27 : ElementKind::quad9;
   return solid ? ElementKind::tet4 : ElementKind::tri3;
 }
 
-std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, int regions, Diagnostics& diagnostics) {
-  const bool solid = !deck.given_elements("mesh", "z").empty();
+std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>& regions, bool fluid,
+                                        Diagnostics& diagnostics) {
+  const bool solid = !fluid && !deck.given_elements("mesh", "z").empty();
   std::vector<Block> blocks;
-  for (int r = 1; r <= regions; ++r) {
+  for (const int r : regions) {
     if (auto block = BlockReader(deck, r, solid, diagnostics).read()) blocks.push_back(std::move(*block));
   }
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<MeshFlaw> flaws;
-  Mesh mesh = mesh_of_blocks(blocks, kind_of(deck, solid), flaws);
+  Mesh mesh = mesh_of_blocks(blocks, kind_of(deck, fluid, solid), flaws);
   for (const MeshFlaw& flaw : flaws) {
-    const int r = static_cast<int>(flaw.region) + 1;
+    const int r = number_of(blocks, flaw.region);
     diagnostics.add(
         deck.remark(Severity::error, "reg", "xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message), flaw.hint));
   }
@@ -157,8 +161,12 @@ std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
                                 "nreg counts the blocks that the mesh is made of, or the physical groups of its file"));
     return std::nullopt;
   }
-  return deck.text("mesh", "file").empty() ? mesh_of_deck_blocks(deck, regions, diagnostics)
-                                           : mesh_of_deck_file(deck, regions, diagnostics);
+  if (!deck.text("mesh", "file").empty()) return mesh_of_deck_file(deck, regions, diagnostics);
+  return mesh_of_deck_blocks(deck, regions_of(deck, false), false, diagnostics);
+}
+
+std::optional<Mesh> fluid_mesh_of(const Deck& deck, Diagnostics& diagnostics) {
+  return mesh_of_deck_blocks(deck, regions_of(deck, true), true, diagnostics);
 }
 
 }  // namespace tether

@@ -14,8 +14,8 @@ enum class Path { mpm, fem };
 /// The word for it on the command line and in summary.txt.
 const char* path_name(Path path);
 
-/// The path that `wanted` names ("": the deck's own: fem with a group $fem, $mesh or $rigid, else mpm). A deck that
-/// describes a mesh has no points for the mpm path: asking for it is an error.
+/// The path that `wanted` names ("": the deck's own: fem with a group $fem, $mesh, $rigid or $flow, else mpm). A deck
+/// that describes a mesh has no points for the mpm path: asking for it is an error.
 Path path_of(const Deck& deck, const std::string& wanted, Diagnostics& diagnostics);
 
 }  // namespace tether

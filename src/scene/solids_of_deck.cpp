@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/flow_of_deck.hpp"
 #include "scene/materials.hpp"
 #include "scene/rigid_of_deck.hpp"
 
@@ -114,11 +115,11 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   auto mesh = mesh_of(deck, diagnostics);
   const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;
   Solids solids;
-  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) solids.regions.push_back(region_of(deck, r, dim, diagnostics));
+  for (const int r : regions_of(deck, false)) solids.regions.push_back(region_of(deck, r, dim, diagnostics));
   if (!mesh) return;
   solids.mesh = std::move(*mesh);
   solids.integrator = integrator_of(deck);
-  solids.alpha = deck.real("fem", "alpha"), solids.beta = deck.real("fem", "beta");
+  if (!has_flow(deck)) solids.alpha = deck.real("fem", "alpha"), solids.beta = deck.real("fem", "beta");
   solids.tolerance = deck.real("fem", "tolerance");
   solids.from_equilibrium = deck.logical("fem", "settle");
   add_loads(deck, solids, diagnostics);

@@ -202,9 +202,9 @@ TEST(Errors, UnknownGroups) {
   EXPECT_EQ(reading.errors(), (Texts{"4:1: there is no group '$flui'", "7:1: there is no group '$geometry'"}));
   const auto errors = reading.diagnostics.errors();
   EXPECT_EQ(errors[0].hint, "Did you mean '$fluid'?");
-  EXPECT_EQ(
-      errors[1].hint,
-      "The groups are $in, $fluid, $regrig, $reg, $membrane, $points, $mpm, $reference, $mesh, $fem, $rigid, $study.");
+  EXPECT_EQ(errors[1].hint,
+            "The groups are $in, $fluid, $regrig, $reg, $membrane, $points, $mpm, $reference, $mesh, $fem, $rigid, "
+            "$flow, $study.");
 }
 
 TEST(Errors, ABlankBeforeTheGroupsName) {

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/flow_checks.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/elements.hpp"
+#include "deck/spelling.hpp"
+#include "scene/flow_of_deck.hpp"
+
+namespace tether {
+namespace {
+
+/// Tells what is wrong with a deck that has a fluid.
+class FlowChecks {
+ public:
+  FlowChecks(const Deck& deck, Diagnostics& diagnostics) : deck_(deck), diagnostics_(diagnostics) {}
+
+  bool frame() {
+    const std::vector<int> fluids = regions_of(deck_, true);
+    if (fluids.empty()) {
+      error("flow", "", {1, 1}, "no region is a fluid", "write law(r)='fluid' in $fem for the region r that is");
+      return false;
+    }
+    bool good = true;
+    const auto no = [&](const char* group, const char* name, Subscript at, const char* message, const char* hint) {
+      error(group, name, at, message, hint);
+      good = false;
+    };
+    if (deck_.has_group("rigid"))
+      no("rigid", "", {1, 1}, "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are");
+    if (!deck_.has_group("mesh"))
+      no("fem", "law", {fluids[0], 1}, "a fluid has no mesh", "add $mesh, whose cells(1,r) divide the regions of $reg");
+    if (!deck_.text("mesh", "file").empty())
+      no("mesh", "file", {1, 1}, "a fluid's mesh is made of blocks, not of a file",
+         "describe the fluid by regions of $reg with four vertices");
+    if (const auto z = deck_.given_elements("mesh", "z"); !z.empty())
+      no("mesh", "z", z[0], "a fluid is plane: its mesh has no z", "leave z away");
+    return good;
+  }
+  void steps() {
+    const std::string name = deck_.text("fem", "integrator");
+    if (name != "energy" && name != "midpoint")
+      error("fem", "integrator", {1, 1}, fmt::format("there are no steps by '{}' beside a fluid", name),
+            "immersed solids go by energy or midpoint; integrator of $flow is the fluid's");
+    for (const char* switched : {"static", "settle"}) {
+      if (deck_.logical("fem", switched))
+        error("fem", switched, {1, 1}, "solids beside a fluid have no equilibrium of their own",
+              "leave it away; steady of $flow looks for a steady flow");
+    }
+    if (!deck_.logical("flow", "steady")) return;
+    if (!regions_of(deck_, false).empty())
+      error("flow", "steady", {1, 1}, "a flow with immersed solids is not steady: they go with the fluid",
+            "leave it away, or the regions that are no fluid");
+    if (deck_.text("flow", "integrator") != "midpoint")
+      warn("flow", "integrator", {1, 1}, "integrator has no effect: the flow is steady", "");
+  }
+  void solids() {
+    if (!regions_of(deck_, false).empty()) return;
+    for (const char* on : {"load_on", "fix_on"}) {
+      for (const Subscript at : deck_.given_elements("fem", on))
+        error("fem", on, at, "there is no elastic body to act on: all regions are a fluid",
+              "boundary_on of $flow names sides of the fluid, bx and by are its body force");
+    }
+    for (const Subscript at : deck_.given_elements("points", "tracked_at")) {
+      if (at[0] == 1)
+        error("points", "tracked_at", at, "there is no node to track: all regions are a fluid, whose nodes stay",
+              "probe(1,k)=x,y of $flow records the flow at a place");
+    }
+    if (deck_.text("mesh", "element") != "q1")
+      warn("mesh", "element", {1, 1}, "element of $mesh has no effect: all regions are a fluid",
+           "element of $flow is the fluid's");
+  }
+  /// Scalars of $fem that mean nothing beside a fluid.
+  void solver() {
+    for (const char* name : {"alpha", "beta", "cfl", "tolerance"}) {
+      if (!deck_.given("fem", name) || is_default("fem", name, {1, 1})) continue;
+      warn("fem", name, {1, 1}, fmt::format("{} of $fem has no effect beside a fluid", name),
+           name == std::string_view("tolerance") ? "tolerance of $flow counts" : "");
+    }
+  }
+  /// What is said of a region that is a fluid and means solids alone, or the other way.
+  void regions() {
+    for (const int r : regions_of(deck_, true)) {
+      check_unused("fem", "volumetric", {r, 1}), check_unused("fem", "vrz", {r, 1});
+      check_unused("fem", "spin", {1, r}), check_unused("fem", "spin", {2, r}), check_unused("fem", "spin", {3, r});
+      check_unused("flow", "penalty", {r, 1});
+      if (deck_.given("reg", "ipath", 4, r) && deck_.integer("reg", "ipath", 4, r) != 0)
+        warn("reg", "ipath", {4, r}, fmt::format("ipath(4,{}) has no effect: region {} is a fluid", r, r), "");
+      check_start("u0", "vrx", r), check_start("v0", "vry", r);
+    }
+  }
+
+ private:
+  void error(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, group, name, at, message, hint));
+  }
+  void warn(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::warning, group, name, at, message, hint));
+  }
+  bool is_default(const char* group, const char* name, Subscript at) const {
+    return value_text(deck_.value(group, name, at[0], at[1])) == find_variable(group, name)->fallback;
+  }
+  void check_unused(const char* group, const char* name, Subscript at) {
+    if (!deck_.given(group, name, at[0], at[1]) || is_default(group, name, at)) return;
+    const Variable& variable = *find_variable(group, name);
+    warn(group, name, at,
+         fmt::format("{} has no effect: region {} is a fluid", element_name(variable, at),
+                     variable.rank == 1 ? at[0] : at[1]),
+         "");
+  }
+  /// A velocity of a region that the fluid does not start with.
+  void check_start(const char* variable, const char* of_region, int r) {
+    const int first = regions_of(deck_, true).front();
+    const double v = deck_.real("reg", of_region, r);
+    const bool whole = deck_.given("flow", variable);
+    if (whole ? v == 0 : v == deck_.real("reg", of_region, first)) return;
+    warn("reg", of_region, {r, 1},
+         whole ? fmt::format("{}({}) has no effect: {} of $flow is there", of_region, r, variable)
+               : fmt::format("{}({}) has no effect: the fluid starts as its region {} does", of_region, r, first),
+         whole ? "" : fmt::format("{} of $flow is a velocity at the start that varies in place", variable));
+  }
+
+  const Deck& deck_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+bool check_flow_frame(const Deck& deck, Diagnostics& diagnostics) { return FlowChecks(deck, diagnostics).frame(); }
+
+void check_flow_deck(const Deck& deck, Diagnostics& diagnostics) {
+  FlowChecks checks(deck, diagnostics);
+  checks.steps();
+  checks.solids();
+  checks.solver();
+  checks.regions();
+}
+
+}  // namespace tether

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/flow_of_deck.hpp"
+
+#include <fmt/format.h>
+
+#include "scene/expression_of_deck.hpp"
+#include "scene/flow_checks.hpp"
+#include "scene/solids_of_deck.hpp"
+
+namespace tether {
+namespace {
+
+void refuse(const Deck& deck, const char* group, const char* name, Subscript at, const std::string& message,
+            const std::string& hint, Diagnostics& diagnostics) {
+  diagnostics.add(deck.remark(Severity::error, group, name, at, message, hint));
+}
+
+/// Density and viscosity, in which all regions of the fluid agree.
+void read_material(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
+  const std::vector<int> regions = regions_of(deck, true);
+  for (const int r : regions) {
+    const auto error = [&](const char* name, Subscript at, const std::string& message, const char* hint) {
+      refuse(deck, "reg", name, at, fmt::format("region {}: {}", r, message), hint, diagnostics);
+    };
+    const double viscosity = deck.real("reg", "matr", 1, r);
+    if (!deck.given("reg", "densir", r)) {
+      error("densir", {r, 1}, fmt::format("densir({}) is not given", r), "every region needs its density");
+      continue;
+    }
+    const double density = deck.real("reg", "densir", r);
+    if (r == regions.front()) flow.density = density, flow.viscosity = viscosity;
+    if (!(viscosity > 0))
+      error("matr", {1, r}, fmt::format("the viscosity must be > 0, not {:.6g}", viscosity),
+            "matr(1,r) is mu of a fluid");
+    constexpr const char* one = "the regions of a fluid are one fluid, of one density and one viscosity";
+    if (density != flow.density)
+      error("densir", {r, 1},
+            fmt::format("the density {:.6g} is not {:.6g} of region {}", density, flow.density, regions[0]), one);
+    if (viscosity != flow.viscosity)
+      error("matr", {1, r},
+            fmt::format("the viscosity {:.6g} is not {:.6g} of region {}", viscosity, flow.viscosity, regions[0]), one);
+  }
+}
+
+/// The velocity at the start: u0, v0, or that of the first region where they are not given.
+FlowVector start_of(const Deck& deck, Diagnostics& diagnostics) {
+  FlowVector start = flow_vector_of(deck, {"u0", "v0"}, 1, "u0, v0 of $flow", diagnostics);
+  const int first = regions_of(deck, true).front();
+  const std::array given{deck.given("flow", "u0"), deck.given("flow", "v0")};
+  const std::array v{deck.real("reg", "vrx", first), deck.real("reg", "vry", first)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (given[i] || v[i] == 0) continue;
+    start.component[i] =
+        std::make_shared<const Expression>(fmt::format("{:.17g}", v[i]), std::vector<std::string>{"x", "y", "t"});
+  }
+  return start;
+}
+
+void read_method(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
+  flow.element = deck.text("flow", "element") == "q1q1" ? FlowElement::q1q1 : FlowElement::q2q1;
+  flow.integrator = deck.logical("flow", "steady")                  ? FlowIntegrator::steady
+                    : deck.text("flow", "integrator") == "midpoint" ? FlowIntegrator::midpoint
+                                                                    : FlowIntegrator::euler;
+  flow.linearisation = deck.text("flow", "linearisation") == "newton" ? Linearisation::newton : Linearisation::picard;
+  flow.tolerance = deck.real("flow", "tolerance");
+  const bool speed = deck.given("flow", "speed"), length = deck.given("flow", "length");
+  if (speed != length)
+    refuse(deck, "flow", speed ? "speed" : "length", {1, 1},
+           fmt::format("{} is not given, but {} is", speed ? "length" : "speed", speed ? "speed" : "length"),
+           "the Reynolds number and coefficients take both", diagnostics);
+  if (speed && length) flow.speed = deck.real("flow", "speed"), flow.length = deck.real("flow", "length");
+}
+
+/// Of the regions of the solids, in their order.
+std::vector<double> penalties_of(const Deck& deck) {
+  std::vector<double> penalties;
+  for (const int r : regions_of(deck, false)) penalties.push_back(deck.real("flow", "penalty", r));
+  return penalties;
+}
+
+Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
+  Flow flow;
+  flow.mesh = std::move(mesh);
+  read_material(deck, flow, diagnostics);
+  read_method(deck, flow, diagnostics);
+  flow.sides = flow_sides_of(deck, flow.mesh, diagnostics);
+  flow.twin = twins_of(deck, flow.mesh, flow.sides, diagnostics);
+  flow.acceleration = flow_vector_of(deck, {"bx", "by"}, 1, "bx, by of $flow", diagnostics);
+  flow.start = start_of(deck, diagnostics);
+  flow.forces = force_sides_of(deck, flow.mesh, diagnostics);
+  add_probes(deck, flow, diagnostics);
+  flow.volume_penalty = penalties_of(deck);
+  return flow;
+}
+
+}  // namespace
+
+std::vector<int> regions_of(const Deck& deck, bool fluid) {
+  std::vector<int> regions;
+  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) {
+    if ((deck.text("fem", "law", r) == "fluid") == fluid) regions.push_back(r);
+  }
+  return regions;
+}
+
+bool has_flow(const Deck& deck) { return deck.has_group("flow") || !regions_of(deck, true).empty(); }
+
+FlowVector flow_vector_of(const Deck& deck, const std::array<const char*, 2>& names, int k, const std::string& of,
+                          Diagnostics& diagnostics) {
+  FlowVector vector;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!deck.given("flow", names[i], k)) continue;
+    vector.component[i] = expression_of(deck, "flow", names[i], k, {"x", "y", "t"}, diagnostics);
+  }
+  vector.factor.of = of;
+  return vector;
+}
+
+void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
+  if (!check_flow_frame(deck, diagnostics)) return;
+  auto mesh = fluid_mesh_of(deck, diagnostics);
+  if (!regions_of(deck, false).empty()) {
+    add_solids(deck, scene, diagnostics);
+  } else {
+    check_mesh_deck(deck, diagnostics);
+  }
+  check_flow_deck(deck, diagnostics);
+  if (mesh) scene.flow = std::make_shared<const Flow>(flow_on(deck, std::move(*mesh), diagnostics));
+}
+
+}  // namespace tether

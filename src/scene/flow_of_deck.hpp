@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "deck/deck.hpp"
+#include "scene/flow.hpp"
+#include "scene/scene.hpp"
+
+namespace tether {
+
+/// Whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
+bool has_flow(const Deck& deck);
+/// The deck's numbers, from 1, of the regions that are a fluid, or of those that are not.
+std::vector<int> regions_of(const Deck& deck, bool fluid);
+
+/// Adds the fluid that $reg, $mesh, $fem and $flow describe, and the bodies immersed in it. Mistakes are told at their
+/// places.
+void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
+
+/// The vector whose components are the texts of $flow with these names and the number k; `of` is what it belongs to.
+FlowVector flow_vector_of(const Deck& deck, const std::array<const char*, 2>& names, int k, const std::string& of,
+                          Diagnostics& diagnostics);
+
+/// All of the boundary, by boundary_on; of a periodic pair both sides, one behind the other.
+std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics);
+/// Where forces are recorded.
+std::vector<ForceSide> force_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics);
+/// Flow::twin of periodic pairs among these sides.
+std::vector<int> twins_of(const Deck& deck, const Mesh& mesh, const std::vector<FlowSide>& sides,
+                          Diagnostics& diagnostics);
+
+/// Places at which the flow is recorded, differences between them, and tracers.
+void add_probes(const Deck& deck, Flow& flow, Diagnostics& diagnostics);
+
+}  // namespace tether
