@@ -47,6 +47,7 @@ struct Lists {
                                      static_cast<std::size_t>(start[k + 1] - start[k]));
   }
   void add(std::span<const int> list);
+  bool operator==(const Lists&) const = default;
 };
 
 /// The matrix of nodes that have different numbers of unknowns, which couple where the nodes stand in one cluster

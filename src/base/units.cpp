@@ -12,7 +12,7 @@ struct Spelling {
   const char* cgs;
 };
 
-constexpr std::array<Spelling, 17> spellings{{
+constexpr std::array<Spelling, 19> spellings{{
     {Dimension::number, "1", "1"},
     {Dimension::time, "s", "s"},
     {Dimension::length, "m", "cm"},
@@ -30,6 +30,8 @@ constexpr std::array<Spelling, 17> spellings{{
     {Dimension::momentum, "kg m s-1", "g cm s-1"},
     {Dimension::angular_momentum, "kg m2 s-1", "g cm2 s-1"},
     {Dimension::rate, "s-1", "s-1"},
+    {Dimension::torque, "N m", "dyn cm"},
+    {Dimension::flux, "m2 s-1", "cm2 s-1"},
 }};
 
 }  // namespace

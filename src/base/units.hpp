@@ -26,7 +26,9 @@ enum class Dimension {
   specific_energy,
   momentum,
   angular_momentum,
-  rate
+  rate,
+  torque,
+  flux  ///< area/time, of stream functions
 };
 
 /// The unit in UDUNITS spelling ("m s-1"), "1" for pure numbers and wherever the deck names no system. Time stays "s"

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.hpp"
 #include "plan/bar_plan.hpp"
+#include "plan/flow_plan.hpp"
 #include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
 #include "plan/terms.hpp"
@@ -135,6 +136,12 @@ void plan_solids(const Scene& scene, Plan& plan) {
   plan.cost = solid_cost(scene, plan.step);
 }
 
+void plan_flow(const Scene& scene, Plan& plan) {
+  plan.step = solid_step_rule(scene);
+  plan.terms = flow_terms(scene);
+  plan.cost = flow_cost(scene, plan.step);
+}
+
 void plan_rigid(const Scene& scene, Plan& plan) {
   plan.step = solid_step_rule(scene);
   plan.terms = rigid_terms(scene);
@@ -150,6 +157,7 @@ void plan_bars(const Scene& scene, Plan& plan) {
 
 /// What the scene is made of on its path, and on which grid.
 std::string head(const Scene& scene) {
+  if (scene.flow) return flow_head(scene);
   if (scene.rigid) return rigid_head(scene);
   if (scene.solids) return solid_head(*scene.solids);
   if (runs_as_bars(scene)) return "path: fem (bars)\n";
@@ -169,7 +177,9 @@ double StepRule::within(double limit) const { return cfl == 0 ? deck_step : std:
 
 Plan make_plan(Scene scene) {
   Plan plan;
-  if (scene.rigid) {
+  if (scene.flow) {
+    plan_flow(scene, plan);
+  } else if (scene.rigid) {
     plan_rigid(scene, plan);
   } else if (scene.solids) {
     plan_solids(scene, plan);
@@ -199,9 +209,9 @@ std::string to_text(const Plan& plan) {
   for (const Term& term : plan.terms) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
-  if (scene.solids)
+  if (scene.solids || scene.flow)
     text += fmt::format("step: {:.6g}, the deck's{}\n", plan.step.deck_step,
-                        scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
+                        !scene.flow && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
   else
     text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
                         runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,

@@ -82,21 +82,21 @@ std::vector<int> vtk_order(ElementKind kind) {
   return order;
 }
 
-MeshWriter::MeshWriter(std::filesystem::path folder, Provenance provenance)
-    : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
+MeshWriter::MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance)
+    : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
 
 void MeshWriter::append(const Mesh& mesh, const Snapshot& snapshot) {
   if (!file_) {
     const FixedPart fixed{
         topology(mesh, provenance_.units), {{"mesh", "mesh"}, {"location", "node"}}, "CF-1.10 UGRID-1.0"};
-    file_.emplace(folder_ / "mesh.nc", std::vector<Axis>{{"node", mesh.node_count(), {}}}, snapshot, provenance_,
+    file_.emplace(folder_ / (name_ + ".nc"), std::vector<Axis>{{"node", mesh.node_count(), {}}}, snapshot, provenance_,
                   fixed);
-    series_ = {"mesh.nc", {}, {}};
+    series_ = {name_ + ".nc", {}, {}};
     for (const auto& field : snapshot.fields) series_.fields.push_back(field.quantity.name);
   }
   file_->append(snapshot);
   series_.times.push_back(snapshot.time);
-  replace_file(folder_ / "mesh.xmf", xdmf_mesh(series_, mesh));
+  replace_file(folder_ / (name_ + ".xmf"), xdmf_mesh(series_, mesh));
 }
 
 void MeshWriter::close() {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "grid/mesh.hpp"
@@ -16,12 +17,12 @@ namespace tether {
 /// order 2 then the middles of edges and faces, and the centre.
 std::vector<int> vtk_order(ElementKind kind);
 
-/// Writes mesh.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions (1.0, with places of
-/// the reference shape; the fields x, y, z are where the nodes are at a time), and mesh.xmf. As
+/// Writes NAME.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions (1.0, with places of
+/// the reference shape; the fields x, y, z are where the nodes are at a time), and NAME.xmf. As
 /// PointWriter.
 class MeshWriter {
  public:
-  MeshWriter(std::filesystem::path folder, Provenance provenance);
+  MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance);
   /// The snapshot's first fields are the places of the nodes; mesh and fields are the same every time. Throws
   /// FileError.
   void append(const Mesh& mesh, const Snapshot& snapshot);
@@ -29,6 +30,7 @@ class MeshWriter {
 
  private:
   std::filesystem::path folder_;
+  std::string name_;
   Provenance provenance_;
   XdmfSeries series_;
   std::optional<SnapshotFile> file_;

@@ -14,11 +14,12 @@
 namespace tether {
 namespace {
 
-constexpr std::array owned{"history.nc",     "history.txt",        "particles.nc", "particles.xmf", "mesh.nc",
-                           "mesh.xmf",       "particles.xmf.new",  "mesh.xmf.new", "summary.txt",   "messages.txt",
-                           "deck.effective", "deck.effective.msh", "reference.txt"};
+constexpr std::array owned{"history.nc",     "history.txt",  "particles.nc",      "particles.xmf",
+                           "mesh.nc",        "mesh.xmf",     "solids.nc",         "solids.xmf",
+                           "reference.txt",  "summary.txt",  "particles.xmf.new", "mesh.xmf.new",
+                           "solids.xmf.new", "messages.txt", "deck.effective",    "deck.effective.msh"};
 
-constexpr std::array snapshot_files{"particles.nc", "mesh.nc"};
+constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc"};
 
 std::filesystem::path aside(const std::filesystem::path& folder, const std::string& name) {
   return folder / (name + ".earlier");
@@ -61,7 +62,8 @@ ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLay
       history_(folder_, layout, provenance),
       points_(folder_, provenance),
       grid_(folder_, provenance),
-      mesh_(folder_, provenance),
+      mesh_(folder_, "mesh", provenance),
+      solids_(folder_, "solids", provenance),
       messages_(folder_ / "messages.txt") {}
 
 std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::path& folder, const std::string& name) {
@@ -85,6 +87,8 @@ void ResultFolder::grid(const BackgroundGrid& grid, const Snapshot& snapshot) { 
 
 void ResultFolder::mesh(const Mesh& mesh, const Snapshot& snapshot) { mesh_.append(mesh, snapshot); }
 
+void ResultFolder::solids(const Mesh& mesh, const Snapshot& snapshot) { solids_.append(mesh, snapshot); }
+
 void ResultFolder::message(const std::string& text) {
   const bool ended = !text.empty() && text.back() == '\n';
   messages_.append(ended ? text : text + '\n');
@@ -101,6 +105,7 @@ void ResultFolder::finish(const Summary& summary) {
   points_.close();
   grid_.close();
   mesh_.close();
+  solids_.close();
   write_summary(folder_ / "summary.txt", summary,
                 {fmt::format("tether {} {}", program_version(), git_hash()), command_});
 }

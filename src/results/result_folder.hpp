@@ -26,9 +26,9 @@ class ResultFolder {
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
                EarlierSnapshots earlier = EarlierSnapshots::removed);
-  /// Where the snapshots of an earlier run stand, those of particles.nc or mesh.nc: set aside or not.
+  /// Where the snapshots of an earlier run stand, those of particles.nc, mesh.nc or solids.nc: set aside or not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
-  /// Ends the setting aside of particles.nc or mesh.nc.
+  /// Ends the setting aside of one of these.
   void remove_what_was_set_aside(const std::string& name);
   /// The same for what could not be taken over: it stays as NAME.unused, which is returned; empty where there is none.
   std::filesystem::path keep_what_was_set_aside(const std::string& name);
@@ -37,6 +37,7 @@ class ResultFolder {
   void points(const Snapshot& snapshot);                            ///< particles.nc and particles.xmf
   void grid(const BackgroundGrid& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
   void mesh(const Mesh& mesh, const Snapshot& snapshot);            ///< the same, of finite elements
+  void solids(const Mesh& mesh, const Snapshot& snapshot);          ///< solids.nc and solids.xmf, beside mesh.nc
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
   /// A file that deck.effective names, under a name that begins with its.
@@ -53,7 +54,7 @@ class ResultFolder {
   HistoryWriter history_;
   PointWriter points_;
   GridWriter grid_;
-  MeshWriter mesh_;
+  MeshWriter mesh_, solids_;
   TextFile messages_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "scene/flow.hpp"
 #include "scene/solids.hpp"
 
 namespace tether {
@@ -97,6 +98,9 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
               [this](const Snapshot& snapshot) { write_points(snapshot); });
   take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
             [this](const Snapshot& snapshot) { write_grid(snapshot); });
+  if (const Snapshot solids = solver_.solids(); !solids.fields.empty())
+    take_over("solids.nc", {solids, checkpoint.grid_snapshots, run},
+              [this](const Snapshot& snapshot) { folder_.solids(plan_.scene.solids->mesh, snapshot); });
 }
 
 /// From beside the checkpoint, else from the run's own folder.
@@ -135,11 +139,16 @@ void RunOutputs::write_points(const Snapshot& snapshot) {
 }
 
 void RunOutputs::write_grid() {
-  if (plan_.scene.outputs.grid > 0) write_grid(solver_.grid());
+  if (plan_.scene.outputs.grid == 0) return;
+  write_grid(solver_.grid());
+  const Snapshot solids = solver_.solids();
+  if (!solids.fields.empty()) folder_.solids(plan_.scene.solids->mesh, solids);
 }
 
 void RunOutputs::write_grid(const Snapshot& snapshot) {
-  if (plan_.scene.solids)
+  if (plan_.scene.flow)
+    folder_.mesh(plan_.scene.flow->mesh, snapshot);
+  else if (plan_.scene.solids)
     folder_.mesh(plan_.scene.solids->mesh, snapshot);
   else
     folder_.grid(plan_.scene.grid, snapshot);

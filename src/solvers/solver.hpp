@@ -34,6 +34,8 @@ class Solver {
   virtual Record record() const = 0;
   virtual Snapshot points() const = 0;
   virtual Snapshot grid() const = 0;
+  /// Fields of bodies that have a mesh of their own beside that of grid(); none else.
+  virtual Snapshot solids() const { return {time(), {}}; }
   /// All that the next step depends on, so that a solver of the same plan goes on from it to the last bit. restore()
   /// throws FileError where the saved state is not of this path and scene.
   virtual SavedState save() const = 0;

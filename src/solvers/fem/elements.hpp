@@ -14,6 +14,13 @@ namespace tether::fem {
 /// the middle, or at the end.
 enum class StressAt { gradient, middle, end };
 
+/// Volumes of a shape: each region's, and where an element is nearest to being turned inside out.
+struct ShapeVolumes {
+  std::vector<double> of_region;
+  double least = 0;       ///< det F at a point of quadrature
+  std::size_t worst = 0;  ///< its element
+};
+
 /// The elements of a mesh with their laws: integrals over them. Vectors have dim numbers a node, [length] or [force].
 class Elements {
  public:
@@ -22,9 +29,17 @@ class Elements {
   /// Adds the internal forces f_A = sum_B q_B <grad N_A, S grad N_B> (13), q and S where `at` says.
   virtual void add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
                           std::span<double> f) const = 0;
-  /// Adds their derivative by q1, and `inertia` times the consistent mass matrix.
+  /// Adds their derivative by q1, and `inertia` times the consistent mass matrix. Where `stresses` are given, as
+  /// predict_stress() makes them, the derivative of the shape's turning takes these in place of the stress at q1.
   virtual void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
-                           const NodalPattern& pattern, SparseMatrix& K) const = 0;
+                           const NodalPattern& pattern, SparseMatrix& K,
+                           std::span<const double> stresses = {}) const = 0;
+  /// The stress S at all points of quadrature with its linear change by a change of q1: what it is behind a correction
+  /// of Newton's method before the shape's turning, which is of second order, stretches slender bodies (D. Magisano, L.
+  /// Leonetti and G. Garcea, Comput. Methods Appl. Mech. Engrg 313 (2017) 989-1005). 3 numbers a point in the plane, 6
+  /// in space.
+  virtual void predict_stress(StressAt at, std::span<const double> q0, std::span<const double> q1,
+                              std::span<const double> change, std::vector<double>& stresses) const = 0;
   /// Energy stored at q [energy].
   virtual double strain_energy(std::span<const double> q) const = 0;
   /// Cauchy's stress xx, yy, zz, xy, yz, xz and the energy density at the nodes, the mean over the volume around them;
@@ -36,6 +51,8 @@ class Elements {
   virtual std::vector<double> lumped_mass() const = 0;
   /// <N_A> of one region, for forces in its volume [volume].
   virtual std::vector<double> volumes(int region) const = 0;
+  /// Of the shape at q.
+  virtual ShapeVolumes shape(std::span<const double> q) const = 0;
   /// A bound on the highest frequency with lumped masses at q: the largest of the elements alone [1/time].
   virtual double frequency_bound(std::span<const double> q, std::span<const double> lumped) const = 0;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "grid/jacobian.hpp"
 #include "solvers/fem/element_kernels.hpp"
@@ -16,6 +17,7 @@ template <class Shapes>
 class ElementsOf final : public Elements {
  public:
   static constexpr int dim = Shapes::dim, nodes = Shapes::nodes, points = Shapes::points, unknowns = dim * nodes;
+  static constexpr std::size_t parts = component_count<dim>();  // of a symmetric tensor
   using Vector = Eigen::Matrix<double, dim, 1>;
   using Places = Eigen::Matrix<double, dim, nodes>;
 
@@ -36,12 +38,29 @@ class ElementsOf final : public Elements {
   }
 
   void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
-                   const NodalPattern& pattern, SparseMatrix& K) const override {
+                   const NodalPattern& pattern, SparseMatrix& K, std::span<const double> stresses) const override {
     choose(at, [&](auto rule) {
       std::array<double, static_cast<std::size_t>(unknowns * unknowns)> k;
       for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-        element_tangent<rule()>(e, q0, q1, inertia, k);
+        element_tangent<rule()>(e, q0, q1, inertia, stresses, k);
         pattern.add(e, k, K);
+      }
+    });
+  }
+
+  void predict_stress(StressAt at, std::span<const double> q0, std::span<const double> q1,
+                      std::span<const double> change, std::vector<double>& stresses) const override {
+    stresses.resize(mesh_.element_count() * points * parts);
+    choose(at, [&](auto rule) {
+      for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+        const Places at0 = gathered(e, q0), at1 = gathered(e, q1), by = gathered(e, change);
+        for (int k = 0; k < points; ++k) {
+          const auto s = stress<rule()>(e, k, at0, at1);
+          Symmetric<dim> strain = Symmetric<dim>::Zero();
+          for (int a = 0; a < nodes; ++a) strain += strain_map<dim>(s.F, gradients(e, k).col(a)) * by.col(a);
+          Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
+          predicted = s.S + s.D * strain;
+        }
       }
     });
   }
@@ -59,6 +78,7 @@ class ElementsOf final : public Elements {
   SparseMatrix mass() const override;
   std::vector<double> lumped_mass() const override;
   std::vector<double> volumes(int region) const override;
+  ShapeVolumes shape(std::span<const double> q) const override;
   double frequency_bound(std::span<const double> q, std::span<const double> lumped) const override;
 
  private:
@@ -123,12 +143,14 @@ class ElementsOf final : public Elements {
 
   template <StressAt rule>
   void element_tangent(std::size_t e, std::span<const double> q0, std::span<const double> q1, double inertia,
+                       std::span<const double> stresses,
                        std::array<double, static_cast<std::size_t>(unknowns* unknowns)>& out) const {
     const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
-      const auto s = stress<rule>(e, k, at0, at1);
+      auto s = stress<rule>(e, k, at0, at1);
+      if (!stresses.empty()) s.S = Eigen::Map<const Symmetric<dim>>(&stresses[(e * points + index(k)) * parts]);
       add_point_tangent(s, gradients(e, k), weight(e, k), inertia * density(e), values_[index(k)], K);
     }
   }
@@ -192,7 +214,7 @@ std::vector<double> ElementsOf<Shapes>::lumped_mass() const {
     }
     for (const double value : diagonal) trace += value;
     for (int a = 0; a < nodes; ++a)
-      lumped[static_cast<std::size_t>(mesh_.element(e)[a])] += diagonal[index(a)] * mass / trace;
+      lumped[static_cast<std::size_t>(mesh_.element(e)[a])] += trace == 0 ? 0 : diagonal[index(a)] * mass / trace;
   }
   return lumped;
 }
@@ -210,6 +232,20 @@ std::vector<double> ElementsOf<Shapes>::volumes(int region) const {
   return volumes;
 }
 
+template <class Shapes>
+ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
+  ShapeVolumes shape{std::vector<double>(solids_.regions.size(), 0.0), std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    const Places at = gathered(e, q);
+    for (int k = 0; k < points; ++k) {
+      const double J = deformation(at, e, k).determinant();
+      shape.of_region[static_cast<std::size_t>(mesh_.region[e])] += weight(e, k) * J;
+      if (!(J >= shape.least)) shape.least = J, shape.worst = e;
+    }
+  }
+  return shape;
+}
+
 /// Of an element alone omega^2 is at most the largest row sum of |M^-1 K|, and of a mesh at most that of its elements
 /// (B. M. Irons, J. Eng. Mech. Div. 97 (1971) 1219-1225), each with its own part of the lumped masses.
 template <class Shapes>
@@ -217,7 +253,7 @@ double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<
   double largest = 0;
   std::array<double, static_cast<std::size_t>(unknowns * unknowns)> K;
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    element_tangent<StressAt::end>(e, q, q, 0, K);
+    element_tangent<StressAt::end>(e, q, q, 0, {}, K);
     double volume = 0;
     for (int k = 0; k < points; ++k) volume += weight(e, k);
     for (int row = 0; row < unknowns; ++row) {

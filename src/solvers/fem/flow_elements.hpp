@@ -51,6 +51,8 @@ class FlowElements {
   /// The body force's acceleration at all points of quadrature, with that of gravity along y [length/time2].
   virtual std::vector<double> accelerations(double gravity, double time) const = 0;
   virtual double kinetic_energy(std::span<const double> v) const = 0;  ///< [energy]
+  /// Mass, and momentum in x and y.
+  virtual std::array<double, 3> momentum(std::span<const double> v) const = 0;
   virtual FlowPower power(const FlowMoment& m) const = 0;
   /// dv/dx - du/dy, the mean around each node [1/time].
   virtual std::vector<double> vorticity(std::span<const double> v) const = 0;

@@ -82,6 +82,7 @@ class FlowElementsOf final : public FlowElements {
 
   std::vector<double> accelerations(double gravity, double time) const override;
   double kinetic_energy(std::span<const double> v) const override;
+  std::array<double, 3> momentum(std::span<const double> v) const override;
   FlowPower power(const FlowMoment& m) const override;
   std::vector<double> vorticity(std::span<const double> v) const override;
   SparseMatrix laplacian() const override;
@@ -247,6 +248,17 @@ double FlowElementsOf<V, P>::kinetic_energy(std::span<const double> v) const {
   for (std::size_t at = 0; at < weights_.size(); ++at)
     energy += 0.5 * flow_.density * weights_[at] * (gathered(at / points, v) * values_[at % points]).squaredNorm();
   return energy;
+}
+
+template <class V, class P>
+std::array<double, 3> FlowElementsOf<V, P>::momentum(std::span<const double> v) const {
+  std::array<double, 3> sum{};
+  for (std::size_t at = 0; at < weights_.size(); ++at) {
+    const Eigen::Vector2d u = gathered(at / points, v) * values_[at % points];
+    const double mass = flow_.density * weights_[at];
+    sum[0] += mass, sum[1] += mass * u[0], sum[2] += mass * u[1];
+  }
+  return sum;
 }
 
 template <class V, class P>

@@ -12,16 +12,18 @@ namespace tether::fem {
 struct LinearisedAt {
   double time = 0, dt = 0;  // dt 0: nowhere yet [time]
   std::vector<double> v0, v1, p;
-  std::vector<double> q0, mid;  // of immersed solids: places at the start, and where the fluid was asked
+  std::vector<double> q0, w0, drift;  // of immersed solids, at the start
 };
 
 /// Of a flow: 2 numbers a node of velocities, 1 of pressures; of immersed solids 2 a node of places.
 struct FlowState {
   double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
   std::vector<double> v;           ///< velocities at `time`
+  std::vector<double> v_before;    ///< velocities at the start of the step that ended there
   std::vector<double> p;           ///< pressures of the step that ended there
   std::vector<double> force;       ///< of walls on the fluid in that step, at prescribed nodes [force]
   std::vector<double> q, w;        ///< places and velocities of immersed solids' nodes
+  std::vector<double> drift;       ///< their mean velocities over that step
   double work = 0;                 ///< done from outside so far [energy]
   double damped = 0;               ///< lost to viscosity so far [energy]
   double dt_last = 0, dt_min = 0;  ///< [time]
@@ -33,7 +35,8 @@ struct FlowState {
 template <class Exchange>
 void exchange(Exchange& with, FlowState& state) {
   with("time", state.time), with("time_lost", state.time_lost);
-  with("v", state.v), with("p", state.p), with("force", state.force), with("q", state.q), with("w", state.w);
+  with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
+      with("q", state.q), with("w", state.w), with("drift", state.drift);
   with("work", state.work), with("damped", state.damped);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps);
@@ -41,7 +44,7 @@ void exchange(Exchange& with, FlowState& state) {
   LinearisedAt& at = state.linearised;
   with("linearised_time", at.time), with("linearised_dt", at.dt);
   with.list("linearised_v0", at.v0), with.list("linearised_v1", at.v1), with.list("linearised_p", at.p);
-  with.list("linearised_q0", at.q0), with.list("linearised_mid", at.mid);
+  with.list("linearised_q0", at.q0), with.list("linearised_w0", at.w0), with.list("linearised_drift", at.drift);
 }
 
 }  // namespace tether::fem

@@ -21,9 +21,10 @@ double seconds_since(std::chrono::steady_clock::time_point from) {
 
 }  // namespace
 
-FlowStep::FlowStep(const FlowUnknowns& unknowns, double gravity)
+FlowStep::FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity)
     : unknowns_(unknowns),
       elements_(make_flow_elements(unknowns)),
+      immersed_(solids ? std::make_unique<ImmersedSolids>(*solids, unknowns, gravity) : nullptr),
       gravity_(gravity),
       pattern_(unknowns.first, clusters_of(unknowns.flow)),
       K_(pattern_.matrix()),
@@ -33,6 +34,7 @@ FlowStep::FlowStep(const FlowUnknowns& unknowns, double gravity)
       f_(unknowns.velocity.size()),
       g_(unknowns.pressure.size()),
       change_(unknowns.count()) {
+  viscosity_ = unknowns.flow.viscosity;
   solver_.order_by(K_);
 }
 
@@ -47,7 +49,7 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
       if (!factorise(state)) break;
       ++state.factorisations;
     }
-    if (!correct()) break;
+    if (!correct(state)) break;
     report.residuals.push_back(find_residual(state));
     ++state.newton_steps;
   }
@@ -55,20 +57,38 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
   return report;
 }
 
-/// What the step is about, and where Newton's method starts: the velocities of its start with the prescribed ones of
-/// its end.
+/// A step so short that inertia and pressure are all there is: what is left of the velocities is free of divergence.
+FlowReport FlowStep::start(FlowState& state, double dt) {
+  constexpr double part = 1e-6;
+  state.v_before = state.v;
+  if (immersed_) immersed_->start(state);
+  if (unknowns_.flow.integrator == FlowIntegrator::steady) return {true, {}};
+  FlowState after = state;
+  const FlowReport report = advance(after, {0, part * dt, 0, true});
+  state.v = state.v_before = after.v;
+  if (immersed_) immersed_->start(state);
+  return report;
+}
+
+/// What the step is about, and where Newton's method starts: the velocities of the start of the step before with the
+/// prescribed ones of this one's end. So the mean velocity goes on as it was, whatever stiff solids make alternate
+/// about it.
 void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   const Flow& flow = unknowns_.flow;
   const bool steady = flow.integrator == FlowIntegrator::steady;
-  theta_ = flow.integrator == FlowIntegrator::midpoint ? 0.5 : 1;
+  theta_ = flow.integrator == FlowIntegrator::midpoint && !at.sudden ? 0.5 : 1;
   rate_ = steady ? 0 : 1 / at.dt;
   viscosity_ = steady ? flow.viscosity * at.tmax / (at.start + at.dt) : flow.viscosity;
   if (at.dt != state.linearised.dt) factors_ = false;
   at_ = at;
-  v1_ = state.v, p_ = state.p;
-  unknowns_.prescribe(steady ? at.tmax : at.start + at.dt, v1_);
+  v1_ = at.sudden ? state.v : state.v_before, p_ = state.p;
+  unknowns_.prescribe(steady ? at.tmax : at.sudden ? at.start : at.start + at.dt, v1_);
   unknowns_.copy_to_twins(v1_, 2);
   acceleration_ = elements_->accelerations(gravity_, steady ? at.tmax : at.start + theta_ * at.dt);
+  if (!immersed_) return;
+  immersed_->begin(state, at.dt, theta_);
+  immersed_->move(state.v, v1_);
+  immersed_->end_correction();
 }
 
 FlowMoment FlowStep::moment(std::span<const double> v0) const {
@@ -80,7 +100,8 @@ double FlowStep::find_residual(const FlowState& state) {
   const auto from = std::chrono::steady_clock::now();
   std::fill(f_.begin(), f_.end(), 0.0);
   std::fill(g_.begin(), g_.end(), 0.0);
-  const FlowScale scale = elements_->add_residual(moment(state.v), f_, g_);
+  FlowScale scale = elements_->add_residual(moment(state.v), f_, g_);
+  if (immersed_) scale.force = std::max(scale.force, immersed_->add_forces(f_));
   double force = 0, flux = 0;
   for (std::size_t n = 0; n < p_.size(); ++n) {
     if (static_cast<std::size_t>(unknowns_.flow.twin[n]) != n) continue;
@@ -103,20 +124,41 @@ bool FlowStep::worth_factors(const std::vector<double>& residuals) const {
 
 bool FlowStep::factorise(FlowState& state) {
   const auto from = std::chrono::steady_clock::now();
+  if (immersed_) update_pattern();
   K_.set_zero();
   elements_->add_tangent(moment(state.v), pattern_, K_);
+  if (immersed_) immersed_->add_tangent(unknowns_.flow.mesh.element_count(), pattern_, K_);
   cost_.assembly_seconds += seconds_since(from);
   const auto solve_from = std::chrono::steady_clock::now();
   factors_ = solver_.factorise(K_, Definite::general);
   cost_.solve_seconds += seconds_since(solve_from);
   cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis_seconds = solver_.analysis_seconds();
-  state.linearised = {at_.start, at_.dt, state.v, v1_, p_, {}, {}};
+  state.linearised = {at_.start, at_.dt, state.v, v1_, p_, state.q, state.w, state.drift};
   return factors_;
 }
 
-/// One correction of v1 and p by the factors that there are. False where it is no number.
-bool FlowStep::correct() {
+/// One correction of v1 and p by the factors that there are, halved while it turns an element of the solids inside
+/// out. False where it is no number or turns one inside out however small.
+bool FlowStep::correct(const FlowState& state) {
+  constexpr int most_halvings_of_a_correction = 10;
+  constexpr double least_volume = 0.05;
   const auto from = std::chrono::steady_clock::now();
+  find_correction();
+  bool possible = apply_correction(1);
+  cost_.solve_seconds += seconds_since(from);
+  if (!immersed_ || !possible) return possible;
+  immersed_->move(state.v, v1_);
+  double part = 1;
+  for (int k = 0; k < most_halvings_of_a_correction && !(immersed_->least_change_of_volume() > least_volume); ++k) {
+    part *= 0.5;
+    apply_correction(-part);
+    immersed_->move(state.v, v1_);
+  }
+  immersed_->end_correction();
+  return immersed_->least_change_of_volume() > least_volume;
+}
+
+void FlowStep::find_correction() {
   const auto& velocity = unknowns_.velocity;
   const auto& pressure = unknowns_.pressure;
   for (std::size_t k = 0; k < velocity.size(); ++k) {
@@ -128,16 +170,32 @@ bool FlowStep::correct() {
       change_[static_cast<std::size_t>(pressure[n])] = -g_[n];
   }
   solver_.solve(change_, change_);
+}
+
+/// Adds a part of it. False where it is no number.
+bool FlowStep::apply_correction(double part) {
+  const auto& velocity = unknowns_.velocity;
+  const auto& pressure = unknowns_.pressure;
   double sum = 0;
   for (const double change : change_) sum += change * change;
   for (std::size_t k = 0; k < velocity.size(); ++k) {
-    if (velocity[k] >= 0) v1_[k] += change_[static_cast<std::size_t>(velocity[k])];
+    if (velocity[k] >= 0) v1_[k] += part * change_[static_cast<std::size_t>(velocity[k])];
   }
   for (std::size_t n = 0; n < pressure.size(); ++n) {
-    if (pressure[n] >= 0) p_[n] += change_[static_cast<std::size_t>(pressure[n])];
+    if (pressure[n] >= 0) p_[n] += part * change_[static_cast<std::size_t>(pressure[n])];
   }
-  cost_.solve_seconds += seconds_since(from);
   return std::isfinite(sum);
+}
+
+/// The solids' couplings change as they move from cell to cell.
+void FlowStep::update_pattern() {
+  Lists solid = immersed_->clusters();
+  if (solid == solid_clusters_) return;
+  Lists all = clusters_of(unknowns_.flow);
+  for (std::size_t c = 0; c < solid.size(); ++c) all.add(solid[c]);
+  solid_clusters_ = std::move(solid);
+  pattern_ = ClusterPattern(unknowns_.first, std::move(all));
+  K_ = pattern_.matrix();
 }
 
 /// The new state, and what came in and was lost over the step: of the work of walls on the fluid, of open sides and of
@@ -150,10 +208,15 @@ void FlowStep::accept(FlowState& state) {
     if (held) walls += f_[k] * ((1 - theta_) * state.v[k] + theta_ * v1_[k]);
     state.force[k] = held ? f_[k] : 0;
   }
-  const double dt = rate_ > 0 ? at_.dt : 0;
-  state.work += dt * (walls + power.open_traction + power.body - power.carried_out);
-  state.damped += dt * power.dissipated;
+  if (rate_ > 0) {
+    state.work += at_.dt * (walls + power.open_traction + power.body - power.carried_out);
+    state.damped += at_.dt * power.dissipated;
+  } else {  // from one steady flow to the next what is there is what came in
+    state.work += elements_->kinetic_energy(v1_) - elements_->kinetic_energy(state.v);
+  }
+  state.v_before = state.v;
   state.v = v1_, state.p = p_;
+  if (immersed_) immersed_->accept(state);
 }
 
 void FlowStep::resume(const FlowState& state, double tmax) {
@@ -161,9 +224,11 @@ void FlowStep::resume(const FlowState& state, double tmax) {
   factors_ = false;
   if (at.dt == 0) return;
   FlowState then = state;
-  then.v = at.v0, then.p = at.p;
+  then.time = at.time, then.v = then.v_before = at.v0, then.p = at.p, then.q = at.q0, then.w = at.w0;
+  then.drift = at.drift;
   begin(then, {at.time, at.dt, tmax});
   v1_ = at.v1;
+  if (immersed_) immersed_->move(at.v0, v1_);
   factorise(then);
 }
 

@@ -9,6 +9,7 @@
 #include "solvers/fem/flow_elements.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
+#include "solvers/fem/immersed_solids.hpp"
 
 namespace tether::fem {
 
@@ -28,20 +29,28 @@ struct FlowCost {
 struct FlowStepTime {
   double start = 0, dt = 0;  ///< [time]
   double tmax = 0;           ///< of steady flows, whose viscosity is mu tmax/(start + dt) [time]
+  bool sudden = false;       ///< the boundary's velocities are those of the start, which v0 has not followed yet
 };
 
 /// One step of a flow from v0 at t to v1 at t + dt (47), or one steady flow.
 class FlowStep {
  public:
-  /// `gravity` acts along y [length/time2]. The unknowns must outlive it.
-  FlowStep(const FlowUnknowns& unknowns, double gravity);
+  /// `gravity` acts along y [length/time2]; `solids` are immersed in the flow, or null. All must outlive it.
+  FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity);
 
+  /// Makes the velocities of the start incompressible, as walls and inflows that set in at once would do it, and puts
+  /// solids to their places; `dt` is that of the steps to come [time].
+  FlowReport start(FlowState& state, double dt);
   /// Advances the state by dt, its time apart, or leaves it as it was where Newton's method does not converge.
   FlowReport advance(FlowState& state, const FlowStepTime& at);
   /// Finds the factors again that a saved state went on with.
   void resume(const FlowState& state, double tmax);
 
+  /// Null where there are none.
+  ImmersedSolids* immersed() const { return immersed_.get(); }
   const FlowElements& elements() const { return *elements_; }
+  /// That of the last step [stress time].
+  double viscosity() const { return viscosity_; }
   const FlowCost& cost() const { return cost_; }
 
  private:
@@ -49,12 +58,16 @@ class FlowStep {
   FlowMoment moment(std::span<const double> v0) const;
   double find_residual(const FlowState& state);
   bool factorise(FlowState& state);
-  bool correct();
+  bool correct(const FlowState& state);
+  void find_correction();
+  bool apply_correction(double part);
+  void update_pattern();
   void accept(FlowState& state);
   bool worth_factors(const std::vector<double>& residuals) const;
 
   const FlowUnknowns& unknowns_;
   std::unique_ptr<FlowElements> elements_;
+  std::unique_ptr<ImmersedSolids> immersed_;
   double gravity_;
   ClusterPattern pattern_;
   SparseMatrix K_;
@@ -64,6 +77,7 @@ class FlowStep {
   FlowStepTime at_;
   double theta_ = 0.5, rate_ = 0, viscosity_ = 0;
   std::vector<double> v1_, p_, f_, g_, acceleration_, change_;
+  Lists solid_clusters_;  // those of the pattern that are of immersed solids
   FlowCost cost_;
 };
 

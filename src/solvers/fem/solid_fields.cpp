@@ -100,10 +100,14 @@ Record record(const SolidState& state, const SolidSystem& system) {
 }
 
 Snapshot node_fields(const SolidState& state, const SolidSystem& system) {
+  return shape_fields(state.time, system, state.q, state.v);
+}
+
+Snapshot shape_fields(double time, const SolidSystem& system, std::span<const double> q, std::span<const double> v) {
   const auto d = static_cast<std::size_t>(system.dim());
   const std::size_t nodes = system.lumped.size();
-  Snapshot snapshot = motion_fields(state.time, system.solids.mesh, state.q, state.v);
-  const std::vector<double> stress = system.elements->nodal_stress(state.q);
+  Snapshot snapshot = motion_fields(time, system.solids.mesh, q, v);
+  const std::vector<double> stress = system.elements->nodal_stress(q);
   constexpr std::array names{"sxx", "syy", "szz", "sxy", "syz", "sxz", "energy_density"};
   for (std::size_t f = 0; f < names.size(); ++f) {
     if (d == 2 && (f == 4 || f == 5)) continue;

@@ -13,5 +13,7 @@ namespace tether::fem {
 HistoryLayout history_layout(const Solids& solids);
 Record record(const SolidState& state, const SolidSystem& system);
 Snapshot node_fields(const SolidState& state, const SolidSystem& system);
+/// The same fields of nodes at q with velocities v.
+Snapshot shape_fields(double time, const SolidSystem& system, std::span<const double> q, std::span<const double> v);
 
 }  // namespace tether::fem

@@ -15,7 +15,7 @@ struct Row {
 };
 
 /// Every dimension, in UDUNITS spelling.
-constexpr std::array<Row, 17> rows{{
+constexpr std::array<Row, 19> rows{{
     {Dimension::number, "1", "1"},
     {Dimension::time, "s", "s"},
     {Dimension::length, "m", "cm"},
@@ -33,6 +33,8 @@ constexpr std::array<Row, 17> rows{{
     {Dimension::momentum, "kg m s-1", "g cm s-1"},
     {Dimension::angular_momentum, "kg m2 s-1", "g cm2 s-1"},
     {Dimension::rate, "s-1", "s-1"},
+    {Dimension::torque, "N m", "dyn cm"},
+    {Dimension::flux, "m2 s-1", "cm2 s-1"},
 }};
 
 TEST(UnitText, OfEveryDimensionInBothSystems) {

@@ -79,7 +79,7 @@ using Values = std::vector<double>;
 
 TEST_F(MeshWriterTest, WritesElementsAndFieldsOfEachRecord) {
   const Mesh mesh = unit_box(ElementKind::quad4);
-  MeshWriter writer(folder, test::provenance());
+  MeshWriter writer(folder, "mesh", test::provenance());
   for (const double time : {0.0, 0.5}) {
     Snapshot snapshot{time, {}};
     snapshot.fields.push_back({{"x", Dimension::length, "place"}, {0 + time, 1 + time, 0 + time, 1 + time}});

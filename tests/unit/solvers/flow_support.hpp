@@ -53,7 +53,8 @@ inline Flow rectangle_flow(FlowElement element, int nx, int ny, double width, do
 
 /// A flow with its step, from the flow's start.
 struct RunningFlow {
-  RunningFlow(const Flow& of, double gravity = 0) : unknowns(of), step(unknowns, gravity) {
+  RunningFlow(const Flow& of, double gravity = 0, const Solids* solids = nullptr)
+      : unknowns(of), step(unknowns, solids, gravity) {
     state.v.resize(unknowns.velocity.size()), state.p.resize(unknowns.pressure.size());
     state.force.resize(unknowns.velocity.size());
     for (std::size_t n = 0; n < of.mesh.node_count(); ++n) {
@@ -61,6 +62,8 @@ struct RunningFlow {
       state.v[2 * n] = v[0], state.v[2 * n + 1] = v[1];
     }
     unknowns.prescribe(0, state.v);
+    state.v_before = state.v;
+    if (step.immersed()) step.immersed()->start(state);
   }
   /// Steps of dt to the time; false where one does not converge.
   bool run(double until, double dt) {

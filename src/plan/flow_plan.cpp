@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/flow_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/solids.hpp"
+
+namespace tether {
+namespace {
+
+const char* boundary_name(Boundary boundary) {
+  constexpr const char* names[] = {"no-slip wall", "slip wall", "moving wall", "inflow", "open", "periodic"};
+  return names[static_cast<int>(boundary)];
+}
+
+bool has(const Flow& flow, Boundary boundary) {
+  return std::any_of(flow.sides.begin(), flow.sides.end(),
+                     [&](const FlowSide& side) { return side.boundary == boundary; });
+}
+
+const char* integrator_text(FlowIntegrator integrator) {
+  return integrator == FlowIntegrator::midpoint ? "mid-point rule: of order 2, pressures belong to the steps' middles"
+         : integrator == FlowIntegrator::euler  ? "backward Euler: of order 1, damps"
+                                                : "none: each step is a steady flow, of a Reynolds number that grows";
+}
+
+std::string sides_text(const Flow& flow) {
+  std::string text;
+  for (const FlowSide& side : flow.sides)
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", side.name, boundary_name(side.boundary));
+  return text;
+}
+
+/// Unknowns: two velocities a node, a pressure a corner, as if no side held any.
+double unknowns_of(const Flow& flow) {
+  const auto nodes = static_cast<double>(flow.mesh.node_count());
+  return flow.element == FlowElement::q1q1 ? 3 * nodes : 2.25 * nodes;
+}
+
+std::string size_text(const Flow& flow) {
+  std::string text = fmt::format("density {:.4g}, viscosity {:.4g}", flow.density, flow.viscosity);
+  if (flow.speed > 0)
+    text += fmt::format(", Reynolds number {:.4g}", flow.density * flow.speed * flow.length / flow.viscosity);
+  return text;
+}
+
+}  // namespace
+
+std::vector<Term> flow_terms(const Scene& scene) {
+  const Flow& flow = *scene.flow;
+  const bool stabilised = flow.element == FlowElement::q1q1, pinned = !has(flow, Boundary::open);
+  const bool driven = !flow.acceleration.absent(), solids = scene.solids != nullptr;
+  return {
+      {"inertia", true,
+       fmt::format("convection by {}",
+                   flow.linearisation == Linearisation::newton ? "Newton's method" : "Picard's iteration")},
+      {"time", flow.integrator != FlowIntegrator::steady, integrator_text(flow.integrator)},
+      {"viscosity", true, size_text(flow)},
+      {"stabilisation", stabilised,
+       stabilised ? "SUPG, PSPG and LSIC, which equal orders of velocity and pressure need"
+                  : "a pressure of lower order than the velocity needs none"},
+      {"boundary", true, sides_text(flow)},
+      {"pressure pinned", pinned,
+       pinned ? "to zero at one node, since no side is open" : "an open side says what the pressure is"},
+      {"gravity", scene.gravity != 0,
+       scene.gravity != 0 ? fmt::format("gravc = {:.6g} in y", scene.gravity) : "gravc = 0"},
+      {"body force", driven, driven ? "by bx, by" : "bx and by not given"},
+      {"immersed solids", solids,
+       solids ? fmt::format("{} regions, moved by the fluid's velocity, as a source of its momentum",
+                            scene.solids->regions.size())
+              : "every region is fluid"},
+      {"third dimension", false, "the mesh is plane, one unit deep"},
+  };
+}
+
+/// Measured: an iteration takes a back-substitution or, one in three, an elimination, of some 40 nonzeros an unknown
+/// and its logarithm.
+Cost flow_cost(const Scene& scene, const StepRule& rule) {
+  constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 2e-8, iterations = 5;
+  const double n = unknowns_of(*scene.flow), nonzeros = 6 * n * std::log2(n + 2);
+  Cost cost;
+  cost.steps = std::ceil(scene.clock.tmax / rule.deck_step * (1 - 1e-9));
+  cost.point_steps = cost.steps * static_cast<double>(scene.flow->mesh.node_count());
+  cost.megabytes = 1e-6 * (bytes_per_nonzero * nonzeros + 3000 * static_cast<double>(scene.flow->mesh.node_count()));
+  cost.seconds = cost.steps * iterations * nonzeros * seconds_per_nonzero;
+  return cost;
+}
+
+std::string flow_head(const Scene& scene) {
+  const Flow& flow = *scene.flow;
+  std::string text =
+      fmt::format("path: fem (incompressible flow{})\nmesh: {} elements {}, {} nodes\nunknowns: {:.0f}\n",
+                  scene.solids ? " with immersed solids" : "", flow.mesh.element_count(),
+                  flow.element == FlowElement::q1q1 ? "q1q1" : "q2q1", flow.mesh.node_count(), unknowns_of(flow));
+  if (!scene.solids) return text;
+  const Mesh& mesh = scene.solids->mesh;
+  text += fmt::format("solids: {} elements {}, {} nodes\n", mesh.element_count(), element_name(mesh.kind),
+                      mesh.node_count());
+  for (const SolidRegion& region : scene.solids->regions)
+    text += fmt::format("{}: density {:.4g}\n", region.name, region.density);
+  return text;
+}
+
+}  // namespace tether

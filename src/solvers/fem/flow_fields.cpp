@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/flow_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "grid/lagrange.hpp"
+#include "grid/point_finder.hpp"
+#include "solvers/fem/mesh_fields.hpp"
+#include "solvers/fem/solid_fields.hpp"
+
+namespace tether::fem {
+namespace {
+
+MeshPlace place_of(const Mesh& mesh, const PointFinder::Found& found) {
+  MeshPlace place;
+  const int count = node_count_of(mesh.kind);
+  const int* nodes = mesh.element(static_cast<std::size_t>(found.element));
+  place.nodes.assign(nodes, nodes + count);
+  const auto assign = [&](const auto& values) { place.parts.assign(values.begin(), values.end()); };
+  if (mesh.kind == ElementKind::quad4)
+    assign(ShapesOf<ElementKind::quad4>::values(found.s));
+  else
+    assign(ShapesOf<ElementKind::quad9>::values(found.s));
+  return place;
+}
+
+/// Whether drag and lift are wanted as coefficients.
+bool has_coefficients(const Flow& flow) { return flow.speed > 0 && flow.length > 0; }
+
+}  // namespace
+
+double MeshPlace::of(std::span<const double> values, std::size_t per_node, std::size_t i) const {
+  double sum = 0;
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    sum += parts[a] * values[static_cast<std::size_t>(nodes[a]) * per_node + i];
+  return sum;
+}
+
+FlowFields::FlowFields(const Flow& flow, const FlowStep& step) : flow_(flow), step_(step), stream_(step.elements()) {
+  const PointFinder finder(flow.mesh);
+  for (const auto& probe : flow.probes) probes_.push_back(place_of(flow.mesh, finder.find(probe).value()));
+  for (const ForceSide& side : flow.forces) {
+    std::vector<int> nodes(side.sides.begin(), side.sides.end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    force_nodes_.push_back(std::move(nodes));
+  }
+  if (!step.immersed()) return;
+  for (std::size_t r = 0; r < step.immersed()->solids().regions.size(); ++r)
+    body_volumes_.push_back(step.immersed()->system().elements->volumes(static_cast<int>(r)));
+}
+
+HistoryLayout FlowFields::history_layout() const {
+  HistoryLayout layout;
+  add_energies(layout);
+  const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning) {
+    layout.quantities.push_back({name, dimension, meaning});
+  };
+  add("energy_outside", Dimension::energy,
+      "work done from outside: by walls, inflows, open sides and body forces, less the kinetic energy carried out");
+  add("energy_damped", Dimension::energy, "energy lost to viscosity");
+  add("mass", Dimension::mass, "mass of the fluid, and of as much of it as solids are in the place of");
+  add("momentum_x", Dimension::momentum, "momentum of the same in x");
+  add("momentum_y", Dimension::momentum, "momentum of the same in y");
+  add("stream_min", Dimension::flux, "least value of the stream function at a node");
+  add("stream_max", Dimension::flux, "largest value of the stream function at a node");
+  if (has_coefficients(flow_)) add("reynolds", Dimension::number, "Reynolds number by speed and length of the deck");
+  for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
+    const std::string& side = flow_.forces[k].name;
+    const std::string number = fmt::format("_{}", k + 1);
+    add("side_force_x" + number, Dimension::force, "force in x of the fluid on " + side + ", mean of the last step");
+    add("side_force_y" + number, Dimension::force, "force in y of the fluid on " + side + ", mean of the last step");
+    add("side_torque_z" + number, Dimension::torque, "its torque about the deck's place");
+    if (!has_coefficients(flow_)) continue;
+    add("drag" + number, Dimension::number, "force in x over speed^2 length density/2");
+    add("lift" + number, Dimension::number, "force in y over the same");
+  }
+  for (std::size_t k = 0; k < flow_.probes.size(); ++k) {
+    const std::string number = fmt::format("_{}", k + 1);
+    add("probe_p" + number, Dimension::stress, "pressure at the probe, of the last step");
+    add("probe_vx" + number, Dimension::velocity, "velocity in x there");
+    add("probe_vy" + number, Dimension::velocity, "velocity in y there");
+    add("probe_stream" + number, Dimension::flux, "stream function there");
+  }
+  for (std::size_t k = 0; k < flow_.differences.size(); ++k)
+    add(fmt::format("pressure_difference_{}", k + 1), Dimension::stress,
+        fmt::format("pressure at probe {} less that at probe {}", flow_.differences[k][0] + 1,
+                    flow_.differences[k][1] + 1));
+  if (!step_.immersed()) return layout;
+  std::vector<std::string> names;
+  for (const SolidRegion& region : step_.immersed()->solids().regions) names.push_back(region.name);
+  add_bodies_and_nodes(layout, step_.immersed()->solids(), names);
+  layout.quantities.push_back({"body_volume", Dimension::volume, "volume of its shape, per unit depth", Per::body});
+  return layout;
+}
+
+void FlowFields::append_forces(const FlowState& state, Record& record) const {
+  for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
+    double x = 0, y = 0, torque = 0;
+    for (const int node : force_nodes_[k]) {
+      const std::size_t n = static_cast<std::size_t>(node);
+      const double fx = -state.force[2 * n], fy = -state.force[2 * n + 1];
+      x += fx, y += fy;
+      torque += (flow_.mesh.x[2 * n] - flow_.forces[k].centre[0]) * fy -
+                (flow_.mesh.x[2 * n + 1] - flow_.forces[k].centre[1]) * fx;
+    }
+    record.insert(record.end(), {x, y, torque});
+    const double unit = 0.5 * flow_.density * flow_.speed * flow_.speed * flow_.length;
+    if (has_coefficients(flow_)) record.insert(record.end(), {x / unit, y / unit});
+  }
+}
+
+void FlowFields::append_probes(const FlowState& state, const std::vector<double>& pressure,
+                               const std::vector<double>& psi, Record& record) const {
+  for (const MeshPlace& at : probes_)
+    record.insert(record.end(), {at.of(pressure, 1, 0), at.of(state.v, 2, 0), at.of(state.v, 2, 1), at.of(psi, 1, 0)});
+  for (const auto& [first, second] : flow_.differences)
+    record.push_back(probes_[static_cast<std::size_t>(first)].of(pressure, 1, 0) -
+                     probes_[static_cast<std::size_t>(second)].of(pressure, 1, 0));
+}
+
+/// As add_bodies_and_nodes() and the volume list them.
+void FlowFields::append_bodies(const FlowState& state, Record& record) const {
+  const ImmersedSolids& immersed = *step_.immersed();
+  const auto& regions = immersed.solids().regions;
+  std::vector<double> sizes;
+  for (const auto& volumes : body_volumes_) sizes.push_back(std::accumulate(volumes.begin(), volumes.end(), 0.0));
+  for (const auto* values : {&state.q, &state.w}) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t r = 0; r < regions.size(); ++r) {
+        double sum = 0;
+        for (std::size_t n = 0; n < body_volumes_[r].size(); ++n) sum += body_volumes_[r][n] * (*values)[2 * n + i];
+        record.push_back(sum / sizes[r]);
+      }
+    }
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r) record.push_back(regions[r].density * sizes[r]);
+  append_nodes(immersed.solids(), state.q, state.w, record);
+  const ShapeVolumes shape = immersed.system().elements->shape(state.q);
+  record.insert(record.end(), shape.of_region.begin(), shape.of_region.end());
+}
+
+Snapshot FlowFields::body_fields(const FlowState& state) const {
+  if (!step_.immersed()) return {state.time, {}};
+  return shape_fields(state.time, step_.immersed()->system(), state.q, state.w);
+}
+
+Record FlowFields::record(const FlowState& state) const {
+  const FlowElements& elements = step_.elements();
+  const auto momentum = elements.momentum(state.v);
+  const ImmersedSolids* immersed = step_.immersed();
+  const double kinetic = elements.kinetic_energy(state.v) + (immersed ? immersed->kinetic_energy(state) : 0);
+  const double strain = immersed ? immersed->strain_energy(state) : 0;
+  const double potential = immersed ? immersed->potential_energy(state) : 0;
+  const std::vector<double> psi = stream_.of(state.v), pressure = elements.pressure_at_nodes(state.p);
+  const auto [least, largest] = std::minmax_element(psi.begin(), psi.end());
+  Record values{
+      state.time, state.dt_last, kinetic,     strain,      0,           potential, kinetic + strain + potential,
+      state.work, state.damped,  momentum[0], momentum[1], momentum[2], *least,    *largest};
+  if (has_coefficients(flow_)) values.push_back(flow_.density * flow_.speed * flow_.length / step_.viscosity());
+  append_forces(state, values);
+  append_probes(state, pressure, psi, values);
+  if (immersed) append_bodies(state, values);
+  return values;
+}
+
+Snapshot FlowFields::node_fields(const FlowState& state) const {
+  const Mesh& mesh = flow_.mesh;
+  Snapshot snapshot;
+  snapshot.time = state.time;
+  const auto add = [&](const char* name, Dimension dimension, const char* meaning, std::vector<double> values) {
+    snapshot.fields.push_back({{name, dimension, meaning}, std::move(values)});
+  };
+  const auto part = [&](const std::vector<double>& pairs, std::size_t i) {
+    std::vector<double> values(mesh.node_count());
+    for (std::size_t n = 0; n < values.size(); ++n) values[n] = pairs[2 * n + i];
+    return values;
+  };
+  add("x", Dimension::length, "place", part(mesh.x, 0));
+  add("y", Dimension::length, "place", part(mesh.x, 1));
+  add("vx", Dimension::velocity, "velocity in x", part(state.v, 0));
+  add("vy", Dimension::velocity, "velocity in y", part(state.v, 1));
+  add("p", Dimension::stress, "pressure, of the last step", step_.elements().pressure_at_nodes(state.p));
+  add("stream", Dimension::flux, "stream function, zero at the first node", stream_.of(state.v));
+  add("vorticity", Dimension::rate, "dv/dx - du/dy, the mean around each node", step_.elements().vorticity(state.v));
+  return snapshot;
+}
+
+}  // namespace tether::fem

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "results/results.hpp"
+#include "scene/flow.hpp"
+#include "solvers/fem/flow_state.hpp"
+#include "solvers/fem/flow_step.hpp"
+#include "solvers/fem/flow_stream.hpp"
+
+// What a flow writes.
+
+namespace tether::fem {
+
+/// A place in a mesh: its element's nodes and their functions there.
+struct MeshPlace {
+  std::vector<int> nodes;
+  std::vector<double> parts;
+  /// Of component i of `per_node` numbers a node.
+  double of(std::span<const double> values, std::size_t per_node, std::size_t i) const;
+};
+
+/// What records and snapshots of a flow are made from. All must outlive it.
+class FlowFields {
+ public:
+  FlowFields(const Flow& flow, const FlowStep& step);
+
+  HistoryLayout history_layout() const;
+  Record record(const FlowState& state) const;
+  /// Places, velocities, pressure, stream function and vorticity at all nodes.
+  Snapshot node_fields(const FlowState& state) const;
+  /// Places, displacements, velocities and stress of immersed solids' nodes; no fields without any.
+  Snapshot body_fields(const FlowState& state) const;
+
+ private:
+  void append_bodies(const FlowState& state, Record& record) const;
+  void append_forces(const FlowState& state, Record& record) const;
+  void append_probes(const FlowState& state, const std::vector<double>& pressure, const std::vector<double>& psi,
+                     Record& record) const;
+
+  const Flow& flow_;
+  const FlowStep& step_;
+  StreamFunction stream_;
+  std::vector<MeshPlace> probes_;
+  std::vector<std::vector<int>> force_nodes_;      // of each side whose force is recorded
+  std::vector<std::vector<double>> body_volumes_;  // of each region of the solids, its nodes' parts at the start
+};
+
+}  // namespace tether::fem

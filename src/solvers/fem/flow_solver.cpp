@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/flow_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "solvers/fem/halved_steps.hpp"
+#include "solvers/step_time.hpp"
+
+namespace tether::fem {
+
+FlowSolver::FlowSolver(const Plan& plan)
+    : plan_(plan),
+      flow_(*plan.scene.flow),
+      unknowns_(flow_),
+      step_(unknowns_, plan.scene.solids.get(), plan.scene.gravity),
+      fields_(flow_, step_) {
+  const Mesh& mesh = flow_.mesh;
+  state_.v.resize(2 * mesh.node_count()), state_.p.resize(mesh.node_count());
+  state_.force.resize(2 * mesh.node_count());
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    const auto v = flow_.start.at(mesh.x[2 * n], mesh.x[2 * n + 1], 0);
+    state_.v[2 * n] = v[0], state_.v[2 * n + 1] = v[1];
+  }
+  unknowns_.prescribe(0, state_.v);
+  unknowns_.copy_to_twins(state_.v, 2);
+  const FlowReport report = step_.start(state_, plan.step.deck_step);
+  if (!report.converged)
+    throw RunError(
+        fmt::format("t = 0: no incompressible velocities are found for the start: residuals over the "
+                    "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
+                    residuals_text(report.residuals)));
+}
+
+void FlowSolver::advance(double until) {
+  const double tmax = plan_.scene.clock.tmax;
+  while (state_.time < until && state_.time < tmax) {
+    clock_step(
+        state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
+        [&](double part) {
+          return step_.advance(state_, {state_.time, part, tmax});
+        },
+        [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
+  }
+}
+
+/// Of steady flows the last Reynolds number that was reached is told.
+void FlowSolver::stop(double dt, const FlowReport& report) const {
+  std::size_t worst = 0;
+  double fastest = 0;
+  for (std::size_t n = 0; n < state_.p.size(); ++n) {
+    const double speed = std::hypot(state_.v[2 * n], state_.v[2 * n + 1]);
+    if (speed > fastest) fastest = speed, worst = n;
+  }
+  const double* place = &flow_.mesh.x[2 * worst];
+  const std::string residuals = residuals_text(report.residuals);
+  if (flow_.integrator != FlowIntegrator::steady)
+    throw RunError(fmt::format(
+        "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; "
+        "residuals over the tolerance's{}; fastest is node {} at ({:.6g}, {:.6g}) with {:.4g}: likely "
+        "cause, steps too long for the flow",
+        state_.time, state_.steps + 1, dt, most_halvings, residuals, worst + 1, place[0], place[1], fastest));
+  const double tmax = plan_.scene.clock.tmax, density = flow_.density;
+  const auto reynolds = [&](double time) {
+    const double mu = flow_.viscosity * tmax / time;
+    return flow_.speed > 0 ? fmt::format("a Reynolds number of {:.6g}", density * flow_.speed * flow_.length / mu)
+                           : fmt::format("a viscosity of {:.6g}", mu);
+  };
+  throw RunError(fmt::format(
+      "no steady flow is found at {}: residuals over the tolerance's{}; the last one that converged has {}; "
+      "fastest there is node {} at ({:.6g}, {:.6g}) with {:.4g}: likely cause, a mesh too coarse for it, "
+      "steps of continuation too long, or no steady flow that is stable",
+      reynolds(state_.time + dt), residuals, state_.time > 0 ? reynolds(state_.time) : std::string("none"), worst + 1,
+      place[0], place[1], fastest));
+}
+
+RunCounts FlowSolver::counts() const {
+  RunCounts counts;
+  counts.steps = state_.steps;
+  counts.points = flow_.mesh.node_count();
+  counts.point_steps = state_.steps * static_cast<long long>(counts.points);
+  counts.cells_active = flow_.mesh.element_count();
+  counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
+  return counts;
+}
+
+HistoryLayout FlowSolver::history_layout() const { return fields_.history_layout(); }
+
+Record FlowSolver::record() const { return fields_.record(state_); }
+
+Snapshot FlowSolver::grid() const { return fields_.node_fields(state_); }
+
+std::vector<std::string> FlowSolver::take_messages() { return std::exchange(messages_, {}); }
+
+SavedState FlowSolver::save() const {
+  StateSaver saver;
+  FlowState state = state_;
+  exchange(saver, state);
+  return saver.take();
+}
+
+void FlowSolver::restore(const SavedState& saved) {
+  StateRestorer restorer(saved);
+  exchange(restorer, state_);
+  step_.resume(state_, plan_.scene.clock.tmax);
+}
+
+Summary FlowSolver::more_summary() const {
+  const FlowCost& cost = step_.cost();
+  const auto number = [](auto value) { return fmt::format("{}", value); };
+  return {{"unknowns", number(unknowns_.count())},           {"newton_iterations", number(state_.newton_steps)},
+          {"factorisations", number(state_.factorisations)}, {"halvings", number(state_.halvings)},
+          {"factor_nonzeros", number(cost.factor_nonzeros)}, {"assembly_seconds", number(cost.assembly_seconds)},
+          {"solve_seconds", number(cost.solve_seconds)},     {"analysis_seconds", number(cost.analysis_seconds)}};
+}
+
+}  // namespace tether::fem

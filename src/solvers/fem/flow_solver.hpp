@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "solvers/fem/flow_fields.hpp"
+#include "solvers/fem/flow_state.hpp"
+#include "solvers/fem/flow_step.hpp"
+#include "solvers/fem/flow_unknowns.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether::fem {
+
+/// Incompressible flow by finite elements (2.3). The plan, whose scene has a flow, must outlive the solver.
+class FlowSolver final : public Solver {
+ public:
+  explicit FlowSolver(const Plan& plan);
+
+  double time() const override { return state_.time; }
+  void advance(double until) override;
+  RunCounts counts() const override;
+  HistoryLayout history_layout() const override;
+  Record record() const override;
+  Snapshot points() const override { return {state_.time, {}}; }
+  Snapshot grid() const override;
+  Snapshot solids() const override { return fields_.body_fields(state_); }
+  std::vector<std::string> take_messages() override;
+  SavedState save() const override;
+  void restore(const SavedState& saved) override;
+  Summary more_summary() const override;
+
+ private:
+  [[noreturn]] void stop(double dt, const FlowReport& report) const;
+
+  const Plan& plan_;
+  const Flow& flow_;
+  FlowUnknowns unknowns_;
+  FlowStep step_;
+  FlowFields fields_;
+  FlowState state_;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace tether::fem
