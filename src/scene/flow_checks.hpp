@@ -15,4 +15,23 @@ bool check_flow_frame(const Deck& deck, Diagnostics& diagnostics);
 /// Tells what the deck asks for beside a fluid and cannot have, and what has no effect.
 void check_flow_deck(const Deck& deck, Diagnostics& diagnostics);
 
+/// Tells of probes and nodes of immersed bodies outside the fluid, and of such nodes on an inflow.
+void check_flow_places(const Deck& deck, const Scene& scene, const Flow& flow, Diagnostics& diagnostics);
+
+/// Tells of expressions that have no finite value where and when they are first asked, and of velocities of moving
+/// walls that go through them; of prescribed velocities that bring more into a fluid without an open side than out of
+/// it.
+void check_flow_velocities(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics);
+/// The last of these. The velocities are finite when they are first asked.
+void check_flow_balance(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics);
+
+/// For each node the side that prescribes its velocity, walls at rest before moving walls before inflows, and the node
+/// of that side whose place counts, itself but for twins; -1 where none does.
+struct Holder {
+  int side = -1, node = -1;
+};
+std::vector<Holder> holders_of(const Flow& flow);
+/// When prescribed velocities are first asked [time]: a steady flow has those of its end.
+double first_time(const Flow& flow, const Clock& clock);
+
 }  // namespace tether

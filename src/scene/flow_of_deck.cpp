@@ -125,7 +125,11 @@ void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
     check_mesh_deck(deck, diagnostics);
   }
   check_flow_deck(deck, diagnostics);
-  if (mesh) scene.flow = std::make_shared<const Flow>(flow_on(deck, std::move(*mesh), diagnostics));
+  if (!mesh) return;
+  const auto flow = std::make_shared<const Flow>(flow_on(deck, std::move(*mesh), diagnostics));
+  check_flow_places(deck, scene, *flow, diagnostics);
+  check_flow_velocities(deck, scene.clock, *flow, diagnostics);
+  scene.flow = flow;
 }
 
 }  // namespace tether

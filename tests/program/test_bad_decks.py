@@ -43,6 +43,18 @@ REQUIRED = {
     "mesh_plane_stress_in_space", "mesh_region_of_three_vertices", "mesh_support_in_z", "mesh_support_of_nothing",
     "mesh_table_and_expression", "mesh_unconstrained", "mesh_unknown_element", "mesh_unknown_law",
     "mesh_unknown_side", "mesh_without_density", "mesh_z_of_one_region",
+    "flow_about_an_axis", "flow_body_in_a_hole", "flow_body_on_an_inflow", "flow_body_outside",
+    "flow_difference_of_nothing", "flow_expression", "flow_expression_not_finite", "flow_force_between_blocks",
+    "flow_force_not_finite", "flow_in_space", "flow_inflow_without_velocity", "flow_kind_without_side",
+    "flow_load_on_the_fluid", "flow_load_without_body", "flow_moving_through_itself", "flow_moving_without_velocity",
+    "flow_of_a_mesh_file", "flow_of_two_densities", "flow_partner_of_an_open_side", "flow_periodic_not_parallel",
+    "flow_periodic_of_other_nodes", "flow_periodic_without_partner", "flow_probe_outside", "flow_probe_without_y",
+    "flow_side_between_blocks", "flow_side_named_twice", "flow_side_without_kind", "flow_slip_on_a_slope",
+    "flow_solids_by_trapezoid", "flow_speed_without_length", "flow_static", "flow_steady_with_bodies",
+    "flow_tracers_outside", "flow_tracked_without_body", "flow_unbalanced", "flow_unbalanced_later",
+    "flow_unknown_kind", "flow_unknown_side", "flow_velocity_on_a_periodic_side", "flow_velocity_on_a_slip_wall",
+    "flow_velocity_on_a_wall", "flow_velocity_on_an_open_side", "flow_with_a_rigid_body", "flow_without_a_fluid",
+    "flow_without_a_mesh", "flow_without_density", "flow_without_viscosity",
 }
 
 
