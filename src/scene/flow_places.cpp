@@ -90,8 +90,9 @@ class Inside {
     for (std::size_t a = 0; a < Shapes::nodes; ++a) {
       const double along = G[2 * a] * dx[0] + G[2 * a + 1] * dx[1];
       constexpr std::size_t line = Shapes::line;
-      step[0] += (2.0 * static_cast<double>(a % line) / (line - 1) - 1) * along;
-      step[1] += (2.0 * static_cast<double>(a / line) / (line - 1) - 1) * along;
+      const std::size_t i = a % line, j = a / line;
+      step[0] += (2.0 * static_cast<double>(i) / (line - 1) - 1) * along;
+      step[1] += (2.0 * static_cast<double>(j) / (line - 1) - 1) * along;
     }
     return step;
   }

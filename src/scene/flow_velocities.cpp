@@ -86,11 +86,10 @@ class VelocityChecks {
     return tangents;
   }
   static double sine(const Vector& a, const Vector& b) { return std::abs(a[0] * b[1] - a[1] * b[0]); }
-  /// The sine of the angle between two directions, 1 where they are at right angles or more.
-  static double turned(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] <= 0 ? 1 : sine(a, b); }
 
-  /// How much the direction of a wall at each of its nodes is in doubt: a curved wall turns from element to element,
-  /// and at its ends as much as at the other nodes of the last one; a straight one does not.
+  /// How much the direction of a wall at each of its nodes is in doubt, as the sine of an angle: a curved wall, or one
+  /// with a corner, turns from element to element, and at its ends as much as at the other nodes of the last one; a
+  /// straight one does not.
   template <int p>
   std::vector<double> doubts(const FlowSide& side) const {
     std::vector<Vector> first(flow_.mesh.node_count(), Vector{});
@@ -101,7 +100,7 @@ class VelocityChecks {
       const auto along = tangents<p>(&side.sides[s]);
       for (std::size_t a = 0; a <= p; ++a) {
         if (elements[at(s + a)]++ == 0) first[at(s + a)] = along[a];
-        doubt[at(s + a)] = std::max({doubt[at(s + a)], turned(first[at(s + a)], along[a]), turned(along[0], along[p])});
+        doubt[at(s + a)] = std::max({doubt[at(s + a)], sine(first[at(s + a)], along[a]), sine(along[0], along[p])});
       }
     }
     for (std::size_t s = 0; s < side.sides.size(); s += p + 1) {

@@ -16,7 +16,8 @@ const std::string in = "boundary_on(1)='1.left',boundary(1)='inflow',boundary_u(
 const std::string out = ",boundary_on(2)='1.right',boundary(2)='inflow',boundary_u(2)='";
 
 /// A ring of four blocks about the origin, from radius 1 to 2, side 'axle' within and 'rim' without.
-Built ring(const std::string& element, int cells, const std::string& flow, const std::string& body = "") {
+Built ring(const std::string& element, int cells, const std::string& flow, const std::string& body = "",
+           const std::vector<std::string>& overrides = {}) {
   const std::string a = ".7071067811865476,", b = "1.4142135623730951,", c = "-" + a, d = "-" + b;
   std::string reg, mesh;
   const std::array<std::string, 4> x{a + b + b + a, a + b + d + c, c + d + d + c, c + d + b + a};
@@ -27,10 +28,10 @@ Built ring(const std::string& element, int cells, const std::string& flow, const
     mesh += fmt::format(
         "cells(1,{0})=1,{1},edge(2,{0})='arc',edge(4,{0})='arc',side(2,{0})='rim',side(4,{0})='axle',\n", r, cells);
   }
-  return build_flow(
-      fmt::format("$reg nreg={},nvi=5*4,densir=5*1.,\n{}{}$\n$mesh {}$\n$fem law=4*'fluid' $\n$flow "
-                  "element='{}',{} $\n",
-                  body.empty() ? 4 : 5, reg, body, mesh, element, flow));
+  return build_flow(fmt::format("$reg nreg={},nvi=5*4,densir=5*1.,\n{}{}$\n$mesh {}$\n$fem law=4*'fluid' $\n$flow "
+                                "element='{}',{} $\n",
+                                body.empty() ? 4 : 5, reg, body, mesh, element, flow),
+                    overrides);
 }
 
 TEST(FlowBalance, TakesWhatGoesInAndOutAlike) {
@@ -139,6 +140,27 @@ TEST(FlowWalls, MoveAlongAStraightSideExactly) {
   EXPECT_EQ(told("(x == 0) + (x == 2)"), Texts{});
 }
 
+/// A quarter of a ring, open at its cuts: an end of its axle has one element beside it.
+TEST(FlowWalls, MayMoveAlongACurveToItsEnd) {
+  EXPECT_EQ(
+      build_flow("$reg nreg=1,nvi=4,xvi(1,1)=1.,2.,0.,0.,yvi(1,1)=0.,0.,2.,1.,densir=1.,matr(1,1)=1. $\n"
+                 "$mesh cells(1,1)=1,4,edge(2,1)='arc',edge(4,1)='arc' $\n$fem law='fluid' $\n$flow element='q1q1',"
+                 "boundary_on(1)='1.left',boundary(1)='moving',boundary_u(1)='-y',boundary_v(1)='x',"
+                 "boundary_on(2)='1.bottom',boundary(2)='open',boundary_on(3)='1.top',boundary(3)='open' $\n")
+          .errors(),
+      Texts{});
+}
+
+/// A wall round a corner that moves as a whole: along the bottom, and through another side, which its middle tells.
+TEST(FlowWalls, MayNotMoveAcrossACorner) {
+  for (const auto& [edge, place] : {std::pair{"2", "(2, 0.5)"}, {"4", "(0, 0.5)"}}) {
+    const Built built = channel("element='q1q1',boundary_on(1)='box',boundary_u(1)='1',boundary(1)='moving'", "",
+                                {"mesh.side(1,1)='box'", fmt::format("mesh.side({},1)='box'", edge)});
+    EXPECT_EQ(built.errors(),
+              Texts{fmt::format("8:67: the velocity (1, 0) of 'box' at {} goes through the wall by 1", place)});
+  }
+}
+
 TEST(FlowPlaces, TheEdgesOfAFluidAreInIt) {
   const auto errors = [](const std::string& at) { return ring("q2q1", 4, "probe(1,1)=" + at).errors(); };
   EXPECT_EQ(errors("2.,0."), Texts{});
@@ -148,6 +170,13 @@ TEST(FlowPlaces, TheEdgesOfAFluidAreInIt) {
   EXPECT_EQ(errors("0.,2.001").size(), 1u);
   EXPECT_EQ(errors("0.,.999").size(), 1u);
   EXPECT_EQ(errors("0.,0.").size(), 1u);
+}
+
+/// A curved edge may bulge out of the box of its nodes: here from -15 degrees over 15 to 45.
+TEST(FlowPlaces, TheBulgeOfAnEdgeIsInTheFluid) {
+  const std::vector<std::string> graded{"mesh.grading(2,1)=2."};
+  EXPECT_EQ(ring("q2q1", 2, "probe(1,1)=1.99,0.", "", graded).errors(), Texts{});
+  EXPECT_EQ(ring("q2q1", 2, "probe(1,1)=2.01,0.", "", graded).errors().size(), 1u);
 }
 
 TEST(FlowPlaces, BodiesLieWithinTheFluid) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What $flow says becomes the fluid of a scene: its mesh, beside that of bodies, its boundary, what is recorded of it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +82,7 @@ TEST(FlowScene, HasWhatTheDeckSays) {
       "element='q1q1',integrator='euler',linearisation='picard',tolerance=1e-8,speed=2.,length=.5\n"
       "bx='x+10*y+100*t',by='-1',v0='y',probe(1,7)=1.,.5,1.5,.25,difference(1,3)=8,7,tracers=20,10,"
       "tracer_box=.5,1.5,.25,.75\nforce_on(2)='1.bottom',force_x(2)=1.,force_y(2)=-1.",
-      "", {"reg.vrx=4.", "reg.vry=0."});
+      "", {"reg.vrx=4.", "reg.vry=7."});
   EXPECT_EQ(built.errors(), Texts{});
   const Flow& flow = *built.scene.flow;
   EXPECT_EQ(flow.mesh.kind, ElementKind::quad4);
@@ -160,6 +161,35 @@ TEST(FlowScene, PeriodicNodesShareTheLowest) {
   expect_whole_boundary(flow);
   EXPECT_EQ(side_of(flow, "1.left").number, 1);
   EXPECT_EQ(side_of(flow, "1.left").boundary, Boundary::periodic);
+}
+
+/// An L of three squares whose opposite sides are one: all its corners are one place.
+TEST(FlowScene, PeriodicNodesAreJoinedInChains) {
+  const auto square = [](int r, double x, double y) {
+    return fmt::format("xvi(1,{0})={1},{2},{2},{1},yvi(1,{0})={3},{3},{4},{4},matr(1,{0})=1.,\n", r, x, x + 1, y,
+                       y + 1);
+  };
+  std::string flow;
+  const std::pair<const char*, const char*> pairs[] = {
+      {"2.top", "2.bottom"}, {"3.right", "3.left"}, {"3.top", "1.bottom"}, {"2.right", "1.left"}};
+  for (int k = 1; const auto& [side, partner] : pairs)
+    flow +=
+        fmt::format("boundary_on({0})='{1}',boundary({0})='periodic',boundary_with({0})='{2}',\n", k++, side, partner);
+  const Built built =
+      build_flow("$reg nreg=3,nvi=3*4,densir=3*1.,\n" + square(1, 0, 0) + square(2, 1, 0) + square(3, 0, 1) +
+                 "$\n$mesh $\n$fem law=3*'fluid' $\n$flow element='q1q1',\n" + flow + "$\n");
+  EXPECT_EQ(built.errors(), Texts{});
+  EXPECT_EQ(built.scene.flow->twin, std::vector<int>(8, 0));
+}
+
+TEST(FlowScene, PeriodicSidesHaveEquallyManyNodes) {
+  const Built built = build_flow(
+      "$reg nreg=2,nvi=4,4,xvi(1,1)=0.,2.,2.,0.,yvi(1,1)=0.,0.,1.,1.,xvi(1,2)=3.,4.,4.,3.,yvi(1,2)=0.,0.,1.,1.,\n"
+      "densir=3.,3.,matr(1,1)=.5,matr(1,2)=.5 $\n$mesh cells(1,1)=2,2,cells(1,2)=2,4 $\n$fem law=2*'fluid' $\n"
+      "$flow boundary_on(1)='1.left',boundary(1)='periodic',\nboundary_with(1)='2.right' $\n");
+  ASSERT_EQ(built.errors().size(), 1u);
+  EXPECT_EQ(built.errors()[0].find("9:18: the nodes of '1.left' and '2.right' do not match: 5 and 9, "), 0u)
+      << built.errors()[0];
 }
 
 TEST(FlowScene, KeepsTheDecksNumbersOfRegions) {
