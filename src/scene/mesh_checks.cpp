@@ -58,7 +58,7 @@ void warn_of_absent_regions(const Deck& deck, Diagnostics& diagnostics) {
     const bool by_second = variable.rank == 2 && variable.n2 == region_count;
     const bool by_first = variable.rank == 1 && variable.n1 == region_count;
     const bool of_loads = variable.name.starts_with("load") || variable.name.starts_with("fix");
-    const bool of_meshes = variable.group == "mesh" || variable.group == "fem" || variable.group == "flow";
+    const bool of_meshes = variable.group == "mesh" || variable.group == "fem" || variable.name == "penalty";
     if (!of_meshes || of_loads || !(by_first || by_second)) continue;
     for (const Subscript at : deck.given_elements(variable.group, variable.name)) {
       const int r = by_second ? at[1] : at[0];

@@ -227,6 +227,7 @@ TEST(FlowDecks, WhatHasNoEffectIsAWarning) {
                    "cfl of $fem has no effect beside a fluid", "tolerance of $fem has no effect beside a fluid",
                    "spin(3,2) has no effect: region 2 is a fluid", "penalty(2) has no effect: region 2 is a fluid",
                    "ipath(4,2) has no effect: region 2 is a fluid"}));
+  EXPECT_EQ(warnings_of(channel("penalty(3)=1.")), Texts{"penalty has no effect: there is no region 3"});
   EXPECT_EQ(built.scene.solids->alpha, 0);
   EXPECT_EQ(built.scene.solids->beta, 0);
   EXPECT_EQ(

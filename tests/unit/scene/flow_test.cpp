@@ -84,6 +84,7 @@ TEST(FlowScene, HasWhatTheDeckSays) {
       "tracer_box=.5,1.5,.25,.75\nforce_on(2)='1.bottom',force_x(2)=1.,force_y(2)=-1.",
       "", {"reg.vrx=4.", "reg.vry=7."});
   EXPECT_EQ(built.errors(), Texts{});
+  EXPECT_EQ(warnings_of(built), Texts{"vry(1) has no effect: v0 of $flow is there"});
   const Flow& flow = *built.scene.flow;
   EXPECT_EQ(flow.mesh.kind, ElementKind::quad4);
   EXPECT_EQ(flow.element, FlowElement::q1q1);
