@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "grid/lagrange.hpp"
+
+namespace tether {
+
+using Place = std::array<double, 2>;
+
+/// The place in element e that s in its reference element stands for.
+inline Place place_in(const Mesh& mesh, int e, const Place& s) {
+  return with_shapes(mesh.kind, [&](auto shapes) {
+    Place x{};
+    if constexpr (decltype(shapes)::dim == 2) {
+      const auto N = decltype(shapes)::values(s);
+      for (std::size_t a = 0; a < N.size(); ++a) {
+        const auto at = 2 * static_cast<std::size_t>(mesh.element(static_cast<std::size_t>(e))[a]);
+        x[0] += N[a] * mesh.x[at], x[1] += N[a] * mesh.x[at + 1];
+      }
+    }
+    return x;
+  });
+}
+
+inline double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+}  // namespace tether
