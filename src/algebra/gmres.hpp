@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tether {
+
+/// The part of GMRES that knows no matrix: an orthonormal basis of the Krylov space, and the least squares problem in
+/// it. Source: Y. Saad, M. H. Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869.
+class KrylovBasis {
+ public:
+  /// Of up to `most` vectors of n numbers, and one more.
+  KrylovBasis(std::size_t n, int most);
+
+  /// Starts with r / |r|; returns |r|.
+  double start(std::span<const double> r);
+  /// Takes up w, the matrix times the last vector, less its parts along the others; returns the least residual norm in
+  /// the space so far. By modified Gram-Schmidt, again where much of w has gone.
+  double add(std::span<double> w);
+  int size() const { return size_; }
+  bool full() const { return size_ == most_; }
+  std::span<const double> last() const { return vector(size_); }
+  /// The combination of the vectors that has the least residual.
+  void combine(std::span<double> x) const;
+
+ private:
+  std::span<const double> vector(int k) const { return {&vectors_[static_cast<std::size_t>(k) * n_], n_}; }
+  double& h(int i, int k) { return h_[static_cast<std::size_t>(k) * static_cast<std::size_t>(most_ + 1) + i]; }
+  double h(int i, int k) const { return h_[static_cast<std::size_t>(k) * static_cast<std::size_t>(most_ + 1) + i]; }
+  void take_off(std::span<double> w);
+  double rotate();
+
+  std::size_t n_;
+  int most_, size_ = 0;
+  std::vector<double> vectors_, h_;        // h: columns of the triangle that the rotations leave
+  std::vector<double> cosine_, sine_, g_;  // of the rotations; the right side under them
+};
+
+double norm(std::span<const double> x);
+
+/// What became of a solution.
+struct KrylovResult {
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Solves A P^-1 (P x) = b from the first guess x by GMRES, begun anew every `restart` iterations, until
+/// |b - A x| <= tolerance |b|. `multiply(x, y)`: y = A x. `precondition(r, z)`: z = P^-1 r, linear and unchanging.
+template <class Multiply, class Precondition>
+KrylovResult gmres(const Multiply& multiply, const Precondition& precondition, std::span<const double> b,
+                   std::span<double> x, double tolerance, int restart, int most_iterations) {
+  KrylovBasis basis(b.size(), restart);
+  std::vector<double> r(b.size()), z(b.size());
+  const double enough = tolerance * norm(b);
+  KrylovResult result;
+  if (enough == 0) std::fill(x.begin(), x.end(), 0.0);
+  while (true) {
+    multiply(x, std::span<double>(r));
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
+    double residual = basis.start(r);
+    result.converged = residual <= enough;
+    if (result.converged || !(residual < 1e300) || result.iterations >= most_iterations) return result;
+    while (residual > enough && !basis.full() && result.iterations < most_iterations) {
+      precondition(basis.last(), std::span<double>(z));
+      multiply(z, std::span<double>(r));
+      residual = basis.add(r);
+      ++result.iterations;
+    }
+    basis.combine(r);
+    precondition(r, std::span<double>(z));
+    for (std::size_t i = 0; i < r.size(); ++i) x[i] += z[i];
+  }
+}
+
+}  // namespace tether

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/saddle_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "algebra/gmres.hpp"
+
+namespace tether {
+namespace {
+
+constexpr int restart = 60, least_patience = 30, most_iterations = 200;
+
+/// a A + c C, whose patterns may differ.
+SparseMatrix sum_of(double a, const SparseMatrix& A, double c, const SparseMatrix& C) {
+  SparseMatrix sum;
+  sum.n = A.n;
+  sum.start.push_back(0);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(A.n); ++j) {
+    auto k = static_cast<std::size_t>(A.start[j]), l = static_cast<std::size_t>(C.start[j]);
+    const auto k_end = static_cast<std::size_t>(A.start[j + 1]), l_end = static_cast<std::size_t>(C.start[j + 1]);
+    while (k < k_end || l < l_end) {
+      const std::int64_t row_a = k < k_end ? A.row[k] : A.n, row_c = l < l_end ? C.row[l] : A.n;
+      double value = 0;
+      if (row_a <= row_c) value += a * A.value[k++];
+      if (row_c <= row_a) value += c * C.value[l++];
+      sum.row.push_back(std::min(row_a, row_c)), sum.value.push_back(value);
+    }
+    sum.start.push_back(static_cast<std::int64_t>(sum.row.size()));
+  }
+  return sum;
+}
+
+}  // namespace
+
+SaddleSolver::SaddleSolver(std::vector<std::uint8_t> is_pressure, SparseMatrix Mp, SparseMatrix Lp,
+                           VelocityMethod method, int dim)
+    : is_pressure_(std::move(is_pressure)), Mp_(std::move(Mp)), Lp_(std::move(Lp)), velocity_(method, dim) {
+  for (std::size_t i = 0; i < is_pressure_.size(); ++i)
+    (is_pressure_[i] ? pressures_ : velocities_).push_back(static_cast<std::int64_t>(i));
+  ru_.resize(velocities_.size()), u_.resize(velocities_.size());
+  rp_.resize(pressures_.size()), p_.resize(pressures_.size()), q_.resize(pressures_.size());
+}
+
+void SaddleSolver::scales(double viscous, double inertial) {
+  pressure_factorised_ = pressure_factorised_ && viscous == viscous_ && inertial == inertial_;
+  viscous_ = viscous, inertial_ = inertial;
+}
+
+bool SaddleSolver::renew(const SparseMatrix& K) {
+  renewed_ = true;
+  factorised_ = velocity_.factorise(principal_block(K, velocities_)) && renew_pressure(K);
+  return factorised_;
+}
+
+/// The two terms of S^, with the sign of S taken off. Anew only where something of them has changed.
+bool SaddleSolver::renew_pressure(const SparseMatrix& K) {
+  SparseMatrix C = principal_block(K, pressures_);
+  if (pressure_factorised_ && C.value == C_.value && C.row == C_.row) return true;
+  C_ = std::move(C);
+  const double sign = viscous_ < 0 || inertial_ < 0 ? -1 : 1;
+  if (viscous_ != 0) viscous_part_ = sum_of(sign / viscous_, Mp_, sign, C_);
+  if (inertial_ != 0) inertial_part_ = sum_of(sign / inertial_, Lp_, sign, C_);
+  pressure_factorised_ = (viscous_ == 0 || mass_.factorise(viscous_part_, Definite::positive)) &&
+                         (inertial_ == 0 || laplacian_.factorise(inertial_part_, Definite::positive));
+  find_held_pressures(K);
+  return pressure_factorised_;
+}
+
+/// Which pressures stand alone in K, and what S has for a constant pressure p of the others, p S p: where one is held
+/// in a flow between walls it is as good as 0, far below p Mp p. As S p = 0 for a constant of all, it is what S has on
+/// its diagonal for the held one.
+void SaddleSolver::find_held_pressures(const SparseMatrix& K) {
+  free_.assign(pressures_.size(), 0.0);
+  constant_ = 0;
+  for (std::size_t i = 0; i < pressures_.size(); ++i) {
+    const auto j = static_cast<std::size_t>(pressures_[i]);
+    for (auto k = static_cast<std::size_t>(K.start[j]); k < static_cast<std::size_t>(K.start[j + 1]); ++k)
+      if (K.value[k] != 0 && K.row[k] != pressures_[i]) free_[i] = 1;
+    for (auto k = static_cast<std::size_t>(Mp_.start[i]); k < static_cast<std::size_t>(Mp_.start[i + 1]); ++k)
+      if (free_[i] == 0 && Mp_.row[k] == static_cast<std::int64_t>(i)) constant_ += Mp_.value[k] / std::abs(viscous_);
+  }
+  if (constant_ == 0) return;
+  C_.multiply(free_, q_);
+  for (std::size_t i = 0; i < q_.size(); ++i) constant_ += std::abs(free_[i] * q_[i]);
+}
+
+bool SaddleSolver::solve(const SparseMatrix& K, std::span<const double> b, std::span<double> x, double tolerance) {
+  iterations_ = 0, renewed_ = false;
+  if (factorised_ && (pressure_factorised_ || renew_pressure(K)) && iterate(K, b, x, tolerance, patience_)) return true;
+  const int before = iterations_;
+  const bool solved = renew(K) && iterate(K, b, x, tolerance, most_iterations);
+  // Where new factors, too, take many iterations it does not help to make them at once.
+  patience_ = std::clamp(3 * (iterations_ - before) / 2, least_patience, most_iterations);
+  return solved;
+}
+
+bool SaddleSolver::iterate(const SparseMatrix& K, std::span<const double> b, std::span<double> x, double tolerance,
+                           int most) {
+  const auto multiply = [&](std::span<const double> v, std::span<double> y) { K.multiply(v, y); };
+  const auto inverse = [&](std::span<const double> r, std::span<double> z) { precondition(K, r, z); };
+  const KrylovResult result = gmres(multiply, inverse, b, x, tolerance, restart, most);
+  iterations_ += result.iterations;
+  return result.converged;
+}
+
+/// z = P^-1 r: p = S^-1 r_p, u = A^-1 (r_u - G p).
+void SaddleSolver::precondition(const SparseMatrix& K, std::span<const double> r, std::span<double> z) {
+  for (std::size_t i = 0; i < rp_.size(); ++i) rp_[i] = r[static_cast<std::size_t>(pressures_[i])];
+  solve_pressure();
+  std::copy(r.begin(), r.end(), z.begin());
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    const auto j = static_cast<std::size_t>(pressures_[i]);
+    for (auto k = static_cast<std::size_t>(K.start[j]); k < static_cast<std::size_t>(K.start[j + 1]); ++k)
+      z[static_cast<std::size_t>(K.row[k])] -= K.value[k] * p_[i];
+  }
+  for (std::size_t i = 0; i < ru_.size(); ++i) ru_[i] = z[static_cast<std::size_t>(velocities_[i])];
+  velocity_.solve(ru_, u_);
+  for (std::size_t i = 0; i < ru_.size(); ++i) z[static_cast<std::size_t>(velocities_[i])] = u_[i];
+  for (std::size_t i = 0; i < p_.size(); ++i) z[static_cast<std::size_t>(pressures_[i])] = p_[i];
+}
+
+/// p = S^-1 r_p.
+void SaddleSolver::solve_pressure() {
+  std::fill(p_.begin(), p_.end(), 0.0);
+  const double sign = viscous_ < 0 || inertial_ < 0 ? -1 : 1;
+  const auto add = [&](SparseSolver& solver) {
+    solver.solve(rp_, q_);
+    for (std::size_t i = 0; i < p_.size(); ++i) p_[i] += sign * q_[i];
+  };
+  if (viscous_ != 0) add(mass_);
+  if (viscous_ != 0 && constant_ > 0) {
+    double sum = 0;
+    for (std::size_t i = 0; i < p_.size(); ++i) sum += free_[i] * rp_[i];
+    for (std::size_t i = 0; i < p_.size(); ++i) p_[i] += sign * sum / constant_ * free_[i];
+  }
+  if (inertial_ != 0) add(laplacian_);
+}
+
+double SaddleSolver::factor_nonzeros() const {
+  return velocity_.factor_nonzeros() + (viscous_ != 0 ? mass_.factor_nonzeros() : 0) +
+         (inertial_ != 0 ? laplacian_.factor_nonzeros() : 0);
+}
+
+}  // namespace tether
