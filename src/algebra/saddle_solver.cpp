@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "algebra/gmres.hpp"
@@ -32,16 +33,38 @@ SparseMatrix sum_of(double a, const SparseMatrix& A, double c, const SparseMatri
   return sum;
 }
 
+std::vector<std::int64_t> unknowns_that(std::uint8_t are_pressures, const std::vector<std::uint8_t>& is_pressure) {
+  std::vector<std::int64_t> unknowns;
+  for (std::size_t i = 0; i < is_pressure.size(); ++i)
+    if (is_pressure[i] == are_pressures) unknowns.push_back(static_cast<std::int64_t>(i));
+  return unknowns;
+}
+
+/// The nodes' first unknowns among the velocities.
+std::vector<int> first_velocities(const SaddleUnknowns& unknowns) {
+  std::vector<int> first{0};
+  for (std::size_t node = 0; node + 1 < unknowns.first.size(); ++node) {
+    const auto from = unknowns.is_pressure.begin() + unknowns.first[node];
+    const auto to = unknowns.is_pressure.begin() + unknowns.first[node + 1];
+    first.push_back(first.back() + static_cast<int>(std::count(from, to, 0)));
+  }
+  return first;
+}
+
 }  // namespace
 
-SaddleSolver::SaddleSolver(std::vector<std::uint8_t> is_pressure, SparseMatrix Mp, SparseMatrix Lp,
-                           VelocityMethod method, int dim)
-    : is_pressure_(std::move(is_pressure)), Mp_(std::move(Mp)), Lp_(std::move(Lp)), velocity_(method, dim) {
-  for (std::size_t i = 0; i < is_pressure_.size(); ++i)
-    (is_pressure_[i] ? pressures_ : velocities_).push_back(static_cast<std::int64_t>(i));
-  ru_.resize(velocities_.size()), u_.resize(velocities_.size());
-  rp_.resize(pressures_.size()), p_.resize(pressures_.size()), q_.resize(pressures_.size());
-}
+SaddleSolver::SaddleSolver(const SaddleUnknowns& unknowns, SparseMatrix Mp, SparseMatrix Lp, VelocityMethod method)
+    : closed_(unknowns.closed),
+      velocities_(unknowns_that(0, unknowns.is_pressure)),
+      pressures_(unknowns_that(1, unknowns.is_pressure)),
+      Mp_(std::move(Mp)),
+      Lp_(std::move(Lp)),
+      velocity_(method, first_velocities(unknowns)),
+      ru_(velocities_.size()),
+      u_(velocities_.size()),
+      rp_(pressures_.size()),
+      p_(pressures_.size()),
+      q_(pressures_.size()) {}
 
 void SaddleSolver::scales(double viscous, double inertial) {
   pressure_factorised_ = pressure_factorised_ && viscous == viscous_ && inertial == inertial_;
@@ -64,26 +87,28 @@ bool SaddleSolver::renew_pressure(const SparseMatrix& K) {
   if (inertial_ != 0) inertial_part_ = sum_of(sign / inertial_, Lp_, sign, C_);
   pressure_factorised_ = (viscous_ == 0 || mass_.factorise(viscous_part_, Definite::positive)) &&
                          (inertial_ == 0 || laplacian_.factorise(inertial_part_, Definite::positive));
-  find_held_pressures(K);
+  find_constant(K);
   return pressure_factorised_;
 }
 
-/// Which pressures stand alone in K, and what S has for a constant pressure p of the others, p S p: where one is held
-/// in a flow between walls it is as good as 0, far below p Mp p. As S p = 0 for a constant of all, it is what S has on
-/// its diagonal for the held one.
-void SaddleSolver::find_held_pressures(const SparseMatrix& K) {
+/// What S has for a constant pressure in a closed flow, p S p: as S p = 0 for the constant of all pressures, it is what
+/// S has on its diagonal for the prescribed one. Mp gives far more: p Mp p is the whole mass. The prescribed one may be
+/// left out of Mp; the least of its diagonal is taken, for too much costs accuracy, too little an iteration.
+void SaddleSolver::find_constant(const SparseMatrix& K) {
   free_.assign(pressures_.size(), 0.0);
   constant_ = 0;
+  if (!closed_ || viscous_ == 0) return;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pressures_.size(); ++i) {
     const auto j = static_cast<std::size_t>(pressures_[i]);
     for (auto k = static_cast<std::size_t>(K.start[j]); k < static_cast<std::size_t>(K.start[j + 1]); ++k)
       if (K.value[k] != 0 && K.row[k] != pressures_[i]) free_[i] = 1;
     for (auto k = static_cast<std::size_t>(Mp_.start[i]); k < static_cast<std::size_t>(Mp_.start[i + 1]); ++k)
-      if (free_[i] == 0 && Mp_.row[k] == static_cast<std::int64_t>(i)) constant_ += Mp_.value[k] / std::abs(viscous_);
+      if (Mp_.row[k] == static_cast<std::int64_t>(i)) least = std::min(least, Mp_.value[k]);
   }
-  if (constant_ == 0) return;
   C_.multiply(free_, q_);
-  for (std::size_t i = 0; i < q_.size(); ++i) constant_ += std::abs(free_[i] * q_[i]);
+  for (std::size_t i = 0; i < q_.size(); ++i) constant_ += free_[i] * q_[i];
+  constant_ = std::abs(constant_) + least / std::abs(viscous_);
 }
 
 bool SaddleSolver::solve(const SparseMatrix& K, std::span<const double> b, std::span<double> x, double tolerance) {
@@ -130,7 +155,7 @@ void SaddleSolver::solve_pressure() {
     for (std::size_t i = 0; i < p_.size(); ++i) p_[i] += sign * q_[i];
   };
   if (viscous_ != 0) add(mass_);
-  if (viscous_ != 0 && constant_ > 0) {
+  if (constant_ > 0) {
     double sum = 0;
     for (std::size_t i = 0; i < p_.size(); ++i) sum += free_[i] * rp_[i];
     for (std::size_t i = 0; i < p_.size(); ++i) p_[i] += sign * sum / constant_ * free_[i];

@@ -11,6 +11,13 @@
 
 namespace tether {
 
+/// What the unknowns of a flow are. Prescribed ones may be left out, or have rows and columns of the identity in K.
+struct SaddleUnknowns {
+  std::vector<std::uint8_t> is_pressure;  ///< of each unknown, 0 or 1
+  std::vector<int> first;                 ///< unknowns first[A] .. first[A + 1] - 1 are those of node A, or none
+  bool closed = false;                    ///< no side is open, and one pressure is prescribed
+};
+
 /// Solution of the large systems of incompressible flow,
 ///
 ///   K = [A G; D C],  unknowns: velocities and pressures of nodes in any order,
@@ -25,14 +32,11 @@ namespace tether {
 /// over many is not in S^, and the iterations then grow with the Reynolds number.
 class SaddleSolver {
  public:
-  /// `is_pressure`: of each unknown, 0 or 1. The velocity unknowns are the `dim` components of one node after those of
-  /// another. Mp: the pressures' mass matrix <p q>. Lp: their Laplacian <grad p grad q> with rows and columns of the
-  /// identity on open sides or, where no side is open, for the pressure that K holds in the same way. Both symmetric,
-  /// the pressures in the order of K. Where the viscosity varies, as it does if a stiff body is part of the flow, Mp is
-  /// to be <p q (viscous / that of the place)>.
-  SaddleSolver(std::vector<std::uint8_t> is_pressure, SparseMatrix Mp, SparseMatrix Lp,
-               VelocityMethod method = VelocityMethod::incomplete, int dim = 2);
-
+  /// Mp: the pressures' mass matrix <p q>. Lp: their Laplacian <grad p grad q>, on open sides with rows and columns of
+  /// the identity. Both symmetric, of the pressures that are unknowns, in the order of K. Where the viscosity varies,
+  /// as it does if a stiff body is part of the flow, Mp is to be <p q (viscous / that of the place)>.
+  SaddleSolver(const SaddleUnknowns& unknowns, SparseMatrix Mp, SparseMatrix Lp,
+               VelocityMethod method = VelocityMethod::incomplete);
   SaddleSolver(const SaddleSolver&) = delete;
   SaddleSolver& operator=(const SaddleSolver&) = delete;
 
@@ -54,12 +58,12 @@ class SaddleSolver {
  private:
   bool renew(const SparseMatrix& K);
   bool renew_pressure(const SparseMatrix& K);
-  void find_held_pressures(const SparseMatrix& K);
+  void find_constant(const SparseMatrix& K);
   bool iterate(const SparseMatrix& K, std::span<const double> b, std::span<double> x, double tolerance, int most);
   void precondition(const SparseMatrix& K, std::span<const double> r, std::span<double> z);
   void solve_pressure();
 
-  std::vector<std::uint8_t> is_pressure_;
+  bool closed_;
   std::vector<std::int64_t> velocities_, pressures_;  // the unknowns of K that they are
   SparseMatrix Mp_, Lp_, C_, viscous_part_, inertial_part_;
   double viscous_ = 0, inertial_ = 0;
@@ -69,7 +73,7 @@ class SaddleSolver {
   int iterations_ = 0, patience_ = 0;
   std::vector<double> ru_, u_, rp_, p_, q_;
   std::vector<double> free_;  // 0 for pressures that are held in K, 1 for others
-  double constant_ = 0;       // p S p of p = free_ where some are held, or 0
+  double constant_ = 0;       // p S p of p = free_ in a closed flow, or 0
 };
 
 }  // namespace tether

@@ -156,6 +156,7 @@ class Lu {
   Lu() {
     umfpack_dl_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // of the pattern
+    control_[UMFPACK_IRSTEP] = 0;  // iterations of Newton's method and of GMRES refine what they solve
   }
   ~Lu() { forget(); }
   Lu(const Lu&) = delete;
@@ -165,7 +166,7 @@ class Lu {
     umfpack_dl_free_numeric(&numeric_);
     umfpack_dl_free_symbolic(&symbolic_);
   }
-  /// False where A is singular. Of A the solver keeps what its last refinement needs.
+  /// False where A is singular.
   bool factorise(const SparseMatrix& A, const std::vector<std::int64_t>& order, double& analysis_seconds) {
     const auto n = static_cast<SuiteSparse_long>(A.n);
     if (!symbolic_) {
@@ -179,13 +180,11 @@ class Lu {
         umfpack_dl_numeric(as_long(A.start), as_long(A.row), A.value.data(), symbolic_, &numeric_, control_, info_);
     if (status < 0) out_of_memory(A);
     nonzeros_ = info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ];
-    matrix_ = &A;
     return status == UMFPACK_OK;
   }
   void solve(std::span<const double> b, std::span<double> x) {
     result_.resize(b.size());
-    umfpack_dl_solve(UMFPACK_A, as_long(matrix_->start), as_long(matrix_->row), matrix_->value.data(), result_.data(),
-                     b.data(), numeric_, control_, info_);
+    umfpack_dl_solve(UMFPACK_A, nullptr, nullptr, nullptr, result_.data(), b.data(), numeric_, control_, info_);
     std::copy(result_.begin(), result_.end(), x.begin());
   }
   double nonzeros() const { return nonzeros_; }
@@ -193,7 +192,6 @@ class Lu {
  private:
   double control_[UMFPACK_CONTROL] = {}, info_[UMFPACK_INFO] = {};
   void *symbolic_ = nullptr, *numeric_ = nullptr;
-  const SparseMatrix* matrix_ = nullptr;
   std::vector<double> result_;
   double nonzeros_ = 0;
 };

@@ -29,7 +29,8 @@ SparseMatrix principal_block(const SparseMatrix& A, std::span<const std::int64_t
   return block;
 }
 
-VelocityBlock::VelocityBlock(VelocityMethod method, int dim) : method_(method), solver_(dim) {}
+VelocityBlock::VelocityBlock(VelocityMethod method, std::vector<int> first)
+    : method_(method), solver_(std::move(first)) {}
 
 bool VelocityBlock::factorise(SparseMatrix A) {
   A_ = std::move(A);

@@ -15,10 +15,11 @@ namespace tether {
 /// and convection outweigh viscosity.
 enum class VelocityMethod { complete, incomplete };
 
-/// Approximate solution of A u = r for the velocities of nodes, `dim` components of one node after those of another.
+/// Approximate solution of A u = r for the velocities of nodes.
 class VelocityBlock {
  public:
-  VelocityBlock(VelocityMethod method, int dim);
+  /// Unknowns first[A] .. first[A + 1] - 1 are those of node A.
+  VelocityBlock(VelocityMethod method, std::vector<int> first);
   VelocityBlock(const VelocityBlock&) = delete;
   VelocityBlock& operator=(const VelocityBlock&) = delete;
 

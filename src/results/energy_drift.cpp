@@ -15,11 +15,13 @@ double largest_change(const std::vector<double>& values) {
   return largest;
 }
 
-/// The total energy less what came from outside, and with what damping took; a path without these columns has neither.
+/// The total energy less what came from outside, and with what damping and stabilisation took; a path without these
+/// columns has neither.
 std::vector<double> balance(const History& history) {
   auto total = history.column("energy_total");
   const auto names = history.layout.column_names();
-  for (const auto& [name, sign] : {std::pair("energy_outside", -1.0), std::pair("energy_damped", 1.0)}) {
+  for (const auto& [name, sign] :
+       {std::pair("energy_outside", -1.0), std::pair("energy_damped", 1.0), std::pair("energy_stabilised", 1.0)}) {
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     const auto values = history.column(name);
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += sign * values[k];

@@ -43,8 +43,8 @@ struct Row {
   bool solved = true;
 };
 
-Row direct(const FlowProblem& problem, FlowElement element, std::vector<double>& x) {
-  SparseSolver solver(element == FlowElement::q1q1 ? 3 : 1);
+Row direct(const FlowProblem& problem, std::vector<double>& x) {
+  SparseSolver solver(problem.unknowns.first);
   const auto solve = [&] {
     solver.factorise(problem.K, Definite::general);
     solver.solve(problem.b, x);
@@ -55,7 +55,7 @@ Row direct(const FlowProblem& problem, FlowElement element, std::vector<double>&
 }
 
 Row by_krylov(const FlowProblem& problem, VelocityMethod method, std::vector<double>& x) {
-  SaddleSolver solver(problem.is_pressure, problem.Mp, problem.Lp, method);
+  SaddleSolver solver(problem.unknowns, problem.Mp, problem.Lp, method);
   solver.scales(problem.viscous, problem.inertial);
   Row row;
   const auto solve = [&] {
@@ -72,14 +72,13 @@ void measure(const FlowCase& flow, int method) {
   std::vector<double> x(problem.b.size()), r(problem.b.size());
   const double before = memory("VmRSS");
   forget_peak();
-  const Row row =
-      method == 2 ? direct(problem, flow.element, x) : by_krylov(problem, static_cast<VelocityMethod>(method), x);
+  const Row row = method == 2 ? direct(problem, x) : by_krylov(problem, static_cast<VelocityMethod>(method), x);
   const double peak = memory("VmHWM");
   problem.K.multiply(x, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] -= problem.b[i];
   constexpr const char* names[] = {"complete", "incomplete", "direct"};
   fmt::print("{:7} {:>9} {:6} {:7} {:13} {:8.2f} {:8.2f} {:6} {:7.0f} {:9.1e}{}\n",
-             flow.element == FlowElement::q1q1 ? "Q1Q1" : "Q2Q1", problem.K.n, flow.reynolds, flow.dt * flow.cells,
+             flow.element == ElementPair::q1q1 ? "Q1Q1" : "Q2Q1", problem.K.n, flow.reynolds, flow.dt * flow.cells,
              names[method], row.first, row.next, row.iterations, peak - before, norm(r) / norm(problem.b),
              row.solved ? "" : " not solved");
 }
@@ -106,8 +105,8 @@ int main(int count, char** words) {
   fmt::print("{:7} {:>9} {:6} {:7} {:13} {:>8} {:>8} {:>6} {:>7} {:>9}\n", "element", "unknowns", "Re", "U dt/h",
              "method", "first s", "next s", "steps", "MB", "residual");
   for (const double unknowns : {1e4, 5e4, 2e5, 5e5, 1e6}) {
-    for (const FlowElement element : {FlowElement::q2q1, FlowElement::q1q1}) {
-      const int cells = static_cast<int>(std::sqrt(unknowns / (element == FlowElement::q1q1 ? 3 : 9)));
+    for (const ElementPair element : {ElementPair::q2q1, ElementPair::q1q1}) {
+      const int cells = static_cast<int>(std::sqrt(unknowns / (element == ElementPair::q1q1 ? 3 : 9)));
       for (int method = 0; method < 3 && unknowns <= most; ++method) {
         if (!measure_apart({element, cells, reynolds, courant / cells}, method)) fmt::print("failed\n");
       }

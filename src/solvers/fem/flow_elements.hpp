@@ -34,6 +34,7 @@ struct FlowPower {
   double carried_out = 0;    ///< kinetic energy through open sides and inflows
   double open_traction = 0;  ///< of the stress that open sides leave
   double dissipated = 0;     ///< 2 mu e : e
+  double stabilised = 0;     ///< what SUPG, PSPG and LSIC take, which vanishes with the size of the elements
   double body = 0;           ///< of body forces
 };
 

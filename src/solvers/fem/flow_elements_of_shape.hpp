@@ -271,6 +271,9 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
       at.evaluate(c, v0, v1, pressures(e, m.p));
       power.dissipated += at.weight * 0.5 * c.mu * (at.L + at.L.transpose()).squaredNorm();
       power.body += at.weight * c.rho * at.b.dot(at.v);
+      if constexpr (Point::stabilised)
+        power.stabilised +=
+            at.weight * (at.tau * at.convection.dot(at.residual) + (at.tau_L * at.divergence - at.p) * at.L.trace());
     });
   }
   const auto velocity = [&](const SidePoint<V>& at) {

@@ -62,6 +62,8 @@ HistoryLayout FlowFields::history_layout() const {
   add("energy_outside", Dimension::energy,
       "work done from outside: by walls, inflows, open sides and body forces, less the kinetic energy carried out");
   add("energy_damped", Dimension::energy, "energy lost to viscosity");
+  if (flow_.element == FlowElement::q1q1)
+    add("energy_stabilised", Dimension::energy, "energy lost to what stabilises equal orders of velocity and pressure");
   add("mass", Dimension::mass, "mass of the fluid, and of as much of it as solids are in the place of");
   add("momentum_x", Dimension::momentum, "momentum of the same in x");
   add("momentum_y", Dimension::momentum, "momentum of the same in y");
@@ -157,9 +159,10 @@ Record FlowFields::record(const FlowState& state) const {
   const double potential = immersed ? immersed->potential_energy(state) : 0;
   const std::vector<double> psi = stream_.of(state.v), pressure = elements.pressure_at_nodes(state.p);
   const auto [least, largest] = std::minmax_element(psi.begin(), psi.end());
-  Record values{
-      state.time, state.dt_last, kinetic,     strain,      0,           potential, kinetic + strain + potential,
-      state.work, state.damped,  momentum[0], momentum[1], momentum[2], *least,    *largest};
+  Record values{state.time, state.dt_last, kinetic, strain, 0, potential, kinetic + strain + potential,
+                state.work, state.damped};
+  if (flow_.element == FlowElement::q1q1) values.push_back(state.stabilised);
+  values.insert(values.end(), {momentum[0], momentum[1], momentum[2], *least, *largest});
   if (has_coefficients(flow_)) values.push_back(flow_.density * flow_.speed * flow_.length / step_.viscosity());
   append_forces(state, values);
   append_probes(state, pressure, psi, values);

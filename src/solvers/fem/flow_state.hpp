@@ -26,6 +26,7 @@ struct FlowState {
   std::vector<double> drift;       ///< their mean velocities over that step
   double work = 0;                 ///< done from outside so far [energy]
   double damped = 0;               ///< lost to viscosity so far [energy]
+  double stabilised = 0;           ///< and to what stabilises equal orders [energy]
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   LinearisedAt linearised;
@@ -37,7 +38,7 @@ void exchange(Exchange& with, FlowState& state) {
   with("time", state.time), with("time_lost", state.time_lost);
   with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
       with("q", state.q), with("w", state.w), with("drift", state.drift);
-  with("work", state.work), with("damped", state.damped);
+  with("work", state.work), with("damped", state.damped), with("stabilised", state.stabilised);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps);
   with("factorisations", state.factorisations), with("halvings", state.halvings);

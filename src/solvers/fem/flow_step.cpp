@@ -211,6 +211,7 @@ void FlowStep::accept(FlowState& state) {
   if (rate_ > 0) {
     state.work += at_.dt * (walls + power.open_traction + power.body - power.carried_out);
     state.damped += at_.dt * power.dissipated;
+    state.stabilised += at_.dt * power.stabilised;
   } else {  // from one steady flow to the next what is there is what came in
     state.work += elements_->kinetic_energy(v1_) - elements_->kinetic_energy(state.v);
   }

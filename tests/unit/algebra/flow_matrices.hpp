@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "algebra/saddle_solver.hpp"
 #include "algebra/sparse_matrix.hpp"
 
 // One Newton step of an incompressible flow on the unit square, rho = 1, of speeds up to 1: the matrices that solvers
@@ -15,10 +16,10 @@
 
 namespace tether {
 
-enum class FlowElement { q1q1, q2q1 };
+enum class ElementPair { q1q1, q2q1 };
 
 struct FlowCase {
-  FlowElement element = FlowElement::q2q1;
+  ElementPair element = ElementPair::q2q1;
   int cells = 8;          ///< along a side
   double reynolds = 100;  ///< of the square's side
   double dt = 0.1;
@@ -29,7 +30,7 @@ struct FlowCase {
 struct FlowProblem {
   SparseMatrix K, Mp, Lp;
   std::vector<double> b;
-  std::vector<std::uint8_t> is_pressure;
+  SaddleUnknowns unknowns;
   double viscous = 0, inertial = 0;
 };
 
@@ -106,14 +107,15 @@ inline void add_at(SparseMatrix& A, std::int64_t i, std::int64_t j, double value
 /// Makes a FlowProblem of a FlowCase.
 class FlowAssembly {
  public:
-  explicit FlowAssembly(const FlowCase& flow) : flow_(flow), p_(flow.element == FlowElement::q2q1 ? 2 : 1) {
+  explicit FlowAssembly(const FlowCase& flow) : flow_(flow), p_(flow.element == ElementPair::q2q1 ? 2 : 1) {
     number_unknowns();
     collect_unknowns();
   }
 
   FlowProblem problem() {
     FlowProblem result;
-    result.is_pressure = is_pressure_;
+    result.unknowns = {is_pressure_, {first_.begin(), first_.end()}, !flow_.open};
+    result.unknowns.first.push_back(static_cast<int>(unknown_count_));
     result.K = pattern_of(unknown_count_, unknowns_, per_element());
     result.Mp = pattern_of(pressure_count_, pressures_, 4), result.Lp = result.Mp;
     for (int e = 0; e < flow_.cells * flow_.cells; ++e) add_element(e, result);
@@ -185,7 +187,7 @@ class FlowAssembly {
     const auto& [v, dv, solid] = given;
     const double viscosity = nu + (solid ? flow_.stiff : 0);
     double tau = 0, tau_div = 0;
-    if (flow_.element == FlowElement::q1q1) {
+    if (flow_.element == ElementPair::q1q1) {
       tau = 1 / std::sqrt(4 / (flow_.dt * flow_.dt) + G * (v[0] * v[0] + v[1] * v[1]) + 9 * nu * nu * G * G);
       tau_div = 1 / (tau * 2 * G);
       tau_div_sum_ += weight * 4 * flow_.cells * flow_.cells * tau_div;
