@@ -39,7 +39,8 @@ double MeshPlace::of(std::span<const double> values, std::size_t per_node, std::
   return sum;
 }
 
-FlowFields::FlowFields(const Flow& flow, const FlowStep& step) : flow_(flow), step_(step), stream_(step.elements()) {
+FlowFields::FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers& tracers)
+    : flow_(flow), step_(step), tracers_(tracers), stream_(step.elements()) {
   const PointFinder finder(flow.mesh);
   for (const auto& probe : flow.probes) probes_.push_back(place_of(flow.mesh, finder.find(probe).value()));
   for (const ForceSide& side : flow.forces) {
@@ -95,6 +96,8 @@ HistoryLayout FlowFields::history_layout() const {
   std::vector<std::string> names;
   for (const SolidRegion& region : step_.immersed()->solids().regions) names.push_back(region.name);
   add_bodies_and_nodes(layout, step_.immersed()->solids(), names);
+  if (flow_.tracers.count[0] > 0)
+    add("tracers_in_solids", Dimension::number, "tracers inside of solids, which start outside");
   layout.quantities.push_back({"body_volume", Dimension::volume, "volume of its shape, per unit depth", Per::body});
   return layout;
 }
@@ -141,6 +144,8 @@ void FlowFields::append_bodies(const FlowState& state, Record& record) const {
   }
   for (std::size_t r = 0; r < regions.size(); ++r) record.push_back(regions[r].density * sizes[r]);
   append_nodes(immersed.solids(), state.q, state.w, record);
+  if (flow_.tracers.count[0] > 0)
+    record.push_back(static_cast<double>(tracers_.count_inside(immersed.solids(), state)));
   const ShapeVolumes shape = immersed.system().elements->shape(state.q);
   record.insert(record.end(), shape.of_region.begin(), shape.of_region.end());
 }

@@ -8,6 +8,7 @@
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_step.hpp"
 #include "solvers/fem/flow_stream.hpp"
+#include "solvers/fem/flow_tracers.hpp"
 
 // What a flow writes.
 
@@ -24,7 +25,7 @@ struct MeshPlace {
 /// What records and snapshots of a flow are made from. All must outlive it.
 class FlowFields {
  public:
-  FlowFields(const Flow& flow, const FlowStep& step);
+  FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers& tracers);
 
   HistoryLayout history_layout() const;
   Record record(const FlowState& state) const;
@@ -41,6 +42,7 @@ class FlowFields {
 
   const Flow& flow_;
   const FlowStep& step_;
+  const FlowTracers& tracers_;
   StreamFunction stream_;
   std::vector<MeshPlace> probes_;
   std::vector<std::vector<int>> force_nodes_;      // of each side whose force is recorded

@@ -18,7 +18,8 @@ FlowSolver::FlowSolver(const Plan& plan)
       flow_(*plan.scene.flow),
       unknowns_(flow_),
       step_(unknowns_, plan.scene.solids.get(), plan.scene.gravity),
-      fields_(flow_, step_) {
+      tracers_(flow_),
+      fields_(flow_, step_, tracers_) {
   const Mesh& mesh = flow_.mesh;
   state_.v.resize(2 * mesh.node_count()), state_.p.resize(mesh.node_count());
   state_.force.resize(2 * mesh.node_count());
@@ -42,7 +43,9 @@ void FlowSolver::advance(double until) {
     clock_step(
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
         [&](double part) {
-          return step_.advance(state_, {state_.time, part, tmax});
+          const FlowReport report = step_.advance(state_, {state_.time, part, tmax});
+          if (report.converged) tracers_.advance(state_, part);
+          return report;
         },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
   }

@@ -8,6 +8,7 @@
 #include "solvers/fem/flow_fields.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_step.hpp"
+#include "solvers/fem/flow_tracers.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
 #include "solvers/solver.hpp"
 
@@ -23,7 +24,7 @@ class FlowSolver final : public Solver {
   RunCounts counts() const override;
   HistoryLayout history_layout() const override;
   Record record() const override;
-  Snapshot points() const override { return {state_.time, {}}; }
+  Snapshot points() const override { return tracers_.fields(state_); }
   Snapshot grid() const override;
   Snapshot solids() const override { return fields_.body_fields(state_); }
   std::vector<std::string> take_messages() override;
@@ -38,6 +39,7 @@ class FlowSolver final : public Solver {
   const Flow& flow_;
   FlowUnknowns unknowns_;
   FlowStep step_;
+  FlowTracers tracers_;
   FlowFields fields_;
   FlowState state_;
   std::vector<std::string> messages_;

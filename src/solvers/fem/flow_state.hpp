@@ -24,6 +24,8 @@ struct FlowState {
   std::vector<double> force;       ///< of walls on the fluid in that step, at prescribed nodes [force]
   std::vector<double> q, w;        ///< places and velocities of immersed solids' nodes
   std::vector<double> drift;       ///< their mean velocities over that step
+  std::vector<double> tracers;     ///< their places, 2 numbers each
+  std::vector<int> tracer_left;    ///< 1 of those that left the mesh
   double work = 0;                 ///< done from outside so far [energy]
   double damped = 0;               ///< lost to viscosity so far [energy]
   double stabilised = 0;           ///< and to what stabilises equal orders [energy]
@@ -38,6 +40,7 @@ void exchange(Exchange& with, FlowState& state) {
   with("time", state.time), with("time_lost", state.time_lost);
   with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
       with("q", state.q), with("w", state.w), with("drift", state.drift);
+  with("tracers", state.tracers), with("tracer_left", state.tracer_left);
   with("work", state.work), with("damped", state.damped), with("stabilised", state.stabilised);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps);
