@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "cases/run_deck.hpp"
+
+// Incompressible flow by finite elements against published numbers.
+
+namespace tether::cases {
+namespace {
+
+/// Least value of a parabola through three neighbours of the least of values over places, which ascend.
+double least_between(const std::vector<std::pair<double, double>>& values) {
+  std::size_t k = 1;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) k = values[i].second < values[k].second ? i : k;
+  const auto [xa, a] = values[k - 1];
+  const auto [xb, b] = values[k];
+  const auto [xc, c] = values[k + 1];
+  const double slope = (b - a) / (xb - xa), curve = ((c - b) / (xc - xb) - slope) / (xc - xa);
+  const double at = 0.5 * (xa + xb) - slope / (2 * curve);
+  return a + slope * (at - xa) + curve * (at - xa) * (at - xb);
+}
+
+/// Least of a field on the line x (or y) = .5 of the unit box at the end.
+double least_on_middle_line(const DeckRun& run, const std::string& field, const std::string& across) {
+  const auto at = read_variable(run.folder + "/mesh.nc", "node_" + across);
+  const auto along = read_variable(run.folder + "/mesh.nc", across == "x" ? "node_y" : "node_x");
+  const auto all = read_variable(run.folder + "/mesh.nc", field);
+  std::vector<std::pair<double, double>> line;
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    if (std::abs(at[n] - 0.5) < 1e-9) line.emplace_back(along[n], all[all.size() - at.size() + n]);
+  }
+  std::sort(line.begin(), line.end());
+  return least_between(line);
+}
+
+/// O. Botella and R. Peyret, Comput. Fluids 27 (1998) 421-433; the least v tells the sign of the convective term.
+void expect_cavity(const DeckRun& run, double u, double v) {
+  EXPECT_NEAR(least_on_middle_line(run, "vx", "x") / u, 1, 0.005);
+  EXPECT_NEAR(least_on_middle_line(run, "vy", "y") / v, 1, 0.005);
+}
+
+std::vector<std::string> cavity(const char* element, int cells, const char* viscosity, const char* step) {
+  const std::string n = std::to_string(cells);
+  return {std::string("flow.element=") + element, "mesh.cells(1,1)=" + n, "mesh.cells(2,1)=" + n,
+          std::string("reg.matr(1,1)=") + viscosity, std::string("in.tstep=") + step};
+}
+
+TEST(Flow, CavityOfReynolds100) {
+  expect_cavity(run_deck("cavity"), -0.21404, -0.25380);
+  expect_cavity(run_deck("cavity", cavity("'q2q1'", 32, ".01", "1.")), -0.21404, -0.25380);
+}
+
+TEST(Flow, CavityOfReynolds1000) {
+  expect_cavity(run_deck("cavity", cavity("'q1q1'", 128, ".001", ".2")), -0.38857, -0.52708);
+  expect_cavity(run_deck("cavity", cavity("'q2q1'", 64, ".001", ".2")), -0.38857, -0.52708);
+}
+
+TEST(Flow, PicardFindsTheSameFlow) {
+  const DeckRun newton = run_deck("cavity", cavity("'q2q1'", 8, ".01", "1."));
+  auto other = cavity("'q2q1'", 8, ".01", "1.");
+  other.insert(other.end(), {"flow.linearisation='picard'", "flow.tolerance=1e-8"});
+  const DeckRun picard = run_deck("cavity", other);
+  EXPECT_GT(picard.summary.at("newton_iterations"), newton.summary.at("newton_iterations"));
+  EXPECT_NEAR(picard.last("stream_min") / newton.last("stream_min"), 1, 1e-5);
+}
+
+/// Where no steady flow is found the run stops and tells how far it came.
+TEST(Flow, TellsTheLastReynoldsNumberThatConverged) {
+  auto deck = cavity("'q2q1'", 8, "1e-7", ".5");
+  deck.insert(deck.end(), {"in.tmax=1.", "in.tiout(33)=.5"});
+  try {
+    run_deck("cavity", deck);
+    FAIL() << "a cavity of 8 x 8 elements at Re = 1e7";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("the last one that converged has"), std::string::npos) << error.what();
+  }
+}
+
+/// M. Schaefer and S. Turek, in Flow Simulation with High-Performance Computers II, Notes Numer. Fluid Mech. 52 (1996)
+/// 547-566: 2D-1.
+TEST(Flow, CylinderInAChannel) {
+  const DeckRun run = run_deck("cylinder");
+  EXPECT_NEAR(run.last("drag_1") / 5.57954, 1, 0.003);
+  EXPECT_NEAR(run.last("lift_1") / 0.010619, 1, 0.05);
+  EXPECT_NEAR(run.last("pressure_difference_1") / 0.117520, 1, 0.005);
+}
+
+}  // namespace
+}  // namespace tether::cases
