@@ -45,12 +45,12 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
   for (int k = 0; k < most_iterations; ++k) {
     report.converged = report.residuals.back() <= 1;
     if (report.converged || !std::isfinite(report.residuals.back())) break;
-    if (worth_factors(report.residuals)) {
+    if (!factors_ || leads_on_slowly_) {
       if (!factorise(state)) break;
       ++state.factorisations;
     }
     if (!correct(state)) break;
-    report.residuals.push_back(find_residual(state));
+    report.residuals.push_back(residual_behind_correction(state, report.residuals.back()));
     ++state.newton_steps;
   }
   if (report.converged) accept(state);
@@ -79,7 +79,9 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   theta_ = flow.integrator == FlowIntegrator::midpoint && !at.sudden ? 0.5 : 1;
   rate_ = steady ? 0 : 1 / at.dt;
   viscosity_ = steady ? flow.viscosity * at.tmax / (at.start + at.dt) : flow.viscosity;
-  if (at.dt != state.linearised.dt) factors_ = false;
+  // With solids the step before is too far: the first correction by its factors would go the wrong way.
+  if (at.dt != state.linearised.dt || immersed_) factors_ = false;
+  leads_on_slowly_ = new_factors_ = false, first_scale_ = {};
   at_ = at;
   v1_ = at.sudden ? state.v : state.v_before, p_ = state.p;
   unknowns_.prescribe(steady ? at.tmax : at.sudden ? at.start : at.start + at.dt, v1_);
@@ -95,7 +97,8 @@ FlowMoment FlowStep::moment(std::span<const double> v0) const {
   return {v0, v1_, p_, theta_, rate_, viscosity_, acceleration_, unknowns_.flow.linearisation};
 }
 
-/// (45), (46): the residuals at the unknowns over the largest forces and fluxes and the tolerance.
+/// (45), (46): the residuals at the unknowns over the largest forces and fluxes and the tolerance; and their size over
+/// the forces and fluxes that the step began with, which tells what corrections are worth.
 double FlowStep::find_residual(const FlowState& state) {
   const auto from = std::chrono::steady_clock::now();
   std::fill(f_.begin(), f_.end(), 0.0);
@@ -110,16 +113,34 @@ double FlowStep::find_residual(const FlowState& state) {
   }
   cost_.assembly_seconds += seconds_since(from);
   const double tolerance = unknowns_.flow.tolerance, tiny = std::numeric_limits<double>::min();
+  if (first_scale_.force == 0) first_scale_ = {std::max(scale.force, tiny), std::max(scale.flux, tiny), 0, 0};
+  size_ = std::max(std::sqrt(force) / first_scale_.force, std::sqrt(flux) / first_scale_.flux);
   return std::max(std::sqrt(force) / std::max({tolerance * scale.force, scale.force_rounding, tiny}),
                   std::sqrt(flux) / std::max({tolerance * scale.flux, scale.flux_rounding, tiny}));
 }
 
-/// Whether the factors that there are lead on too slowly, by the last two residuals.
-bool FlowStep::worth_factors(const std::vector<double>& residuals) const {
-  if (!factors_ || residuals.size() == 1) return !factors_;
-  const double last = residuals.back(), ratio = last / residuals[residuals.size() - 2];
-  if (ratio >= 1) return true;
-  return std::log(last) / -std::log(ratio) > corrections_of_a_factorisation;
+/// Judges the factors by it: made anew they have to lead on, kept ones to lead on so fast that new ones are not
+/// cheaper. What kept factors have made worse is taken back.
+double FlowStep::residual_behind_correction(const FlowState& state, double before) {
+  const double size_before = size_, after = find_residual(state), ratio = size_ / size_before;
+  const bool worse = !(ratio < 1);
+  if (worse && !new_factors_) {
+    factors_ = false;
+    take_back_correction(state);
+    return before;
+  }
+  new_factors_ = false;
+  leads_on_slowly_ = worse || std::log(after) / -std::log(ratio) > corrections_of_a_factorisation;
+  return after;
+}
+
+void FlowStep::take_back_correction(const FlowState& state) {
+  apply_correction(-corrected_part_);
+  if (immersed_) {
+    immersed_->move(state.v, v1_);
+    immersed_->take_back_correction();
+  }
+  find_residual(state);
 }
 
 bool FlowStep::factorise(FlowState& state) {
@@ -130,7 +151,7 @@ bool FlowStep::factorise(FlowState& state) {
   if (immersed_) immersed_->add_tangent(unknowns_.flow.mesh.element_count(), pattern_, K_);
   cost_.assembly_seconds += seconds_since(from);
   const auto solve_from = std::chrono::steady_clock::now();
-  factors_ = solver_.factorise(K_, Definite::general);
+  factors_ = new_factors_ = solver_.factorise(K_, Definite::general);
   cost_.solve_seconds += seconds_since(solve_from);
   cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis_seconds = solver_.analysis_seconds();
   state.linearised = {at_.start, at_.dt, state.v, v1_, p_, state.q, state.w, state.drift};
@@ -144,7 +165,8 @@ bool FlowStep::correct(const FlowState& state) {
   constexpr double least_volume = 0.05;
   const auto from = std::chrono::steady_clock::now();
   find_correction();
-  bool possible = apply_correction(1);
+  const bool possible = apply_correction(1);
+  corrected_part_ = 1;
   cost_.solve_seconds += seconds_since(from);
   if (!immersed_ || !possible) return possible;
   immersed_->move(state.v, v1_);
@@ -154,6 +176,7 @@ bool FlowStep::correct(const FlowState& state) {
     apply_correction(-part);
     immersed_->move(state.v, v1_);
   }
+  corrected_part_ = part;
   immersed_->end_correction();
   return immersed_->least_change_of_volume() > least_volume;
 }

@@ -63,7 +63,8 @@ class FlowStep {
   bool apply_correction(double part);
   void update_pattern();
   void accept(FlowState& state);
-  bool worth_factors(const std::vector<double>& residuals) const;
+  double residual_behind_correction(const FlowState& state, double before);
+  void take_back_correction(const FlowState& state);
 
   const FlowUnknowns& unknowns_;
   std::unique_ptr<FlowElements> elements_;
@@ -72,7 +73,10 @@ class FlowStep {
   ClusterPattern pattern_;
   SparseMatrix K_;
   SparseSolver solver_;
-  bool factors_ = false;  // whether there are any
+  // Whether there are factors, of this very iterate, and whether they lead on so slowly that new ones are cheaper.
+  bool factors_ = false, new_factors_ = false, leads_on_slowly_ = false;
+  double size_ = 0, corrected_part_ = 0;  // of the residual; of the last correction what was applied
+  FlowScale first_scale_;
   // The step: velocities and pressure at its end, residuals of momentum and incompressibility, right side, correction.
   FlowStepTime at_;
   double theta_ = 0.5, rate_ = 0, viscosity_ = 0;

@@ -110,6 +110,7 @@ void ImmersedSolids::move(std::span<const double> v0, std::span<const double> v1
 
 void ImmersedSolids::end_correction() {
   for (std::size_t k = 0; k < rate_.size(); ++k) change_[k] = q1_[k] - corrected_[k];
+  stresses_.swap(stresses_before_);
   system_.elements->predict_stress(rule_, q0_, corrected_, change_, stresses_);
   corrected_ = q1_;
 }

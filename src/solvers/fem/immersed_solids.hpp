@@ -35,6 +35,8 @@ class ImmersedSolids {
   void move(std::span<const double> v0, std::span<const double> v1);
   /// Ends a correction of v1 that move() has followed.
   void end_correction();
+  /// Takes the last one back, after v1 and move().
+  void take_back_correction() { stresses_.swap(stresses_before_), corrected_ = q1_; }
   /// The least det F at the step's end, and at the middle where the stress is taken there.
   double least_change_of_volume() const;
   /// Adds the forces on the fluid's momentum equations to f; their size before they balance each other [force].
@@ -77,8 +79,8 @@ class ImmersedSolids {
   // The step: solid nodes' places at its start, middle and end, and there behind the last correction; the stress that
   // the tangent takes; prescribed way, velocity, acceleration and forces.
   double time_ = 0, dt_ = 0, theta_ = 0.5;
-  std::vector<double> q0_, middle_, q1_, corrected_, stresses_, supported_, V_, rate_, F_, free_, outer_, change_,
-      difference_;
+  std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, V_, rate_, F_, free_,
+      outer_, change_, difference_;
 };
 
 }  // namespace tether::fem
