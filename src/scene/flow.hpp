@@ -75,7 +75,7 @@ struct Flow {
   double tolerance = 1e-6;       ///< of Newton's method: residual over the largest force
   double speed = 0, length = 0;  ///< of the Reynolds number and of drag and lift coefficients; 0: not given
   std::vector<ForceSide> forces;
-  std::vector<std::array<double, 2>> probes;    ///< places whose pressure and velocity are recorded [length]
+  std::vector<std::array<double, 2>> probes;    ///< places in the mesh where the flow is recorded [length]
   std::vector<std::array<int, 2>> differences;  ///< of the pressures at two of them, from 0
   TracerBox tracers;
   std::vector<double> volume_penalty;  ///< of each region of the solids, 0 for none [stress]

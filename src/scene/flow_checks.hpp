@@ -15,8 +15,9 @@ bool check_flow_frame(const Deck& deck, Diagnostics& diagnostics);
 /// Tells what the deck asks for beside a fluid and cannot have, and what has no effect.
 void check_flow_deck(const Deck& deck, Diagnostics& diagnostics);
 
-/// Tells of probes and nodes of immersed bodies outside the fluid, and of such nodes on an inflow.
-void check_flow_places(const Deck& deck, const Scene& scene, const Flow& flow, Diagnostics& diagnostics);
+/// Moves probes that are outside the fluid's mesh by less than half an element to its edge, with a warning; tells of
+/// probes further outside, of nodes of immersed bodies outside the fluid, and of such nodes on an inflow.
+void place_in_flow(const Deck& deck, const Scene& scene, Flow& flow, Diagnostics& diagnostics);
 
 /// Tells of expressions that have no finite value where and when they are first asked, and of velocities of moving
 /// walls that go through them; of prescribed velocities that bring more into a fluid without an open side than out of

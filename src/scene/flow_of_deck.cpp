@@ -126,8 +126,8 @@ void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   }
   check_flow_deck(deck, diagnostics);
   if (!mesh) return;
-  const auto flow = std::make_shared<const Flow>(flow_on(deck, std::move(*mesh), diagnostics));
-  check_flow_places(deck, scene, *flow, diagnostics);
+  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*mesh), diagnostics));
+  place_in_flow(deck, scene, *flow, diagnostics);
   check_flow_velocities(deck, scene.clock, *flow, diagnostics);
   scene.flow = flow;
 }

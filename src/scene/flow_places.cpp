@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <span>
 
-#include "grid/jacobian.hpp"
+#include "grid/lagrange.hpp"
 #include "grid/mesh_flaws.hpp"
+#include "grid/point_finder.hpp"
 #include "scene/flow_checks.hpp"
 #include "scene/flow_of_deck.hpp"
 #include "scene/solids.hpp"
@@ -28,98 +31,37 @@ double size_of(const Mesh& mesh) {
   return *high - *low;
 }
 
-/// Which places lie within a plane mesh of quadrilaterals, to rounding.
-class Inside {
- public:
-  explicit Inside(const Mesh& mesh) : mesh_(mesh), within_(tolerance * size_of(mesh)) {}
-  bool holds(const Place& p) const {
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      if (near(e, p) && (mesh_.kind == ElementKind::quad4 ? in_element<ShapesOf<ElementKind::quad4>>(e, p)
-                                                          : in_element<ShapesOf<ElementKind::quad9>>(e, p)))
-        return true;
-    }
-    return false;
-  }
+double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
- private:
-  /// Whether a place is in the box of an element's nodes, enlarged by what curved edges bulge at most.
-  bool near(std::size_t e, const Place& p) const {
-    const int* nodes = mesh_.element(e);
-    for (std::size_t i = 0; i < 2; ++i) {
-      double low = place_of(mesh_, nodes[0])[i], high = low;
-      for (int a = 1; a < node_count_of(mesh_.kind); ++a) {
-        const double x = place_of(mesh_, nodes[a])[i];
-        low = std::min(low, x), high = std::max(high, x);
-      }
-      const double bulge = within_ + (order_of(mesh_.kind) == 2 ? 0.25 * (high - low) : 0);
-      if (p[i] < low - bulge || p[i] > high + bulge) return false;
-    }
-    return true;
-  }
-  /// The element's map is turned round by Newton's method; the place is in it where it is the image of one in the
-  /// reference element.
-  template <class Shapes>
-  bool in_element(std::size_t e, const Place& p) const {
-    Place s{};
-    for (int k = 0; k < 20; ++k) {
-      const Place off = offset<Shapes>(e, s, p);
-      const auto G = jacobian_at<Shapes>(mesh_, e, s).gradients;  // ds from dx: of s as a field of its own nodes
-      const Place step = reference_step<Shapes>(G, off);
-      for (std::size_t i = 0; i < 2; ++i) s[i] = std::clamp(s[i] + step[i], -1.5, 1.5);
-      if (std::hypot(step[0], step[1]) < 1e-14) break;
-    }
-    const Place off = offset<Shapes>(e, {std::clamp(s[0], -1.0, 1.0), std::clamp(s[1], -1.0, 1.0)}, p);
-    return std::hypot(off[0], off[1]) <= within_;
-  }
-  /// From the image of s to p.
-  template <class Shapes>
-  Place offset(std::size_t e, const Place& s, const Place& p) const {
-    const auto N = Shapes::values(s);
-    Place off = p;
-    for (std::size_t a = 0; a < N.size(); ++a) {
-      const Place x = place_of(mesh_, mesh_.element(e)[a]);
-      off[0] -= N[a] * x[0], off[1] -= N[a] * x[1];
-    }
-    return off;
-  }
-  /// ds/dx times a step in x: s is a field whose nodal values are the lattice of the reference element.
-  template <class Shapes>
-  static Place reference_step(const std::array<double, static_cast<std::size_t>(Shapes::nodes) * 2>& G,
-                              const Place& dx) {
-    Place step{};
-    for (std::size_t a = 0; a < Shapes::nodes; ++a) {
-      const double along = G[2 * a] * dx[0] + G[2 * a + 1] * dx[1];
-      constexpr std::size_t line = Shapes::line;
-      const std::size_t i = a % line, j = a / line;
-      step[0] += (2.0 * static_cast<double>(i) / (line - 1) - 1) * along;
-      step[1] += (2.0 * static_cast<double>(j) / (line - 1) - 1) * along;
-    }
-    return step;
-  }
-
-  const Mesh& mesh_;
-  double within_;  // [length]
-};
-
-/// Distance of a place from an element side: the curve through its nodes, in the order of the side.
+/// The place of an element side, the curve through its nodes in the order of the side, that is nearest to `at`.
 template <int p>
-double distance(const Mesh& mesh, const int* side, const Place& at) {
-  double s = 0;
-  Place off{};
-  for (int k = 0; k < 20; ++k) {
-    const auto N = Line<p>::values(s), dN = Line<p>::slopes(s);
-    Place along{};
-    off = at;
+Place nearest_of(const Mesh& mesh, const int* side, const Place& at) {
+  const auto place = [&](double s) {
+    const auto N = Line<p>::values(s);
+    Place x{};
     for (std::size_t a = 0; a < N.size(); ++a) {
-      const Place x = place_of(mesh, side[a]);
-      for (std::size_t i = 0; i < 2; ++i) off[i] -= N[a] * x[i], along[i] += dN[a] * x[i];
+      for (std::size_t i = 0; i < 2; ++i) x[i] += N[a] * place_of(mesh, side[a])[i];
+    }
+    return x;
+  };
+  double s = 0;
+  for (int k = 0; k < 20; ++k) {
+    const auto dN = Line<p>::slopes(s);
+    const Place x = place(s), off{at[0] - x[0], at[1] - x[1]};
+    Place along{};
+    for (std::size_t a = 0; a < dN.size(); ++a) {
+      for (std::size_t i = 0; i < 2; ++i) along[i] += dN[a] * place_of(mesh, side[a])[i];
     }
     const double step = (off[0] * along[0] + off[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
     const double next = std::clamp(s + step, -1.0, 1.0);
     if (std::abs(next - s) < 1e-15) break;
     s = next;
   }
-  return std::hypot(off[0], off[1]);
+  return place(s);
+}
+
+Place nearest_of(const Mesh& mesh, const int* side, const Place& at) {
+  return mesh.kind == ElementKind::quad4 ? nearest_of<1>(mesh, side, at) : nearest_of<2>(mesh, side, at);
 }
 
 /// The inflow that a place lies on, or null.
@@ -129,29 +71,80 @@ const FlowSide* inflow_at(const Flow& flow, const Place& at) {
   for (const FlowSide& side : flow.sides) {
     for (std::size_t s = 0; s < side.sides.size() && side.boundary == Boundary::inflow; s += per_side) {
       const int* nodes = &side.sides[s];
-      const double away =
-          flow.mesh.kind == ElementKind::quad4 ? distance<1>(flow.mesh, nodes, at) : distance<2>(flow.mesh, nodes, at);
-      if (away <= within) return &side;
+      if (apart(nearest_of(flow.mesh, nodes, at), at) <= within) return &side;
     }
   }
   return nullptr;
 }
 
-void check_probes(const Deck& deck, const Inside& inside, Diagnostics& diagnostics) {
+/// The place of the boundary that is nearest to one outside of it, and the side's nodes; null without a boundary.
+struct OnBoundary {
+  Place place{};
+  const int* side = nullptr;
+};
+
+OnBoundary nearest_on_boundary(const Flow& flow, const Place& at) {
+  const auto per_side = static_cast<std::size_t>(side_node_count_of(flow.mesh.kind));
+  OnBoundary nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const FlowSide& side : flow.sides) {
+    for (std::size_t s = 0; s < side.sides.size(); s += per_side) {
+      const Place place = nearest_of(flow.mesh, &side.sides[s], at);
+      const double away = apart(place, at);
+      if (away < least) nearest = {place, &side.sides[s]}, least = away;
+    }
+  }
+  return nearest;
+}
+
+/// Square root of the area between the corners of the element that a side of the boundary belongs to.
+double element_size(const Mesh& mesh, const int* side) {
+  const auto count = static_cast<std::size_t>(node_count_of(mesh.kind));
+  const auto line = static_cast<std::size_t>(order_of(mesh.kind));
+  const auto ends = std::array{side[0], side[line]};
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span nodes(mesh.element(e), count);
+    if (std::any_of(ends.begin(), ends.end(), [&](int n) { return std::ranges::find(nodes, n) == nodes.end(); }))
+      continue;
+    const Place a = place_of(mesh, nodes[0]), b = place_of(mesh, nodes[line]);
+    const Place c = place_of(mesh, nodes[count - 1]), d = place_of(mesh, nodes[count - 1 - line]);
+    return std::sqrt(0.5 * std::abs((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0])));
+  }
+  return 0;
+}
+
+/// A place on a curved wall is outside the elements beside it, whose edges only come near to the curve, and so may be
+/// one of few digits: what is less than half an element away is meant to be on the edge.
+void place_probe(const Deck& deck, int k, const PointFinder& finder, const Flow& flow, Place& probe,
+                 Diagnostics& diagnostics) {
+  if (finder.find(probe)) return;
+  const OnBoundary edge = nearest_on_boundary(flow, probe);
+  const double away = edge.side ? apart(edge.place, probe) : 0;
+  const auto remark = [&](Severity severity, const std::string& message, const char* hint) {
+    diagnostics.add(deck.remark(severity, "flow", "probe", {1, k}, message, hint));
+  };
+  const std::string at = fmt::format("probe {} at ({:.6g}, {:.6g})", k, probe[0], probe[1]);
+  if (!edge.side || away >= 0.5 * element_size(flow.mesh, edge.side))
+    return remark(Severity::error, at + " lies outside the fluid",
+                  "a probe records the flow at a place of its mesh, edges included");
+  remark(Severity::warning,
+         fmt::format("{} lies outside the fluid's mesh by {:.3g} and is moved to ({:.6g}, {:.6g})", at, away,
+                     edge.place[0], edge.place[1]),
+         "the edges of elements come only near to a curved wall");
+  probe = edge.place;
+}
+
+/// Of the flow's probes, which are those of the deck that have both numbers, in their order.
+void place_probes(const Deck& deck, const PointFinder& finder, Flow& flow, Diagnostics& diagnostics) {
+  auto probe = flow.probes.begin();
   for (const Subscript at : deck.given_elements("flow", "probe")) {
-    const int k = at[1];
-    if (at[0] != 1 || !deck.given("flow", "probe", 2, k)) continue;
-    const Place place{deck.real("flow", "probe", 1, k), deck.real("flow", "probe", 2, k)};
-    if (inside.holds(place)) continue;
-    diagnostics.add(
-        deck.remark(Severity::error, "flow", "probe", at,
-                    fmt::format("probe {} at ({:.6g}, {:.6g}) lies outside the fluid", k, place[0], place[1]),
-                    "a probe records the flow at a place of its mesh, edges included"));
+    if (at[0] == 1 && deck.given("flow", "probe", 2, at[1]))
+      place_probe(deck, at[1], finder, flow, *probe++, diagnostics);
   }
 }
 
 /// Of each region the first node that is wrong.
-void check_bodies(const Deck& deck, const Solids& solids, const Flow& flow, const Inside& inside,
+void check_bodies(const Deck& deck, const Solids& solids, const Flow& flow, const PointFinder& finder,
                   Diagnostics& diagnostics) {
   const std::vector<int> regions = regions_of(deck, false);
   std::set<std::pair<int, int>> seen;
@@ -163,7 +156,7 @@ void check_bodies(const Deck& deck, const Solids& solids, const Flow& flow, cons
       if (told.contains(r) || !seen.emplace(r, node).second) continue;
       const Place at = place_of(solids.mesh, node);
       const FlowSide* inflow = inflow_at(flow, at);
-      if (!inflow && inside.holds(at)) continue;
+      if (!inflow && finder.find(at)) continue;
       told.insert(r);
       const std::string what = inflow ? fmt::format("on the inflow '{}'", inflow->name) : "outside the fluid";
       diagnostics.add(deck.remark(
@@ -177,10 +170,10 @@ void check_bodies(const Deck& deck, const Solids& solids, const Flow& flow, cons
 
 }  // namespace
 
-void check_flow_places(const Deck& deck, const Scene& scene, const Flow& flow, Diagnostics& diagnostics) {
-  const Inside inside(flow.mesh);
-  check_probes(deck, inside, diagnostics);
-  if (scene.solids) check_bodies(deck, *scene.solids, flow, inside, diagnostics);
+void place_in_flow(const Deck& deck, const Scene& scene, Flow& flow, Diagnostics& diagnostics) {
+  const PointFinder finder(flow.mesh);
+  place_probes(deck, finder, flow, diagnostics);
+  if (scene.solids) check_bodies(deck, *scene.solids, flow, finder, diagnostics);
 }
 
 }  // namespace tether

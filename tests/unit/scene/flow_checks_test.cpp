@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a deck of a flow: velocities that do not fit, bodies and probes in the wrong places, words without
-// effect. The decks of tests/bad_decks have one mistake each; here is where a mistake begins.
+// What is wrong with a deck of a flow: velocities that do not fit, words without effect. The decks of tests/bad_decks
+// have one mistake each; here is where a mistake begins.
 #include "scene/flow_checks.hpp"
 
 #include <fmt/format.h>
@@ -14,25 +14,6 @@ namespace {
 
 const std::string in = "boundary_on(1)='1.left',boundary(1)='inflow',boundary_u(1)='";
 const std::string out = ",boundary_on(2)='1.right',boundary(2)='inflow',boundary_u(2)='";
-
-/// A ring of four blocks about the origin, from radius 1 to 2, side 'axle' within and 'rim' without.
-Built ring(const std::string& element, int cells, const std::string& flow, const std::string& body = "",
-           const std::vector<std::string>& overrides = {}) {
-  const std::string a = ".7071067811865476,", b = "1.4142135623730951,", c = "-" + a, d = "-" + b;
-  std::string reg, mesh;
-  const std::array<std::string, 4> x{a + b + b + a, a + b + d + c, c + d + d + c, c + d + b + a};
-  const std::array<std::string, 4> y{c + d + b + a, a + b + b + a, a + b + d + c, c + d + d + c};
-  for (int r = 1; r <= 4; ++r) {
-    const auto k = static_cast<std::size_t>(r - 1);
-    reg += fmt::format("xvi(1,{0})={1}\nyvi(1,{0})={2}\nmatr(1,{0})=1.,\n", r, x[k], y[k]);
-    mesh += fmt::format(
-        "cells(1,{0})=1,{1},edge(2,{0})='arc',edge(4,{0})='arc',side(2,{0})='rim',side(4,{0})='axle',\n", r, cells);
-  }
-  return build_flow(fmt::format("$reg nreg={},nvi=5*4,densir=5*1.,\n{}{}$\n$mesh {}$\n$fem law=4*'fluid' $\n$flow "
-                                "element='{}',{} $\n",
-                                body.empty() ? 4 : 5, reg, body, mesh, element, flow),
-                    overrides);
-}
 
 TEST(FlowBalance, TakesWhatGoesInAndOutAlike) {
   EXPECT_EQ(channel(in + "1'" + out + "1'").errors(), Texts{});
@@ -159,46 +140,6 @@ TEST(FlowWalls, MayNotMoveAcrossACorner) {
     EXPECT_EQ(built.errors(),
               Texts{fmt::format("8:67: the velocity (1, 0) of 'box' at {} goes through the wall by 1", place)});
   }
-}
-
-TEST(FlowPlaces, TheEdgesOfAFluidAreInIt) {
-  const auto errors = [](const std::string& at) { return ring("q2q1", 4, "probe(1,1)=" + at).errors(); };
-  EXPECT_EQ(errors("2.,0."), Texts{});
-  EXPECT_EQ(errors("0.,1."), Texts{});
-  EXPECT_EQ(errors("1.4142135623730951,1.4142135623730951"), Texts{});
-  EXPECT_EQ(errors("1.2,-.7"), Texts{});
-  EXPECT_EQ(errors("0.,2.001").size(), 1u);
-  EXPECT_EQ(errors("0.,.999").size(), 1u);
-  EXPECT_EQ(errors("0.,0.").size(), 1u);
-}
-
-/// A curved edge may bulge out of the box of its nodes: here from -15 degrees over 15 to 45.
-TEST(FlowPlaces, TheBulgeOfAnEdgeIsInTheFluid) {
-  const std::vector<std::string> graded{"mesh.grading(2,1)=2."};
-  EXPECT_EQ(ring("q2q1", 2, "probe(1,1)=1.99,0.", "", graded).errors(), Texts{});
-  EXPECT_EQ(ring("q2q1", 2, "probe(1,1)=2.01,0.", "", graded).errors().size(), 1u);
-}
-
-TEST(FlowPlaces, BodiesLieWithinTheFluid) {
-  const auto errors = [](const std::string& x, const std::string& y) {
-    return ring("q2q1", 4, "", "xvi(1,5)=" + x + ",\nyvi(1,5)=" + y + ",matr(1,5)=10.,.3 ").errors();
-  };
-  EXPECT_EQ(errors("1.2,1.4,1.4,1.2", "-.1,-.1,.1,.1"), Texts{});
-  EXPECT_EQ(errors(".8,1.4,1.4,.8", "-.1,-.1,.1,.1"),
-            Texts{"17:10: region 5: its node at (0.8, -0.1) lies outside the fluid"});
-}
-
-TEST(FlowPlaces, BodiesStayOffInflowsAndMayTouchWalls) {
-  const auto errors = [](const std::string& kind) {
-    Built built = build_flow(
-        "$reg nreg=2,nvi=4,4\nxvi(1,1)=.5,1.,1.,.5\nyvi(1,1)=0.,0.,.5,.5\nxvi(1,2)=0.,2.,2.,0.,"
-        "yvi(1,2)=0.,0.,1.,1.\ndensir=5.,3.,matr(1,1)=100.,.3,matr(1,2)=.5 $\n$mesh cells(1,2)=4,2 $\n"
-        "$fem law(2)='fluid' $\n$flow boundary_on(1)='2.bottom',boundary_u(1)='0',boundary(1)='" +
-        kind + "' $\n");
-    return built.errors();
-  };
-  EXPECT_EQ(errors("moving"), Texts{});
-  EXPECT_EQ(errors("inflow"), Texts{"5:10: region 1: its node at (0.5, 0) lies on the inflow '2.bottom'"});
 }
 
 TEST(FlowDecks, AllMistakesAreToldAtOnce) {

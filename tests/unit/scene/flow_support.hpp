@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -39,6 +42,26 @@ inline Built channel_with_body(const std::string& flow, const std::string& fem =
       "yvi(1,2)=0.,0.,1.,1.\ndensir=5.,3.,matr(1,1)=100.,.3,matr(1,2)=.5 $\n$mesh cells(1,1)=2,2,cells(1,2)=4,2 "
       "$\n$fem law(2)='fluid'" +
           fem + " $\n$flow " + flow + "\n$\n",
+      overrides);
+}
+
+/// A ring of four blocks about the origin, from radius 1 to 2, side 'axle' within and 'rim' without.
+inline Built ring(const std::string& element, int cells, const std::string& flow, const std::string& body = "",
+                  const std::vector<std::string>& overrides = {}) {
+  const std::string a = ".7071067811865476,", b = "1.4142135623730951,", c = "-" + a, d = "-" + b;
+  std::string reg, mesh;
+  const std::array<std::string, 4> x{a + b + b + a, a + b + d + c, c + d + d + c, c + d + b + a};
+  const std::array<std::string, 4> y{c + d + b + a, a + b + b + a, a + b + d + c, c + d + d + c};
+  for (int r = 1; r <= 4; ++r) {
+    const auto k = static_cast<std::size_t>(r - 1);
+    reg += fmt::format("xvi(1,{0})={1}\nyvi(1,{0})={2}\nmatr(1,{0})=1.,\n", r, x[k], y[k]);
+    mesh += fmt::format(
+        "cells(1,{0})=1,{1},edge(2,{0})='arc',edge(4,{0})='arc',side(2,{0})='rim',side(4,{0})='axle',\n", r, cells);
+  }
+  return build_flow(
+      fmt::format("$reg nreg={0},nvi={0}*4,densir={0}*1.,\n{1}{2}$\n$mesh {3}$\n$fem law=4*'fluid' $\n$flow "
+                  "element='{4}',{5} $\n",
+                  body.empty() ? 4 : 5, reg, body, mesh, element, flow),
       overrides);
 }
 
