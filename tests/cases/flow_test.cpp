@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -87,6 +88,26 @@ TEST(Flow, CylinderInAChannel) {
   EXPECT_NEAR(run.last("drag_1") / 5.57954, 1, 0.003);
   EXPECT_NEAR(run.last("lift_1") / 0.010619, 1, 0.05);
   EXPECT_NEAR(run.last("pressure_difference_1") / 0.117520, 1, 0.005);
+}
+
+/// Relative errors of drag, lift and pressure difference against those of spectral methods, by G. Nabh (On High Order
+/// Methods for the Stationary Incompressible Navier-Stokes Equations, Heidelberg 1998).
+std::array<double, 3> cylinder_errors(const std::string& element, const std::string& cells) {
+  const DeckRun run = run_deck("cylinder", {"flow.element='" + element + "'", "mesh.cells(1:2,1:5)=" + cells});
+  return {std::abs(run.last("drag_1") / 5.57953523384 - 1), std::abs(run.last("lift_1") / .010618948146 - 1),
+          std::abs(run.last("pressure_difference_1") / .11752016697 - 1)};
+}
+
+TEST(Flow, CylinderOnFinerMeshes) {
+  const auto coarse = cylinder_errors("q2q1", "8*6,12,6"), fine = cylinder_errors("q2q1", "8*12,24,12");
+  EXPECT_LT(fine[0], 2e-4);
+  EXPECT_LT(fine[1], 4e-3);
+  EXPECT_LT(fine[2], 3e-3);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(coarse[k] / fine[k], 3) << k;
+  const auto linear = cylinder_errors("q1q1", "8*24,48,24");
+  EXPECT_LT(linear[0], 2e-3);
+  EXPECT_LT(linear[1], .02);
+  EXPECT_LT(linear[2], .01);
 }
 
 }  // namespace

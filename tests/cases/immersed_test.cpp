@@ -94,5 +94,22 @@ TEST(Immersed, FlapsMirrorEachOtherAndKeepTheirAreas) {
   for (const double inside : run.history.column("tracers_in_solids")) EXPECT_EQ(inside, 0);
 }
 
+/// The flaps in cm, g and s, and in m, kg and s: the same motion but for rounding.
+TEST(Immersed, FlapsDoNotDependOnUnits) {
+  const auto run = [](const std::string& deck) {
+    return run_deck(deck, {"flow.element='q1q1'", "mesh.cells(1:2,1)=24,6", "mesh.cells(1:2,2)=1,4",
+                           "mesh.cells(1:2,3)=1,4", "in.tmax=.2"});
+  };
+  const DeckRun cgs = run("two-flaps"), si = run("two-flaps-si");
+  EXPECT_GT(cgs.last("point_x_1") - cgs.first("point_x_1"), .1);
+  for (const char* column : {"point_x_1", "point_y_1", "point_x_2", "point_y_2"}) {
+    const auto here = cgs.history.column(column), there = si.history.column(column);
+    ASSERT_EQ(here.size(), 41u);
+    ASSERT_EQ(there.size(), 41u);
+    for (std::size_t k = 0; k < 41; ++k) EXPECT_NEAR(here[k], 100 * there[k], 1e-10) << column << " " << k;
+  }
+  EXPECT_NEAR(cgs.last("energy_total") / si.last("energy_total"), 1e5, 1e-3);  // of a cm and of a m of depth
+}
+
 }  // namespace
 }  // namespace tether::cases
