@@ -169,6 +169,32 @@ class StudyDecks(SweepTest):
         for column in ("factor_nonzeros", "assembly_seconds", "analysis_seconds", "solve_seconds", "peak_memory_mb"):
             self.assertGreater(number(rows[1], column), 0, column)
 
+    def test_cylinder(self):
+        """Both elements come to the published drag, the biquadratic one on coarser meshes."""
+        rows = self.shortened("cylinder", (",8*24,8*48", ""), (",48,96", ""), ("6,12,24,48", "6,12"))
+        off = [abs(number(row, "last_drag_1") / 5.57953523384 - 1) for row in rows]
+        self.assertEqual([row["flow.element"] for row in rows], ["q1q1"] * 2 + ["q2q1"] * 2)
+        self.assertEqual([row["cells_active"] for row in rows], ["216", "864"] * 2)
+        self.assertLess(off[1], 0.005)
+        self.assertLess(off[2], 0.002)
+        self.assertLess(off[3], off[2] / 5)
+        self.assertLess(number(rows[1], "unknowns"), number(rows[3], "unknowns"))
+
+    def test_two_flaps(self):
+        """Half a tenth of a second on coarse meshes: the finer one brings the elements together, and areas stay."""
+        rows = self.shortened("two-flaps", ("in.tmax=1.0", "in.tmax=0.05"), ("=64,128", "=32,64"), ("=16,32", "=8,16"),
+                              ("2*1,2*2", "2*1,2*1"), ("2*10,2*20", "2*5,2*10"))
+        self.assertEqual([(row["exit_code"], row["flow.element"]) for row in rows],
+                         [("0", "q1q1")] * 2 + [("0", "q2q1")] * 2)
+        moved = [number(row, "last_point_x_1") - 1.9788 for row in rows]
+        self.assertGreater(min(moved), 0.1)
+        self.assertLess(abs(moved[1] / moved[3] - 1), 0.05)
+        self.assertLess(abs(moved[1] - moved[3]), abs(moved[0] - moved[2]))
+        for row, within in zip(rows, (0.01, 0.003, 0.01, 0.003)):
+            self.assertAlmostEqual(number(row, "time_of_max_point_x_1"), 0.05, places=12)
+            for body in (1, 2):
+                self.assertAlmostEqual(number(row, f"last_body_volume_{body}") / 0.01484, 1, delta=within)
+
     def test_cost(self):
         """A short part of each run has all columns of its family, and energies that the robust method keeps."""
         rows = self.shortened("cost", ("$study", "$study\nset='in.tmax=0.02'"),
