@@ -33,6 +33,7 @@ def arguments(words):
                         help="folder for figures and runs (default: out/figures)")
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "release" / "tether", metavar="FILE",
                         help="the program (default: build/release/tether)")
+    parser.add_argument("--full", action="store_true", help="the flaps on their finest meshes, too: half an hour")
     return parser.parse_args(words)
 
 
@@ -78,7 +79,8 @@ def main(words=None):
         return 2
     style.use()
     try:
-        for path in draw_all(chosen.names, Runs(chosen.program, ROOT / "decks", chosen.out / "runs"), chosen.out):
+        runs = Runs(chosen.program, ROOT / "decks", chosen.out / "runs", levels=3 if chosen.full else 2)
+        for path in draw_all(chosen.names, runs, chosen.out):
             print(path, flush=True)
     except NoProgram as mistake:
         print(f"figures: {mistake}", file=sys.stderr)

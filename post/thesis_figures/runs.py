@@ -16,9 +16,10 @@ class RunFailed(Exception):
 
 
 class Runs:
-    def __init__(self, program, decks, folder):
-        """`program` runs the decks of one folder (their particle files are in ../particles) into another."""
-        self.program, self.decks, self.folder = program, decks, folder
+    def __init__(self, program, decks, folder, levels=2):
+        """`program` runs the decks of one folder (their particle files are in ../particles) into another. Figures of
+        several meshes, some of which take long, are drawn with that many of `levels`, from the coarsest."""
+        self.program, self.decks, self.folder, self.levels = program, decks, folder, levels
 
     def of(self, deck, *settings):
         """The finished run of decks/<deck>.in with these `group.name=value`, and options such as `--path=fem`."""
