@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The thesis' figures of results, from runs made for them: python3 post/figures.py [NAME...] [--out FOLDER].
+"""Figures of results of the thesis and of flows, from runs made for them: figures.py [NAME...] [--out FOLDER] [--full].
 
 Without a NAME all of them, and a sheet of all. Runs stay in FOLDER/runs and are made again when the program, their deck
 or a particle file is newer. Exit codes: 0 done, 2 no such figure, or no program to run, 3 a run failed, 4 a figure could
@@ -26,8 +26,8 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def arguments(words):
-    parser = argparse.ArgumentParser(description="Draws the thesis' figures of results from runs made for them.")
-    parser.add_argument("names", nargs="*", metavar="NAME", help="numbers of figures in the thesis (default: all)")
+    parser = argparse.ArgumentParser(description="Draws figures of results of the thesis and of flows.")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="numbers of figures in the thesis, or names (default: all)")
     parser.add_argument("--list", action="store_true", help="list the figures")
     parser.add_argument("--out", type=Path, default=ROOT / "out" / "figures", metavar="FOLDER",
                         help="folder for figures and runs (default: out/figures)")

@@ -41,7 +41,7 @@ def scene(runs):
     run = flapping(runs, "q1q1", 0)
     mesh = FlowMesh(run)
     length, height = mesh.x.max(), mesh.y.max()
-    figure, (axes,) = style.panels(1, 1, 9.5, 2.8)
+    figure, (axes,) = style.panels(1, 1, 9.5, 3.0)
     for y in (0, height):
         axes.plot([0, length], [y, y], color="black", linewidth=2)
     Solids(run).draw(axes, 0)
