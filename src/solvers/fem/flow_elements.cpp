@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/flow_elements.hpp"
 
-#include "solvers/fem/flow_elements_of_shape.hpp"
+#include "solvers/fem/flow_elements_fields.hpp"
 
 namespace tether::fem {
 

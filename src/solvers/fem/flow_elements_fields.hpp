@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solvers/fem/flow_elements_of_shape.hpp"
+
+// What the elements of a flow tell of it beside their residual: integrals over the mesh, and fields at its nodes.
+
+namespace tether::fem {
+
+template <class V, class P>
+std::vector<double> FlowElementsOf<V, P>::accelerations(double gravity, double time) const {
+  std::vector<double> b(2 * weights_.size(), 0.0);
+  for (std::size_t at = 0; at < weights_.size(); ++at) {
+    const std::size_t e = at / points;
+    Eigen::Vector2d x = Eigen::Vector2d::Zero();
+    for (int a = 0; a < NV; ++a)
+      x += values_[at % points][a] *
+           Eigen::Map<const Eigen::Vector2d>(&mesh_.x[2 * static_cast<std::size_t>(mesh_.element(e)[a])]);
+    const auto given = flow_.acceleration.at(x[0], x[1], time);
+    b[2 * at] = given[0], b[2 * at + 1] = given[1] + gravity;
+  }
+  return b;
+}
+
+template <class V, class P>
+double FlowElementsOf<V, P>::kinetic_energy(std::span<const double> v) const {
+  double energy = 0;
+  for (std::size_t at = 0; at < weights_.size(); ++at)
+    energy += 0.5 * flow_.density * weights_[at] * (gathered(at / points, v) * values_[at % points]).squaredNorm();
+  return energy;
+}
+
+template <class V, class P>
+std::array<double, 3> FlowElementsOf<V, P>::momentum(std::span<const double> v) const {
+  std::array<double, 3> sum{};
+  for (std::size_t at = 0; at < weights_.size(); ++at) {
+    const Eigen::Vector2d u = gathered(at / points, v) * values_[at % points];
+    const double mass = flow_.density * weights_[at];
+    sum[0] += mass, sum[1] += mass * u[0], sum[2] += mass * u[1];
+  }
+  return sum;
+}
+
+template <class V, class P>
+FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
+  const FlowConstants c = constants(m);
+  FlowPower power;
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    const Velocities v0 = gathered(e, m.v0), v1 = gathered(e, m.v1);
+    for_points(e, m, [&](Point& at) {
+      at.evaluate(c, v0, v1, pressures(e, m.p));
+      power.dissipated += at.weight * 0.5 * c.mu * (at.L + at.L.transpose()).squaredNorm();
+      power.body += at.weight * c.rho * at.b.dot(at.v);
+      if constexpr (Point::stabilised)
+        power.stabilised +=
+            at.weight * (at.tau * at.convection.dot(at.residual) + (at.tau_L * at.divergence - at.p) * at.L.trace());
+    });
+  }
+  const auto velocity = [&](const SidePoint<V>& at) {
+    return Velocities((1 - c.theta) * gathered(at.element, m.v0) + c.theta * gathered(at.element, m.v1));
+  };
+  for (const auto* side : {&open_, &inflow_}) {
+    for (const auto& at : *side) {
+      const Eigen::Vector2d v = velocity(at) * at.N;
+      power.carried_out += 0.5 * c.rho * v.squaredNorm() * v.dot(at.normal);
+    }
+  }
+  for (const auto& at : open_) {
+    const Velocities vt = velocity(at);
+    power.open_traction += (vt * at.N).dot(c.mu * (at.G * vt.transpose()) * at.normal);
+  }
+  return power;
+}
+
+template <class V, class P>
+std::vector<double> FlowElementsOf<V, P>::vorticity(std::span<const double> v) const {
+  std::vector<double> sum(mesh_.node_count(), 0.0), volume(mesh_.node_count(), 0.0);
+  for (std::size_t at = 0; at < weights_.size(); ++at) {
+    const std::size_t e = at / points;
+    const Eigen::Matrix2d L = gathered(e, v) * gradients_[at].transpose();
+    for (int a = 0; a < NV; ++a) {
+      const double part = weights_[at] * std::abs(values_[at % points][a]);
+      sum[node(e, a)] += part * (L(1, 0) - L(0, 1)), volume[node(e, a)] += part;
+    }
+  }
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] /= std::max(volume[n], std::numeric_limits<double>::min());
+  unknowns_.copy_to_twins(sum, 1);
+  return sum;
+}
+
+template <class V, class P>
+SparseMatrix FlowElementsOf<V, P>::laplacian() const {
+  const NodalPattern pattern(1, mesh_.node_count(), mesh_.nodes, NV);
+  SparseMatrix A = pattern.matrix();
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    Eigen::Matrix<double, NV, NV, Eigen::RowMajor> k = Eigen::Matrix<double, NV, NV>::Zero();
+    for (int q = 0; q < points; ++q) {
+      const Velocities& G = gradients_[e * points + index(q)];
+      k += weights_[e * points + index(q)] * (G.transpose() * G);
+    }
+    pattern.add(e, std::span(k.data(), index_count<NV * NV>), A);
+  }
+  return A;
+}
+
+template <class V, class P>
+std::vector<double> FlowElementsOf<V, P>::stream_source(std::span<const double> v) const {
+  std::vector<double> source(mesh_.node_count(), 0.0);
+  for (std::size_t at = 0; at < weights_.size(); ++at) {
+    const std::size_t e = at / points;
+    const Eigen::Vector2d u = gathered(e, v) * values_[at % points];
+    for (int a = 0; a < NV; ++a) {
+      const auto g = gradients_[at].col(a);
+      source[static_cast<std::size_t>(mesh_.element(e)[a])] += weights_[at] * (g[1] * u[0] - g[0] * u[1]);
+    }
+  }
+  return source;
+}
+
+template <class V, class P>
+std::vector<double> FlowElementsOf<V, P>::pressure_at_nodes(std::span<const double> p) const {
+  std::vector<double> all(mesh_.node_count(), 0.0);
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    const Pressures at = pressures(e, p);
+    constexpr int line = NV == 4 ? 2 : 3;
+    for (int a = 0; a < NV; ++a) {
+      const std::array<double, 2> s{2.0 * (a % line) / (line - 1) - 1, 2.0 * (a / line) / (line - 1) - 1};
+      all[static_cast<std::size_t>(mesh_.element(e)[a])] = at.dot(Eigen::Map<const Pressures>(P::values(s).data()));
+    }
+  }
+  return all;
+}
+
+}  // namespace tether::fem
