@@ -210,8 +210,9 @@ std::string to_text(const Plan& plan) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
   if (scene.solids || scene.flow)
-    text += fmt::format("step: {:.6g}, the deck's{}\n", plan.step.deck_step,
-                        !scene.flow && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
+    text += fmt::format(
+        "step: {:.6g}, the deck's{}\n", plan.step.deck_step,
+        !scene.flow && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
   else
     text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
                         runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
