@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/elements.hpp"
 
-#include "solvers/fem/elements_of_shape.hpp"
+#include "solvers/fem/elements_fields.hpp"
 
 namespace tether::fem {
 namespace {
