@@ -51,6 +51,9 @@ class SaddleSolver {
   /// give the same bits.
   bool solve(const SparseMatrix& K, std::span<const double> b, std::span<double> x, double tolerance);
 
+  /// The next solution makes new factors, as the first one does, and depends on nothing before it.
+  void forget() { factorised_ = false; }
+
   int iterations() const { return iterations_; }  ///< of the last solution, all in all
   bool renewed() const { return renewed_; }       ///< whether it made factors for velocities
   double factor_nonzeros() const;                 ///< of all factors kept

@@ -26,6 +26,10 @@ constexpr std::array rows{
              "velocity along."},
     Variable{"flow", "tolerance", real, 0, 1, 1, "", 1e-14, 1e-2, "", "1e-6",
              "Of Newton's or Picard's method: the forces' residual over the largest of them."},
+    Variable{
+        "flow", "solver", text, 0, 1, 1, "", -none, none, "auto|direct|krylov", "'auto'",
+        "How the corrections' linear systems are solved: by factors, by GMRES, or auto: by GMRES where a flow that "
+        "is not steady and has no bodies has more than 200,000 unknowns."},
     Variable{"flow", "speed", real, 0, 1, 1, "velocity", above_zero, none, "", "",
              "Speed of the Reynolds number and of the coefficients of drag and lift."},
     Variable{"flow", "length", real, 0, 1, 1, "length", above_zero, none, "", "", "Length of the same."},

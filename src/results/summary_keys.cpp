@@ -52,6 +52,8 @@ std::vector<std::string> mesh_summary_keys() {
           "assembly_seconds", "analysis_seconds",  "solve_seconds"};
 }
 
+std::vector<std::string> flow_summary_keys() { return {"factorisations", "krylov_iterations", "krylov_failures"}; }
+
 Summary read_summary(const std::filesystem::path& path) {
   Summary summary;
   for (const auto& line : split_lines(read_file(path))) {

@@ -13,8 +13,11 @@ namespace tether {
 /// The keys of the summary.txt that a run of a scene with this exact solution writes, in order.
 std::vector<std::string> summary_keys(ReferenceKind reference);
 
-/// Keys that a run of bodies on a mesh adds; where they are rigid, the first three.
+/// Keys that a run of bodies or of a flow on a mesh adds; where they are rigid, the first three.
 std::vector<std::string> mesh_summary_keys();
+
+/// Keys of numbers that a run of a flow adds to these.
+std::vector<std::string> flow_summary_keys();
 
 /// summary.txt, or another file of lines `key = value` and remarks `# ...`; other lines are passed over. Throws
 /// FileError where it cannot be read.

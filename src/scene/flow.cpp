@@ -25,4 +25,15 @@ std::array<double, 2> FlowVector::at(double x, double y, double t) const {
   return v;
 }
 
+double unknowns_of(const Flow& flow) {
+  const auto nodes = static_cast<double>(flow.mesh.node_count());
+  return flow.element == FlowElement::q1q1 ? 3 * nodes : 2.25 * nodes;
+}
+
+FlowSystems systems_of(const Flow& flow, bool with_solids) {
+  if (flow.systems != FlowSystems::automatic) return flow.systems;
+  const bool suits = flow.integrator != FlowIntegrator::steady && !with_solids;
+  return suits && unknowns_of(flow) > most_unknowns_of_factors ? FlowSystems::krylov : FlowSystems::direct;
+}
+
 }  // namespace tether

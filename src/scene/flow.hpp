@@ -21,6 +21,10 @@ enum class FlowIntegrator { midpoint, euler, steady };
 /// What a correction takes of the convective term's derivative: all of it, or the part that carries the velocity along.
 enum class Linearisation { newton, picard };
 
+/// How the linear systems of a flow's corrections are solved: as their number of unknowns asks, by factors, or by
+/// GMRES.
+enum class FlowSystems { automatic, direct, krylov };
+
 /// What a side of the fluid's boundary does.
 enum class Boundary { no_slip, slip, moving, inflow, open, periodic };
 
@@ -72,6 +76,7 @@ struct Flow {
   FlowVector start;         ///< velocity at the start
   FlowIntegrator integrator = FlowIntegrator::midpoint;
   Linearisation linearisation = Linearisation::newton;
+  FlowSystems systems = FlowSystems::automatic;
   double tolerance = 1e-6;       ///< of Newton's method: residual over the largest force
   double speed = 0, length = 0;  ///< of the Reynolds number and of drag and lift coefficients; 0: not given
   std::vector<ForceSide> forces;
@@ -80,5 +85,15 @@ struct Flow {
   TracerBox tracers;
   std::vector<double> volume_penalty;  ///< of each region of the solids, 0 for none [stress]
 };
+
+/// Unknowns: two velocities a node, a pressure a corner, as if no side held any.
+double unknowns_of(const Flow& flow);
+
+/// More unknowns than these go by GMRES where the deck leaves it open.
+constexpr double most_unknowns_of_factors = 2e5;
+
+/// Which of direct and krylov is taken. Steady flows and flows with immersed solids are left to factors, as GMRES takes
+/// many iterations for them or does not get there.
+FlowSystems systems_of(const Flow& flow, bool with_solids);
 
 }  // namespace tether

@@ -62,6 +62,10 @@ void read_method(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
                     : deck.text("flow", "integrator") == "midpoint" ? FlowIntegrator::midpoint
                                                                     : FlowIntegrator::euler;
   flow.linearisation = deck.text("flow", "linearisation") == "newton" ? Linearisation::newton : Linearisation::picard;
+  const std::string solver = deck.text("flow", "solver");
+  flow.systems = solver == "direct"   ? FlowSystems::direct
+                 : solver == "krylov" ? FlowSystems::krylov
+                                      : FlowSystems::automatic;
   flow.tolerance = deck.real("flow", "tolerance");
   const bool speed = deck.given("flow", "speed"), length = deck.given("flow", "length");
   if (speed != length)

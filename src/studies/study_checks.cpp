@@ -45,6 +45,7 @@ class Keys {
  public:
   void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
   void add_those_of_meshes() { add(mesh_summary_keys()); }
+  void add_those_of_flows() { add(flow_summary_keys()); }
   const std::vector<std::string>& known() const { return known_; }
 
  private:
@@ -139,6 +140,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     tell_of(base, study.decks[k].number, found, remarks, diagnostics);
     keys.add(base.text("reference", "solution"));
     if (base.has_group("mesh")) keys.add_those_of_meshes();
+    if (base.has_group("flow")) keys.add_those_of_flows();
   }
   for (const Axis& axis : study.axes) {
     if (axis.variable != "reference.solution") continue;

@@ -60,6 +60,12 @@ class FlowElements {
   /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations.
   virtual SparseMatrix laplacian() const = 0;
   virtual std::vector<double> stream_source(std::span<const double> v) const = 0;
+  /// <P_q, P_s> [volume] and <grad P_q, grad P_s> [volume/length2] of the pressures that are unknown, in the order of
+  /// the unknowns; at open sides the second has rows and columns of the identity.
+  virtual SparseMatrix pressure_mass() const = 0;
+  virtual SparseMatrix pressure_laplacian() const = 0;
+  /// The mean of tau_L, the weight of LSIC's <div v, div w>, or 0 where nothing stabilises [stress time].
+  virtual double mean_lsic(const FlowMoment& m) const = 0;
   /// The pressure at all nodes: between those that have one as its functions are.
   virtual std::vector<double> pressure_at_nodes(std::span<const double> p) const = 0;
 };

@@ -3,7 +3,8 @@
 
 #include "solvers/fem/flow_elements_of_shape.hpp"
 
-// What the elements of a flow tell of it beside their residual: integrals over the mesh, and fields at its nodes.
+// What the elements of a flow tell of it beside their residual: integrals over the mesh, fields at its nodes, and
+// matrices of its pressures.
 
 namespace tether::fem {
 
@@ -129,6 +130,71 @@ std::vector<double> FlowElementsOf<V, P>::pressure_at_nodes(std::span<const doub
     }
   }
   return all;
+}
+
+template <class V, class P>
+template <class Product>
+SparseMatrix FlowElementsOf<V, P>::pressure_matrix(const Product& product) const {
+  std::vector<int> first{0};  // pressures that are unknown, in the order of their nodes and so of the unknowns
+  for (std::size_t n = 0; n < mesh_.node_count(); ++n)
+    first.push_back(first.back() + (static_cast<std::size_t>(flow_.twin[n]) == n && unknowns_.pressure[n] >= 0));
+  const ClusterPattern pattern(first, clusters_of(flow_));
+  SparseMatrix A = pattern.matrix();
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    Eigen::Matrix<double, NP, NP, Eigen::RowMajor> k = Eigen::Matrix<double, NP, NP>::Zero();
+    for (int at = 0; at < points; ++at) k += weights_[e * points + index(at)] * product(e, at);
+    std::array<int, index_count<NP>> number;
+    for (int q = 0; q < NP; ++q) {
+      const std::size_t n = node(e, corner_[index(q)]);
+      number[index(q)] = unknowns_.pressure[n] < 0 ? -1 : first[n];
+    }
+    pattern.add(e, corner_, number, std::span(k.data(), index_count<NP * NP>), A);
+  }
+  return A;
+}
+
+template <class V, class P>
+SparseMatrix FlowElementsOf<V, P>::pressure_mass() const {
+  using Matrix = Eigen::Matrix<double, NP, NP>;
+  return pressure_matrix([&](std::size_t, int k) -> Matrix {
+    return pressure_values_[index(k)] * pressure_values_[index(k)].transpose();
+  });
+}
+
+template <class V, class P>
+SparseMatrix FlowElementsOf<V, P>::pressure_laplacian() const {
+  using Matrix = Eigen::Matrix<double, NP, NP>;
+  SparseMatrix A = pressure_matrix([&](std::size_t e, int k) -> Matrix {
+    const auto S = P::gradients(V::place(k));
+    const Eigen::Matrix<double, 2, NP> G =
+        to_reference(e, k).transpose() * Eigen::Map<const Eigen::Matrix<double, 2, NP>>(S.data());
+    return G.transpose() * G;
+  });
+  const auto twin = [&](int n) { return static_cast<std::size_t>(flow_.twin[static_cast<std::size_t>(n)]); };
+  std::vector<std::uint8_t> on_open(mesh_.node_count(), 0), held;
+  for (const FlowSide& side : flow_.sides) {
+    for (const int n : side.sides) on_open[twin(n)] |= side.boundary == Boundary::open;
+  }
+  for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+    if (static_cast<std::size_t>(flow_.twin[n]) == n && unknowns_.pressure[n] >= 0) held.push_back(on_open[n]);
+  }
+  hold(A, held, 1);
+  return A;
+}
+
+template <class V, class P>
+double FlowElementsOf<V, P>::mean_lsic(const FlowMoment& m) const {
+  if constexpr (!Point::stabilised) return 0;
+  const FlowConstants c = constants(m);
+  double sum = 0, volume = 0;
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    const Velocities v0 = gathered(e, m.v0), v1 = gathered(e, m.v1);
+    for_points(e, m, [&](Point& at) {
+      at.evaluate(c, v0, v1, pressures(e, m.p));
+      sum += at.weight * at.tau_L, volume += at.weight;
+    });
+  }
+  return sum / volume;
 }
 
 }  // namespace tether::fem

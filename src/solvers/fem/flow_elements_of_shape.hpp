@@ -88,6 +88,9 @@ class FlowElementsOf final : public FlowElements {
   SparseMatrix laplacian() const override;
   std::vector<double> stream_source(std::span<const double> v) const override;
   std::vector<double> pressure_at_nodes(std::span<const double> p) const override;
+  SparseMatrix pressure_mass() const override;
+  SparseMatrix pressure_laplacian() const override;
+  double mean_lsic(const FlowMoment& m) const override;
 
  private:
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
@@ -113,19 +116,27 @@ class FlowElementsOf final : public FlowElements {
       for (int q = 0; q < NP; ++q) numbers_.push_back(unknowns_.pressure[node(e, corner_[index(q)])]);
     }
   }
+  /// Of the pressures that are unknown, the integral of what product(e, k) gives for an element's at a point.
+  template <class Product>
+  SparseMatrix pressure_matrix(const Product& product) const;
+
   void add_point(std::size_t e, int k) {
     const auto map = jacobian_at<V>(mesh_, e, V::place(k));
     const Velocities G = Eigen::Map<const Velocities>(map.gradients.data());
     gradients_.push_back(G);
     weights_.push_back(map.determinant * V::weight(k));
-    const auto S = V::gradients(V::place(k));  // by the reference coordinates s
+    const Eigen::Matrix2d to = to_reference(e, k);
+    metrics_.push_back(to.transpose() * to);
+  }
+  /// ds/dx of the reference coordinates s at a point of quadrature.
+  Eigen::Matrix2d to_reference(std::size_t e, int k) const {
+    const auto S = V::gradients(V::place(k));
     Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
     for (int a = 0; a < NV; ++a) {
       J += Eigen::Map<const Eigen::Vector2d>(&mesh_.x[2 * static_cast<std::size_t>(mesh_.element(e)[a])]) *
            Eigen::Map<const Eigen::RowVector2d>(&S[index(2 * a)]);
     }
-    const Eigen::Matrix2d to = J.inverse();  // ds/dx
-    metrics_.push_back(to.transpose() * to);
+    return J.inverse();
   }
 
   Velocities gathered(std::size_t e, std::span<const double> v) const {

@@ -40,6 +40,7 @@ FlowSolver::FlowSolver(const Plan& plan)
 void FlowSolver::advance(double until) {
   const double tmax = plan_.scene.clock.tmax;
   while (state_.time < until && state_.time < tmax) {
+    const long long failures = state_.krylov_failures;
     clock_step(
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
         [&](double part) {
@@ -48,7 +49,17 @@ void FlowSolver::advance(double until) {
           return report;
         },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
+    tell_of_failures(failures);
   }
+}
+
+/// The first time that GMRES does not do is told.
+void FlowSolver::tell_of_failures(long long before) {
+  if (before > 0 || state_.krylov_failures == 0) return;
+  messages_.push_back(
+      fmt::format("t = {:.6g}: GMRES does not solve a system of the flow: the rest of the step is solved directly, as "
+                  "later ones will be where that happens again; solver='direct' of $flow saves the attempts",
+                  state_.time));
 }
 
 /// Of steady flows the last Reynolds number that was reached is told.
@@ -115,10 +126,17 @@ void FlowSolver::restore(const SavedState& saved) {
 Summary FlowSolver::more_summary() const {
   const FlowCost& cost = step_.cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  return {{"unknowns", number(unknowns_.count())},           {"newton_iterations", number(state_.newton_steps)},
-          {"factorisations", number(state_.factorisations)}, {"halvings", number(state_.halvings)},
-          {"factor_nonzeros", number(cost.factor_nonzeros)}, {"assembly_seconds", number(cost.assembly_seconds)},
-          {"solve_seconds", number(cost.solve_seconds)},     {"analysis_seconds", number(cost.analysis_seconds)}};
+  return {{"unknowns", number(unknowns_.count())},
+          {"newton_iterations", number(state_.newton_steps)},
+          {"factorisations", number(state_.factorisations)},
+          {"halvings", number(state_.halvings)},
+          {"factor_nonzeros", number(cost.factor_nonzeros)},
+          {"assembly_seconds", number(cost.assembly_seconds)},
+          {"solve_seconds", number(cost.solve_seconds)},
+          {"analysis_seconds", number(cost.analysis_seconds)},
+          {"linear_solver", step_.by_krylov() ? "krylov" : "direct"},
+          {"krylov_iterations", number(state_.krylov_iterations)},
+          {"krylov_failures", number(state_.krylov_failures)}};
 }
 
 }  // namespace tether::fem

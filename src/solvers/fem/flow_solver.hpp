@@ -33,6 +33,7 @@ class FlowSolver final : public Solver {
   Summary more_summary() const override;
 
  private:
+  void tell_of_failures(long long before);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
 
   const Plan& plan_;

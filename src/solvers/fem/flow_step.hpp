@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "algebra/sparse_solver.hpp"
 #include "solvers/fem/flow_elements.hpp"
+#include "solvers/fem/flow_linear.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
 #include "solvers/fem/immersed_solids.hpp"
@@ -52,14 +52,17 @@ class FlowStep {
   /// That of the last step [stress time].
   double viscosity() const { return viscosity_; }
   const FlowCost& cost() const { return cost_; }
+  bool by_krylov() const { return linear_.by_krylov(); }
 
  private:
   void begin(const FlowState& state, const FlowStepTime& at);
   FlowMoment moment(std::span<const double> v0) const;
   double find_residual(const FlowState& state);
   bool factorise(FlowState& state);
-  bool correct(const FlowState& state);
-  void find_correction();
+  bool correct(FlowState& state, double residual);
+  bool find_correction(double residual);
+  FlowScales scales(const FlowState& state) const;
+  void count(FlowState& state);
   bool apply_correction(double part);
   void update_pattern();
   void accept(FlowState& state);
@@ -72,8 +75,9 @@ class FlowStep {
   double gravity_;
   ClusterPattern pattern_;
   SparseMatrix K_;
-  SparseSolver solver_;
-  // Whether there are factors, of this very iterate, and whether they lead on so slowly that new ones are cheaper.
+  FlowLinear linear_;
+  // Whether there are factors of K that corrections to come may share, of this very iterate, and whether they lead on
+  // so slowly that new ones are cheaper.
   bool factors_ = false, new_factors_ = false, leads_on_slowly_ = false;
   double size_ = 0, corrected_part_ = 0;  // of the residual; of the last correction what was applied
   FlowScale first_scale_;
