@@ -24,7 +24,7 @@ DeckRun run_deck(const std::string& name, const std::vector<std::string>& overri
   const RunOutcome outcome = run(loaded.plan, request);
   DeckRun result{{}, outcome.history, loaded.plan.warnings, folder.string(), keeps_folder};
   for (const auto& [key, value] : outcome.summary) {
-    if (key != "path") result.summary[key] = std::stod(value);
+    if (key != "path" && key != "linear_solver") result.summary[key] = std::stod(value);
   }
   return result;
 }
