@@ -57,12 +57,12 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
 FlowReport FlowStep::start(FlowState& state, double dt) {
   constexpr double part = 1e-6;
   state.v_before = state.v;
-  if (immersed_) immersed_->start(state);
+  if (immersed_) immersed_->start(state, dt);
   if (unknowns_.flow.integrator == FlowIntegrator::steady) return {true, {}};
   FlowState after = state;
   const FlowReport report = advance(after, {0, part * dt, 0, true});
   state.v = state.v_before = after.v;
-  if (immersed_) immersed_->start(state);
+  if (immersed_) immersed_->start(state, dt);
   return report;
 }
 
@@ -85,7 +85,7 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   unknowns_.copy_to_twins(v1_, 2);
   acceleration_ = elements_->accelerations(gravity_, steady ? at.tmax : at.start + theta_ * at.dt);
   if (!immersed_) return;
-  immersed_->begin(state, at.dt, theta_);
+  immersed_->begin(state, at.dt, theta_, at.sudden);
   immersed_->move(state.v, v1_);
   immersed_->end_correction();
 }

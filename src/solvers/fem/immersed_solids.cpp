@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "solvers/fem/solid_step.hpp"
 
 namespace tether::fem {
 namespace {
@@ -51,7 +52,8 @@ ImmersedSolids::ImmersedSolids(const Solids& solids, const FlowUnknowns& unknown
       map_(unknowns.flow),
       S_(system_.pattern.matrix()) {
   const std::size_t n = system_.unknowns();
-  for (auto* numbers : {&q0_, &middle_, &q1_, &supported_, &V_, &rate_, &F_, &free_, &outer_, &change_})
+  for (auto* numbers :
+       {&q0_, &middle_, &q1_, &supported_, &led_, &led_rate_, &V_, &rate_, &F_, &free_, &outer_, &change_})
     numbers->resize(n);
   difference_.resize(unknowns.velocity.size());
   if (!any(unknowns.flow.volume_penalty)) return;
@@ -69,24 +71,24 @@ void ImmersedSolids::place(std::span<const double> x, double time) {
                   time, n + 1, solids_.mesh.x[2 * n], solids_.mesh.x[2 * n + 1], x[2 * n], x[2 * n + 1]));
 }
 
-void ImmersedSolids::start(FlowState& state) {
+void ImmersedSolids::start(FlowState& state, double dt) {
   state.q = solids_.mesh.x;
   state.w.assign(state.q.size(), 0.0);
   system_.place_supports(0, state.q);
   place(state.q, 0);
   map_.velocities(state.v, state.w);
-  for (std::size_t k = 0; k < state.w.size(); ++k) {
-    if (system_.held[k]) state.w[k] = 0;
-  }
+  system_.move_supports(0, slope_width * dt, state.w);
   q0_ = q1_ = state.q;
   state.drift = state.w;
 }
 
 /// The middle is predicted by the mean velocities of the step before, without what alternates from step to step.
-void ImmersedSolids::begin(const FlowState& state, double dt, double theta) {
+void ImmersedSolids::begin(const FlowState& state, double dt, double theta, bool sudden) {
   time_ = state.time, dt_ = dt, theta_ = theta;
-  q0_ = state.q, supported_ = state.q;
+  q0_ = state.q, supported_ = state.q, led_ = state.w;
   system_.place_supports(state.time + dt, supported_);
+  if (!sudden) system_.move_supports(state.time + dt, slope_width * dt, led_);
+  for (std::size_t k = 0; k < led_.size(); ++k) led_rate_[k] = (led_[k] - state.w[k]) / dt;
   for (std::size_t k = 0; k < q0_.size(); ++k)
     middle_[k] = system_.held[k] ? q0_[k] + theta * (supported_[k] - q0_[k]) : q0_[k] + theta * dt * state.drift[k];
   place(middle_, state.time);
@@ -96,14 +98,14 @@ void ImmersedSolids::begin(const FlowState& state, double dt, double theta) {
   corrected_ = q0_;
 }
 
-/// (51): v_t and dv/dt at the nodes; of supported ones what they are given (52).
+/// (51): v_t and dv/dt at the nodes; of supported ones what they are given (52), whose inertia their neighbours feel.
 void ImmersedSolids::move(std::span<const double> v0, std::span<const double> v1) {
   for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] = (v1[k] - v0[k]) / dt_;
   map_.velocities(difference_, rate_);
   for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] = (1 - theta_) * v0[k] + theta_ * v1[k];
   map_.velocities(difference_, V_);
   for (std::size_t k = 0; k < q1_.size(); ++k) {
-    if (system_.held[k]) V_[k] = (supported_[k] - q0_[k]) / dt_, rate_[k] = 0;
+    if (system_.held[k]) V_[k] = (supported_[k] - q0_[k]) / dt_, rate_[k] = led_rate_[k];
     q1_[k] = q0_[k] + dt_ * V_[k];
   }
 }
@@ -239,7 +241,7 @@ void ImmersedSolids::accept(FlowState& state) {
   place(state.q, state.time + dt_);
   map_.velocities(state.v, state.w);
   for (std::size_t k = 0; k < state.w.size(); ++k) {
-    if (system_.held[k]) state.w[k] = V_[k];
+    if (system_.held[k]) state.w[k] = led_[k];
   }
 }
 

@@ -26,11 +26,11 @@ class ImmersedSolids {
   /// Flow, unknowns and solids must outlive it.
   ImmersedSolids(const Solids& solids, const FlowUnknowns& unknowns, double gravity);
 
-  /// Places and velocities of the nodes at the start.
-  void start(FlowState& state);
-  /// A step of dt from the state, whose stress and velocity are taken at theta of it. Throws RunError where a node is
-  /// outside of the fluid.
-  void begin(const FlowState& state, double dt, double theta);
+  /// Places and velocities of the nodes at the start; those of supported ones over a part of a step of dt.
+  void start(FlowState& state, double dt);
+  /// A step of dt from the state, whose stress and velocity are taken at theta of it; in a sudden one
+  /// supports keep their velocity. Throws RunError where a node is outside of the fluid.
+  void begin(const FlowState& state, double dt, double theta, bool sudden);
   /// Moves the nodes by fluid velocities v0, v1 at its ends.
   void move(std::span<const double> v0, std::span<const double> v1);
   /// Ends a correction of v1 that move() has followed.
@@ -77,10 +77,11 @@ class ImmersedSolids {
   ImmersedMap map_;
   SparseMatrix S_;
   // The step: solid nodes' places at its start, middle and end, and there behind the last correction; the stress that
-  // the tangent takes; prescribed way, velocity, acceleration and forces.
+  // the tangent takes; what supports prescribe, their places and velocities at its end and accelerations; velocity,
+  // acceleration and forces.
   double time_ = 0, dt_ = 0, theta_ = 0.5;
-  std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, V_, rate_, F_, free_,
-      outer_, change_, difference_;
+  std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, led_, led_rate_, V_,
+      rate_, F_, free_, outer_, change_, difference_;
 };
 
 }  // namespace tether::fem

@@ -63,7 +63,7 @@ struct RunningFlow {
     }
     unknowns.prescribe(0, state.v);
     state.v_before = state.v;
-    if (step.immersed()) step.immersed()->start(state);
+    if (step.immersed()) step.immersed()->start(state, 1e-3);
   }
   /// Steps of dt to the time; false where one does not converge.
   bool run(double until, double dt) {
