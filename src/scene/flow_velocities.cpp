@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/errors.hpp"
 #include "grid/lagrange.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "scene/flow_checks.hpp"
@@ -15,12 +16,13 @@ namespace {
 using Vector = std::array<double, 2>;
 
 constexpr double straight = 1e-9;  // part of a wall's velocity that rounding may turn
+constexpr int times = 20;          // at which walls are looked at
 
 /// Of the fluid's vectors as the deck writes them.
 class VelocityChecks {
  public:
   VelocityChecks(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics)
-      : deck_(deck), flow_(flow), t_(first_time(flow, clock)), diagnostics_(diagnostics) {}
+      : deck_(deck), flow_(flow), t_(first_time(flow, clock)), tmax_(clock.tmax), diagnostics_(diagnostics) {}
 
   /// Whether all have finite values.
   bool finite() {
@@ -110,30 +112,45 @@ class VelocityChecks {
     }
     return doubt;
   }
+  /// At the start and later on: a table often begins at zero, which goes through nothing.
   template <int p>
   void check_wall(int number, const std::vector<Holder>& holders) {
+    const std::vector<double> doubt = doubts<p>(flow_.sides[static_cast<std::size_t>(number)]);
+    for (int k = 0; k <= (t_ > 0 ? 0 : times); ++k) {
+      try {
+        if (!is_along<p>(number, holders, doubt, t_ + k * tmax_ / times)) return;
+      } catch (const RunError&) {
+        // An expression without a value at a time that no step may ever ask for: the run tells of it if one does.
+      }
+    }
+  }
+  /// Whether a wall moves along itself at a time; tells where it does not.
+  template <int p>
+  bool is_along(int number, const std::vector<Holder>& holders, const std::vector<double>& doubt, double time) {
     const FlowSide& side = flow_.sides[static_cast<std::size_t>(number)];
-    const std::vector<double> doubt = doubts<p>(side);
     for (std::size_t s = 0; s < side.sides.size(); s += p + 1) {
       const auto along = tangents<p>(&side.sides[s]);
       for (std::size_t a = 0; a <= p; ++a) {
         const int node = side.sides[s + a];
         if (holders[static_cast<std::size_t>(node)].side != number) continue;
-        const Vector x = place(node), v = side.velocity.at(x[0], x[1], t_);
+        const Vector x = place(node), v = side.velocity.at(x[0], x[1], time);
         const double through = sine(v, along[a]);
         if (through <= (straight + doubt[static_cast<std::size_t>(node)]) * std::hypot(v[0], v[1])) continue;
-        return diagnostics_.add(
+        diagnostics_.add(
             deck_.remark(Severity::error, "flow", "boundary", {side.number, 1},
-                         fmt::format("the velocity ({:.6g}, {:.6g}) of '{}' at {} goes through the wall by {:.6g}",
-                                     v[0], v[1], side.name, place_text(flow_.mesh, node), through),
+                         fmt::format("at t = {:.6g} the velocity ({:.6g}, {:.6g}) of '{}' at {} goes through the wall "
+                                     "by {:.6g}",
+                                     time, v[0], v[1], side.name, place_text(flow_.mesh, node), through),
                          "a moving wall moves along itself; write 'inflow' where fluid goes through"));
+        return false;
       }
     }
+    return true;
   }
 
   const Deck& deck_;
   const Flow& flow_;
-  double t_;  // [time]
+  double t_, tmax_;  // the first time that matters and the last one [time]
   Diagnostics& diagnostics_;
 };
 

@@ -116,9 +116,20 @@ TEST(FlowWalls, MoveAlongAStraightSideExactly) {
   };
   EXPECT_EQ(told("1e-13"), Texts{});
   EXPECT_EQ(told("0.001"),
-            Texts{"8:36: the velocity (1, 0.001) of '1.top' at (0.5, 1) goes through the wall by 0.001"});
+            Texts{"8:36: at t = 0 the velocity (1, 0.001) of '1.top' at (0.5, 1) goes through the wall by 0.001"});
   // at the corners the walls at rest count
   EXPECT_EQ(told("(x == 0) + (x == 2)"), Texts{});
+}
+
+/// A table that begins at zero, and an expression: what goes through the wall later is told, too.
+TEST(FlowWalls, MayNotMoveThroughThemselvesLater) {
+  const std::string open = ",boundary_on(2)='1.right',boundary(2)='open',boundary_on(1)='1.left',boundary(1)='moving',";
+  const auto told = [&](const std::string& v) { return channel("element='q2q1'" + open + v).errors(); };
+  EXPECT_EQ(told("boundary_v(1)='t'"), Texts{});
+  const Texts by_table = told("boundary_u(1)='1',boundary_time(1,1)=0.,1.,boundary_factor(1,1)=0.,1.");
+  ASSERT_EQ(by_table.size(), 1u);
+  EXPECT_NE(by_table[0].find("goes through the wall"), std::string::npos) << by_table[0];
+  EXPECT_EQ(told("boundary_u(1)='t',boundary_v(1)='1'").size(), 1u);
 }
 
 /// A quarter of a ring, open at its cuts: an end of its axle has one element beside it.
@@ -137,8 +148,9 @@ TEST(FlowWalls, MayNotMoveAcrossACorner) {
   for (const auto& [edge, place] : {std::pair{"2", "(2, 0.5)"}, {"4", "(0, 0.5)"}}) {
     const Built built = channel("element='q1q1',boundary_on(1)='box',boundary_u(1)='1',boundary(1)='moving'", "",
                                 {"mesh.side(1,1)='box'", fmt::format("mesh.side({},1)='box'", edge)});
-    EXPECT_EQ(built.errors(),
-              Texts{fmt::format("8:67: the velocity (1, 0) of 'box' at {} goes through the wall by 1", place)});
+    EXPECT_EQ(
+        built.errors(),
+        Texts{fmt::format("8:67: at t = 0 the velocity (1, 0) of 'box' at {} goes through the wall by 1", place)});
   }
 }
 
