@@ -69,6 +69,25 @@ TEST(Flow, PicardFindsTheSameFlow) {
   EXPECT_NEAR(picard.last("stream_min") / newton.last("stream_min"), 1, 1e-5);
 }
 
+/// Under a lid that moves along walls that are periodic, with u = y at the end and at the start: tracers go by t y.
+TEST(Flow, TracersGoWithTheFluid) {
+  const DeckRun run = run_deck(
+      "cavity", {"mesh.cells(1:2,1)=4,4", "in.xright=1.", "flow.steady=.false.", "in.tmax=.4", "in.tstep=.1",
+                 "in.iout(32)=1", "in.tiout(32)=.4", "flow.boundary_on(2)='1.left'", "flow.boundary(2)='periodic'",
+                 "flow.boundary_with(2)='1.right'", "flow.u0='y'", "flow.tracers(1)=3", "flow.tracers(2)=5"});
+  for (const std::string& warning : run.warnings) EXPECT_EQ(warning.find("writes nothing"), std::string::npos);
+  const auto x = read_variable(run.folder + "/particles.nc", "x"), y = read_variable(run.folder + "/particles.nc", "y");
+  ASSERT_EQ(x.size(), 30u);
+  ASSERT_EQ(y.size(), 30u);
+  for (std::size_t n = 0; n < 15; ++n) {
+    const double at = (static_cast<double>(n / 3) + .5) / 5;
+    EXPECT_NEAR(y[n], at, 1e-12);
+    EXPECT_NEAR(y[15 + n], at, 1e-9);
+    if (n % 3 == 2) continue;  // it goes out at the end of the mesh
+    EXPECT_NEAR(x[15 + n], x[n] + .4 * at, 1e-6) << n;
+  }
+}
+
 /// Where no steady flow is found the run stops and tells how far it came.
 TEST(Flow, TellsTheLastReynoldsNumberThatConverged) {
   auto deck = cavity("'q2q1'", 8, "1e-7", ".5");

@@ -35,6 +35,7 @@ FlowSolver::FlowSolver(const Plan& plan)
         fmt::format("t = 0: no incompressible velocities are found for the start: residuals over the "
                     "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
                     residuals_text(report.residuals)));
+  tracers_.start(plan.scene.solids.get(), state_);
 }
 
 void FlowSolver::advance(double until) {
