@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "cases/run_deck.hpp"
 
 // Elastic bodies immersed in a flow.
@@ -73,6 +74,31 @@ TEST(Immersed, DiskKeepsItsAreaWhateverItsDensity) {
     }
     EXPECT_LT(largest_part(area), 0.01) << density;
     EXPECT_LT(run.summary.at("energy_drift"), 0.02) << density;
+  }
+}
+
+/// A light body of few elements would take more mass from the fluid than its nodes have: the run tells so.
+TEST(Immersed, LightBodiesOfCoarseElementsAreTold) {
+  const auto run = [](const std::string& along, const std::string& across) {
+    std::vector<std::string> deck{"in.tmax=.002",
+                                  "in.tstep=.0005",
+                                  "in.gravc=-1.",
+                                  "flow.element='q2q1'",
+                                  "mesh.cells(1:2,1)=16,16",
+                                  "flow.boundary_u(1)='0'",
+                                  "mesh.cells(1:2,2)=" + along + "," + along};
+    for (const char* region : {"2", "3", "4", "5", "6"}) {
+      deck.push_back(std::string("reg.densir(") + region + ")=.1");
+      if (*region > '2') deck.push_back(std::string("mesh.cells(1:2,") + region + ")=" + across + "," + along);
+    }
+    return run_deck("disk", deck);
+  };
+  EXPECT_NO_THROW(run("16", "8"));
+  try {
+    run("2", "1");
+    FAIL() << "a body of 12 elements";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("kinetic energy is negative"), std::string::npos) << error.what();
   }
 }
 

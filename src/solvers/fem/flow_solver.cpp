@@ -19,7 +19,8 @@ FlowSolver::FlowSolver(const Plan& plan)
       unknowns_(flow_),
       step_(unknowns_, plan.scene.solids.get(), plan.scene.gravity),
       tracers_(flow_),
-      fields_(flow_, step_, tracers_) {
+      fields_(flow_, step_, tracers_),
+      light_bodies_(has_light_bodies()) {
   const Mesh& mesh = flow_.mesh;
   state_.v.resize(2 * mesh.node_count()), state_.p.resize(mesh.node_count());
   state_.force.resize(2 * mesh.node_count());
@@ -51,6 +52,7 @@ void FlowSolver::advance(double until) {
         },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
     tell_of_failures(failures);
+    if (light_bodies_) check_kinetic_energy();
   }
 }
 
@@ -61,6 +63,28 @@ void FlowSolver::tell_of_failures(long long before) {
       fmt::format("t = {:.6g}: GMRES does not solve a system of the flow: the rest of the step is solved directly, as "
                   "later ones will be where that happens again; solver='direct' of $flow saves the attempts",
                   state_.time));
+}
+
+/// Whether bodies take mass from the fluid. One that supports move tells nothing: the fluid does not go with it.
+bool FlowSolver::has_light_bodies() const {
+  if (!step_.immersed()) return false;
+  const Solids& solids = step_.immersed()->solids();
+  const auto moves = [](const Support& support) { return support.displacement != std::array<double, 3>{}; };
+  return std::ranges::none_of(solids.supports, moves) &&
+         std::ranges::any_of(solids.regions, [&](const auto& region) { return region.density < flow_.density; });
+}
+
+/// The mass that light bodies take from the fluid is theirs by their own functions: where these are coarser than the
+/// fluid's it is more than some of its velocities have, and such velocities grow at no cost.
+void FlowSolver::check_kinetic_energy() const {
+  constexpr double rounding = 1e-6;
+  const double fluid = step_.elements().kinetic_energy(state_.v);
+  const double both = fluid + step_.immersed()->kinetic_energy(state_);
+  if (both >= -rounding * fluid) return;
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: the kinetic energy is negative, {:.4g}: likely cause, bodies lighter than the "
+                  "fluid whose elements are too coarse beside the fluid's: they take more mass from it than there is",
+                  state_.time, state_.steps, both));
 }
 
 /// Of steady flows the last Reynolds number that was reached is told.

@@ -35,6 +35,8 @@ class FlowSolver final : public Solver {
  private:
   void tell_of_failures(long long before);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
+  bool has_light_bodies() const;
+  void check_kinetic_energy() const;
 
   const Plan& plan_;
   const Flow& flow_;
@@ -43,6 +45,7 @@ class FlowSolver final : public Solver {
   FlowTracers tracers_;
   FlowFields fields_;
   FlowState state_;
+  bool light_bodies_ = false;  // whose kinetic energy is looked at
   std::vector<std::string> messages_;
 };
 
