@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <utility>
+
 #include "deck/elements.hpp"
 #include "deck/spelling.hpp"
 #include "scene/flow_of_deck.hpp"
@@ -47,7 +50,14 @@ class FlowChecks {
         error("fem", switched, {1, 1}, "solids beside a fluid have no equilibrium of their own",
               "leave it away; steady of $flow looks for a steady flow");
     }
+    if (deck_.text("flow", "integrator") == "euler" && !is_default("fem", "integrator", {1, 1}))
+      warn("fem", "integrator", {1, 1}, "integrator of $fem has no effect: the fluid goes by backward Euler",
+           "solids' stress is then that of each step's end; it matters beside integrator='midpoint' of $flow");
     if (!deck_.logical("flow", "steady")) return;
+    if (deck_.given("flow", "tracers", 1))
+      warn("flow", "tracers", {1, 1},
+           "tracers of a steady flow go through the steps that lead up to it, which take no time",
+           "leave them away, or steady");
     if (!regions_of(deck_, false).empty())
       error("flow", "steady", {1, 1}, "a flow with immersed solids is not steady: they go with the fluid",
             "leave it away, or the regions that are no fluid");
@@ -76,6 +86,15 @@ class FlowChecks {
       if (!deck_.given("fem", name) || is_default("fem", name, {1, 1})) continue;
       warn("fem", name, {1, 1}, fmt::format("{} of $fem has no effect beside a fluid", name),
            name == std::string_view("tolerance") ? "tolerance of $flow counts" : "");
+    }
+  }
+  /// What a body says of its start: it starts with the fluid.
+  void starts() {
+    for (const int r : regions_of(deck_, false)) {
+      const std::array<std::pair<const char*, const char*>, 3> velocities{
+          {{"reg", "vrx"}, {"reg", "vry"}, {"fem", "vrz"}}};
+      for (const auto& [group, name] : velocities) start_of_body(group, name, {r, 1}, r);
+      for (const int i : {1, 2, 3}) start_of_body("fem", "spin", {i, r}, r);
     }
   }
   /// What is said of a region that is a fluid and means solids alone, or the other way.
@@ -108,6 +127,13 @@ class FlowChecks {
                      variable.rank == 1 ? at[0] : at[1]),
          "");
   }
+  void start_of_body(const char* group, const char* name, Subscript at, int r) {
+    if (!deck_.given(group, name, at[0], at[1]) || is_default(group, name, at)) return;
+    warn(group, name, at,
+         fmt::format("{} has no effect: region {} starts with the fluid's velocity",
+                     element_name(*find_variable(group, name), at), r),
+         "u0 and v0 of $flow are the fluid's velocity at the start, and so the body's");
+  }
   /// A velocity of a region that the fluid does not start with.
   void check_start(const char* variable, const char* of_region, int r) {
     const int first = regions_of(deck_, true).front();
@@ -134,6 +160,7 @@ void check_flow_deck(const Deck& deck, Diagnostics& diagnostics) {
   checks.solids();
   checks.solver();
   checks.regions();
+  checks.starts();
 }
 
 }  // namespace tether

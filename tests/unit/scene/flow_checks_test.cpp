@@ -189,6 +189,22 @@ TEST(FlowDecks, WhatHasNoEffectIsAWarning) {
              "vrx(1) has no effect: u0 of $flow is there"}));
 }
 
+TEST(FlowDecks, BodiesStartWithTheFluid) {
+  const Built built =
+      channel_with_body("integrator='euler'", ",integrator='midpoint',spin(3,1)=1.,vrz=2.", {"reg.vrx=1.,0."});
+  EXPECT_EQ(built.errors(), Texts{});
+  EXPECT_EQ(warnings_of(built), (Texts{"integrator of $fem has no effect: the fluid goes by backward Euler",
+                                       "vrx(1) has no effect: region 1 starts with the fluid's velocity",
+                                       "vrz(1) has no effect: region 1 starts with the fluid's velocity",
+                                       "spin(3,1) has no effect: region 1 starts with the fluid's velocity"}));
+}
+
+TEST(FlowDecks, TracersOfASteadyFlowAreAWarning) {
+  EXPECT_EQ(warnings_of(channel("steady=.true.,tracers=2,2")),
+            Texts{"tracers of a steady flow go through the steps that lead up to it, which take no time"});
+  EXPECT_EQ(warnings_of(channel("tracers=2,2")), Texts{});
+}
+
 TEST(FlowDecks, MaterialPointsHaveNoUseForThem) {
   Diagnostics diagnostics;
   const Deck deck = read_deck(on_unit_square("$\n$flow $\n"), "a.in", {}, diagnostics);
