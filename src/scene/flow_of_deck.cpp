@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/expression_of_deck.hpp"
 #include "scene/flow_checks.hpp"
 #include "scene/solids_of_deck.hpp"
@@ -82,6 +84,23 @@ std::vector<double> penalties_of(const Deck& deck) {
   return penalties;
 }
 
+/// A pressure and a balance of what goes in and out are of one fluid, which hangs together by sides.
+void check_one_fluid(const Deck& deck, const Flow& flow, Diagnostics& diagnostics) {
+  const Mesh& mesh = flow.mesh;
+  if (std::any_of(flow.sides.begin(), flow.sides.end(),
+                  [](const FlowSide& side) { return side.boundary == Boundary::periodic; }))
+    return;  // which may join parts
+  const std::vector<int> parts = blocks_by_sides(mesh);
+  const auto other = std::find_if(parts.begin(), parts.end(), [](int part) { return part > 0; });
+  if (other == parts.end()) return;
+  const int r =
+      regions_of(deck, true)[static_cast<std::size_t>(mesh.region[static_cast<std::size_t>(other - parts.begin())])];
+  refuse(deck, "fem", "law", {r, 1},
+         fmt::format("the fluid of region {} does not hang together with that of region {}", r,
+                     regions_of(deck, true).front()),
+         "blocks are joined by whole sides; fluids that nothing joins take a deck each", diagnostics);
+}
+
 Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
   Flow flow;
   flow.mesh = std::move(mesh);
@@ -89,6 +108,7 @@ Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
   read_method(deck, flow, diagnostics);
   flow.sides = flow_sides_of(deck, flow.mesh, diagnostics);
   flow.twin = twins_of(deck, flow.mesh, flow.sides, diagnostics);
+  if (!diagnostics.has_errors()) check_one_fluid(deck, flow, diagnostics);
   flow.acceleration = flow_vector_of(deck, {"bx", "by"}, 1, "bx, by of $flow", diagnostics);
   flow.start = start_of(deck, diagnostics);
   flow.forces = force_sides_of(deck, flow.mesh, diagnostics);

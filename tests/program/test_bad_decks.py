@@ -45,7 +45,7 @@ REQUIRED = {
     "mesh_unknown_side", "mesh_without_density", "mesh_z_of_one_region",
     "flow_about_an_axis", "flow_body_in_a_hole", "flow_body_on_an_inflow", "flow_body_outside",
     "flow_difference_of_nothing", "flow_expression", "flow_expression_not_finite", "flow_force_between_blocks",
-    "flow_force_not_finite", "flow_in_space", "flow_inflow_without_velocity", "flow_kind_without_side",
+    "flow_force_not_finite", "flow_in_space", "flow_in_two_parts", "flow_inflow_without_velocity", "flow_kind_without_side",
     "flow_load_on_the_fluid", "flow_load_without_body", "flow_moving_through_itself", "flow_moving_without_velocity",
     "flow_of_a_mesh_file", "flow_of_two_densities", "flow_partner_of_an_open_side", "flow_periodic_not_parallel",
     "flow_periodic_of_other_nodes", "flow_periodic_without_partner", "flow_probe_outside", "flow_probe_without_y",

@@ -74,8 +74,10 @@ HistoryLayout FlowFields::history_layout() const {
   for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
     const std::string& side = flow_.forces[k].name;
     const std::string number = fmt::format("_{}", k + 1);
-    add("side_force_x" + number, Dimension::force, "force in x of the fluid on " + side + ", mean of the last step");
-    add("side_force_y" + number, Dimension::force, "force in y of the fluid on " + side + ", mean of the last step");
+    add("side_force_x" + number, Dimension::force,
+        "force in x of the fluid on " + side + " with its end nodes, mean of the last step");
+    add("side_force_y" + number, Dimension::force,
+        "force in y of the fluid on " + side + " with its end nodes, mean of the last step");
     add("side_torque_z" + number, Dimension::torque, "its torque about the deck's place");
     if (!has_coefficients(flow_)) continue;
     add("drag" + number, Dimension::number, "force in x over speed^2 length density/2");
