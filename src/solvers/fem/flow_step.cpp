@@ -53,7 +53,8 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
   return report;
 }
 
-/// A step so short that inertia and pressure are all there is: what is left of the velocities is free of divergence.
+/// A step so short that inertia and pressure are all there is, without viscosity, which longer steps than the fluid's
+/// own time would feel: what is left of the velocities is free of divergence.
 FlowReport FlowStep::start(FlowState& state, double dt) {
   constexpr double part = 1e-6;
   state.v_before = state.v;
@@ -61,6 +62,7 @@ FlowReport FlowStep::start(FlowState& state, double dt) {
   if (unknowns_.flow.integrator == FlowIntegrator::steady) return {true, {}};
   FlowState after = state;
   const FlowReport report = advance(after, {0, part * dt, 0, true});
+  viscosity_ = unknowns_.flow.viscosity;
   state.v = state.v_before = after.v;
   if (immersed_) immersed_->start(state, dt);
   return report;
@@ -74,7 +76,7 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   const bool steady = flow.integrator == FlowIntegrator::steady;
   theta_ = flow.integrator == FlowIntegrator::midpoint && !at.sudden ? 0.5 : 1;
   rate_ = steady ? 0 : 1 / at.dt;
-  viscosity_ = steady ? flow.viscosity * at.tmax / (at.start + at.dt) : flow.viscosity;
+  viscosity_ = steady ? flow.viscosity * at.tmax / (at.start + at.dt) : at.sudden ? 0 : flow.viscosity;
   // With solids the step before is too far: the first correction by its factors would go the wrong way.
   if (at.dt != state.linearised.dt || immersed_) factors_ = false;
   leads_on_slowly_ = new_factors_ = false, first_scale_ = {};
