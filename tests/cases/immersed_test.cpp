@@ -103,9 +103,10 @@ TEST(Immersed, LightBodiesOfCoarseElementsAreTold) {
 }
 
 TEST(Immersed, FlapsMirrorEachOtherAndKeepTheirAreas) {
-  const DeckRun run = run_deck("two-flaps", {"in.tmax=.3", "flow.element='q1q1'", "flow.tracers(1)=160",
-                                             "flow.tracers(2)=32", "flow.tracer_box(1)=0.", "flow.tracer_box(2)=4.",
-                                             "flow.tracer_box(3)=0.", "flow.tracer_box(4)=1.61"});
+  const DeckRun run =
+      run_deck("two-flaps", {"in.tmax=.3", "in.iout(13)=1", "in.tiout(13)=.3", "flow.element='q1q1'",
+                             "flow.tracers(1)=160", "flow.tracers(2)=32", "flow.tracer_box(1)=0.",
+                             "flow.tracer_box(2)=4.", "flow.tracer_box(3)=0.", "flow.tracer_box(4)=1.61"});
   const auto x = run.history.column("point_x_1"), y = run.history.column("point_y_1");
   const auto lower_x = run.history.column("point_x_2"), lower_y = run.history.column("point_y_2");
   const double range = *std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end());
@@ -118,6 +119,7 @@ TEST(Immersed, FlapsMirrorEachOtherAndKeepTheirAreas) {
   EXPECT_LT(largest_part(run.history.column("body_volume_2")), 0.005);
   EXPECT_LT(run.summary.at("energy_drift"), 0.02);
   for (const double inside : run.history.column("tracers_in_solids")) EXPECT_EQ(inside, 0);
+  EXPECT_GT(read_variable(run.folder + "/particles.nc", "x").size(), 2u * 4000u);
 }
 
 /// The flaps in cm, g and s, and in m, kg and s: the same motion but for rounding.
@@ -135,6 +137,18 @@ TEST(Immersed, FlapsDoNotDependOnUnits) {
     for (std::size_t k = 0; k < 41; ++k) EXPECT_NEAR(here[k], 100 * there[k], 1e-10) << column << " " << k;
   }
   EXPECT_NEAR(cgs.last("energy_total") / si.last("energy_total"), 1e5, 1e-3);  // of a cm and of a m of depth
+}
+
+/// Of 1,600 tracers over the box those on the disk of area .04 pi are left away, whatever its elements; none goes in.
+TEST(Immersed, TracersStartOutsideOfSolids) {
+  for (const char* element : {"'q1'", "'q2'", "'p1'"}) {
+    const DeckRun run = run_deck(
+        "disk", {std::string("mesh.element=") + element, "in.tmax=.1", "mesh.cells(1,1)=8", "mesh.cells(2,1)=8",
+                 "flow.tracers(1)=40", "flow.tracers(2)=40", "in.iout(13)=1", "in.tiout(13)=.1"});
+    const auto x = read_variable(run.folder + "/particles.nc", "x");
+    EXPECT_NEAR(static_cast<double>(x.size()) / 2, 1600 * (1 - 0.04 * 3.14159), 12) << element;
+    EXPECT_EQ(run.first("tracers_in_solids"), 0) << element;
+  }
 }
 
 }  // namespace

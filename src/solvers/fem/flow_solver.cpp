@@ -46,7 +46,7 @@ void FlowSolver::advance(double until) {
     clock_step(
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
         [&](double part) {
-          const FlowReport report = step_.advance(state_, {state_.time, part, tmax});
+          FlowReport report = step_.advance(state_, {state_.time, part, tmax});
           if (report.converged) tracers_.advance(state_, part);
           return report;
         },

@@ -61,7 +61,7 @@ FlowReport FlowStep::start(FlowState& state, double dt) {
   if (immersed_) immersed_->start(state, dt);
   if (unknowns_.flow.integrator == FlowIntegrator::steady) return {true, {}};
   FlowState after = state;
-  const FlowReport report = advance(after, {0, part * dt, 0, true});
+  FlowReport report = advance(after, {0, part * dt, 0, true});
   viscosity_ = unknowns_.flow.viscosity;
   state.v = state.v_before = after.v;
   if (immersed_) immersed_->start(state, dt);

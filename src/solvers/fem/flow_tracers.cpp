@@ -6,12 +6,39 @@
 namespace tether::fem {
 namespace {
 
-/// Solids in the shape that their nodes at q give them.
-Mesh shape_of(const Solids& solids, const std::vector<double>& q) {
-  Mesh mesh = solids.mesh;
-  mesh.x = q;
-  return mesh;
-}
+/// The solids in the shape that their nodes at q give them.
+class Shape {
+ public:
+  Shape(const Solids& solids, const std::vector<double>& q) : mesh_(solids.mesh) {
+    mesh_.x = q;
+    if (!is_simplex(mesh_.kind)) finder_.emplace(mesh_);
+  }
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
+
+  bool holds(const std::array<double, 2>& x) const {
+    if (finder_) return finder_->find(x).has_value();
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      if (triangle_holds(e, x)) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// Whether the place is on the left of all three edges.
+  bool triangle_holds(std::size_t e, const std::array<double, 2>& x) const {
+    const int* nodes = mesh_.element(e);
+    for (int k = 0; k < 3; ++k) {
+      const double* a = &mesh_.x[2 * static_cast<std::size_t>(nodes[k])];
+      const double* b = &mesh_.x[2 * static_cast<std::size_t>(nodes[(k + 1) % 3])];
+      if ((b[0] - a[0]) * (x[1] - a[1]) < (b[1] - a[1]) * (x[0] - a[0])) return false;
+    }
+    return true;
+  }
+
+  Mesh mesh_;
+  std::optional<PointFinder> finder_;  // of quadrilaterals
+};
 
 }  // namespace
 
@@ -19,13 +46,14 @@ FlowTracers::FlowTracers(const Flow& flow) : flow_(flow), finder_(flow.mesh) {}
 
 void FlowTracers::start(const Solids* solids, FlowState& state) const {
   const TracerBox& box = flow_.tracers;
-  const Mesh shape = solids ? shape_of(*solids, state.q) : Mesh{};
-  const std::optional<PointFinder> in_solids = solids ? std::optional<PointFinder>(shape) : std::nullopt;
+  if (box.count[0] == 0) return;
+  std::optional<Shape> shape;
+  if (solids) shape.emplace(*solids, state.q);
   for (int j = 0; j < box.count[1]; ++j) {
     for (int i = 0; i < box.count[0]; ++i) {
       const std::array<double, 2> x{box.x0 + (i + 0.5) * (box.x1 - box.x0) / box.count[0],
                                     box.y0 + (j + 0.5) * (box.y1 - box.y0) / box.count[1]};
-      if (!finder_.find(x) || (in_solids && in_solids->find(x))) continue;
+      if (!finder_.find(x) || (shape && shape->holds(x))) continue;
       state.tracers.insert(state.tracers.end(), x.begin(), x.end());
     }
   }
@@ -64,11 +92,10 @@ void FlowTracers::advance(FlowState& state, double dt) const {
 }
 
 std::size_t FlowTracers::count_inside(const Solids& solids, const FlowState& state) const {
-  const Mesh shape = shape_of(solids, state.q);
-  const PointFinder in_solids(shape);
+  const Shape shape(solids, state.q);
   std::size_t count = 0;
   for (std::size_t n = 0; n < state.tracer_left.size(); ++n)
-    count += in_solids.find({state.tracers[2 * n], state.tracers[2 * n + 1]}) ? 1 : 0;
+    count += shape.holds({state.tracers[2 * n], state.tracers[2 * n + 1]}) ? 1 : 0;
   return count;
 }
 

@@ -192,6 +192,7 @@ std::vector<std::vector<double>> ImmersedSolids::blocks_of(
   const auto per_cell = static_cast<std::size_t>(map_.nodes_per_cell());
   const auto size_of = [&](const auto& pair) { return (pair.first == pair.second ? 2 : 4) * per_cell; };
   std::vector<std::vector<double>> blocks;
+  blocks.reserve(pairs.size());
   for (const auto& pair : pairs) blocks.emplace_back(size_of(pair) * size_of(pair), 0.0);
   for (std::size_t d = 0; d < q0_.size() / 2; ++d) {
     const auto rows = static_cast<std::size_t>(S_.start[2 * d + 1] - S_.start[2 * d]);
