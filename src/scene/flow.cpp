@@ -8,6 +8,13 @@
 #include "base/errors.hpp"
 
 namespace tether {
+namespace {
+
+int rank_of(Boundary boundary) {
+  return boundary == Boundary::no_slip ? 0 : boundary == Boundary::moving ? 1 : boundary == Boundary::inflow ? 2 : 3;
+}
+
+}  // namespace
 
 std::array<double, 2> FlowVector::at(double x, double y, double t) const {
   std::array<double, 2> v{};
@@ -34,6 +41,19 @@ FlowSystems systems_of(const Flow& flow, bool with_solids) {
   if (flow.systems != FlowSystems::automatic) return flow.systems;
   const bool suits = flow.integrator != FlowIntegrator::steady && !with_solids;
   return suits && unknowns_of(flow) > most_unknowns_of_factors ? FlowSystems::krylov : FlowSystems::direct;
+}
+
+std::vector<Holder> holders_of(const Flow& flow) {
+  std::vector<Holder> holders(flow.mesh.node_count());
+  for (const int rank : {2, 1, 0}) {
+    for (std::size_t s = flow.sides.size(); s-- > 0;) {  // of sides of one kind the first one counts
+      if (rank_of(flow.sides[s].boundary) != rank) continue;
+      for (const int node : flow.sides[s].sides)
+        holders[static_cast<std::size_t>(flow.twin[static_cast<std::size_t>(node)])] = {static_cast<int>(s), node};
+    }
+  }
+  for (std::size_t n = 0; n < holders.size(); ++n) holders[n] = holders[static_cast<std::size_t>(flow.twin[n])];
+  return holders;
 }
 
 }  // namespace tether

@@ -96,4 +96,11 @@ constexpr double most_unknowns_of_factors = 2e5;
 /// many iterations for them or does not get there.
 FlowSystems systems_of(const Flow& flow, bool with_solids);
 
+/// For each node the side that prescribes its velocity, walls at rest before moving walls before inflows, and the node
+/// of that side whose place counts, itself but for twins; -1 where none does.
+struct Holder {
+  int side = -1, node = -1;
+};
+std::vector<Holder> holders_of(const Flow& flow);
+
 }  // namespace tether

@@ -75,24 +75,7 @@ Flux flux_at(const Flow& flow, const std::vector<Holder>& holders, double t) {
   return flux;
 }
 
-int rank_of(Boundary boundary) {
-  return boundary == Boundary::no_slip ? 0 : boundary == Boundary::moving ? 1 : boundary == Boundary::inflow ? 2 : 3;
-}
-
 }  // namespace
-
-std::vector<Holder> holders_of(const Flow& flow) {
-  std::vector<Holder> holders(flow.mesh.node_count());
-  for (const int rank : {2, 1, 0}) {
-    for (std::size_t s = flow.sides.size(); s-- > 0;) {  // of sides of one kind the first one counts
-      if (rank_of(flow.sides[s].boundary) != rank) continue;
-      for (const int node : flow.sides[s].sides)
-        holders[static_cast<std::size_t>(flow.twin[static_cast<std::size_t>(node)])] = {static_cast<int>(s), node};
-    }
-  }
-  for (std::size_t n = 0; n < holders.size(); ++n) holders[n] = holders[static_cast<std::size_t>(flow.twin[n])];
-  return holders;
-}
 
 double first_time(const Flow& flow, const Clock& clock) {
   return flow.integrator == FlowIntegrator::steady ? clock.tmax : 0;

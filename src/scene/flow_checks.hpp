@@ -26,12 +26,6 @@ void check_flow_velocities(const Deck& deck, const Clock& clock, const Flow& flo
 /// The last of these. The velocities are finite when they are first asked.
 void check_flow_balance(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics);
 
-/// For each node the side that prescribes its velocity, walls at rest before moving walls before inflows, and the node
-/// of that side whose place counts, itself but for twins; -1 where none does.
-struct Holder {
-  int side = -1, node = -1;
-};
-std::vector<Holder> holders_of(const Flow& flow);
 /// When prescribed velocities are first asked [time]: a steady flow has those of its end.
 double first_time(const Flow& flow, const Clock& clock);
 

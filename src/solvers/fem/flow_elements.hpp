@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "grid/lagrange.hpp"
 #include "scene/flow.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
 
@@ -75,5 +76,14 @@ std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns);
 
 /// The clusters of unknowns that elements couple, for ClusterPattern: the nodes of each, twins as one.
 Lists clusters_of(const Flow& flow);
+
+/// Calls f with the functions of a fluid's element (quad4 or quad9) at a place s of the reference element.
+template <class Function>
+void with_values_at(ElementKind kind, const std::array<double, 2>& s, const Function& f) {
+  if (kind == ElementKind::quad4)
+    f(ShapesOf<ElementKind::quad4>::values(s));
+  else
+    f(ShapesOf<ElementKind::quad9>::values(s));
+}
 
 }  // namespace tether::fem

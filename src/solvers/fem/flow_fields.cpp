@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "grid/lagrange.hpp"
 #include "grid/point_finder.hpp"
 #include "solvers/fem/mesh_fields.hpp"
 #include "solvers/fem/solid_fields.hpp"
@@ -20,10 +19,7 @@ MeshPlace place_of(const Mesh& mesh, const PointFinder::Found& found) {
   const int* nodes = mesh.element(static_cast<std::size_t>(found.element));
   place.nodes.assign(nodes, nodes + count);
   const auto assign = [&](const auto& values) { place.parts.assign(values.begin(), values.end()); };
-  if (mesh.kind == ElementKind::quad4)
-    assign(ShapesOf<ElementKind::quad4>::values(found.s));
-  else
-    assign(ShapesOf<ElementKind::quad9>::values(found.s));
+  with_values_at(mesh.kind, found.s, assign);
   return place;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/flow_tracers.hpp"
 
-#include "grid/lagrange.hpp"
+#include "solvers/fem/flow_elements.hpp"
 
 namespace tether::fem {
 namespace {
@@ -68,10 +68,7 @@ std::array<double, 2> FlowTracers::velocity(std::span<const double> v, const Poi
       for (std::size_t i = 0; i < 2; ++i) sum[i] += N[a] * v[2 * static_cast<std::size_t>(nodes[a]) + i];
     }
   };
-  if (flow_.mesh.kind == ElementKind::quad4)
-    add(ShapesOf<ElementKind::quad4>::values(at.s));
-  else
-    add(ShapesOf<ElementKind::quad9>::values(at.s));
+  with_values_at(flow_.mesh.kind, at.s, add);
   return sum;
 }
 

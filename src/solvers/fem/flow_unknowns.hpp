@@ -30,10 +30,10 @@ class FlowUnknowns {
   }
 
   const Flow& flow;
-  std::vector<int> velocity;       ///< unknown of each component of each node, -1 where it is prescribed
-  std::vector<int> pressure;       ///< unknown of each node, -1 where it has none or is pinned
-  std::vector<int> first;          ///< of each node the first of its unknowns, which stand together; and their number
-  std::vector<int> prescribed_by;  ///< number in Flow::sides of the side that prescribes a node's velocity, or -1
+  std::vector<Holder> holders;  ///< of each node the side that prescribes its velocity
+  std::vector<int> velocity;    ///< unknown of each component of each node, -1 where it is prescribed
+  std::vector<int> pressure;    ///< unknown of each node, -1 where it has none or is pinned
+  std::vector<int> first;       ///< of each node the first of its unknowns, which stand together; and their number
   bool pinned = false;
   std::size_t count() const { return static_cast<std::size_t>(first.back()); }
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grid/lagrange.hpp"
+#include "solvers/fem/flow_elements.hpp"
 
 namespace tether::fem {
 
@@ -17,10 +17,7 @@ std::optional<std::size_t> ImmersedMap::place(std::span<const double> x) {
     if (!found) return n;
     element_[n] = found->element;
     const auto write = [&](const auto& values) { std::copy(values.begin(), values.end(), &parts_[n * size()]); };
-    if (flow_.mesh.kind == ElementKind::quad4)
-      write(ShapesOf<ElementKind::quad4>::values(found->s));
-    else
-      write(ShapesOf<ElementKind::quad9>::values(found->s));
+    with_values_at(flow_.mesh.kind, found->s, write);
   }
   cells_ = element_;
   std::sort(cells_.begin(), cells_.end());
