@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "laws/materials/hyperelastic.hpp"
@@ -146,6 +147,33 @@ Eigen::Matrix<double, component_count<dim>(), dim> strain_map(const Square<dim>&
     }
   }
   return B;
+}
+
+/// d2Psi/dF dF of what point_stress() answers: unknown j dim + i is F_ij.
+template <int dim>
+using GradientModulus = Eigen::Matrix<double, dim * dim, dim * dim>;
+
+template <int dim>
+GradientModulus<dim> gradient_modulus(const PointStress<dim>& s) {
+  Eigen::Matrix<double, component_count<dim>(), dim * dim> strain;
+  for (int j = 0; j < dim; ++j)
+    strain.template middleCols<dim>(j * dim) = strain_map<dim>(s.F, Eigen::Matrix<double, dim, 1>::Unit(j));
+  GradientModulus<dim> H = strain.transpose() * s.D * strain;
+  const Square<dim> S = s.geometric * full<dim>(s.S);
+  for (int j = 0; j < dim; ++j) {
+    for (int l = 0; l < dim; ++l) {
+      for (int i = 0; i < dim; ++i) H(j * dim + i, l * dim + i) += S(j, l);
+    }
+  }
+  return H;
+}
+
+/// The nearest positive semi-definite matrix.
+template <int dim>
+GradientModulus<dim> convex(const GradientModulus<dim>& H) {
+  const Eigen::SelfAdjointEigenSolver<GradientModulus<dim>> parts(H);
+  if (parts.eigenvalues()[0] >= 0) return H;
+  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();
 }
 
 }  // namespace tether::fem

@@ -34,6 +34,11 @@ class Elements {
   virtual void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
                            const NodalPattern& pattern, SparseMatrix& K,
                            std::span<const double> stresses = {}) const = 0;
+  /// Adds the derivative of the internal forces at q; with `convex` each point's part of it, d2Psi/dF dF, is made
+  /// positive semi-definite first: negative eigenvalues become 0 (J. Teran, E. Sifakis, G. Irving and R. Fedkiw, Symp.
+  /// Computer Animation 2005, 181-190).
+  virtual void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
+                             SparseMatrix& K) const = 0;
   /// The stress S at all points of quadrature with its linear change by a change of q1: what it is behind a correction
   /// of Newton's method before the shape's turning, which is of second order, stretches slender bodies (D. Magisano, L.
   /// Leonetti and G. Garcea, Comput. Methods Appl. Mech. Engrg 313 (2017) 989-1005). 3 numbers a point in the plane, 6

@@ -48,6 +48,15 @@ class ElementsOf final : public Elements {
     });
   }
 
+  void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
+                     SparseMatrix& K) const override {
+    std::array<double, static_cast<std::size_t>(unknowns * unknowns)> k;
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      element_stiffness(e, gathered(e, q), convex, k);
+      pattern.add(e, k, K);
+    }
+  }
+
   void predict_stress(StressAt at, std::span<const double> q0, std::span<const double> q1,
                       std::span<const double> change, std::vector<double>& stresses) const override {
     stresses.resize(mesh_.element_count() * points * parts);
@@ -152,6 +161,23 @@ class ElementsOf final : public Elements {
       auto s = stress<rule>(e, k, at0, at1);
       if (!stresses.empty()) s.S = Eigen::Map<const Symmetric<dim>>(&stresses[(e * points + index(k)) * parts]);
       add_point_tangent(s, gradients(e, k), weight(e, k), inertia * density(e), values_[index(k)], K);
+    }
+  }
+
+  void element_stiffness(std::size_t e, const Places& at, bool made_convex,
+                         std::array<double, static_cast<std::size_t>(unknowns* unknowns)>& out) const {
+    Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
+    K.setZero();
+    for (int k = 0; k < points; ++k) {
+      GradientModulus<dim> H = gradient_modulus<dim>(stress<StressAt::end>(e, k, at, at));
+      if (made_convex) H = convex<dim>(H);
+      Eigen::Matrix<double, dim * dim, unknowns> gradient = decltype(gradient)::Zero();  // of the nodes' places
+      for (int a = 0; a < nodes; ++a) {
+        for (int j = 0; j < dim; ++j) {
+          for (int i = 0; i < dim; ++i) gradient(j * dim + i, a * dim + i) = gradients(e, k)(j, a);
+        }
+      }
+      K.noalias() += weight(e, k) * (gradient.transpose() * H * gradient);
     }
   }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solvers/coupled/coupling_map.hpp"
+
+namespace tether::coupled {
+
+/// What is known of each region of the fluid.
+struct Regions {
+  std::vector<std::uint8_t> closed;     ///< no open side and no void lets fluid out
+  std::vector<std::uint8_t> compliant;  ///< a velocity of the solids that is free changes its volume
+  std::vector<double> source;           ///< flux out of each cell that brings the region's volume back [volume/time]
+  std::vector<std::size_t> cells;       ///< how many it has
+};
+
+/// `volumes` are those that the sheets enclose, `first` those at the start; `held` marks the solids' velocities that
+/// are prescribed. A closed region's volume falls by what the volumes of the sheets that it sees grow; where several
+/// regions see one sheet they share in it. `h` is the step in which it comes back [time].
+Regions regions_of(const FlowDomain& domain, const CouplingMap& map, const PressureNumbers& numbers,
+                   std::span<const double> volumes, std::span<const double> first, std::span<const std::uint8_t> held,
+                   double h);
+
+}  // namespace tether::coupled

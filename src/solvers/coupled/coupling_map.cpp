@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/coupling_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether::coupled {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+using Entry = Eigen::Triplet<double, std::int64_t>;
+
+CouplingMatrix matrix_of(const std::vector<Entry>& entries, std::size_t rows, std::size_t columns) {
+  CouplingMatrix B(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(columns));
+  B.setFromTriplets(entries.begin(), entries.end());
+  return B;
+}
+
+class MapByPressures {
+ public:
+  MapByPressures(const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut)
+      : of_(of), sampler_(sampler), cut_(cut), dim_(of.surface.dim) {
+    seen_.assign(at(of.surface.sheets * of.domain.regions), 0.0);
+  }
+
+  CouplingMap map(std::size_t unknowns) {
+    for (const SurfacePiece& piece : of_.pieces.pieces) add(piece);
+    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_};
+  }
+
+ private:
+  void add(const SurfacePiece& piece) {
+    const int before = sampler_.cell_before(piece);
+    if (before < 0) return;
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    if (const int region = of_.domain.region[at(before)]; region >= 0) see(piece, region, area);
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      const PressureStencil whole = sampler_.at(point.x, at(before));
+      for (int axis = 0; axis < dim_; ++axis) {
+        PressureStencil stencil = whole;
+        if (cut_ != nullptr) take_cut(piece.cell, axis, point.x[at(axis)], stencil);
+        add(piece.side, point, stencil, axis, -area[at(axis)] * point.part);
+      }
+    }
+  }
+
+  void see(const SurfacePiece& piece, int region, const Vector& area) {
+    double part = 0;
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) part += of_.pieces.points[k].part;
+    seen_[at(of_.surface.sheet[at(piece.side)] * of_.domain.regions + region)] +=
+        part * std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+  }
+
+  void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, double area) {
+    const auto nodes = of_.surface.side(at(side));
+    for (std::size_t s = 0; s < stencil.size; ++s) {
+      const int row = of_.numbers.of_cell[stencil.cell[s]];
+      if (row < 0) continue;  // void
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        entries_.emplace_back(row, nodes[a] * dim_ + axis, stencil.weight[s] * point.share[a] * area);
+    }
+  }
+
+  /// Between the middles on both sides of x along the axis, in the row of the piece's cell; at walls, and where the
+  /// other cell has no fluid, constant; to zero at open sides. Nothing where a cell is thin.
+  void take_cut(std::array<int, 3> cell, int axis, double x, PressureStencil& stencil) const {
+    const StaggeredGrid& grid = of_.domain.grid;
+    const double box = (x - grid.low[at(axis)]) / grid.d[at(axis)] - 0.5;
+    const int low = static_cast<int>(std::floor(box));
+    if (!grid.has_cell(cell)) return;
+    std::array<int, 2> beside{};
+    for (const int end : {0, 1}) {
+      cell[at(axis)] = low + end;
+      beside[at(end)] = grid.has_cell(cell) ? static_cast<int>(grid.cell(cell)) : -1;
+    }
+    cell[at(axis)] = low + 1;
+    const bool open = of_.domain.face[at(axis)][grid.face(axis, cell)] == FaceKind::open;
+    for (const int c : beside) {
+      if (c >= 0 && cut_->thin[at(c)] != 0) return;
+    }
+    const auto holds = [&](int c) { return c >= 0 && of_.domain.kind[at(c)] == CellKind::fluid; };
+    const auto [a, b] = beside;
+    const double t = box - low;
+    PressureStencil linear;
+    if (open && a >= 0 && b >= 0) {
+      linear.add(at(a), 1 - t), linear.add(at(b), t);
+    } else if (open) {
+      linear.add(at(std::max(a, b)), a < 0 ? 2 * t - 1 : 1 - 2 * t);
+    } else if (holds(a) != holds(b)) {
+      linear.add(at(holds(a) ? a : b), 1);
+    } else {
+      return;
+    }
+    stencil = linear;
+  }
+
+  const CoupledSurface& of_;
+  const PressureSampler& sampler_;
+  const CutCells* cut_;
+  int dim_;
+  std::vector<Entry> entries_;
+  std::vector<double> seen_;
+};
+
+}  // namespace
+
+PressureNumbers number_pressures(const FlowDomain& domain) {
+  PressureNumbers numbers;
+  numbers.of_cell.assign(domain.kind.size(), -1);
+  for (std::size_t c = 0; c < domain.kind.size(); ++c) {
+    if (domain.kind[c] != CellKind::fluid) continue;
+    numbers.of_cell[c] = static_cast<int>(numbers.cell.size());
+    numbers.cell.push_back(c);
+  }
+  return numbers;
+}
+
+CouplingMap map_by_pressures(const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut,
+                             std::size_t unknowns) {
+  return MapByPressures(of, sampler, cut).map(unknowns);
+}
+
+CouplingMatrix map_by_crossings(const CoupledSurface& of, const Crossings& crossings, std::size_t unknowns) {
+  const StaggeredGrid& grid = of.domain.grid;
+  std::vector<Entry> entries;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
+      if (crossings.lowest[at(axis)][f] < 0) continue;
+      const auto beside = cells_beside(grid, axis, f);
+      for (const int end : {0, 1}) {  // each cell sees the surface that is nearest to its middle
+        const int row = beside[at(end)] < 0 ? -1 : of.numbers.of_cell[at(beside[at(end)])];
+        if (row < 0) continue;
+        const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
+        const Crossing& crossing = crossings.all[at(nearest)];
+        const double out = end == 0 ? grid.area(axis) : -grid.area(axis);
+        const auto nodes = of.surface.side(at(crossing.side));
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          entries.emplace_back(row, nodes[a] * grid.dim + axis, out * crossing.share[a]);
+      }
+    }
+  }
+  return matrix_of(entries, of.numbers.cell.size(), unknowns);
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/cut_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether::coupled {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The box about face i of a row of n cells, from one middle to the next, as places along the axis.
+struct FaceBox {
+  double low = 0, high = 0;
+  double size() const { return high - low; }
+};
+FaceBox box_of(const StaggeredGrid& grid, int axis, int i) {
+  const double place = grid.face_place(axis, i), half = 0.5 * grid.d[at(axis)];
+  return {std::max(place - half, grid.low[at(axis)]), std::min(place + half, grid.high(axis))};
+}
+
+/// Adds to the boxes of a row what each piece of surface encloses behind it: the solid's section grows by -n dA there.
+void add_enclosed(const SurfacePieces& pieces, const StaggeredGrid& grid, int axis, std::vector<double>& within,
+                  std::vector<double>& sections) {
+  for (const SurfacePiece& piece : pieces.pieces) {
+    auto row = piece.cell;
+    row[at(axis)] = 0;
+    if (!grid.has_cell(row)) continue;
+    const double normal = pieces.area[at(piece.side)][at(axis)];
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const double x = pieces.points[k].x[at(axis)], grows = -normal * pieces.points[k].part;
+      const double box = std::floor((x - grid.low[at(axis)]) / grid.d[at(axis)] + 0.5);
+      row[at(axis)] = static_cast<int>(std::clamp(box, 0.0, static_cast<double>(grid.n[at(axis)])));
+      const FaceBox about = box_of(grid, axis, row[at(axis)]);
+      const std::size_t f = grid.face(axis, row);
+      within[f] += grows * std::clamp(about.high - x, 0.0, about.size());
+      sections[f] += grows;
+    }
+  }
+}
+
+/// The fluid in the boxes of all faces across an axis.
+std::vector<double> fluid_about_faces(const SurfacePieces& pieces, const StaggeredGrid& grid, int axis) {
+  constexpr double rounding = 1e-9;  // of a box
+  std::vector<double> solid(grid.face_count(axis), 0.0), sections(solid.size(), 0.0);
+  add_enclosed(pieces, grid, axis, solid, sections);
+  std::array<int, 3> rows = grid.n;
+  rows[at(axis)] = 1;
+  std::array<int, 3> place{};
+  for (place[2] = 0; place[2] < rows[2]; ++place[2]) {
+    for (place[1] = 0; place[1] < rows[1]; ++place[1]) {
+      for (place[0] = 0; place[0] < rows[0]; ++place[0]) {
+        double section = 0;
+        for (auto face = place; face[at(axis)] <= grid.n[at(axis)]; ++face[at(axis)]) {
+          const std::size_t f = grid.face(axis, face);
+          const double length = box_of(grid, axis, face[at(axis)]).size(), whole = length * grid.area(axis);
+          const double fluid = whole - solid[f] - section * length;
+          section += sections[f];
+          solid[f] = fluid < rounding * whole ? 0 : fluid > (1 - rounding) * whole ? whole : fluid;
+        }
+      }
+    }
+  }
+  return solid;
+}
+
+/// Cells about a cell with how its fluid hangs together.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const FlowDomain& whole) : whole_(whole) {}
+
+  /// Whether the fluid cells among the 3 or, along `longer`, 4 cells a side about a cell hang together.
+  bool joined(const std::array<int, 3>& middle, int longer) {
+    low_ = middle, high_ = middle;
+    for (int axis = 0; axis < whole_.grid.dim; ++axis) {
+      low_[at(axis)] = std::max(middle[at(axis)] - 1 - (axis == longer ? 1 : 0), 0);
+      high_[at(axis)] = std::min(middle[at(axis)] + 1, whole_.grid.n[at(axis)] - 1);
+    }
+    std::size_t fluid = 0;
+    std::array<int, 3> cell{}, seed{-1, -1, -1};
+    for (cell[2] = low_[2]; cell[2] <= high_[2]; ++cell[2]) {
+      for (cell[1] = low_[1]; cell[1] <= high_[1]; ++cell[1]) {
+        for (cell[0] = low_[0]; cell[0] <= high_[0]; ++cell[0]) {
+          if (whole_.kind[whole_.grid.cell(cell)] == CellKind::fluid) ++fluid, seed = cell;
+        }
+      }
+    }
+    return fluid == 0 || reached_from(seed) == fluid;
+  }
+
+ private:
+  std::size_t reached_from(const std::array<int, 3>& seed) {
+    reached_.assign(1, seed);
+    for (std::size_t next = 0; next < reached_.size(); ++next) {
+      for (int axis = 0; axis < whole_.grid.dim; ++axis) {
+        for (const int end : {0, 1}) {
+          auto face = reached_[next], other = face;
+          face[at(axis)] += end, other[at(axis)] += end == 0 ? -1 : 1;
+          if (other[at(axis)] < low_[at(axis)] || other[at(axis)] > high_[at(axis)]) continue;
+          if (whole_.face[at(axis)][whole_.grid.face(axis, face)] != FaceKind::open) continue;
+          if (whole_.kind[whole_.grid.cell(other)] != CellKind::fluid) continue;
+          if (std::find(reached_.begin(), reached_.end(), other) == reached_.end()) reached_.push_back(other);
+        }
+      }
+    }
+    return reached_.size();
+  }
+
+  const FlowDomain& whole_;
+  std::array<int, 3> low_{}, high_{};
+  std::vector<std::array<int, 3>> reached_;
+};
+
+/// Whether the first and the last surface between two middles face away from each other, as a plate's do, not as those
+/// at a corner.
+bool is_plate(const SurfacePieces& pieces, const Crossings& crossings, int lowest, int highest) {
+  constexpr double facing = -0.5;
+  const Vector &a = pieces.area[at(crossings.all[at(lowest)].side)],
+               &b = pieces.area[at(crossings.all[at(highest)].side)];
+  const auto dot = [](const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
+  return dot(a, b) < facing * std::sqrt(dot(a, a) * dot(b, b));
+}
+
+std::vector<std::uint8_t> thin_cells(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole) {
+  const StaggeredGrid& grid = whole.grid;
+  std::vector<std::uint8_t> thin(grid.cell_count(), 0);
+  Neighbourhood about(whole);
+  for (std::size_t c = 0; c < thin.size(); ++c) {
+    if (whole.kind[c] == CellKind::solid) thin[c] = about.joined(grid.place_of_cell(c), -1) ? 0 : 1;
+  }
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
+      const auto [low, high] = cells_beside(grid, axis, f);
+      if (low < 0 || high < 0 || crossings.lowest[at(axis)][f] < 0) continue;
+      if (whole.kind[at(low)] != CellKind::fluid || whole.kind[at(high)] != CellKind::fluid) continue;
+      if (is_plate(pieces, crossings, crossings.lowest[at(axis)][f], crossings.highest[at(axis)][f]) ||
+          !about.joined(grid.place_of_face(axis, f), axis))
+        thin[at(low)] = thin[at(high)] = 1;
+    }
+  }
+  return thin;
+}
+
+}  // namespace
+
+CutCells cut_cells(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole) {
+  CutCells cut;
+  for (int axis = 0; axis < whole.grid.dim; ++axis) cut.fluid[at(axis)] = fluid_about_faces(pieces, whole.grid, axis);
+  cut.thin = thin_cells(pieces, crossings, whole);
+  return cut;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/flow_box.hpp"
+
+namespace tether::coupled {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool holds(const AxisBox& box, const Vector& x, int dim) {
+  for (std::size_t i = 0; i < at(dim); ++i) {
+    if (x[i] < box.low[i] || x[i] > box.high[i]) return false;
+  }
+  return true;
+}
+
+Vector middle_of(const StaggeredGrid& grid, std::size_t cell) {
+  const auto place = grid.place_of_cell(cell);
+  return {grid.middle(0, place[0]), grid.middle(1, place[1]), grid.middle(2, place[2])};
+}
+
+/// Calls f(other cell, axis, face) for the neighbours of a cell.
+template <class Function>
+void for_neighbours(const StaggeredGrid& grid, std::size_t cell, const Function& f) {
+  const auto place = grid.place_of_cell(cell);
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (const int end : {0, 1}) {
+      auto face = place, other = place;
+      face[at(axis)] += end, other[at(axis)] += end == 0 ? -1 : 1;
+      if (grid.has_cell(other)) f(grid.cell(other), axis, grid.face(axis, face));
+    }
+  }
+}
+
+/// Gives all cells that hang together with `seed` by faces that let pass(cell, axis, face) the mark.
+template <class Mark, class Pass>
+void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const Pass& pass) {
+  std::vector<std::size_t> waiting{seed};
+  mark(seed);
+  while (!waiting.empty()) {
+    const std::size_t cell = waiting.back();
+    waiting.pop_back();
+    for_neighbours(grid, cell, [&](std::size_t other, int axis, std::size_t face) {
+      if (!pass(other, axis, face)) return;
+      mark(other);
+      waiting.push_back(other);
+    });
+  }
+}
+
+/// Fluid that hangs together with the box's sides becomes void.
+void empty_outside_of_cavities(const Crossings& crossings, FlowDomain& domain) {
+  const StaggeredGrid& grid = domain.grid;
+  const auto mark = [&](std::size_t cell) { domain.kind[cell] = CellKind::empty; };
+  const auto pass = [&](std::size_t cell, int axis, std::size_t face) {
+    return domain.kind[cell] == CellKind::fluid && crossings.lowest[at(axis)][face] < 0;
+  };
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto place = grid.place_of_cell(cell);
+    bool outside = false;
+    for (int axis = 0; axis < grid.dim; ++axis)
+      outside = outside || place[at(axis)] == 0 || place[at(axis)] == grid.n[at(axis)] - 1;
+    if (outside && domain.kind[cell] == CellKind::fluid) flood(grid, cell, mark, pass);
+  }
+}
+
+}  // namespace
+
+FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid) {
+  for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
+    const Vector middle = middle_of(scene.grid, cell);
+    for (const AxisBox& box : scene.voids) {
+      if (holds(box, middle, scene.grid.dim)) kind_[cell] = CellKind::empty;
+    }
+    for (const AxisBox& box : scene.obstacles) {
+      if (holds(box, middle, scene.grid.dim)) kind_[cell] = CellKind::wall;
+    }
+  }
+  mark_jets();
+}
+
+void FlowBox::mark_jets() {
+  const StaggeredGrid& grid = scene_.grid;
+  for (std::size_t j = 0; j < scene_.jets.size(); ++j) {
+    const Jet& jet = scene_.jets[j];
+    const int axis = jet.side / 2;
+    auto& jets = jet_[at(axis)];
+    if (jets.empty()) jets.assign(grid.face_count(axis), -1);
+    for (std::size_t f = 0; f < jets.size(); ++f) {
+      const auto place = grid.place_of_face(axis, f);
+      if (place[at(axis)] != (jet.side % 2 == 0 ? 0 : grid.n[at(axis)])) continue;
+      Vector middle{grid.middle(0, place[0]), grid.middle(1, place[1]), grid.middle(2, place[2])};
+      middle[at(axis)] = jet.patch.low[at(axis)];
+      if (holds(jet.patch, middle, grid.dim)) jets[f] = static_cast<int>(j);
+    }
+  }
+}
+
+int FlowBox::jet_of(int axis, std::size_t face) const { return jet_[at(axis)].empty() ? -1 : jet_[at(axis)][face]; }
+
+FaceKind FlowBox::kind_at_side(int axis, std::size_t face, CellKind cell) const {
+  if (cell != CellKind::fluid) return FaceKind::closed;
+  if (jet_of(axis, face) >= 0) return FaceKind::prescribed;
+  const bool high = scene_.grid.place_of_face(axis, face)[at(axis)] > 0;
+  return scene_.sides[at(2 * axis + (high ? 1 : 0))] == BoxSide::open ? FaceKind::open : FaceKind::prescribed;
+}
+
+FaceKind FlowBox::kind_between(const FlowDomain& domain, int axis, std::size_t face) const {
+  const auto [low, high] = cells_beside(scene_.grid, axis, face);
+  if (low < 0 || high < 0) return kind_at_side(axis, face, domain.kind[at(low < 0 ? high : low)]);
+  const CellKind a = domain.kind[at(low)], b = domain.kind[at(high)];
+  const auto with_fluid = [&](CellKind other) {
+    return (a == CellKind::fluid && b == other) || (b == CellKind::fluid && a == other);
+  };
+  if (with_fluid(CellKind::fluid) || with_fluid(CellKind::empty)) return FaceKind::open;
+  return with_fluid(CellKind::wall) ? FaceKind::prescribed : FaceKind::closed;
+}
+
+void FlowBox::open_faces(const Crossings& crossings, FlowDomain& domain) const {
+  const StaggeredGrid& grid = scene_.grid;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    domain.face[at(axis)].assign(grid.face_count(axis), FaceKind::closed);
+    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
+      if (crossings.lowest[at(axis)][f] >= 0) continue;
+      const FaceKind kind = kind_between(domain, axis, f);
+      domain.face[at(axis)][f] = kind;
+      if (kind == FaceKind::closed) continue;
+      domain.area[at(axis)][f] = grid.area(axis);
+      const auto place = grid.place_of_face(axis, f);
+      const bool at_side = place[at(axis)] == 0 || place[at(axis)] == grid.n[at(axis)];
+      domain.volume[at(axis)][f] = grid.volume() * (at_side ? 0.5 : 1);  // to the side, where the pressure is zero
+    }
+  }
+}
+
+FlowDomain FlowBox::around(const Crossings& crossings) const {
+  FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0};
+  for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
+    if (kind_[cell] != CellKind::wall && crossings.inside[cell] != 0) domain.kind[cell] = CellKind::solid;
+  }
+  if (scene_.cavities_only) empty_outside_of_cavities(crossings, domain);
+  open_faces(crossings, domain);
+  find_regions(domain);
+  return domain;
+}
+
+void FlowBox::open_cut_cells(const CutCells& cut, FlowDomain& domain) const {
+  const StaggeredGrid& grid = scene_.grid;
+  for (std::size_t cell = 0; cell < domain.kind.size(); ++cell) {
+    if (domain.kind[cell] != CellKind::solid || cut.thin[cell] != 0) continue;
+    bool open = false;
+    for_neighbours(grid, cell, [&](std::size_t other, int axis, std::size_t face) {
+      open = open || (cut.fluid[at(axis)][face] > 0 && cut.thin[other] == 0 && kind_[other] == CellKind::fluid);
+    });
+    if (open) domain.kind[cell] = CellKind::fluid;
+  }
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
+      const auto [low, high] = cells_beside(grid, axis, f);
+      if ((low >= 0 && cut.thin[at(low)] != 0) || (high >= 0 && cut.thin[at(high)] != 0)) continue;
+      const double fluid = cut.fluid[at(axis)][f], whole = grid.volume() * (low < 0 || high < 0 ? 0.5 : 1);
+      const FaceKind kind = fluid > 0 ? kind_between(domain, axis, f) : FaceKind::closed;
+      domain.face[at(axis)][f] = kind;
+      domain.area[at(axis)][f] = kind == FaceKind::closed ? 0 : grid.area(axis) * (fluid / whole);
+      domain.volume[at(axis)][f] = kind == FaceKind::closed ? 0 : fluid;
+    }
+  }
+}
+
+FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) const {
+  FlowDomain domain = around(crossings);
+  open_cut_cells(cut, domain);
+  find_regions(domain);
+  return domain;
+}
+
+void FlowBox::prescribe(const FlowDomain& domain, double time, FaceValues& v) const {
+  std::vector<double> speed;
+  for (const Jet& jet : scene_.jets) speed.push_back(jet.speed * jet.amplitude.at(time));
+  for (int axis = 0; axis < scene_.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
+      if (domain.face[at(axis)][f] != FaceKind::prescribed) continue;
+      const int jet = jet_of(axis, f);
+      const bool inwards = jet >= 0 && scene_.jets[at(jet)].side % 2 == 0;
+      v[at(axis)][f] = jet < 0 ? 0 : (inwards ? speed[at(jet)] : -speed[at(jet)]);
+    }
+  }
+}
+
+void find_regions(FlowDomain& domain) {
+  domain.region.assign(domain.kind.size(), -1);
+  domain.regions = 0;
+  for (std::size_t seed = 0; seed < domain.kind.size(); ++seed) {
+    if (domain.kind[seed] != CellKind::fluid || domain.region[seed] >= 0) continue;
+    const int number = domain.regions++;
+    flood(
+        domain.grid, seed, [&](std::size_t cell) { domain.region[cell] = number; },
+        [&](std::size_t cell, int axis, std::size_t face) {
+          return domain.kind[cell] == CellKind::fluid && domain.region[cell] < 0 &&
+                 domain.face[at(axis)][face] == FaceKind::open;
+        });
+  }
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/coupled.hpp"
+#include "solvers/coupled/crossings.hpp"
+#include "solvers/coupled/cut_cells.hpp"
+#include "solvers/coupled/flow_domain.hpp"
+
+namespace tether::coupled {
+
+/// The box without solids: obstacles, voids, walls, jets and open sides.
+class FlowBox {
+ public:
+  explicit FlowBox(const Coupled& scene);
+
+  /// The domain that solids leave: cells whose middle lies in one hold no fluid, faces between whose cells' middles a
+  /// surface passes are closed. Where the scene wants fluid in cavities alone, what hangs together with the box's sides
+  /// is void.
+  FlowDomain around(const Crossings& crossings) const;
+  /// The same with the open parts of faces: cells whose middle lies in a solid hold fluid where a face of theirs is
+  /// open.
+  FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
+  /// Sets the velocities of prescribed faces at a time [velocity].
+  void prescribe(const FlowDomain& domain, double time, FaceValues& v) const;
+  /// The jet that a face belongs to, or -1.
+  int jet_of(int axis, std::size_t face) const;
+
+ private:
+  void open_faces(const Crossings& crossings, FlowDomain& domain) const;
+  void open_cut_cells(const CutCells& cut, FlowDomain& domain) const;
+  FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;
+  FaceKind kind_at_side(int axis, std::size_t face, CellKind cell) const;
+  void mark_jets();
+
+  const Coupled& scene_;
+  std::vector<CellKind> kind_;
+  std::array<std::vector<int>, 3> jet_;  // of each face; empty along axes without jets
+};
+
+/// Numbers the parts of the fluid that open faces join.
+void find_regions(FlowDomain& domain);
+
+}  // namespace tether::coupled

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/solid_surface.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tether::coupled {
+namespace {
+
+int root_of(std::vector<int>& above, int node) {
+  while (above[static_cast<std::size_t>(node)] != node) {
+    int& next = above[static_cast<std::size_t>(node)];
+    next = above[static_cast<std::size_t>(next)];
+    node = next;
+  }
+  return node;
+}
+
+/// Sheets by nodes that sides share, numbered as they come.
+void find_sheets(std::size_t nodes, SolidSurface& surface) {
+  std::vector<int> above(nodes), number(nodes, -1);
+  std::iota(above.begin(), above.end(), 0);
+  const auto d = static_cast<std::size_t>(surface.dim);
+  const std::size_t count = surface.sides.size() / d;
+  for (std::size_t s = 0; s < count; ++s) {
+    const int root = root_of(above, surface.sides[s * d]);
+    for (std::size_t a = 1; a < d; ++a)
+      above[static_cast<std::size_t>(root_of(above, surface.sides[s * d + a]))] = root;
+  }
+  surface.sheet.resize(count);
+  for (std::size_t s = 0; s < count; ++s) {
+    int& known = number[static_cast<std::size_t>(root_of(above, surface.sides[s * d]))];
+    if (known < 0) known = surface.sheets++;
+    surface.sheet[s] = known;
+  }
+}
+
+}  // namespace
+
+SolidSurface surface_of(const Mesh& mesh) {
+  SolidSurface surface;
+  surface.dim = mesh.dim();
+  surface.sides = boundary_of(mesh);
+  find_sheets(mesh.node_count(), surface);
+  const std::vector<int> parts = parts_of(mesh);
+  surface.parts = count_parts(mesh);
+  for (std::size_t s = 0; s < surface.side_count(); ++s)
+    surface.part.push_back(parts[static_cast<std::size_t>(surface.side(s)[0])]);
+  return surface;
+}
+
+Vector place_of(std::span<const double> q, int node, int dim) {
+  const std::size_t first = static_cast<std::size_t>(node) * static_cast<std::size_t>(dim);
+  return {q[first], q[first + 1], dim == 3 ? q[first + 2] : 0};
+}
+
+Vector area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q) {
+  const auto nodes = surface.side(side);
+  const Vector a = place_of(q, nodes[0], surface.dim), b = place_of(q, nodes[1], surface.dim);
+  const Vector e{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  if (surface.dim == 2) return {-e[1], e[0], 0};
+  const Vector c = place_of(q, nodes[2], surface.dim);
+  const Vector f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  return {0.5 * (e[1] * f[2] - e[2] * f[1]), 0.5 * (e[2] * f[0] - e[0] * f[2]), 0.5 * (e[0] * f[1] - e[1] * f[0])};
+}
+
+/// By the divergence theorem: 1/dim of the sum of x . n, x at the side's middle, about the surface's first node, so
+/// that a place far from the origin costs no digits.
+std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<const double> q) {
+  std::vector<double> volumes(static_cast<std::size_t>(surface.sheets), 0.0);
+  std::vector<int> origin(volumes.size(), -1);
+  for (std::size_t s = 0; s < surface.side_count(); ++s) {
+    const auto sheet = static_cast<std::size_t>(surface.sheet[s]);
+    if (origin[sheet] < 0) origin[sheet] = surface.side(s)[0];
+    const Vector from = place_of(q, origin[sheet], surface.dim), area = area_of_side(surface, s, q);
+    for (const int node : surface.side(s)) {
+      const Vector x = place_of(q, node, surface.dim);
+      for (std::size_t i = 0; i < 3; ++i) volumes[sheet] += (x[i] - from[i]) * area[i] / (surface.dim * surface.dim);
+    }
+  }
+  return volumes;
+}
+
+}  // namespace tether::coupled
