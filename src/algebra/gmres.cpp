@@ -6,15 +6,15 @@
 namespace tether {
 namespace {
 
+constexpr double much = 0.7;  // of a vector left over: with less, rounding spoils that it is orthogonal
+
+}  // namespace
+
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
-
-constexpr double much = 0.7;  // of a vector left over: with less, rounding spoils that it is orthogonal
-
-}  // namespace
 
 double norm(std::span<const double> x) { return std::sqrt(dot(x, x)); }
 

@@ -39,6 +39,8 @@ class KrylovBasis {
   std::vector<double> cosine_, sine_, g_;  // of the rotations; the right side under them
 };
 
+/// Summed in the order of the entries, so that it is the same from run to run.
+double dot(std::span<const double> a, std::span<const double> b);
 double norm(std::span<const double> x);
 
 /// What became of a solution.
