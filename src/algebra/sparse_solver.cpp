@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/sparse_solver.hpp"
 
-#include <cholmod.h>
 #include <umfpack.h>
 
 #include <algorithm>
 #include <chrono>
 #include <vector>
 
-#include "base/errors.hpp"
+#include "algebra/cholmod_views.hpp"
 
 namespace tether {
 namespace {
-
-[[noreturn]] void out_of_memory(const SparseMatrix& A) {
-  throw RunError("the memory does not hold the factors of a matrix of " + std::to_string(A.n) + " unknowns");
-}
 
 class Stopwatch {
  public:
@@ -28,21 +23,6 @@ class Stopwatch {
   double& seconds_;
   std::chrono::steady_clock::time_point from_;
 };
-
-/// The libraries want pointers to what they only read.
-SuiteSparse_long* as_long(const std::vector<std::int64_t>& indices) {
-  static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
-  return reinterpret_cast<SuiteSparse_long*>(const_cast<std::int64_t*>(indices.data()));
-}
-
-cholmod_sparse lower_view(std::size_t n, const std::vector<std::int64_t>& start, const std::vector<std::int64_t>& row) {
-  cholmod_sparse matrix{};
-  matrix.nrow = matrix.ncol = n, matrix.nzmax = row.size();
-  matrix.p = as_long(start), matrix.i = as_long(row);
-  matrix.stype = -1, matrix.itype = CHOLMOD_LONG, matrix.xtype = CHOLMOD_PATTERN, matrix.dtype = CHOLMOD_DOUBLE;
-  matrix.sorted = matrix.packed = 1;
-  return matrix;
-}
 
 /// The graph of the nodes whose unknowns stand together in the pattern; of a node without unknowns nothing.
 struct NodeGraph {
@@ -124,8 +104,7 @@ class Cholesky {
   }
   /// False where A is not positive definite.
   bool factorise(const SparseMatrix& A, const std::vector<std::int64_t>& order, double& analysis_seconds) {
-    cholmod_sparse matrix = lower_view(static_cast<std::size_t>(A.n), A.start, A.row);
-    matrix.x = const_cast<double*>(A.value.data()), matrix.xtype = CHOLMOD_REAL;
+    cholmod_sparse matrix = lower_view(A);
     if (!factor_) {
       const Stopwatch watch(analysis_seconds);
       factor_ = cholmod_l_analyze_p(&matrix, as_long(order), nullptr, 0, &common_);
@@ -133,16 +112,7 @@ class Cholesky {
     if (!factor_ || (!cholmod_l_factorize(&matrix, factor_, &common_) && common_.status < CHOLMOD_OK)) out_of_memory(A);
     return common_.status == CHOLMOD_OK;
   }
-  void solve(std::span<const double> b, std::span<double> x) {
-    cholmod_dense right{};
-    right.nrow = right.d = right.nzmax = b.size(), right.ncol = 1;
-    right.x = const_cast<double*>(b.data());
-    right.xtype = CHOLMOD_REAL, right.dtype = CHOLMOD_DOUBLE;
-    cholmod_dense* solution = cholmod_l_solve(CHOLMOD_A, factor_, &right, &common_);
-    if (!solution) throw RunError("the memory does not hold a solution of " + std::to_string(b.size()) + " unknowns");
-    std::copy_n(static_cast<const double*>(solution->x), x.size(), x.begin());
-    cholmod_l_free_dense(&solution, &common_);
-  }
+  void solve(std::span<const double> b, std::span<double> x) { solve_by(factor_, b, x, common_); }
   double nonzeros() const { return common_.lnz; }
 
  private:
