@@ -28,8 +28,9 @@ KrylovResult pcg(const Multiply& multiply, const Precondition& precondition, std
     multiply(std::span<const double>(x), std::span<double>(q));
     for (std::size_t i = 0; i < n; ++i) r[i] = b[i] - q[i];
     double residual = norm(r);
-    result.converged = residual <= enough;
-    if (result.converged || !(residual < 1e300) || result.iterations >= most) return result;
+    const bool finite = residual < 1e300;
+    result.converged = finite && residual <= enough;
+    if (result.converged || !finite || result.iterations >= most) return result;
     precondition(std::span<const double>(r), std::span<double>(z));
     std::copy(z.begin(), z.end(), p.begin());
     double rz = dot(r, z);
