@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/coupled_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether::coupled {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+using ByColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+
+/// Puts a matrix together column by column.
+class Builder {
+ public:
+  explicit Builder(std::int64_t n) {
+    K_.n = n;
+    K_.start.push_back(0);
+  }
+  void add(std::int64_t row, double value) { K_.row.push_back(row), K_.value.push_back(value); }
+  void next_column() { K_.start.push_back(static_cast<std::int64_t>(K_.row.size())); }
+  SparseMatrix take() { return std::move(K_); }
+
+ private:
+  SparseMatrix K_;
+};
+
+/// A's or -L's column, less rows and columns that are set; `first` is the number of its first row in the whole.
+void add_block_column(const SparseMatrix& A, std::int64_t column, double sign, std::int64_t first, bool lower,
+                      std::span<const std::uint8_t> set, Builder& K) {
+  if (set[at(column)] != 0) {
+    const double value = diagonal(A, column);
+    K.add(first + column, sign * (value > 0 ? value : 1));
+    return;
+  }
+  for (std::int64_t k = A.start[at(column)]; k < A.start[at(column + 1)]; ++k) {
+    const std::int64_t row = A.row[at(k)];
+    if ((!lower || row >= column) && set[at(row)] == 0) K.add(first + row, sign * A.value[at(k)]);
+  }
+}
+
+SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pinned, bool lower) {
+  const std::int64_t solids = of.A.n, pressures = of.L.n;
+  Builder K(solids + pressures);
+  const ByColumns flux = of.flux;
+  for (std::int64_t u = 0; u < solids; ++u) {
+    add_block_column(of.A, u, 1, 0, lower, of.held, K);
+    for (ByColumns::InnerIterator entry(flux, u); of.held[at(u)] == 0 && entry; ++entry) {
+      if (pinned[at(entry.row())] == 0) K.add(solids + entry.row(), -entry.value());
+    }
+    K.next_column();
+  }
+  for (std::int64_t p = 0; p < pressures; ++p) {
+    for (CouplingMatrix::InnerIterator entry(of.B, p); !lower && pinned[at(p)] == 0 && entry; ++entry) {
+      if (of.held[at(entry.col())] == 0) K.add(entry.col(), -entry.value());
+    }
+    add_block_column(of.L, p, -1, solids, lower, pinned, K);
+    K.next_column();
+  }
+  return K.take();
+}
+
+}  // namespace
+
+double diagonal(const SparseMatrix& A, std::int64_t column) {
+  for (std::int64_t k = A.start[at(column)]; k < A.start[at(column + 1)]; ++k) {
+    if (A.row[at(k)] == column) return A.value[at(k)];
+  }
+  return 0;
+}
+
+void add_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y) {
+  for (std::int64_t row = 0; row < B.outerSize(); ++row) {
+    for (CouplingMatrix::InnerIterator entry(B, row); entry; ++entry)
+      y[at(row)] += factor * entry.value() * x[at(entry.col())];
+  }
+}
+
+void add_transposed_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y) {
+  for (std::int64_t row = 0; row < B.outerSize(); ++row) {
+    for (CouplingMatrix::InnerIterator entry(B, row); entry; ++entry)
+      y[at(entry.col())] += factor * entry.value() * x[at(row)];
+  }
+}
+
+namespace {
+
+/// The first loose region whose flux is more than rounding.
+void find_unbalanced(const CoupledEquations& of, ReducedEquations& out) {
+  constexpr double rounding = 1e-7;  // of what flows in it
+  std::vector<double> sum(of.loose.size(), 0.0), flows(of.loose.size(), 0.0);
+  for (std::size_t p = 0; p < out.r.size(); ++p) {
+    sum[at(of.region[p])] += out.r[p], flows[at(of.region[p])] += std::abs(out.r[p]);
+  }
+  for (std::size_t r = 0; r < sum.size() && out.unbalanced < 0; ++r) {
+    if (of.loose[r] != 0 && std::abs(sum[r]) > rounding * flows[r])
+      out.unbalanced = static_cast<int>(r), out.flux = sum[r];
+  }
+}
+
+}  // namespace
+
+ReducedEquations reduced(const CoupledEquations& of, std::span<const double> u) {
+  ReducedEquations out{{of.b.begin(), of.b.end()}, {of.r.begin(), of.r.end()}, {}};
+  std::vector<double> known(of.b.size(), 0.0), forces(of.b.size());
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (of.held[k] != 0) known[k] = u[k];
+  }
+  of.A.multiply(known, forces);
+  for (std::size_t k = 0; k < known.size(); ++k) out.b[k] -= forces[k];
+  add_product(of.flux, 1, known, out.r);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (of.held[k] == 0) continue;
+    const double scale = diagonal(of.A, static_cast<std::int64_t>(k));
+    out.b[k] = (scale > 0 ? scale : 1) * u[k];
+  }
+  find_unbalanced(of, out);
+  balance(of, std::vector<double>(out.r.size(), 1.0), out.r);
+  out.pinned = pinned_pressures(of);
+  for (std::size_t p = 0; p < out.r.size(); ++p) {
+    if (out.pinned[p] != 0) out.r[p] = 0;
+  }
+  return out;
+}
+
+std::vector<std::uint8_t> pinned_pressures(const CoupledEquations& of) {
+  std::vector<std::uint8_t> pinned(of.region.size(), 0), done(of.loose.size(), 0);
+  for (std::size_t p = 0; p < pinned.size(); ++p) {
+    const std::size_t region = at(of.region[p]);
+    if (of.loose[region] != 0 && done[region] == 0) pinned[p] = done[region] = 1;
+  }
+  return pinned;
+}
+
+void balance(const CoupledEquations& of, std::span<const double> weight, std::span<double> r) {
+  std::vector<double> sum(of.loose.size(), 0.0), weights(of.loose.size(), 0.0);
+  for (std::size_t p = 0; p < r.size(); ++p) sum[at(of.region[p])] += r[p], weights[at(of.region[p])] += weight[p];
+  for (std::size_t p = 0; p < r.size(); ++p) {
+    const std::size_t region = at(of.region[p]);
+    if (of.loose[region] != 0 && weights[region] > 0) r[p] -= sum[region] * weight[p] / weights[region];
+  }
+}
+
+std::vector<double> areas_seen(const CouplingMatrix& B) {
+  std::vector<double> areas(at(B.rows()), 0.0);
+  for (std::int64_t row = 0; row < B.outerSize(); ++row) {
+    for (CouplingMatrix::InnerIterator entry(B, row); entry; ++entry) areas[at(row)] += std::abs(entry.value());
+  }
+  return areas;
+}
+
+SparseMatrix held_matrix(const SparseMatrix& A, std::span<const std::uint8_t> set) {
+  Builder K(A.n);
+  for (std::int64_t column = 0; column < A.n; ++column) {
+    add_block_column(A, column, 1, 0, false, set, K);
+    K.next_column();
+  }
+  return K.take();
+}
+
+SparseMatrix symmetric_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
+  return matrix(equations, pinned, true);
+}
+
+SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
+  return matrix(equations, pinned, false);
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solvers/coupled/coupled_system.hpp"
+
+namespace tether::coupled {
+
+/// The right sides with what held velocities bring, and the value of their own rows, which are those of a multiple of
+/// the identity as are those of pinned pressures, whose value is 0.
+struct ReducedEquations {
+  std::vector<double> b, r;
+  std::vector<std::uint8_t> pinned;
+  int unbalanced = -1;  ///< a loose region that more flows into than out of, or the other way; -1: none
+  double flux = 0;      ///< out of it [volume/time]
+};
+
+/// u has the held velocities. Of loose regions the mean of r is taken off, which is rounding but where one is told.
+ReducedEquations reduced(const CoupledEquations& equations, std::span<const double> u);
+/// One pressure of each loose region.
+std::vector<std::uint8_t> pinned_pressures(const CoupledEquations& equations);
+/// Takes the sums of r over loose regions off, in shares of the weights: their pressures have a solution then.
+void balance(const CoupledEquations& equations, std::span<const double> weight, std::span<double> r);
+/// Of each pressure's cell a measure of the solids' surface that it sees: the sum of its row's sizes.
+std::vector<double> areas_seen(const CouplingMatrix& B);
+/// A with rows and columns that are set those of a multiple of the identity.
+SparseMatrix held_matrix(const SparseMatrix& A, std::span<const std::uint8_t> set);
+
+/// [A, -B^T; -B, -L], its lower triangle.
+SparseMatrix symmetric_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
+/// [A, -B^T; -flux, -L], all of it.
+SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
+
+/// The entry of a column on the diagonal; 0 where there is none.
+double diagonal(const SparseMatrix& A, std::int64_t column);
+/// y = y + factor B x, y = y + factor B^T x.
+void add_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y);
+void add_transposed_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y);
+
+}  // namespace tether::coupled

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/coupled_system.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "algebra/bicgstab.hpp"
+#include "algebra/quasidefinite_solver.hpp"
+#include "base/errors.hpp"
+#include "solvers/coupled/coupled_matrix.hpp"
+#include "solvers/coupled/schur_complement.hpp"
+
+namespace tether::coupled {
+namespace {
+
+/// Adds the seconds of its life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  ~Stopwatch() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+[[noreturn]] void refuse(double time, const std::string& what) {
+  throw RunError(fmt::format("t = {:.9g}: {}", time, what));
+}
+
+/// Reduced equations that have a solution.
+ReducedEquations balanced(const CoupledEquations& equations, double time, std::span<const double> u) {
+  ReducedEquations with = reduced(equations, u);
+  if (with.unbalanced >= 0)
+    refuse(time,
+           fmt::format("{:.4g} flows out of closed region {} of the fluid, whose walls do not yield: likely cause, "
+                       "jets or moved supports whose flux does not cancel",
+                       with.flux, with.unbalanced + 1));
+  return with;
+}
+
+}  // namespace
+
+struct CoupledSystem::Parts {
+  QuasidefiniteSolver both, solids, fluid;
+  SchurComplement schur;
+};
+
+CoupledSystem::CoupledSystem(const Coupled& scene)
+    : scene_(scene), direct_(coupled::by_factors(scene)), parts_(std::make_unique<Parts>()) {}
+
+CoupledSystem::~CoupledSystem() = default;
+
+bool by_factors(const Coupled& scene) {
+  if (scene.systems != CoupledSystems::automatic) return scene.systems == CoupledSystems::direct;
+  return scene.grid.dim == 2 || scene.grid.cell_count() <= most_cells_of_factors;
+}
+
+void CoupledSystem::solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p) {
+  const Stopwatch watch(cost_.solve_seconds);
+  ++cost_.solves;
+  if (scene_.mode == CouplingMode::paper) return solve_as_the_paper(equations, time, u, p);
+  if (direct_) return solve_directly(equations, time, u, p);
+  solve_by_gradients(equations, time, u, p);
+}
+
+/// Without K' made convex A may be indefinite: that is told, once, and the run goes on to show what comes of it.
+void CoupledSystem::check_pivots(std::int64_t expected, double time) {
+  const std::int64_t found = parts_->both.negative_pivots();
+  if (found == expected) return;
+  const std::string what =
+      fmt::format("the coupled matrix has {} negative pivots, not one for each of {} pressures", found, expected);
+  if (scene_.convex) refuse(time, what + ": likely cause, numbers of the solids that rounding has eaten");
+  if (messages_.empty())
+    messages_.push_back(
+        fmt::format("t = {:.6g}: {}: K' is not convex, and some motions of the solids grow", time, what));
+}
+
+void CoupledSystem::solve_directly(const CoupledEquations& equations, double time, std::span<double> u,
+                                   std::span<double> p) {
+  const ReducedEquations with = balanced(equations, time, u);
+  const SparseMatrix K = symmetric_matrix(equations, with.pinned);
+  if (!parts_->both.factorise(K)) refuse(time, "the coupled matrix is singular: likely cause, values that ran away");
+  check_pivots(equations.L.n, time);
+  std::vector<double> x(with.b);
+  x.insert(x.end(), with.r.begin(), with.r.end());
+  parts_->both.solve(x, x);
+  std::copy_n(x.begin(), u.size(), u.begin());
+  std::copy(x.begin() + static_cast<std::ptrdiff_t>(u.size()), x.end(), p.begin());
+  cost_.factor_nonzeros = parts_->both.factor_nonzeros();
+}
+
+void CoupledSystem::solve_by_gradients(const CoupledEquations& equations, double time, std::span<double> u,
+                                       std::span<double> p) {
+  const ReducedEquations with = balanced(equations, time, u);
+  const KrylovResult result = parts_->schur.solve(equations, with, scene_.tolerance, u, p);
+  cost_.iterations += result.iterations;
+  if (!result.converged)
+    refuse(time, fmt::format("conjugate gradients do not converge in {} iterations: solver='direct' of $coupled needs "
+                             "none; likely cause, values that ran away",
+                             result.iterations));
+}
+
+void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double time, std::span<double> u,
+                                       std::span<double> p) {
+  constexpr int most = 2000;
+  const ReducedEquations with = balanced(equations, time, u);
+  std::vector<double> right(with.b), x(u.begin(), u.end());
+  right.insert(right.end(), with.r.begin(), with.r.end());
+  x.insert(x.end(), p.begin(), p.end());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (with.pinned[k] != 0) x[u.size() + k] = 0;
+  }
+  const KrylovResult result = bicgstab(whole_matrix(equations, with.pinned), right, x, scene_.tolerance, most);
+  cost_.iterations += result.iterations;
+  if (!result.converged)
+    refuse(time, fmt::format("BiCGSTAB does not converge in {} iterations: mode='symmetric' of $coupled needs none",
+                             result.iterations));
+  std::copy_n(x.begin(), u.size(), u.begin());
+  std::copy(x.begin() + static_cast<std::ptrdiff_t>(u.size()), x.end(), p.begin());
+}
+
+void CoupledSystem::solve_solids(const CoupledEquations& equations, double time, std::span<double> u,
+                                 std::span<const double> p) {
+  const Stopwatch watch(cost_.solve_seconds);
+  ++cost_.solves;
+  CoupledEquations alone = equations;
+  std::vector<double> forces(equations.b.begin(), equations.b.end());
+  add_transposed_product(equations.B, 1, p, forces);
+  alone.b = forces;
+  const ReducedEquations with = reduced(alone, u);
+  if (!parts_->solids.factorise(held_matrix(equations.A, equations.held)))
+    refuse(time, "the solids' matrix is singular: likely cause, values that ran away");
+  parts_->solids.solve(with.b, u);
+  cost_.factor_nonzeros = parts_->solids.factor_nonzeros();
+}
+
+void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, std::span<const double> u,
+                                std::span<double> p) {
+  const Stopwatch watch(cost_.solve_seconds);
+  std::vector<double> right(equations.r.begin(), equations.r.end());
+  add_product(equations.flux, 1, u, right);
+  const std::vector<std::uint8_t> pinned = pinned_pressures(equations);
+  std::vector<double> weight(p.size(), 1.0);
+  if (scene_.area_repair) weight = areas_seen(equations.B);
+  balance(equations, weight, right);
+  for (std::size_t k = 0; k < p.size(); ++k) right[k] = pinned[k] != 0 ? 0 : -right[k];
+  if (direct_) {
+    if (!parts_->fluid.factorise(held_matrix(equations.L, pinned)))
+      refuse(time, "the pressures' matrix is singular: likely cause, values that ran away");
+    parts_->fluid.solve(right, p);
+    cost_.factor_nonzeros += parts_->fluid.factor_nonzeros();
+    return;
+  }
+  const KrylovResult result =
+      parts_->schur.solve_pressures(held_matrix(equations.L, pinned), right, scene_.tolerance, p);
+  cost_.iterations += result.iterations;
+  if (!result.converged) refuse(time, "conjugate gradients do not converge for the pressures");
+}
+
+std::vector<std::string> CoupledSystem::take_messages() { return std::exchange(messages_, {}); }
+
+}  // namespace tether::coupled

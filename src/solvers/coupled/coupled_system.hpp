@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_matrix.hpp"
+#include "scene/coupled.hpp"
+#include "solvers/coupled/coupling_map.hpp"
+
+namespace tether::coupled {
+
+/// The equations of a step, (7) with one map for both couplings:
+///     [  A  -B^T ] [u]   [ b ]
+///     [ -B  -L   ] [p] = [ r ]
+/// and what is known of them beforehand. The matrices have both triangles.
+struct CoupledEquations {
+  const SparseMatrix& A;  ///< of the solids
+  std::span<const double> b;
+  const CouplingMatrix& B;     ///< force on the solids B^T p
+  const CouplingMatrix& flux;  ///< flux that they cause; B but for the paper's own
+  const SparseMatrix& L;       ///< of the pressures
+  std::span<const double> r;
+  std::span<const std::uint8_t> held;   ///< velocities that are prescribed, as u has them
+  std::span<const int> region;          ///< of each pressure
+  std::span<const std::uint8_t> loose;  ///< regions whose pressure has an arbitrary constant
+};
+
+/// What the solutions have cost.
+struct SystemCost {
+  long long solves = 0, iterations = 0;
+  double solve_seconds = 0, factor_nonzeros = 0;
+};
+
+/// Solves them, step after step: symbolic factors and orders of elimination are kept.
+class CoupledSystem {
+ public:
+  explicit CoupledSystem(const Coupled& scene);
+  ~CoupledSystem();
+
+  /// Sets the velocities that are not held, and the pressures, zero in one cell of each loose region; p has the first
+  /// guess of iterations. Throws RunError where there is no solution, with the time.
+  void solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
+  /// The solids alone, A u = b + B^T p with the pressures given.
+  void solve_solids(const CoupledEquations& equations, double time, std::span<double> u, std::span<const double> p);
+  /// The fluid alone, -L p = r + flux u with all velocities given.
+  void solve_fluid(const CoupledEquations& equations, double time, std::span<const double> u, std::span<double> p);
+
+  bool by_factors() const { return direct_; }
+  const SystemCost& cost() const { return cost_; }
+  std::vector<std::string> take_messages();
+
+ private:
+  struct Parts;
+  void solve_directly(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
+  void solve_by_gradients(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
+  void solve_as_the_paper(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
+  void check_pivots(std::int64_t expected, double time);
+
+  const Coupled& scene_;
+  bool direct_ = false;
+  SystemCost cost_;
+  std::vector<std::string> messages_;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Whether a scene's systems are solved by factors: in the plane always, in space up to as many cells as these, where
+/// the deck leaves it open.
+constexpr std::size_t most_cells_of_factors = 6000;
+bool by_factors(const Coupled& scene);
+
+}  // namespace tether::coupled

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/coupled.hpp"
+#include "solvers/fem/solid_system.hpp"
+
+namespace tether::coupled {
+
+/// The solids' side of the coupled equations (4): A u1 - B^T p = b [force], with the stiffness linearised at the step's
+/// start. Vectors have dim numbers a node.
+class SolidEquations {
+ public:
+  /// Both must outlive the equations.
+  SolidEquations(const Coupled& scene, const Solids& solids, double gravity);
+
+  /// Makes A and b of the step of length h from places q and velocities u at `time`.
+  void assemble(std::span<const double> q, std::span<const double> u, double time, double h);
+  /// Energy that springs store at q [energy].
+  double spring_energy(std::span<const double> q) const;
+
+  const fem::SolidSystem system;
+  SparseMatrix A;                  ///< [mass/time]
+  std::vector<double> b;           ///< [force]
+  std::vector<double> external;    ///< loads and gravity of the step, part of b [force]
+  std::vector<std::uint8_t> held;  ///< velocities that supports prescribe
+
+ private:
+  void add_mass(double factor);
+  void add_springs(std::span<const double> q, double factor, std::span<double> internal);
+
+  const Coupled& scene_;
+  SparseMatrix stiffness_;      // K'
+  std::vector<double> spring_;  // stiffness of each unknown [force/length]
+  std::vector<double> work_;
+};
+
+}  // namespace tether::coupled
