@@ -21,8 +21,8 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
   app.add_option("--set", options.overrides, "group.name=value: takes the place of a deck's value; repeatable")
       ->allow_extra_args(false);
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
-  app.add_option("--path", options.path, "solver path: mpm or fem (default: what the deck's groups say)")
-      ->check(CLI::IsMember({"mpm", "fem"}));
+  app.add_option("--path", options.path, "solver path: mpm, fem or coupled (default: what the deck's groups say)")
+      ->check(CLI::IsMember({"mpm", "fem", "coupled"}));
 }
 
 /// What all commands of many runs take.

@@ -17,6 +17,7 @@ std::span<const Variable> added_variables();  ///< the other groups that the old
 std::span<const Variable> fem_variables();    ///< $mesh and $fem
 std::span<const Variable> rigid_variables();
 std::span<const Variable> flow_variables();
+std::span<const Variable> coupled_variables();
 std::span<const Variable> study_variables();
 
 namespace bounds {

@@ -10,8 +10,9 @@ namespace {
 
 std::vector<Variable> joined_table() {
   std::vector<Variable> table;
-  for (const auto part : {in_variables(), fluid_variables(), region_variables(), membrane_variables(),
-                          added_variables(), fem_variables(), rigid_variables(), flow_variables(), study_variables()}) {
+  for (const auto part :
+       {in_variables(), fluid_variables(), region_variables(), membrane_variables(), added_variables(), fem_variables(),
+        rigid_variables(), flow_variables(), coupled_variables(), study_variables()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;
@@ -41,7 +42,7 @@ std::vector<std::string> group_names() {
 }
 
 bool chooses_path(std::string_view group) {
-  return group == "fem" || group == "mesh" || group == "rigid" || group == "flow";
+  return group == "fem" || group == "mesh" || group == "rigid" || group == "flow" || group == "coupled";
 }
 
 bool is_group(std::string_view name) {

@@ -8,6 +8,7 @@
 
 #include "scene/axis.hpp"
 #include "scene/bodies.hpp"
+#include "scene/coupled_of_deck.hpp"
 #include "scene/fem_checks.hpp"
 #include "scene/flow_of_deck.hpp"
 #include "scene/membranes.hpp"
@@ -35,6 +36,9 @@ Walls walls_of(const Deck& deck) {
   return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
 }
 
+/// Of the coupled path, where sides of the box stop bodies by contact and hold none.
+constexpr Walls open_walls{Wall::open, Wall::open, Wall::open, Wall::open};
+
 Clock clock_of(const Deck& deck, Path path, Diagnostics& diagnostics) {
   const double tstep = deck.real("in", "tstep");
   const double dtmax = deck.given("in", "dtmax") ? deck.real("in", "dtmax") : tstep;
@@ -44,7 +48,8 @@ Clock clock_of(const Deck& deck, Path path, Diagnostics& diagnostics) {
                     fmt::format("tstep = {:.6g} is above dtmax = {:.6g}: steps are no longer than dtmax", tstep, dtmax),
                     "write dtmax, too"));
   }
-  return {deck.real("in", "tmax"), std::min(tstep, dtmax), path == Path::fem ? deck.real("fem", "cfl") : cfl_of(deck)};
+  const double cfl = path == Path::coupled ? 0 : path == Path::fem ? deck.real("fem", "cfl") : cfl_of(deck);
+  return {deck.real("in", "tmax"), std::min(tstep, dtmax), cfl};
 }
 
 /// Whether nodes from low to high are told apart in floating point, and 1/dx too.
@@ -116,12 +121,14 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
                               deck.real("in", "xright"), deck.real("in", "ybot"), deck.real("in", "ytop"));
   if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;
   scene.geometry = geometry_of(deck);
-  scene.walls = walls_of(deck);
+  scene.walls = path == Path::coupled ? open_walls : walls_of(deck);
   scene.gravity = deck.real("in", "gravc");
   scene.clock = clock_of(deck, path, diagnostics);
   scene.method = method_of(deck, diagnostics);
   if (path == Path::fem) scene.method.membrane_strain = MembraneStrain::element;  // bars, whose nodes a pin holds
-  if (has_flow(deck)) {
+  if (path == Path::coupled) {
+    add_coupled(deck, scene, diagnostics);
+  } else if (has_flow(deck)) {
     add_flow(deck, scene, diagnostics);
   } else if (deck.has_group("mesh") || deck.has_group("rigid")) {
     add_solids(deck, scene, diagnostics);

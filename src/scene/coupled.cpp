@@ -3,6 +3,11 @@
 
 namespace tether {
 
-const std::array<const char*, 6> box_side_names{"left", "right", "bottom", "top", "back", "front"};
+bool AxisBox::contains(const std::array<double, 3>& place) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (place[i] < low[i] || place[i] > high[i]) return false;
+  }
+  return true;
+}
 
 }  // namespace tether

@@ -29,17 +29,24 @@ enum class CoupledSystems { automatic, direct, krylov };
 
 /// Numbers of the sides of a box.
 enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, side_front };
-extern const std::array<const char*, 6> box_side_names;
+constexpr std::array<const char*, 6> box_side_names{"left", "right", "bottom", "top", "back", "front"};
 
-/// A box with sides along the axes [length].
+/// A box with sides along the axes [length]; in the plane its z is that of the grid's layer of cells. Cells belong to
+/// an obstacle or a void, and faces to a jet, when their middles lie in it.
 struct AxisBox {
   std::array<double, 3> low{}, high{};
+  /// Whether a place lies in it or on its edge.
+  bool contains(const std::array<double, 3>& place) const;
 };
+
+/// The axis across a side of the box, and whether the side is at its lower end.
+constexpr int axis_of_side(int side) { return side / 2; }
+constexpr bool is_low_side(int side) { return side % 2 == 0; }
 
 /// Part of a side that fluid is blown in through.
 struct Jet {
   int side = side_left;
-  AxisBox patch;           ///< its part of the side; along the side's own axis both ends lie on it
+  AxisBox patch;           ///< its part of the side; along the side's own axis both ends are the side's place
   double speed = 0;        ///< into the box [velocity]
   Amplitude amplitude;     ///< factor of the speed
   double smoke = 0;        ///< density of what comes in

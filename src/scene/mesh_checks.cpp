@@ -74,7 +74,7 @@ void warn_of_absent_regions(const Deck& deck, Diagnostics& diagnostics) {
 }  // namespace
 
 void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics) {
-  if (!deck.has_group("rigid") && geometry_of(deck) == Geometry::axisymmetric) {
+  if (!deck.has_group("rigid") && !deck.has_group("coupled") && geometry_of(deck) == Geometry::axisymmetric) {
     const bool flow = has_flow(deck);
     diagnostics.add(
         deck.remark(Severity::error, "in", "cyl", {1, 1},

@@ -18,6 +18,7 @@ namespace tether {
 struct Solids;
 struct Rigid;
 struct Flow;
+struct Coupled;
 
 /// Initial state of material points, one array a property, all of one length.
 struct PointSet {
@@ -68,9 +69,11 @@ struct Scene {
   std::shared_ptr<const Solids> solids;  ///< bodies on a mesh, which has no points
   std::shared_ptr<const Rigid> rigid;    ///< that they are one rigid body; null where they are elastic
   std::shared_ptr<const Flow> flow;      ///< a fluid on a mesh; with it, solids are immersed in it
-  std::vector<std::size_t> tracked;      ///< points whose paths are recorded
-  std::vector<std::size_t> pinned;       ///< points that a pin holds where they are
-  double ambient = 0;                    ///< pressure outside membranes that enclose gas [stress]
+  /// A fluid in a box, by the coupled path; with it, solids go through the fluid, and are null where there are none.
+  std::shared_ptr<const Coupled> coupled;
+  std::vector<std::size_t> tracked;  ///< points whose paths are recorded
+  std::vector<std::size_t> pinned;   ///< points that a pin holds where they are
+  double ambient = 0;                ///< pressure outside membranes that enclose gas [stress]
   Clock clock;
   Method method;
   OutputIntervals outputs;

@@ -103,6 +103,24 @@ void track_nodes(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   }
 }
 
+/// Tells of an equilibrium that the supports leave undetermined, and of damping that takes a turn for strain.
+void check_free_motions(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
+  const bool rests = solids.integrator == Integrator::equilibrium || solids.from_equilibrium;
+  const bool damped = solids.beta > 0;
+  const int parts = count_parts(solids.mesh), left = rests || damped ? free_motions(solids) : 0;
+  if (rests && left > 0) {
+    diagnostics.add(deck.remark(
+        Severity::error, "fem", solids.from_equilibrium ? "settle" : "static", {1, 1},
+        fmt::format("the supports leave {} rigid motion{}{} free: there is no equilibrium", left, left > 1 ? "s" : "",
+                    parts > 1 ? fmt::format(" of one of {} parts that nothing joins", parts) : ""),
+        "hold more by fix_on and fix, or by a wall that the body stands at"));
+  }
+  if (damped && left > 0)
+    diagnostics.add(deck.remark(Severity::warning, "fem", "beta", {1, 1},
+                                "beta damps the turning of a body that nothing holds, as if it were strain",
+                                "it acts with the stiffness of the shape at the start; alpha damps all motion"));
+}
+
 }  // namespace
 
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
@@ -131,20 +149,7 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
     add_supports(deck, scene, solids, diagnostics);
     check_supports_agree(deck, solids, diagnostics);
   }
-  const bool rests = !scene.rigid && (solids.integrator == Integrator::equilibrium || solids.from_equilibrium);
-  const bool damped = !scene.rigid && solids.beta > 0;
-  const int parts = count_parts(solids.mesh), left = rests || damped ? free_motions(solids) : 0;
-  if (rests && left > 0) {
-    diagnostics.add(deck.remark(
-        Severity::error, "fem", solids.from_equilibrium ? "settle" : "static", {1, 1},
-        fmt::format("the supports leave {} rigid motion{}{} free: there is no equilibrium", left, left > 1 ? "s" : "",
-                    parts > 1 ? fmt::format(" of one of {} parts that nothing joins", parts) : ""),
-        "hold more by fix_on and fix, or by a wall that the body stands at"));
-  }
-  if (damped && left > 0)
-    diagnostics.add(deck.remark(Severity::warning, "fem", "beta", {1, 1},
-                                "beta damps the turning of a body that nothing holds, as if it were strain",
-                                "it acts with the stiffness of the shape at the start; alpha damps all motion"));
+  if (!scene.rigid && scene.path != Path::coupled) check_free_motions(deck, solids, diagnostics);
   scene.solids = std::make_shared<const Solids>(std::move(solids));
 }
 

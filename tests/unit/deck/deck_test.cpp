@@ -78,7 +78,7 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
 
 TEST(Variables, GroupsInTheirOrder) {
   EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "mesh",
-                                  "fem", "rigid", "flow", "study"}));
+                                  "fem", "rigid", "flow", "coupled", "study"}));
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <optional>
+#include <set>
+
+#include "scene/coupled_of_deck.hpp"
+
+namespace tether {
+namespace {
+
+/// Reads box k of obstacle or void, or tells why there is none.
+std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const StaggeredGrid& grid,
+                              Diagnostics& diagnostics) {
+  const auto refuse = [&](int i, const std::string& message, const std::string& hint) {
+    diagnostics.add(deck.remark(Severity::error, "coupled", name, {i, k}, message, hint));
+    return std::nullopt;
+  };
+  AxisBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const int first = 2 * axis + 1;
+    box.low[i] = grid.low[i], box.high[i] = grid.high(axis);
+    if (axis >= grid.dim) continue;
+    for (const int end : {first, first + 1}) {
+      if (!deck.given("coupled", name, end, k))
+        return refuse(deck.given("coupled", name, first, k) ? first : 1,
+                      fmt::format("{} {}: {}({},{}) is not given", name, k, name, end, k),
+                      "a box has a lowest and a highest place along each axis");
+    }
+    const double low = deck.real("coupled", name, first, k), high = deck.real("coupled", name, first + 1, k);
+    if (!(high > low))
+      return refuse(first + 1, fmt::format("{} {}: {:.6g} is not above {:.6g}", name, k, high, low),
+                    "the lowest place first, along x, y, z");
+    if (high <= box.low[i] || low >= box.high[i])
+      return refuse(first,
+                    fmt::format("{} {} from {:.6g} to {:.6g} lies outside the box, {:.6g} to {:.6g} in {}", name, k,
+                                low, high, box.low[i], box.high[i], "xyz"[i]),
+                    "what reaches beyond the box is left away, but a part must lie in it");
+    box.low[i] = low, box.high[i] = high;
+  }
+  return box;
+}
+
+std::vector<AxisBox> boxes_of(const Deck& deck, const char* name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
+  std::set<int> numbers;
+  for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[1]);
+  std::vector<AxisBox> boxes;
+  for (const int k : numbers) {
+    if (const auto box = box_of(deck, name, k, grid, diagnostics)) boxes.push_back(*box);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
+  coupled.obstacles = boxes_of(deck, "obstacle", coupled.grid, diagnostics);
+  coupled.voids = boxes_of(deck, "void", coupled.grid, diagnostics);
+}
+
+}  // namespace tether
