@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/coupled/flow_domain.hpp"
+
+namespace tether::coupled {
+
+/// How each cell is joined to those beside it: bit 2 a + side says that the face on its lower (0) or upper (1) side
+/// across axis a is open and leads to another cell of the box; the same bit 6 further up that a solid closes it; bit 15
+/// that it and all cells around it are joined to all theirs.
+class CellJoins {
+ public:
+  explicit CellJoins(const FlowDomain& domain);
+
+  bool joined(std::size_t cell, int side) const { return bits_[cell] >> side & 1; }
+  bool closed(std::size_t cell, int side) const { return bits_[cell] >> (side + 6) & 1; }
+  bool clear(std::size_t cell) const { return bits_[cell] >> 15; }
+
+ private:
+  std::vector<std::uint16_t> bits_;
+};
+
+/// Where something is: a cell, and how far it is between the cell's lower and upper sides, from 0 to 1 on each axis.
+struct FlowPlace {
+  std::array<int, 3> cell{};
+  std::array<double, 3> at{};
+};
+
+/// A velocity found between faces: by those that can be reached, which are `whole` where no solid comes between; it
+/// lies between `low` and `high`.
+struct FlowValue {
+  double value = 0, low = 0, high = 0;
+  bool whole = true;
+};
+
+/// Paths through the fluid that never go through a solid or a wall, and values between the faces beside a place.
+///
+/// A component across axis a is linear between the two faces of the place's cell, and between this cell and those next
+/// to it on the place's side; a cell that cannot be reached from the place's within these through open faces does not
+/// count, and of two faces of a cell neither does one that a solid closes. Beside walls this is a constant extension.
+template <int dim>
+class FlowPaths {
+ public:
+  explicit FlowPaths(const FlowDomain& domain) : grid_(domain.grid), joins_(domain) {
+    for (std::size_t a = 0; a < dim; ++a) {
+      const auto m = grid_.faces(static_cast<int>(a));
+      stride_[a] = {1, m[0], m[0] * m[1]};
+    }
+  }
+
+  /// The middle of a face, as a place of its upper cell, or of the last one in the box.
+  FlowPlace middle_of_face(int axis, const std::array<int, 3>& face) const {
+    const auto a = static_cast<std::size_t>(axis);
+    FlowPlace place{face, {0.5, 0.5, 0.5}};
+    place.at[a] = 0;
+    if (face[a] == grid_.n[a]) --place.cell[a], place.at[a] = 1;
+    return place;
+  }
+
+  /// Goes on by `way` [cells], cell by cell. What would leave the box goes on along its side; at any other face that is
+  /// not open the path ends. False where it was cut short so.
+  bool follow(FlowPlace& place, std::array<double, dim> way) const {
+    bool uncut = true;
+    for (double left = 1;;) {
+      std::size_t axis = dim;
+      double next = left;
+      for (std::size_t b = 0; b < dim; ++b) {
+        if (way[b] == 0) continue;
+        const double t = ((way[b] > 0 ? 1.0 : 0.0) - place.at[b]) / way[b];
+        if (t < next) next = t, axis = b;
+      }
+      for (std::size_t b = 0; b < dim; ++b) place.at[b] = std::clamp(place.at[b] + way[b] * next, 0.0, 1.0);
+      if (axis == dim) return uncut;
+      const Crossing crossing = cross(place, axis, way);
+      if (crossing == Crossing::barred) return false;
+      uncut = uncut && crossing == Crossing::through;
+      left -= next;
+    }
+  }
+
+  /// All components at a place.
+  std::array<double, dim> velocity(const FaceValues& v, const FlowPlace& place) const {
+    std::array<double, dim> u;
+    for (int a = 0; a < dim; ++a) u[static_cast<std::size_t>(a)] = value(v, a, place).value;
+    return u;
+  }
+
+  FlowValue value(const FaceValues& v, int axis, const FlowPlace& place) const {
+    const Rows rows = rows_beside(axis, place);
+    return joins_.clear(grid_.cell(place.cell)) ? between_all(v, axis, place, rows)
+                                                : between_reached(v, axis, place, rows);
+  }
+
+ private:
+  static constexpr std::size_t rows = std::size_t{1} << (dim - 1);  // of two faces of a cell
+  struct Rows {
+    std::array<std::ptrdiff_t, rows> first;  // lower face of each, that of the place's own cell first
+    std::array<double, rows> weight;
+    std::array<int, 2> side;               // which of the cell's sides leads to row 1, and 2
+    std::array<std::array<int, 3>, 2> to;  // the cells there
+  };
+
+  enum class Crossing { through, side_of_box, barred };
+
+  // Crosses the face in the way if it can; else takes its axis out of the way.
+  Crossing cross(FlowPlace& place, std::size_t axis, std::array<double, dim>& way) const {
+    const bool up = way[axis] > 0;
+    place.at[axis] = up ? 1 : 0;
+    if (joins_.joined(grid_.cell(place.cell), static_cast<int>(2 * axis) + up)) {
+      place.cell[axis] += up ? 1 : -1;
+      place.at[axis] = up ? 0 : 1;
+      return Crossing::through;
+    }
+    way[axis] = 0;
+    return place.cell[axis] == (up ? grid_.n[axis] - 1 : 0) ? Crossing::side_of_box : Crossing::barred;
+  }
+
+  Rows rows_beside(int axis, const FlowPlace& place) const {
+    Rows r{};
+    const auto a = static_cast<std::size_t>(axis);
+    r.first[0] = static_cast<std::ptrdiff_t>(grid_.face(axis, place.cell)), r.weight[0] = 1;
+    std::size_t count = 1;
+    for (std::size_t b = 0, other = 0; b < dim; ++b) {
+      if (b == a) continue;
+      const bool up = place.at[b] >= 0.5;
+      const double w = up ? place.at[b] - 0.5 : 0.5 - place.at[b];
+      for (std::size_t i = 0; i < count; ++i) {
+        r.first[i + count] = r.first[i] + (up ? stride_[a][b] : -stride_[a][b]);
+        r.weight[i + count] = r.weight[i] * w;
+        r.weight[i] *= 1 - w;
+      }
+      count *= 2;
+      r.side[other] = static_cast<int>(2 * b) + up;
+      r.to[other] = place.cell;
+      r.to[other][b] += up ? 1 : -1;
+      ++other;
+    }
+    return r;
+  }
+
+  FlowValue between_all(const FaceValues& v, int axis, const FlowPlace& place, const Rows& r) const {
+    const auto a = static_cast<std::size_t>(axis);
+    const double* f = v[a].data();
+    const double t = place.at[a];
+    FlowValue found{0, f[r.first[0]], f[r.first[0]], true};
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double lower = f[r.first[i]], upper = f[r.first[i] + stride_[a][a]];
+      found.value += r.weight[i] * ((1 - t) * lower + t * upper);
+      found.low = std::min({found.low, lower, upper});
+      found.high = std::max({found.high, lower, upper});
+    }
+    return found;
+  }
+
+  FlowValue between_reached(const FaceValues& v, int axis, const FlowPlace& place, const Rows& r) const {
+    const auto a = static_cast<std::size_t>(axis);
+    std::array<std::ptrdiff_t, rows> cell{};
+    FlowValue found;
+    const std::array<bool, rows> reached = reached_rows(place, r, cell, found.whole);
+    double sum = 0, weights = 0;
+    bool first = true;
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (!reached[i]) continue;
+      double lower = v[a][static_cast<std::size_t>(r.first[i])],
+             upper = v[a][static_cast<std::size_t>(r.first[i] + stride_[a][a])];
+      const auto c = static_cast<std::size_t>(cell[i]);
+      const bool no_lower = joins_.closed(c, 2 * axis), no_upper = joins_.closed(c, 2 * axis + 1);
+      if (no_lower || no_upper) found.whole = false;
+      if (no_lower && no_upper && i > 0) continue;  // of the own cell there are at least extended ones
+      if (no_lower && !no_upper) lower = upper;
+      if (no_upper && !no_lower) upper = lower;
+      sum += r.weight[i] * ((1 - place.at[a]) * lower + place.at[a] * upper);
+      weights += r.weight[i];
+      found.low = first ? std::min(lower, upper) : std::min({found.low, lower, upper});
+      found.high = first ? std::max(lower, upper) : std::max({found.high, lower, upper});
+      first = false;
+    }
+    found.value = sum / weights;
+    return found;
+  }
+
+  // Which rows' cells can be reached, with their numbers; whether no solid comes between any.
+  std::array<bool, rows> reached_rows(const FlowPlace& place, const Rows& r, std::array<std::ptrdiff_t, rows>& cell,
+                                      bool& whole) const {
+    std::array<bool, rows> reached{true};
+    const std::size_t own = grid_.cell(place.cell);
+    cell[0] = static_cast<std::ptrdiff_t>(own);
+    for (std::size_t i = 0; i + 1 < dim; ++i) {
+      reached[i + 1] = joins_.joined(own, r.side[i]);
+      if (joins_.closed(own, r.side[i])) whole = false;
+      if (reached[i + 1]) cell[i + 1] = static_cast<std::ptrdiff_t>(grid_.cell(r.to[i]));
+    }
+    if constexpr (dim == 3) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (!reached[i + 1]) continue;
+        const auto beside = static_cast<std::size_t>(cell[i + 1]);
+        const int side = r.side[1 - i];
+        if (joins_.closed(beside, side)) whole = false;
+        if (!joins_.joined(beside, side)) continue;
+        auto corner = r.to[i];
+        corner[static_cast<std::size_t>(side / 2)] += side % 2 == 1 ? 1 : -1;
+        reached[3] = true, cell[3] = static_cast<std::ptrdiff_t>(grid_.cell(corner));
+      }
+    }
+    return reached;
+  }
+
+  const StaggeredGrid& grid_;
+  CellJoins joins_;
+  std::array<std::array<std::ptrdiff_t, 3>, 3> stride_{};
+};
+
+}  // namespace tether::coupled
