@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "grid/mesh.hpp"
+
 namespace tether {
 
 /// Equal cells that fill a box, with pressures at their middles and on their faces the velocities across them (Harlow
@@ -58,5 +60,8 @@ struct StaggeredGrid {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 };
+
+/// A mesh whose nodes are the cells' middles, for what is drawn.
+Mesh mesh_of_middles(const StaggeredGrid& grid);
 
 }  // namespace tether

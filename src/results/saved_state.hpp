@@ -23,7 +23,9 @@ class StateSaver {
   }
   template <class Number>
   void operator()(const char* name, const std::vector<Number>& array) {
-    saved_[name].assign(array.begin(), array.end());
+    std::vector<double>& saved = saved_[name];
+    saved.clear();
+    for (const Number& number : array) saved.push_back(static_cast<double>(number));
   }
   /// An array whose length changes while a scene runs.
   template <class Number>

@@ -10,4 +10,9 @@ bool AxisBox::contains(const std::array<double, 3>& place) const {
   return true;
 }
 
+const char* coupling_mode_name(CouplingMode mode) {
+  constexpr std::array names{"symmetric", "cut-cell", "splitting", "paper"};
+  return names[static_cast<std::size_t>(mode)];
+}
+
 }  // namespace tether

@@ -15,6 +15,9 @@ namespace tether {
 /// not each other's transpose.
 enum class CouplingMode { symmetric, cut_cell, splitting, paper };
 
+/// The deck's word for it.
+const char* coupling_mode_name(CouplingMode mode);
+
 /// The step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule.
 enum class CoupledIntegrator { paper, trapezoid };
 

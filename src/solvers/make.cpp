@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/make.hpp"
 
+#include "solvers/coupled/coupled_solver.hpp"
 #include "solvers/fem/bar_solver.hpp"
 #include "solvers/fem/flow_solver.hpp"
 #include "solvers/fem/rigid_solver.hpp"
@@ -10,6 +11,7 @@
 namespace tether {
 
 std::unique_ptr<Solver> make_solver(const Plan& plan) {
+  if (plan.scene.coupled) return std::make_unique<coupled::CoupledSolver>(plan);
   if (plan.scene.flow) return std::make_unique<fem::FlowSolver>(plan);
   if (plan.scene.rigid) return std::make_unique<fem::RigidSolver>(plan);
   if (plan.scene.solids) return std::make_unique<fem::SolidSolver>(plan);

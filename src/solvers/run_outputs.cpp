@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "scene/coupled.hpp"
 #include "scene/flow.hpp"
 #include "scene/solids.hpp"
 
@@ -36,6 +37,7 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       points_due_(plan.scene.outputs.points),
       grid_due_(plan.scene.outputs.grid),
       checkpoint_due_(plan.scene.outputs.checkpoint) {
+  if (plan.scene.coupled) cell_middles_ = mesh_of_middles(plan.scene.coupled->grid);
   folder_.deck_effective(request.deck_effective);
   if (request.mesh_text) folder_.beside_deck(effective_mesh_file, *request.mesh_text);
   for (const auto& message : request.messages) note(message);
@@ -146,7 +148,9 @@ void RunOutputs::write_grid() {
 }
 
 void RunOutputs::write_grid(const Snapshot& snapshot) {
-  if (plan_.scene.flow)
+  if (plan_.scene.coupled)
+    folder_.mesh(cell_middles_, snapshot);
+  else if (plan_.scene.flow)
     folder_.mesh(plan_.scene.flow->mesh, snapshot);
   else if (plan_.scene.solids)
     folder_.mesh(plan_.scene.solids->mesh, snapshot);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/mesh.hpp"
 #include "results/checkpoint.hpp"
 #include "results/earlier_snapshots.hpp"
 #include "results/result_folder.hpp"
@@ -55,6 +56,7 @@ class RunOutputs {
   ResultFolder folder_;
   History history_;
   Snapshot last_points_;
+  Mesh cell_middles_;  // of a coupled scene
   std::size_t point_snapshots_ = 0, grid_snapshots_ = 0;
   std::vector<std::string> messages_;  // of the run, beside those of its deck
   Due history_due_, points_due_, grid_due_, checkpoint_due_;

@@ -163,6 +163,11 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   if (!result.converged) refuse(time, "conjugate gradients do not converge for the pressures");
 }
 
+const char* CoupledSystem::solver_name() const {
+  if (scene_.mode == CouplingMode::paper) return "bicgstab";
+  return direct_ ? "direct" : "krylov";
+}
+
 std::vector<std::string> CoupledSystem::take_messages() { return std::exchange(messages_, {}); }
 
 }  // namespace tether::coupled

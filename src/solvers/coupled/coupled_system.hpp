@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
@@ -48,7 +49,8 @@ class CoupledSystem {
   /// The fluid alone, -L p = r + flux u with all velocities given.
   void solve_fluid(const CoupledEquations& equations, double time, std::span<const double> u, std::span<double> p);
 
-  bool by_factors() const { return direct_; }
+  /// "bicgstab", "direct" or "krylov".
+  const char* solver_name() const;
   const SystemCost& cost() const { return cost_; }
   std::vector<std::string> take_messages();
 

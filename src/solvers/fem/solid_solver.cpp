@@ -13,40 +13,6 @@
 #include "solvers/step_time.hpp"
 
 namespace tether::fem {
-namespace {
-
-/// Velocities of the nodes at the start: each region moves and turns about its centre of mass; a node that regions
-/// share has the mean of theirs by mass. Supported directions are at rest.
-std::vector<double> first_velocities(const SolidSystem& system) {
-  const Solids& solids = system.solids;
-  const auto d = static_cast<std::size_t>(system.dim());
-  std::vector<double> v(system.unknowns(), 0.0), mass(system.lumped.size(), 0.0);
-  for (std::size_t r = 0; r < solids.regions.size(); ++r) {
-    const SolidRegion& region = solids.regions[r];
-    const std::vector<double>& weights = system.region_weights[r];
-    std::array<double, 3> centre{};
-    double total = 0;
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-      total += weights[n];
-      for (std::size_t i = 0; i < d; ++i) centre[i] += weights[n] * solids.mesh.x[n * d + i];
-    }
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-      std::array<double, 3> arm{};
-      for (std::size_t i = 0; i < d; ++i) arm[i] = solids.mesh.x[n * d + i] - centre[i] / total;
-      const double m = weights[n];
-      mass[n] += m;
-      for (std::size_t i = 0; i < d; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        v[n * d + i] += m * (region.velocity[i] + region.spin[j] * arm[k] - region.spin[k] * arm[j]);
-      }
-    }
-  }
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] = system.held[k] || mass[k / d] == 0 ? 0 : v[k] / mass[k / d];
-  return v;
-}
-
-}  // namespace
-
 SolidSolver::SolidSolver(const Plan& plan)
     : plan_(plan), system_(*plan.scene.solids, plan.scene.gravity), step_(system_) {
   state_.q = system_.solids.mesh.x;

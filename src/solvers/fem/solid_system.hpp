@@ -53,4 +53,8 @@ class SolidSystem {
   std::vector<NodalLoad> loads_;
 };
 
+/// Velocities of the nodes at the start: each region moves and turns about its centre of mass; a node that regions
+/// share has the mean of theirs by mass. Supported directions are at rest.
+std::vector<double> first_velocities(const SolidSystem& system);
+
 }  // namespace tether::fem

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tether::coupled {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Contact::Contact(const Coupled& scene, const SolidSurface& surface)
+    : scene_(scene), dim_(at(scene.grid.dim)), nodes_(surface.sides) {
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+}
+
+void Contact::begin(std::span<const double> q, double h, std::vector<Touch>& touches) {
+  constexpr double rounding = 1e-9;  // of a cell
+  h_ = h;
+  meetings_.clear();
+  const double size = *std::max_element(scene_.grid.d.begin(), scene_.grid.d.begin() + scene_.grid.dim);
+  for (const int node : nodes_) {
+    if (!scene_.contact) break;
+    const Vector x = place_of(q, node, scene_.grid.dim);
+    meet_walls(at(node), x, size);
+    for (const AxisBox& box : scene_.obstacles) meet_obstacle(box, at(node), x, size);
+  }
+  std::vector<Touch> kept(touches.size(), Touch::away);
+  for (const Meeting& meeting : meetings_) {
+    if (meeting.gap <= rounding * size) kept[unknown(meeting)] = touches[unknown(meeting)];
+  }
+  touches = std::move(kept);
+}
+
+void Contact::meet_walls(std::size_t node, const Vector& x, double reach) {
+  for (int side = 0; side < 2 * scene_.grid.dim; ++side) {
+    if (scene_.sides[at(side)] != BoxSide::wall) continue;
+    const int axis = axis_of_side(side);
+    const double up = is_low_side(side) ? 1 : -1;
+    const double place = is_low_side(side) ? scene_.grid.low[at(axis)] : scene_.grid.high(axis);
+    const double gap = up * (x[at(axis)] - place);
+    if (gap < reach) meetings_.push_back({node, at(axis), up, place, gap, false, {}});
+  }
+}
+
+/// At the face of the box that the node is least far behind, or farthest before.
+void Contact::meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach) {
+  Meeting nearest;
+  nearest.gap = -INFINITY;
+  for (std::size_t axis = 0; axis < dim_; ++axis) {
+    for (const double up : {1.0, -1.0}) {
+      const double place = up > 0 ? box.high[axis] : box.low[axis], gap = up * (x[axis] - place);
+      if (gap > nearest.gap) nearest = {node, axis, up, place, gap, false, {}};
+    }
+  }
+  if (nearest.gap < reach) meetings_.push_back(nearest);
+}
+
+void Contact::hold(std::span<const Touch> touches, std::span<std::uint8_t> held) const {
+  for (const Meeting& meeting : meetings_) {
+    const Touch touch = touches[unknown(meeting)];
+    if (touch == Touch::away) continue;
+    held[unknown(meeting)] = 1;
+    for (std::size_t i = 0; touch == Touch::sticks && i < dim_; ++i) held[meeting.node * dim_ + i] = 1;
+  }
+}
+
+void Contact::add_friction(std::span<double> forces) const {
+  for (const Meeting& meeting : meetings_) {
+    for (std::size_t i = 0; i < dim_; ++i) forces[meeting.node * dim_ + i] += meeting.friction[i];
+  }
+}
+
+bool Contact::changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
+                      std::vector<Touch>& touches) {
+  bool changed = false;
+  for (Meeting& meeting : meetings_) {
+    Touch& touch = touches[unknown(meeting)];
+    const Touch then = next(meeting, touch, u0, u1, reactions);
+    changed = changed || then != touch;
+    touch = then;
+  }
+  return changed;
+}
+
+/// A node whose way (5) leads through the wall touches it; one that the wall would have to pull leaves it.
+Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
+                    std::span<const double> reactions) const {
+  constexpr double rounding = 1e-9;  // of a cell, and of the largest reaction
+  const std::size_t k = unknown(meeting);
+  if (now == Touch::away) {
+    const double behind = meeting.gap + 0.5 * h_ * meeting.side * (u0[k] + u1[k]);
+    const bool touches = !meeting.released && behind < -rounding * scene_.grid.d[meeting.axis];
+    return !touches ? Touch::away : scene_.friction > 0 ? Touch::sticks : Touch::slides;
+  }
+  const double pressed = meeting.side * reactions[k];
+  if (pressed < 0) {
+    meeting.released = true, meeting.friction = {};
+    return Touch::away;
+  }
+  return scene_.friction > 0 ? rubbed(meeting, now, pressed, u1, reactions) : now;
+}
+
+/// Coulomb: a node that sticks begins to slide where that takes more than mu times the pressing force, and slides
+/// against that much until it turns round.
+Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
+                      std::span<const double> reactions) const {
+  Vector along{};
+  double square = 0, forth = 0;
+  for (std::size_t i = 0; i < dim_; ++i) {
+    if (i == meeting.axis) continue;
+    const std::size_t k = meeting.node * dim_ + i;
+    along[i] = now == Touch::sticks ? reactions[k] : meeting.friction[i];
+    square += along[i] * along[i], forth += along[i] * u1[k];
+  }
+  const double most = scene_.friction * pressed, size = std::sqrt(square);
+  const bool stays = now == Touch::sticks ? size <= most : forth > 0 || size == 0;
+  meeting.friction = {};
+  if (stays) return Touch::sticks;
+  for (std::size_t i = 0; i < dim_; ++i) meeting.friction[i] = along[i] * (most / size);
+  return Touch::slides;
+}
+
+void Contact::place(std::span<double> q) const {
+  for (const Meeting& meeting : meetings_) {
+    double& x = q[unknown(meeting)];
+    if (meeting.side * (x - meeting.place) < 0) x = meeting.place;
+  }
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/coupled.hpp"
+#include "solvers/coupled/solid_surface.hpp"
+
+namespace tether::coupled {
+
+/// What a node does at a wall: it is away from it, its velocity across the wall is held at zero and it slides, or all
+/// of its velocity is held.
+enum class Touch : std::uint8_t { away, slides, sticks };
+
+/// Contact of the surface's nodes with walls of the box and obstacles, with Coulomb's friction: which nodes touch, and
+/// whether they slide, is found together with the velocities, step by step. A node's impact is inelastic.
+class Contact {
+ public:
+  /// Both must outlive it.
+  Contact(const Coupled& scene, const SolidSurface& surface);
+
+  /// Finds the walls that nodes at q may reach in a step of length h. `touches`, a number a velocity (that across the
+  /// wall), says what they did before and will say what they do; those of nodes that are not at a wall are cleared.
+  void begin(std::span<const double> q, double h, std::vector<Touch>& touches);
+  /// Marks the velocities that touching nodes do not have.
+  void hold(std::span<const Touch> touches, std::span<std::uint8_t> held) const;
+  /// Adds the friction of sliding nodes to forces.
+  void add_friction(std::span<double> forces) const;
+  /// Takes note of a solution: velocities u0 before and u1 behind the step, and the forces on held velocities. Returns
+  /// whether nodes touch or slide that did not, or the other way: the solution is to be found again then.
+  bool changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
+               std::vector<Touch>& touches);
+  /// Puts nodes that went through a wall onto it.
+  void place(std::span<double> q) const;
+
+ private:
+  struct Meeting {
+    std::size_t node = 0, axis = 0;
+    double side = 1;        // +1: the node stays above the place
+    double place = 0;       // of the wall [length]
+    double gap = 0;         // at the step's start [length]
+    bool released = false;  // in this step, to which it does not come back
+    Vector friction{};      // on the node where it slides [force]
+  };
+  std::size_t unknown(const Meeting& meeting) const { return meeting.node * dim_ + meeting.axis; }
+  void meet_walls(std::size_t node, const Vector& x, double reach);
+  void meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach);
+  Touch next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
+             std::span<const double> reactions) const;
+  Touch rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
+               std::span<const double> reactions) const;
+
+  const Coupled& scene_;
+  std::size_t dim_;
+  double h_ = 0;
+  std::vector<int> nodes_;
+  std::vector<Meeting> meetings_;
+};
+
+}  // namespace tether::coupled

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/coupled_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+
+#include "solvers/coupled/projection.hpp"
+#include "solvers/fem/mesh_fields.hpp"
+#include "solvers/fem/solid_fields.hpp"
+
+namespace tether::coupled {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Each part's share of the nodes' masses.
+std::vector<std::vector<double>> masses_of_parts(const std::vector<int>& part, int parts,
+                                                 const std::vector<double>& weights) {
+  std::vector<std::vector<double>> masses(at(parts), std::vector<double>(weights.size(), 0.0));
+  for (std::size_t n = 0; n < weights.size(); ++n) {
+    if (part[n] >= 0) masses[at(part[n])][n] = weights[n];
+  }
+  return masses;
+}
+
+double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
+CoupledFields::CoupledFields(const Scene& scene, const CoupledStep& step)
+    : scene_(scene), step_(step), first_volumes_(enclosed_volumes(step.surface(), step.solids().system.solids.mesh.x)) {
+  const fem::SolidSystem& system = step.solids().system;
+  part_masses_ = masses_of_parts(parts_of(system.solids.mesh), step.surface().parts, system.weights);
+}
+
+HistoryLayout CoupledFields::history_layout() const {
+  HistoryLayout layout;
+  const int dim = scene_.coupled->grid.dim;
+  const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning) {
+    layout.quantities.push_back({name, dimension, meaning});
+  };
+  fem::add_energies(layout);
+  add("energy_fluid", Dimension::energy, "kinetic energy of the fluid, part of energy_kinetic");
+  add("mass", Dimension::mass, "mass of fluid and solids");
+  fem::add_vector(layout, "momentum_", Dimension::momentum, "momentum of fluid and solids in ", dim);
+  add("fluid_volume", Dimension::volume, "volume of the fluid, as its faces have it");
+  add("interface_power", Dimension::energy, "energy a time that the solids took from the fluid in the last step");
+  add("interface_work", Dimension::energy, "energy that they have taken");
+  add("interface_mismatch", Dimension::number,
+      "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes");
+  add("energy_projected", Dimension::energy, "kinetic energy of the fluid that the last step's pressure took");
+  add("regions", Dimension::number, "parts of the fluid that nothing joins");
+  add("solver_iterations", Dimension::number, "iterations of linear solvers since the start or the last restart");
+  if (scene_.coupled->smoke) {
+    add("smoke_mass", Dimension::volume, "density of smoke times volume");
+    add("smoke_in", Dimension::volume, "smoke that jets have brought");
+    add("smoke_out", Dimension::volume, "smoke that has left");
+    add("smoke_largest", Dimension::number, "largest density of smoke");
+  }
+  if (!scene_.solids) return layout;
+  add("element_quality", Dimension::number, "least volume of an element over that at the start");
+  for (std::size_t s = 0; s < first_volumes_.size(); ++s) {
+    add(fmt::format("volume_sheet_{}", s + 1), Dimension::volume,
+        first_volumes_[s] < 0 ? "volume of a cavity in the solids"
+                              : "volume that an outer surface of the solids encloses");
+  }
+  fem::add_vector(layout, "body_force_", Dimension::force, "force of the fluid in the last step, ", dim, Per::body);
+  fem::add_vector(layout, "body_hold_", Dimension::force, "force of supports and walls in the last step, ", dim,
+                  Per::body);
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < part_masses_.size(); ++b) names.push_back(fmt::format("body {}", b + 1));
+  fem::add_bodies_and_nodes(layout, *scene_.solids, names);
+  return layout;
+}
+
+Record CoupledFields::record(const CoupledState& state) const {
+  const SolidEquations& solids = step_.solids();
+  const Coupled& coupled = *scene_.coupled;
+  const FlowDomain domain = step_.domain(state.q);
+  std::vector<double> momenta(state.u.size());
+  solids.system.multiply_mass(state.u, momenta);
+  double kinetic = 0, volume = 0;
+  for (std::size_t k = 0; k < momenta.size(); ++k) kinetic += 0.5 * momenta[k] * state.u[k];
+  Vector momentum{};
+  for (std::size_t k = 0; k < momenta.size(); ++k) momentum[k % at(coupled.grid.dim)] += momenta[k];
+  for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) {
+    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
+      if (domain.face[axis][f] != FaceKind::open) continue;
+      momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
+      volume += domain.volume[axis][f] / coupled.grid.dim;
+    }
+  }
+  const double fluid = kinetic_energy(domain, state.v, state.v, coupled.density);
+  const double strain = solids.system.elements->strain_energy(state.q) + solids.spring_energy(state.q);
+  const double potential = solids.system.gravity_energy(state.q);
+  Record values{state.time,
+                state.dt_last,
+                kinetic + fluid,
+                strain,
+                0,
+                potential,
+                kinetic + fluid + strain + potential,
+                fluid,
+                coupled.density * volume + sum_of(solids.system.weights)};
+  values.insert(values.end(), momentum.begin(), momentum.begin() + coupled.grid.dim);
+  values.insert(values.end(),
+                {volume, state.last.interface_power, state.work, state.last.mismatch, state.last.projected,
+                 static_cast<double>(domain.regions), static_cast<double>(step_.system().cost().iterations)});
+  if (coupled.smoke) add_smoke(state, values);
+  if (scene_.solids) add_bodies(state, values);
+  return values;
+}
+
+void CoupledFields::add_smoke(const CoupledState& state, Record& record) const {
+  double largest = 0;
+  for (std::size_t cell = 0; cell < state.smoke.smoke.size(); ++cell)
+    largest = std::max(largest, state.smoke.density(cell));
+  record.insert(record.end(),
+                {sum_of(state.smoke.smoke), state.smoke_flow.smoke_in, state.smoke_flow.smoke_out, largest});
+}
+
+void CoupledFields::add_forces(std::span<const double> forces, Record& record) const {
+  const std::size_t d = at(scene_.coupled->grid.dim);
+  for (std::size_t i = 0; i < d; ++i) {
+    for (const auto& masses : part_masses_) {
+      double sum = 0;
+      for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] > 0 ? forces[n * d + i] : 0;
+      record.push_back(sum);
+    }
+  }
+}
+
+/// As history_layout() and add_bodies_and_nodes() list them.
+void CoupledFields::add_bodies(const CoupledState& state, Record& record) const {
+  const std::size_t d = at(scene_.coupled->grid.dim);
+  record.push_back(step_.solids().system.elements->shape(state.q).least);
+  for (const double volume : enclosed_volumes(step_.surface(), state.q)) record.push_back(std::abs(volume));
+  add_forces(state.fluid_force, record);
+  add_forces(state.wall_force, record);
+  for (const auto* values : {&state.q, &state.u}) {
+    for (std::size_t i = 0; i < d; ++i) {
+      for (const auto& masses : part_masses_) {
+        double sum = 0;
+        for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] * (*values)[n * d + i];
+        record.push_back(sum / sum_of(masses));
+      }
+    }
+  }
+  for (const auto& masses : part_masses_) record.push_back(sum_of(masses));
+  fem::append_nodes(*scene_.solids, state.q, state.u, record);
+}
+
+/// Velocities are the means of a cell's two faces.
+Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
+  constexpr std::array axes{"x", "y", "z"};
+  const StaggeredGrid& grid = scene_.coupled->grid;
+  const FlowDomain domain = step_.domain(state.q);
+  Snapshot snapshot{state.time, {}};
+  const auto add = [&](const std::string& name, Dimension dimension, const char* meaning, const auto& value) {
+    Field field{{name, dimension, meaning}, std::vector<double>(grid.cell_count())};
+    for (std::size_t c = 0; c < field.values.size(); ++c) field.values[c] = value(c);
+    snapshot.fields.push_back(std::move(field));
+  };
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    add(axes[at(axis)], Dimension::length, "place",
+        [&](std::size_t c) { return grid.middle(axis, grid.place_of_cell(c)[at(axis)]); });
+  }
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    add(std::string("v") + axes[at(axis)], Dimension::velocity, "velocity, zero where there is no fluid",
+        [&](std::size_t c) {
+          auto face = grid.place_of_cell(c);
+          const double low = state.v[at(axis)][grid.face(axis, face)];
+          ++face[at(axis)];
+          return domain.kind[c] == CellKind::fluid ? 0.5 * (low + state.v[at(axis)][grid.face(axis, face)]) : 0;
+        });
+  }
+  add("p", Dimension::stress, "pressure, of the last step", [&](std::size_t c) { return state.p[c]; });
+  add("kind", Dimension::number, "fluid 0, solid 1, obstacle 2, void 3",
+      [&](std::size_t c) { return static_cast<double>(domain.kind[c]); });
+  add("region", Dimension::number, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
+      [&](std::size_t c) { return domain.region[c] + 1.0; });
+  if (scene_.coupled->smoke) {
+    add("smoke", Dimension::number, "density of smoke", [&](std::size_t c) { return state.smoke.density(c); });
+    add("temperature", Dimension::number, "above that of the surroundings",
+        [&](std::size_t c) { return state.smoke.temperature(c); });
+  }
+  return snapshot;
+}
+
+Snapshot CoupledFields::solid_fields(const CoupledState& state) const {
+  if (!scene_.solids) return {state.time, {}};
+  return fem::shape_fields(state.time, step_.solids().system, state.q, state.u);
+}
+
+}  // namespace tether::coupled

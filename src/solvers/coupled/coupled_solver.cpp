@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/coupled_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solvers/step_time.hpp"
+
+namespace tether::coupled {
+namespace {
+
+/// No solids, in the dimensions of the box.
+Solids no_solids(const Coupled& scene) {
+  Solids none;
+  none.mesh.kind = scene.grid.dim == 2 ? ElementKind::tri3 : ElementKind::tet4;
+  return none;
+}
+
+const Solids& solids_of(const Plan& plan, const Solids& none) { return plan.scene.solids ? *plan.scene.solids : none; }
+
+}  // namespace
+
+CoupledSolver::CoupledSolver(const Plan& plan)
+    : plan_(plan),
+      none_(no_solids(*plan.scene.coupled)),
+      step_(plan.scene, solids_of(plan, none_)),
+      fields_(plan.scene, step_),
+      state_(step_.start()) {}
+
+void CoupledSolver::advance(double until) {
+  const double tmax = plan_.scene.clock.tmax;
+  while (state_.time < until && state_.time < tmax) {
+    const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
+    const bool last = tmax - state_.time <= h;
+    step_.advance(state_, h);
+    add_compensated(state_.time, state_.time_lost, h);
+    if (last) state_.time = tmax, state_.time_lost = 0;
+    ++state_.steps;
+    state_.dt_last = h;
+    if (state_.dt_min == 0 || (!last && h < state_.dt_min)) state_.dt_min = h;
+  }
+}
+
+RunCounts CoupledSolver::counts() const {
+  RunCounts counts;
+  counts.steps = state_.steps;
+  counts.points = plan_.scene.coupled->grid.cell_count() + step_.solids().system.lumped.size();
+  counts.point_steps = state_.steps * static_cast<long long>(counts.points);
+  const auto& kind = step_.domain(state_.q).kind;
+  counts.cells_active = static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
+  counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
+  return counts;
+}
+
+std::vector<std::string> CoupledSolver::take_messages() { return step_.take_messages(); }
+
+SavedState CoupledSolver::save() const {
+  StateSaver saver;
+  CoupledState state = state_;
+  exchange(saver, state);
+  return saver.take();
+}
+
+void CoupledSolver::restore(const SavedState& saved) {
+  StateRestorer restorer(saved);
+  exchange(restorer, state_);
+}
+
+Summary CoupledSolver::more_summary() const {
+  const SystemCost& cost = step_.system().cost();
+  const auto number = [](auto value) { return fmt::format("{}", value); };
+  return {{"mode", coupling_mode_name(plan_.scene.coupled->mode)},
+          {"linear_solver", step_.system().solver_name()},
+          {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
+          {"krylov_iterations", number(cost.iterations)},
+          {"factor_nonzeros", number(cost.factor_nonzeros)},
+          {"solve_seconds", number(cost.solve_seconds)},
+          {"contact_solutions", number(state_.contact_solutions)},
+          {"interface_mismatch", number(state_.worst_mismatch)}};
+}
+
+}  // namespace tether::coupled

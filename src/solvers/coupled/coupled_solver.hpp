@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "solvers/coupled/coupled_fields.hpp"
+#include "solvers/coupled/coupled_step.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether::coupled {
+
+/// An incompressible fluid and deformable solids, solved together. The plan, whose scene is coupled, must outlive the
+/// solver.
+class CoupledSolver final : public Solver {
+ public:
+  explicit CoupledSolver(const Plan& plan);
+
+  double time() const override { return state_.time; }
+  void advance(double until) override;
+  RunCounts counts() const override;
+  HistoryLayout history_layout() const override { return fields_.history_layout(); }
+  Record record() const override { return fields_.record(state_); }
+  Snapshot points() const override { return {state_.time, {}}; }
+  Snapshot grid() const override { return fields_.cell_fields(state_); }
+  Snapshot solids() const override { return fields_.solid_fields(state_); }
+  std::vector<std::string> take_messages() override;
+  SavedState save() const override;
+  void restore(const SavedState& saved) override;
+  Summary more_summary() const override;
+
+ private:
+  const Plan& plan_;
+  Solids none_;  // of a scene without any
+  CoupledStep step_;
+  CoupledFields fields_;
+  CoupledState state_;
+};
+
+}  // namespace tether::coupled

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solvers/coupled/contact.hpp"
+#include "solvers/coupled/flow_domain.hpp"
+#include "solvers/coupled/smoke.hpp"
+
+namespace tether::coupled {
+
+/// What one step tells of itself.
+struct StepAccount {
+  double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]
+  double mismatch = 0;         ///< by the fluid's equations less that, over the sum of the solids' powers' sizes
+  double projected = 0;        ///< kinetic energy that the pressure's step has taken [energy]
+};
+
+/// All that changes in a run.
+struct CoupledState {
+  double time = 0, time_lost = 0;  // [time]
+  long long steps = 0;
+  double dt_last = 0, dt_min = 0;
+  FaceValues v;                ///< of the fluid, extended into the solids [velocity]
+  std::vector<double> p;       ///< of each cell; 0 without fluid [stress]
+  std::vector<double> q, u;    ///< places and velocities of the solids' nodes, dim numbers a node
+  std::vector<Touch> touches;  ///< of the nodes, a number a velocity
+  std::vector<double> fluid_force,
+      wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact
+  Smoke smoke;
+  SmokeFlow smoke_flow;  ///< since the start
+  StepAccount last;
+  double worst_mismatch = 0;        ///< of all steps
+  double work = 0;                  ///< that the solids have taken from the fluid [energy]
+  long long contact_solutions = 0;  ///< solutions found again because of contact
+};
+
+/// The parts of a state for saving and restoring; cells and faces do not change in number.
+template <class Exchange>
+void exchange(Exchange& with, CoupledState& state) {
+  with("time", state.time), with("time_lost", state.time_lost), with("steps", state.steps);
+  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
+  with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
+  with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
+  with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
+  with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);
+  with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
+  with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);
+  with("projected", state.last.projected), with("worst_mismatch", state.worst_mismatch);
+  with("work", state.work), with("contact_solutions", state.contact_solutions);
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/coupled_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "solvers/coupled/carry_velocity.hpp"
+#include "solvers/coupled/coupled_matrix.hpp"
+#include "solvers/coupled/extend_velocity.hpp"
+#include "solvers/coupled/projection.hpp"
+#include "solvers/coupled/viscosity.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr int layers_around_fluid = 4;
+constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
+constexpr int most_contact_solutions = 20;
+
+std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
+  std::vector<double> values(numbers.of_cell.size(), 0.0);
+  for (std::size_t k = 0; k < p.size(); ++k) values[numbers.cell[k]] = p[k];
+  return values;
+}
+
+std::vector<double> of_cells(const PressureNumbers& numbers, std::span<const double> values) {
+  std::vector<double> p;
+  for (const std::size_t cell : numbers.cell) p.push_back(values[cell]);
+  return p;
+}
+
+}  // namespace
+
+CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
+    : scene_(scene),
+      coupled_(*scene.coupled),
+      surface_(surface_of(solids.mesh)),
+      solids_(coupled_, solids, scene.gravity),
+      box_(coupled_),
+      contact_(coupled_, surface_),
+      system_(coupled_),
+      first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
+
+Placement CoupledStep::placed(std::span<const double> q, double h) const {
+  Placement at;
+  const bool cut = coupled_.mode == CouplingMode::cut_cell;
+  at.pieces = cut_surface(surface_, q, coupled_.grid, cut ? 2 : 1);
+  at.crossings = find_crossings(surface_, q, coupled_.grid);
+  at.domain = box_.around(at.crossings);
+  if (cut) {
+    at.cut = cut_cells(at.pieces, at.crossings, at.domain);
+    at.domain = box_.around(at.crossings, at.cut);
+  }
+  at.numbers = number_pressures(at.domain);
+  const PressureSampler sampler(surface_, q, at.pieces, at.domain);
+  const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers};
+  at.map = map_by_pressures(of, sampler, cut ? &at.cut : nullptr, q.size());
+  if (coupled_.mode == CouplingMode::paper) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
+  at.L = pressure_matrix(at.domain, at.numbers, h / coupled_.density);
+  return at;
+}
+
+FlowDomain CoupledStep::domain(std::span<const double> q) const {
+  const Crossings crossings = find_crossings(surface_, q, coupled_.grid);
+  FlowDomain whole = box_.around(crossings);
+  if (coupled_.mode != CouplingMode::cut_cell) return whole;
+  return box_.around(crossings, cut_cells(cut_surface(surface_, q, coupled_.grid, 2), crossings, whole));
+}
+
+/// One step of the paper, 3.1 to 3.3.
+void CoupledStep::advance(CoupledState& state, double h) {
+  const Placement at = placed(state.q, h);
+  const std::vector<double> u0 = state.u;
+  move_fluid_freely(at, state, h);                    // (1) without pressure: v*
+  solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
+  solve(at, state, h);                                // (7), (8)
+  extend_velocity(at.domain, state.v, layers_around_fluid);
+  carry_smoke_along(at, state, h);
+  move_solids(state, u0, h);  // (5)
+}
+
+void CoupledStep::move_fluid_freely(const Placement& at, CoupledState& state, double h) {
+  box_.prescribe(at.domain, state.time + h, state.v);
+  extend_velocity(at.domain, state.v, layers_around_fluid);
+  FaceValues carried = state.v;
+  carry_velocity(at.domain, state.v, h, coupled_.advection, carried);
+  for (std::size_t f = 0; f < carried[1].size(); ++f) {
+    if (at.domain.face[1][f] == FaceKind::open) carried[1][f] += h * scene_.gravity;
+  }
+  if (coupled_.smoke) add_buoyancy(at.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight, h, carried);
+  add_viscosity(at.domain, carried, coupled_.viscosity / coupled_.density, h, coupled_.viscosity > 0);
+  state.v = std::move(carried);
+}
+
+/// Contact decides which velocities are held; as these change, the equations are solved again.
+void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
+  const std::vector<double> u0 = state.u, flux = net_flux(at.domain, at.numbers, state.v);
+  Solution solution;
+  solution.p = of_cells(at.numbers, state.p);
+  contact_.begin(state.q, h, state.touches);
+  for (int k = 0; k < most_contact_solutions; ++k) {
+    solution.held = solids_.held;
+    contact_.hold(state.touches, solution.held);
+    find_regions_of(at, state, h, solution);
+    for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solution.held[i] != 0 ? 0 : u0[i];
+    solids_.system.move_supports(state.time + h, support_width * h, state.u);
+    solve_once(at, flux, state, solution);
+    if (!contact_.changed(u0, state.u, solution.wall_force, state.touches)) break;
+    ++state.contact_solutions;
+  }
+  const FaceValues free = state.v;
+  add_pressure(at.domain, at.numbers, solution.p, h / coupled_.density, state.v);  // (8)
+  account(at, free, solution, state, h);
+  state.p = on_cells(at.numbers, solution.p);
+  state.fluid_force = std::move(solution.fluid_force), state.wall_force = std::move(solution.wall_force);
+}
+
+/// With the volume term: what each cell takes of it.
+void CoupledStep::find_regions_of(const Placement& at, const CoupledState& state, double h, Solution& solution) const {
+  solution.regions =
+      regions_of(at.domain, at.map, at.numbers, enclosed_volumes(surface_, state.q), first_volumes_, solution.held, h);
+  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  solution.source.assign(at.numbers.cell.size(), 0.0);
+  for (std::size_t k = 0; k < solution.source.size(); ++k) {
+    const auto region = static_cast<std::size_t>(at.domain.region[at.numbers.cell[k]]);
+    if (coupled_.volume_term && !splitting && solution.regions.compliant[region] != 0)
+      solution.source[k] = solution.regions.source[region];
+  }
+}
+
+void CoupledStep::solve_once(const Placement& at, std::span<const double> flux, CoupledState& state,
+                             Solution& solution) {
+  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  std::vector<double> b = solids_.b, r(flux.begin(), flux.end());
+  solution.friction.assign(b.size(), 0.0);
+  contact_.add_friction(solution.friction);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k];
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];
+  std::vector<int> region;
+  for (const std::size_t cell : at.numbers.cell) region.push_back(at.domain.region[cell]);
+  std::vector<std::uint8_t> loose = solution.regions.closed;
+  for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
+    loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
+  const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at.crossing_map : at.map.B;
+  const CoupledEquations equations{solids_.A, b, at.map.B, caused, at.L, r, solution.held, region, loose};
+  solution.fluid_force.assign(b.size(), 0.0);
+  if (splitting) {
+    const std::vector<double> before = of_cells(at.numbers, state.p);
+    add_transposed_product(at.map.B, 1, before, solution.fluid_force);
+    system_.solve_solids(equations, state.time, state.u, before);
+    system_.solve_fluid(equations, state.time, state.u, solution.p);
+  } else {
+    system_.solve(equations, state.time, state.u, solution.p);
+    add_transposed_product(at.map.B, 1, solution.p, solution.fluid_force);
+  }
+  solution.wall_force.assign(b.size(), 0.0);
+  solids_.A.multiply(state.u, solution.wall_force);  // what holds the velocities that are held
+  for (std::size_t k = 0; k < b.size(); ++k)
+    solution.wall_force[k] = solution.held[k] != 0 ? solution.wall_force[k] - b[k] - solution.fluid_force[k] : 0;
+}
+
+/// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held, and once by
+/// the fluid's: what its kinetic energy, the pressure's step, prescribed faces and the volume term leave.
+void CoupledStep::account(const Placement& at, const FaceValues& free, const Solution& solution, CoupledState& state,
+                          double h) const {
+  std::vector<double> forces(state.u.size());
+  solids_.A.multiply(state.u, forces);
+  double taken = 0, size = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const double force =
+        solution.held[k] != 0 ? solution.fluid_force[k] : forces[k] - solids_.b[k] - solution.friction[k];
+    taken += state.u[k] * force, size += std::abs(state.u[k] * force);
+  }
+  FaceValues change = state.v;
+  for (std::size_t axis = 0; axis < change.size(); ++axis) {
+    for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] -= free[axis][f];
+  }
+  const double given = kinetic_energy(at.domain, state.v, change, coupled_.density) * 2 / h +
+                       prescribed_power(at.domain, at.numbers, solution.p, state.v);
+  double sources = 0;
+  for (std::size_t k = 0; k < solution.p.size(); ++k) sources += solution.p[k] * solution.source[k];
+  state.last.interface_power = taken;
+  state.last.mismatch = size > 0 ? (sources - given - taken) / size : 0;
+  state.last.projected = kinetic_energy(at.domain, change, change, coupled_.density);
+  state.worst_mismatch = std::max(state.worst_mismatch, std::abs(state.last.mismatch));
+  state.work += h * taken;
+}
+
+void CoupledStep::carry_smoke_along(const Placement& at, CoupledState& state, double h) const {
+  if (!coupled_.smoke) return;
+  std::vector<SmokeJet> jets;
+  for (int axis = 0; axis < coupled_.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < coupled_.grid.face_count(axis); ++f) {
+      const int jet = box_.jet_of(axis, f);
+      if (jet < 0) continue;
+      const Jet& from = coupled_.jets[static_cast<std::size_t>(jet)];
+      jets.push_back({axis, f, from.smoke, from.temperature});
+    }
+  }
+  const SmokeFlow flow = carry_smoke(at.domain, state.v, h, jets, state.smoke);
+  state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
+  state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
+}
+
+void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, double h) {
+  for (std::size_t k = 0; k < state.q.size(); ++k) state.q[k] += 0.5 * h * (u0[k] + state.u[k]);
+  solids_.system.place_supports(state.time + h, state.q);
+  contact_.place(state.q);
+  check(state);
+}
+
+/// A solid that ran away, or is turned inside out, leaves nothing to go on with.
+void CoupledStep::check(const CoupledState& state) const {
+  if (state.q.empty()) return;
+  for (std::size_t k = 0; k < state.q.size(); ++k) {
+    if (std::isfinite(state.q[k]) && std::isfinite(state.u[k])) continue;
+    throw RunError(
+        fmt::format("t = {:.9g}, step {}: node {} has no place any more: likely cause, steps too long for the "
+                    "way fluid and solids are solved",
+                    state.time, state.steps + 1, k / static_cast<std::size_t>(surface_.dim) + 1));
+  }
+  const fem::ShapeVolumes shape = solids_.system.elements->shape(state.q);
+  if (shape.least > 0) return;
+  const int node = solids_.system.solids.mesh.element(shape.worst)[0];
+  const Vector x = place_of(state.q, node, surface_.dim);
+  throw RunError(fmt::format(
+      "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, a solid too "
+      "soft for what acts on it, or steps too long for the way fluid and solids are solved",
+      state.time, state.steps + 1, shape.worst + 1, x[0], x[1],
+      surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : ""));
+}
+
+/// The fluid's velocity of the deck, less what pressures take of it so that it flows round the solids.
+CoupledState CoupledStep::start() {
+  CoupledState state;
+  const Mesh& mesh = solids_.system.solids.mesh;
+  state.q = mesh.x;
+  state.u = fem::first_velocities(solids_.system);
+  solids_.system.place_supports(0, state.q);
+  solids_.system.move_supports(0, support_width * scene_.clock.tstep, state.u);
+  state.touches.assign(state.q.size(), Touch::away);
+  state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
+    state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
+  const Placement at = placed(state.q, coupled_.density);
+  box_.prescribe(at.domain, 0, state.v);
+  solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
+  const std::vector<double> r = net_flux(at.domain, at.numbers, state.v);
+  std::vector<double> p(r.size(), 0.0);
+  std::vector<int> region;
+  for (const std::size_t cell : at.numbers.cell) region.push_back(at.domain.region[cell]);
+  const Regions regions = regions_of(at.domain, at.map, at.numbers, first_volumes_, first_volumes_, solids_.held, 1);
+  system_.solve_fluid({solids_.A, solids_.b, at.map.B, at.map.B, at.L, r, solids_.held, region, regions.closed}, 0,
+                      state.u, p);
+  add_pressure(at.domain, at.numbers, p, 1, state.v);
+  extend_velocity(at.domain, state.v, layers_around_fluid);
+  state.p.assign(coupled_.grid.cell_count(), 0.0);
+  state.smoke = clean_smoke(at.domain);
+  return state;
+}
+
+}  // namespace tether::coupled

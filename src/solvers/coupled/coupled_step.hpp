@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "solvers/coupled/closed_regions.hpp"
+#include "solvers/coupled/contact.hpp"
+#include "solvers/coupled/coupled_state.hpp"
+#include "solvers/coupled/coupled_system.hpp"
+#include "solvers/coupled/flow_box.hpp"
+#include "solvers/coupled/solid_equations.hpp"
+
+namespace tether::coupled {
+
+/// Where the solids are and what that makes of the fluid: what a step begins with.
+struct Placement {
+  SurfacePieces pieces;
+  Crossings crossings;
+  CutCells cut;
+  FlowDomain domain;
+  PressureNumbers numbers;
+  CouplingMap map;
+  CouplingMatrix crossing_map;  ///< of the paper's own mode
+  SparseMatrix L;
+};
+
+/// A step of fluid and solids together. The scene must outlive it.
+class CoupledStep {
+ public:
+  CoupledStep(const Scene& scene, const Solids& solids);
+
+  /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
+  CoupledState start();
+  void advance(CoupledState& state, double h);
+
+  const SolidEquations& solids() const { return solids_; }
+  const SolidSurface& surface() const { return surface_; }
+  const FlowBox& box() const { return box_; }
+  const CoupledSystem& system() const { return system_; }
+  /// The fluid about solids at q.
+  FlowDomain domain(std::span<const double> q) const;
+  std::vector<std::string> take_messages() { return system_.take_messages(); }
+
+ private:
+  /// What is found together: pressures, which velocities contact holds, and what holds them.
+  struct Solution {
+    std::vector<std::uint8_t> held;  ///< by supports and contact
+    Regions regions;
+    std::vector<double> p;                                  ///< of each pressure [stress]
+    std::vector<double> source;                             ///< volume term of each pressure [volume/time]
+    std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
+  };
+
+  Placement placed(std::span<const double> q, double h) const;
+  void move_fluid_freely(const Placement& at, CoupledState& state, double h);
+  void solve(const Placement& at, CoupledState& state, double h);
+  void find_regions_of(const Placement& at, const CoupledState& state, double h, Solution& solution) const;
+  void solve_once(const Placement& at, std::span<const double> flux, CoupledState& state, Solution& solution);
+  void account(const Placement& at, const FaceValues& free, const Solution& solution, CoupledState& state,
+               double h) const;
+  void carry_smoke_along(const Placement& at, CoupledState& state, double h) const;
+  void move_solids(CoupledState& state, std::span<const double> u0, double h);
+  void check(const CoupledState& state) const;
+
+  const Scene& scene_;
+  const Coupled& coupled_;
+  SolidSurface surface_;
+  SolidEquations solids_;
+  FlowBox box_;
+  Contact contact_;
+  CoupledSystem system_;
+  std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
+};
+
+}  // namespace tether::coupled
