@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ constexpr std::array<const char*, 6> box_side_names{"left", "right", "bottom", "
 /// an obstacle or a void, and faces to a jet, when their middles lie in it.
 struct AxisBox {
   std::array<double, 3> low{}, high{};
-  /// Whether a place lies in it or on its edge.
+  /// Whether a place lies in it or, as near as rounding tells, on its edge.
   bool contains(const std::array<double, 3>& place) const;
 };
 
@@ -92,5 +93,15 @@ struct Coupled {
   bool convex = true;              ///< whether K' is made positive semi-definite
   std::vector<Spring> springs;
 };
+
+/// Numbers, of those across the side's axis, of the faces that a jet is made of, in ascending order.
+std::vector<std::size_t> faces_of(const Jet& jet, const StaggeredGrid& grid);
+/// The cell that such a face belongs to.
+std::size_t cell_at(const Jet& jet, const StaggeredGrid& grid, std::size_t face);
+
+/// In space more cells than these go by conjugate gradients where the deck leaves it open.
+constexpr double most_cells_of_factors = 2e4;
+/// Which of direct and krylov is taken.
+CoupledSystems systems_of(const Coupled& coupled);
 
 }  // namespace tether

@@ -59,6 +59,20 @@ std::size_t nearest_node(const Mesh& mesh, double x, double y) {
   return nearest;
 }
 
+/// Tells of a hinge on a node that a support moves elsewhere.
+void check_moved(const Deck& deck, int k, const Support& hinge, const Solids& solids, Diagnostics& diagnostics) {
+  for (const Support& other : solids.supports) {
+    bool moves = false;
+    for (std::size_t i = 0; i < 3; ++i) moves |= other.fixed[i] && other.displacement[i] != 0;
+    const bool same = std::any_of(hinge.nodes.begin(), hinge.nodes.end(), [&](int node) {
+      return std::binary_search(other.nodes.begin(), other.nodes.end(), node);
+    });
+    if (!moves || !same) continue;
+    refuse(deck, "hinge", {1, k}, fmt::format("hinge {} holds a node that {} moves", k, other.amplitude.of),
+           "leave one of them away", diagnostics);
+  }
+}
+
 /// All nodes at the x and y of one of them.
 std::vector<int> nodes_in_line(const Mesh& mesh, std::size_t node) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
@@ -110,6 +124,7 @@ void add_hinges(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
                                                             deck.real("coupled", "hinge", 2, k)));
     support.fixed = {true, true, solids.mesh.dim() == 3};
     support.amplitude.of = fmt::format("hinge {}", k);
+    check_moved(deck, k, support, solids, diagnostics);
     solids.supports.push_back(std::move(support));
   }
 }

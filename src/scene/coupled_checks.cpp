@@ -3,92 +3,126 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <string_view>
+#include <utility>
 
-#include "scene/axis.hpp"
-#include "scene/flow_of_deck.hpp"
+#include "deck/elements.hpp"
+#include "deck/spelling.hpp"
+#include "scene/solids_of_deck.hpp"
 
 namespace tether {
 namespace {
 
-/// Tells of what a scene cannot be made of.
-class Frame {
+/// Tells what is wrong with a deck of the coupled path, or says nothing there.
+class CoupledChecks {
  public:
-  Frame(const Deck& deck, Diagnostics& diagnostics)
-      : deck_(deck), diagnostics_(diagnostics), space_(deck.given("coupled", "nz")) {}
+  CoupledChecks(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics)
+      : deck_(deck), coupled_(coupled), diagnostics_(diagnostics) {}
 
-  bool check() {
-    groups();
-    depth();
-    cells();
-    if (deck_.has_group("mesh")) mesh();
-    return good_;
+  /// What has a use beside bodies on a mesh by finite elements, and none here.
+  void others() {
+    constexpr std::pair<const char*, int> walls[] = {{"wl", 1}, {"wr", 2}, {"wb", 3}, {"wt", 4}};
+    for (const auto& [wall, side] : walls)
+      unused("in", wall, fmt::format("side({}) of $coupled says what that side is, and bodies stop at it", side));
+    for (const char* name : {"static", "settle"}) {
+      if (deck_.logical("fem", name))
+        error("fem", name, {1, 1}, "solids in a fluid have no equilibrium of their own", "leave it away");
+    }
+    unused("fem", "integrator", "integrator of $coupled is that of the solids");
+    unused("fem", "tolerance", "solids take one linear step, as the paper's; tolerance of $coupled is the solver's");
+    unused("fem", "cfl", "steps are tstep");
+  }
+  /// What $coupled says of a third dimension that a plane box does not have.
+  void plane() {
+    if (coupled_.grid.dim == 3) return;
+    for (const int side : {5, 6}) {
+      if (deck_.text("coupled", "side", side) != "wall")
+        flat("side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
+    }
+    if (coupled_.start[2] != 0) flat("w0", {1, 1}, "the fluid starts along z");
+    in_depth("jet", 3), in_depth("obstacle", 5), in_depth("void", 5);
+  }
+  /// Parts of the method that do nothing without others.
+  void method() {
+    if (coupled_.friction > 0 && !coupled_.contact)
+      error("coupled", "friction", {1, 1}, "there is no friction without contact",
+            "leave friction away, or contact=.false.");
+    if (coupled_.mode != CouplingMode::splitting) unused("coupled", "area_repair", "mode='splitting' repairs areas");
+    if (coupled_.systems == CoupledSystems::direct) unused("coupled", "tolerance", "factors need none");
+    if (coupled_.smoke) return;
+    for (const char* name : {"smoke_weight", "smoke_lift"})
+      unused("coupled", name, "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it");
+  }
+  /// What the deck says of bodies, which it has none of.
+  void no_bodies() {
+    if (deck_.has_group("mesh")) return;
+    for (const char* name : {"spring_on", "hinge"}) {
+      for (const Subscript at : deck_.given_elements("coupled", name)) {
+        error("coupled", name, at, "there is no body to hold: the deck has no $mesh",
+              "regions of $reg and $mesh are bodies");
+        break;
+      }
+    }
+    if (coupled_.cavities_only)
+      error("coupled", "fluid_in", {1, 1}, "the grid is all void: no body encloses fluid, the deck has no $mesh",
+            "write fluid_in='box', or add bodies");
+    for (const char* name : {"contact", "friction", "volume_term", "convex"})
+      unused("coupled", name, "the deck has no $mesh");
+    check_mesh_deck(deck_, diagnostics_);
+    for (const Variable& variable : variables()) {
+      if (is_of_bodies(variable)) unused_in_fluid(variable);
+    }
   }
 
  private:
-  void no(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static bool is_of_bodies(const Variable& variable) {
+    return variable.group == "reg" || variable.group == "fem" || variable.name == "tracked_at";
+  }
+  void error(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, group, name, at, message, hint));
-    good_ = false;
   }
-  void groups() {
-    if (deck_.has_group("flow")) {
-      no("flow", "", {1, 1}, "$flow stands beside $coupled", "a deck has one fluid: by $flow on a mesh, or in the box");
-    } else if (has_flow(deck_)) {
-      no("fem", "law", {regions_of(deck_, true)[0], 1}, "a region of $reg is a fluid beside $coupled",
-         "$coupled describes the fluid, regions are solids");
-    }
-    if (deck_.has_group("rigid"))
-      no("rigid", "", {1, 1}, "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are");
-    if (geometry_of(deck_) == Geometry::axisymmetric)
-      no("in", "cyl", {1, 1}, "a fluid in a box has no axis", "write cyl=0.");
+  bool is_default(const Variable& variable, Subscript at) const {
+    return value_text(deck_.value(variable.group, variable.name, at[0], at[1])) == variable.fallback;
   }
-  void depth() {
-    for (const char* end : {"zback", "zfront"}) {
-      if (deck_.given("coupled", end) == space_) continue;
-      const char* there = space_ ? "nz" : end;
-      no("coupled", there, {1, 1}, fmt::format("{} is not given, but {} is", space_ ? end : "nz", there),
-         "a box in space has nz, zback and zfront; in the plane leave them away");
+  void unused(const char* group, const char* name, const std::string& hint) {
+    if (!deck_.given(group, name) || is_default(*find_variable(group, name), {1, 1})) return;
+    diagnostics_.add(deck_.remark(Severity::warning, group, name, {1, 1},
+                                  fmt::format("{} of ${} has no effect", name, group), hint));
+  }
+  void unused_in_fluid(const Variable& variable) {
+    for (const Subscript at : deck_.given_elements(variable.group, variable.name)) {
+      if (is_default(variable, at)) continue;
+      diagnostics_.add(
+          deck_.remark(Severity::warning, variable.group, variable.name, at,
+                       fmt::format("{} of ${} has no effect: there is no body", variable.name, variable.group),
+                       "add $mesh, whose cells divide the regions of $reg"));
       return;
     }
-    if (!space_) return;
-    const double low = deck_.real("coupled", "zback"), high = deck_.real("coupled", "zfront");
-    const double size = (high - low) / (deck_.integer("coupled", "nz") - 1);
-    if (high > low && std::isfinite(size) && std::isfinite(1 / size) && low + size > low && high - size < high) return;
-    no("coupled", "zfront", {1, 1}, fmt::format("zfront = {:.6g} is not above zback = {:.6g}", high, low),
-       "the nodes would coincide");
   }
-  void cells() {
-    const auto few = [&](const char* group, const char* name) {
-      if (deck_.integer(group, name) < 3)
-        no(group, name, {1, 1}, "the box has fewer than 2 cells along an axis",
-           fmt::format("{} counts nodes: write 3 or more", name));
-    };
-    few("in", "nx"), few("in", "ny");
-    if (space_) few("coupled", "nz");
+  void flat(const char* name, Subscript at, const std::string& what) {
+    error("coupled", name, at, what + ", but the box is plane", "with nz, zback and zfront it is three-dimensional");
   }
-  void mesh() {
-    const auto z = deck_.given_elements("mesh", "z");
-    if (deck_.text("mesh", "file").empty()) {
-      if (deck_.text("mesh", "element") != "p1")
-        no("mesh", "element", {1, 1},
-           fmt::format("bodies in the fluid are not made of elements '{}'", deck_.text("mesh", "element")),
-           "write element='p1' in $mesh: triangles, in space tetrahedra");
-      if (!space_ && !z.empty())
-        no("mesh", "z", z[0], "the mesh is three-dimensional, but the box is plane",
-           "give nz, zback and zfront of $coupled, or leave z away");
-      if (space_ && z.empty())
-        no("coupled", "nz", {1, 1}, "the box is three-dimensional, but the mesh is plane",
-           "give z of the regions in $mesh, or leave nz, zback and zfront away");
+  /// Places from number `first` on are along z.
+  void in_depth(const char* name, int first) {
+    for (const Subscript at : deck_.given_elements("coupled", name)) {
+      if (at[0] >= first) return flat(name, at, fmt::format("{} {} has places along z", name, at[1]));
     }
   }
 
   const Deck& deck_;
+  const Coupled& coupled_;
   Diagnostics& diagnostics_;
-  bool space_, good_ = true;
 };
 
 }  // namespace
 
-bool check_coupled_frame(const Deck& deck, Diagnostics& diagnostics) { return Frame(deck, diagnostics).check(); }
+void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics) {
+  CoupledChecks checks(deck, coupled, diagnostics);
+  checks.others();
+  checks.plane();
+  checks.method();
+  checks.no_bodies();
+}
 
 }  // namespace tether

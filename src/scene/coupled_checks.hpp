@@ -3,11 +3,24 @@
 
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
+#include "scene/coupled.hpp"
+#include "scene/scene.hpp"
 
 namespace tether {
 
-/// Whether the deck describes a box of cells and, with $mesh, bodies of as many dimensions, so that a scene can be
-/// made; tells what it has instead: $flow, rigid bodies, an axis, a depth without ends.
+/// Whether the deck describes a box of cells that the memory holds and, with $mesh, bodies of as many dimensions, so
+/// that a scene can be made; tells what it has instead: $flow, rigid bodies, an axis, a depth without ends.
 bool check_coupled_frame(const Deck& deck, Diagnostics& diagnostics);
+
+/// Tells what the deck asks for and cannot have beside $coupled, and what has no effect there.
+void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics);
+
+/// Tells of nodes of bodies outside the box or in an obstacle, of each region the first, and of jets in bodies or
+/// obstacles and jets that meet no face.
+void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
+
+/// Tells of a box without a cell of fluid, and of parts of it that nothing but walls and obstacles close, into which
+/// jets bring more than out of them, bodies left aside.
+void check_coupled_regions(const Deck& deck, const Clock& clock, const Coupled& coupled, Diagnostics& diagnostics);
 
 }  // namespace tether

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/coupled_of_deck.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "scene/coupled_checks.hpp"
 #include "scene/solids_of_deck.hpp"
@@ -67,8 +67,23 @@ void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   coupled.smoke_lift = deck.real("coupled", "smoke_lift");
 }
 
+/// Whether a mesh, which may be a file's, can go through the fluid.
+bool check_mesh(const Deck& deck, const Mesh& mesh, const StaggeredGrid& grid, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& message, const char* hint) {
+    diagnostics.add(deck.remark(Severity::error, "mesh", "file", {1, 1}, message, hint));
+    return false;
+  };
+  if (!is_simplex(mesh.kind))
+    return refuse(fmt::format("bodies in the fluid are not made of elements '{}'", element_name(mesh.kind)),
+                  "mesh them by triangles, in space by tetrahedra");
+  if (mesh.dim() == grid.dim) return true;
+  return refuse(fmt::format("the mesh is of {} dimensions, but the box of {}", mesh.dim(), grid.dim),
+                "nz, zback and zfront of $coupled make the box three-dimensional");
+}
+
 /// The solids that the scene has by then, with the deck's hinges and springs.
 void add_bodies(const Deck& deck, Scene& scene, Coupled& coupled, Diagnostics& diagnostics) {
+  if (!check_mesh(deck, scene.solids->mesh, coupled.grid, diagnostics)) return;
   auto solids = std::make_shared<Solids>(*scene.solids);
   add_hinges(deck, *solids, diagnostics);
   add_springs(deck, *solids, coupled, diagnostics);
@@ -87,6 +102,11 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   add_boxes(deck, *coupled, diagnostics);
   if (deck.has_group("mesh")) add_solids(deck, scene, diagnostics);
   if (scene.solids) add_bodies(deck, scene, *coupled, diagnostics);
+  check_coupled_deck(deck, *coupled, diagnostics);
+  if (!diagnostics.has_errors()) {
+    check_coupled_places(deck, scene, *coupled, diagnostics);
+    check_coupled_regions(deck, scene.clock, *coupled, diagnostics);
+  }
   scene.coupled = coupled;
 }
 

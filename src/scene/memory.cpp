@@ -36,4 +36,12 @@ std::string memory_refusal(const BackgroundGrid& grid, double points) {
                      grid.nx, grid.ny, points, 1e-9 * bytes, 1e-9 * there);
 }
 
+std::string memory_refusal(const StaggeredGrid& grid) {
+  const double cells = static_cast<double>(grid.n[0]) * static_cast<double>(grid.n[1]) * static_cast<double>(grid.n[2]);
+  const double bytes = cells * bytes_per_cell, there = usable * memory_there();
+  if (bytes <= there && 4 * cells <= std::numeric_limits<int>::max()) return "";
+  return fmt::format("{} x {} x {} cells would need {:.4g} GB of memory, and {:.4g} GB can be used", grid.n[0],
+                     grid.n[1], grid.n[2], 1e-9 * bytes, 1e-9 * there);
+}
+
 }  // namespace tether

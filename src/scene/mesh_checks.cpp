@@ -31,12 +31,17 @@ bool is_of_meshes(const Variable& variable) {
 
 /// Of what the deck says of points and membranes, other than what stands there by itself.
 void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
+  const bool box = deck.has_group("coupled");
   for (const Variable& variable : variables()) {
     if (is_of_meshes(variable)) continue;
     for (const Subscript at : deck.given_elements(variable.group, variable.name)) {
       if (value_text(deck.value(variable.group, variable.name, at[0], at[1])) == variable.fallback) continue;
-      warn(deck, variable, at, fmt::format("{} of ${} has no effect on a mesh", variable.name, variable.group),
-           "a deck with $mesh runs its elements alone: no points, membranes, gas", diagnostics);
+      warn(deck, variable, at,
+           fmt::format("{} of ${} has no effect {}", variable.name, variable.group,
+                       box ? "beside $coupled" : "on a mesh"),
+           box ? "a deck with $coupled runs its fluid and elements alone: no points, membranes, gas"
+               : "a deck with $mesh runs its elements alone: no points, membranes, gas",
+           diagnostics);
       break;
     }
   }
@@ -44,11 +49,14 @@ void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
 
 void warn_of_point_outputs(const Deck& deck, Diagnostics& diagnostics) {
   if (deck.given("flow", "tracers", 1)) return;  // which are written as points
+  const bool box = deck.has_group("coupled");
   for (const int k : {13, 32, 35, 36, 40}) {
     if (deck.integer("in", "iout", k) != 1) continue;
-    diagnostics.add(deck.remark(Severity::warning, "in", "iout", {k, 1},
-                                fmt::format("iout({})=1 writes nothing: a mesh has no points", k),
-                                "iout(39)=1, tiout(39)=... writes the mesh with its fields into mesh.nc"));
+    diagnostics.add(deck.remark(
+        Severity::warning, "in", "iout", {k, 1},
+        fmt::format("iout({})=1 writes nothing: {} no points", k, box ? "fluid and elements have" : "a mesh has"),
+        box ? "iout(39)=1, tiout(39)=... writes the fields of fluid and elements"
+            : "iout(39)=1, tiout(39)=... writes the mesh with its fields into mesh.nc"));
   }
 }
 
@@ -84,7 +92,7 @@ void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics) {
   }
   warn_of_points(deck, diagnostics);
   warn_of_point_outputs(deck, diagnostics);
-  warn_of_absent_regions(deck, diagnostics);
+  if (deck.has_group("mesh")) warn_of_absent_regions(deck, diagnostics);
 }
 
 void check_wall(const Deck& deck, const Mesh& mesh, const GridEdge& edge, std::size_t held, Diagnostics& diagnostics) {

@@ -7,5 +7,8 @@ namespace tether {
 /// written [bytes]. The solver asserts that these hold.
 constexpr double bytes_per_node = 360;
 constexpr double bytes_per_point = 520;
+/// The least that a cell of the coupled path takes: velocities on its faces, pressure, smoke, and a row of the system
+/// without its factors [bytes].
+constexpr double bytes_per_cell = 600;
 
 }  // namespace tether

@@ -43,6 +43,19 @@ REQUIRED = {
     "mesh_plane_stress_in_space", "mesh_region_of_three_vertices", "mesh_support_in_z", "mesh_support_of_nothing",
     "mesh_table_and_expression", "mesh_unconstrained", "mesh_unknown_element", "mesh_unknown_law",
     "mesh_unknown_side", "mesh_without_density", "mesh_z_of_one_region",
+    "coupled_about_an_axis", "coupled_all_obstacle", "coupled_all_void", "coupled_body_in_an_obstacle",
+    "coupled_body_in_space", "coupled_body_outside", "coupled_cavities_without_bodies", "coupled_depth_inverted",
+    "coupled_fluid_region", "coupled_friction_without_contact", "coupled_hinge_that_moves",
+    "coupled_hinge_without_body", "coupled_hinge_without_y", "coupled_huge", "coupled_inverted_element",
+    "coupled_jet_expression", "coupled_jet_half_given", "coupled_jet_in_a_body", "coupled_jet_in_an_obstacle",
+    "coupled_jet_in_depth", "coupled_jet_inverted", "coupled_jet_of_no_face", "coupled_jet_on_the_back",
+    "coupled_jet_outside", "coupled_jet_without_side", "coupled_jet_without_speed", "coupled_nz_without_ends",
+    "coupled_obstacle_inverted", "coupled_obstacle_outside", "coupled_of_quadrilaterals", "coupled_one_cell",
+    "coupled_open_front", "coupled_plane_body_in_space", "coupled_spring_along_z", "coupled_spring_on_no_region",
+    "coupled_spring_on_nothing", "coupled_spring_without_stiffness", "coupled_start_along_z", "coupled_static",
+    "coupled_unbalanced", "coupled_unbalanced_behind_an_obstacle", "coupled_unbalanced_later",
+    "coupled_void_without_end", "coupled_with_a_flow", "coupled_with_a_rigid_body", "coupled_without_density",
+    "coupled_zback_without_nz",
     "flow_about_an_axis", "flow_body_in_a_hole", "flow_body_on_an_inflow", "flow_body_outside",
     "flow_difference_of_nothing", "flow_expression", "flow_expression_not_finite", "flow_force_between_blocks",
     "flow_force_not_finite", "flow_in_space", "flow_in_two_parts", "flow_inflow_without_velocity", "flow_kind_without_side",
@@ -124,6 +137,7 @@ class BadDecks(ProgramTest):
         self.refuse(FOLDER / "huge_grid.in")
         self.refuse(FOLDER / "huge_region.in")
         self.refuse(FOLDER / "huge_membrane.in")
+        self.refuse(FOLDER / "coupled_huge.in")
         kilobytes = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # the largest of all runs up to here
         self.assertLess(kilobytes, 500_000)
 

@@ -52,14 +52,9 @@ struct CoupledSystem::Parts {
 };
 
 CoupledSystem::CoupledSystem(const Coupled& scene)
-    : scene_(scene), direct_(coupled::by_factors(scene)), parts_(std::make_unique<Parts>()) {}
+    : scene_(scene), direct_(systems_of(scene) == CoupledSystems::direct), parts_(std::make_unique<Parts>()) {}
 
 CoupledSystem::~CoupledSystem() = default;
-
-bool by_factors(const Coupled& scene) {
-  if (scene.systems != CoupledSystems::automatic) return scene.systems == CoupledSystems::direct;
-  return scene.grid.dim == 2 || scene.grid.cell_count() <= most_cells_of_factors;
-}
 
 void CoupledSystem::solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p) {
   const Stopwatch watch(cost_.solve_seconds);

@@ -68,9 +68,4 @@ class CoupledSystem {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Whether a scene's systems are solved by factors: in the plane always, in space up to as many cells as these, where
-/// the deck leaves it open.
-constexpr std::size_t most_cells_of_factors = 6000;
-bool by_factors(const Coupled& scene);
-
 }  // namespace tether::coupled

@@ -6,13 +6,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool holds(const AxisBox& box, const Vector& x, int dim) {
-  for (std::size_t i = 0; i < at(dim); ++i) {
-    if (x[i] < box.low[i] || x[i] > box.high[i]) return false;
-  }
-  return true;
-}
-
 Vector middle_of(const StaggeredGrid& grid, std::size_t cell) {
   const auto place = grid.place_of_cell(cell);
   return {grid.middle(0, place[0]), grid.middle(1, place[1]), grid.middle(2, place[2])};
@@ -69,29 +62,21 @@ FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_co
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
     const Vector middle = middle_of(scene.grid, cell);
     for (const AxisBox& box : scene.voids) {
-      if (holds(box, middle, scene.grid.dim)) kind_[cell] = CellKind::empty;
+      if (box.contains(middle)) kind_[cell] = CellKind::empty;
     }
     for (const AxisBox& box : scene.obstacles) {
-      if (holds(box, middle, scene.grid.dim)) kind_[cell] = CellKind::wall;
+      if (box.contains(middle)) kind_[cell] = CellKind::wall;
     }
   }
   mark_jets();
 }
 
 void FlowBox::mark_jets() {
-  const StaggeredGrid& grid = scene_.grid;
   for (std::size_t j = 0; j < scene_.jets.size(); ++j) {
-    const Jet& jet = scene_.jets[j];
-    const int axis = jet.side / 2;
+    const int axis = axis_of_side(scene_.jets[j].side);
     auto& jets = jet_[at(axis)];
-    if (jets.empty()) jets.assign(grid.face_count(axis), -1);
-    for (std::size_t f = 0; f < jets.size(); ++f) {
-      const auto place = grid.place_of_face(axis, f);
-      if (place[at(axis)] != (jet.side % 2 == 0 ? 0 : grid.n[at(axis)])) continue;
-      Vector middle{grid.middle(0, place[0]), grid.middle(1, place[1]), grid.middle(2, place[2])};
-      middle[at(axis)] = jet.patch.low[at(axis)];
-      if (holds(jet.patch, middle, grid.dim)) jets[f] = static_cast<int>(j);
-    }
+    if (jets.empty()) jets.assign(scene_.grid.face_count(axis), -1);
+    for (const std::size_t face : faces_of(scene_.jets[j], scene_.grid)) jets[face] = static_cast<int>(j);
   }
 }
 

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <set>
+
+#include "grid/mesh_flaws.hpp"
+#include "scene/coupled_checks.hpp"
+#include "scene/flow_of_deck.hpp"
+#include "scene/solids.hpp"
+
+namespace tether {
+namespace {
+
+using Place = std::array<double, 3>;
+
+/// A node's place; in the plane with the middle of the grid's layer of cells as z.
+Place place_of(const Mesh& mesh, int node) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  Place place{0, 0, 0.5};
+  std::copy_n(&mesh.x[static_cast<std::size_t>(node) * dim], dim, place.begin());
+  return place;
+}
+
+/// Whether a place lies in a box by more than a part of the box's size; a negative part: within it or so near to it.
+bool deep_in(const AxisBox& box, const Place& place, double part) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double depth = part * (box.high[i] - box.low[i]);
+    if (place[i] <= box.low[i] + depth || place[i] >= box.high[i] - depth) return false;
+  }
+  return true;
+}
+
+AxisBox box_of(const StaggeredGrid& grid) {
+  AxisBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    box.low[i] = grid.low[i], box.high[i] = grid.high(axis);
+  }
+  return box;
+}
+
+/// Where a node of a body cannot be, or nothing.
+const char* wrong_place(const Coupled& coupled, const AxisBox& box, const Place& place) {
+  constexpr double rounding = 1e-9;
+  if (!deep_in(box, place, -rounding)) return "outside the box";
+  const bool blocked = std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(),
+                                   [&](const AxisBox& obstacle) { return deep_in(obstacle, place, rounding); });
+  return blocked ? "in an obstacle" : nullptr;
+}
+
+void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Diagnostics& diagnostics) {
+  const std::vector<int> regions = regions_of(deck, false);
+  const AxisBox box = box_of(coupled.grid);
+  std::set<int> told;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (int a = 0; a < node_count_of(mesh.kind); ++a) {
+      const int node = mesh.element(e)[a];
+      const char* wrong = wrong_place(coupled, box, place_of(mesh, node));
+      if (!wrong || !told.insert(mesh.region[e]).second) continue;
+      const int r = regions[static_cast<std::size_t>(mesh.region[e])];
+      diagnostics.add(
+          deck.remark(Severity::error, "reg", "xvi", {1, r},
+                      fmt::format("region {}: its node {} at {} lies {}", r, node + 1, place_text(mesh, node), wrong),
+                      "bodies start in the box of $in and zback to zfront of $coupled, beside its obstacles"));
+    }
+  }
+}
+
+/// Whether a place lies in a triangle or tetrahedron, ends included.
+bool in_element(const Mesh& mesh, std::size_t e, const Place& place) {
+  const int dim = mesh.dim();
+  Eigen::MatrixXd edges(dim, dim);
+  Eigen::VectorXd to(dim);
+  const Place first = place_of(mesh, mesh.element(e)[0]);
+  for (int i = 0; i < dim; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    for (int a = 0; a < dim; ++a) edges(i, a) = place_of(mesh, mesh.element(e)[a + 1])[axis] - first[axis];
+    to[i] = place[axis] - first[axis];
+  }
+  const Eigen::VectorXd part = edges.partialPivLu().solve(to);
+  constexpr double rounding = 1e-9;
+  return part.minCoeff() >= -rounding && part.sum() <= 1 + rounding;
+}
+
+/// A place in the side and one half a cell before it, for each face of a jet.
+std::vector<Place> places_of(const Jet& jet, const StaggeredGrid& grid) {
+  const auto across = static_cast<std::size_t>(axis_of_side(jet.side));
+  std::vector<Place> places;
+  for (const std::size_t face : faces_of(jet, grid)) {
+    const auto cell = grid.place_of_cell(cell_at(jet, grid, face));
+    Place place{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
+    places.push_back(place);
+    place[across] = jet.patch.low[across];
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// The element that has one of these places, or none.
+std::optional<std::size_t> element_at(const Mesh& mesh, const std::vector<Place>& places) {
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    Place low = place_of(mesh, mesh.element(e)[0]), high = low;
+    for (int a = 1; a < node_count_of(mesh.kind); ++a) {
+      const Place node = place_of(mesh, mesh.element(e)[a]);
+      for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], node[i]), high[i] = std::max(high[i], node[i]);
+    }
+    const AxisBox about{low, high};
+    if (std::any_of(places.begin(), places.end(),
+                    [&](const Place& place) { return about.contains(place) && in_element(mesh, e, place); }))
+      return e;
+  }
+  return std::nullopt;
+}
+
+void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled& coupled, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& message, const std::string& hint) {
+    diagnostics.add(deck.remark(Severity::error, "coupled", "jet_on", {jet.number, 1}, message, hint));
+  };
+  const std::vector<Place> places = places_of(jet, coupled.grid);
+  if (places.empty())
+    return refuse(fmt::format("jet {} meets no face of the grid: it is narrower than a cell", jet.number),
+                  "it is made of the faces whose middles lie in it: widen it, or use more nodes");
+  for (std::size_t k = 0; k < coupled.obstacles.size(); ++k) {
+    if (std::any_of(places.begin(), places.end(), [&](const Place& p) { return coupled.obstacles[k].contains(p); }))
+      return refuse(fmt::format("jet {} comes in through an obstacle", jet.number),
+                    "a jet comes in where the cell behind the side holds fluid");
+  }
+  const auto element = mesh ? element_at(*mesh, places) : std::nullopt;
+  if (element)
+    refuse(fmt::format("jet {} comes in through a body: through element {} at {}", jet.number, *element + 1,
+                       place_text(*mesh, mesh->element(*element)[0])),
+           "at the start a jet comes in where the cell behind the side holds fluid");
+}
+
+}  // namespace
+
+void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics) {
+  const Mesh* mesh = scene.solids ? &scene.solids->mesh : nullptr;
+  if (mesh) check_bodies(deck, *mesh, coupled, diagnostics);
+  for (const Jet& jet : coupled.jets) check_jet(deck, jet, mesh, coupled, diagnostics);
+}
+
+}  // namespace tether
