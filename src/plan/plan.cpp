@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.hpp"
 #include "plan/bar_plan.hpp"
+#include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
 #include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
@@ -113,6 +114,10 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
       warnings.push_back(fmt::format(
           "the body turns by {:.3g} rad in a step: its phase will be off by {:.2g} of itself", turn, turn * turn / 12));
   }
+  if (scene.coupled) {
+    const std::string mode = coupled_warning(scene);
+    if (!mode.empty()) warnings.push_back(mode);
+  }
   return warnings;
 }
 
@@ -142,6 +147,12 @@ void plan_flow(const Scene& scene, Plan& plan) {
   plan.cost = flow_cost(scene, plan.step);
 }
 
+void plan_coupled(const Scene& scene, Plan& plan) {
+  plan.step = solid_step_rule(scene);
+  plan.terms = coupled_terms(scene);
+  plan.cost = coupled_cost(scene, plan.step);
+}
+
 void plan_rigid(const Scene& scene, Plan& plan) {
   plan.step = solid_step_rule(scene);
   plan.terms = rigid_terms(scene);
@@ -157,6 +168,7 @@ void plan_bars(const Scene& scene, Plan& plan) {
 
 /// What the scene is made of on its path, and on which grid.
 std::string head(const Scene& scene) {
+  if (scene.coupled) return coupled_head(scene);
   if (scene.flow) return flow_head(scene);
   if (scene.rigid) return rigid_head(scene);
   if (scene.solids) return solid_head(*scene.solids);
@@ -177,7 +189,9 @@ double StepRule::within(double limit) const { return cfl == 0 ? deck_step : std:
 
 Plan make_plan(Scene scene) {
   Plan plan;
-  if (scene.flow) {
+  if (scene.coupled) {
+    plan_coupled(scene, plan);
+  } else if (scene.flow) {
     plan_flow(scene, plan);
   } else if (scene.rigid) {
     plan_rigid(scene, plan);
@@ -209,10 +223,11 @@ std::string to_text(const Plan& plan) {
   for (const Term& term : plan.terms) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
-  if (scene.solids || scene.flow)
+  const bool fluid = scene.flow || scene.coupled;
+  if (scene.solids || fluid)
     text += fmt::format(
         "step: {:.6g}, the deck's{}\n", plan.step.deck_step,
-        !scene.flow && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
+        !fluid && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
   else
     text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
                         runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,

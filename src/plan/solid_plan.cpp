@@ -41,7 +41,15 @@ const char* integrator_text(Integrator integrator) {
   return "none: each step is an equilibrium";
 }
 
-/// Each support and wall with the nodes that it holds or moves.
+/// Nonzeros of a factor, by what nested dissection leaves on regular meshes (A. George, SIAM J. Numer. Anal. 10 (1973)
+/// 345-363): n log n in the plane, n^(4/3) in space.
+double factor_nonzeros(const Mesh& mesh) {
+  const double n = static_cast<double>(mesh.x.size());
+  return mesh.dim() == 2 ? 8 * n * std::log2(n + 2) : 12 * std::pow(n, 4.0 / 3);
+}
+
+}  // namespace
+
 std::string supports_text(const Solids& solids) {
   std::string text;
   for (const Support& support : solids.supports) {
@@ -53,14 +61,12 @@ std::string supports_text(const Solids& solids) {
   return text;
 }
 
-/// Nonzeros of a factor, by what nested dissection leaves on regular meshes (A. George, SIAM J. Numer. Anal. 10 (1973)
-/// 345-363): n log n in the plane, n^(4/3) in space.
-double factor_nonzeros(const Mesh& mesh) {
-  const double n = static_cast<double>(mesh.x.size());
-  return mesh.dim() == 2 ? 8 * n * std::log2(n + 2) : 12 * std::pow(n, 4.0 / 3);
+std::string regions_text(const Solids& solids) {
+  std::string text;
+  for (const SolidRegion& region : solids.regions)
+    text += fmt::format("{}: density {:.4g}, {}\n", region.name, region.density, std::visit(LawName{}, region.law));
+  return text;
 }
-
-}  // namespace
 
 StepRule solid_step_rule(const Scene& scene) {
   StepRule rule;
@@ -112,10 +118,7 @@ std::string solid_head(const Solids& solids) {
                                  mesh.dim() == 2 ? "plane" : "space", mesh.element_count(), element_name(mesh.kind),
                                  mesh.node_count(), mesh.x.size());
   if (const int parts = count_parts(mesh); parts > 1) text += fmt::format("{} parts that nothing joins\n", parts);
-  for (const SolidRegion& region : solids.regions) {
-    text += fmt::format("{}: density {:.4g}, {}\n", region.name, region.density, std::visit(LawName{}, region.law));
-  }
-  return text;
+  return text + regions_text(solids);
 }
 
 }  // namespace tether

@@ -15,5 +15,9 @@ StepRule solid_step_rule(const Scene& scene);
 std::vector<Term> solid_terms(const Solids& solids, double gravity);
 Cost solid_cost(const Scene& scene, const StepRule& rule);
 std::string solid_head(const Solids& solids);
+/// Each region with its density and law, a line each.
+std::string regions_text(const Solids& solids);
+/// Each support and wall with the nodes that it holds or moves.
+std::string supports_text(const Solids& solids);
 
 }  // namespace tether

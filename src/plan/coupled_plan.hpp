@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "scene/coupled.hpp"
+
+namespace tether {
+
+/// Of a fluid in a box and the solids in it: what is modelled and by which mode; the cost; path, grid and solids for
+/// people.
+std::vector<Term> coupled_terms(const Scene& scene);
+Cost coupled_cost(const Scene& scene, const StepRule& rule);
+std::string coupled_head(const Scene& scene);
+
+/// What is to be told of the deck's mode, or nothing.
+std::string coupled_warning(const Scene& scene);
+
+}  // namespace tether
