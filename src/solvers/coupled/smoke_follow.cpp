@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/smoke_follow.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+
+namespace tether::coupled {
+namespace {
+
+using Place = std::array<int, 3>;
+
+// What happens to a cell's contents when the domain changes.
+enum class Part : std::uint8_t {
+  none,   // it has neither contents nor fluid
+  stays,  // they are its own still
+  goes,   // it holds no fluid any more
+  comes,  // it holds fluid and has none yet
+  turns   // a thin solid has gone over it: they are on the other side
+};
+
+class Follower {
+ public:
+  Follower(const FlowDomain& before, const FlowDomain& now, Smoke& smoke)
+      : before_(before), now_(now), grid_(now.grid), smoke_(smoke), part_(grid_.cell_count()) {
+    const bool same_faces = before.face == now.face;
+    for (std::size_t c = 0; c < part_.size(); ++c) {
+      const bool fluid = now.kind[c] == CellKind::fluid, held = smoke.volume[c] > 0;
+      part_[c] = fluid ? (held ? Part::stays : Part::comes) : (held ? Part::goes : Part::none);
+      if (part_[c] == Part::stays && !same_faces && turned(c)) part_[c] = Part::turns;
+      ++count_[static_cast<std::size_t>(part_[c])];
+    }
+  }
+
+  bool changed() const { return count(Part::goes) + count(Part::comes) + count(Part::turns) > 0; }
+
+  void give_away() {
+    const Smoke held = smoke_;
+    for (std::size_t c = 0; c < part_.size(); ++c) {
+      if (part_[c] != Part::goes && part_[c] != Part::turns) continue;
+      const std::vector<std::size_t> to = receivers(c);
+      if (to.empty()) continue;
+      smoke_.volume[c] = smoke_.smoke[c] = smoke_.heat[c] = 0;
+      const auto parts = static_cast<double>(to.size());
+      for (const std::size_t r : to) add(r, held.volume[c] / parts, held.smoke[c] / parts, held.heat[c] / parts);
+    }
+  }
+
+  void take() {
+    std::vector<std::size_t> takers;
+    for (std::size_t c = 0; c < part_.size(); ++c) {
+      if (now_.kind[c] == CellKind::fluid && smoke_.volume[c] == 0) takers.push_back(c);
+    }
+    while (!takers.empty() && take_layer(takers)) continue;
+    for (const std::size_t c : takers) smoke_.volume[c] = grid_.volume();
+  }
+
+ private:
+  struct Gift {
+    std::size_t from, to;
+    double donors;
+    double volume = 0, smoke = 0, heat = 0;
+  };
+
+  std::size_t count(Part part) const { return count_[static_cast<std::size_t>(part)]; }
+
+  void add(std::size_t c, double volume, double smoke, double heat) {
+    smoke_.volume[c] += volume, smoke_.smoke[c] += smoke, smoke_.heat[c] += heat;
+  }
+
+  // The cell beyond side 2 axis + (0 or 1), if the face between was, or is, of a kind; else -1.
+  static int beyond(const FlowDomain& domain, const Place& cell, int side, FaceKind kind) {
+    const auto a = static_cast<std::size_t>(side / 2);
+    Place face = cell, next = cell;
+    face[a] += side % 2, next[a] += side % 2 == 1 ? 1 : -1;
+    if (!domain.grid.has_cell(next) || domain.face[a][domain.grid.face(side / 2, face)] != kind) return -1;
+    return static_cast<int>(domain.grid.cell(next));
+  }
+
+  bool always_fluid(int c) const {
+    if (c < 0) return false;
+    const auto cell = static_cast<std::size_t>(c);
+    return before_.kind[cell] == CellKind::fluid && now_.kind[cell] == CellKind::fluid;
+  }
+
+  bool has_closed(const Place& cell, int side) const {
+    return beyond(before_, cell, side, FaceKind::open) >= 0 && always_fluid(beyond(now_, cell, side, FaceKind::closed));
+  }
+
+  bool has_opened(const Place& cell, int side) const {
+    return beyond(before_, cell, side, FaceKind::closed) >= 0 && always_fluid(beyond(now_, cell, side, FaceKind::open));
+  }
+
+  bool turned(std::size_t c) const {
+    if (!always_fluid(static_cast<int>(c))) return false;
+    const Place cell = grid_.place_of_cell(c);
+    bool closed = false, opened = false;
+    for (int side = 0; side < 2 * grid_.dim; ++side) {
+      closed = closed || has_closed(cell, side);
+      opened = opened || has_opened(cell, side);
+    }
+    return closed && opened;
+  }
+
+  std::vector<std::size_t> receivers(std::size_t c) const {
+    std::vector<std::size_t> found = straight_on(c);
+    if (found.empty() && part_[c] == Part::goes) found = nearest(c);
+    return found;
+  }
+
+  // The nearest cells that stay, straight through cells that do not and faces that were open.
+  std::vector<std::size_t> straight_on(std::size_t c) const {
+    const Place start = grid_.place_of_cell(c);
+    std::vector<std::size_t> found;
+    int least = std::numeric_limits<int>::max();
+    for (int side = 0; side < 2 * grid_.dim; ++side) {
+      if (part_[c] == Part::turns && !has_closed(start, side)) continue;
+      int far = 1, next = beyond(before_, start, side, FaceKind::open);
+      while (next >= 0 && (part(next) == Part::goes || part(next) == Part::turns)) {
+        next = beyond(before_, grid_.place_of_cell(static_cast<std::size_t>(next)), side, FaceKind::open);
+        ++far;
+      }
+      if (next < 0 || part(next) != Part::stays || far > least) continue;
+      if (far < least) found.clear();
+      least = far;
+      found.push_back(static_cast<std::size_t>(next));
+    }
+    return found;
+  }
+
+  Part part(int c) const { return part_[static_cast<std::size_t>(c)]; }
+
+  // In the first ring of cells around that has any that stay, or else that hold fluid, the nearest of them.
+  std::vector<std::size_t> nearest(std::size_t c) const {
+    const bool any_stays = count(Part::stays) > 0;
+    if (!any_stays && count(Part::comes) + count(Part::turns) == 0) return {};
+    std::vector<std::size_t> found;
+    for (int ring = 1; found.empty(); ++ring) {
+      int least = std::numeric_limits<int>::max();
+      each_in_ring(grid_.place_of_cell(c), ring, [&](std::size_t other, int distance) {
+        const bool takes = any_stays ? part_[other] == Part::stays : now_.kind[other] == CellKind::fluid;
+        if (!takes || distance > least) return;
+        if (distance < least) found.clear();
+        least = distance;
+        found.push_back(other);
+      });
+    }
+    return found;
+  }
+
+  template <class Function>
+  void each_in_ring(const Place& middle, int ring, const Function& function) const {
+    const int depth = grid_.dim == 3 ? ring : 0;
+    for (int k = -depth; k <= depth; ++k) {
+      for (int j = -ring; j <= ring; ++j) {
+        const bool edge = std::abs(k) == ring || std::abs(j) == ring;
+        for (int i = -ring; i <= ring; i += edge ? 1 : 2 * ring) {
+          const Place other{middle[0] + i, middle[1] + j, middle[2] + k};
+          if (grid_.has_cell(other)) function(grid_.cell(other), i * i + j * j + k * k);
+        }
+      }
+    }
+  }
+
+  // Those that can take from their neighbours do; false where none can. Leaves the others in `takers`.
+  bool take_layer(std::vector<std::size_t>& takers) {
+    std::vector<Gift> gifts;
+    std::vector<std::size_t> later;
+    for (const std::size_t c : takers) {
+      if (!ask_neighbours(c, gifts)) later.push_back(c);
+    }
+    std::vector<int> takers_of(part_.size());
+    for (const Gift& g : gifts) ++takers_of[g.from];
+    for (Gift& g : gifts) {
+      const double share = 1 / ((takers_of[g.from] + 1) * g.donors);
+      g.volume = share * smoke_.volume[g.from];
+      g.smoke = share * smoke_.smoke[g.from];
+      g.heat = share * smoke_.heat[g.from];
+    }
+    for (const Gift& g : gifts) {
+      add(g.from, -g.volume, -g.smoke, -g.heat);
+      add(g.to, g.volume, g.smoke, g.heat);
+    }
+    takers.swap(later);
+    return !gifts.empty();
+  }
+
+  bool ask_neighbours(std::size_t c, std::vector<Gift>& gifts) const {
+    const Place cell = grid_.place_of_cell(c);
+    const std::size_t first = gifts.size();
+    for (int side = 0; side < 2 * grid_.dim; ++side) {
+      const int next = beyond(now_, cell, side, FaceKind::open);
+      if (next < 0) continue;
+      const auto from = static_cast<std::size_t>(next);
+      if (now_.kind[from] == CellKind::fluid && smoke_.volume[from] > 0) gifts.push_back({from, c, 0});
+    }
+    const auto donors = static_cast<double>(gifts.size() - first);
+    for (std::size_t g = first; g < gifts.size(); ++g) gifts[g].donors = donors;
+    return donors > 0;
+  }
+
+  const FlowDomain& before_;
+  const FlowDomain& now_;
+  const StaggeredGrid& grid_;
+  Smoke& smoke_;
+  std::vector<Part> part_;
+  std::array<std::size_t, 5> count_{};
+};
+
+}  // namespace
+
+void follow_domain(const FlowDomain& before, const FlowDomain& now, Smoke& smoke) {
+  Follower follower(before, now, smoke);
+  if (!follower.changed()) return;
+  follower.give_away();
+  follower.take();
+}
+
+}  // namespace tether::coupled
