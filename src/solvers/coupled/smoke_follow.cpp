@@ -11,6 +11,9 @@ namespace {
 
 using Place = std::array<int, 3>;
 
+constexpr std::size_t longest_row =
+    3;  // of cells that a thin solid goes over in a step; those further are not its work
+
 // What happens to a cell's contents when the domain changes.
 enum class Part : std::uint8_t {
   none,   // it has neither contents nor fluid
@@ -23,14 +26,20 @@ enum class Part : std::uint8_t {
 class Follower {
  public:
   Follower(const FlowDomain& before, const FlowDomain& now, Smoke& smoke)
-      : before_(before), now_(now), grid_(now.grid), smoke_(smoke), part_(grid_.cell_count()) {
-    const bool same_faces = before.face == now.face;
+      : before_(before),
+        now_(now),
+        grid_(now.grid),
+        smoke_(smoke),
+        part_(grid_.cell_count()),
+        towards_(grid_.cell_count()) {
     for (std::size_t c = 0; c < part_.size(); ++c) {
       const bool fluid = now.kind[c] == CellKind::fluid, held = smoke.volume[c] > 0;
       part_[c] = fluid ? (held ? Part::stays : Part::comes) : (held ? Part::goes : Part::none);
-      if (part_[c] == Part::stays && !same_faces && turned(c)) part_[c] = Part::turns;
-      ++count_[static_cast<std::size_t>(part_[c])];
     }
+    if (before.face != now.face) {
+      for (std::size_t c = 0; c < part_.size(); ++c) find_turns(c);
+    }
+    for (const Part part : part_) ++count_[static_cast<std::size_t>(part)];
   }
 
   bool changed() const { return count(Part::goes) + count(Part::comes) + count(Part::turns) > 0; }
@@ -92,15 +101,37 @@ class Follower {
     return beyond(before_, cell, side, FaceKind::closed) >= 0 && always_fluid(beyond(now_, cell, side, FaceKind::open));
   }
 
-  bool turned(std::size_t c) const {
-    if (!always_fluid(static_cast<int>(c))) return false;
+  // A solid has gone over this cell, or over some in a row that ends here, if a face closed and another, or the one at
+  // the row's other end, opened. Contents go towards the one that closed.
+  void find_turns(std::size_t c) {
+    if (!always_fluid(static_cast<int>(c))) return;
     const Place cell = grid_.place_of_cell(c);
-    bool closed = false, opened = false;
+    bool opened = false;
+    for (int side = 0; side < 2 * grid_.dim; ++side) opened = opened || has_opened(cell, side);
     for (int side = 0; side < 2 * grid_.dim; ++side) {
-      closed = closed || has_closed(cell, side);
-      opened = opened || has_opened(cell, side);
+      if (!has_closed(cell, side)) continue;
+      opened ? turn(c, side) : turn_row(c, side);
     }
-    return closed && opened;
+  }
+
+  void turn_row(std::size_t end, int side) {
+    const int back = side ^ 1;
+    std::array<std::size_t, longest_row> row{end};
+    for (std::size_t i = 0; i < longest_row; ++i) {
+      const Place cell = grid_.place_of_cell(row[i]);
+      if (has_opened(cell, back)) {
+        for (std::size_t k = 0; k <= i; ++k) turn(row[k], side);
+        return;
+      }
+      const int next = beyond(now_, cell, back, FaceKind::open);
+      if (!always_fluid(next) || beyond(before_, cell, back, FaceKind::open) < 0) return;
+      if (i + 1 < longest_row) row[i + 1] = static_cast<std::size_t>(next);
+    }
+  }
+
+  void turn(std::size_t c, int side) {
+    part_[c] = Part::turns;
+    towards_[c] = static_cast<std::uint8_t>(towards_[c] | 1U << side);
   }
 
   std::vector<std::size_t> receivers(std::size_t c) const {
@@ -115,7 +146,7 @@ class Follower {
     std::vector<std::size_t> found;
     int least = std::numeric_limits<int>::max();
     for (int side = 0; side < 2 * grid_.dim; ++side) {
-      if (part_[c] == Part::turns && !has_closed(start, side)) continue;
+      if (part_[c] == Part::turns && !(towards_[c] >> side & 1U)) continue;
       int far = 1, next = beyond(before_, start, side, FaceKind::open);
       while (next >= 0 && (part(next) == Part::goes || part(next) == Part::turns)) {
         next = beyond(before_, grid_.place_of_cell(static_cast<std::size_t>(next)), side, FaceKind::open);
@@ -205,6 +236,7 @@ class Follower {
   const StaggeredGrid& grid_;
   Smoke& smoke_;
   std::vector<Part> part_;
+  std::vector<std::uint8_t> towards_;  // for those that turn: bits of the sides where their contents go
   std::array<std::size_t, 5> count_{};
 };
 

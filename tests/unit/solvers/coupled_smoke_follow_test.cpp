@@ -68,6 +68,54 @@ TEST(SmokeFollow, APlateSweeps) {
   EXPECT_EQ(smoke.smoke, (std::vector<double>{1, 0.75, 0.75, 0, 0, 0}));
 }
 
+TEST(SmokeFollow, AFastPlateSweepsCellsInARow) {
+  FlowDomain before = row(), now = row();
+  close_face(before, 0, {2, 0, 0});
+  close_face(now, 0, {4, 0, 0});
+  Smoke smoke = clean_smoke(before);
+  for (std::size_t c = 0; c < 6; ++c) fill(smoke, c, c < 2 ? 1 : 0);
+  Smoke back = smoke;
+  follow_domain(before, now, smoke);
+  EXPECT_EQ(smoke.volume, (std::vector<double>{1, 0.5, 0.25, 0.25, 3, 1}));
+  EXPECT_EQ(smoke.smoke, (std::vector<double>{1, 0.5, 0.25, 0.25, 0, 0}));
+  follow_domain(now, before, back);
+  EXPECT_EQ(back.volume, (std::vector<double>{1, 3, 0.25, 0.25, 0.5, 1}));
+  EXPECT_EQ(back.smoke, (std::vector<double>{1, 1, 0, 0, 0, 0}));
+}
+
+// Beside the end of a plate nothing goes around it; between two that meet it stays.
+TEST(SmokeFollow, PlatesThatEndOrMeet) {
+  StaggeredGrid grid;
+  grid.n = {6, 2, 1};
+  FlowDomain before = box(grid), now = before;
+  close_face(before, 0, {2, 0, 0});
+  close_face(now, 0, {3, 0, 0});
+  Smoke smoke = clean_smoke(before);
+  follow_domain(before, now, smoke);
+  EXPECT_EQ(smoke.volume, (std::vector<double>{1, 0.75, 0.25 + 0.25, 2, 1, 1, 1, 1, 0.75, 1, 1, 1}));
+
+  FlowDomain apart = row(), met = row();
+  close_face(apart, 0, {2, 0, 0}), close_face(apart, 0, {4, 0, 0});
+  close_face(met, 0, {3, 0, 0});
+  smoke = clean_smoke(apart);
+  follow_domain(apart, met, smoke);
+  EXPECT_EQ(smoke.volume, std::vector<double>(6, 1.0));
+}
+
+// Of two ways to fluid that stays the shorter, by the faces that were open.
+TEST(SmokeFollow, ContentsGoTheShorterWay) {
+  const FlowDomain before = row();
+  FlowDomain now = row(), apart = row();
+  for (const int i : {2, 3, 4}) fill_cell(now, {i, 0, 0});
+  Smoke smoke = clean_smoke(before);
+  follow_domain(before, now, smoke);
+  EXPECT_EQ(smoke.volume, (std::vector<double>{1, 2.5, 0, 0, 0, 2.5}));
+  close_face(apart, 0, {2, 0, 0});
+  smoke = clean_smoke(before);
+  follow_domain(apart, now, smoke);
+  EXPECT_EQ(smoke.volume, (std::vector<double>{1, 1, 0, 0, 0, 4}));
+}
+
 TEST(SmokeFollow, FluidThatCannotGoOnGoesToTheNearestOrWaits) {
   FlowDomain before = box(unit_box(2, 5)), now = before, none = before;
   for (int j = 1; j < 4; ++j) {
