@@ -9,11 +9,16 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double largest_share = 0.5;  // of its volume that a cell gives away in a step that is short enough
+constexpr double largest_share = 0.8;  // of its volume that a cell gives away in a step that is short enough
 constexpr double all_but_some = 0.9;   // of its volume that a cell may give away in any
 constexpr double kept = 1e-3;          // of a full cell's volume, that a cell does not give away
 constexpr double starved = 0.1;        // of a full cell's volume: with less a cell has no say in the number of steps
 constexpr double most_pairs = 32;      // of steps
+
+// What goes through a passage in a step.
+struct Moved {
+  double volume, smoke, heat;
+};
 
 // The mean, over the share of cell `from` that leaves it, of what is linear in it with van Leer's slope.
 double mean_of_leaving(const std::vector<double>& values, const SmokePassage& passage, double share) {
@@ -30,6 +35,7 @@ class SmokeCarrier {
       : dim_(static_cast<std::size_t>(domain.grid.dim)),
         full_(domain.grid.volume()),
         smoke_(smoke),
+        jets_(jets),
         passages_(smoke_passages(domain, v, jets)),
         given_(smoke.volume.size()),
         density_(smoke.volume.size()),
@@ -60,11 +66,16 @@ class SmokeCarrier {
     return largest;
   }
 
-  void sweep(std::vector<SmokePassage>& passages, double h) {
+  void sweep(const std::vector<SmokePassage>& passages, double h) {
     find_concentrations();
-    find_volumes(passages, h);
-    for (SmokePassage& p : passages) find_contents(p);
-    for (const SmokePassage& p : passages) move(p);
+    std::fill(given_.begin(), given_.end(), 0.0);
+    for (const SmokePassage& p : passages) {
+      if (p.from >= 0) given_[static_cast<std::size_t>(p.from)] += h * p.rate;
+    }
+    moved_.resize(passages.size());
+    for (std::size_t i = 0; i < passages.size(); ++i)
+      moved_[i] = passages[i].from < 0 ? coming(passages[i], h) : leaving(passages[i], h);
+    for (std::size_t i = 0; i < passages.size(); ++i) move(passages[i], moved_[i]);
   }
 
   void find_concentrations() {
@@ -75,43 +86,34 @@ class SmokeCarrier {
     }
   }
 
-  void find_volumes(std::vector<SmokePassage>& passages, double h) {
-    std::fill(given_.begin(), given_.end(), 0.0);
-    for (SmokePassage& p : passages) {
-      p.volume = h * p.rate;
-      if (p.from >= 0) given_[static_cast<std::size_t>(p.from)] += p.volume;
-    }
-    for (SmokePassage& p : passages) {
-      if (p.from < 0) continue;
-      const auto c = static_cast<std::size_t>(p.from);
-      const double held = smoke_.volume[c], most = std::clamp(held - kept * full_, 0.0, all_but_some * held);
-      if (given_[c] > most) p.volume *= most / given_[c];
-    }
+  Moved coming(const SmokePassage& p, double h) const {
+    const double volume = h * p.rate;
+    if (p.jet < 0) return {volume, 0, 0};
+    const SmokeJet& jet = jets_[static_cast<std::size_t>(p.jet)];
+    return {volume, volume * jet.density, volume * jet.temperature};
   }
 
-  void find_contents(SmokePassage& p) const {
-    if (p.from < 0) {
-      p.smoke = p.volume * p.density;
-      p.heat = p.volume * p.temperature;
-      return;
-    }
-    const double held = smoke_.volume[static_cast<std::size_t>(p.from)], share = held > 0 ? p.volume / held : 0;
-    p.smoke = p.volume * mean_of_leaving(density_, p, share);
-    p.heat = p.volume * mean_of_leaving(temperature_, p, share);
+  Moved leaving(const SmokePassage& p, double h) const {
+    const auto c = static_cast<std::size_t>(p.from);
+    const double held = smoke_.volume[c], most = std::clamp(held - kept * full_, 0.0, all_but_some * held);
+    double volume = h * p.rate;
+    if (given_[c] > most) volume *= most / given_[c];
+    const double share = held > 0 ? volume / held : 0;
+    return {volume, volume * mean_of_leaving(density_, p, share), volume * mean_of_leaving(temperature_, p, share)};
   }
 
-  void move(const SmokePassage& p) {
+  void move(const SmokePassage& p, const Moved& m) {
     if (p.from >= 0) {
       const auto c = static_cast<std::size_t>(p.from);
-      smoke_.volume[c] -= p.volume, smoke_.smoke[c] -= p.smoke, smoke_.heat[c] -= p.heat;
+      smoke_.volume[c] -= m.volume, smoke_.smoke[c] -= m.smoke, smoke_.heat[c] -= m.heat;
     } else {
-      flow_.smoke_in += p.smoke, flow_.heat_in += p.heat;
+      flow_.smoke_in += m.smoke, flow_.heat_in += m.heat;
     }
     if (p.to >= 0) {
       const auto c = static_cast<std::size_t>(p.to);
-      smoke_.volume[c] += p.volume, smoke_.smoke[c] += p.smoke, smoke_.heat[c] += p.heat;
+      smoke_.volume[c] += m.volume, smoke_.smoke[c] += m.smoke, smoke_.heat[c] += m.heat;
     } else {
-      flow_.smoke_out += p.smoke, flow_.heat_out += p.heat;
+      flow_.smoke_out += m.smoke, flow_.heat_out += m.heat;
     }
   }
 
@@ -119,7 +121,9 @@ class SmokeCarrier {
   double full_;
   Smoke& smoke_;
   SmokeFlow flow_;
+  const std::vector<SmokeJet>& jets_;
   std::array<std::vector<SmokePassage>, 3> passages_;
+  std::vector<Moved> moved_;
   std::vector<double> given_, density_, temperature_;
 };
 

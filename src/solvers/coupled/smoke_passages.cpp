@@ -3,20 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 namespace tether::coupled {
 namespace {
 
-bool before(const SmokeJet& one, const SmokeJet& other) {
-  return std::tie(one.axis, one.face) < std::tie(other.axis, other.face);
-}
-
 class Finder {
  public:
-  Finder(const FlowDomain& domain, int axis, std::vector<SmokeJet> jets)
-      : domain_(domain), axis_(axis), a_(static_cast<std::size_t>(axis)), jets_(std::move(jets)) {
-    std::sort(jets_.begin(), jets_.end(), before);
+  Finder(const FlowDomain& domain, int axis, const std::vector<SmokeJet>& jets)
+      : domain_(domain), axis_(axis), a_(static_cast<std::size_t>(axis)) {
+    for (std::size_t i = 0; i < jets.size(); ++i) {
+      if (jets[i].axis == axis) jets_.push_back({jets[i].face, static_cast<int>(i)});
+    }
+    std::sort(jets_.begin(), jets_.end());
   }
 
   std::vector<SmokePassage> find(const std::vector<double>& v) {
@@ -43,7 +42,7 @@ class Finder {
     SmokePassage passage{.from = fluid_cell(from), .to = fluid_cell(to), .rate = std::abs(rate)};
     if (passage.from < 0 && passage.to < 0) return;
     if (passage.from >= 0) passage.behind = cell_behind(face, from, rate > 0 ? 1 : -1);
-    if (passage.from < 0 && domain_.face[a_][f] == FaceKind::prescribed) bring(f, passage);
+    if (passage.from < 0 && domain_.face[a_][f] == FaceKind::prescribed) passage.jet = jet_at(f);
     found.push_back(passage);
   }
 
@@ -59,16 +58,15 @@ class Finder {
     return shut ? -1 : fluid_cell(cell);
   }
 
-  void bring(std::size_t f, SmokePassage& passage) const {
-    const auto jet = std::lower_bound(jets_.begin(), jets_.end(), SmokeJet{axis_, f, 0, 0}, before);
-    if (jet == jets_.end() || jet->axis != axis_ || jet->face != f) return;
-    passage.density = jet->density, passage.temperature = jet->temperature;
+  int jet_at(std::size_t f) const {
+    const auto jet = std::lower_bound(jets_.begin(), jets_.end(), std::pair{f, 0});
+    return jet != jets_.end() && jet->first == f ? jet->second : -1;
   }
 
   const FlowDomain& domain_;
   int axis_;
   std::size_t a_;
-  std::vector<SmokeJet> jets_;
+  std::vector<std::pair<std::size_t, int>> jets_;  // by face
 };
 
 }  // namespace

@@ -12,9 +12,8 @@ namespace tether::coupled {
 /// fluid cell that `from` has on its other side, -1 where none can be reached.
 struct SmokePassage {
   int from = -1, to = -1, behind = -1;
-  double rate = 0;                         ///< positive [volume/time]
-  double density = 0, temperature = 0;     ///< of what comes from outside
-  double volume = 0, smoke = 0, heat = 0;  ///< that goes through in a step
+  int jet = -1;     ///< that it comes from, by its place among the jets
+  double rate = 0;  ///< positive [volume/time]
 };
 
 /// The passages across each axis, in the order of the faces.
