@@ -11,7 +11,7 @@ namespace tether {
 /// Incomplete LU factors by threshold: what is below `drop` of its row's norm is dropped, and the largest entries are
 /// kept, at most `fill` times as many as an average row of the matrix has.
 struct IncompleteLu {
-  double drop = 1e-4;
+  double drop = 1e-3;
   int fill = 10;
 };
 

@@ -69,7 +69,7 @@ class Sweep {
       const double t = (line - x[b_]) / (y[b_] - x[b_]);
       std::array<int, 3> place{};
       place[b_] = j;
-      const Vector normal{-(y[1] - x[1]), y[0] - x[0], 0};
+      const Vector normal{y[1] - x[1], -(y[0] - x[0]), 0};
       add(s, {1 - t, t, 0}, (1 - t) * x[axis_] + t * y[axis_], normal[axis_] < 0 ? 1 : -1, place);
     }
   }

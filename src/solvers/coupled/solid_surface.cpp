@@ -58,7 +58,7 @@ Vector area_of_side(const SolidSurface& surface, std::size_t side, std::span<con
   const auto nodes = surface.side(side);
   const Vector a = place_of(q, nodes[0], surface.dim), b = place_of(q, nodes[1], surface.dim);
   const Vector e{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  if (surface.dim == 2) return {-e[1], e[0], 0};
+  if (surface.dim == 2) return {e[1], -e[0], 0};
   const Vector c = place_of(q, nodes[2], surface.dim);
   const Vector f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   return {0.5 * (e[1] * f[2] - e[2] * f[1]), 0.5 * (e[2] * f[0] - e[0] * f[2]), 0.5 * (e[0] * f[1] - e[1] * f[0])};
