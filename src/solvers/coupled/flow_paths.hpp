@@ -91,9 +91,8 @@ class FlowPaths {
   }
 
   FlowValue value(const FaceValues& v, int axis, const FlowPlace& place) const {
-    const Rows rows = rows_beside(axis, place);
-    return joins_.clear(grid_.cell(place.cell)) ? between_all(v, axis, place, rows)
-                                                : between_reached(v, axis, place, rows);
+    const Rows r = rows_beside(axis, place);
+    return joins_.clear(grid_.cell(place.cell)) ? between_all(v, axis, place, r) : between_reached(v, axis, place, r);
   }
 
  private:
@@ -101,8 +100,6 @@ class FlowPaths {
   struct Rows {
     std::array<std::ptrdiff_t, rows> first;  // lower face of each, that of the place's own cell first
     std::array<double, rows> weight;
-    std::array<int, 2> side;               // which of the cell's sides leads to row 1, and 2
-    std::array<std::array<int, 3>, 2> to;  // the cells there
   };
 
   enum class Crossing { through, side_of_box, barred };
@@ -121,11 +118,11 @@ class FlowPaths {
   }
 
   Rows rows_beside(int axis, const FlowPlace& place) const {
-    Rows r{};
+    Rows r;
     const auto a = static_cast<std::size_t>(axis);
     r.first[0] = static_cast<std::ptrdiff_t>(grid_.face(axis, place.cell)), r.weight[0] = 1;
     std::size_t count = 1;
-    for (std::size_t b = 0, other = 0; b < dim; ++b) {
+    for (std::size_t b = 0; b < dim; ++b) {
       if (b == a) continue;
       const bool up = place.at[b] >= 0.5;
       const double w = up ? place.at[b] - 0.5 : 0.5 - place.at[b];
@@ -135,10 +132,6 @@ class FlowPaths {
         r.weight[i] *= 1 - w;
       }
       count *= 2;
-      r.side[other] = static_cast<int>(2 * b) + up;
-      r.to[other] = place.cell;
-      r.to[other][b] += up ? 1 : -1;
-      ++other;
     }
     return r;
   }
@@ -159,17 +152,16 @@ class FlowPaths {
 
   FlowValue between_reached(const FaceValues& v, int axis, const FlowPlace& place, const Rows& r) const {
     const auto a = static_cast<std::size_t>(axis);
-    std::array<std::ptrdiff_t, rows> cell{};
+    std::array<std::size_t, rows> cell{};
     FlowValue found;
-    const std::array<bool, rows> reached = reached_rows(place, r, cell, found.whole);
+    const std::array<bool, rows> reached = reached_rows(axis, place, cell, found.whole);
     double sum = 0, weights = 0;
     bool first = true;
     for (std::size_t i = 0; i < rows; ++i) {
       if (!reached[i]) continue;
       double lower = v[a][static_cast<std::size_t>(r.first[i])],
              upper = v[a][static_cast<std::size_t>(r.first[i] + stride_[a][a])];
-      const auto c = static_cast<std::size_t>(cell[i]);
-      const bool no_lower = joins_.closed(c, 2 * axis), no_upper = joins_.closed(c, 2 * axis + 1);
+      const bool no_lower = joins_.closed(cell[i], 2 * axis), no_upper = joins_.closed(cell[i], 2 * axis + 1);
       if (no_lower || no_upper) found.whole = false;
       if (no_lower && no_upper && i > 0) continue;  // of the own cell there are at least extended ones
       if (no_lower && !no_upper) lower = upper;
@@ -185,29 +177,32 @@ class FlowPaths {
   }
 
   // Which rows' cells can be reached, with their numbers; whether no solid comes between any.
-  std::array<bool, rows> reached_rows(const FlowPlace& place, const Rows& r, std::array<std::ptrdiff_t, rows>& cell,
+  std::array<bool, rows> reached_rows(int axis, const FlowPlace& place, std::array<std::size_t, rows>& cell,
                                       bool& whole) const {
     std::array<bool, rows> reached{true};
-    const std::size_t own = grid_.cell(place.cell);
-    cell[0] = static_cast<std::ptrdiff_t>(own);
-    for (std::size_t i = 0; i + 1 < dim; ++i) {
-      reached[i + 1] = joins_.joined(own, r.side[i]);
-      if (joins_.closed(own, r.side[i])) whole = false;
-      if (reached[i + 1]) cell[i + 1] = static_cast<std::ptrdiff_t>(grid_.cell(r.to[i]));
+    cell[0] = grid_.cell(place.cell);
+    std::array<int, 2> side{};
+    for (int b = 0, row = 1; b < dim; ++b) {
+      if (b == axis) continue;
+      const auto i = static_cast<std::size_t>(row++);
+      side[i - 1] = 2 * b + (place.at[static_cast<std::size_t>(b)] >= 0.5);
+      reached[i] = step(place.cell, cell[0], side[i - 1], cell[i], whole);
     }
     if constexpr (dim == 3) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        if (!reached[i + 1]) continue;
-        const auto beside = static_cast<std::size_t>(cell[i + 1]);
-        const int side = r.side[1 - i];
-        if (joins_.closed(beside, side)) whole = false;
-        if (!joins_.joined(beside, side)) continue;
-        auto corner = r.to[i];
-        corner[static_cast<std::size_t>(side / 2)] += side % 2 == 1 ? 1 : -1;
-        reached[3] = true, cell[3] = static_cast<std::ptrdiff_t>(grid_.cell(corner));
+      for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+        if (reached[i] && step(grid_.place_of_cell(cell[i]), cell[i], side[2 - i], cell[3], whole)) reached[3] = true;
       }
     }
     return reached;
+  }
+
+  // The next cell on a side, if it is joined to this one.
+  bool step(std::array<int, 3> place, std::size_t cell, int side, std::size_t& next, bool& whole) const {
+    if (joins_.closed(cell, side)) whole = false;
+    if (!joins_.joined(cell, side)) return false;
+    place[static_cast<std::size_t>(side / 2)] += side % 2 == 1 ? 1 : -1;
+    next = grid_.cell(place);
+    return true;
   }
 
   const StaggeredGrid& grid_;

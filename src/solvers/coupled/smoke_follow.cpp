@@ -124,7 +124,7 @@ class Follower {
         return;
       }
       const int next = beyond(now_, cell, back, FaceKind::open);
-      if (!always_fluid(next) || beyond(before_, cell, back, FaceKind::open) < 0) return;
+      if (!always_fluid(next)) return;
       if (i + 1 < longest_row) row[i + 1] = static_cast<std::size_t>(next);
     }
   }
