@@ -14,8 +14,8 @@ namespace tether::coupled {
 ///
 /// Paths never go through a solid, nor is anything used that lies behind one (FlowPaths). What comes in through a side
 /// has the value there. Prescribed and closed faces keep what they carry, those of v should have been extended
-/// (extend_velocity). `out` must not be `carried`. Source: Selle, Fedkiw, Kim, Liu, Rossignac, J. Sci. Comput. 35, 350
-/// (2008).
+/// (extend_velocity). `out` must be neither `v` nor `carried`. Source: Selle, Fedkiw, Kim, Liu, Rossignac, J. Sci.
+/// Comput. 35, 350 (2008).
 void carry(const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h, Advection advection,
            FaceValues& out);
 
