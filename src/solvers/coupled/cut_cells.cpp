@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tether::coupled {
 namespace {
@@ -69,28 +70,40 @@ class Neighbourhood {
  public:
   explicit Neighbourhood(const FlowDomain& whole) : whole_(whole) {}
 
-  /// Whether the fluid cells among the 3 or, along `longer`, 4 cells a side about a cell hang together.
+  /// Whether the fluid cells next to a cell (along `longer` next to it and to the one below it), corners included, hang
+  /// together by way of cells no farther away than three.
   bool joined(const std::array<int, 3>& middle, int longer) {
-    low_ = middle, high_ = middle;
-    for (int axis = 0; axis < whole_.grid.dim; ++axis) {
-      low_[at(axis)] = std::max(middle[at(axis)] - 1 - (axis == longer ? 1 : 0), 0);
-      high_[at(axis)] = std::min(middle[at(axis)] + 1, whole_.grid.n[at(axis)] - 1);
-    }
-    std::size_t fluid = 0;
-    std::array<int, 3> cell{}, seed{-1, -1, -1};
-    for (cell[2] = low_[2]; cell[2] <= high_[2]; ++cell[2]) {
-      for (cell[1] = low_[1]; cell[1] <= high_[1]; ++cell[1]) {
-        for (cell[0] = low_[0]; cell[0] <= high_[0]; ++cell[0]) {
-          if (whole_.kind[whole_.grid.cell(cell)] == CellKind::fluid) ++fluid, seed = cell;
+    set_window(middle, longer, 1);
+    const auto first = low_, last = high_;
+    set_window(middle, longer, reach);
+    seen_.fill(0);
+    bool started = false;
+    std::array<int, 3> cell{};
+    for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) {
+      for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1]) {
+        for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0]) {
+          if (whole_.kind[whole_.grid.cell(cell)] != CellKind::fluid || seen_[number(cell)] != 0) continue;
+          if (started) return false;
+          started = true;
+          reach_from(cell);
         }
       }
     }
-    return fluid == 0 || reached_from(seed) == fluid;
+    return true;
   }
 
  private:
-  std::size_t reached_from(const std::array<int, 3>& seed) {
+  void set_window(const std::array<int, 3>& middle, int longer, int by) {
+    low_ = middle, high_ = middle;
+    for (int axis = 0; axis < whole_.grid.dim; ++axis) {
+      low_[at(axis)] = std::max(middle[at(axis)] - by - (axis == longer ? 1 : 0), 0);
+      high_[at(axis)] = std::min(middle[at(axis)] + by, whole_.grid.n[at(axis)] - 1);
+    }
+  }
+
+  void reach_from(const std::array<int, 3>& seed) {
     reached_.assign(1, seed);
+    seen_[number(seed)] = 1;
     for (std::size_t next = 0; next < reached_.size(); ++next) {
       for (int axis = 0; axis < whole_.grid.dim; ++axis) {
         for (const int end : {0, 1}) {
@@ -99,16 +112,21 @@ class Neighbourhood {
           if (other[at(axis)] < low_[at(axis)] || other[at(axis)] > high_[at(axis)]) continue;
           if (whole_.face[at(axis)][whole_.grid.face(axis, face)] != FaceKind::open) continue;
           if (whole_.kind[whole_.grid.cell(other)] != CellKind::fluid) continue;
-          if (std::find(reached_.begin(), reached_.end(), other) == reached_.end()) reached_.push_back(other);
+          if (std::exchange(seen_[number(other)], 1) == 0) reached_.push_back(other);
         }
       }
     }
-    return reached_.size();
   }
 
+  std::size_t number(const std::array<int, 3>& cell) const {
+    return at(cell[0] - low_[0] + most * (cell[1] - low_[1] + most * (cell[2] - low_[2])));
+  }
+
+  static constexpr int reach = 3, most = 2 * reach + 2;
   const FlowDomain& whole_;
   std::array<int, 3> low_{}, high_{};
   std::vector<std::array<int, 3>> reached_;
+  std::array<std::uint8_t, std::size_t{most} * most * most> seen_{};
 };
 
 /// Whether the first and the last surface between two middles face away from each other, as a plate's do, not as those
@@ -121,19 +139,34 @@ bool is_plate(const SurfacePieces& pieces, const Crossings& crossings, int lowes
   return dot(a, b) < facing * std::sqrt(dot(a, a) * dot(b, b));
 }
 
+/// Whether a plate lies in a cell: along some axis a surface is entered before and left behind the cell's middle.
+bool holds_plate(const SurfacePieces& pieces, const Crossings& crossings, const StaggeredGrid& grid, std::size_t cell) {
+  const auto place = grid.place_of_cell(cell);
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    auto behind = place;
+    ++behind[at(axis)];
+    const int entered = crossings.highest[at(axis)][grid.face(axis, place)];
+    const int left = crossings.lowest[at(axis)][grid.face(axis, behind)];
+    if (entered >= 0 && left >= 0 && is_plate(pieces, crossings, entered, left)) return true;
+  }
+  return false;
+}
+
 std::vector<std::uint8_t> thin_cells(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole) {
   const StaggeredGrid& grid = whole.grid;
   std::vector<std::uint8_t> thin(grid.cell_count(), 0);
   Neighbourhood about(whole);
   for (std::size_t c = 0; c < thin.size(); ++c) {
-    if (whole.kind[c] == CellKind::solid) thin[c] = about.joined(grid.place_of_cell(c), -1) ? 0 : 1;
+    if (whole.kind[c] != CellKind::solid) continue;
+    thin[c] = holds_plate(pieces, crossings, grid, c) || !about.joined(grid.place_of_cell(c), -1) ? 1 : 0;
   }
   for (int axis = 0; axis < grid.dim; ++axis) {
     for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
       const auto [low, high] = cells_beside(grid, axis, f);
-      if (low < 0 || high < 0 || crossings.lowest[at(axis)][f] < 0) continue;
+      const int lowest = crossings.lowest[at(axis)][f];
+      if (low < 0 || high < 0 || lowest < 0) continue;
       if (whole.kind[at(low)] != CellKind::fluid || whole.kind[at(high)] != CellKind::fluid) continue;
-      if (is_plate(pieces, crossings, crossings.lowest[at(axis)][f], crossings.highest[at(axis)][f]) ||
+      if (is_plate(pieces, crossings, lowest, crossings.highest[at(axis)][f]) ||
           !about.joined(grid.place_of_face(axis, f), axis))
         thin[at(low)] = thin[at(high)] = 1;
     }
