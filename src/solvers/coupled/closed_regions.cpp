@@ -42,6 +42,26 @@ std::vector<int> groups_by_sheets(const CouplingMap& map, int regions, std::size
 
 }  // namespace
 
+std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingMap& map) {
+  const std::size_t most = domain.grid.dim == 2 ? 9 : 27, count = at(domain.regions);
+  std::vector<std::size_t> size(count, 0);
+  for (const int region : domain.region) {
+    if (region >= 0) ++size[at(region)];
+  }
+  std::vector<std::uint8_t> pocket(count, 0);
+  const std::vector<std::uint8_t> closed = closed_regions(domain);
+  for (std::size_t first = 0; first < map.area_seen.size(); first += count) {  // of each sheet
+    std::size_t largest = 0;
+    for (std::size_t r = 0; r < count; ++r) {
+      if (map.area_seen[first + r] > 0) largest = std::max(largest, size[r]);
+    }
+    for (std::size_t r = 0; r < count; ++r) {
+      if (map.area_seen[first + r] > 0 && closed[r] != 0 && size[r] <= most && size[r] < largest) pocket[r] = 1;
+    }
+  }
+  return pocket;
+}
+
 Regions regions_of(const FlowDomain& domain, const CouplingMap& map, const PressureNumbers& numbers,
                    std::span<const double> volumes, std::span<const double> first, std::span<const std::uint8_t> held,
                    double h) {

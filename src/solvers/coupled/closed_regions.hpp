@@ -16,6 +16,10 @@ struct Regions {
   std::vector<std::size_t> cells;       ///< how many it has
 };
 
+/// Closed regions of no more than a few cells that a surface cuts off from a larger one which sees it, too: a crevice
+/// that the cells do not resolve. With pressures of its own it would hold the solids there as if it were welded.
+std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingMap& map);
+
 /// `volumes` are those that the sheets enclose, `first` those at the start; `held` marks the solids' velocities that
 /// are prescribed. A closed region's volume falls by what the volumes of the sheets that it sees grow; where several
 /// regions see one sheet they share in it. `h` is the step in which it comes back [time].

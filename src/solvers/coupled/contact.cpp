@@ -17,16 +17,17 @@ Contact::Contact(const Coupled& scene, const SolidSurface& surface)
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
 }
 
-void Contact::begin(std::span<const double> q, double h, std::vector<Touch>& touches) {
+void Contact::begin(std::span<const double> q, std::span<const double> u, double h, std::vector<Touch>& touches) {
   constexpr double rounding = 1e-9;  // of a cell
   h_ = h;
   meetings_.clear();
   const double size = *std::max_element(scene_.grid.d.begin(), scene_.grid.d.begin() + scene_.grid.dim);
   for (const int node : nodes_) {
     if (!scene_.contact) break;
-    const Vector x = place_of(q, node, scene_.grid.dim);
-    meet_walls(at(node), x, size);
-    for (const AxisBox& box : scene_.obstacles) meet_obstacle(box, at(node), x, size);
+    const Vector x = place_of(q, node, scene_.grid.dim), v = place_of(u, node, scene_.grid.dim);
+    const double reach = size + 2 * h * std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    meet_walls(at(node), x, reach);
+    for (const AxisBox& box : scene_.obstacles) meet_obstacle(box, at(node), x, reach);
   }
   std::vector<Touch> kept(touches.size(), Touch::away);
   for (const Meeting& meeting : meetings_) {

@@ -21,9 +21,10 @@ class Contact {
   /// Both must outlive it.
   Contact(const Coupled& scene, const SolidSurface& surface);
 
-  /// Finds the walls that nodes at q may reach in a step of length h. `touches`, a number a velocity (that across the
-  /// wall), says what they did before and will say what they do; those of nodes that are not at a wall are cleared.
-  void begin(std::span<const double> q, double h, std::vector<Touch>& touches);
+  /// Finds the walls that nodes at q with velocities u may reach in a step of length h. `touches`, a number a velocity
+  /// (that across the wall), says what they did before and will say what they do; those of nodes that are not at a wall
+  /// are cleared.
+  void begin(std::span<const double> q, std::span<const double> u, double h, std::vector<Touch>& touches);
   /// Marks the velocities that touching nodes do not have.
   void hold(std::span<const Touch> touches, std::span<std::uint8_t> held) const;
   /// Adds the friction of sliding nodes to forces.

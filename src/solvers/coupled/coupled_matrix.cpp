@@ -117,18 +117,18 @@ ReducedEquations reduced(const CoupledEquations& of, std::span<const double> u) 
   }
   find_unbalanced(of, out);
   balance(of, std::vector<double>(out.r.size(), 1.0), out.r);
-  out.pinned = pinned_pressures(of);
+  out.pinned = first_pressures(of, of.loose);
   for (std::size_t p = 0; p < out.r.size(); ++p) {
     if (out.pinned[p] != 0) out.r[p] = 0;
   }
   return out;
 }
 
-std::vector<std::uint8_t> pinned_pressures(const CoupledEquations& of) {
-  std::vector<std::uint8_t> pinned(of.region.size(), 0), done(of.loose.size(), 0);
+std::vector<std::uint8_t> first_pressures(const CoupledEquations& of, std::span<const std::uint8_t> regions) {
+  std::vector<std::uint8_t> pinned(of.region.size(), 0), done(regions.size(), 0);
   for (std::size_t p = 0; p < pinned.size(); ++p) {
     const std::size_t region = at(of.region[p]);
-    if (of.loose[region] != 0 && done[region] == 0) pinned[p] = done[region] = 1;
+    if (regions[region] != 0 && done[region] == 0) pinned[p] = done[region] = 1;
   }
   return pinned;
 }

@@ -18,8 +18,8 @@ struct ReducedEquations {
 
 /// u has the held velocities. Of loose regions the mean of r is taken off, which is rounding but where one is told.
 ReducedEquations reduced(const CoupledEquations& equations, std::span<const double> u);
-/// One pressure of each loose region.
-std::vector<std::uint8_t> pinned_pressures(const CoupledEquations& equations);
+/// The first pressure of each of these regions.
+std::vector<std::uint8_t> first_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> regions);
 /// Takes the sums of r over loose regions off, in shares of the weights: their pressures have a solution then.
 void balance(const CoupledEquations& equations, std::span<const double> weight, std::span<double> r);
 /// Of each pressure's cell a measure of the solids' surface that it sees: the sum of its row's sizes.

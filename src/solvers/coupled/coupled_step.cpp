@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -10,6 +11,7 @@
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/extend_velocity.hpp"
 #include "solvers/coupled/projection.hpp"
+#include "solvers/coupled/smoke_follow.hpp"
 #include "solvers/coupled/viscosity.hpp"
 
 namespace tether::coupled {
@@ -31,6 +33,15 @@ std::vector<double> of_cells(const PressureNumbers& numbers, std::span<const dou
   return p;
 }
 
+/// Of fluid cells their size: smoke has no finer place.
+std::vector<double> fluid_volumes(const FlowDomain& domain) {
+  std::vector<double> volumes(domain.kind.size(), 0.0);
+  for (std::size_t c = 0; c < volumes.size(); ++c) {
+    if (domain.kind[c] == CellKind::fluid) volumes[c] = domain.grid.volume();
+  }
+  return volumes;
+}
+
 }  // namespace
 
 CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
@@ -43,7 +54,7 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
       system_(coupled_),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
 
-Placement CoupledStep::placed(std::span<const double> q, double h) const {
+Placement CoupledStep::placed(std::span<const double> q) const {
   Placement at;
   const bool cut = coupled_.mode == CouplingMode::cut_cell;
   at.pieces = cut_surface(surface_, q, coupled_.grid, cut ? 2 : 1);
@@ -53,32 +64,37 @@ Placement CoupledStep::placed(std::span<const double> q, double h) const {
     at.cut = cut_cells(at.pieces, at.crossings, at.domain);
     at.domain = box_.around(at.crossings, at.cut);
   }
-  at.numbers = number_pressures(at.domain);
-  const PressureSampler sampler(surface_, q, at.pieces, at.domain);
-  const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers};
-  at.map = map_by_pressures(of, sampler, cut ? &at.cut : nullptr, q.size());
-  if (coupled_.mode == CouplingMode::paper) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
-  at.L = pressure_matrix(at.domain, at.numbers, h / coupled_.density);
+  map(q, at);
+  const std::vector<std::uint8_t> pockets = find_pockets(at.domain, at.map);
+  if (std::find(pockets.begin(), pockets.end(), 1) == pockets.end()) return at;
+  drop_regions(pockets, at.domain);
+  map(q, at);
   return at;
 }
 
-FlowDomain CoupledStep::domain(std::span<const double> q) const {
-  const Crossings crossings = find_crossings(surface_, q, coupled_.grid);
-  FlowDomain whole = box_.around(crossings);
-  if (coupled_.mode != CouplingMode::cut_cell) return whole;
-  return box_.around(crossings, cut_cells(cut_surface(surface_, q, coupled_.grid, 2), crossings, whole));
+void CoupledStep::map(std::span<const double> q, Placement& at) const {
+  const CutCells* cut = coupled_.mode == CouplingMode::cut_cell ? &at.cut : nullptr;
+  at.numbers = number_pressures(at.domain);
+  const PressureSampler sampler(surface_, q, at.pieces, at.domain);
+  const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers};
+  at.map = map_by_pressures(of, sampler, cut, q.size());
+  if (coupled_.mode == CouplingMode::paper) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
 }
+
+FlowDomain CoupledStep::domain(std::span<const double> q) const { return placed(q).domain; }
 
 /// One step of the paper, 3.1 to 3.3.
 void CoupledStep::advance(CoupledState& state, double h) {
-  const Placement at = placed(state.q, h);
+  const Placement at = placed(state.q);
   const std::vector<double> u0 = state.u;
+  if (coupled_.smoke) follow_domain(before_ ? *before_ : domain(state.q_before), at.domain, state.smoke);
   move_fluid_freely(at, state, h);                    // (1) without pressure: v*
   solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
   solve(at, state, h);                                // (7), (8)
   extend_velocity(at.domain, state.v, layers_around_fluid);
   carry_smoke_along(at, state, h);
   move_solids(state, u0, h);  // (5)
+  before_ = at.domain;
 }
 
 void CoupledStep::move_fluid_freely(const Placement& at, CoupledState& state, double h) {
@@ -99,7 +115,8 @@ void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
   const std::vector<double> u0 = state.u, flux = net_flux(at.domain, at.numbers, state.v);
   Solution solution;
   solution.p = of_cells(at.numbers, state.p);
-  contact_.begin(state.q, h, state.touches);
+  solution.L = pressure_matrix(at.domain, at.numbers, h / coupled_.density);
+  contact_.begin(state.q, u0, h, state.touches);
   for (int k = 0; k < most_contact_solutions; ++k) {
     solution.held = solids_.held;
     contact_.hold(state.touches, solution.held);
@@ -144,7 +161,8 @@ void CoupledStep::solve_once(const Placement& at, std::span<const double> flux, 
   for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
     loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
   const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at.crossing_map : at.map.B;
-  const CoupledEquations equations{solids_.A, b, at.map.B, caused, at.L, r, solution.held, region, loose};
+  const CoupledEquations equations{
+      solids_.A, b, at.map.B, caused, solution.L, r, solution.held, region, solution.regions.closed, loose};
   solution.fluid_force.assign(b.size(), 0.0);
   if (splitting) {
     const std::vector<double> before = of_cells(at.numbers, state.p);
@@ -200,11 +218,13 @@ void CoupledStep::carry_smoke_along(const Placement& at, CoupledState& state, do
     }
   }
   const SmokeFlow flow = carry_smoke(at.domain, state.v, h, jets, state.smoke);
+  settle_smoke(at.domain, fluid_volumes(at.domain), state.smoke);
   state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
   state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
 }
 
 void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, double h) {
+  state.q_before = state.q;
   for (std::size_t k = 0; k < state.q.size(); ++k) state.q[k] += 0.5 * h * (u0[k] + state.u[k]);
   solids_.system.place_supports(state.time + h, state.q);
   contact_.place(state.q);
@@ -244,7 +264,7 @@ CoupledState CoupledStep::start() {
   state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
-  const Placement at = placed(state.q, coupled_.density);
+  const Placement at = placed(state.q);
   box_.prescribe(at.domain, 0, state.v);
   solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
   const std::vector<double> r = net_flux(at.domain, at.numbers, state.v);
@@ -252,11 +272,13 @@ CoupledState CoupledStep::start() {
   std::vector<int> region;
   for (const std::size_t cell : at.numbers.cell) region.push_back(at.domain.region[cell]);
   const Regions regions = regions_of(at.domain, at.map, at.numbers, first_volumes_, first_volumes_, solids_.held, 1);
-  system_.solve_fluid({solids_.A, solids_.b, at.map.B, at.map.B, at.L, r, solids_.held, region, regions.closed}, 0,
-                      state.u, p);
+  system_.solve_fluid({solids_.A, solids_.b, at.map.B, at.map.B, pressure_matrix(at.domain, at.numbers, 1), r,
+                       solids_.held, region, regions.closed, regions.closed},
+                      0, state.u, p);
   add_pressure(at.domain, at.numbers, p, 1, state.v);
   extend_velocity(at.domain, state.v, layers_around_fluid);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
+  state.q_before = state.q;
   state.smoke = clean_smoke(at.domain);
   return state;
 }

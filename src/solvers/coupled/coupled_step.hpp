@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "plan/plan.hpp"
@@ -23,7 +23,6 @@ struct Placement {
   PressureNumbers numbers;
   CouplingMap map;
   CouplingMatrix crossing_map;  ///< of the paper's own mode
-  SparseMatrix L;
 };
 
 /// A step of fluid and solids together. The scene must outlive it.
@@ -48,12 +47,14 @@ class CoupledStep {
   struct Solution {
     std::vector<std::uint8_t> held;  ///< by supports and contact
     Regions regions;
+    SparseMatrix L;
     std::vector<double> p;                                  ///< of each pressure [stress]
     std::vector<double> source;                             ///< volume term of each pressure [volume/time]
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
   };
 
-  Placement placed(std::span<const double> q, double h) const;
+  Placement placed(std::span<const double> q) const;
+  void map(std::span<const double> q, Placement& at) const;
   void move_fluid_freely(const Placement& at, CoupledState& state, double h);
   void solve(const Placement& at, CoupledState& state, double h);
   void find_regions_of(const Placement& at, const CoupledState& state, double h, Solution& solution) const;
@@ -71,6 +72,7 @@ class CoupledStep {
   FlowBox box_;
   Contact contact_;
   CoupledSystem system_;
+  std::optional<FlowDomain> before_;   // of the last step, where this object has taken it
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };
 

@@ -11,6 +11,7 @@
 #include "algebra/quasidefinite_solver.hpp"
 #include "base/errors.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
+#include "solvers/coupled/region_constants.hpp"
 #include "solvers/coupled/schur_complement.hpp"
 
 namespace tether::coupled {
@@ -76,17 +77,26 @@ void CoupledSystem::check_pivots(std::int64_t expected, double time) {
         fmt::format("t = {:.6g}: {}: K' is not convex, and some motions of the solids grow", time, what));
 }
 
+/// In a closed region L does not feel a constant pressure, so that factors in any order need not exist. So its first
+/// pressure is set to zero, and the constant c, which the solids feel by S, the sum of the region's rows, is found
+/// behind the others: [K, S; S^T, 0] [x; c] = [k; sum of r].
 void CoupledSystem::solve_directly(const CoupledEquations& equations, double time, std::span<double> u,
                                    std::span<double> p) {
   const ReducedEquations with = balanced(equations, time, u);
-  const SparseMatrix K = symmetric_matrix(equations, with.pinned);
+  const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
+  const SparseMatrix K = symmetric_matrix(equations, first);
   if (!parts_->both.factorise(K)) refuse(time, "the coupled matrix is singular: likely cause, values that ran away");
   check_pivots(equations.L.n, time);
   std::vector<double> x(with.b);
   x.insert(x.end(), with.r.begin(), with.r.end());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (first[k] != 0) x[u.size() + k] = 0;
+  }
   parts_->both.solve(x, x);
+  const RegionConstants constants(equations, with);
+  const std::vector<double> c = constants.found(parts_->both, x);
   std::copy_n(x.begin(), u.size(), u.begin());
-  std::copy(x.begin() + static_cast<std::ptrdiff_t>(u.size()), x.end(), p.begin());
+  for (std::size_t k = 0; k < p.size(); ++k) p[k] = x[u.size() + k] + c[static_cast<std::size_t>(equations.region[k])];
   cost_.factor_nonzeros = parts_->both.factor_nonzeros();
 }
 
@@ -140,7 +150,7 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   const Stopwatch watch(cost_.solve_seconds);
   std::vector<double> right(equations.r.begin(), equations.r.end());
   add_product(equations.flux, 1, u, right);
-  const std::vector<std::uint8_t> pinned = pinned_pressures(equations);
+  const std::vector<std::uint8_t> pinned = first_pressures(equations, equations.loose);
   std::vector<double> weight(p.size(), 1.0);
   if (scene_.area_repair) weight = areas_seen(equations.B);
   balance(equations, weight, right);

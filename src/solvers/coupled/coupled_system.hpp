@@ -24,9 +24,10 @@ struct CoupledEquations {
   const CouplingMatrix& flux;  ///< flux that they cause; B but for the paper's own
   const SparseMatrix& L;       ///< of the pressures
   std::span<const double> r;
-  std::span<const std::uint8_t> held;   ///< velocities that are prescribed, as u has them
-  std::span<const int> region;          ///< of each pressure
-  std::span<const std::uint8_t> loose;  ///< regions whose pressure has an arbitrary constant
+  std::span<const std::uint8_t> held;    ///< velocities that are prescribed, as u has them
+  std::span<const int> region;           ///< of each pressure
+  std::span<const std::uint8_t> closed;  ///< regions whose constant pressures L does not feel
+  std::span<const std::uint8_t> loose;   ///< those of them that no free velocity of the solids feels either
 };
 
 /// What the solutions have cost.

@@ -32,21 +32,24 @@ class Sweep {
     out.lowest[axis_].assign(grid.face_count(axis), -1);
     out.highest[axis_].assign(grid.face_count(axis), -1);
     turns_.assign(grid.face_count(axis), 0);
+    outer_turns_ = turns_;
   }
 
   void run() {
     for (std::size_t s = 0; s < surface_.side_count(); ++s) surface_.dim == 2 ? cross_edge(s) : cross_triangle(s);
   }
 
-  /// How often the lines have entered a solid before each cell's middle.
+  /// By how often the lines have entered a solid before each cell's middle, and how often what outer sheets enclose.
   void mark_inside() {
     out_.inside.assign(grid_.cell_count(), 0);
+    out_.in_cavity.assign(grid_.cell_count(), 0);
     for (int k = 0; k < grid_.n[2]; ++k) {
       for (int j = 0; j < grid_.n[1]; ++j) {
-        int depth = 0;
+        int solid = 0, outer = 0;
         for (int i = 0; i < grid_.n[0]; ++i) {
-          depth += turns_[grid_.face(0, i, j, k)];
-          out_.inside[grid_.cell(i, j, k)] = depth > 0 ? 1 : 0;
+          solid += turns_[grid_.face(0, i, j, k)], outer += outer_turns_[grid_.face(0, i, j, k)];
+          out_.inside[grid_.cell(i, j, k)] = solid > 0 ? 1 : 0;
+          out_.in_cavity[grid_.cell(i, j, k)] = outer > 0 && solid <= 0 ? 1 : 0;
         }
       }
     }
@@ -112,6 +115,7 @@ class Sweep {
     line[axis_] = face;
     const std::size_t f = grid_.face(static_cast<int>(axis_), line);
     turns_[f] += turn;
+    if (surface_.cavity[at(surface_.sheet[s])] == 0) outer_turns_[f] += turn;
     if (box < 0 || box > grid_.n[axis_]) return;
     const int number = static_cast<int>(out_.all.size());
     out_.all.push_back({static_cast<int>(s), share, place});
@@ -125,7 +129,8 @@ class Sweep {
   const StaggeredGrid& grid_;
   std::size_t axis_, b_, c_;
   Crossings& out_;
-  std::vector<int> turns_;  // into solids less out of them, at each face
+  std::vector<int> outer_turns_;  // the same of outer sheets alone
+  std::vector<int> turns_;        // into solids less out of them, at each face
 };
 
 }  // namespace

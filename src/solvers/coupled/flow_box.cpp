@@ -40,22 +40,6 @@ void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const 
   }
 }
 
-/// Fluid that hangs together with the box's sides becomes void.
-void empty_outside_of_cavities(const Crossings& crossings, FlowDomain& domain) {
-  const StaggeredGrid& grid = domain.grid;
-  const auto mark = [&](std::size_t cell) { domain.kind[cell] = CellKind::empty; };
-  const auto pass = [&](std::size_t cell, int axis, std::size_t face) {
-    return domain.kind[cell] == CellKind::fluid && crossings.lowest[at(axis)][face] < 0;
-  };
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto place = grid.place_of_cell(cell);
-    bool outside = false;
-    for (int axis = 0; axis < grid.dim; ++axis)
-      outside = outside || place[at(axis)] == 0 || place[at(axis)] == grid.n[at(axis)] - 1;
-    if (outside && domain.kind[cell] == CellKind::fluid) flood(grid, cell, mark, pass);
-  }
-}
-
 }  // namespace
 
 FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid) {
@@ -120,30 +104,51 @@ void FlowBox::open_faces(const Crossings& crossings, FlowDomain& domain) const {
 FlowDomain FlowBox::around(const Crossings& crossings) const {
   FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0};
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
-    if (kind_[cell] != CellKind::wall && crossings.inside[cell] != 0) domain.kind[cell] = CellKind::solid;
+    if (kind_[cell] == CellKind::wall) continue;
+    if (crossings.inside[cell] != 0)
+      domain.kind[cell] = CellKind::solid;
+    else if (scene_.cavities_only && crossings.in_cavity[cell] == 0)
+      domain.kind[cell] = CellKind::empty;
   }
-  if (scene_.cavities_only) empty_outside_of_cavities(crossings, domain);
   open_faces(crossings, domain);
   find_regions(domain);
   return domain;
 }
 
-void FlowBox::open_cut_cells(const CutCells& cut, FlowDomain& domain) const {
-  const StaggeredGrid& grid = scene_.grid;
-  for (std::size_t cell = 0; cell < domain.kind.size(); ++cell) {
-    if (domain.kind[cell] != CellKind::solid || cut.thin[cell] != 0) continue;
-    bool open = false;
-    for_neighbours(grid, cell, [&](std::size_t other, int axis, std::size_t face) {
-      open = open || (cut.fluid[at(axis)][face] > 0 && cut.thin[other] == 0 && kind_[other] == CellKind::fluid);
-    });
-    if (open) domain.kind[cell] = CellKind::fluid;
+/// Cells whose middle is in a solid take the kind of the cells that their open faces lead to. Where these are of
+/// different kinds, a solid divides fluid and void here, and the cell stays closed.
+void FlowBox::fill_cut_cells(const CutCells& cut, FlowDomain& domain) const {
+  bool more = true;
+  while (more) {
+    more = false;
+    const std::vector<CellKind> before = domain.kind;
+    for (std::size_t cell = 0; cell < before.size(); ++cell) {
+      if (before[cell] != CellKind::solid || cut.thin[cell] != 0) continue;
+      bool to_fluid = false, to_void = false;
+      for_neighbours(scene_.grid, cell, [&](std::size_t other, int axis, std::size_t face) {
+        if (cut.fluid[at(axis)][face] == 0 || cut.thin[other] != 0) return;
+        to_fluid = to_fluid || before[other] == CellKind::fluid;
+        to_void = to_void || before[other] == CellKind::empty;
+      });
+      if (to_fluid == to_void) continue;
+      domain.kind[cell] = to_fluid ? CellKind::fluid : CellKind::empty;
+      more = true;
+    }
   }
+}
+
+void FlowBox::open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const {
+  const StaggeredGrid& grid = scene_.grid;
+  fill_cut_cells(cut, domain);
+  const auto held = [&](int cell) { return crossings.inside[at(cell)] != 0; };
   for (int axis = 0; axis < grid.dim; ++axis) {
     for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
       const auto [low, high] = cells_beside(grid, axis, f);
       if ((low >= 0 && cut.thin[at(low)] != 0) || (high >= 0 && cut.thin[at(high)] != 0)) continue;
       const double fluid = cut.fluid[at(axis)][f], whole = grid.volume() * (low < 0 || high < 0 ? 0.5 : 1);
-      const FaceKind kind = fluid > 0 ? kind_between(domain, axis, f) : FaceKind::closed;
+      const bool divided = low >= 0 && high >= 0 && domain.kind[at(low)] != domain.kind[at(high)] &&
+                           (held(low) || held(high));  // void on one side of a solid, fluid on the other
+      const FaceKind kind = fluid > 0 && !divided ? kind_between(domain, axis, f) : FaceKind::closed;
       domain.face[at(axis)][f] = kind;
       domain.area[at(axis)][f] = kind == FaceKind::closed ? 0 : grid.area(axis) * (fluid / whole);
       domain.volume[at(axis)][f] = kind == FaceKind::closed ? 0 : fluid;
@@ -153,7 +158,7 @@ void FlowBox::open_cut_cells(const CutCells& cut, FlowDomain& domain) const {
 
 FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) const {
   FlowDomain domain = around(crossings);
-  open_cut_cells(cut, domain);
+  open_cut_cells(crossings, cut, domain);
   find_regions(domain);
   return domain;
 }
@@ -184,6 +189,24 @@ void find_regions(FlowDomain& domain) {
                  domain.face[at(axis)][face] == FaceKind::open;
         });
   }
+}
+
+void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain) {
+  for (std::size_t cell = 0; cell < domain.kind.size(); ++cell) {
+    const int region = domain.region[cell];
+    if (region >= 0 && regions[at(region)] != 0) domain.kind[cell] = CellKind::solid;
+  }
+  for (int axis = 0; axis < domain.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
+      const auto beside = cells_beside(domain.grid, axis, f);
+      for (const int cell : beside) {
+        if (cell < 0 || domain.region[at(cell)] < 0 || regions[at(domain.region[at(cell)])] == 0) continue;
+        domain.face[at(axis)][f] = FaceKind::closed;
+        domain.area[at(axis)][f] = domain.volume[at(axis)][f] = 0;
+      }
+    }
+  }
+  find_regions(domain);
 }
 
 }  // namespace tether::coupled

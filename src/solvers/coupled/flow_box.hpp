@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "scene/coupled.hpp"
 #include "solvers/coupled/crossings.hpp"
 #include "solvers/coupled/cut_cells.hpp"
@@ -14,8 +16,7 @@ class FlowBox {
   explicit FlowBox(const Coupled& scene);
 
   /// The domain that solids leave: cells whose middle lies in one hold no fluid, faces between whose cells' middles a
-  /// surface passes are closed. Where the scene wants fluid in cavities alone, what hangs together with the box's sides
-  /// is void.
+  /// surface passes are closed. Where the scene wants fluid in cavities alone, the rest is void.
   FlowDomain around(const Crossings& crossings) const;
   /// The same with the open parts of faces: cells whose middle lies in a solid hold fluid where a face of theirs is
   /// open.
@@ -27,7 +28,8 @@ class FlowBox {
 
  private:
   void open_faces(const Crossings& crossings, FlowDomain& domain) const;
-  void open_cut_cells(const CutCells& cut, FlowDomain& domain) const;
+  void fill_cut_cells(const CutCells& cut, FlowDomain& domain) const;
+  void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;
   FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;
   FaceKind kind_at_side(int axis, std::size_t face, CellKind cell) const;
   void mark_jets();
@@ -39,5 +41,7 @@ class FlowBox {
 
 /// Numbers the parts of the fluid that open faces join.
 void find_regions(FlowDomain& domain);
+/// Takes the fluid out of the marked regions, and numbers the others anew.
+void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain);
 
 }  // namespace tether::coupled

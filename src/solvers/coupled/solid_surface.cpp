@@ -46,6 +46,7 @@ SolidSurface surface_of(const Mesh& mesh) {
   surface.parts = count_parts(mesh);
   for (std::size_t s = 0; s < surface.side_count(); ++s)
     surface.part.push_back(parts[static_cast<std::size_t>(surface.side(s)[0])]);
+  for (const double volume : enclosed_volumes(surface, mesh.x)) surface.cavity.push_back(volume < 0 ? 1 : 0);
   return surface;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct SolidSurface {
                            ///< triangle whose nodes turn counter-clockwise
   std::vector<int> sheet;  ///< of each side the connected part of the surface that it belongs to, from 0
   int sheets = 0;
-  std::vector<int> part;  ///< of each side the connected body, from 0
+  std::vector<std::uint8_t> cavity;  ///< of each sheet, whether the solid is around it
+  std::vector<int> part;             ///< of each side the connected body, from 0
   int parts = 0;
 
   std::size_t side_count() const { return sheet.size(); }
