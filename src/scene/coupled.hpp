@@ -100,7 +100,7 @@ std::vector<std::size_t> faces_of(const Jet& jet, const StaggeredGrid& grid);
 std::size_t cell_at(const Jet& jet, const StaggeredGrid& grid, std::size_t face);
 
 /// In space more cells than these go by conjugate gradients where the deck leaves it open.
-constexpr double most_cells_of_factors = 2e4;
+constexpr double most_cells_of_factors = 2e3;
 /// Which of direct and krylov is taken.
 CoupledSystems systems_of(const Coupled& coupled);
 

@@ -70,6 +70,22 @@ double diagonal(const SparseMatrix& A, std::int64_t column) {
   return 0;
 }
 
+std::vector<double> scales_of(const SparseMatrix& K) {
+  std::vector<double> scales;
+  for (std::int64_t k = 0; k < K.n; ++k) {
+    const double size = std::abs(diagonal(K, k));
+    scales.push_back(size > 0 ? std::sqrt(size) : 1);
+  }
+  return scales;
+}
+
+void scale(SparseMatrix& K, std::span<const double> scales) {
+  for (std::int64_t column = 0; column < K.n; ++column) {
+    for (std::int64_t k = K.start[at(column)]; k < K.start[at(column + 1)]; ++k)
+      K.value[at(k)] /= scales[at(column)] * scales[at(K.row[at(k)])];
+  }
+}
+
 void add_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y) {
   for (std::int64_t row = 0; row < B.outerSize(); ++row) {
     for (CouplingMatrix::InnerIterator entry(B, row); entry; ++entry)

@@ -32,6 +32,11 @@ SparseMatrix symmetric_matrix(const CoupledEquations& equations, std::span<const
 /// [A, -B^T; -flux, -L], all of it.
 SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
 
+/// For each unknown of K the root of its diagonal's size, or 1 where that is 0: what makes rows and columns of
+/// velocities and of pressures, whose numbers are of different units, alike.
+std::vector<double> scales_of(const SparseMatrix& K);
+/// Divides rows and columns by their scales.
+void scale(SparseMatrix& K, std::span<const double> scales);
 /// The entry of a column on the diagonal; 0 where there is none.
 double diagonal(const SparseMatrix& A, std::int64_t column);
 /// y = y + factor B x, y = y + factor B^T x.

@@ -115,19 +115,20 @@ void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double
                                        std::span<double> p) {
   constexpr int most = 2000;
   const ReducedEquations with = balanced(equations, time, u);
+  SparseMatrix K = whole_matrix(equations, with.pinned);
+  const std::vector<double> scales = scales_of(K);
+  scale(K, scales);
   std::vector<double> right(with.b), x(u.begin(), u.end());
   right.insert(right.end(), with.r.begin(), with.r.end());
   x.insert(x.end(), p.begin(), p.end());
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    if (with.pinned[k] != 0) x[u.size() + k] = 0;
-  }
-  const KrylovResult result = bicgstab(whole_matrix(equations, with.pinned), right, x, scene_.tolerance, most);
+  for (std::size_t k = 0; k < x.size(); ++k) right[k] /= scales[k], x[k] *= scales[k];
+  const KrylovResult result = bicgstab(K, right, x, scene_.tolerance, most);
   cost_.iterations += result.iterations;
   if (!result.converged)
     refuse(time, fmt::format("BiCGSTAB does not converge in {} iterations: mode='symmetric' of $coupled needs none",
                              result.iterations));
-  std::copy_n(x.begin(), u.size(), u.begin());
-  std::copy(x.begin() + static_cast<std::ptrdiff_t>(u.size()), x.end(), p.begin());
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] = x[k] / scales[k];
+  for (std::size_t k = 0; k < p.size(); ++k) p[k] = with.pinned[k] != 0 ? 0 : x[u.size() + k] / scales[u.size() + k];
 }
 
 void CoupledSystem::solve_solids(const CoupledEquations& equations, double time, std::span<double> u,
