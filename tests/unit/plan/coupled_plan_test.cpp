@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the plan says of a deck with $coupled, and the estimate of whether splitting would hold.
+#include "plan/coupled_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "deck/reader.hpp"
+#include "plan/added_mass.hpp"
+#include "scene/build.hpp"
+
+namespace tether {
+namespace {
+
+/// A box of 4 x 2, open on the right, of a fluid of density 2, with a body from x = 1 to 1.5 and y = .5 to 1.5 of two
+/// triangles, whose four nodes are all on its surface: its mass is .5 times its density.
+Scene scene_of(const std::string& coupled, const std::string& fem = "", const std::string& reg = "densir=3.",
+               const std::string& mesh = "") {
+  Diagnostics diagnostics;
+  const std::string text =
+      "$in\nnx=9,ny=5,xleft=0.,xright=4.,ybot=0.,ytop=2.,tmax=1.,tstep=.5\n$\n$coupled density=2.,side(2)='open'," +
+      coupled + "$\n$reg nreg=1,nvi=4,xvi(1,1)=1.,1.5,1.5,1.,yvi(1,1)=.5,.5,1.5,1.5,matr(1,1)=100.,0.," + reg +
+      "\n$\n$mesh element='p1'," + mesh + " $\n$fem " + fem + " $\n";
+  const Deck deck = read_deck(text, "a.in", {}, diagnostics);
+  Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
+  diagnostics.throw_if_errors();
+  return scene;
+}
+
+std::string term_of(const Scene& scene, const std::string& name) {
+  const auto terms = coupled_terms(scene);
+  const auto found = std::find_if(terms.begin(), terms.end(), [&](const Term& term) { return term.name == name; });
+  return found == terms.end() ? "none" : (found->on ? "" : "not: ") + found->reason;
+}
+
+/// The surface, 3, drives fluid through a channel 2 wide to the right side, 2.5 away.
+TEST(SplittingEstimate, OfASurfaceIsThatOfTheChannelToTheOpening) {
+  const auto estimate = splitting_estimate(scene_of(""));
+  ASSERT_TRUE(estimate);
+  EXPECT_EQ(estimate->body, 1);
+  EXPECT_EQ(estimate->motion, BodyMotion::swelling);
+  EXPECT_NEAR(estimate->added, 2 * 3 * 3 * 2.5 / 2, 1e-12);
+  EXPECT_NEAR(estimate->mass, 1.5, 1e-12);
+  EXPECT_EQ(estimate->damping, 0);
+  EXPECT_FALSE(estimate->holds());
+  EXPECT_NEAR(splitting_estimate(scene_of("side(4)='open'"))->added, 2 * 3 * 3 * .5 / 4, 1e-12);
+  EXPECT_NEAR(splitting_estimate(scene_of("void(1,1)=2.5,3.,0.,2."))->added, 2 * 3 * 3 * 1. / 2, 1e-12);
+}
+
+/// Held nodes' sides do not move; the masses of the nodes beside them do. In a closed box nothing swells.
+TEST(SplittingEstimate, LeavesOutWhatCannotMove) {
+  const auto held = splitting_estimate(scene_of("", "fix_on='1.left',fix(1,1)=0.,0."));
+  EXPECT_NEAR(held->added, 2 * 2 * 2 * 2.5 / 2, 1e-12);
+  const auto closed = splitting_estimate(scene_of("side(2)='wall'"));
+  EXPECT_EQ(closed->motion, BodyMotion::broadside);
+  EXPECT_NEAR(closed->added, 2 * std::numbers::pi / 4, 1e-12);
+  EXPECT_NEAR(closed->mass, 1.5, 1e-12);
+  EXPECT_TRUE(std::isinf(splitting_estimate(scene_of("side(2)='wall',area_repair=.false."))->added));
+}
+
+/// A layer of 2 (1.5) / (3 (3)) = 1/3 of modulus 100: a stiffness of 900, times beta h/2.
+TEST(SplittingEstimate, RayleighDampingResists) {
+  EXPECT_NEAR(splitting_estimate(scene_of("", "beta=.01"))->damping, .01 * 900 / 4, 1e-12);
+  EXPECT_NEAR(splitting_estimate(scene_of("", "alpha=4."))->damping, 4 * 1.5 / 4, 1e-12);
+  EXPECT_FALSE(splitting_estimate(scene_of("", "beta=.09"))->holds());
+  EXPECT_TRUE(splitting_estimate(scene_of("", "beta=.1", "densir=5."))->holds());
+}
+
+TEST(SplittingEstimate, IsTheWorstOfAllBodies) {
+  const Scene two = scene_of("", "",
+                             "densir=60.,60.,nreg=2,nvi(2)=4,xvi(1,2)=2.,2.5,2.5,2.,yvi(1,2)=.5,.5,1.5,1.5,"
+                             "matr(1,2)=100.,0.");
+  EXPECT_EQ(splitting_estimate(two)->body, 1);  // further from the open side
+  const Scene light = scene_of("", "",
+                               "densir=60.,20.,nreg=2,nvi(2)=4,xvi(1,2)=2.,2.5,2.5,2.,yvi(1,2)=.5,.5,1.5,1.5,"
+                               "matr(1,2)=100.,0.");
+  EXPECT_EQ(splitting_estimate(light)->body, 2);
+}
+
+/// A plate 1 long, .5 wide, and a box 1 deep.
+TEST(SplittingEstimate, InSpaceAPlateIsAsLongAsItIs) {
+  const Scene scene = scene_of("side(2)='wall',nz=5,zback=0.,zfront=1.", "", "densir=3.", "z(1,1)=.25,.5");
+  const auto estimate = splitting_estimate(scene);
+  EXPECT_NEAR(estimate->added, 2 * std::numbers::pi / 4 * .25, 1e-12);
+  EXPECT_NEAR(estimate->mass, 3 * .5 * .25, 1e-12);
+  const Scene open = scene_of("nz=5,zback=0.,zfront=1.", "", "densir=3.", "z(1,1)=.25,.5");
+  EXPECT_NEAR(splitting_estimate(open)->added, 2 * 1.75 * 1.75 * 2.5 / 2, 1e-12);
+}
+
+TEST(CoupledPlan, SaysByWhichModeAndWhy) {
+  EXPECT_EQ(term_of(scene_of(""), "mode"),
+            "symmetric: simultaneous, power across the interface balances to rounding; splitting would fail by "
+            "estimate: moving body 1's surface outwards, the added mass 22.5 is above m + c h/2 = 1.5");
+  EXPECT_EQ(term_of(scene_of("", "", "densir=60."), "mode"),
+            "symmetric: simultaneous, power across the interface balances to rounding; splitting would hold by "
+            "estimate: moving body 1's surface outwards, the added mass 22.5 is below m + c h/2 = 30");
+  EXPECT_EQ(term_of(scene_of("mode='splitting'"), "mode"),
+            "splitting: one after the other; splitting would fail by estimate: moving body 1's surface outwards, the "
+            "added mass 22.5 is above m + c h/2 = 1.5; would take symmetric");
+  EXPECT_EQ(coupled_warning(scene_of("")), "");
+  EXPECT_EQ(coupled_warning(scene_of("mode='splitting'", "", "densir=60.")), "");
+  EXPECT_EQ(coupled_warning(scene_of("mode='splitting',side(2)='wall',area_repair=.false.")),
+            "mode='splitting' is likely to fail: moving body 1's surface outwards, fluid has no way out");
+}
+
+TEST(CoupledPlan, SaysWhatIsModelled) {
+  const Scene scene = scene_of("jet_on='left',jet(1,1)=.5,1.5,jet_speed=3.,jet_smoke=1.,smoke_weight=.1,friction=.2");
+  EXPECT_EQ(term_of(scene, "jets"), "jet 1 on the left (area 1, speed 3)");
+  EXPECT_EQ(term_of(scene, "smoke"), "weight 0.1, lift 0");
+  EXPECT_EQ(term_of(scene, "open sides"), "right");
+  EXPECT_EQ(term_of(scene, "viscosity"), "not: mu = 0: the fluid slips along walls");
+  EXPECT_EQ(term_of(scene, "contact"), "with walls and obstacles, friction 0.2");
+  EXPECT_EQ(term_of(scene, "linear systems"), "factors: the box is plane");
+  EXPECT_EQ(term_of(scene_of("solver='krylov'"), "linear systems"), "conjugate gradients, as the deck says");
+  EXPECT_EQ(term_of(scene, "closed regions"), "found each step, their volumes held");
+}
+
+TEST(CoupledPlan, StepsAreTheDecks) {
+  const Plan plan = make_plan(scene_of(""));
+  EXPECT_EQ(plan.step.first_step(), .5);
+  EXPECT_EQ(plan.cost.steps, 2);
+  EXPECT_EQ(plan.cost.point_steps, 64);
+  const std::string text = to_text(plan);
+  EXPECT_EQ(text.find("path: coupled (plane, incompressible flow and solids)\ngrid: 8 x 4 cells of 0.5 x 0.5\n"), 0u);
+  EXPECT_NE(text.find("solids: 2 elements p1, 4 nodes, 1 bodies\nregion 1: density 3, St Venant"), std::string::npos);
+  EXPECT_NE(text.find("\nstep: 0.5, the deck's\n"), std::string::npos);
+}
+
+TEST(CoupledPlan, OfAFluidAlone) {
+  Scene scene = scene_of("");
+  scene.solids = nullptr;
+  const Plan plan = make_plan(scene);
+  EXPECT_EQ(term_of(scene, "mode"), "not: there is no body: one projection a step");
+  EXPECT_EQ(term_of(scene, "contact"), "none");
+  EXPECT_EQ(to_text(plan).find("path: coupled (plane, incompressible flow)\n"), 0u);
+}
+
+/// Measured in trials: .14 s by conjugate gradients for 27,000 cells, .011 s by factors for 96 x 48.
+TEST(CoupledPlan, CostsAreThoseOfTrials) {
+  const auto seconds = [](int dim, std::array<int, 3> n) {
+    Scene scene = scene_of("");
+    Coupled coupled = *scene.coupled;
+    coupled.grid.dim = dim, coupled.grid.n = n;
+    scene.coupled = std::make_shared<Coupled>(coupled);
+    StepRule rule;
+    rule.deck_step = .5;
+    const Cost cost = coupled_cost(scene, rule);
+    return cost.seconds / cost.steps;
+  };
+  EXPECT_NEAR(seconds(3, {30, 30, 30}), .16, .03);
+  EXPECT_NEAR(seconds(2, {96, 48, 1}), .015, .005);
+}
+
+}  // namespace
+}  // namespace tether
