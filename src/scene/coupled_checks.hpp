@@ -3,6 +3,7 @@
 
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
+#include "grid/mesh.hpp"
 #include "scene/coupled.hpp"
 #include "scene/scene.hpp"
 
@@ -19,8 +20,12 @@ void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& d
 /// obstacles and jets that meet no face.
 void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
-/// Tells of a box without a cell of fluid, and of parts of it that nothing but walls and obstacles close, into which
-/// jets bring more than out of them, bodies left aside.
-void check_coupled_regions(const Deck& deck, const Clock& clock, const Coupled& coupled, Diagnostics& diagnostics);
+/// Tells of a box without a cell of fluid, of cavities that there are none of, and of parts of it that nothing but
+/// walls and obstacles close, into which jets bring more than out of them, bodies left aside.
+void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
+
+/// Whether bodies of triangles or tetrahedra, with or without the box's sides, part the grid's cells outside of them: a
+/// step from a cell's middle to the next one's does not go through a body.
+bool encloses_cells(const StaggeredGrid& grid, const Mesh& mesh);
 
 }  // namespace tether

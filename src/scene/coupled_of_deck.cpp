@@ -105,7 +105,7 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   check_coupled_deck(deck, *coupled, diagnostics);
   if (!diagnostics.has_errors()) {
     check_coupled_places(deck, scene, *coupled, diagnostics);
-    check_coupled_regions(deck, scene.clock, *coupled, diagnostics);
+    check_coupled_regions(deck, scene, *coupled, diagnostics);
   }
   scene.coupled = coupled;
 }

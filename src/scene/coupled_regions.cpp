@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "scene/coupled_checks.hpp"
+#include "scene/solids.hpp"
 
 namespace tether {
 namespace {
@@ -46,7 +47,7 @@ class Regions {
   enum : int { none = -1, empty = -2, wall = -3 };
 
   void mark(const std::vector<AxisBox>& boxes, int kind) {
-    for (std::size_t c = 0; c < region_.size(); ++c) {
+    for (std::size_t c = 0; c < region_.size() && !boxes.empty(); ++c) {
       const auto at = grid_.place_of_cell(c);
       const std::array<double, 3> middle{grid_.middle(0, at[0]), grid_.middle(1, at[1]), grid_.middle(2, at[2])};
       if (std::any_of(boxes.begin(), boxes.end(), [&](const AxisBox& box) { return box.contains(middle); }))
@@ -155,7 +156,7 @@ void check_region(const Deck& deck, const Clock& clock, const Coupled& coupled, 
 
 }  // namespace
 
-void check_coupled_regions(const Deck& deck, const Clock& clock, const Coupled& coupled, Diagnostics& diagnostics) {
+void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics) {
   const Regions regions(coupled);
   if (regions.count() == 0) {
     const char* name = coupled.obstacles.empty() ? "void" : "obstacle";
@@ -163,9 +164,15 @@ void check_coupled_regions(const Deck& deck, const Clock& clock, const Coupled& 
                                 "no cell of the grid holds fluid: obstacles and voids fill the box",
                                 "a cell belongs to the box that its middle lies in"));
   }
-  if (coupled.cavities_only) return;  // around which is nothing
+  if (coupled.cavities_only) {  // around which is nothing
+    if (!encloses_cells(coupled.grid, scene.solids->mesh))
+      diagnostics.add(deck.remark(Severity::error, "coupled", "fluid_in", {1, 1},
+                                  "the grid is all void: no body encloses a cell of it",
+                                  "write fluid_in='box', or use more nodes"));
+    return;
+  }
   for (int region = 0; region < regions.count(); ++region) {
-    if (regions.closed(region)) check_region(deck, clock, coupled, regions, region, diagnostics);
+    if (regions.closed(region)) check_region(deck, scene.clock, coupled, regions, region, diagnostics);
   }
 }
 

@@ -96,6 +96,8 @@ TEST(CoupledPlaces, JetsMeetBodiesThatStandAtTheirSide) {
             std::string::npos);
   // thinner than half a cell, at the side itself
   EXPECT_NE(error_of(box(open + "0.,.75", body("0.,.01,.01,0."))).find("through a body"), std::string::npos);
+  // over the middles of the cells at the side, not at the side itself
+  EXPECT_NE(error_of(box(open + "0.,.75", body(".05,.5,.5,.05"))).find("through a body"), std::string::npos);
   // beyond the cells at the side
   EXPECT_EQ(box(open + "0.,.75", body(".25,.5,.5,.25")).errors(), Texts{});
 }
@@ -106,6 +108,25 @@ TEST(CoupledPlaces, JetsMeetBodiesInSpace) {
   const std::string thick = "nz=5,zback=.25,zfront=1.,";
   EXPECT_NE(error_of(box(thick + jet, cube_body())).find("jet 1 comes in through a body"), std::string::npos);
   EXPECT_EQ(box(thick + jet + "jet(1,1)=1.,2.,0.,1.", cube_body()).errors(), Texts{});
+}
+
+/// The error of a deck of a box with a mesh file of one triangle.
+std::string error_with_file(const std::string& coupled) {
+  Diagnostics diagnostics;
+  const Deck deck =
+      read_deck("$in\nnx=9,ny=5,xleft=0.,xright=2.,ybot=0.,ytop=1.,tmax=2.,tstep=.01\n$\n$coupled density=2.," +
+                    coupled + "$\n$reg nreg=1,densir=5.,matr(1,1)=100.,.3 $\n$mesh file='a.msh' $\n",
+                "a.in", {}, diagnostics)
+          .with_mesh_text(
+              "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 1 .5 0\n2 1.5 .5 0\n3 1 .75 0\n"
+              "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
+  const Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
+  return diagnostics.has_errors() ? diagnostics.errors()[0].message : "";
+}
+
+TEST(CoupledChecks, TakeMeshFilesOfAsManyDimensions) {
+  EXPECT_EQ(error_with_file(""), "");
+  EXPECT_EQ(error_with_file(depth), "the mesh is of 2 dimensions, but the box of 3");
 }
 
 TEST(CoupledChecks, TellOfWhatHasNoEffect) {
