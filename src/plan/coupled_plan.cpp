@@ -14,11 +14,6 @@
 namespace tether {
 namespace {
 
-const char* mode_name(CouplingMode mode) {
-  constexpr const char* names[] = {"symmetric", "cut-cell", "splitting", "paper"};
-  return names[static_cast<int>(mode)];
-}
-
 /// How the estimate comes out, as a sentence's end.
 std::string estimate_text(const SplittingEstimate& estimate) {
   const std::string motion = estimate.motion == BodyMotion::broadside
@@ -34,7 +29,7 @@ std::string mode_text(const Scene& scene) {
   if (!estimate) return "there is no body: one projection a step";
   const std::string outcome =
       fmt::format("splitting would {} by estimate: {}", estimate->holds() ? "hold" : "fail", estimate_text(*estimate));
-  const char* own = mode_name(scene.coupled->mode);
+  const char* own = coupling_mode_name(scene.coupled->mode);
   switch (scene.coupled->mode) {
     case CouplingMode::symmetric:
       return fmt::format("{}: simultaneous, power across the interface balances to rounding; {}", own, outcome);
