@@ -16,6 +16,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Crossings {
  public:
   Crossings(const StaggeredGrid& grid, const Mesh& mesh) : grid_(grid), mesh_(mesh), sides_(boundary_of(mesh)) {
+    entered_.assign(grid.face_count(0), 0);
     for (int axis = 0; axis < grid.dim; ++axis) {
       crossed_[at(axis)].assign(grid.face_count(axis), 0);
       for (std::size_t s = 0; s < sides_.size(); s += at(grid.dim)) cross(axis, &sides_[s]);
@@ -23,19 +24,24 @@ class Crossings {
   }
   /// How often the step across a face goes through the boundary; at the box's sides, the half step from there.
   int crossed(int axis, const std::array<int, 3>& face) const { return crossed_[at(axis)][grid_.face(axis, face)]; }
-  /// Of each cell, by how often the boundary lies between it and the box's left side.
+  /// Of each cell, by how many bodies were entered and not left between it and the box's left side.
   std::vector<bool> within() const {
     std::vector<bool> within(grid_.cell_count());
+    int depth = 0;
     for (std::size_t c = 0; c < within.size(); ++c) {
       const auto cell = grid_.place_of_cell(c);
-      const bool before = cell[0] > 0 && within[c - 1];
-      within[c] = before != (crossed(0, cell) % 2 == 1);
+      depth = (cell[0] > 0 ? depth : 0) + entered_[grid_.face(0, cell)];
+      within[c] = depth > 0;
     }
     return within;
   }
 
  private:
   using Line = std::array<double, 2>;
+  struct Meeting {
+    double place = 0;  ///< along the line
+    bool enters = false;
+  };
 
   /// Along the axes other than one, in ascending order: those of the lines of middles across it.
   std::array<int, 2> others(int axis) const { return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2}; }
@@ -59,24 +65,26 @@ class Crossings {
     std::array<int, 3> face{};
     for (int k = second[0]; k <= second[1]; ++k) {
       for (int j = first[0]; j <= first[1]; ++j) {
-        const auto place = meets(axis, side, {line(other[0], j), grid_.dim == 3 ? line(other[1], k) : 0});
-        if (!place) continue;
+        const auto met = meets(axis, side, {line(other[0], j), grid_.dim == 3 ? line(other[1], k) : 0});
+        if (!met) continue;
         const double cells =
-            (*place - grid_.low[at(axis)]) / grid_.d[at(axis)] + 0.5;  // from the middle before the box
+            (met->place - grid_.low[at(axis)]) / grid_.d[at(axis)] + 0.5;  // from the middle before the box
         face[at(axis)] = static_cast<int>(std::clamp(cells, 0.0, 1.0 * grid_.n[at(axis)]));
         face[at(other[0])] = j, face[at(other[1])] = k;
         ++crossed_[at(axis)][grid_.face(axis, face)];
+        if (axis == 0) entered_[grid_.face(0, face)] += met->enters ? 1 : -1;
       }
     }
   }
-  /// Where a line along an axis goes through a side.
-  std::optional<double> meets(int axis, const int* side, const Line& line) const {
+  /// Where a line along an axis goes through a side; along x also whether into the body, which lies to the left of an
+  /// edge, and behind a triangle that turns counter-clockwise.
+  std::optional<Meeting> meets(int axis, const int* side, const Line& line) const {
     const auto o = others(axis);
     const auto from = [&](int node, std::size_t i) { return x(node, o[i]) - line[i]; };
     if (grid_.dim == 2) {
       const double a = from(side[0], 0), b = from(side[1], 0);
       if ((a > 0) == (b > 0)) return std::nullopt;
-      return x(side[0], axis) + a / (a - b) * (x(side[1], axis) - x(side[0], axis));
+      return Meeting{x(side[0], axis) + a / (a - b) * (x(side[1], axis) - x(side[0], axis)), a > 0};
     }
     std::array<double, 3> part{};  // of each node: the area of the triangle of the line and the other two
     double all = 0;
@@ -87,21 +95,23 @@ class Crossings {
     }
     const bool inside = std::all_of(part.begin(), part.end(), [&](double p) { return p * all > 0; });
     if (!inside) return std::nullopt;
-    return (part[0] * x(side[0], axis) + part[1] * x(side[1], axis) + part[2] * x(side[2], axis)) / all;
+    const double sum = part[0] * x(side[0], axis) + part[1] * x(side[1], axis) + part[2] * x(side[2], axis);
+    return Meeting{sum / all, all < 0};
   }
 
   const StaggeredGrid& grid_;
   const Mesh& mesh_;
   Sides sides_;
   std::array<std::vector<int>, 3> crossed_;  // of each face
+  std::vector<int> entered_;                 // bodies entered less left, of each face across x
 };
 
-/// Marks a cell and all that steps from it lead to; gives how many.
-std::size_t fill(const StaggeredGrid& grid, const Crossings& crossings, std::size_t first, std::vector<bool>& done) {
+/// Marks a cell that is not marked and all that steps from it lead to.
+void fill(const StaggeredGrid& grid, const Crossings& crossings, std::size_t first, std::vector<bool>& marked) {
+  if (marked[first]) return;
   std::vector<std::size_t> front{first};
-  done[first] = true;
-  std::size_t count = 0;
-  for (; !front.empty(); ++count) {
+  marked[first] = true;
+  while (!front.empty()) {
     const auto cell = grid.place_of_cell(front.back());
     front.pop_back();
     for (int side = 0; side < 2 * grid.dim; ++side) {
@@ -109,22 +119,38 @@ std::size_t fill(const StaggeredGrid& grid, const Crossings& crossings, std::siz
       auto next = cell, face = cell;
       next[at(axis)] += is_low_side(side) ? -1 : 1;
       if (!is_low_side(side)) ++face[at(axis)];
-      if (!grid.has_cell(next) || done[grid.cell(next)] || crossings.crossed(axis, face) > 0) continue;
-      done[grid.cell(next)] = true;
+      if (!grid.has_cell(next) || marked[grid.cell(next)] || crossings.crossed(axis, face) > 0) continue;
+      marked[grid.cell(next)] = true;
       front.push_back(grid.cell(next));
     }
   }
-  return count;
+}
+
+bool at_a_side(const StaggeredGrid& grid, const std::array<int, 3>& cell) {
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    if (cell[at(axis)] == 0 || cell[at(axis)] == grid.n[at(axis)] - 1) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-bool encloses_cells(const StaggeredGrid& grid, const Mesh& mesh) {
+bool encloses_cells(const Coupled& coupled, const Mesh& mesh) {
+  const StaggeredGrid& grid = coupled.grid;
   const Crossings crossings(grid, mesh);
-  std::vector<bool> done = crossings.within();
-  const auto left = static_cast<std::size_t>(std::count(done.begin(), done.end(), false));
-  const auto first = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
-  return left > 0 && fill(grid, crossings, first, done) < left;
+  std::vector<bool> marked = crossings.within();
+  for (std::size_t c = 0; c < marked.size(); ++c) {
+    const auto cell = grid.place_of_cell(c);
+    const std::array middle{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
+    const auto holds = [&](const AxisBox& box) { return box.contains(middle); };
+    if (std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(), holds) ||
+        std::any_of(coupled.voids.begin(), coupled.voids.end(), holds))
+      marked[c] = true;
+  }
+  for (std::size_t c = 0; c < marked.size(); ++c) {
+    if (at_a_side(grid, grid.place_of_cell(c))) fill(grid, crossings, c, marked);
+  }
+  return std::find(marked.begin(), marked.end(), false) != marked.end();
 }
 
 }  // namespace tether

@@ -24,8 +24,8 @@ void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& c
 /// walls and obstacles close, into which jets bring more than out of them, bodies left aside.
 void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
-/// Whether bodies of triangles or tetrahedra, with or without the box's sides, part the grid's cells outside of them: a
-/// step from a cell's middle to the next one's does not go through a body.
-bool encloses_cells(const StaggeredGrid& grid, const Mesh& mesh);
+/// Whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the box's
+/// sides: a step from a cell's middle to the next one's does not go through a body.
+bool encloses_cells(const Coupled& coupled, const Mesh& mesh);
 
 }  // namespace tether

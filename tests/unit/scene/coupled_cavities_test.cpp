@@ -30,6 +30,8 @@ Mesh blocks(int dim, const std::vector<double>& places, const std::vector<Cell>&
       mesh.nodes.push_back(corner[0] + n * (corner[1] + n * corner[2]));
       if (a < dim) ++corner[static_cast<std::size_t>(order[static_cast<std::size_t>(a)])];
     }
+    const bool turned = (order[0] > order[1]) != (dim == 3 && (order[1] > order[2]) != (order[0] > order[2]));
+    if (turned) std::swap(mesh.nodes.back(), mesh.nodes[mesh.nodes.size() - 2]);
     mesh.region.push_back(0);
   };
   for (int k = 0; k < std::max(layers - 1, 1); ++k) {
@@ -47,12 +49,13 @@ Mesh blocks(int dim, const std::vector<double>& places, const std::vector<Cell>&
 }
 
 /// Cells along each axis between -1 and 2.
-StaggeredGrid grid_of(int dim, int cells) {
-  StaggeredGrid grid;
+Coupled grid_of(int dim, int cells) {
+  Coupled coupled;
+  StaggeredGrid& grid = coupled.grid;
   grid.dim = dim;
   for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i)
     grid.n[i] = cells, grid.low[i] = -1, grid.d[i] = 3. / cells;
-  return grid;
+  return coupled;
 }
 
 const std::vector<double> thirds{0, 1. / 3, 2. / 3, 1}, thin{0, .01, .99, 1};
@@ -86,15 +89,36 @@ TEST(Cavities, OfNoCellAreNone) {
   EXPECT_FALSE(encloses_cells(grid_of(3, 4), blocks(3, thirds, {{1, 1, 1}})));
 }
 
-/// A wall from side to side parts the box; one that ends before a side does not.
-TEST(Cavities, MayBeClosedByTheBox) {
-  StaggeredGrid grid;
-  grid.n = {8, 8, 1}, grid.d = {.125, .125, 1};
-  const Mesh across = blocks(2, {0, .45, .55, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}});
-  EXPECT_TRUE(encloses_cells(grid, across));
-  const Mesh shorter =
-      blocks(2, {0, .45, .55, 1}, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}});
-  EXPECT_FALSE(encloses_cells(grid, shorter));
+/// A wall from side to side parts the box, and both parts are outside.
+TEST(Cavities, AreNotClosedByTheBox) {
+  Coupled coupled;
+  coupled.grid.n = {8, 8, 1}, coupled.grid.d = {.125, .125, 1};
+  const std::vector<Cell> all_but_the_middle{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}};
+  EXPECT_FALSE(encloses_cells(coupled, blocks(2, {0, .45, .55, 1}, all_but_the_middle)));
+}
+
+/// An open cup of bodies, with an obstacle as its lid.
+TEST(Cavities, MayBeClosedByObstacles) {
+  const Mesh cup = blocks(2, thirds, {{1, 1, 0}, {1, 2, 0}});
+  Coupled coupled = grid_of(2, 18);
+  EXPECT_FALSE(encloses_cells(coupled, cup));
+  coupled.obstacles.push_back({{.3, .8, 0}, {.7, 1.5, 1}});
+  EXPECT_TRUE(encloses_cells(coupled, cup));
+  coupled.obstacles[0].low[1] = .3;  // which fills it
+  EXPECT_FALSE(encloses_cells(coupled, cup));
+}
+
+/// Where bodies overlap is no fluid.
+TEST(Cavities, AreNotWhereBodiesOverlap) {
+  for (const int dim : {2, 3}) {
+    Mesh mesh = blocks(dim, thirds, {});
+    Mesh other = blocks(dim, {.5, .8, 1.1, 1.4}, {});
+    for (int& node : other.nodes) node += static_cast<int>(mesh.node_count());
+    mesh.x.insert(mesh.x.end(), other.x.begin(), other.x.end());
+    mesh.nodes.insert(mesh.nodes.end(), other.nodes.begin(), other.nodes.end());
+    mesh.region.insert(mesh.region.end(), other.region.begin(), other.region.end());
+    EXPECT_FALSE(encloses_cells(grid_of(dim, 18), mesh)) << dim;
+  }
 }
 
 }  // namespace
