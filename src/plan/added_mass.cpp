@@ -139,24 +139,32 @@ double added_broadside(double density, const BodyOfMesh& body, int dim) {
   return density * std::numbers::pi / 4 * chord * chord * length;
 }
 
+/// What resists in a step, of a mass, and of damping and stiffness over it.
+void add_resistance(const Scene& scene, double mass, double damping, double stiffness, SplittingEstimate& estimate) {
+  const double h = scene.clock.tstep;
+  const bool paper = scene.coupled->integrator == CoupledIntegrator::paper;
+  estimate.mass = mass;
+  estimate.damping = paper ? damping * h / 2 : 0;
+  estimate.inertia = mass + (paper ? damping * h + stiffness * h * h / 4 : damping * h / 2);
+}
+
 SplittingEstimate broadside(const Scene& scene, const BodyOfMesh& body) {
   SplittingEstimate estimate;
   estimate.added = added_broadside(scene.coupled->density, body, scene.coupled->grid.dim);
-  estimate.mass = body.mass;
-  estimate.damping = scene.solids->alpha * body.mass * scene.clock.tstep / 2;
+  add_resistance(scene, body.mass, scene.solids->alpha * body.mass, 0, estimate);
   return estimate;
 }
 
-/// The surface's nodes stand for a layer of half an element; strain is over a whole one.
+/// The surface's nodes stand for a layer of half an element; strain is over a whole one. Of masses shared equally among
+/// nodes a surface feels 1/sqrt(3) when the nodes behind it give way, as in a chain of linear elements.
 SplittingEstimate swelling(const Scene& scene, const BodyOfMesh& body) {
   const Solids& solids = *scene.solids;
   SplittingEstimate estimate;
   estimate.motion = BodyMotion::swelling;
   estimate.added = scene.coupled->density * body.surface * body.surface * way_out(*scene.coupled, body);
-  estimate.mass = body.surface_mass;
   const double layer = 2 * body.surface_mass / (body.mass / body.volume * body.surface);
-  const double stiffness = body.modulus * body.surface / layer;
-  estimate.damping = (solids.alpha * body.surface_mass + solids.beta * stiffness) * scene.clock.tstep / 2;
+  const double stiffness = body.modulus * body.surface / layer, mass = body.surface_mass / std::numbers::sqrt3;
+  add_resistance(scene, mass, solids.alpha * mass + solids.beta * stiffness, stiffness, estimate);
   return estimate;
 }
 

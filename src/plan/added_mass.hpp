@@ -14,15 +14,19 @@ enum class BodyMotion {
 };
 
 /// Added mass of one motion of a body against what resists it in a step of h: splitting holds where added < mass +
-/// damping h/2 [mass].
+/// damping. Then the motion that changes its sign every step dies out: stiffness, which such a motion does not load,
+/// has no part in it, and by the trapezoidal rule damping has none either. It does slow down what grows otherwise.
 struct SplittingEstimate {
   int body = 0;  ///< connected part of the mesh, from 1
   BodyMotion motion = BodyMotion::broadside;
   double added = 0;    ///< M_a; infinite where the fluid has no way out
   double mass = 0;     ///< m, of the nodes that move
-  double damping = 0;  ///< c h/2, of Rayleigh's damping
+  double damping = 0;  ///< by the paper's step c h/2 of Rayleigh's damping, by the trapezoidal rule 0
+  double inertia = 0;  ///< m + c h + k h^2/4, by the trapezoidal rule m + c h/2: with M_a what growth goes against
   double resists() const { return mass + damping; }
   bool holds() const { return added < resists(); }
+  /// By what the motion grows in a step, to first order in the growth less 1; below 1 it dies out.
+  double growth() const { return 1 + 2 * (added - resists()) / (inertia + added); }
 };
 
 /// The motion for which the added mass is largest over what resists it, of all bodies of a coupled scene; none without

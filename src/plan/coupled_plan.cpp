@@ -20,8 +20,10 @@ std::string estimate_text(const SplittingEstimate& estimate) {
                                  ? fmt::format("body {} as a whole", estimate.body)
                                  : fmt::format("body {}'s surface outwards", estimate.body);
   if (std::isinf(estimate.added)) return fmt::format("moving {}, fluid has no way out", motion);
-  return fmt::format("moving {}, the added mass {:.3g} is {} m + c h/2 = {:.3g}", motion, estimate.added,
-                     estimate.holds() ? "below" : "above", estimate.resists());
+  const std::string mass = fmt::format("moving {}, the added mass {:.3g} is {} m + c h/2 = {:.3g}", motion,
+                                       estimate.added, estimate.holds() ? "below" : "above", estimate.resists());
+  return estimate.holds() ? mass
+                          : fmt::format("{}, and errors grow about {:.3g} times a step", mass, estimate.growth());
 }
 
 std::string mode_text(const Scene& scene) {

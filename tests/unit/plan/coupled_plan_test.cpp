@@ -43,7 +43,7 @@ TEST(SplittingEstimate, OfASurfaceIsThatOfTheChannelToTheOpening) {
   EXPECT_EQ(estimate->body, 1);
   EXPECT_EQ(estimate->motion, BodyMotion::swelling);
   EXPECT_NEAR(estimate->added, 2 * 3 * 3 * 2.5 / 2, 1e-12);
-  EXPECT_NEAR(estimate->mass, 1.5, 1e-12);
+  EXPECT_NEAR(estimate->mass, 1.5 / std::numbers::sqrt3, 1e-12);
   EXPECT_EQ(estimate->damping, 0);
   EXPECT_FALSE(estimate->holds());
   EXPECT_NEAR(splitting_estimate(scene_of("side(4)='open'"))->added, 2 * 3 * 3 * .5 / 4, 1e-12);
@@ -63,10 +63,33 @@ TEST(SplittingEstimate, LeavesOutWhatCannotMove) {
 
 /// A layer of 2 (1.5) / (3 (3)) = 1/3 of modulus 100: a stiffness of 900, times beta h/2.
 TEST(SplittingEstimate, RayleighDampingResists) {
+  const double mass = 1.5 / std::numbers::sqrt3;
   EXPECT_NEAR(splitting_estimate(scene_of("", "beta=.01"))->damping, .01 * 900 / 4, 1e-12);
-  EXPECT_NEAR(splitting_estimate(scene_of("", "alpha=4."))->damping, 4 * 1.5 / 4, 1e-12);
-  EXPECT_FALSE(splitting_estimate(scene_of("", "beta=.09"))->holds());
-  EXPECT_TRUE(splitting_estimate(scene_of("", "beta=.1", "densir=5."))->holds());
+  EXPECT_NEAR(splitting_estimate(scene_of("", "alpha=4."))->damping, 4 * mass / 4, 1e-12);
+  EXPECT_FALSE(splitting_estimate(scene_of("", "beta=.0945", "densir=4."))->holds());
+  EXPECT_TRUE(splitting_estimate(scene_of("", "beta=.0952", "densir=4."))->holds());
+  EXPECT_EQ(splitting_estimate(scene_of("integrator='trapezoid'", "beta=.2"))->damping, 0);
+}
+
+/// The root z, next to -1, of the step of one mass on a spring with a dashpot, whose force of added mass is that of the
+/// accelerations of the step before: (inertia of the step) z = (rest of the step) - M_a (1 - 1/z).
+TEST(SplittingEstimate, GrowthIsThatOfTheRootBesideMinusOne) {
+  const double M = 22.5, m = 22.4, c = .2, k = 30, h = .1;
+  const auto root = [&](double left, double right) {
+    double z = -1;
+    for (int i = 0; i < 200; ++i) {  // by Newton's method on F(z) with a difference quotient
+      const auto F = [&](double s) { return left * s - right + h * h * k * (s + 1) / (2 * (s - 1)) + M * (1 - 1 / s); };
+      z -= F(z) * 2e-6 / (F(z + 1e-6) - F(z - 1e-6));
+    }
+    return -z;
+  };
+  SplittingEstimate paper;
+  paper.added = M, paper.mass = m, paper.damping = c * h / 2, paper.inertia = m + c * h + k * h * h / 4;
+  EXPECT_NEAR(paper.growth() - 1, root(m + c * h + h * h * k / 2, m - h * h * k / 2) - 1, 2e-5);
+  SplittingEstimate trapezoid;
+  trapezoid.added = M, trapezoid.mass = m, trapezoid.inertia = m + c * h / 2;
+  EXPECT_NEAR(trapezoid.growth() - 1, root(m + c * h / 2 + h * h * k / 4, m - c * h / 2 - h * h * k / 4) - 1, 2e-5);
+  EXPECT_GT(trapezoid.growth() - 1, 4e-3);
 }
 
 TEST(SplittingEstimate, IsTheWorstOfAllBodies) {
@@ -93,15 +116,17 @@ TEST(SplittingEstimate, InSpaceAPlateIsAsLongAsItIs) {
 TEST(CoupledPlan, SaysByWhichModeAndWhy) {
   EXPECT_EQ(term_of(scene_of(""), "mode"),
             "symmetric: simultaneous, power across the interface balances to rounding; splitting would fail by "
-            "estimate: moving body 1's surface outwards, the added mass 22.5 is above m + c h/2 = 1.5");
-  EXPECT_EQ(term_of(scene_of("", "", "densir=60."), "mode"),
+            "estimate: moving body 1's surface outwards, the added mass 22.5 is above m + c h/2 = 0.866, and errors "
+            "grow about 1.54 times a step");
+  EXPECT_EQ(term_of(scene_of("", "", "densir=80."), "mode"),
             "symmetric: simultaneous, power across the interface balances to rounding; splitting would hold by "
-            "estimate: moving body 1's surface outwards, the added mass 22.5 is below m + c h/2 = 30");
-  EXPECT_EQ(term_of(scene_of("mode='splitting'"), "mode"),
-            "splitting: one after the other; splitting would fail by estimate: moving body 1's surface outwards, the "
-            "added mass 22.5 is above m + c h/2 = 1.5; would take symmetric");
+            "estimate: moving body 1's surface outwards, the added mass 22.5 is below m + c h/2 = 23.1");
+  EXPECT_EQ(
+      term_of(scene_of("mode='splitting'"), "mode"),
+      "splitting: one after the other; splitting would fail by estimate: moving body 1's surface outwards, the "
+      "added mass 22.5 is above m + c h/2 = 0.866, and errors grow about 1.54 times a step; would take symmetric");
   EXPECT_EQ(coupled_warning(scene_of("")), "");
-  EXPECT_EQ(coupled_warning(scene_of("mode='splitting'", "", "densir=60.")), "");
+  EXPECT_EQ(coupled_warning(scene_of("mode='splitting'", "", "densir=80.")), "");
   EXPECT_EQ(coupled_warning(scene_of("mode='splitting',side(2)='wall',area_repair=.false.")),
             "mode='splitting' is likely to fail: moving body 1's surface outwards, fluid has no way out");
 }
