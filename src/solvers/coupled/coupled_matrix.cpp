@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tether::coupled {
 namespace {
@@ -26,36 +27,76 @@ class Builder {
   SparseMatrix K_;
 };
 
-/// A's or -L's column, less rows and columns that are set; `first` is the number of its first row in the whole.
-void add_block_column(const SparseMatrix& A, std::int64_t column, double sign, std::int64_t first, bool lower,
-                      std::span<const std::uint8_t> set, Builder& K) {
+/// Where the pressures' rows stand behind those of velocities.
+struct Slots {
+  std::int64_t first = 0;            ///< of all
+  std::vector<std::int64_t> of_row;  ///< of each pressure, from 0
+  std::vector<std::int64_t> row;     ///< of each slot its pressure; -1: none
+};
+
+Slots slots(std::int64_t first, std::span<const std::size_t> cells, std::size_t count) {
+  Slots out{first, {}, std::vector<std::int64_t>(count, -1)};
+  for (const std::size_t cell : cells) {
+    out.row[cell] = static_cast<std::int64_t>(out.of_row.size());
+    out.of_row.push_back(static_cast<std::int64_t>(cell));
+  }
+  return out;
+}
+
+Slots dense_slots(std::int64_t first, std::int64_t count) {
+  std::vector<std::size_t> cells(at(count));
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  return slots(first, cells, at(count));
+}
+
+/// A's column, less rows and columns that are set.
+void add_column(const SparseMatrix& A, std::int64_t column, bool lower, std::span<const std::uint8_t> set, Builder& K) {
   if (set[at(column)] != 0) {
     const double value = diagonal(A, column);
-    K.add(first + column, sign * (value > 0 ? value : 1));
+    K.add(column, value > 0 ? value : 1);
     return;
   }
   for (std::int64_t k = A.start[at(column)]; k < A.start[at(column + 1)]; ++k) {
     const std::int64_t row = A.row[at(k)];
-    if ((!lower || row >= column) && set[at(row)] == 0) K.add(first + row, sign * A.value[at(k)]);
+    if ((!lower || row >= column) && set[at(row)] == 0) K.add(row, A.value[at(k)]);
   }
 }
 
-SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pinned, bool lower) {
-  const std::int64_t solids = of.A.n, pressures = of.L.n;
-  Builder K(solids + pressures);
+/// The column of sign L that stands in a slot, -1 or 1 on the diagonal where it is no pressure's.
+void add_pressure_column(const SparseMatrix& L, std::size_t slot, const Slots& slots, double sign, bool lower,
+                         std::span<const std::uint8_t> set, Builder& K) {
+  const std::int64_t column = slots.row[slot];
+  if (column < 0 || set[at(column)] != 0) {
+    const double value = column < 0 ? 1 : diagonal(L, column);
+    K.add(slots.first + static_cast<std::int64_t>(slot), sign * (value > 0 ? value : 1));
+    return;
+  }
+  for (std::int64_t k = L.start[at(column)]; k < L.start[at(column + 1)]; ++k) {
+    const std::int64_t row = L.row[at(k)];
+    if ((!lower || row >= column) && set[at(row)] == 0)
+      K.add(slots.first + slots.of_row[at(row)], sign * L.value[at(k)]);
+  }
+}
+
+SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pinned, const Slots& slots, bool lower) {
+  const std::int64_t solids = of.A.n;
+  Builder K(solids + static_cast<std::int64_t>(slots.row.size()));
   const ByColumns flux = of.flux;
   for (std::int64_t u = 0; u < solids; ++u) {
-    add_block_column(of.A, u, 1, 0, lower, of.held, K);
+    add_column(of.A, u, lower, of.held, K);
     for (ByColumns::InnerIterator entry(flux, u); of.held[at(u)] == 0 && entry; ++entry) {
-      if (pinned[at(entry.row())] == 0) K.add(solids + entry.row(), -entry.value());
+      if (pinned[at(entry.row())] == 0) K.add(solids + slots.of_row[at(entry.row())], -entry.value());
     }
     K.next_column();
   }
-  for (std::int64_t p = 0; p < pressures; ++p) {
-    for (CouplingMatrix::InnerIterator entry(of.B, p); !lower && pinned[at(p)] == 0 && entry; ++entry) {
-      if (of.held[at(entry.col())] == 0) K.add(entry.col(), -entry.value());
+  for (std::size_t slot = 0; slot < slots.row.size(); ++slot) {
+    const std::int64_t p = slots.row[slot];
+    if (!lower && p >= 0 && pinned[at(p)] == 0) {
+      for (CouplingMatrix::InnerIterator entry(of.B, p); entry; ++entry) {
+        if (of.held[at(entry.col())] == 0) K.add(entry.col(), -entry.value());
+      }
     }
-    add_block_column(of.L, p, -1, solids, lower, pinned, K);
+    add_pressure_column(of.L, slot, slots, -1, lower, pinned, K);
     K.next_column();
   }
   return K.take();
@@ -169,18 +210,28 @@ std::vector<double> areas_seen(const CouplingMatrix& B) {
 SparseMatrix held_matrix(const SparseMatrix& A, std::span<const std::uint8_t> set) {
   Builder K(A.n);
   for (std::int64_t column = 0; column < A.n; ++column) {
-    add_block_column(A, column, 1, 0, false, set, K);
+    add_column(A, column, false, set, K);
     K.next_column();
   }
   return K.take();
 }
 
-SparseMatrix symmetric_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
-  return matrix(equations, pinned, true);
+SparseMatrix pressures_by_cells(const CoupledEquations& of, std::span<const std::uint8_t> pinned) {
+  const Slots at_cells = slots(0, of.cell, of.cells);
+  Builder K(static_cast<std::int64_t>(of.cells));
+  for (std::size_t slot = 0; slot < of.cells; ++slot) {
+    add_pressure_column(of.L, slot, at_cells, 1, true, pinned, K);
+    K.next_column();
+  }
+  return K.take();
 }
 
-SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
-  return matrix(equations, pinned, false);
+SparseMatrix matrix_by_cells(const CoupledEquations& of, std::span<const std::uint8_t> pinned) {
+  return matrix(of, pinned, slots(of.A.n, of.cell, of.cells), true);
+}
+
+SparseMatrix whole_matrix(const CoupledEquations& of, std::span<const std::uint8_t> pinned) {
+  return matrix(of, pinned, dense_slots(of.A.n, of.L.n), false);
 }
 
 }  // namespace tether::coupled

@@ -27,8 +27,11 @@ std::vector<double> areas_seen(const CouplingMatrix& B);
 /// A with rows and columns that are set those of a multiple of the identity.
 SparseMatrix held_matrix(const SparseMatrix& A, std::span<const std::uint8_t> set);
 
-/// [A, -B^T; -B, -L], its lower triangle.
-SparseMatrix symmetric_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
+/// [A, -B^T; -B, -L], its lower triangle. Every cell has a row, those without a pressure one of the identity: so the
+/// matrix keeps its size, and its order of elimination, while solids move.
+SparseMatrix matrix_by_cells(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
+/// L in the same way, its lower triangle.
+SparseMatrix pressures_by_cells(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
 /// [A, -B^T; -flux, -L], all of it.
 SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
 

@@ -162,8 +162,18 @@ void CoupledStep::solve_once(const Placement& at, std::span<const double> flux, 
   for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
     loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
   const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at.crossing_map : at.map.B;
-  const CoupledEquations equations{
-      solids_.A, b, at.map.B, caused, solution.L, r, solution.held, region, solution.regions.closed, loose};
+  const CoupledEquations equations{solids_.A,
+                                   b,
+                                   at.map.B,
+                                   caused,
+                                   solution.L,
+                                   r,
+                                   solution.held,
+                                   at.numbers.cell,
+                                   at.domain.kind.size(),
+                                   region,
+                                   solution.regions.closed,
+                                   loose};
   solution.fluid_force.assign(b.size(), 0.0);
   if (splitting) {
     const std::vector<double> before = of_cells(at.numbers, state.p);
@@ -275,7 +285,7 @@ CoupledState CoupledStep::start() {
   for (const std::size_t cell : at.numbers.cell) region.push_back(at.domain.region[cell]);
   const Regions regions = regions_of(at.domain, at.map, at.numbers, first_volumes_, first_volumes_, solids_.held, 1);
   system_.solve_fluid({solids_.A, solids_.b, at.map.B, at.map.B, pressure_matrix(at.domain, at.numbers, 1), r,
-                       solids_.held, region, regions.closed, regions.closed},
+                       solids_.held, at.numbers.cell, at.domain.kind.size(), region, regions.closed, regions.closed},
                       0, state.u, p);
   add_pressure(at.domain, at.numbers, p, 1, state.v);
   extend_velocity(at.domain, state.v, layers_around_fluid);

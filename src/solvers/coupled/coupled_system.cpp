@@ -84,19 +84,19 @@ void CoupledSystem::solve_directly(const CoupledEquations& equations, double tim
                                    std::span<double> p) {
   const ReducedEquations with = balanced(equations, time, u);
   const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
-  const SparseMatrix K = symmetric_matrix(equations, first);
+  const SparseMatrix K = matrix_by_cells(equations, first);
   if (!parts_->both.factorise(K)) refuse(time, "the coupled matrix is singular: likely cause, values that ran away");
-  check_pivots(equations.L.n, time);
+  check_pivots(static_cast<std::int64_t>(equations.cells), time);
   std::vector<double> x(with.b);
-  x.insert(x.end(), with.r.begin(), with.r.end());
+  x.resize(with.b.size() + equations.cells, 0.0);
   for (std::size_t k = 0; k < p.size(); ++k) {
-    if (first[k] != 0) x[u.size() + k] = 0;
+    if (first[k] == 0) x[u.size() + equations.cell[k]] = with.r[k];
   }
   parts_->both.solve(x, x);
-  const RegionConstants constants(equations, with);
-  const std::vector<double> c = constants.found(parts_->both, x);
+  const std::vector<double> c = RegionConstants(equations, with).found(parts_->both, x);
   std::copy_n(x.begin(), u.size(), u.begin());
-  for (std::size_t k = 0; k < p.size(); ++k) p[k] = x[u.size() + k] + c[static_cast<std::size_t>(equations.region[k])];
+  for (std::size_t k = 0; k < p.size(); ++k)
+    p[k] = x[u.size() + equations.cell[k]] + c[static_cast<std::size_t>(equations.region[k])];
   cost_.factor_nonzeros = parts_->both.factor_nonzeros();
 }
 
@@ -157,9 +157,12 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   balance(equations, weight, right);
   for (std::size_t k = 0; k < p.size(); ++k) right[k] = pinned[k] != 0 ? 0 : -right[k];
   if (direct_) {
-    if (!parts_->fluid.factorise(held_matrix(equations.L, pinned)))
+    if (!parts_->fluid.factorise(pressures_by_cells(equations, pinned)))
       refuse(time, "the pressures' matrix is singular: likely cause, values that ran away");
-    parts_->fluid.solve(right, p);
+    std::vector<double> x(equations.cells, 0.0);
+    for (std::size_t k = 0; k < p.size(); ++k) x[equations.cell[k]] = right[k];
+    parts_->fluid.solve(x, x);
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = x[equations.cell[k]];
     cost_.factor_nonzeros += parts_->fluid.factor_nonzeros();
     return;
   }

@@ -25,6 +25,8 @@ struct CoupledEquations {
   const SparseMatrix& L;       ///< of the pressures
   std::span<const double> r;
   std::span<const std::uint8_t> held;    ///< velocities that are prescribed, as u has them
+  std::span<const std::size_t> cell;     ///< of each pressure
+  std::size_t cells;                     ///< of the box
   std::span<const int> region;           ///< of each pressure
   std::span<const std::uint8_t> closed;  ///< regions whose constant pressures L does not feel
   std::span<const std::uint8_t> loose;   ///< those of them that no free velocity of the solids feels either

@@ -10,7 +10,7 @@ RegionConstants::RegionConstants(const CoupledEquations& equations, const Reduce
   int count = 0;
   for (std::size_t r = 0; r < equations.closed.size(); ++r)
     number_.push_back(equations.closed[r] != 0 && equations.loose[r] == 0 ? count++ : -1);
-  border_.assign(static_cast<std::size_t>(count), std::vector<double>(with.b.size() + with.r.size(), 0.0));
+  border_.assign(static_cast<std::size_t>(count), std::vector<double>(with.b.size() + equations.cells, 0.0));
   right_.assign(static_cast<std::size_t>(count), 0.0);
   for (std::size_t p = 0; p < with.r.size(); ++p) {
     const int number = number_[static_cast<std::size_t>(equations.region[p])];
