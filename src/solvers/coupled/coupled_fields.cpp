@@ -176,7 +176,8 @@ Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
           return domain.kind[c] == CellKind::fluid ? 0.5 * (low + state.v[at(axis)][grid.face(axis, face)]) : 0;
         });
   }
-  add("p", Dimension::stress, "pressure, of the last step", [&](std::size_t c) { return state.p[c]; });
+  add("p", Dimension::stress, "pressure, of the last step",
+      [&](std::size_t c) { return domain.kind[c] == CellKind::fluid ? state.p[c] : 0; });
   add("kind", Dimension::number, "fluid 0, solid 1, obstacle 2, void 3",
       [&](std::size_t c) { return static_cast<double>(domain.kind[c]); });
   add("region", Dimension::number, "part of the fluid that the cell belongs to, from 1; 0 without fluid",

@@ -22,7 +22,7 @@ struct CoupledState {
   long long steps = 0;
   double dt_last = 0, dt_min = 0;
   FaceValues v;                  ///< of the fluid, extended into the solids [velocity]
-  std::vector<double> p;         ///< of each cell; 0 without fluid [stress]
+  std::vector<double> p;         ///< of each cell, extended into the solids [stress]
   std::vector<double> q, u;      ///< places and velocities of the solids' nodes, dim numbers a node
   std::vector<double> q_before;  ///< places at the last step's start
   std::vector<Touch> touches;    ///< of the nodes, a number a velocity

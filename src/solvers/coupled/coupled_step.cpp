@@ -132,6 +132,7 @@ void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
   add_pressure(at.domain, at.numbers, solution.p, h / coupled_.density, state.v);  // (8)
   account(at, free, solution, state, h);
   state.p = on_cells(at.numbers, solution.p);
+  extend_pressure(at.domain, state.p, layers_around_fluid);
   state.fluid_force = std::move(solution.fluid_force), state.wall_force = std::move(solution.wall_force);
 }
 

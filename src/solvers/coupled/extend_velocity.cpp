@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace tether::coupled {
 namespace {
 
-// Those of the faces across an axis that have a velocity.
+// Values of a lattice, of faces across an axis or of cells, some of which are known.
 class Lattice {
  public:
-  Lattice(const FlowDomain& domain, int axis, std::vector<double>& v)
-      : dim_(domain.grid.dim), size_(domain.grid.faces(axis)), v_(v), known_(v.size()) {
-    const auto& kind = domain.face[static_cast<std::size_t>(axis)];
+  Lattice(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, std::vector<double>& v)
+      : dim_(dim), size_(size), v_(v), known_(std::move(known)) {
     for (std::size_t f = 0; f < v.size(); ++f) {
-      known_[f] = kind[f] != FaceKind::closed;
-      if (!known_[f]) v[f] = 0, left_.push_back(f);
+      if (known_[f] == 0) v[f] = 0, left_.push_back(f);
     }
   }
 
@@ -35,8 +34,8 @@ class Lattice {
 
  private:
   struct Found {
-    std::size_t face;
-    double velocity;
+    std::size_t number;
+    double value;
   };
 
   bool mean_of_known(std::size_t f, double& mean) const {
@@ -57,7 +56,7 @@ class Lattice {
   std::array<int, 3> size_;
   std::vector<double>& v_;
   std::vector<std::uint8_t> known_;
-  std::vector<std::size_t> left_;  // faces that have none yet
+  std::vector<std::size_t> left_;  // those that have none yet
   std::vector<Found> found_;
 };
 
@@ -65,9 +64,18 @@ class Lattice {
 
 void extend_velocity(const FlowDomain& domain, FaceValues& v, int layers) {
   for (int axis = 0; axis < domain.grid.dim; ++axis) {
-    Lattice lattice(domain, axis, v[static_cast<std::size_t>(axis)]);
+    std::vector<std::uint8_t> known;
+    for (const FaceKind kind : domain.face[static_cast<std::size_t>(axis)]) known.push_back(kind != FaceKind::closed);
+    Lattice lattice(domain.grid.dim, domain.grid.faces(axis), std::move(known), v[static_cast<std::size_t>(axis)]);
     for (int layer = 0; layer < layers && lattice.extend(); ++layer) continue;
   }
+}
+
+void extend_pressure(const FlowDomain& domain, std::vector<double>& p, int layers) {
+  std::vector<std::uint8_t> known;
+  for (const CellKind kind : domain.kind) known.push_back(kind == CellKind::fluid || kind == CellKind::empty);
+  Lattice lattice(domain.grid.dim, domain.grid.n, std::move(known), p);
+  for (int layer = 0; layer < layers && lattice.extend(); ++layer) continue;
 }
 
 }  // namespace tether::coupled
