@@ -66,9 +66,8 @@ struct QuasidefiniteSolver::Parts {
 
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  SparseMatrix lower, next;         // the matrix factorised last; room for the next one
-  std::vector<std::int64_t> order;  // of elimination
-  double order_nonzeros = 0;        // of the factor that it was found for
+  SparseMatrix lower, next;  // the matrix factorised last; room for the next one
+  EliminationOrder order;
   double nonzeros = 0;
   std::int64_t negative = 0;
   int analyses = 0, orders = 0;
@@ -82,8 +81,8 @@ void QuasidefiniteSolver::Parts::find_order(cholmod_sparse& matrix) {
   factor = cholmod_l_analyze(&matrix, &common);
   if (!factor) out_of_memory(lower);
   const auto* found = static_cast<const SuiteSparse_long*>(factor->Perm);
-  order.assign(found, found + lower.n);
-  order_nonzeros = common.lnz;
+  order.unknowns.assign(found, found + lower.n);
+  order.nonzeros = common.lnz;
   ++orders;
 }
 
@@ -92,11 +91,11 @@ void QuasidefiniteSolver::Parts::analyse() {
   cholmod_sparse matrix = lower_view(lower);
   forget();
   ++analyses;
-  if (order.size() == static_cast<std::size_t>(lower.n)) {
+  if (order.unknowns.size() == static_cast<std::size_t>(lower.n)) {
     common.nmethods = 1, common.method[0].ordering = CHOLMOD_GIVEN;
-    factor = cholmod_l_analyze_p(&matrix, as_long(order), nullptr, 0, &common);
+    factor = cholmod_l_analyze_p(&matrix, as_long(order.unknowns), nullptr, 0, &common);
     if (!factor) out_of_memory(lower);
-    if (common.lnz > too_many * order_nonzeros) find_order(matrix);
+    if (common.lnz > too_many * order.nonzeros) find_order(matrix);
   } else {
     find_order(matrix);
   }
@@ -151,6 +150,13 @@ void QuasidefiniteSolver::solve(std::span<const double> b, std::span<double> x) 
   if (enough) return;
   solve_by(at.factor, at.r, at.r, at.common);
   for (std::size_t i = 0; i < right.size(); ++i) x[i] += at.r[i];
+}
+
+const EliminationOrder& QuasidefiniteSolver::order() const { return parts_->order; }
+
+void QuasidefiniteSolver::keep_order(EliminationOrder order) {
+  parts_->forget();
+  parts_->order = std::move(order);
 }
 
 std::int64_t QuasidefiniteSolver::negative_pivots() const { return parts_->negative; }

@@ -4,10 +4,17 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "algebra/sparse_matrix.hpp"
 
 namespace tether {
+
+/// An order of elimination, and the nonzeros of the factor that it was found for.
+struct EliminationOrder {
+  std::vector<std::int64_t> unknowns;
+  double nonzeros = 0;
+};
 
 /// Direct solution of K x = b where K is symmetric quasi-definite: some order of its unknowns makes it
 /// [A, -B^T; -B, -L], A and L symmetric positive definite. Such a matrix has factors P K P^T = L D L^T with a diagonal
@@ -27,6 +34,11 @@ class QuasidefiniteSolver {
   /// x of the matrix factorised last, K.n numbers; b and x may be the same. Refined once where the residual is more
   /// than rounding leaves.
   void solve(std::span<const double> b, std::span<double> x);
+
+  /// The order that is kept; empty before the first factorisation. With it another solver gives the same numbers to
+  /// the last bit, as the order is all that it has of the matrices before.
+  const EliminationOrder& order() const;
+  void keep_order(EliminationOrder order);
 
   /// Negative entries of D: as many as L has unknowns, whatever the order, if the matrix is quasi-definite.
   std::int64_t negative_pivots() const;

@@ -52,7 +52,7 @@ HistoryLayout CoupledFields::history_layout() const {
       "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes");
   add("energy_projected", Dimension::energy, "kinetic energy of the fluid that the last step's pressure took");
   add("regions", Dimension::number, "parts of the fluid that nothing joins");
-  add("solver_iterations", Dimension::number, "iterations of linear solvers since the start or the last restart");
+  add("solver_iterations", Dimension::number, "iterations of linear solvers since the start");
   if (scene_.coupled->smoke) {
     add("smoke_mass", Dimension::volume, "density of smoke times volume");
     add("smoke_in", Dimension::volume, "smoke that jets have brought");
@@ -107,7 +107,7 @@ Record CoupledFields::record(const CoupledState& state) const {
   values.insert(values.end(), momentum.begin(), momentum.begin() + coupled.grid.dim);
   values.insert(values.end(),
                 {volume, state.last.interface_power, state.work, state.last.mismatch, state.last.projected,
-                 static_cast<double>(domain.regions), static_cast<double>(step_.system().cost().iterations)});
+                 static_cast<double>(domain.regions), static_cast<double>(state.iterations)});
   if (coupled.smoke) add_smoke(state, values);
   if (scene_.solids) add_bodies(state, values);
   return values;

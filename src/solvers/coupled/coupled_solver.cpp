@@ -58,6 +58,7 @@ std::vector<std::string> CoupledSolver::take_messages() { return step_.take_mess
 SavedState CoupledSolver::save() const {
   StateSaver saver;
   CoupledState state = state_;
+  state.orders = step_.orders();
   exchange(saver, state);
   return saver.take();
 }
@@ -65,6 +66,7 @@ SavedState CoupledSolver::save() const {
 void CoupledSolver::restore(const SavedState& saved) {
   StateRestorer restorer(saved);
   exchange(restorer, state_);
+  step_.resume(state_.orders);
 }
 
 Summary CoupledSolver::more_summary() const {
@@ -73,7 +75,7 @@ Summary CoupledSolver::more_summary() const {
   return {{"mode", coupling_mode_name(plan_.scene.coupled->mode)},
           {"linear_solver", step_.system().solver_name()},
           {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
-          {"krylov_iterations", number(cost.iterations)},
+          {"krylov_iterations", number(state_.iterations)},
           {"factor_nonzeros", number(cost.factor_nonzeros)},
           {"solve_seconds", number(cost.solve_seconds)},
           {"contact_solutions", number(state_.contact_solutions)},

@@ -33,6 +33,8 @@ struct CoupledState {
   StepAccount last;
   double worst_mismatch = 0;        ///< of all steps
   double work = 0;                  ///< that the solids have taken from the fluid [energy]
+  long long iterations = 0;         ///< of linear solvers
+  std::vector<double> orders;       ///< of elimination, when the state was saved
   long long contact_solutions = 0;  ///< solutions found again because of contact
 };
 
@@ -50,7 +52,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
   with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);
   with("projected", state.last.projected), with("worst_mismatch", state.worst_mismatch);
-  with("work", state.work), with("contact_solutions", state.contact_solutions);
+  with("work", state.work), with("contact_solutions", state.contact_solutions), with("iterations", state.iterations);
+  with.list("orders", state.orders);
 }
 
 }  // namespace tether::coupled

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -51,42 +50,19 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
       surface_(surface_of(solids.mesh)),
       solids_(coupled_, solids, scene.gravity),
       box_(coupled_),
+      placer_(coupled_, surface_, box_),
       contact_(coupled_, surface_),
       system_(coupled_),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
 
-Placement CoupledStep::placed(std::span<const double> q) const {
-  Placement at;
-  const bool cut = coupled_.mode == CouplingMode::cut_cell;
-  at.pieces = cut_surface(surface_, q, coupled_.grid, cut ? 2 : 1);
-  at.crossings = find_crossings(surface_, q, coupled_.grid);
-  at.domain = box_.around(at.crossings);
-  if (cut) {
-    at.cut = cut_cells(at.pieces, at.crossings, at.domain);
-    at.domain = box_.around(at.crossings, at.cut);
-  }
-  map(q, at);
-  const std::vector<std::uint8_t> pockets = find_pockets(at.domain, at.map);
-  if (std::find(pockets.begin(), pockets.end(), 1) == pockets.end()) return at;
-  drop_regions(pockets, at.domain);
-  map(q, at);
-  return at;
+void CoupledStep::resume(std::span<const double> orders) {
+  before_.reset();
+  system_.keep_orders(orders);
 }
-
-void CoupledStep::map(std::span<const double> q, Placement& at) const {
-  const CutCells* cut = coupled_.mode == CouplingMode::cut_cell ? &at.cut : nullptr;
-  at.numbers = number_pressures(at.domain);
-  const PressureSampler sampler(surface_, q, at.pieces, at.domain);
-  const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers};
-  at.map = map_by_pressures(of, sampler, cut, q.size());
-  if (coupled_.mode == CouplingMode::paper) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
-}
-
-FlowDomain CoupledStep::domain(std::span<const double> q) const { return placed(q).domain; }
 
 /// One step of the paper, 3.1 to 3.3.
 void CoupledStep::advance(CoupledState& state, double h) {
-  const Placement at = placed(state.q);
+  const Placement at = placer_.at(state.q);
   const std::vector<double> u0 = state.u;
   if (coupled_.smoke) follow_domain(before_ ? *before_ : domain(state.q_before), at.domain, state.smoke);
   move_fluid_freely(at, state, h);                    // (1) without pressure: v*
@@ -117,6 +93,7 @@ void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
   Solution solution;
   solution.p = of_cells(at.numbers, state.p);
   solution.L = pressure_matrix(at.domain, at.numbers, h / coupled_.density);
+  const long long iterations = system_.cost().iterations;
   contact_.begin(state.q, u0, h, state.touches);
   for (int k = 0; k < most_contact_solutions; ++k) {
     solution.held = solids_.held;
@@ -128,6 +105,7 @@ void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
     if (!contact_.changed(u0, state.u, solution.wall_force, state.touches)) break;
     ++state.contact_solutions;
   }
+  state.iterations += system_.cost().iterations - iterations;
   const FaceValues free = state.v;
   add_pressure(at.domain, at.numbers, solution.p, h / coupled_.density, state.v);  // (8)
   account(at, free, solution, state, h);
@@ -277,7 +255,7 @@ CoupledState CoupledStep::start() {
   state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
-  const Placement at = placed(state.q);
+  const Placement at = placer_.at(state.q);
   box_.prescribe(at.domain, 0, state.v);
   solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
   const std::vector<double> r = net_flux(at.domain, at.numbers, state.v);

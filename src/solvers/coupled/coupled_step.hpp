@@ -5,25 +5,13 @@
 #include <vector>
 
 #include "plan/plan.hpp"
-#include "solvers/coupled/closed_regions.hpp"
 #include "solvers/coupled/contact.hpp"
 #include "solvers/coupled/coupled_state.hpp"
 #include "solvers/coupled/coupled_system.hpp"
-#include "solvers/coupled/flow_box.hpp"
+#include "solvers/coupled/placement.hpp"
 #include "solvers/coupled/solid_equations.hpp"
 
 namespace tether::coupled {
-
-/// Where the solids are and what that makes of the fluid: what a step begins with.
-struct Placement {
-  SurfacePieces pieces;
-  Crossings crossings;
-  CutCells cut;
-  FlowDomain domain;
-  PressureNumbers numbers;
-  CouplingMap map;
-  CouplingMatrix crossing_map;  ///< of the paper's own mode
-};
 
 /// A step of fluid and solids together. The scene must outlive it.
 class CoupledStep {
@@ -36,10 +24,13 @@ class CoupledStep {
 
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
-  const FlowBox& box() const { return box_; }
   const CoupledSystem& system() const { return system_; }
   /// The fluid about solids at q.
-  FlowDomain domain(std::span<const double> q) const;
+  FlowDomain domain(std::span<const double> q) const { return placer_.at(q).domain; }
+  /// What later steps depend on beside the state: the orders of elimination that have been found.
+  std::vector<double> orders() const { return system_.orders(); }
+  /// Goes on from a state that was saved with these orders.
+  void resume(std::span<const double> orders);
   std::vector<std::string> take_messages() { return system_.take_messages(); }
 
  private:
@@ -53,8 +44,6 @@ class CoupledStep {
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
   };
 
-  Placement placed(std::span<const double> q) const;
-  void map(std::span<const double> q, Placement& at) const;
   void move_fluid_freely(const Placement& at, CoupledState& state, double h);
   void solve(const Placement& at, CoupledState& state, double h);
   void find_regions_of(const Placement& at, const CoupledState& state, double h, Solution& solution) const;
@@ -70,6 +59,7 @@ class CoupledStep {
   SolidSurface surface_;
   SolidEquations solids_;
   FlowBox box_;
+  Placer placer_;
   Contact contact_;
   CoupledSystem system_;
   std::optional<FlowDomain> before_;   // of the last step, where this object has taken it

@@ -177,6 +177,32 @@ const char* CoupledSystem::solver_name() const {
   return direct_ ? "direct" : "krylov";
 }
 
+/// Each solver's: how many unknowns, the nonzeros that it was found for, and the order.
+std::vector<double> CoupledSystem::orders() const {
+  std::vector<double> numbers;
+  for (const QuasidefiniteSolver* solver : {&parts_->both, &parts_->solids, &parts_->fluid}) {
+    const EliminationOrder& order = solver->order();
+    numbers.push_back(static_cast<double>(order.unknowns.size()));
+    numbers.push_back(order.nonzeros);
+    numbers.insert(numbers.end(), order.unknowns.begin(), order.unknowns.end());
+  }
+  return numbers;
+}
+
+void CoupledSystem::keep_orders(std::span<const double> numbers) {
+  std::size_t next = 0;
+  for (QuasidefiniteSolver* solver : {&parts_->both, &parts_->solids, &parts_->fluid}) {
+    if (numbers.size() < next + 2) throw FileError("the checkpoint has no orders of elimination");
+    const auto count = static_cast<std::size_t>(numbers[next]);
+    EliminationOrder order{{}, numbers[next + 1]};
+    next += 2;
+    if (numbers.size() - next < count) throw FileError("the checkpoint's orders of elimination are cut short");
+    for (std::size_t k = 0; k < count; ++k) order.unknowns.push_back(static_cast<std::int64_t>(numbers[next + k]));
+    next += count;
+    solver->keep_order(std::move(order));
+  }
+}
+
 std::vector<std::string> CoupledSystem::take_messages() { return std::exchange(messages_, {}); }
 
 }  // namespace tether::coupled

@@ -54,6 +54,10 @@ class CoupledSystem {
 
   /// "bicgstab", "direct" or "krylov".
   const char* solver_name() const;
+  /// The orders of elimination that have been found, as numbers to be saved; with them another object's solutions are
+  /// the same to the last bit. Throws FileError where they are not of this scene.
+  std::vector<double> orders() const;
+  void keep_orders(std::span<const double> orders);
   const SystemCost& cost() const { return cost_; }
   std::vector<std::string> take_messages();
 
