@@ -11,7 +11,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Twice the area that the edge from node i to node j and a point span in the plane of axes b, c: taken from the lower
 /// node's end, so that both sides of a surface that share the edge find the same number, with opposite signs. A point
-/// on the edge is to its left, seen from the lower node, so that one of the two sides has it.
+/// on an edge or a node counts as if it lay a little farther along b, and much less along c: of the sides about it just
+/// those have it that would have it there (H. Edelsbrunner and E. P. Muecke, ACM Trans. Graphics 9 (1990) 66-104).
 struct EdgeSide {
   double twice_area = 0;
   bool left = false;
@@ -20,8 +21,10 @@ EdgeSide side_of_edge(int i, const Vector& x, int j, const Vector& y, std::size_
                       double pc) {
   const bool turned = j < i;
   const Vector &from = turned ? y : x, &to = turned ? x : y;
-  const double area = (to[b] - from[b]) * (pc - from[c]) - (to[c] - from[c]) * (pb - from[b]);
-  return {turned ? -area : area, (area >= 0) != turned};
+  const double along_b = to[b] - from[b], along_c = to[c] - from[c];
+  const double area = along_b * (pc - from[c]) - along_c * (pb - from[b]);
+  const bool left = area != 0 ? area > 0 : along_c != 0 ? along_c < 0 : along_b > 0;
+  return {turned ? -area : area, left != turned};
 }
 
 class Sweep {
