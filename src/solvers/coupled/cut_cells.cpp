@@ -71,9 +71,11 @@ class Neighbourhood {
   explicit Neighbourhood(const FlowDomain& whole) : whole_(whole) {}
 
   /// Whether the fluid cells next to a cell (along `longer` next to it and to the one below it), corners included, hang
-  /// together by way of cells no farther away than three.
+  /// together by way of cells no farther away than three. A wall hides what is next to a plate that meets it at an
+  /// angle: there those one farther away count as well.
   bool joined(const std::array<int, 3>& middle, int longer) {
     set_window(middle, longer, 1);
+    if (meets_wall(middle, longer)) set_window(middle, longer, 2);
     const auto first = low_, last = high_;
     set_window(middle, longer, reach);
     seen_.fill(0);
@@ -99,6 +101,23 @@ class Neighbourhood {
       low_[at(axis)] = std::max(middle[at(axis)] - by - (axis == longer ? 1 : 0), 0);
       high_[at(axis)] = std::min(middle[at(axis)] + by, whole_.grid.n[at(axis)] - 1);
     }
+  }
+
+  /// Whether the window of those next to the cell leaves the box or has walls in it.
+  bool meets_wall(const std::array<int, 3>& middle, int longer) const {
+    for (int axis = 0; axis < whole_.grid.dim; ++axis) {
+      const int below = 1 + (axis == longer ? 1 : 0);
+      if (middle[at(axis)] < below || middle[at(axis)] + 1 == whole_.grid.n[at(axis)]) return true;
+    }
+    std::array<int, 3> cell{};
+    for (cell[2] = low_[2]; cell[2] <= high_[2]; ++cell[2]) {
+      for (cell[1] = low_[1]; cell[1] <= high_[1]; ++cell[1]) {
+        for (cell[0] = low_[0]; cell[0] <= high_[0]; ++cell[0]) {
+          if (whole_.kind[whole_.grid.cell(cell)] == CellKind::wall) return true;
+        }
+      }
+    }
+    return false;
   }
 
   void reach_from(const std::array<int, 3>& seed) {
