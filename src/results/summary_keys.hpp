@@ -19,6 +19,9 @@ std::vector<std::string> mesh_summary_keys();
 /// Keys of numbers that a run of a flow adds to these.
 std::vector<std::string> flow_summary_keys();
 
+/// Keys of numbers that a run of a fluid in a box adds; added_mass_ratio where solids and fluid are split.
+std::vector<std::string> coupled_summary_keys();
+
 /// summary.txt, or another file of lines `key = value` and remarks `# ...`; other lines are passed over. Throws
 /// FileError where it cannot be read.
 Summary read_summary(const std::filesystem::path& path);

@@ -46,6 +46,7 @@ class Keys {
   void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
   void add_those_of_meshes() { add(mesh_summary_keys()); }
   void add_those_of_flows() { add(flow_summary_keys()); }
+  void add_those_of_boxes() { add(coupled_summary_keys()); }
   const std::vector<std::string>& known() const { return known_; }
 
  private:
@@ -141,6 +142,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     keys.add(base.text("reference", "solution"));
     if (base.has_group("mesh")) keys.add_those_of_meshes();
     if (base.has_group("flow")) keys.add_those_of_flows();
+    if (base.has_group("coupled")) keys.add_those_of_boxes();
   }
   for (const Axis& axis : study.axes) {
     if (axis.variable != "reference.solution") continue;

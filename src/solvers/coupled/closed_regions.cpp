@@ -9,20 +9,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Regions that an open face joins with a side or a void are not closed.
-std::vector<std::uint8_t> closed_regions(const FlowDomain& domain) {
-  std::vector<std::uint8_t> closed(at(domain.regions), 1);
-  for (int axis = 0; axis < domain.grid.dim; ++axis) {
-    for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
-      if (domain.face[at(axis)][f] != FaceKind::open) continue;
-      const auto [low, high] = cells_beside(domain.grid, axis, f);
-      const int a = low < 0 ? -1 : domain.region[at(low)], b = high < 0 ? -1 : domain.region[at(high)];
-      if (a < 0 || b < 0) closed[at(std::max(a, b))] = 0;
-    }
-  }
-  return closed;
-}
-
 /// Regions that one sheet bounds are one group, called after the lowest of them.
 std::vector<int> groups_by_sheets(const CouplingMap& map, int regions, std::size_t sheets) {
   std::vector<int> group(at(regions));
@@ -41,6 +27,19 @@ std::vector<int> groups_by_sheets(const CouplingMap& map, int regions, std::size
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> closed_regions(const FlowDomain& domain) {
+  std::vector<std::uint8_t> closed(at(domain.regions), 1);
+  for (int axis = 0; axis < domain.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
+      if (domain.face[at(axis)][f] != FaceKind::open) continue;
+      const auto [low, high] = cells_beside(domain.grid, axis, f);
+      const int a = low < 0 ? -1 : domain.region[at(low)], b = high < 0 ? -1 : domain.region[at(high)];
+      if (a < 0 || b < 0) closed[at(std::max(a, b))] = 0;
+    }
+  }
+  return closed;
+}
 
 std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingMap& map) {
   const std::size_t most = domain.grid.dim == 2 ? 9 : 27, count = at(domain.regions);

@@ -16,6 +16,9 @@ struct Regions {
   std::vector<std::size_t> cells;       ///< how many it has
 };
 
+/// Of each region whether it is closed: no open face joins it with a side or a void.
+std::vector<std::uint8_t> closed_regions(const FlowDomain& domain);
+
 /// Closed regions of no more than a few cells that a surface cuts off from a larger one which sees it, too: a crevice
 /// that the cells do not resolve. With pressures of its own it would hold the solids there as if it were welded.
 std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingMap& map);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "solvers/coupled/splitting_limit.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::coupled {
@@ -26,7 +27,12 @@ CoupledSolver::CoupledSolver(const Plan& plan)
       none_(no_solids(*plan.scene.coupled)),
       step_(plan.scene, solids_of(plan, none_)),
       fields_(plan.scene, step_),
-      state_(step_.start()) {}
+      state_(step_.start()) {
+  const Coupled& coupled = *plan.scene.coupled;
+  const bool told = coupled.mode == CouplingMode::splitting && systems_of(coupled) == CoupledSystems::direct;
+  if (told && plan.scene.solids)
+    ratio_ = added_mass_ratio(step_, plan.scene.solids->mesh.x, coupled.density, plan.step.deck_step);
+}
 
 void CoupledSolver::advance(double until) {
   const double tmax = plan_.scene.clock.tmax;
@@ -72,14 +78,16 @@ void CoupledSolver::restore(const SavedState& saved) {
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  return {{"mode", coupling_mode_name(plan_.scene.coupled->mode)},
-          {"linear_solver", step_.system().solver_name()},
-          {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
-          {"krylov_iterations", number(state_.iterations)},
-          {"factor_nonzeros", number(cost.factor_nonzeros)},
-          {"solve_seconds", number(cost.solve_seconds)},
-          {"contact_solutions", number(state_.contact_solutions)},
-          {"interface_mismatch", number(state_.worst_mismatch)}};
+  Summary summary{{"mode", coupling_mode_name(plan_.scene.coupled->mode)},
+                  {"linear_solver", step_.system().solver_name()},
+                  {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
+                  {"krylov_iterations", number(state_.iterations)},
+                  {"factor_nonzeros", number(cost.factor_nonzeros)},
+                  {"solve_seconds", number(cost.solve_seconds)},
+                  {"contact_solutions", number(state_.contact_solutions)},
+                  {"interface_mismatch", number(state_.worst_mismatch)}};
+  if (ratio_) summary.emplace_back("added_mass_ratio", number(*ratio_));
+  return summary;
 }
 
 }  // namespace tether::coupled

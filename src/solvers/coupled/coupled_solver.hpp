@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ class CoupledSolver final : public Solver {
   CoupledStep step_;
   CoupledFields fields_;
   CoupledState state_;
+  std::optional<double> ratio_;  // of added mass at the start, by which splitting holds or fails
 };
 
 }  // namespace tether::coupled

@@ -25,7 +25,9 @@ class CoupledStep {
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
   const CoupledSystem& system() const { return system_; }
-  /// The fluid about solids at q.
+  /// Solids at q and the fluid about them.
+  Placement placed(std::span<const double> q) const { return placer_.at(q); }
+  /// That fluid alone.
   FlowDomain domain(std::span<const double> q) const { return placer_.at(q).domain; }
   /// What later steps depend on beside the state: the orders of elimination that have been found.
   std::vector<double> orders() const { return system_.orders(); }

@@ -36,17 +36,17 @@ SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, doubl
       spring_(spring_stiffness(scene, system)),
       work_(system.unknowns()) {}
 
-/// A += factor M, the consistent mass for each direction: a column's rows stand in it node by node, dim each.
-void SolidEquations::add_mass(double factor) {
+/// matrix += factor M, the consistent mass for each direction: a column's rows stand in it node by node, dim each.
+void SolidEquations::add_mass(double factor, SparseMatrix& matrix) const {
   const SparseMatrix& M = system.mass;
   const std::int64_t d = system.dim();
   for (std::int64_t node = 0; node < M.n; ++node) {
     for (std::int64_t i = 0; i < d; ++i) {
-      const std::int64_t first = A.start[static_cast<std::size_t>(d * node + i)];
+      const std::int64_t first = matrix.start[static_cast<std::size_t>(d * node + i)];
       for (std::int64_t k = M.start[static_cast<std::size_t>(node)]; k < M.start[static_cast<std::size_t>(node + 1)];
            ++k) {
         const std::int64_t rank = k - M.start[static_cast<std::size_t>(node)];
-        A.value[static_cast<std::size_t>(first + d * rank + i)] += factor * M.value[static_cast<std::size_t>(k)];
+        matrix.value[static_cast<std::size_t>(first + d * rank + i)] += factor * M.value[static_cast<std::size_t>(k)];
       }
     }
   }
@@ -76,7 +76,7 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
   stiffness_.set_zero();
   system.elements->add_stiffness(q, scene_.convex, system.pattern, stiffness_);
   for (std::size_t k = 0; k < A.value.size(); ++k) A.value[k] = (part * solids.beta + elastic) * stiffness_.value[k];
-  add_mass(1 / h + part * solids.alpha);
+  add_mass(1 / h + part * solids.alpha, A);
   std::fill(work_.begin(), work_.end(), 0.0);
   system.elements->add_forces(fem::StressAt::end, q, q, work_);  // K(d0)
   add_springs(q, elastic, work_);
@@ -86,6 +86,15 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
   stiffness_.multiply(u, work_);
   for (std::size_t k = 0; k < b.size(); ++k)
     b[k] -= ((1 - part) * solids.beta + elastic) * work_[k] + elastic * spring_[k] * u[k];
+}
+
+SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) const {
+  const double half = scene_.integrator == CoupledIntegrator::paper ? 0.5 * h : 0;
+  SparseMatrix R = system.pattern.matrix();
+  system.elements->add_stiffness(q, scene_.convex, system.pattern, R);
+  for (double& value : R.value) value *= half * system.solids.beta;
+  add_mass(1 + half * system.solids.alpha, R);
+  return R;
 }
 
 double SolidEquations::spring_energy(std::span<const double> q) const {

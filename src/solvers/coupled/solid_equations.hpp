@@ -18,6 +18,9 @@ class SolidEquations {
 
   /// Makes A and b of the step of length h from places q and velocities u at `time`.
   void assemble(std::span<const double> q, std::span<const double> u, double time, double h);
+  /// What resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by the
+  /// trapezoidal rule; rows of velocities that are held, too [mass].
+  SparseMatrix resistance(std::span<const double> q, double h) const;
   /// Energy that springs store at q [energy].
   double spring_energy(std::span<const double> q) const;
 
@@ -28,7 +31,7 @@ class SolidEquations {
   std::vector<std::uint8_t> held;  ///< velocities that supports prescribe
 
  private:
-  void add_mass(double factor);
+  void add_mass(double factor, SparseMatrix& A) const;
   void add_springs(std::span<const double> q, double factor, std::span<double> internal);
 
   const Coupled& scene_;

@@ -156,5 +156,14 @@ TEST_F(Records, SummariesOfMeshesHaveTheirKeysToo) {
   }
 }
 
+TEST_F(Records, SummariesOfBoxesHaveTheirs) {
+  const std::vector<std::string> overrides{"in.tmax=.04", "coupled.mode='splitting'"};
+  const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/coupled-bar.in", {overrides, "", ""});
+  run(loaded.plan, request_of(loaded, folder / "bar", ""));
+  std::set<std::string> keys;
+  for (const auto& [key, value] : read_summary(folder / "bar/summary.txt")) keys.insert(key);
+  for (const auto& key : coupled_summary_keys()) EXPECT_EQ(keys.count(key), 1u) << key;
+}
+
 }  // namespace
 }  // namespace tether
