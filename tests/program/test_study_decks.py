@@ -169,6 +169,34 @@ class StudyDecks(SweepTest):
         for column in ("factor_nonzeros", "assembly_seconds", "analysis_seconds", "solve_seconds", "peak_memory_mb"):
             self.assertGreater(number(rows[1], column), 0, column)
 
+    def test_coupled_growth(self):
+        """All modes on two small grids; only the paper's iterates, and only those of one map balance power."""
+        rows = self.shortened("coupled-growth", ("33,65,129,257", "17,33"), ("17,33,65,129", "9,17"), ("2,3,6,12", "2,3"),
+                              ("6,12,24,48", "4,6"), ("in.tmax=2.", "in.tmax=.2"))
+        self.assertEqual([row["coupled.mode"] for row in rows[::2]], ["symmetric", "cut-cell", "splitting", "paper"])
+        for row in rows:
+            self.assertEqual(number(row, "krylov_iterations") > 0, row["coupled.mode"] == "paper")
+            balanced = number(row, "interface_mismatch") < 1e-9
+            self.assertEqual(balanced, row["coupled.mode"] in ("symmetric", "cut-cell"), row)
+        for few, many in zip(rows[::2], rows[1::2]):
+            self.assertGreater(number(many, "factor_nonzeros"), 2 * number(few, "factor_nonzeros"))
+
+    def test_coupled_growth_3d(self):
+        """Iterations hardly grow with the cells."""
+        rows = self.shortened("coupled-growth-3d", ("17,25,33,49,65", "17,25"), ("2,3,4,6,8", "2,3"),
+                              ("6,9,12,18,24", "6,9"))
+        few, many = [number(row, "krylov_iterations") for row in rows]
+        self.assertLess(many, 1.3 * few)
+        self.assertGreater(number(rows[1], "cells_active"), 3 * number(rows[0], "cells_active"))
+        self.assertLess(max(number(row, "interface_mismatch") for row in rows), 1e-9)
+
+    def test_coupled_cost(self):
+        """One map balances the power across the interface in space, too; two maps, or splitting, do not."""
+        rows = self.shortened("coupled-cost", ("33", "9"), ("4,12,12", "1,3,3"), ("in.tmax=.2", "in.tmax=.1"))
+        off = {row["coupled.mode"]: number(row, "interface_mismatch") for row in rows}
+        self.assertLess(max(off["symmetric"], off["cut-cell"]), 1e-9)
+        self.assertGreater(min(off["splitting"], off["paper"]), 1e-3)
+
     def test_cylinder(self):
         """Both elements come to the published drag, the biquadratic one on coarser meshes."""
         rows = self.shortened("cylinder", (",8*24,8*48", ""), (",48,96", ""), ("6,12,24,48", "6,12"))
