@@ -171,7 +171,29 @@ bool holds_plate(const SurfacePieces& pieces, const Crossings& crossings, const 
   return false;
 }
 
-std::vector<std::uint8_t> thin_cells(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole) {
+/// Whether a plate lies between two cells of fluid; or between two of a solid is fluid of one side of it, and that of
+/// the other is next to them: by way of the two, which it fills, both would join.
+bool divides(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole, const FaceValues& fluid,
+             int axis, std::size_t f, Neighbourhood& about) {
+  const auto [low, high] = cells_beside(whole.grid, axis, f);
+  if (low < 0 || high < 0 || whole.kind[at(low)] != whole.kind[at(high)]) return false;
+  const int lowest = crossings.lowest[at(axis)][f];
+  switch (whole.kind[at(low)]) {
+    case CellKind::fluid:
+      if (lowest < 0) return false;
+      if (is_plate(pieces, crossings, lowest, crossings.highest[at(axis)][f])) return true;
+      break;
+    case CellKind::solid:
+      if (fluid[at(axis)][f] == 0) return false;
+      break;
+    default:
+      return false;
+  }
+  return !about.joined(whole.grid.place_of_face(axis, f), axis);
+}
+
+std::vector<std::uint8_t> thin_cells(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole,
+                                     const FaceValues& fluid) {
   const StaggeredGrid& grid = whole.grid;
   std::vector<std::uint8_t> thin(grid.cell_count(), 0);
   Neighbourhood about(whole);
@@ -181,13 +203,9 @@ std::vector<std::uint8_t> thin_cells(const SurfacePieces& pieces, const Crossing
   }
   for (int axis = 0; axis < grid.dim; ++axis) {
     for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
-      const auto [low, high] = cells_beside(grid, axis, f);
-      const int lowest = crossings.lowest[at(axis)][f];
-      if (low < 0 || high < 0 || lowest < 0) continue;
-      if (whole.kind[at(low)] != CellKind::fluid || whole.kind[at(high)] != CellKind::fluid) continue;
-      if (is_plate(pieces, crossings, lowest, crossings.highest[at(axis)][f]) ||
-          !about.joined(grid.place_of_face(axis, f), axis))
-        thin[at(low)] = thin[at(high)] = 1;
+      if (divides(pieces, crossings, whole, fluid, axis, f, about)) {
+        for (const int cell : cells_beside(grid, axis, f)) thin[at(cell)] = 1;
+      }
     }
   }
   return thin;
@@ -198,7 +216,7 @@ std::vector<std::uint8_t> thin_cells(const SurfacePieces& pieces, const Crossing
 CutCells cut_cells(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole) {
   CutCells cut;
   for (int axis = 0; axis < whole.grid.dim; ++axis) cut.fluid[at(axis)] = fluid_about_faces(pieces, whole.grid, axis);
-  cut.thin = thin_cells(pieces, crossings, whole);
+  cut.thin = thin_cells(pieces, crossings, whole, cut.fluid);
   return cut;
 }
 
