@@ -64,7 +64,8 @@ class MapByPressures {
   }
 
   /// Between the middles on both sides of x along the axis, in the row of the piece's cell; at walls, and where the
-  /// other cell has no fluid, constant; to zero at open sides. Nothing where a cell is thin.
+  /// other cell has no fluid or there is none between the two, constant; to zero at open sides. Nothing where a cell is
+  /// thin.
   void take_cut(std::array<int, 3> cell, int axis, double x, PressureStencil& stencil) const {
     const StaggeredGrid& grid = of_.domain.grid;
     const double box = (x - grid.low[at(axis)]) / grid.d[at(axis)] - 0.5;
@@ -88,8 +89,9 @@ class MapByPressures {
       linear.add(at(a), 1 - t), linear.add(at(b), t);
     } else if (open) {
       linear.add(at(std::max(a, b)), a < 0 ? 2 * t - 1 : 1 - 2 * t);
-    } else if (holds(a) != holds(b)) {
-      linear.add(at(holds(a) ? a : b), 1);
+    } else if (holds(a) || holds(b)) {
+      const bool lower = holds(a) && (t < 0.5 || !holds(b));  // both: at the end of a box without fluid
+      linear.add(at(lower ? a : b), 1);
     } else {
       return;
     }

@@ -122,11 +122,10 @@ TEST_P(Cut, ABodyThatMovesWithTheFluidMakesNoFlow) {
   for (const double angle : {0.0, 0.4, 1.2}) {
     for (const Mesh& mesh : {solid_block(dim, 3, {0.47, 0.52, 0.5}, 0.45, angle),
                              hollow_block(dim, 1, {0.503, 0.49, 0.497}, 0.54, angle)}) {
-      const int n = dim == 2 ? 24 : 17;
+      const int n = dim == 2 ? 24 : 20;
       const Surroundings about(box_of(dim, n, CouplingMode::cut_cell), mesh);
       const auto flux = flux_of_common_motion(about, about.map.B, {0.7, -0.4, 1.3}, mesh.x.size());
-      EXPECT_LT(largest(flux), (dim == 2 ? 1e-11 : 1e-6) * about.domain.grid.area(0))
-          << angle << ' ' << mesh.node_count();
+      EXPECT_LT(largest(flux), 1e-11 * about.domain.grid.area(0)) << angle << ' ' << mesh.node_count();
     }
   }
 }
@@ -162,6 +161,31 @@ bool divides(int dim, CouplingMode mode, double thickness, double angle, const V
   const int one = about.region_at({middle[0] - c, middle[1] - s, 0.4}),
             other = about.region_at({middle[0] + c, middle[1] + s, 0.4});
   return one >= 0 && other >= 0 && one != other;
+}
+
+/// Shells of a quarter of a cell to four cells, anyhow: what is inside and what is outside are never one region, though
+/// cells whose middle is in the shell hold fluid.
+TEST_P(Cut, ShellsDoNotLeak) {
+  const int dim = GetParam(), n = dim == 2 ? 12 : 10;
+  const double side = dim == 2 ? 0.66 : 0.5;
+  for (unsigned seed = 0; seed < (dim == 2 ? 400u : 30u); ++seed) {
+    const std::vector<double> r = random_numbers(5, seed);
+    const double inner = std::max(0.2, 1 - 2 * (2.125 + 1.875 * r[0]) / n / side);
+    const auto block = turned_block({0.5 + 0.04 * r[1], 0.5 + 0.04 * r[2], 0.5 + 0.04 * r[3]},
+                                    {side, side, dim == 3 ? side : 0}, 3 * r[4]);
+    const auto shell = [&](Vector s) {
+      for (double& x : s) x = x < 0.2 ? 0 : x > 0.8 ? 1 : 0.5 + (x < 0.5 ? -inner : inner) / 2;
+      return block(s);
+    };
+    const auto keep = [=](const Cell& c) { return c != Cell{1, 1, dim == 3 ? 1 : 0}; };
+    const Surroundings about(box_of(dim, n, CouplingMode::cut_cell), lattice(dim, {3, 3, 3}, keep, shell));
+    std::array<std::vector<int>, 2> sides{std::vector<int>(std::size_t(about.domain.regions), 0), {}};
+    sides[1] = sides[0];
+    for (std::size_t c = 0; c < about.domain.region.size(); ++c) {
+      if (about.crossings.inside[c] == 0) sides[about.crossings.in_cavity[c]][std::size_t(about.domain.region[c])] = 1;
+    }
+    for (std::size_t r2 = 0; r2 < sides[0].size(); ++r2) EXPECT_LT(sides[0][r2] + sides[1][r2], 2) << seed;
+  }
 }
 
 /// From one side of the box to the other, through corners and along the middles of cells, some far thinner than a
