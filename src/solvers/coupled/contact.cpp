@@ -7,6 +7,8 @@
 namespace tether::coupled {
 namespace {
 
+constexpr double rounding = 1e-9;  // of a cell
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -18,7 +20,6 @@ Contact::Contact(const Coupled& scene, const SolidSurface& surface)
 }
 
 void Contact::begin(std::span<const double> q, std::span<const double> u, double h, std::vector<Touch>& touches) {
-  constexpr double rounding = 1e-9;  // of a cell
   h_ = h;
   meetings_.clear();
   const double size = *std::max_element(scene_.grid.d.begin(), scene_.grid.d.begin() + scene_.grid.dim);
@@ -30,8 +31,11 @@ void Contact::begin(std::span<const double> q, std::span<const double> u, double
     for (const AxisBox& box : scene_.obstacles) meet_obstacle(box, at(node), x, reach);
   }
   std::vector<Touch> kept(touches.size(), Touch::away);
-  for (const Meeting& meeting : meetings_) {
-    if (meeting.gap <= rounding * size) kept[unknown(meeting)] = touches[unknown(meeting)];
+  for (Meeting& meeting : meetings_) {
+    Touch& touch = kept[unknown(meeting)];
+    if (touch != Touch::away || meeting.gap > rounding * size) continue;
+    touch = touches[unknown(meeting)];
+    meeting.touching = touch != Touch::away;
   }
   touches = std::move(kept);
 }
@@ -43,7 +47,7 @@ void Contact::meet_walls(std::size_t node, const Vector& x, double reach) {
     const double up = is_low_side(side) ? 1 : -1;
     const double place = is_low_side(side) ? scene_.grid.low[at(axis)] : scene_.grid.high(axis);
     const double gap = up * (x[at(axis)] - place);
-    if (gap < reach) meetings_.push_back({node, at(axis), up, place, gap, false, {}});
+    if (gap < reach) meetings_.push_back({node, at(axis), up, place, gap, x});
   }
 }
 
@@ -54,7 +58,7 @@ void Contact::meet_obstacle(const AxisBox& box, std::size_t node, const Vector& 
   for (std::size_t axis = 0; axis < dim_; ++axis) {
     for (const double up : {1.0, -1.0}) {
       const double place = up > 0 ? box.high[axis] : box.low[axis], gap = up * (x[axis] - place);
-      if (gap > nearest.gap) nearest = {node, axis, up, place, gap, false, {}};
+      if (gap > nearest.gap) nearest = {node, axis, up, place, gap, x, &box};
     }
   }
   if (nearest.gap < reach) meetings_.push_back(nearest);
@@ -62,8 +66,8 @@ void Contact::meet_obstacle(const AxisBox& box, std::size_t node, const Vector& 
 
 void Contact::hold(std::span<const Touch> touches, std::span<std::uint8_t> held) const {
   for (const Meeting& meeting : meetings_) {
+    if (!meeting.touching) continue;
     const Touch touch = touches[unknown(meeting)];
-    if (touch == Touch::away) continue;
     held[unknown(meeting)] = 1;
     for (std::size_t i = 0; touch == Touch::sticks && i < dim_; ++i) held[meeting.node * dim_ + i] = 1;
   }
@@ -80,24 +84,36 @@ bool Contact::changed(std::span<const double> u0, std::span<const double> u1, st
   bool changed = false;
   for (Meeting& meeting : meetings_) {
     Touch& touch = touches[unknown(meeting)];
+    if (touch != Touch::away && !meeting.touching) continue;  // another wall across the same axis has it
     const Touch then = next(meeting, touch, u0, u1, reactions);
     changed = changed || then != touch;
-    touch = then;
+    touch = then, meeting.touching = then != Touch::away;
   }
   return changed;
+}
+
+/// Behind the wall, and where it is an obstacle's, in the obstacle: beside that its face goes on as no wall.
+bool Contact::is_behind(const Meeting& meeting, const Vector& x) const {
+  const std::size_t axis = meeting.axis;
+  if (meeting.side * (x[axis] - meeting.place) >= -rounding * scene_.grid.d[axis]) return false;
+  for (std::size_t i = 0; meeting.box != nullptr && i < dim_; ++i) {
+    const double edge = rounding * scene_.grid.d[i];
+    if (i != axis && (x[i] <= meeting.box->low[i] + edge || x[i] >= meeting.box->high[i] - edge)) return false;
+  }
+  return true;
 }
 
 /// A node whose way (5) leads through the wall touches it; one that the wall would have to pull leaves it.
 Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
                     std::span<const double> reactions) const {
-  constexpr double rounding = 1e-9;  // of a cell, and of the largest reaction
-  const std::size_t k = unknown(meeting);
   if (now == Touch::away) {
-    const double behind = meeting.gap + 0.5 * h_ * meeting.side * (u0[k] + u1[k]);
-    const bool touches = !meeting.released && behind < -rounding * scene_.grid.d[meeting.axis];
+    Vector x = meeting.from;
+    for (std::size_t i = 0; i < dim_; ++i)
+      x[i] += 0.5 * h_ * (u0[meeting.node * dim_ + i] + u1[meeting.node * dim_ + i]);
+    const bool touches = !meeting.released && is_behind(meeting, x);
     return !touches ? Touch::away : scene_.friction > 0 ? Touch::sticks : Touch::slides;
   }
-  const double pressed = meeting.side * reactions[k];
+  const double pressed = meeting.side * reactions[unknown(meeting)];
   if (pressed < 0) {
     meeting.released = true, meeting.friction = {};
     return Touch::away;
@@ -128,7 +144,10 @@ Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<con
 void Contact::place(std::span<double> q) const {
   for (const Meeting& meeting : meetings_) {
     double& x = q[unknown(meeting)];
-    if (meeting.side * (x - meeting.place) < 0) x = meeting.place;
+    const bool through = meeting.side * (x - meeting.place) < 0;
+    const bool stays = meeting.touching || meeting.box == nullptr;
+    if (through && (stays || is_behind(meeting, place_of(q, static_cast<int>(meeting.node), scene_.grid.dim))))
+      x = meeting.place;
   }
 }
 

@@ -33,21 +33,25 @@ class Contact {
   /// whether nodes touch or slide that did not, or the other way: the solution is to be found again then.
   bool changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
                std::vector<Touch>& touches);
-  /// Puts nodes that went through a wall onto it.
+  /// Puts nodes that went through a wall, or into an obstacle, onto it.
   void place(std::span<double> q) const;
 
  private:
   struct Meeting {
     std::size_t node = 0, axis = 0;
-    double side = 1;        // +1: the node stays above the place
-    double place = 0;       // of the wall [length]
-    double gap = 0;         // at the step's start [length]
-    bool released = false;  // in this step, to which it does not come back
-    Vector friction{};      // on the node where it slides [force]
+    double side = 1;               // +1: the node stays above the place
+    double place = 0;              // of the wall [length]
+    double gap = 0;                // at the step's start [length]
+    Vector from{};                 // where the node is then [length]
+    const AxisBox* box = nullptr;  // the obstacle; null: a side of the box
+    bool touching = false;         // the node's velocity across is held because of this one
+    bool released = false;         // in this step, to which it does not come back
+    Vector friction{};             // on the node where it slides [force]
   };
   std::size_t unknown(const Meeting& meeting) const { return meeting.node * dim_ + meeting.axis; }
   void meet_walls(std::size_t node, const Vector& x, double reach);
   void meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach);
+  bool is_behind(const Meeting& meeting, const Vector& x) const;
   Touch next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
              std::span<const double> reactions) const;
   Touch rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which nodes touch walls and obstacles, and which of them slide.
+#include "solvers/coupled/contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/solvers/coupled_bodies.hpp"
+
+namespace tether::coupled {
+namespace {
+
+using namespace support;
+
+constexpr double h = 0.1;
+
+/// One triangle whose first node is watched; the others are far from all walls, in a box of 10 x 10 cells from 0 to 1.
+class Touching : public testing::Test {
+ protected:
+  Coupled coupled = fluid_in_box(2, 10);
+  Mesh mesh;
+  std::vector<Touch> touches = std::vector<Touch>(6, Touch::away);
+  std::vector<double> q{0, 0, 0.5, 0.5, 0.5, 0.6}, u0 = std::vector<double>(6, 0.0), u1 = u0, reactions = u0;
+
+  Contact at_place(double x, double y, double vx = 0, double vy = 0) {
+    mesh.kind = ElementKind::tri3;
+    mesh.nodes = {0, 1, 2}, mesh.region = {0};
+    q[0] = x, q[1] = y;
+    mesh.x = q;
+    u0[0] = u1[0] = vx, u0[1] = u1[1] = vy;
+    Contact contact(coupled, surface_of(mesh));
+    contact.begin(q, u0, h, touches);
+    return contact;
+  }
+  /// As the step does: a held velocity is zero.
+  bool solved(Contact& contact, const std::vector<double>& free, double rx, double ry) {
+    const auto held = held_by(contact);
+    for (std::size_t k = 0; k < 2; ++k) u1[k] = held[k] != 0 ? 0 : free[k];
+    reactions[0] = held[0] != 0 ? rx : 0, reactions[1] = held[1] != 0 ? ry : 0;
+    return contact.changed(u0, u1, reactions, touches);
+  }
+  std::vector<int> held_by(const Contact& contact) const {
+    std::vector<std::uint8_t> held(6, 0);
+    contact.hold(touches, held);
+    return {held.begin(), held.begin() + 2};
+  }
+  Vector friction_of(const Contact& contact) const {
+    std::vector<double> forces(6, 0.0);
+    contact.add_friction(forces);
+    return {forces[0], forces[1], 0};
+  }
+};
+
+TEST_F(Touching, BeginsWhereTheWayLeadsThroughTheWall) {
+  Contact before = at_place(0.3, 0.05, 2, -0.49);
+  EXPECT_FALSE(solved(before, {2, -0.49}, 0, 0));
+  Contact through = at_place(0.3, 0.05, 2, -0.51);
+  EXPECT_TRUE(solved(through, {2, -0.51}, 0, 0));
+  EXPECT_EQ(touches[1], Touch::slides);
+  EXPECT_EQ(held_by(through), (std::vector{0, 1}));
+  EXPECT_FALSE(solved(through, {2, 0}, 0, 5));
+  through.place(q);
+  EXPECT_EQ(q[1], 0.05);
+  q[1] = -0.001;
+  through.place(q);
+  EXPECT_EQ(q[1], 0);
+}
+
+TEST_F(Touching, IsWithWallsNotWithOpenSidesAndCanBeSwitchedOff) {
+  coupled.sides[side_bottom] = BoxSide::open;
+  Contact open = at_place(0.3, 0.05, 0, -1);
+  EXPECT_FALSE(solved(open, {0, -1}, 0, 0));
+  coupled.sides[side_bottom] = BoxSide::wall, coupled.contact = false;
+  Contact none = at_place(0.3, 0.05, 0, -1);
+  EXPECT_FALSE(solved(none, {0, -1}, 0, 0));
+}
+
+/// From all four sides.
+TEST_F(Touching, KeepsNodesInTheBox) {
+  const std::array<std::array<double, 4>, 4> ways{
+      {{0.05, 0.3, -1, 0}, {0.95, 0.3, 1, 0}, {0.3, 0.05, 0, -1}, {0.3, 0.95, 0, 1}}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    touches.assign(6, Touch::away);
+    Contact contact = at_place(ways[k][0], ways[k][1], ways[k][2], ways[k][3]);
+    EXPECT_TRUE(solved(contact, {ways[k][2], ways[k][3]}, 0, 0)) << k;
+    EXPECT_EQ(touches[k / 2], Touch::slides) << k;
+    EXPECT_EQ(touches[1 - k / 2], Touch::away) << k;
+  }
+}
+
+TEST_F(Touching, EndsWhereTheWallWouldHaveToPullAndNotTwiceInAStep) {
+  touches[1] = Touch::slides;
+  Contact contact = at_place(0.3, 0);
+  EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
+  EXPECT_TRUE(solved(contact, {0, 0}, 0, -1));
+  EXPECT_EQ(touches[1], Touch::away);
+  EXPECT_FALSE(solved(contact, {0, -1}, 0, 0));  // though it comes back: else the search would not end
+}
+
+TEST_F(Touching, IsForgottenWhereTheNodeIsAway) {
+  touches[1] = Touch::sticks;
+  at_place(0.3, 0.01);
+  EXPECT_EQ(touches[1], Touch::away);
+  touches[1] = Touch::sticks;
+  at_place(0.3, 0);
+  EXPECT_EQ(touches[1], Touch::sticks);
+}
+
+/// Coulomb: up to mu N the node sticks; beyond it is pushed by that much, and goes on until it turns round.
+TEST_F(Touching, RubsByNoMoreThanFrictionAllows) {
+  coupled.friction = 0.5;
+  Contact contact = at_place(0.3, 0.001, 1, -1);
+  EXPECT_TRUE(solved(contact, {1, -1}, 0, 0));
+  EXPECT_EQ(touches[1], Touch::sticks);
+  EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
+  EXPECT_FALSE(solved(contact, {0, 0}, -0.99, 2));
+  EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
+  EXPECT_TRUE(solved(contact, {0, 0}, -1.5, 2));
+  EXPECT_EQ(touches[1], Touch::slides);
+  EXPECT_EQ(held_by(contact), (std::vector{0, 1}));
+  EXPECT_NEAR(friction_of(contact)[0], -1, 1e-15);
+  EXPECT_FALSE(solved(contact, {0.3, 0}, 0, 3));
+  EXPECT_NEAR(friction_of(contact)[0], -1.5, 1e-15);
+  EXPECT_TRUE(solved(contact, {-0.3, 0}, 0, 3));  // the friction would drive it
+  EXPECT_EQ(touches[1], Touch::sticks);
+  EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
+}
+
+/// An obstacle just above the floor: one of them holds the node, and rubs it once.
+TEST_F(Touching, IsWithOneOfTwoWallsAcrossAnAxis) {
+  coupled.friction = 0.5;
+  coupled.obstacles.push_back({{0, 0, 0}, {1, 0.05, 1}});
+  Contact contact = at_place(0.3, 0.051, 1, -1);
+  EXPECT_TRUE(solved(contact, {1, -1}, 0, 0));
+  EXPECT_TRUE(solved(contact, {0, 0}, -2, 2));
+  EXPECT_NEAR(friction_of(contact)[0], -1, 1e-15);
+}
+
+/// In a slot narrower than two cells the node that lies on the floor is not pulled by the ceiling.
+TEST_F(Touching, OfTheFloorIsNotEndedByTheCeiling) {
+  coupled.obstacles.push_back({{0, 0.05, 0}, {1, 0.2, 1}});
+  Contact contact = at_place(0.3, 0.01, 0, -1);
+  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
+  EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
+  EXPECT_EQ(touches[1], Touch::slides);
+}
+
+/// The planes of an obstacle's faces are walls along it alone.
+TEST_F(Touching, DoesNotHappenBesideAnObstacle) {
+  coupled.obstacles.push_back({{0.4, 0.2, 0}, {0.6, 0.4, 1}});
+  Contact above = at_place(0.38, 0.41, 1, 0);
+  EXPECT_FALSE(solved(above, {1, 0}, 0, 0));
+  q[0] = 0.48;
+  above.place(q);
+  EXPECT_EQ(q[0], 0.48);
+  Contact into = at_place(0.38, 0.39, 1, 0);
+  EXPECT_TRUE(solved(into, {1, 0}, 0, 0));
+  EXPECT_EQ(touches[0], Touch::slides);
+  Contact from_above = at_place(0.41, 0.41, 0.2, -1);
+  touches.assign(6, Touch::away);
+  EXPECT_TRUE(solved(from_above, {0.2, -1}, 0, 0));
+  EXPECT_EQ(touches[1], Touch::slides);
+  q[1] = 0.31;
+  from_above.place(q);
+  EXPECT_EQ(q[1], 0.4);
+}
+
+/// A floor of two obstacles side by side has no step where they meet.
+TEST_F(Touching, DoesNotHappenWhereObstaclesMeet) {
+  coupled.obstacles = {{{0.5, 0, 0}, {1, 0.2, 1}}, {{0, 0, 0}, {0.5, 0.2, 1}}};
+  touches[1] = Touch::slides;
+  Contact contact = at_place(0.48, 0.2, 1, 0);
+  EXPECT_FALSE(solved(contact, {1, 0}, 0, 1));
+  EXPECT_EQ(held_by(contact), (std::vector{0, 1}));
+  q[0] = 0.58;
+  contact.place(q);
+  EXPECT_EQ(q[0], 0.58);
+}
+
+}  // namespace
+}  // namespace tether::coupled
