@@ -111,6 +111,7 @@ void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
   account(at, free, solution, state, h);
   state.p = on_cells(at.numbers, solution.p);
   extend_pressure(at.domain, state.p, layers_around_fluid);
+  for (std::size_t k = 0; k < solution.friction.size(); ++k) solution.wall_force[k] += solution.friction[k];
   state.fluid_force = std::move(solution.fluid_force), state.wall_force = std::move(solution.wall_force);
 }
 
