@@ -80,31 +80,55 @@ class Lattice {
   std::array<int, 3> lines_{};
 };
 
-/// Six tetrahedra about the diagonal of a box, two triangles in the plane: neighbours' diagonals meet.
+/// Corner k of a box is at the high end of x, y, z where k has 1, 2, 4.
 constexpr int triangles[2][3] = {{0, 1, 3}, {0, 3, 2}};
-constexpr int tetrahedra[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
+using Tetrahedra = std::array<std::array<int, 4>, 6>;
 
-void add_elements(const std::vector<int>& box, int first, int region, Mesh& mesh) {
+/// The lowest corner with two triangles of each face that it is not on, which the face's lowest corner begins. Each
+/// face is so parted from its lowest corner on, whichever way the blocks on its two sides are turned.
+Tetrahedra tetrahedra(const std::vector<int>& box, const std::vector<int>& number) {
+  const auto lower = [&](int a, int b) {
+    return number[static_cast<std::size_t>(box[static_cast<std::size_t>(a)])] <
+           number[static_cast<std::size_t>(box[static_cast<std::size_t>(b)])];
+  };
+  constexpr std::array corners{0, 1, 2, 3, 4, 5, 6, 7};
+  const int lowest = *std::min_element(corners.begin(), corners.end(), lower);
+  Tetrahedra parts{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int own = 1 << axis, one = 1 << (axis + 1) % 3, other = 1 << (axis + 2) % 3, base = ~lowest & own;
+    std::array face{base, base | one, base | one | other, base | other};
+    if ((lowest & own) != 0) std::swap(face[1], face[3]);
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end(), lower), face.end());
+    parts[2 * axis] = {lowest, face[0], face[1], face[2]};
+    parts[2 * axis + 1] = {lowest, face[0], face[2], face[3]};
+  }
+  return parts;
+}
+
+void add_elements(const std::vector<int>& box, int region, const std::vector<int>& number, Mesh& mesh) {
   const auto add = [&](const int* of_box, int count) {
-    for (int a = 0; a < count; ++a) mesh.nodes.push_back(first + box[static_cast<std::size_t>(of_box ? of_box[a] : a)]);
+    for (int a = 0; a < count; ++a) mesh.nodes.push_back(box[static_cast<std::size_t>(of_box ? of_box[a] : a)]);
     mesh.region.push_back(region);
   };
   if (mesh.kind == ElementKind::tri3) {
     for (const auto& corners : triangles) add(corners, 3);
   } else if (mesh.kind == ElementKind::tet4) {
-    for (const auto& corners : tetrahedra) add(corners, 4);
+    for (const auto& corners : tetrahedra(box, number)) add(corners.data(), 4);
   } else {
     add(nullptr, node_count_of(mesh.kind));
   }
 }
 
-void add_block(const Block& block, int region, Mesh& mesh) {
-  const auto first = static_cast<int>(mesh.node_count());
+/// `number` is one number for each place, of nodes in the order of blocks.
+void add_elements_of(const Block& block, int region, int first, const std::vector<int>& number, Mesh& mesh) {
   const Lattice lattice(block, mesh.kind);
-  lattice.add_places(mesh.x);
   for (int k = 0; k < (mesh.dim() == 3 ? block.cells[2] : 1); ++k) {
     for (int j = 0; j < block.cells[1]; ++j) {
-      for (int i = 0; i < block.cells[0]; ++i) add_elements(lattice.box(i, j, k), first, region, mesh);
+      for (int i = 0; i < block.cells[0]; ++i) {
+        std::vector<int> box = lattice.box(i, j, k);
+        for (int& node : box) node += first;
+        add_elements(box, region, number, mesh);
+      }
     }
   }
 }
@@ -175,8 +199,11 @@ Mesh mesh_of_blocks(const std::vector<Block>& blocks, ElementKind kind, std::vec
   std::vector<int> first_node;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     first_node.push_back(static_cast<int>(mesh.node_count()));
-    add_block(blocks[b], static_cast<int>(b), mesh);
+    Lattice(blocks[b], kind).add_places(mesh.x);
   }
+  const std::vector<int> number = lowest_at_place(mesh);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    add_elements_of(blocks[b], static_cast<int>(b), first_node[b], number, mesh);
   NamedSides named = named_sides(blocks, mesh, first_node);
   const std::vector<int> renumbered = join_nodes(mesh);
   for (auto& [name, nodes] : named) {

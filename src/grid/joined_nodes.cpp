@@ -30,7 +30,9 @@ bool coincide(const Mesh& mesh, std::size_t a, std::size_t b, double within) {
   return true;
 }
 
-/// For each node the lowest at its place: neighbours in x are looked through.
+}  // namespace
+
+/// Neighbours in x are looked through.
 std::vector<int> lowest_at_place(const Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
   const double within = tolerance * size_of(mesh);
@@ -50,8 +52,6 @@ std::vector<int> lowest_at_place(const Mesh& mesh) {
   }
   return lowest;
 }
-
-}  // namespace
 
 std::vector<int> join_nodes(Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim());

@@ -96,6 +96,21 @@ TEST(BlockMesh, JoinsBlocksAtSharedEdges) {
   }
 }
 
+/// Whichever of its vertices a block begins with, tetrahedra of neighbours meet in the same triangles.
+TEST(BlockMesh, TetrahedraOfTurnedBlocksMeet) {
+  const std::array<std::array<double, 2>, 4> corners{{{1, 0}, {3, 0}, {3, 1}, {1, 1}}};
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    std::array<std::array<double, 2>, 4> turned = corners;
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(turn), turned.end());
+    std::vector<MeshFlaw> flaws;
+    const Mesh mesh = mesh_of_blocks({rectangle({0, 0}, {1, 1}, {2, 2, 3}), quadrilateral(turned, {2, 2, 3})},
+                                     ElementKind::tet4, flaws);
+    EXPECT_TRUE(flaws.empty());
+    EXPECT_NEAR(volume(mesh), 6, 1e-12);
+    EXPECT_EQ(boundary_of(mesh).size(), 2u * 3 * (2 * 8 + 2 * 12 + 2 * 3 * 2)) << turn;  // of 2 x 4 x 3 boxes
+  }
+}
+
 TEST(BlockMesh, TellsOfBlocksThatTouchWithoutBeingJoined) {
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9, ElementKind::hex8, ElementKind::tet4}) {
     std::vector<MeshFlaw> flaws;
