@@ -27,7 +27,7 @@ struct CoupledState {
   std::vector<double> q_before;  ///< places at the last step's start
   std::vector<Touch> touches;    ///< of the nodes, a number a velocity
   std::vector<double> fluid_force,
-      wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact
+      wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
   Smoke smoke;
   SmokeFlow smoke_flow;  ///< since the start
   StepAccount last;

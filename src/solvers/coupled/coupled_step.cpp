@@ -17,8 +17,9 @@ namespace tether::coupled {
 namespace {
 
 constexpr int layers_around_fluid = 4;
-constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
-constexpr double rounded_power = 1e-9;  // of the fluid's kinetic energy in a step: below, forces are rounding
+constexpr double support_width = 1e-3;       // of a step: about its end the speed of a support is taken
+constexpr double rounded_power = 1e-9;       // of the fluid's kinetic energy in a step: below, forces are rounding
+constexpr double rounded_projection = 1e-5;  // of the kinetic energy that pressures take in a step: the same
 constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
@@ -191,9 +192,10 @@ void CoupledStep::account(const Placement& at, const FaceValues& free, const Sol
   double sources = 0;
   for (std::size_t k = 0; k < solution.p.size(); ++k) sources += solution.p[k] * solution.source[k];
   state.last.interface_power = taken;
-  const double floor = rounded_power * kinetic_energy(at.domain, state.v, state.v, coupled_.density) / h;
-  state.last.mismatch = size > 0 ? (sources - given - taken) / std::max(size, floor) : 0;
   state.last.projected = kinetic_energy(at.domain, change, change, coupled_.density);
+  const double floor = std::max(rounded_power * kinetic_energy(at.domain, state.v, state.v, coupled_.density),
+                                rounded_projection * state.last.projected);
+  state.last.mismatch = size > 0 ? (sources - given - taken) / std::max(size, floor / h) : 0;
   state.worst_mismatch = std::max(state.worst_mismatch, std::abs(state.last.mismatch));
   state.work += h * taken;
 }
