@@ -19,7 +19,7 @@ namespace {
 constexpr int layers_around_fluid = 4;
 constexpr double support_width = 1e-3;       // of a step: about its end the speed of a support is taken
 constexpr double rounded_power = 1e-9;       // of the fluid's kinetic energy in a step: below, forces are rounding
-constexpr double rounded_projection = 1e-5;  // of the kinetic energy that pressures take in a step: the same
+constexpr double rounded_projection = 1e-4;  // of the kinetic energy that pressures take in a step: the same
 constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scenes of the coupled path, from their decks and shorter: what must balance, balances at every step."""
+import unittest
+
+import numpy
+
+from program import DECKS, ProgramTest, history, sets
+
+GRAVITY = -9.81
+# How long each runs: until what it shows has begun.
+SCENES = {"archimedes": 0.5, "balloon": 1.0, "bar": 1.0, "bar-3d": 0.3, "paddle": 1.0, "paddle-3d": 0.3, "piston": 1.0,
+          "sheets": 0.5, "sheets-3d": 0.2, "toy": 1.0, "toy-3d": 0.3}
+SPRUNG = {"piston"}  # the spring's force stands in no column
+WITH_WEIGHT = {"archimedes", "balloon", "paddle", "paddle-3d", "toy", "toy-3d"}
+CAVITIES = {"balloon", "toy", "toy-3d"}
+
+
+class CoupledScenes(ProgramTest):
+    def scene(self, name):
+        end = sets(in__tmax=SCENES[name])
+        return history(self.run_ok(DECKS / f"coupled-{name}.in", *end, out=name))
+
+    def check_momentum(self, name, columns):
+        """The forces of a step, by the fluid, by what holds the body and by its weight, are what its momentum changes."""
+        bodies = sum(column.startswith("body_mass_") for column in columns)
+        self.assertGreater(bodies, 0)
+        weight = GRAVITY if name in WITH_WEIGHT else 0.0
+        for body in range(1, bodies + 1):
+            mass = columns[f"body_mass_{body}"][1:]
+            for axis in "xyz"[:3 if name.endswith("3d") else 2]:
+                if name in SPRUNG and axis == "x":
+                    continue
+                forces = [columns[f"body_{kind}_{axis}_{body}"][1:] for kind in ("force", "hold")]
+                forces.append(mass * weight * (axis == "y"))
+                change = mass * numpy.diff(columns[f"body_v{axis}_{body}"]) / columns["dt"][1:]
+                size = max(abs(part).max() for part in [*forces, change])
+                self.assertLess(abs(change - sum(forces)).max(), 1e-9 * max(size, 1e-3 * mass[0]), (name, body, axis))
+
+    def check_smoke(self, name, columns):
+        self.assertGreater(columns["smoke_in"][-1], 0, name)
+        kept = columns["smoke_in"] - columns["smoke_out"]
+        self.assertLess(abs(columns["smoke_mass"] - kept).max(), 1e-9 * columns["smoke_in"][-1], name)
+
+    def check_cavity(self, name, columns):
+        """The bodies' second sheet is the inner one: it holds the volume that it encloses."""
+        self.assertNotIn("volume_sheet_3", columns, name)
+        volume = columns["volume_sheet_2"]
+        self.assertLess(abs(volume / volume[0] - 1).max(), 0.04, name)
+        self.assertTrue((columns["regions"][1:] == 1).all(), name)
+
+    def test_balances_of_every_scene(self):
+        self.assertEqual(sorted(path.stem.removeprefix("coupled-") for path in DECKS.glob("coupled-*.in")), sorted(SCENES))
+        for name in SCENES:
+            with self.subTest(name):
+                columns = self.scene(name)
+                self.assertGreater(columns["element_quality"].min(), 0)
+                self.assertLess(abs(columns["interface_mismatch"]).max(), 1e-9)
+                self.check_momentum(name, columns)
+                if "smoke_mass" in columns:
+                    self.check_smoke(name, columns)
+                if name in CAVITIES:
+                    self.check_cavity(name, columns)
+
+    def test_the_piston_swings_at_one_hertz(self):
+        columns = self.scene("piston")
+        away, time = columns["body_x_1"] - columns["body_x_1"][0], columns["time"]
+        back = numpy.flatnonzero((away[:-1] > 0) & (away[1:] <= 0))[0]
+        crossed = time[back] + (time[back + 1] - time[back]) * away[back] / (away[back] - away[back + 1])
+        self.assertAlmostEqual(2 * crossed, 1, delta=0.01)
+
+    def test_water_lifts_the_block_of_archimedes(self):
+        columns = self.scene("archimedes")
+        self.assertAlmostEqual(columns["body_force_y_1"][-1] / (1000 * 9.81 * 0.06), 1, delta=0.24)
+
+
+if __name__ == "__main__":
+    unittest.main()
