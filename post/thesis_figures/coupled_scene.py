@@ -6,9 +6,9 @@ from matplotlib import collections, colormaps, tri
 import run_folder
 
 FLUID, OBSTACLE = 0, 2  # kinds of cells
-ASLANT = numpy.array((-0.35, -0.25))  # what a place moves in the picture for each length that it is nearer
+ASLANT = numpy.array((0.35, -0.25))  # what a place moves in the picture for each length that it is nearer
 BODIES = colormaps["YlOrRd"]
-LIGHT = numpy.array((-0.3, 0.7, 0.65))  # its direction
+LIGHT = numpy.array((-0.6, 0.6, 0.55))  # its direction
 DENSE = 3.0  # of smoke of density 1, a layer as deep as the box takes exp(-DENSE) of what is behind it
 FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))  # of a tetrahedron, counter-clockwise from outside
 MOST = 98.0  # per cent of the bodies' energy densities of the run: those beyond are drawn as that one
@@ -100,6 +100,8 @@ class CoupledScene:
         low, high = (self.extent(self.shift(self.middles[2][end])) for end in (0, -1))
         axes.set_xlim(min(low[0], high[0]), max(low[1], high[1]))
         axes.set_ylim(min(low[2], high[2]), max(low[3], high[3]))
+        axes.set_xticks([])  # places are shifted by their depth
+        axes.set_yticks([])
         return None
 
     def shift(self, z):
@@ -114,8 +116,8 @@ class CoupledScene:
         seen = normals @ numpy.array((-ASLANT[0], -ASLANT[1], 1.0)) > 0
         seen = numpy.flatnonzero(seen)[numpy.argsort(corners[seen][:, :, 2].mean(axis=1))]
         energy = self.bodies["energy_density"][record][self.faces[chosen[seen]]].mean(axis=1)
-        colours = BODIES(0.15 + 0.85 * numpy.clip(energy / self.most_energy, 0, 1))
-        light = 0.55 + 0.45 * numpy.clip(normals[seen] @ (LIGHT / numpy.linalg.norm(LIGHT)), 0, 1)
+        colours = BODIES(0.3 + 0.7 * numpy.clip(energy / self.most_energy, 0, 1))
+        light = 0.7 + 0.3 * numpy.clip(normals[seen] @ (LIGHT / numpy.linalg.norm(LIGHT)), 0, 1)
         colours[:, :3] *= light[:, None]
         flat = corners[seen][:, :, :2] + (corners[seen][:, :, 2:] - self.middles[2][0]) * ASLANT
         axes.add_collection(collections.PolyCollection(flat, facecolors=colours, edgecolors=colours, linewidths=0.3,

@@ -21,7 +21,7 @@ from matplotlib import image, pyplot
 import films
 import style
 from thesis_figures import coupled
-from thesis_figures.coupled_scene import OBSTACLE, CoupledScene, faces_of
+from thesis_figures.coupled_scene import ASLANT, OBSTACLE, CoupledScene, faces_of
 from thesis_figures.runs import Runs
 
 PROGRAM = Path(os.environ["TETHER"])
@@ -69,8 +69,10 @@ class Pictures(FilmTest):
         _, (axes,) = style.panels(1, 1)
         scene.draw(axes, 0, "smoke", 1.0)
         corners = numpy.concatenate([path.vertices for faces in axes.collections for path in faces.get_paths()])
-        numpy.testing.assert_allclose(corners[:, 1].max(), 0.5 - 0.25 * (0.3 - scene.middles[2][0]), atol=1e-9)
-        numpy.testing.assert_allclose(corners[:, 0].max(), 0.8 - 0.35 * (0.3 - scene.middles[2][0]), atol=1e-9)
+        right, down = ASLANT
+        back, front = (z - scene.middles[2][0] for z in (0.3, 0.7))
+        numpy.testing.assert_allclose(corners.max(axis=0), (0.8 + right * front, 0.5 + down * back), atol=1e-9)
+        numpy.testing.assert_allclose(corners.min(axis=0), (0.7 + right * back, down * front), atol=1e-9)
 
 
 class Films(FilmTest):
