@@ -15,6 +15,7 @@
 #include "base/text.hpp"
 #include "deck/document.hpp"
 #include "progress.hpp"
+#include "solvers/coupled/splitting_limit.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
 #include "studies/reproduce.hpp"
@@ -61,7 +62,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   const Loaded loaded = load(name, options);
   if (!run_options.quiet) print_warnings(name, loaded);
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
-  if (run_options.dry_run) return fmt::print("{}", to_text(loaded.plan));
+  if (run_options.dry_run) return fmt::print("{}{}", to_text(loaded.plan), coupled::splitting_text(loaded.plan));
   ProgressLine progress(name, run_options.quiet);
   const auto warn = [&](const std::string& text) {
     progress.clear();
@@ -155,7 +156,8 @@ int plan_command(const std::string& deck, const DeckOptions& options) {
   return guarded(deck, [&] {
     const Loaded loaded = load(deck, options);
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
-    fmt::print("{}", to_text(loaded.plan));  // which has the plan's own warnings
+    fmt::print("{}{}", to_text(loaded.plan),
+               coupled::splitting_text(loaded.plan));  // which has the plan's own warnings
   });
 }
 

@@ -5,10 +5,11 @@ Each chapter's modules have FIGURES, number -> function. A function takes Runs, 
 matplotlib figure; the first line of its docstring is the title.
 """
 from . import (appendix_a, appendix_a_ball, appendix_a_bars, chapter4, chapter5, chapter6, chapter6_airbags,
-               chapter6_membranes, chapter7_cells, chapter7_cylinder, chapter8, cost, coupled, finite_elements, flaps, flows)
+               chapter6_membranes, chapter7_cells, chapter7_cylinder, chapter8, cost, coupled, finite_elements, flaps, flows,
+               splitting)
 
 MODULES = (chapter4, chapter5, chapter6, chapter6_membranes, chapter6_airbags, chapter7_cylinder, chapter7_cells, chapter8,
-           appendix_a, appendix_a_bars, appendix_a_ball, cost, coupled, finite_elements, flaps, flows)
+           appendix_a, appendix_a_bars, appendix_a_ball, cost, coupled, finite_elements, flaps, flows, splitting)
 
 
 def by_number(name):

@@ -222,6 +222,35 @@ class StudyDecks(SweepTest):
             for body in (1, 2):
                 self.assertAlmostEqual(number(row, f"last_body_volume_{body}") / 0.01484, 1, delta=within)
 
+    STEPS = ".0666666666666667,.0333333333333333,.00833333333333333,.00416666666666667"
+
+    def largest_densities(self, name, steps, *changes):
+        """What a study of splitting finds, undamped first."""
+        self.shortened(name, (f"axis(1)='in.tstep={self.STEPS}'", f"axis(1)='in.tstep={steps}'"), *changes)
+        rows = self.table("outcome")
+        self.assertEqual({row["verdict"] for row in rows}, {"found"})
+        return [(number(row, "largest_holding"), number(row, "smallest_failing")) for row in rows]
+
+    def test_coupled_splitting_limit(self):
+        """Undamped the step has no part in it; with damping shorter steps let splitting hold less."""
+        limits = self.largest_densities("coupled-splitting-limit", ".0666666666666667,.00416666666666667",
+                                        (f"'in.tmax={self.STEPS}'", "'in.tmax=.0666666666666667,.00416666666666667'"),
+                                        ("=0.,.002,.02", "=0.,.02"))
+        long, short, damped_long, damped_short = (low for low, _ in limits)
+        self.assertEqual(long, short)
+        self.assertLess(20 * long, damped_short)
+        self.assertLess(1.5 * damped_short, damped_long)
+
+    def test_coupled_splitting(self):
+        """By steps of 1/240 the bar's runs fail where theory says, within a tenth: beyond, in more steps than these."""
+        step = ".00416666666666667"
+        taken = self.largest_densities("coupled-splitting", step, ("tmax=40.,20.,5.,2.5'", "tmax=2.0'"),
+                                       ("=0.,.002,.02", "=.002"), ("low=5., high=1000.", "low=200., high=400."),
+                                       ("tolerance=5.e-4", "tolerance=.05"))
+        ((low, high),) = taken
+        self.assertLess(low, 1.1 * 272)
+        self.assertGreater(high, 272)
+
     def test_cost(self):
         """A short part of each run has all columns of its family, and energies that the robust method keeps."""
         rows = self.shortened("cost", ("$study", "$study\nset='in.tmax=0.02'"),

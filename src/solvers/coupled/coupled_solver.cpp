@@ -28,10 +28,7 @@ CoupledSolver::CoupledSolver(const Plan& plan)
       step_(plan.scene, solids_of(plan, none_)),
       fields_(plan.scene, step_),
       state_(step_.start()) {
-  const Coupled& coupled = *plan.scene.coupled;
-  const bool told = coupled.mode == CouplingMode::splitting && systems_of(coupled) == CoupledSystems::direct;
-  if (told && plan.scene.solids)
-    ratio_ = added_mass_ratio(step_, plan.scene.solids->mesh.x, coupled.density, plan.step.deck_step);
+  if (plan.scene.coupled->mode == CouplingMode::splitting) ratio_ = added_mass_ratio(plan.scene, plan.step.deck_step);
 }
 
 void CoupledSolver::advance(double until) {

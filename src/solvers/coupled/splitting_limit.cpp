@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/coupled/splitting_limit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -82,6 +84,20 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
     resistance.solve(y, x);
   }
   return ratio;
+}
+
+std::optional<double> added_mass_ratio(const Scene& scene, double h) {
+  if (!scene.coupled || !scene.solids || systems_of(*scene.coupled) != CoupledSystems::direct) return std::nullopt;
+  const CoupledStep step(scene, *scene.solids);
+  return added_mass_ratio(step, scene.solids->mesh.x, scene.coupled->density, h);
+}
+
+std::string splitting_text(const Plan& plan) {
+  const auto ratio = added_mass_ratio(plan.scene, plan.step.deck_step);
+  if (!ratio) return "";
+  return fmt::format(
+      "splitting: would {} by theory: in the worst motion of the bodies their added mass is {:.3g} times m + c h/2\n",
+      *ratio < 1 ? "hold" : "fail", *ratio);
 }
 
 }  // namespace tether::coupled

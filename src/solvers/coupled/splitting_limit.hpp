@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "solvers/coupled/coupled_step.hpp"
 
@@ -17,5 +18,12 @@ namespace tether::coupled {
 /// and none for z far below, so that one motion has a root z < -1. Stiffness has no part in the limit, nor has the step
 /// without damping. None where a closed region of the fluid makes M_a infinite. `density` is the fluid's.
 std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const double> q, double density, double h);
+
+/// The same of a scene's bodies where they are at the start, in a step of h; none without bodies, or where its systems
+/// are too large for factors.
+std::optional<double> added_mass_ratio(const Scene& scene, double h);
+
+/// What that says of splitting, in a line; nothing where there is no such number.
+std::string splitting_text(const Plan& plan);
 
 }  // namespace tether::coupled

@@ -175,6 +175,21 @@ TEST(SplittingLimit, ShorterStepsDoNotHelp) {
   EXPECT_GT(ratio_of(damped, .0125), 1.2 * ratio_of(damped, .05));
 }
 
+/// In space only boxes that factors solve have it, and a fluid alone has none.
+TEST(SplittingLimit, IsToldOfScenes) {
+  Scene scene = scene_of(3);
+  EXPECT_EQ(added_mass_ratio(scene, .05), ratio_of(scene));
+  const double limit = limit_of("", "", "100.", .05);
+  EXPECT_EQ(splitting_text(make_plan(scene_of(2 * limit))),
+            "splitting: would hold by theory: in the worst motion of the bodies their added mass is 0.5 times m + c "
+            "h/2\n");
+  EXPECT_EQ(splitting_text(make_plan(scene_of(limit / 2))).find("splitting: would fail by theory: "), 0u);
+  const Scene iterated = scene_of(3, ",solver='krylov'");
+  EXPECT_FALSE(added_mass_ratio(iterated, .05).has_value());
+  scene.solids = nullptr;
+  EXPECT_EQ(splitting_text(make_plan(scene)), "");
+}
+
 TEST(SplittingLimit, AClosedBoxHasNone) {
   const Scene scene = scene_of(3, ",side(2)='wall'");
   const CoupledStep step(scene, *scene.solids);

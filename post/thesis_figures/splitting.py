@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where fluid and solids may be solved one after the other: a bar in a stream over its density and the step."""
+import re
+import subprocess
+
+import numpy
+
+import style
+from .runs import RunFailed
+
+BARE = ("in.iout(39)=0", "coupled.jet_smoke(2)=0.")
+STEPS = 160  # of each run
+RATIOS = (1, 5, 25, 75, 150, 300)  # the bar's density over the fluid's
+LENGTHS = (1 / 15, 1 / 30, 1 / 60, 1 / 120, 1 / 240)
+MATERIALS = ((1e6, 0.0), (1e7, 0.002), (1e7, 0.02))  # Young's modulus and beta of damping
+MODES = {"splitting": {"marker": "o", "markersize": 9}, "symmetric": {"marker": "+", "markeredgecolor": "black"}}
+ESTIMATE = re.compile(r"added mass ([\d.e+-]+) is \w+ m \+ c h/2 = ([\d.e+-]+)")
+
+
+def settings(material, ratio, length, mode, steps=STEPS):
+    modulus, beta = material
+    return (f"coupled.mode='{mode}'", f"reg.densir(1)={1000 * ratio}", f"reg.matr(1,1)={modulus}", f"fem.beta={beta}",
+            f"in.tstep={length:.12g}", f"in.dtmax={length:.12g}", f"in.tmax={steps * length:.12g}",
+            f"in.tiout(33)={length:.12g}", *BARE)
+
+
+def holds(runs, *point):
+    """Whether it comes to its end with a flow's energy."""
+    try:
+        return runs.of("coupled-bar", *settings(*point)).summary["energy_growth"] < 10
+    except RunFailed:
+        return False
+
+
+def theory(runs, *point):
+    """Added mass over what resists it, in the worst of all motions: splitting holds below 1."""
+    return runs.of("coupled-bar", *settings(*point, "splitting", 1)).summary["added_mass_ratio"]
+
+
+def estimate(runs, *point):
+    """The same by `tether plan`."""
+    words = [word for setting in settings(*point, "splitting") for word in ("--set", setting)]
+    told = subprocess.run([runs.program, "plan", runs.decks / "coupled-bar.in", *words], capture_output=True, text=True,
+                          check=True)
+    added, resists = (float(text) for text in ESTIMATE.search(told.stdout).groups())
+    return added / resists
+
+
+def limit(ratios, values):
+    """The density ratio at which a value that falls with it is 1, by a power of it between neighbours; nan beyond."""
+    at = numpy.log(values)
+    if at[0] < 0 or at[-1] > 0:
+        return numpy.nan
+    return float(numpy.exp(numpy.interp(0, -at, numpy.log(ratios))))
+
+
+def limits(runs, material, of):
+    return [limit(RATIOS, [of(runs, material, ratio, length) for ratio in RATIOS]) for length in LENGTHS]
+
+
+def marks(axes, runs, material, mode):
+    held = {(length, ratio): holds(runs, material, ratio, length, mode) for length in LENGTHS for ratio in RATIOS}
+    for outcome, colour in ((True, "tab:green"), (False, "tab:red")):
+        points = [point for point in held if held[point] == outcome]
+        name = f"{mode} {'holds' if outcome else 'fails'}"
+        axes.plot(*(zip(*points) if points else ([], [])), linestyle="none", color=colour, label=name, **MODES[mode])
+
+
+def draw(axes, runs, material):
+    marks(axes, runs, material, "splitting")
+    for of, look, name in ((theory, "-", "limit by theory"), (estimate, "--", "by tether plan")):
+        axes.plot(LENGTHS, limits(runs, material, of), color="black", linestyle=look, label=name)
+    marks(axes, runs, material, "symmetric")
+    axes.set(xscale="log", yscale="log", xlabel="step [s]", ylabel="density of the bar over that of the fluid")
+    axes.set_xticks(LENGTHS, [f"1/{1 / length:.0f}" for length in LENGTHS])
+    axes.minorticks_off()
+    axes.set_title(f"E = {material[0]:.0e}, beta = {material[1]:g} s")
+
+
+def splitting_map(runs):
+    """Where splitting holds and fails, beside the simultaneous solution."""
+    figure, axes = style.panels(len(MATERIALS), len(MATERIALS), 4.2, 4.2)
+    for panel, material in zip(axes, MATERIALS):
+        draw(panel, runs, material)
+    style.note(figure, f"A bar in a stream (coupled-bar), {STEPS} steps of each kind. Dots: fluid and solids one after the other; crosses: "
+                       "together. Red ended, or with more than ten times the energy at the start.")
+    axes[0].legend(loc="upper left", fontsize=7, frameon=True)
+    return figure
+
+
+FIGURES = {"splitting-map": splitting_map}
