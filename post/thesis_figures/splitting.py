@@ -13,7 +13,10 @@ STEPS = 160  # of each run
 RATIOS = (1, 5, 25, 75, 150, 300)  # the bar's density over the fluid's
 LENGTHS = (1 / 15, 1 / 30, 1 / 60, 1 / 120, 1 / 240)
 MATERIALS = ((1e6, 0.0), (1e7, 0.002), (1e7, 0.02))  # Young's modulus and beta of damping
-MODES = {"splitting": {"marker": "o", "markersize": 9}, "symmetric": {"marker": "+", "markeredgecolor": "black"}}
+LOOKS = {("splitting", True): {"marker": "o", "markersize": 9, "color": "tab:green"},
+         ("splitting", False): {"marker": "o", "markersize": 9, "color": "tab:red"},
+         ("symmetric", True): {"marker": "+", "color": "black"},
+         ("symmetric", False): {"marker": "x", "color": "black"}}
 ESTIMATE = re.compile(r"added mass ([\d.e+-]+) is \w+ m \+ c h/2 = ([\d.e+-]+)")
 
 
@@ -60,10 +63,9 @@ def limits(runs, material, of):
 
 def marks(axes, runs, material, mode):
     held = {(length, ratio): holds(runs, material, ratio, length, mode) for length in LENGTHS for ratio in RATIOS}
-    for outcome, colour in ((True, "tab:green"), (False, "tab:red")):
+    for outcome, verb in ((True, "holds"), (False, "fails")):
         points = [point for point in held if held[point] == outcome]
-        name = f"{mode} {'holds' if outcome else 'fails'}"
-        axes.plot(*(zip(*points) if points else ([], [])), linestyle="none", color=colour, label=name, **MODES[mode])
+        axes.plot(*(zip(*points) if points else ([], [])), linestyle="none", label=f"{mode} {verb}", **LOOKS[mode, outcome])
 
 
 def draw(axes, runs, material):
@@ -83,8 +85,8 @@ def splitting_map(runs):
     for panel, material in zip(axes, MATERIALS):
         draw(panel, runs, material)
     style.note(figure, f"A bar in a stream (coupled-bar), {STEPS} steps of each kind. Dots: fluid and solids one after the other; crosses: "
-                       "together. Red ended, or with more than ten times the energy at the start.")
-    axes[0].legend(loc="upper left", fontsize=7, frameon=True)
+                       "together. What fails ends, or has ten times the energy at the start.")
+    axes[-1].legend(loc="upper left", bbox_to_anchor=(1.02, 1), borderaxespad=0)
     return figure
 
 

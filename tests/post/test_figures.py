@@ -92,7 +92,7 @@ class Drawn(FigureTest):
         self.assertEqual(numbers, sorted(numbers))
         others = [name for name in FIGURES if not name.isdigit()]
         self.assertEqual(list(FIGURES)[-len(others):], sorted(others))
-        self.assertTrue({"cost", "l-block", "cavity", "cylinder", "flaps-1", "two-flaps-cost"} <= set(others))
+        self.assertTrue({"cost", "l-block", "cavity", "cylinder", "flaps-1", "two-flaps-cost", "splitting-map"} <= set(others))
 
     def test_densities_of_sod_are_means_over_cells_beside_the_exact_ones(self):
         for panel, deck in zip(self.lines("13"), ("sod-cell", "sod", "sod-continuity")):
