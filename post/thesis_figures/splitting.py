@@ -70,7 +70,7 @@ def marks(axes, runs, material, mode):
 
 def draw(axes, runs, material):
     marks(axes, runs, material, "splitting")
-    for of, look, name in ((theory, "-", "limit by theory"), (estimate, "--", "by tether plan")):
+    for of, look, name in ((theory, "-", "limit by theory"), (estimate, "--", "estimate of the plan")):
         axes.plot(LENGTHS, limits(runs, material, of), color="black", linestyle=look, label=name)
     marks(axes, runs, material, "symmetric")
     axes.set(xscale="log", yscale="log", xlabel="step [s]", ylabel="density of the bar over that of the fluid")

@@ -47,7 +47,7 @@ class Splitting(unittest.TestCase):
         self.assertEqual(lines["symmetric holds"][1], [1, 1000])
         self.assertEqual(lines["symmetric fails"][1], [])
         self.assertAlmostEqual(lines["limit by theory"][1][0], 180, delta=1)
-        self.assertTrue(90 < lines["by tether plan"][1][0] < 200)
+        self.assertTrue(90 < lines["estimate of the plan"][1][0] < 200)
 
 
 if __name__ == "__main__":
