@@ -156,6 +156,14 @@ class Plan(ProgramTest):
         terms = [dict(line.strip().split(": ", 1) for line in part.splitlines()) for part in parts]
         return text, *terms
 
+    def test_plan_and_dry_run_tell_what_theory_says_of_splitting(self):
+        bar = DECKS / "coupled-bar.in"
+        for densities, word in (("1000.", "fail"), ("300000.", "hold")):
+            for words in (["plan", bar], [bar, "--dry-run"]):
+                text = self.expect(0, *words, "--set", f"reg.densir(1)={densities}").stdout
+                self.assertIn(f"\nsplitting: would {word} by theory: ", text)
+        self.assertNotIn("by theory", self.expect(0, "plan", SOD).stdout)
+
     def test_a_shock_tube(self):
         text, modelled, left_out = self.parts(SOD)
         self.assertIn("path: mpm", text)

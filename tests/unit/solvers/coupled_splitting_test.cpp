@@ -175,6 +175,24 @@ TEST(SplittingLimit, ShorterStepsDoNotHelp) {
   EXPECT_GT(ratio_of(damped, .0125), 1.2 * ratio_of(damped, .05));
 }
 
+/// A block across a channel, open at both ends, .3 of water on both sides. When its sides move apart or as one, water
+/// of 1000 (.3) moves with a square unit of each. The block's linear elements, .1 wide, form a chain of which a side
+/// feels the mass 3 (.1)/(2 sqrt 3), when the nodes behind it give way. Motions that are uneven over a side add a
+/// little.
+TEST(SplittingLimit, OfAPistonIsThatOfItsSidesByHand) {
+  Diagnostics diagnostics;
+  const Deck deck = read_deck(
+      "$in\nnx=21,ny=5,xleft=0.,xright=1.,ybot=0.,ytop=.2,tmax=1.,tstep=.05\n$\n$coupled density=1000.,"
+      "side='open','open',mode='splitting'\n$\n$reg nreg=1,nvi=4,xvi(1,1)=.3,.7,.7,.3,yvi(1,1)=0.,0.,.2,.2,"
+      "matr(1,1)=1.e6,.3,densir=3000.\n$\n$mesh element='p1',cells(1,1)=4,4 $\n",
+      "a.in", {}, diagnostics);
+  const Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
+  diagnostics.throw_if_errors();
+  const double ratio = 1000 * .3 / (3000 * .1 / (2 * std::sqrt(3.)));
+  EXPECT_GT(ratio_of(scene), ratio);
+  EXPECT_LT(ratio_of(scene), 1.05 * ratio);
+}
+
 /// In space only boxes that factors solve have it, and a fluid alone has none.
 TEST(SplittingLimit, IsToldOfScenes) {
   Scene scene = scene_of(3);
