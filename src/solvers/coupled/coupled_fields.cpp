@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -25,6 +26,24 @@ std::vector<std::vector<double>> masses_of_parts(const std::vector<int>& part, i
   return masses;
 }
 
+/// Cells that are wholly fluid or not are counted; where they are cut, the faces have it, all of it along each axis:
+/// those to obstacles and void half as much as those between fluid.
+double fluid_volume(const FlowDomain& domain, bool cut) {
+  const auto holds = [&](int cell) { return domain.kind[at(cell)] == CellKind::fluid; };
+  double volume = 0;
+  if (!cut)
+    return domain.grid.volume() *
+           static_cast<double>(std::count(domain.kind.begin(), domain.kind.end(), CellKind::fluid));
+  for (int axis = 0; axis < domain.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < domain.volume[at(axis)].size(); ++f) {
+      const auto [low, high] = cells_beside(domain.grid, axis, f);
+      const bool whole = low < 0 || high < 0 || (holds(low) && holds(high));
+      volume += (whole ? 1 : 0.5) * domain.volume[at(axis)][f] / domain.grid.dim;
+    }
+  }
+  return volume;
+}
+
 double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 }  // namespace
@@ -45,7 +64,7 @@ HistoryLayout CoupledFields::history_layout() const {
   add("energy_fluid", Dimension::energy, "kinetic energy of the fluid, part of energy_kinetic");
   add("mass", Dimension::mass, "mass of fluid and solids");
   fem::add_vector(layout, "momentum_", Dimension::momentum, "momentum of fluid and solids in ", dim);
-  add("fluid_volume", Dimension::volume, "volume of the fluid, as its faces have it");
+  add("fluid_volume", Dimension::volume, "volume of the fluid, by its cells");
   add("interface_power", Dimension::energy, "energy a time that the solids took from the fluid in the last step");
   add("interface_work", Dimension::energy, "energy that they have taken");
   add("interface_mismatch", Dimension::number,
@@ -81,15 +100,15 @@ Record CoupledFields::record(const CoupledState& state) const {
   const FlowDomain domain = step_.domain(state.q);
   std::vector<double> momenta(state.u.size());
   solids.system.multiply_mass(state.u, momenta);
-  double kinetic = 0, volume = 0;
+  const double volume = fluid_volume(domain, coupled.mode == CouplingMode::cut_cell);
+  double kinetic = 0;
   for (std::size_t k = 0; k < momenta.size(); ++k) kinetic += 0.5 * momenta[k] * state.u[k];
   Vector momentum{};
   for (std::size_t k = 0; k < momenta.size(); ++k) momentum[k % at(coupled.grid.dim)] += momenta[k];
   for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) {
     for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
-      if (domain.face[axis][f] != FaceKind::open) continue;
-      momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
-      volume += domain.volume[axis][f] / coupled.grid.dim;
+      if (domain.face[axis][f] == FaceKind::open)
+        momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
     }
   }
   const double fluid = kinetic_energy(domain, state.v, state.v, coupled.density);
