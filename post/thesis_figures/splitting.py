@@ -17,13 +17,14 @@ LOOKS = {("splitting", True): {"marker": "o", "markersize": 9, "color": "tab:gre
          ("splitting", False): {"marker": "o", "markersize": 9, "color": "tab:red"},
          ("symmetric", True): {"marker": "+", "color": "black"},
          ("symmetric", False): {"marker": "x", "color": "black"}}
+THEORY = re.compile(r"by theory: .* added mass is ([\d.e+-]+) times")
 ESTIMATE = re.compile(r"added mass ([\d.e+-]+) is \w+ m \+ c h/2 = ([\d.e+-]+)")
 
 
-def settings(material, ratio, length, mode, steps=STEPS):
+def settings(material, ratio, length, mode):
     modulus, beta = material
     return (f"coupled.mode='{mode}'", f"reg.densir(1)={1000 * ratio}", f"reg.matr(1,1)={modulus}", f"fem.beta={beta}",
-            f"in.tstep={length:.12g}", f"in.dtmax={length:.12g}", f"in.tmax={steps * length:.12g}",
+            f"in.tstep={length:.12g}", f"in.dtmax={length:.12g}", f"in.tmax={STEPS * length:.12g}",
             f"in.tiout(33)={length:.12g}", *BARE)
 
 
@@ -35,18 +36,13 @@ def holds(runs, *point):
         return False
 
 
-def theory(runs, *point):
-    """Added mass over what resists it, in the worst of all motions: splitting holds below 1."""
-    return runs.of("coupled-bar", *settings(*point, "splitting", 1)).summary["added_mass_ratio"]
-
-
-def estimate(runs, *point):
-    """The same by `tether plan`."""
+def told(runs, *point):
+    """Added mass over what resists it, of `tether plan`: in the worst of all motions by theory, and by its estimate."""
     words = [word for setting in settings(*point, "splitting") for word in ("--set", setting)]
-    told = subprocess.run([runs.program, "plan", runs.decks / "coupled-bar.in", *words], capture_output=True, text=True,
-                          check=True)
-    added, resists = (float(text) for text in ESTIMATE.search(told.stdout).groups())
-    return added / resists
+    text = subprocess.run([runs.program, "plan", runs.decks / "coupled-bar.in", *words], capture_output=True, text=True,
+                          check=True).stdout
+    added, resists = (float(number) for number in ESTIMATE.search(text).groups())
+    return {"theory": float(THEORY.search(text).group(1)), "estimate": added / resists}
 
 
 def limit(ratios, values):
@@ -57,8 +53,10 @@ def limit(ratios, values):
     return float(numpy.exp(numpy.interp(0, -at, numpy.log(ratios))))
 
 
-def limits(runs, material, of):
-    return [limit(RATIOS, [of(runs, material, ratio, length) for ratio in RATIOS]) for length in LENGTHS]
+def limits(runs, material):
+    """Of theory and estimate, a density ratio for each step."""
+    all_told = [[told(runs, material, ratio, length) for ratio in RATIOS] for length in LENGTHS]
+    return {way: [limit(RATIOS, [one[way] for one in of_step]) for of_step in all_told] for way in ("theory", "estimate")}
 
 
 def marks(axes, runs, material, mode):
@@ -70,8 +68,9 @@ def marks(axes, runs, material, mode):
 
 def draw(axes, runs, material):
     marks(axes, runs, material, "splitting")
-    for of, look, name in ((theory, "-", "limit by theory"), (estimate, "--", "estimate of the plan")):
-        axes.plot(LENGTHS, limits(runs, material, of), color="black", linestyle=look, label=name)
+    lines = limits(runs, material)
+    axes.plot(LENGTHS, lines["theory"], color="black", label="limit by theory")
+    axes.plot(LENGTHS, lines["estimate"], color="black", linestyle="--", label="estimate of the plan")
     marks(axes, runs, material, "symmetric")
     axes.set(xscale="log", yscale="log", xlabel="step [s]", ylabel="density of the bar over that of the fluid")
     axes.set_xticks(LENGTHS, [f"1/{1 / length:.0f}" for length in LENGTHS])

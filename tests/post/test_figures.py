@@ -32,7 +32,7 @@ PROGRAM = Path(os.environ["TETHER"])
 
 # Ends of the runs of decks that begin so: the longest would take 350,000 steps.
 SHORT = {"pendulum": 0.3, "membrane-expansion-1": 0.1, "membrane-expansion": 0.01, "cyl-": 0.003, "ball-net": 0.4,
-         "cylinder-expansion": 0.005, "l-block": 12.0, "two-flaps": 0.02, "coupled": 0.2}
+         "cylinder-expansion": 0.005, "l-block": 12.0, "two-flaps": 0.02, "coupled-bar": 0.07, "coupled": 0.2}
 
 
 class ShortRuns(Runs):

@@ -183,9 +183,9 @@ TEST(CoupledScene, LargeOnesInSpaceGoByConjugateGradients) {
   Coupled c;
   c.grid.n = {1000, 1000, 1};
   EXPECT_EQ(systems_of(c), CoupledSystems::direct);
-  c.grid.dim = 3, c.grid.n = {20, 50, 20};
+  c.grid.dim = 3, c.grid.n = {10, 20, 10};
   EXPECT_EQ(systems_of(c), CoupledSystems::direct);
-  c.grid.n = {20, 50, 21};
+  c.grid.n = {10, 20, 11};
   EXPECT_EQ(systems_of(c), CoupledSystems::krylov);
   c.systems = CoupledSystems::direct;
   EXPECT_EQ(systems_of(c), CoupledSystems::direct);
