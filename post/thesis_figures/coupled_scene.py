@@ -10,6 +10,7 @@ ASLANT = numpy.array((0.35, -0.25))  # what a place moves in the picture for eac
 BODIES = colormaps["YlOrRd"]
 LIGHT = numpy.array((-0.6, 0.6, 0.55))  # its direction
 DENSE = 3.0  # of smoke of density 1, a layer as deep as the box takes exp(-DENSE) of what is behind it
+CLEAR = 0.4  # share of the light that a body's face keeps back where the fluid is inside
 FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))  # of a tetrahedron, counter-clockwise from outside
 MOST = 98.0  # per cent of the bodies' energy densities of the run: those beyond are drawn as that one
 
@@ -96,7 +97,8 @@ class CoupledScene:
             ink[..., 3] = 1 - numpy.exp(-DENSE * part * self.sizes[2] / depth)
             ink[kind[layer] == OBSTACLE] = (0.6, 0.65, 0.7, 1.0)
             axes.imshow(ink, origin="lower", extent=self.extent(shift), zorder=3 + layer, interpolation="bilinear")
-            self.draw_faces(axes, record, numpy.flatnonzero(layer_of == layer), 3.5 + layer)
+            self.draw_faces(axes, record, numpy.flatnonzero(layer_of == layer), 3.5 + layer,
+                            CLEAR if name == "speed" else 1.0)
         low, high = (self.extent(self.shift(self.middles[2][end])) for end in (0, -1))
         axes.set_xlim(min(low[0], high[0]), max(low[1], high[1]))
         axes.set_ylim(min(low[2], high[2]), max(low[3], high[3]))
@@ -107,7 +109,7 @@ class CoupledScene:
     def shift(self, z):
         return ASLANT * (z - self.middles[2][0])
 
-    def draw_faces(self, axes, record, chosen, order):
+    def draw_faces(self, axes, record, chosen, order, alpha):
         """The faces that show their outer side, the nearer ones last."""
         places = numpy.stack([self.bodies[part][record] for part in "xyz"], axis=1)
         corners = places[self.faces[chosen]]
@@ -120,5 +122,5 @@ class CoupledScene:
         light = 0.7 + 0.3 * numpy.clip(normals[seen] @ (LIGHT / numpy.linalg.norm(LIGHT)), 0, 1)
         colours[:, :3] *= light[:, None]
         flat = corners[seen][:, :, :2] + (corners[seen][:, :, 2:] - self.middles[2][0]) * ASLANT
-        axes.add_collection(collections.PolyCollection(flat, facecolors=colours, edgecolors=colours, linewidths=0.3,
-                                                       zorder=order))
+        axes.add_collection(collections.PolyCollection(flat, facecolors=colours, edgecolors=colours, alpha=alpha,
+                                                       linewidths=0.3 if alpha == 1 else 0, zorder=order))
