@@ -75,21 +75,26 @@ void Contact::hold(std::span<const Touch> touches, std::span<std::uint8_t> held)
 
 void Contact::add_friction(std::span<double> forces) const {
   for (const Meeting& meeting : meetings_) {
-    for (std::size_t i = 0; i < dim_; ++i) forces[meeting.node * dim_ + i] += meeting.friction[i];
+    for (std::size_t i = 0; i < dim_; ++i) forces[meeting.node * dim_ + i] += meeting.friction * meeting.along[i];
   }
 }
 
 bool Contact::changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
                       std::vector<Touch>& touches) {
+  constexpr double same = 1e-4;  // of the largest friction
   bool changed = false;
+  double largest = 0, farthest = 0;
   for (Meeting& meeting : meetings_) {
     Touch& touch = touches[unknown(meeting)];
     if (touch != Touch::away && !meeting.touching) continue;  // another wall across the same axis has it
+    const double before = meeting.friction;
     const Touch then = next(meeting, touch, u0, u1, reactions);
     changed = changed || then != touch;
     touch = then, meeting.touching = then != Touch::away;
+    largest = std::max(largest, meeting.friction);
+    farthest = std::max(farthest, std::abs(meeting.friction - before));
   }
-  return changed;
+  return changed || farthest > same * largest;
 }
 
 /// Behind the wall, and where it is an obstacle's, in the obstacle: beside that its face goes on as no wall.
@@ -110,35 +115,45 @@ Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std
     Vector x = meeting.from;
     for (std::size_t i = 0; i < dim_; ++i)
       x[i] += 0.5 * h_ * (u0[meeting.node * dim_ + i] + u1[meeting.node * dim_ + i]);
-    const bool touches = !meeting.released && is_behind(meeting, x);
-    return !touches ? Touch::away : scene_.friction > 0 ? Touch::sticks : Touch::slides;
+    if (meeting.released || !is_behind(meeting, x)) return Touch::away;
+    return scene_.friction > 0 ? Touch::sticks : Touch::slides;
   }
   const double pressed = meeting.side * reactions[unknown(meeting)];
   if (pressed < 0) {
-    meeting.released = true, meeting.friction = {};
+    meeting.released = true, meeting.friction = 0;
     return Touch::away;
   }
   return scene_.friction > 0 ? rubbed(meeting, now, pressed, u1, reactions) : now;
 }
 
-/// Coulomb: a node that sticks begins to slide where that takes more than mu times the pressing force, and slides
-/// against that much until it turns round.
+/// A node's values along the wall.
+Vector Contact::across_axis(const Meeting& meeting, std::span<const double> values) const {
+  Vector along{};
+  for (std::size_t i = 0; i < dim_; ++i) along[i] = i == meeting.axis ? 0 : values[meeting.node * dim_ + i];
+  return along;
+}
+
+/// Coulomb: a node that sticks begins to slide where that takes more than mu times the pressing force. One that slides
+/// is rubbed by that much against its way; where that would drive it back, it sticks for the rest of the step. A node
+/// that comes sticks first: an impact is not rubbed by more than stops it.
 Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
                       std::span<const double> reactions) const {
-  Vector along{};
-  double square = 0, forth = 0;
-  for (std::size_t i = 0; i < dim_; ++i) {
-    if (i == meeting.axis) continue;
-    const std::size_t k = meeting.node * dim_ + i;
-    along[i] = now == Touch::sticks ? reactions[k] : meeting.friction[i];
-    square += along[i] * along[i], forth += along[i] * u1[k];
+  const double most = scene_.friction * pressed;
+  const Vector way = across_axis(meeting, u1), held = across_axis(meeting, reactions);
+  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto towards = [&](const Vector& x, double sign) {
+    const double size = sign * std::sqrt(dot(x, x));
+    return size == 0 ? Vector{} : Vector{x[0] / size, x[1] / size, x[2] / size};
+  };
+  if (now == Touch::sticks) {
+    if (meeting.turned || std::sqrt(dot(held, held)) <= most) return now;
+    meeting.along = towards(held, 1);
+  } else if (dot(meeting.along, meeting.along) == 0) {
+    meeting.along = towards(way, -1);
   }
-  const double most = scene_.friction * pressed, size = std::sqrt(square);
-  const bool stays = now == Touch::sticks ? size <= most : forth > 0 || size == 0;
-  meeting.friction = {};
-  if (stays) return Touch::sticks;
-  for (std::size_t i = 0; i < dim_; ++i) meeting.friction[i] = along[i] * (most / size);
-  return Touch::slides;
+  meeting.turned = dot(meeting.along, meeting.along) == 0 || (now == Touch::slides && dot(meeting.along, way) > 0);
+  meeting.friction = meeting.turned ? 0 : most;
+  return meeting.turned ? Touch::sticks : Touch::slides;
 }
 
 void Contact::place(std::span<double> q) const {

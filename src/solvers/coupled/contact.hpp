@@ -30,7 +30,8 @@ class Contact {
   /// Adds the friction of sliding nodes to forces.
   void add_friction(std::span<double> forces) const;
   /// Takes note of a solution: velocities u0 before and u1 behind the step, and the forces on held velocities. Returns
-  /// whether nodes touch or slide that did not, or the other way: the solution is to be found again then.
+  /// whether nodes touch or slide that did not, or the other way, or are rubbed by another force: the solution is to be
+  /// found again then.
   bool changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
                std::vector<Touch>& touches);
   /// Puts nodes that went through a wall, or into an obstacle, onto it.
@@ -46,7 +47,9 @@ class Contact {
     const AxisBox* box = nullptr;  // the obstacle; null: a side of the box
     bool touching = false;         // the node's velocity across is held because of this one
     bool released = false;         // in this step, to which it does not come back
-    Vector friction{};             // on the node where it slides [force]
+    bool turned = false;           // in this step, from sliding to sticking: it stays
+    Vector along{};                // unit vector of the friction on a node that slides; zero: not known yet
+    double friction = 0;           // on it [force]
   };
   std::size_t unknown(const Meeting& meeting) const { return meeting.node * dim_ + meeting.axis; }
   void meet_walls(std::size_t node, const Vector& x, double reach);
@@ -56,6 +59,7 @@ class Contact {
              std::span<const double> reactions) const;
   Touch rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
                std::span<const double> reactions) const;
+  Vector across_axis(const Meeting& meeting, std::span<const double> values) const;
 
   const Coupled& scene_;
   std::size_t dim_;
