@@ -7,16 +7,18 @@
 
 #include <filesystem>
 
+#include "deck/reader.hpp"
 #include "plan/load.hpp"
 #include "solvers/run.hpp"
 
 namespace tether::cases {
 
-DeckRun run_deck(const std::string& name, const std::vector<std::string>& overrides) {
+namespace {
+
+DeckRun run_loaded(const std::string& name, const Loaded& loaded) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto folder = std::filesystem::path(testing::TempDir()) /
                       ("tether-" + std::to_string(getpid()) + "-" + test->name() + "-" + name);
-  const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {overrides, "", ""});
   RunRequest request;
   request.folder = folder;
   request.deck_effective = loaded.effective;
@@ -24,9 +26,21 @@ DeckRun run_deck(const std::string& name, const std::vector<std::string>& overri
   const RunOutcome outcome = run(loaded.plan, request);
   DeckRun result{{}, outcome.history, loaded.plan.warnings, folder.string(), keeps_folder};
   for (const auto& [key, value] : outcome.summary) {
-    if (key != "path" && key != "linear_solver") result.summary[key] = std::stod(value);
+    if (key != "path" && key != "linear_solver" && key != "mode") result.summary[key] = std::stod(value);
   }
   return result;
+}
+
+}  // namespace
+
+DeckRun run_deck(const std::string& name, const std::vector<std::string>& overrides) {
+  return run_loaded(name, load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {overrides, "", ""}));
+}
+
+DeckRun run_text(const std::string& name, const std::string& text, const std::vector<std::string>& overrides) {
+  Diagnostics diagnostics;
+  const Deck deck = read_deck(text, name + ".in", overrides, diagnostics);
+  return run_loaded(name, load_scene(deck, {overrides, "", ""}, diagnostics));
 }
 
 std::vector<double> read_variable(const std::string& file, const std::string& name) {

@@ -25,6 +25,9 @@ struct DeckRun {
 /// Runs decks/NAME.in as the program does, with overrides as of --set, into a folder of the test's own.
 DeckRun run_deck(const std::string& name, const std::vector<std::string>& overrides = {});
 
+/// The same with a deck's text; `name` is what the folder is called after.
+DeckRun run_text(const std::string& name, const std::string& text, const std::vector<std::string>& overrides = {});
+
 /// A variable of a NetCDF file, all of it.
 std::vector<double> read_variable(const std::string& file, const std::string& name);
 
