@@ -90,6 +90,18 @@ TEST_P(Cut, LiftIsTheWeightOfTheFluidThatTheSolidHolds) {
   }
 }
 
+/// A post through the open side at the top, whose end is nearer to it than a cell's middle: the pressure falls to zero.
+TEST_P(Cut, LiftOfWhatStandsOutAtAnOpenSideIsThatOfItsPartInside) {
+  const int dim = GetParam();
+  for (const double depth : {0.02, 0.2}) {
+    const Mesh mesh = lattice(dim, {3, 3, 3}, all, [=](const Vector& s) {
+      return Vector{0.31 + 0.4 * s[0], 1 - depth + 0.5 * s[1], 0.33 + 0.4 * s[2]};
+    });
+    const AtRest rest = rest_of(dim, 16, CouplingMode::cut_cell, mesh);
+    EXPECT_NEAR(rest.lift[1] / (depth * std::pow(0.4, dim - 1)), 1, 1e-11) << depth;
+  }
+}
+
 /// Where cells are wholly fluid or not the pressure is sampled up to half a cell away: of order 1.
 TEST(WholeCells, LiftIsOfOrderOne) {
   const Mesh mesh = lattice(2, {6, 4, 1}, all, turned_block({0.5, 0.5, 0}, {0.3, 0.2, 0}, 0.5));

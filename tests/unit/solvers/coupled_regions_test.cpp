@@ -96,6 +96,13 @@ TEST_P(ClosedRegions, OfAFewCellsThatASurfaceCutsOffArePockets) {
   EXPECT_EQ(pockets(), std::pair(std::uint8_t{0}, std::uint8_t{0}));
 }
 
+/// A small cavity is no crevice: nothing larger sees its sheet.
+TEST_P(ClosedRegions, OfAFewCellsThatASolidEnclosesAreNoPockets) {
+  const Mesh mesh = hollow_block(dim, 1, {0.5, 0.5, 0.5}, 0.6, 0);
+  const Surroundings about(fluid_in_box(dim, 10), mesh);
+  EXPECT_EQ(find_pockets(about.domain, about.map), (std::vector<std::uint8_t>{0, 0}));
+}
+
 TEST_P(ClosedRegions, ThatAreDroppedAreSolid) {
   const Mesh mesh = hollow_block(dim, 1, {0.5, 0.5, 0.5}, 0.6, 0);
   Surroundings about(fluid_in_box(dim, 10), mesh);
