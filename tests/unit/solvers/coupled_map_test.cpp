@@ -105,7 +105,7 @@ TEST_P(Mapped, AConstantPressurePressesOnEachNodesArea) {
   for (const double force : sum) EXPECT_NEAR(force, 0, 1e-13);
 }
 
-/// Of a linear one, between neighbours that open faces join, B^T p is the exact integral: a sheet of cells' middles.
+/// All of the surface is seen, by one region each.
 TEST_P(Mapped, TheAreasThatRegionsSeeAreTheSheets) {
   const int dim = GetParam().dim;
   const Mesh mesh = hollow_block(dim, 1, {0.5, 0.51, 0.49}, 0.5, 0.4);
