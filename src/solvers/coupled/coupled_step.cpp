@@ -20,6 +20,7 @@ constexpr int layers_around_fluid = 4;
 constexpr double support_width = 1e-3;       // of a step: about its end the speed of a support is taken
 constexpr double rounded_power = 1e-9;       // of the fluid's kinetic energy in a step: below, forces are rounding
 constexpr double rounded_projection = 1e-4;  // of the kinetic energy that pressures take in a step: the same
+constexpr int farthest = 1000;               // sizes of the box that a node may be away from it
 constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
@@ -228,12 +229,16 @@ void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, d
 /// A solid that ran away, or is turned inside out, leaves nothing to go on with.
 void CoupledStep::check(const CoupledState& state) const {
   if (state.q.empty()) return;
+  const auto d = static_cast<std::size_t>(surface_.dim);
+  const StaggeredGrid& grid = coupled_.grid;
   for (std::size_t k = 0; k < state.q.size(); ++k) {
-    if (std::isfinite(state.q[k]) && std::isfinite(state.u[k])) continue;
+    const std::size_t axis = k % d;
+    const double most = farthest * grid.n[axis] * grid.d[axis];  // beyond, cells cannot be counted
+    if (std::abs(state.q[k] - grid.low[axis]) <= most && std::isfinite(state.u[k])) continue;
     throw RunError(
-        fmt::format("t = {:.9g}, step {}: node {} has no place any more: likely cause, steps too long for the "
-                    "way fluid and solids are solved",
-                    state.time, state.steps + 1, k / static_cast<std::size_t>(surface_.dim) + 1));
+        fmt::format("t = {:.9g}, step {}: node {} is {} box sizes away: likely cause, steps too long for the "
+                    "way fluid and solids are solved, or an open side that a body leaves through",
+                    state.time, state.steps + 1, k / d + 1, farthest));
   }
   const fem::ShapeVolumes shape = solids_.system.elements->shape(state.q);
   if (shape.least > 0) return;

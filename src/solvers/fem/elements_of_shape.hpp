@@ -171,13 +171,15 @@ class ElementsOf final : public Elements {
     for (int k = 0; k < points; ++k) {
       GradientModulus<dim> H = gradient_modulus<dim>(stress<StressAt::end>(e, k, at, at));
       if (made_convex) H = convex<dim>(H);
-      Eigen::Matrix<double, dim * dim, unknowns> gradient = decltype(gradient)::Zero();  // of the nodes' places
-      for (int a = 0; a < nodes; ++a) {
-        for (int j = 0; j < dim; ++j) {
-          for (int i = 0; i < dim; ++i) gradient(j * dim + i, a * dim + i) = gradients(e, k)(j, a);
+      for (int b = 0; b < nodes; ++b) {
+        Eigen::Matrix<double, dim * dim, dim> by = decltype(by)::Zero();  // dP by the place of node b
+        for (int l = 0; l < dim; ++l) by += gradients(e, k)(l, b) * H.template middleCols<dim>(l * dim);
+        for (int a = 0; a < nodes; ++a) {
+          for (int j = 0; j < dim; ++j)
+            K.template block<dim, dim>(a * dim, b * dim) +=
+                weight(e, k) * gradients(e, k)(j, a) * by.template middleRows<dim>(j * dim);
         }
       }
-      K.noalias() += weight(e, k) * (gradient.transpose() * H * gradient);
     }
   }
 
