@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "grid/disjoint_sets.hpp"
 #include "grid/element_sides.hpp"
 
 namespace tether {
@@ -16,15 +17,6 @@ struct Face {
   std::size_t side;
   bool operator<(const Face& other) const { return sorted != other.sorted ? sorted < other.sorted : side < other.side; }
 };
-
-int root_of(std::vector<int>& above, int node) {
-  while (above[static_cast<std::size_t>(node)] != node) {
-    auto& next = above[static_cast<std::size_t>(node)];
-    next = above[static_cast<std::size_t>(next)];
-    node = next;
-  }
-  return node;
-}
 
 /// The sides of all elements, sorted so that those with the same nodes stand together.
 std::vector<Face> faces_of(const Mesh& mesh, const Sides& all) {

@@ -24,6 +24,10 @@ struct StaggeredGrid {
   double volume() const { return d[0] * d[1] * d[2]; }            ///< of a cell
   double area(int axis) const { return volume() / d[at(axis)]; }  ///< of a face across the axis
   double middle(int axis, int i) const { return low[at(axis)] + (i + 0.5) * d[at(axis)]; }
+  /// A cell's middle; z is 0 in the plane.
+  std::array<double, 3> middle(const std::array<int, 3>& c) const {
+    return {middle(0, c[0]), middle(1, c[1]), dim == 3 ? middle(2, c[2]) : 0};
+  }
   double face_place(int axis, int i) const { return low[at(axis)] + i * d[at(axis)]; }
 
   std::size_t cell_count() const { return at(n[0]) * at(n[1]) * at(n[2]); }

@@ -140,7 +140,6 @@ Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<con
                       std::span<const double> reactions) const {
   const double most = scene_.friction * pressed;
   const Vector way = across_axis(meeting, u1), held = across_axis(meeting, reactions);
-  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   const auto towards = [&](const Vector& x, double sign) {
     const double size = sign * std::sqrt(dot(x, x));
     return size == 0 ? Vector{} : Vector{x[0] / size, x[1] / size, x[2] / size};

@@ -154,7 +154,6 @@ bool is_plate(const SurfacePieces& pieces, const Crossings& crossings, int lowes
   constexpr double facing = -0.5;
   const Vector &a = pieces.area[at(crossings.all[at(lowest)].side)],
                &b = pieces.area[at(crossings.all[at(highest)].side)];
-  const auto dot = [](const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
   return dot(a, b) < facing * std::sqrt(dot(a, a) * dot(b, b));
 }
 

@@ -6,11 +6,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-Vector middle_of(const StaggeredGrid& grid, std::size_t cell) {
-  const auto place = grid.place_of_cell(cell);
-  return {grid.middle(0, place[0]), grid.middle(1, place[1]), grid.middle(2, place[2])};
-}
-
 /// Calls f(other cell, axis, face) for the neighbours of a cell.
 template <class Function>
 void for_neighbours(const StaggeredGrid& grid, std::size_t cell, const Function& f) {
@@ -44,7 +39,7 @@ void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const 
 
 FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid) {
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
-    const Vector middle = middle_of(scene.grid, cell);
+    const Vector middle = scene.grid.middle(scene.grid.place_of_cell(cell));
     for (const AxisBox& box : scene.voids) {
       if (box.contains(middle)) kind_[cell] = CellKind::empty;
     }

@@ -9,16 +9,6 @@ namespace {
 
 std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector middle_of(const StaggeredGrid& grid, const std::array<int, 3>& c) {
-  return {grid.middle(0, c[0]), grid.middle(1, c[1]), grid.dim == 3 ? grid.middle(2, c[2]) : 0};
-}
-
 /// Whether the way from `from` to `to` meets the side, its ends left out by rounding's measure.
 bool meets_edge(const Vector& a, const Vector& b, const Vector& from, const Vector& to) {
   const Vector way = minus(to, from), edge = minus(b, a), gap = minus(a, from);
@@ -102,7 +92,7 @@ int PressureSampler::nearest(const SurfacePiece& piece, const std::array<int, 3>
         if (!grid.has_cell(c)) continue;
         const CellKind kind = domain_.kind[grid.cell(c)];
         if (kind != CellKind::fluid && kind != CellKind::empty) continue;
-        const Vector way = minus(middle_of(grid, c), piece.middle);
+        const Vector way = minus(grid.middle(c), piece.middle);
         if (dot(way, pieces_.area[at_index(piece.side)]) > 0) candidates.push_back({dot(way, way), grid.cell(c)});
       }
     }
@@ -111,7 +101,7 @@ int PressureSampler::nearest(const SurfacePiece& piece, const std::array<int, 3>
     return a.square < b.square || (a.square == b.square && a.cell < b.cell);
   });
   for (const Candidate& candidate : candidates) {
-    if (sees(piece, middle_of(grid, grid.place_of_cell(candidate.cell)))) return static_cast<int>(candidate.cell);
+    if (sees(piece, grid.middle(grid.place_of_cell(candidate.cell)))) return static_cast<int>(candidate.cell);
   }
   return -1;
 }
@@ -144,7 +134,7 @@ int PressureSampler::joined(const std::array<int, 3>& cell, int axis, int end) c
 PressureStencil PressureSampler::at(const Vector& x, std::size_t cell) const {
   const StaggeredGrid& grid = domain_.grid;
   const auto place = grid.place_of_cell(cell);
-  const Vector middle = middle_of(grid, place);
+  const Vector middle = grid.middle(place);
   PressureStencil stencil;
   stencil.add(cell, 1);
   for (int axis = 0; axis < grid.dim; ++axis) {

@@ -2,7 +2,8 @@
 #include "solvers/coupled/region_constants.hpp"
 
 #include <Eigen/Cholesky>
-#include <numeric>
+
+#include "algebra/gmres.hpp"
 
 namespace tether::coupled {
 
@@ -32,13 +33,10 @@ std::vector<double> RegionConstants::found(QuasidefiniteSolver& factors, std::sp
   for (auto& column : solved) factors.solve(column, column);
   Eigen::MatrixXd schur(count, count);
   Eigen::VectorXd right(count);
-  const auto dot = [](const std::vector<double>& a, std::span<const double> b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  };
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& border = border_[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j < count; ++j) schur(i, j) = dot(border, solved[static_cast<std::size_t>(j)]);
-    right[i] = dot(border, x) - right_[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < count; ++j) schur(i, j) = tether::dot(border, solved[static_cast<std::size_t>(j)]);
+    right[i] = tether::dot(border, x) - right_[static_cast<std::size_t>(i)];
   }
   const Eigen::VectorXd c = schur.ldlt().solve(right);
   for (Eigen::Index i = 0; i < count; ++i) {

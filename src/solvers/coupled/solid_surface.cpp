@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "grid/disjoint_sets.hpp"
+
 namespace tether::coupled {
 namespace {
-
-int root_of(std::vector<int>& above, int node) {
-  while (above[static_cast<std::size_t>(node)] != node) {
-    int& next = above[static_cast<std::size_t>(node)];
-    next = above[static_cast<std::size_t>(next)];
-    node = next;
-  }
-  return node;
-}
 
 /// Sheets by nodes that sides share, numbered as they come.
 void find_sheets(std::size_t nodes, SolidSurface& surface) {

@@ -12,6 +12,12 @@ namespace tether::coupled {
 
 using Vector = std::array<double, 3>;
 
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// The surface of solids made of triangles or tetrahedra: edges in the plane, triangles in space. Places q have dim
 /// numbers a node.
 struct SolidSurface {
