@@ -72,7 +72,7 @@ class Carrier {
     std::array<double, dim> u{};
     for (int b = 0; b < dim; ++b) {
       const auto c = static_cast<std::size_t>(b);
-      u[c] = b == axis ? v_[c][f] : paths_.value(v_, b, middle).value;
+      u[c] = b == axis ? v_[c][f] : paths_.component(v_, b, middle);
     }
     FlowPlace half = middle, end = middle;
     paths_.follow(half, way(u, 0.5 * time));

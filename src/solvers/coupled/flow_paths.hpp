@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,18 +12,19 @@
 namespace tether::coupled {
 
 /// How each cell is joined to those beside it: bit 2 a + side says that the face on its lower (0) or upper (1) side
-/// across axis a is open and leads to another cell of the box; the same bit 6 further up that a solid closes it; bit 15
-/// that it and all cells around it are joined to all theirs.
+/// across axis a is open and leads to another cell of the box; the same bit 6 further up that a solid closes it. Where
+/// a cell is joined to all of them, `room` is how many layers of such cells lie all around it, 254 at most.
 class CellJoins {
  public:
   explicit CellJoins(const FlowDomain& domain);
 
   bool joined(std::size_t cell, int side) const { return bits_[cell] >> side & 1; }
   bool closed(std::size_t cell, int side) const { return bits_[cell] >> (side + 6) & 1; }
-  bool clear(std::size_t cell) const { return bits_[cell] >> 15; }
+  int room(std::size_t cell) const { return room_[cell]; }
 
  private:
   std::vector<std::uint16_t> bits_;
+  std::vector<std::uint8_t> room_;
 };
 
 /// Where something is: a cell, and how far it is between the cell's lower and upper sides, from 0 to 1 on each axis.
@@ -65,6 +67,7 @@ class FlowPaths {
   /// Goes on by `way` [cells], cell by cell. What would leave the box goes on along its side; at any other face that is
   /// not open the path ends. False where it was cut short so.
   bool follow(FlowPlace& place, std::array<double, dim> way) const {
+    if (nothing_beside(place, way)) return go(place, way);
     bool uncut = true;
     for (double left = 1;;) {
       std::size_t axis = dim;
@@ -86,13 +89,27 @@ class FlowPaths {
   /// All components at a place.
   std::array<double, dim> velocity(const FaceValues& v, const FlowPlace& place) const {
     std::array<double, dim> u;
-    for (int a = 0; a < dim; ++a) u[static_cast<std::size_t>(a)] = value(v, a, place).value;
+    for (int a = 0; a < dim; ++a) u[static_cast<std::size_t>(a)] = component(v, a, place);
     return u;
+  }
+
+  double component(const FaceValues& v, int axis, const FlowPlace& place) const {
+    const Rows r = rows_beside(axis, place);
+    if (joins_.room(grid_.cell(place.cell)) == 0) return between_reached(v, axis, place, r).value;
+    const auto a = static_cast<std::size_t>(axis);
+    const double t = place.at[a];
+    double sum = 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double* lower = v[a].data() + r.first[i];
+      sum += r.weight[i] * ((1 - t) * lower[0] + t * lower[stride_[a][a]]);
+    }
+    return sum;
   }
 
   FlowValue value(const FaceValues& v, int axis, const FlowPlace& place) const {
     const Rows r = rows_beside(axis, place);
-    return joins_.clear(grid_.cell(place.cell)) ? between_all(v, axis, place, r) : between_reached(v, axis, place, r);
+    return joins_.room(grid_.cell(place.cell)) > 0 ? between_all(v, axis, place, r)
+                                                   : between_reached(v, axis, place, r);
   }
 
  private:
@@ -101,6 +118,24 @@ class FlowPaths {
     std::array<std::ptrdiff_t, rows> first;  // lower face of each, that of the place's own cell first
     std::array<double, rows> weight;
   };
+
+  // Whether all cells in reach are joined.
+  bool nothing_beside(const FlowPlace& place, const std::array<double, dim>& way) const {
+    const int room = joins_.room(grid_.cell(place.cell));
+    bool within = room > 0;
+    for (const double cells : way) within = within && std::abs(cells) <= room;  // a number that is none is not
+    return within;
+  }
+
+  static bool go(FlowPlace& place, const std::array<double, dim>& way) {
+    constexpr int below = 256;  // more than there is room for: so that numbers are cut off downwards
+    for (std::size_t b = 0; b < dim; ++b) {
+      const double to = place.at[b] + way[b];
+      const int cells = static_cast<int>(to + below) - below;
+      place.cell[b] += cells, place.at[b] = std::max(to - cells, 0.0);
+    }
+    return true;
+  }
 
   enum class Crossing { through, side_of_box, barred };
 
@@ -150,7 +185,8 @@ class FlowPaths {
     return found;
   }
 
-  FlowValue between_reached(const FaceValues& v, int axis, const FlowPlace& place, const Rows& r) const {
+  [[gnu::noinline]] FlowValue between_reached(const FaceValues& v, int axis, const FlowPlace& place,
+                                              const Rows& r) const {
     const auto a = static_cast<std::size_t>(axis);
     std::array<std::size_t, rows> cell{};
     FlowValue found;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solvers/coupled/smoke_passages.hpp"
 
@@ -15,116 +16,152 @@ constexpr double kept = 1e-3;          // of a full cell's volume, that a cell d
 constexpr double starved = 0.1;        // of a full cell's volume: with less a cell has no say in the number of steps
 constexpr double most_pairs = 32;      // of steps
 
-// What goes through a passage in a step.
-struct Moved {
-  double volume, smoke, heat;
+constexpr double tiny = std::numeric_limits<double>::min();  // keeps 0 / 0 away and changes nothing else
+
+/// Numbers of cells; those beyond the first and the last cell are zero.
+class CellNumbers {
+ public:
+  CellNumbers(std::size_t cells, std::size_t beyond) : beyond_(beyond), values_(cells + 2 * beyond) {}
+  double* data() { return values_.data() + beyond_; }
+  const double* data() const { return values_.data() + beyond_; }
+
+ private:
+  std::size_t beyond_;
+  std::vector<double> values_;
 };
 
-// The mean, over the share of cell `from` that leaves it, of what is linear in it with van Leer's slope.
-double mean_of_leaving(const std::vector<double>& values, const SmokePassage& passage, double share) {
-  const double own = values[static_cast<std::size_t>(passage.from)];
-  if (passage.behind < 0 || passage.to < 0) return own;
-  const double before = own - values[static_cast<std::size_t>(passage.behind)],
-               after = values[static_cast<std::size_t>(passage.to)] - own, product = before * after;
-  return product > 0 ? own + (1 - share) * product / (before + after) : own;
+/// What leaves each cell through one of its sides in a step.
+struct Leaving {
+  CellNumbers volume, smoke, heat;
+  Leaving(std::size_t cells, std::size_t beyond) : volume(cells, beyond), smoke(cells, beyond), heat(cells, beyond) {}
+};
+
+/// Half of van Leer's slope: what is linear in the cell rises by it from the middle to the upper side.
+inline double half_slope(double below, double own, double above) {
+  const double before = own - below, after = above - own, b = std::abs(before), a = std::abs(after);
+  return 0.5 * (before * a + b * after) / (b + a + tiny);  // 0 where the signs differ
 }
 
 class SmokeCarrier {
  public:
   SmokeCarrier(const FlowDomain& domain, const FaceValues& v, const std::vector<SmokeJet>& jets, Smoke& smoke)
-      : dim_(static_cast<std::size_t>(domain.grid.dim)),
-        full_(domain.grid.volume()),
+      : full_(domain.grid.volume()),
+        count_(smoke.volume.size()),
         smoke_(smoke),
         jets_(jets),
-        passages_(smoke_passages(domain, v, jets)),
-        given_(smoke.volume.size()),
-        density_(smoke.volume.size()),
-        temperature_(smoke.volume.size()) {}
+        beyond_(domain.grid.cell(0, domain.grid.dim == 2, domain.grid.dim == 3)),
+        density_(count_, beyond_),
+        temperature_(count_, beyond_),
+        up_(count_, beyond_),
+        down_(count_, beyond_) {
+    for (int axis = 0; axis < domain.grid.dim; ++axis)
+      passages_.push_back(smoke_passages(domain, axis, v[static_cast<std::size_t>(axis)], jets));
+  }
 
   SmokeFlow carry(double h) {
     const double pairs = std::clamp(std::ceil(0.5 * h * fastest() / largest_share), 1.0, most_pairs);
     for (int pair = 0; pair < static_cast<int>(pairs); ++pair) {
-      for (std::size_t a = 0; a < dim_; ++a) sweep(passages_[a], 0.5 * h / pairs);
-      for (std::size_t a = dim_; a-- > 0;) sweep(passages_[a], 0.5 * h / pairs);
+      for (const SmokePassages& along : passages_) sweep(along, 0.5 * h / pairs);
+      for (std::size_t a = passages_.size(); a-- > 0;) sweep(passages_[a], 0.5 * h / pairs);
     }
     return flow_;
   }
 
  private:
-  // The largest share of its volume that a cell gives away per time.
-  double fastest() {
-    std::fill(given_.begin(), given_.end(), 0.0);
-    for (const auto& along : passages_) {
-      for (const SmokePassage& p : along) {
-        if (p.from >= 0) given_[static_cast<std::size_t>(p.from)] += p.rate;
-      }
-    }
+  // The largest share of its volume that a cell gives away along an axis per time.
+  double fastest() const {
     double largest = 0;
-    for (std::size_t c = 0; c < given_.size(); ++c) {
-      if (smoke_.volume[c] > starved * full_) largest = std::max(largest, given_[c] / smoke_.volume[c]);
+    for (const SmokePassages& along : passages_) {
+      for (std::size_t c = 0; c < count_; ++c) {
+        if (smoke_.volume[c] > starved * full_)
+          largest = std::max(largest, (along.up[c] + along.down[c]) / smoke_.volume[c]);
+      }
     }
     return largest;
   }
 
-  void sweep(const std::vector<SmokePassage>& passages, double h) {
+  void sweep(const SmokePassages& along, double h) {
     find_concentrations();
-    std::fill(given_.begin(), given_.end(), 0.0);
-    for (const SmokePassage& p : passages) {
-      if (p.from >= 0) given_[static_cast<std::size_t>(p.from)] += h * p.rate;
-    }
-    moved_.resize(passages.size());
-    for (std::size_t i = 0; i < passages.size(); ++i)
-      moved_[i] = passages[i].from < 0 ? coming(passages[i], h) : leaving(passages[i], h);
-    for (std::size_t i = 0; i < passages.size(); ++i) move(passages[i], moved_[i]);
+    leave(along, h);
+    for (const SmokePassages::Outer& face : along.out) go_out(face);
+    arrive(along.stride);
+    for (const SmokePassages::Outer& face : along.in) come_in(face, h);
   }
 
   void find_concentrations() {
-    for (std::size_t c = 0; c < density_.size(); ++c) {
-      const double w = smoke_.volume[c], per_volume = w > 0 ? 1 / w : 0;
-      density_[c] = smoke_.smoke[c] * per_volume;
-      temperature_[c] = smoke_.heat[c] * per_volume;
+    const double *volume = smoke_.volume.data(), *smoke = smoke_.smoke.data(), *heat = smoke_.heat.data();
+    double *density = density_.data(), *temperature = temperature_.data();
+    const std::size_t count = count_;
+#pragma GCC ivdep
+    for (std::size_t c = 0; c < count; ++c) {
+      const double per_volume = 1 / (volume[c] + tiny);
+      density[c] = smoke[c] * per_volume;
+      temperature[c] = heat[c] * per_volume;
     }
   }
 
-  Moved coming(const SmokePassage& p, double h) const {
-    const double volume = h * p.rate;
-    if (p.jet < 0) return {volume, 0, 0};
-    const SmokeJet& jet = jets_[static_cast<std::size_t>(p.jet)];
-    return {volume, volume * jet.density, volume * jet.temperature};
-  }
-
-  Moved leaving(const SmokePassage& p, double h) const {
-    const auto c = static_cast<std::size_t>(p.from);
-    const double held = smoke_.volume[c], most = std::clamp(held - kept * full_, 0.0, all_but_some * held);
-    double volume = h * p.rate;
-    if (given_[c] > most) volume *= most / given_[c];
-    const double share = held > 0 ? volume / held : 0;
-    return {volume, volume * mean_of_leaving(density_, p, share), volume * mean_of_leaving(temperature_, p, share)};
-  }
-
-  void move(const SmokePassage& p, const Moved& m) {
-    if (p.from >= 0) {
-      const auto c = static_cast<std::size_t>(p.from);
-      smoke_.volume[c] -= m.volume, smoke_.smoke[c] -= m.smoke, smoke_.heat[c] -= m.heat;
-    } else {
-      flow_.smoke_in += m.smoke, flow_.heat_in += m.heat;
-    }
-    if (p.to >= 0) {
-      const auto c = static_cast<std::size_t>(p.to);
-      smoke_.volume[c] += m.volume, smoke_.smoke[c] += m.smoke, smoke_.heat[c] += m.heat;
-    } else {
-      flow_.smoke_out += m.smoke, flow_.heat_out += m.heat;
+  // Of what is linear in a cell the mean over the share that leaves it.
+  void leave(const SmokePassages& along, double h) {
+    const double *rate_up = along.up.data(), *rate_down = along.down.data(), *has_slope = along.has_slope.data();
+    const double *density = density_.data(), *temperature = temperature_.data(), *volume = smoke_.volume.data();
+    double *volume_up = up_.volume.data(), *smoke_up = up_.smoke.data(), *heat_up = up_.heat.data();
+    double *volume_down = down_.volume.data(), *smoke_down = down_.smoke.data(), *heat_down = down_.heat.data();
+    const std::ptrdiff_t s = along.stride, count = static_cast<std::ptrdiff_t>(count_);
+    const double full = full_;
+#pragma GCC ivdep
+    for (std::ptrdiff_t c = 0; c < count; ++c) {
+      const double held = volume[c], most = std::min(std::max(held - kept * full, 0.0), all_but_some * held);
+      const double given = h * (rate_up[c] + rate_down[c]), part = std::min(1.0, most / (given + tiny));
+      const double up = h * rate_up[c] * part, down = h * rate_down[c] * part, per_volume = 1 / (held + tiny);
+      const double smoke = has_slope[c] * half_slope(density[c - s], density[c], density[c + s]);
+      const double heat = has_slope[c] * half_slope(temperature[c - s], temperature[c], temperature[c + s]);
+      const double still_up = 1 - up * per_volume, still_down = 1 - down * per_volume;
+      volume_up[c] = up, volume_down[c] = down;
+      smoke_up[c] = up * (density[c] + still_up * smoke), smoke_down[c] = down * (density[c] - still_down * smoke);
+      heat_up[c] = up * (temperature[c] + still_up * heat), heat_down[c] = down * (temperature[c] - still_down * heat);
     }
   }
 
-  std::size_t dim_;
+  void go_out(const SmokePassages::Outer& face) {
+    Leaving& from = face.upper ? up_ : down_;
+    double &volume = from.volume.data()[face.cell], &smoke = from.smoke.data()[face.cell],
+           &heat = from.heat.data()[face.cell];
+    smoke_.volume[face.cell] -= volume, smoke_.smoke[face.cell] -= smoke, smoke_.heat[face.cell] -= heat;
+    flow_.smoke_out += smoke, flow_.heat_out += heat;
+    volume = smoke = heat = 0;
+  }
+
+  void arrive(std::ptrdiff_t stride) {
+    add_arriving(up_.volume.data(), down_.volume.data(), stride, smoke_.volume);
+    add_arriving(up_.smoke.data(), down_.smoke.data(), stride, smoke_.smoke);
+    add_arriving(up_.heat.data(), down_.heat.data(), stride, smoke_.heat);
+  }
+
+  static void add_arriving(const double* up, const double* down, std::ptrdiff_t s, std::vector<double>& content) {
+    double* held = content.data();
+    const auto count = static_cast<std::ptrdiff_t>(content.size());
+#pragma GCC ivdep
+    for (std::ptrdiff_t c = 0; c < count; ++c) held[c] += (up[c - s] - down[c]) - (up[c] - down[c + s]);
+  }
+
+  void come_in(const SmokePassages::Outer& face, double h) {
+    const double volume = h * face.rate;
+    smoke_.volume[face.cell] += volume;
+    if (face.jet < 0) return;
+    const SmokeJet& jet = jets_[static_cast<std::size_t>(face.jet)];
+    smoke_.smoke[face.cell] += volume * jet.density, smoke_.heat[face.cell] += volume * jet.temperature;
+    flow_.smoke_in += volume * jet.density, flow_.heat_in += volume * jet.temperature;
+  }
+
   double full_;
+  std::size_t count_;
   Smoke& smoke_;
   SmokeFlow flow_;
   const std::vector<SmokeJet>& jets_;
-  std::array<std::vector<SmokePassage>, 3> passages_;
-  std::vector<Moved> moved_;
-  std::vector<double> given_, density_, temperature_;
+  std::vector<SmokePassages> passages_;  // across each axis
+  std::size_t beyond_;                   // the farthest that a cell's next one is
+  CellNumbers density_, temperature_;
+  Leaving up_, down_;
 };
 
 }  // namespace

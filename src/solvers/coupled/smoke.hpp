@@ -40,10 +40,10 @@ Smoke clean_smoke(const FlowDomain& domain);
 
 /// Carries smoke and heat along with v for a time h through faces that are not closed: linear in each cell, with van
 /// Leer's limit, one axis after the other and back, in an even number of equal steps, such that no cell gives away more
-/// than four fifths of its volume in one. There are at most 64; beyond that, as in any one step, a cell gives nine
-/// tenths at most. What comes in through jets is theirs; from other prescribed faces, open sides and void cells it is
-/// clean. Contents change by nothing but what is returned. Order 2 for smooth flows. Source: van Leer, J. Comput. Phys.
-/// 14, 361 (1974).
+/// than four fifths of its volume along an axis in one. There are at most 64; beyond that, as in any one step, a cell
+/// gives nine tenths at most. What comes in through jets is theirs; from other prescribed faces, open sides and void
+/// cells it is clean. Contents change by nothing but what is returned. Order 2 for smooth flows. Source: van Leer, J.
+/// Comput. Phys. 14, 361 (1974).
 SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, const std::vector<SmokeJet>& jets,
                       Smoke& smoke);
 

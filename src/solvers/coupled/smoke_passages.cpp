@@ -2,7 +2,6 @@
 #include "solvers/coupled/smoke_passages.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace tether::coupled {
@@ -16,49 +15,50 @@ class Finder {
       if (jets[i].axis == axis) jets_.push_back({jets[i].face, static_cast<int>(i)});
     }
     std::sort(jets_.begin(), jets_.end());
+    const std::size_t count = domain.grid.cell_count();
+    found_.stride = static_cast<std::ptrdiff_t>(domain.grid.cell(axis == 0, axis == 1, axis == 2));
+    found_.up.assign(count, 0.0), found_.down.assign(count, 0.0), found_.has_slope.assign(count, 0.0);
   }
 
-  std::vector<SmokePassage> find(const std::vector<double>& v) {
-    const auto m = domain_.grid.faces(axis_);
-    std::vector<SmokePassage> found;
-    found.reserve(v.size());
-    std::size_t f = 0;
-    for (int k = 0; k < m[2]; ++k) {
-      for (int j = 0; j < m[1]; ++j) {
-        for (int i = 0; i < m[0]; ++i, ++f) {
-          if (domain_.face[a_][f] == FaceKind::closed) continue;
-          const double rate = domain_.area[a_][f] * v[f];
-          if (rate != 0) add(f, {i, j, k}, rate, found);
+  SmokePassages find(const std::vector<double>& v) {
+    std::size_t c = 0;
+    const auto& n = domain_.grid.n;
+    for (int k = 0; k < n[2]; ++k) {
+      for (int j = 0; j < n[1]; ++j) {
+        for (int i = 0; i < n[0]; ++i, ++c) {
+          if (domain_.kind[c] == CellKind::fluid) look_at({i, j, k}, c, v);
         }
       }
     }
-    return found;
+    return std::move(found_);
   }
 
  private:
-  void add(std::size_t f, const std::array<int, 3>& face, double rate, std::vector<SmokePassage>& found) const {
-    auto from = face, to = face;
-    (rate > 0 ? from : to)[a_] -= 1;
-    SmokePassage passage{.from = fluid_cell(from), .to = fluid_cell(to), .rate = std::abs(rate)};
-    if (passage.from < 0 && passage.to < 0) return;
-    if (passage.from >= 0) passage.behind = cell_behind(face, from, rate > 0 ? 1 : -1);
-    if (passage.from < 0 && domain_.face[a_][f] == FaceKind::prescribed) passage.jet = jet_at(f);
-    found.push_back(passage);
+  void look_at(const std::array<int, 3>& cell, std::size_t c, const std::vector<double>& v) {
+    bool fluid_beside = true;
+    for (const bool upper : {false, true}) {
+      auto face = cell;
+      face[a_] += upper ? 1 : 0;
+      const std::size_t f = domain_.grid.face(axis_, face);
+      const bool shut = domain_.face[a_][f] == FaceKind::closed, outer = !has_fluid_beyond(cell[a_], c, upper);
+      fluid_beside = fluid_beside && !shut && !outer;
+      if (shut) continue;
+      const double rate = domain_.area[a_][f] * (upper ? v[f] : -v[f]);
+      if (rate > 0) (upper ? found_.up : found_.down)[c] = rate;
+      if (outer && rate > 0) found_.out.push_back({c, upper, -1, rate});
+      if (outer && rate < 0) found_.in.push_back({c, upper, jet_at(f), -rate});
+    }
+    found_.has_slope[c] = fluid_beside ? 1 : 0;
   }
 
-  int fluid_cell(const std::array<int, 3>& place) const {
-    if (!domain_.grid.has_cell(place)) return -1;
-    const std::size_t c = domain_.grid.cell(place);
-    return domain_.kind[c] == CellKind::fluid ? static_cast<int>(c) : -1;
-  }
-
-  int cell_behind(std::array<int, 3> face, std::array<int, 3> cell, int along) const {
-    face[a_] -= along, cell[a_] -= along;
-    const bool shut = domain_.face[a_][domain_.grid.face(axis_, face)] == FaceKind::closed;
-    return shut ? -1 : fluid_cell(cell);
+  bool has_fluid_beyond(int place, std::size_t c, bool upper) const {
+    if (place == (upper ? domain_.grid.n[a_] - 1 : 0)) return false;
+    const auto stride = static_cast<std::size_t>(found_.stride);
+    return domain_.kind[upper ? c + stride : c - stride] == CellKind::fluid;
   }
 
   int jet_at(std::size_t f) const {
+    if (domain_.face[a_][f] != FaceKind::prescribed) return -1;
     const auto jet = std::lower_bound(jets_.begin(), jets_.end(), std::pair{f, 0});
     return jet != jets_.end() && jet->first == f ? jet->second : -1;
   }
@@ -67,18 +67,14 @@ class Finder {
   int axis_;
   std::size_t a_;
   std::vector<std::pair<std::size_t, int>> jets_;  // by face
+  SmokePassages found_;
 };
 
 }  // namespace
 
-std::array<std::vector<SmokePassage>, 3> smoke_passages(const FlowDomain& domain, const FaceValues& v,
-                                                        const std::vector<SmokeJet>& jets) {
-  std::array<std::vector<SmokePassage>, 3> passages;
-  for (int axis = 0; axis < domain.grid.dim; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    passages[a] = Finder(domain, axis, jets).find(v[a]);
-  }
-  return passages;
+SmokePassages smoke_passages(const FlowDomain& domain, int axis, const std::vector<double>& v,
+                             const std::vector<SmokeJet>& jets) {
+  return Finder(domain, axis, jets).find(v);
 }
 
 }  // namespace tether::coupled

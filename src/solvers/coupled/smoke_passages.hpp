@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "solvers/coupled/smoke.hpp"
 
 namespace tether::coupled {
 
-/// A face that something flows through: out of cell `from`, into cell `to`, -1 being outside the fluid; `behind` is the
-/// fluid cell that `from` has on its other side, -1 where none can be reached.
-struct SmokePassage {
-  int from = -1, to = -1, behind = -1;
-  int jet = -1;     ///< that it comes from, by its place among the jets
-  double rate = 0;  ///< positive [volume/time]
+/// What goes through the faces across an axis, seen from the cells beside: cell c has its next ones at c + stride and
+/// c - stride.
+struct SmokePassages {
+  /// A face with no fluid on one of its sides.
+  struct Outer {
+    std::size_t cell;  ///< on the other
+    bool upper;        ///< side of that cell that the face is
+    int jet = -1;      ///< that it comes from, by its place among the jets
+    double rate = 0;   ///< [volume/time]
+  };
+
+  std::ptrdiff_t stride = 1;
+  std::vector<double> up, down;  ///< out of each cell through its upper and its lower face, 0 or positive [volume/time]
+  std::vector<double> has_slope;  ///< 1 for cells with fluid on both sides and both faces not closed, else 0
+  std::vector<Outer> in, out;
 };
 
-/// The passages across each axis, in the order of the faces.
-std::array<std::vector<SmokePassage>, 3> smoke_passages(const FlowDomain& domain, const FaceValues& v,
-                                                        const std::vector<SmokeJet>& jets);
+SmokePassages smoke_passages(const FlowDomain& domain, int axis, const std::vector<double>& v,
+                             const std::vector<SmokeJet>& jets);
 
 }  // namespace tether::coupled
