@@ -68,7 +68,9 @@ HistoryLayout CoupledFields::history_layout() const {
   add("interface_power", Dimension::energy, "energy a time that the solids took from the fluid in the last step");
   add("interface_work", Dimension::energy, "energy that they have taken");
   add("interface_mismatch", Dimension::number,
-      "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes");
+      "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes, "
+      "at "
+      "least a thousandth of the powers in the fluid");
   add("energy_projected", Dimension::energy, "kinetic energy of the fluid that the last step's pressure took");
   add("regions", Dimension::number, "parts of the fluid that nothing joins");
   add("solver_iterations", Dimension::number, "iterations of linear solvers since the start");
@@ -97,7 +99,7 @@ HistoryLayout CoupledFields::history_layout() const {
 Record CoupledFields::record(const CoupledState& state) const {
   const SolidEquations& solids = step_.solids();
   const Coupled& coupled = *scene_.coupled;
-  const FlowDomain domain = step_.domain(state.q);
+  const FlowDomain& domain = step_.domain();
   std::vector<double> momenta(state.u.size());
   solids.system.multiply_mass(state.u, momenta);
   const double volume = fluid_volume(domain, coupled.mode == CouplingMode::cut_cell);
@@ -175,7 +177,7 @@ void CoupledFields::add_bodies(const CoupledState& state, Record& record) const 
 Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
   constexpr std::array axes{"x", "y", "z"};
   const StaggeredGrid& grid = scene_.coupled->grid;
-  const FlowDomain domain = step_.domain(state.q);
+  const FlowDomain& domain = step_.domain();
   Snapshot snapshot{state.time, {}};
   const auto add = [&](const std::string& name, Dimension dimension, const char* meaning, const auto& value) {
     Field field{{name, dimension, meaning}, std::vector<double>(grid.cell_count())};

@@ -50,7 +50,7 @@ RunCounts CoupledSolver::counts() const {
   counts.steps = state_.steps;
   counts.points = plan_.scene.coupled->grid.cell_count() + step_.solids().system.lumped.size();
   counts.point_steps = state_.steps * static_cast<long long>(counts.points);
-  const auto& kind = step_.domain(state_.q).kind;
+  const auto& kind = step_.domain().kind;
   counts.cells_active = static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
   counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
   return counts;
@@ -69,7 +69,7 @@ SavedState CoupledSolver::save() const {
 void CoupledSolver::restore(const SavedState& saved) {
   StateRestorer restorer(saved);
   exchange(restorer, state_);
-  step_.resume(state_.orders);
+  step_.resume(state_);
 }
 
 Summary CoupledSolver::more_summary() const {

@@ -12,8 +12,9 @@ namespace tether::coupled {
 /// What one step tells of itself.
 struct StepAccount {
   double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]
-  double mismatch = 0;         ///< by the fluid's equations less that, over the sum of the solids' powers' sizes
-  double projected = 0;        ///< kinetic energy that the pressure's step has taken [energy]
+  double mismatch = 0;   ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
+                         ///< 1e-3 of the powers in the fluid
+  double projected = 0;  ///< kinetic energy that the pressure's step has taken [energy]
 };
 
 /// All that changes in a run.

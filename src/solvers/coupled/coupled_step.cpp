@@ -17,10 +17,10 @@ namespace tether::coupled {
 namespace {
 
 constexpr int layers_around_fluid = 4;
-constexpr double support_width = 1e-3;       // of a step: about its end the speed of a support is taken
-constexpr double rounded_power = 1e-9;       // of the fluid's kinetic energy in a step: below, forces are rounding
-constexpr double rounded_projection = 1e-4;  // of the kinetic energy that pressures take in a step: the same
-constexpr int farthest = 1000;               // sizes of the box that a node may be away from it
+constexpr double support_width = 1e-3;   // of a step: about its end the speed of a support is taken
+constexpr double rounded_motion = 1e-9;  // of the fluid's kinetic energy in a step: what solids take below, is rounding
+constexpr double rounded_power = 1e-3;   // of the energies that come and go in the fluid in a step: the same
+constexpr int farthest = 1000;           // sizes of the box that a node may be away from it
 constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
@@ -57,81 +57,81 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
       system_(coupled_),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
 
-void CoupledStep::resume(std::span<const double> orders) {
-  before_.reset();
-  system_.keep_orders(orders);
+void CoupledStep::resume(const CoupledState& state) {
+  before_ = placer_.at(state.q_before).domain;
+  at_ = placer_.at(state.q);
+  system_.keep_orders(state.orders);
 }
 
 /// One step of the paper, 3.1 to 3.3.
 void CoupledStep::advance(CoupledState& state, double h) {
-  const Placement at = placer_.at(state.q);
   const std::vector<double> u0 = state.u;
-  if (coupled_.smoke) follow_domain(before_ ? *before_ : domain(state.q_before), at.domain, state.smoke);
-  move_fluid_freely(at, state, h);                    // (1) without pressure: v*
+  if (coupled_.smoke) follow_domain(before_, at_.domain, state.smoke);
+  move_fluid_freely(state, h);                        // (1) without pressure: v*
   solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
-  solve(at, state, h);                                // (7), (8)
-  extend_velocity(at.domain, state.v, layers_around_fluid);
-  carry_smoke_along(at, state, h);
+  solve(state, h);                                    // (7), (8)
+  extend_velocity(at_.domain, state.v, layers_around_fluid);
+  carry_smoke_along(state, h);
   move_solids(state, u0, h);  // (5)
-  before_ = at.domain;
+  before_ = std::move(at_.domain);
+  at_ = placer_.at(state.q);
 }
 
-void CoupledStep::move_fluid_freely(const Placement& at, CoupledState& state, double h) {
-  box_.prescribe(at.domain, state.time + h, state.v);
-  extend_velocity(at.domain, state.v, layers_around_fluid);
+void CoupledStep::move_fluid_freely(CoupledState& state, double h) {
+  box_.prescribe(at_.domain, state.time + h, state.v);
+  extend_velocity(at_.domain, state.v, layers_around_fluid);
   FaceValues carried = state.v;
-  carry_velocity(at.domain, state.v, h, coupled_.advection, carried);
+  carry_velocity(at_.domain, state.v, h, coupled_.advection, carried);
   for (std::size_t f = 0; f < carried[1].size(); ++f) {
-    if (at.domain.face[1][f] == FaceKind::open) carried[1][f] += h * scene_.gravity;
+    if (at_.domain.face[1][f] == FaceKind::open) carried[1][f] += h * scene_.gravity;
   }
-  if (coupled_.smoke) add_buoyancy(at.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight, h, carried);
-  add_viscosity(at.domain, carried, coupled_.viscosity / coupled_.density, h, coupled_.viscosity > 0);
+  if (coupled_.smoke) add_buoyancy(at_.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight, h, carried);
+  add_viscosity(at_.domain, carried, coupled_.viscosity / coupled_.density, h, coupled_.viscosity > 0);
   state.v = std::move(carried);
 }
 
 /// Contact decides which velocities are held; as these change, the equations are solved again.
-void CoupledStep::solve(const Placement& at, CoupledState& state, double h) {
-  const std::vector<double> u0 = state.u, flux = net_flux(at.domain, at.numbers, state.v);
+void CoupledStep::solve(CoupledState& state, double h) {
+  const std::vector<double> u0 = state.u, flux = net_flux(at_.domain, at_.numbers, state.v);
   Solution solution;
-  solution.p = of_cells(at.numbers, state.p);
-  solution.L = pressure_matrix(at.domain, at.numbers, h / coupled_.density);
+  solution.p = of_cells(at_.numbers, state.p);
+  solution.L = pressure_matrix(at_.domain, at_.numbers, h / coupled_.density);
   const long long iterations = system_.cost().iterations;
   contact_.begin(state.q, u0, h, state.touches);
   for (int k = 0; k < most_contact_solutions; ++k) {
     solution.held = solids_.held;
     contact_.hold(state.touches, solution.held);
-    find_regions_of(at, state, h, solution);
+    find_regions_of(state, h, solution);
     for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solution.held[i] != 0 ? 0 : u0[i];
     solids_.system.move_supports(state.time + h, support_width * h, state.u);
-    solve_once(at, flux, state, solution);
+    solve_once(flux, state, solution);
     if (!contact_.changed(u0, state.u, solution.wall_force, state.touches)) break;
     ++state.contact_solutions;
   }
   state.iterations += system_.cost().iterations - iterations;
   const FaceValues free = state.v;
-  add_pressure(at.domain, at.numbers, solution.p, h / coupled_.density, state.v);  // (8)
-  account(at, free, solution, state, h);
-  state.p = on_cells(at.numbers, solution.p);
-  extend_pressure(at.domain, state.p, layers_around_fluid);
+  add_pressure(at_.domain, at_.numbers, solution.p, h / coupled_.density, state.v);  // (8)
+  account(free, solution, state, h);
+  state.p = on_cells(at_.numbers, solution.p);
+  extend_pressure(at_.domain, state.p, layers_around_fluid);
   for (std::size_t k = 0; k < solution.friction.size(); ++k) solution.wall_force[k] += solution.friction[k];
   state.fluid_force = std::move(solution.fluid_force), state.wall_force = std::move(solution.wall_force);
 }
 
 /// With the volume term: what each cell takes of it.
-void CoupledStep::find_regions_of(const Placement& at, const CoupledState& state, double h, Solution& solution) const {
-  solution.regions =
-      regions_of(at.domain, at.map, at.numbers, enclosed_volumes(surface_, state.q), first_volumes_, solution.held, h);
+void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution& solution) const {
+  solution.regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,
+                                solution.held, h);
   const bool splitting = coupled_.mode == CouplingMode::splitting;
-  solution.source.assign(at.numbers.cell.size(), 0.0);
+  solution.source.assign(at_.numbers.cell.size(), 0.0);
   for (std::size_t k = 0; k < solution.source.size(); ++k) {
-    const auto region = static_cast<std::size_t>(at.domain.region[at.numbers.cell[k]]);
+    const auto region = static_cast<std::size_t>(at_.domain.region[at_.numbers.cell[k]]);
     if (coupled_.volume_term && !splitting && solution.regions.compliant[region] != 0)
       solution.source[k] = solution.regions.source[region];
   }
 }
 
-void CoupledStep::solve_once(const Placement& at, std::span<const double> flux, CoupledState& state,
-                             Solution& solution) {
+void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, Solution& solution) {
   const bool splitting = coupled_.mode == CouplingMode::splitting;
   std::vector<double> b = solids_.b, r(flux.begin(), flux.end());
   solution.friction.assign(b.size(), 0.0);
@@ -139,32 +139,32 @@ void CoupledStep::solve_once(const Placement& at, std::span<const double> flux, 
   for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k];
   for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];
   std::vector<int> region;
-  for (const std::size_t cell : at.numbers.cell) region.push_back(at.domain.region[cell]);
+  for (const std::size_t cell : at_.numbers.cell) region.push_back(at_.domain.region[cell]);
   std::vector<std::uint8_t> loose = solution.regions.closed;
   for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
     loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
-  const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at.crossing_map : at.map.B;
+  const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at_.crossing_map : at_.map.B;
   const CoupledEquations equations{solids_.A,
                                    b,
-                                   at.map.B,
+                                   at_.map.B,
                                    caused,
                                    solution.L,
                                    r,
                                    solution.held,
-                                   at.numbers.cell,
-                                   at.domain.kind.size(),
+                                   at_.numbers.cell,
+                                   at_.domain.kind.size(),
                                    region,
                                    solution.regions.closed,
                                    loose};
   solution.fluid_force.assign(b.size(), 0.0);
   if (splitting) {
-    const std::vector<double> before = of_cells(at.numbers, state.p);
-    add_transposed_product(at.map.B, 1, before, solution.fluid_force);
+    const std::vector<double> before = of_cells(at_.numbers, state.p);
+    add_transposed_product(at_.map.B, 1, before, solution.fluid_force);
     system_.solve_solids(equations, state.time, state.u, before);
     system_.solve_fluid(equations, state.time, state.u, solution.p);
   } else {
     system_.solve(equations, state.time, state.u, solution.p);
-    add_transposed_product(at.map.B, 1, solution.p, solution.fluid_force);
+    add_transposed_product(at_.map.B, 1, solution.p, solution.fluid_force);
   }
   solution.wall_force.assign(b.size(), 0.0);
   solids_.A.multiply(state.u, solution.wall_force);  // what holds the velocities that are held
@@ -174,8 +174,7 @@ void CoupledStep::solve_once(const Placement& at, std::span<const double> flux, 
 
 /// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held, and once by
 /// the fluid's: what its kinetic energy, the pressure's step, prescribed faces and the volume term leave.
-void CoupledStep::account(const Placement& at, const FaceValues& free, const Solution& solution, CoupledState& state,
-                          double h) const {
+void CoupledStep::account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) const {
   std::vector<double> forces(state.u.size());
   solids_.A.multiply(state.u, forces);
   double taken = 0, size = 0;
@@ -188,20 +187,21 @@ void CoupledStep::account(const Placement& at, const FaceValues& free, const Sol
   for (std::size_t axis = 0; axis < change.size(); ++axis) {
     for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] -= free[axis][f];
   }
-  const double given = kinetic_energy(at.domain, state.v, change, coupled_.density) * 2 / h +
-                       prescribed_power(at.domain, at.numbers, solution.p, state.v);
+  const double moving = kinetic_energy(at_.domain, state.v, change, coupled_.density) * 2 / h,
+               let_in = prescribed_power(at_.domain, at_.numbers, solution.p, state.v);
   double sources = 0;
   for (std::size_t k = 0; k < solution.p.size(); ++k) sources += solution.p[k] * solution.source[k];
   state.last.interface_power = taken;
-  state.last.projected = kinetic_energy(at.domain, change, change, coupled_.density);
-  const double floor = std::max(rounded_power * kinetic_energy(at.domain, state.v, state.v, coupled_.density),
-                                rounded_projection * state.last.projected);
-  state.last.mismatch = size > 0 ? (sources - given - taken) / std::max(size, floor / h) : 0;
+  state.last.projected = kinetic_energy(at_.domain, change, change, coupled_.density);
+  const double in_motion = kinetic_energy(at_.domain, state.v, state.v, coupled_.density) / h,
+               passing = state.last.projected / h + std::abs(moving) + std::abs(let_in) + std::abs(sources);
+  const double least = std::max(rounded_motion * in_motion, rounded_power * passing);
+  state.last.mismatch = size > 0 ? (sources - moving - let_in - taken) / std::max(size, least) : 0;
   state.worst_mismatch = std::max(state.worst_mismatch, std::abs(state.last.mismatch));
   state.work += h * taken;
 }
 
-void CoupledStep::carry_smoke_along(const Placement& at, CoupledState& state, double h) const {
+void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
   if (!coupled_.smoke) return;
   std::vector<SmokeJet> jets;
   for (int axis = 0; axis < coupled_.grid.dim; ++axis) {
@@ -212,8 +212,8 @@ void CoupledStep::carry_smoke_along(const Placement& at, CoupledState& state, do
       jets.push_back({axis, f, from.smoke, from.temperature});
     }
   }
-  const SmokeFlow flow = carry_smoke(at.domain, state.v, h, jets, state.smoke);
-  settle_smoke(at.domain, fluid_volumes(at.domain), state.smoke);
+  const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, jets, state.smoke);
+  settle_smoke(at_.domain, fluid_volumes(at_.domain), state.smoke);
   state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
   state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
 }
@@ -263,22 +263,23 @@ CoupledState CoupledStep::start() {
   state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
-  const Placement at = placer_.at(state.q);
-  box_.prescribe(at.domain, 0, state.v);
+  at_ = placer_.at(state.q);
+  before_ = at_.domain;
+  box_.prescribe(at_.domain, 0, state.v);
   solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
-  const std::vector<double> r = net_flux(at.domain, at.numbers, state.v);
+  const std::vector<double> r = net_flux(at_.domain, at_.numbers, state.v);
   std::vector<double> p(r.size(), 0.0);
   std::vector<int> region;
-  for (const std::size_t cell : at.numbers.cell) region.push_back(at.domain.region[cell]);
-  const Regions regions = regions_of(at.domain, at.map, at.numbers, first_volumes_, first_volumes_, solids_.held, 1);
-  system_.solve_fluid({solids_.A, solids_.b, at.map.B, at.map.B, pressure_matrix(at.domain, at.numbers, 1), r,
-                       solids_.held, at.numbers.cell, at.domain.kind.size(), region, regions.closed, regions.closed},
+  for (const std::size_t cell : at_.numbers.cell) region.push_back(at_.domain.region[cell]);
+  const Regions regions = regions_of(at_.domain, at_.map, at_.numbers, first_volumes_, first_volumes_, solids_.held, 1);
+  system_.solve_fluid({solids_.A, solids_.b, at_.map.B, at_.map.B, pressure_matrix(at_.domain, at_.numbers, 1), r,
+                       solids_.held, at_.numbers.cell, at_.domain.kind.size(), region, regions.closed, regions.closed},
                       0, state.u, p);
-  add_pressure(at.domain, at.numbers, p, 1, state.v);
-  extend_velocity(at.domain, state.v, layers_around_fluid);
+  add_pressure(at_.domain, at_.numbers, p, 1, state.v);
+  extend_velocity(at_.domain, state.v, layers_around_fluid);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
   state.q_before = state.q;
-  state.smoke = clean_smoke(at.domain);
+  state.smoke = clean_smoke(at_.domain);
   return state;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "plan/plan.hpp"
@@ -27,12 +26,12 @@ class CoupledStep {
   const CoupledSystem& system() const { return system_; }
   /// Solids at q and the fluid about them.
   Placement placed(std::span<const double> q) const { return placer_.at(q); }
-  /// That fluid alone.
-  FlowDomain domain(std::span<const double> q) const { return placer_.at(q).domain; }
+  /// The fluid about the solids as the last step left them.
+  const FlowDomain& domain() const { return at_.domain; }
   /// What later steps depend on beside the state: the orders of elimination that have been found.
   std::vector<double> orders() const { return system_.orders(); }
-  /// Goes on from a state that was saved with these orders.
-  void resume(std::span<const double> orders);
+  /// Goes on from a state that was saved with its orders.
+  void resume(const CoupledState& state);
   std::vector<std::string> take_messages() { return system_.take_messages(); }
 
  private:
@@ -46,13 +45,12 @@ class CoupledStep {
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
   };
 
-  void move_fluid_freely(const Placement& at, CoupledState& state, double h);
-  void solve(const Placement& at, CoupledState& state, double h);
-  void find_regions_of(const Placement& at, const CoupledState& state, double h, Solution& solution) const;
-  void solve_once(const Placement& at, std::span<const double> flux, CoupledState& state, Solution& solution);
-  void account(const Placement& at, const FaceValues& free, const Solution& solution, CoupledState& state,
-               double h) const;
-  void carry_smoke_along(const Placement& at, CoupledState& state, double h) const;
+  void move_fluid_freely(CoupledState& state, double h);
+  void solve(CoupledState& state, double h);
+  void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
+  void solve_once(std::span<const double> flux, CoupledState& state, Solution& solution);
+  void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) const;
+  void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void check(const CoupledState& state) const;
 
@@ -64,7 +62,8 @@ class CoupledStep {
   Placer placer_;
   Contact contact_;
   CoupledSystem system_;
-  std::optional<FlowDomain> before_;   // of the last step, where this object has taken it
+  Placement at_;                       // of the solids now
+  FlowDomain before_;                  // at the last step's start
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };
 
