@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace tether {
 
 /// Solves A x = b, A symmetric positive definite, from the first guess x by preconditioned conjugate gradients until
 /// |b - A x| <= tolerance |b|, by the residual itself and not only by its recurrence, or `most` iterations are done.
+/// Where rounding alone keeps the residual from that, it has converged too, if it is below 1e-8 |b|.
 /// `multiply(x, y)`: y = A x. `precondition(r, z)`: z = P^-1 r, P symmetric positive definite and about linear: the
 /// direction is made conjugate by the change of the residual, which forgives a P that varies a little. Not converged
 /// where A or P turns out not to be positive definite. A singular A will do where b has a solution.
@@ -21,7 +23,9 @@ KrylovResult pcg(const Multiply& multiply, const Precondition& precondition, std
                  std::span<double> x, double tolerance, int most) {
   const std::size_t n = b.size();
   std::vector<double> r(n), z(n), p(n), q(n);
+  constexpr double small = 1e-8;
   const double enough = tolerance * norm(b);
+  double before = std::numeric_limits<double>::infinity();  // the residual at the last start from x
   KrylovResult result;
   if (enough == 0) std::fill(x.begin(), x.end(), 0.0);
   while (true) {
@@ -29,8 +33,10 @@ KrylovResult pcg(const Multiply& multiply, const Precondition& precondition, std
     for (std::size_t i = 0; i < n; ++i) r[i] = b[i] - q[i];
     double residual = norm(r);
     const bool finite = residual < 1e300;
-    result.converged = finite && residual <= enough;
+    const bool rounded = residual > 0.5 * before && residual <= small * norm(b);
+    result.converged = finite && (residual <= enough || rounded);
     if (result.converged || !finite || result.iterations >= most) return result;
+    before = residual;
     precondition(std::span<const double>(r), std::span<double>(z));
     std::copy(z.begin(), z.end(), p.begin());
     double rz = dot(r, z);

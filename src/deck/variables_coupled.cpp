@@ -24,8 +24,9 @@ constexpr std::array rows{
     Variable{"coupled", "solver", text, 0, 1, 1, "", -none, none, "auto|direct|krylov", "'auto'",
              "How the linear systems are solved: by factors, by conjugate gradients, or auto: as dimension and size "
              "ask."},
-    Variable{"coupled", "tolerance", real, 0, 1, 1, "", 1e-15, 1e-2, "", "1e-11",
-             "Of conjugate gradients: residual over the right side."},
+    Variable{"coupled", "tolerance", real, 0, 1, 1, "", 1e-15, 1e-2, "", "1e-12",
+             "Of conjugate gradients and BiCGSTAB: residual over the right side. Powers of fluid and solids agree to "
+             "about a thousand times as much."},
     Variable{"coupled", "density", real, 0, 1, 1, "mass/length3", above_zero, none, "", "",
              "Density of the fluid, which $coupled must give."},
     Variable{"coupled", "viscosity", real, 0, 1, 1, "stress time", 0, none, "", "0.0", "Viscosity mu of the fluid."},

@@ -74,7 +74,7 @@ struct Coupled {
   CoupledIntegrator integrator = CoupledIntegrator::paper;
   Advection advection = Advection::maccormack;
   CoupledSystems systems = CoupledSystems::automatic;
-  double tolerance = 1e-11;  ///< of conjugate gradients: residual over the right side
+  double tolerance = 1e-12;  ///< of conjugate gradients and BiCGSTAB: residual over the right side
   double density = 1;        ///< of the fluid [mass/volume]
   double viscosity = 0;      ///< mu [stress time]
   std::array<BoxSide, 6> sides{};

@@ -95,6 +95,17 @@ TEST(ConjugateGradients, StartsFromTheGuessAndStopsWhereTold) {
   EXPECT_FALSE(cut.converged);
 }
 
+/// In doubles this residual cannot be: x is a million times b.
+TEST(ConjugateGradients, EndsWhereRoundingDoes) {
+  const SparseMatrix A = chain(2000, 1);
+  std::vector<double> b(2000, 1.0), x(2000, 0.0), Ax(2000);
+  const KrylovResult result = solve(A, b, x, 1e-15, 100000);
+  EXPECT_TRUE(result.converged);
+  EXPECT_LT(result.iterations, 20000);
+  A.multiply(x, Ax);
+  for (std::size_t i = 0; i < 2000; ++i) EXPECT_NEAR(Ax[i], 1, 1e-7);
+}
+
 TEST(ConjugateGradients, TakesZeroAndNoUnknowns) {
   std::vector<double> x(50, 2.0), none;
   const KrylovResult zero = solve(chain(50, 1), std::vector<double>(50, 0.0), x, 1e-12, 10);

@@ -32,7 +32,7 @@ TEST(CoupledScene, HasTheDefaultsOfTheTable) {
   EXPECT_EQ(c.integrator, CoupledIntegrator::paper);
   EXPECT_EQ(c.advection, Advection::maccormack);
   EXPECT_EQ(c.systems, CoupledSystems::automatic);
-  EXPECT_EQ(c.tolerance, 1e-11);
+  EXPECT_EQ(c.tolerance, 1e-12);
   EXPECT_EQ(c.density, 2);
   EXPECT_EQ(c.viscosity, 0);
   EXPECT_EQ(c.sides, (std::array<BoxSide, 6>{}));
