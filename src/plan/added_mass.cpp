@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan/added_mass.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -184,6 +186,17 @@ std::optional<SplittingEstimate> splitting_estimate(const Scene& scene) {
     }
   }
   return worst;
+}
+
+std::string estimate_text(const SplittingEstimate& estimate) {
+  const std::string motion = estimate.motion == BodyMotion::broadside
+                                 ? fmt::format("body {} as a whole", estimate.body)
+                                 : fmt::format("body {}'s surface outwards", estimate.body);
+  if (std::isinf(estimate.added)) return fmt::format("moving {}, fluid has no way out", motion);
+  const std::string mass = fmt::format("moving {}, the added mass {:.3g} is {} m + c h/2 = {:.3g}", motion,
+                                       estimate.added, estimate.holds() ? "below" : "above", estimate.resists());
+  return estimate.holds() ? mass
+                          : fmt::format("{}, and errors grow about {:.3g} times a step", mass, estimate.growth());
 }
 
 }  // namespace tether

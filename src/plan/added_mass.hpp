@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/scene.hpp"
 
@@ -37,5 +38,8 @@ struct SplittingEstimate {
 /// resist, and damping in proportion to the stiffness lambda + 2 mu of the layer that they stand for. An estimate: its
 /// factor is that of the box's shape.
 std::optional<SplittingEstimate> splitting_estimate(const Scene& scene);
+
+/// The motion, its masses and by what it grows: the end of a sentence.
+std::string estimate_text(const SplittingEstimate& estimate);
 
 }  // namespace tether

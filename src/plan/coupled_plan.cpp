@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/added_mass.hpp"
 #include "plan/solid_plan.hpp"
 #include "scene/size.hpp"
 #include "scene/solids.hpp"
@@ -14,35 +13,21 @@
 namespace tether {
 namespace {
 
-/// How the estimate comes out, as a sentence's end.
-std::string estimate_text(const SplittingEstimate& estimate) {
-  const std::string motion = estimate.motion == BodyMotion::broadside
-                                 ? fmt::format("body {} as a whole", estimate.body)
-                                 : fmt::format("body {}'s surface outwards", estimate.body);
-  if (std::isinf(estimate.added)) return fmt::format("moving {}, fluid has no way out", motion);
-  const std::string mass = fmt::format("moving {}, the added mass {:.3g} is {} m + c h/2 = {:.3g}", motion,
-                                       estimate.added, estimate.holds() ? "below" : "above", estimate.resists());
-  return estimate.holds() ? mass
-                          : fmt::format("{}, and errors grow about {:.3g} times a step", mass, estimate.growth());
-}
-
+/// Whether splitting would hold is told apart, where the solver's matrices can be asked.
 std::string mode_text(const Scene& scene) {
-  const auto estimate = splitting_estimate(scene);
-  if (!estimate) return "there is no body: one projection a step";
-  const std::string outcome =
-      fmt::format("splitting would {} by estimate: {}", estimate->holds() ? "hold" : "fail", estimate_text(*estimate));
+  if (!scene.solids) return "there is no body: one projection a step";
   const char* own = coupling_mode_name(scene.coupled->mode);
   switch (scene.coupled->mode) {
     case CouplingMode::symmetric:
-      return fmt::format("{}: simultaneous, power across the interface balances to rounding; {}", own, outcome);
+      return fmt::format("{}: simultaneous, power across the interface balances to rounding", own);
     case CouplingMode::cut_cell:
-      return fmt::format("{}: the same with the open parts of faces; {}", own, outcome);
+      return fmt::format("{}: simultaneous, with the open parts of faces; power balances to rounding", own);
     case CouplingMode::paper:
-      return fmt::format("{}: simultaneous by two maps, whose powers differ; {}; would take symmetric", own, outcome);
+      return fmt::format("{}: simultaneous by two maps, whose powers differ; would take symmetric", own);
     case CouplingMode::splitting:
       break;
   }
-  return fmt::format("{}: one after the other; {}{}", own, outcome, estimate->holds() ? "" : "; would take symmetric");
+  return fmt::format("{}: solids and fluid one after the other", own);
 }
 
 /// By what the systems are solved, and why.
@@ -169,13 +154,6 @@ std::string coupled_head(const Scene& scene) {
   text += fmt::format("solids: {} elements {}, {} nodes, {} bodies\n", mesh.element_count(), element_name(mesh.kind),
                       mesh.node_count(), count_parts(mesh));
   return text + regions_text(*scene.solids);
-}
-
-std::string coupled_warning(const Scene& scene) {
-  if (scene.coupled->mode != CouplingMode::splitting) return "";
-  const auto estimate = splitting_estimate(scene);
-  if (!estimate || estimate->holds()) return "";
-  return fmt::format("mode='splitting' is likely to fail: {}", estimate_text(*estimate));
 }
 
 }  // namespace tether

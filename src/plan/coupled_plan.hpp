@@ -15,7 +15,4 @@ std::vector<Term> coupled_terms(const Scene& scene);
 Cost coupled_cost(const Scene& scene, const StepRule& rule);
 std::string coupled_head(const Scene& scene);
 
-/// What is to be told of the deck's mode, or nothing.
-std::string coupled_warning(const Scene& scene);
-
 }  // namespace tether

@@ -114,10 +114,6 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
       warnings.push_back(fmt::format(
           "the body turns by {:.3g} rad in a step: its phase will be off by {:.2g} of itself", turn, turn * turn / 12));
   }
-  if (scene.coupled) {
-    const std::string mode = coupled_warning(scene);
-    if (!mode.empty()) warnings.push_back(mode);
-  }
   return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "solvers/coupled/splitting_limit.hpp"
 #include "solvers/step_time.hpp"
@@ -28,7 +29,11 @@ CoupledSolver::CoupledSolver(const Plan& plan)
       step_(plan.scene, solids_of(plan, none_)),
       fields_(plan.scene, step_),
       state_(step_.start()) {
-  if (plan.scene.coupled->mode == CouplingMode::splitting) ratio_ = added_mass_ratio(plan.scene, plan.step.deck_step);
+  if (plan.scene.coupled->mode != CouplingMode::splitting) return;
+  const auto outlook = splitting_outlook(plan.scene, plan.step.deck_step);
+  if (!outlook) return;
+  ratio_ = outlook->ratio;
+  if (!outlook->holds) messages_.push_back("mode='splitting' is likely to fail " + outlook->why);
 }
 
 void CoupledSolver::advance(double until) {
@@ -56,7 +61,11 @@ RunCounts CoupledSolver::counts() const {
   return counts;
 }
 
-std::vector<std::string> CoupledSolver::take_messages() { return step_.take_messages(); }
+std::vector<std::string> CoupledSolver::take_messages() {
+  std::vector<std::string> messages = std::exchange(messages_, {});
+  for (std::string& message : step_.take_messages()) messages.push_back(std::move(message));
+  return messages;
+}
 
 SavedState CoupledSolver::save() const {
   StateSaver saver;

@@ -37,6 +37,7 @@ class CoupledSolver final : public Solver {
   CoupledStep step_;
   CoupledFields fields_;
   CoupledState state_;
+  std::vector<std::string> messages_;
   std::optional<double> ratio_;  // of added mass at the start, by which splitting holds or fails
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/quasidefinite_solver.hpp"
+#include "plan/added_mass.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/projection.hpp"
 
@@ -92,12 +93,22 @@ std::optional<double> added_mass_ratio(const Scene& scene, double h) {
   return added_mass_ratio(step, scene.solids->mesh.x, scene.coupled->density, h);
 }
 
+std::optional<SplittingOutlook> splitting_outlook(const Scene& scene, double h) {
+  if (!scene.coupled || !scene.solids) return std::nullopt;
+  if (const auto ratio = added_mass_ratio(scene, h)) {
+    return SplittingOutlook{
+        *ratio < 1, ratio,
+        fmt::format("by theory: in the worst motion of the bodies their added mass is {:.3g} times m + c h/2", *ratio)};
+  }
+  const auto estimate = splitting_estimate(scene);
+  if (!estimate) return std::nullopt;
+  return SplittingOutlook{estimate->holds(), std::nullopt, "by estimate: " + estimate_text(*estimate)};
+}
+
 std::string splitting_text(const Plan& plan) {
-  const auto ratio = added_mass_ratio(plan.scene, plan.step.deck_step);
-  if (!ratio) return "";
-  return fmt::format(
-      "splitting: would {} by theory: in the worst motion of the bodies their added mass is {:.3g} times m + c h/2\n",
-      *ratio < 1 ? "hold" : "fail", *ratio);
+  const auto outlook = splitting_outlook(plan.scene, plan.step.deck_step);
+  if (!outlook) return "";
+  return fmt::format("splitting: would {} {}\n", outlook->holds ? "hold" : "fail", outlook->why);
 }
 
 }  // namespace tether::coupled

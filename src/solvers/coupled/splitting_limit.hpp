@@ -23,7 +23,17 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
 /// are too large for factors.
 std::optional<double> added_mass_ratio(const Scene& scene, double h);
 
-/// What that says of splitting, in a line; nothing where there is no such number.
+/// Whether splitting holds, and why, as the end of a sentence.
+struct SplittingOutlook {
+  bool holds = false;
+  std::optional<double> ratio;  ///< where it is known, by theory; else by the plan's estimate
+  std::string why;
+};
+
+/// None without bodies.
+std::optional<SplittingOutlook> splitting_outlook(const Scene& scene, double h);
+
+/// That in a line, or nothing.
 std::string splitting_text(const Plan& plan);
 
 }  // namespace tether::coupled

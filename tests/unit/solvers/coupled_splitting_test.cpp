@@ -204,6 +204,7 @@ TEST(SplittingLimit, IsToldOfScenes) {
   EXPECT_EQ(splitting_text(make_plan(scene_of(limit / 2))).find("splitting: would fail by theory: "), 0u);
   const Scene iterated = scene_of(3, ",solver='krylov'");
   EXPECT_FALSE(added_mass_ratio(iterated, .05).has_value());
+  EXPECT_EQ(splitting_text(make_plan(iterated)).find("splitting: would fail by estimate: moving body 1"), 0u);
   scene.solids = nullptr;
   EXPECT_EQ(splitting_text(make_plan(scene)), "");
 }
