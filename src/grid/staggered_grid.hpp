@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/index.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
@@ -62,7 +63,6 @@ struct StaggeredGrid {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 };
 
 /// A mesh whose nodes are the cells' middles, for what is drawn.

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.hpp"
 #include "scene/coupled.hpp"
 #include "scene/solids.hpp"
 
@@ -26,8 +27,6 @@ struct Modulus {
   double operator()(const NeoHookean& law) const { return law.lambda + 2 * law.mu; }
   double operator()(const HoopFibre& law) const { return law.mu; }
 };
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Area or volume of a simplex of dim edges from its first node, or the measure of a side with one edge less.
 double measure(const Mesh& mesh, const int* nodes, int edges) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/index.hpp"
 #include "deck/elements.hpp"
 #include "deck/spelling.hpp"
 #include "scene/solids_of_deck.hpp"
@@ -75,7 +76,6 @@ class CoupledChecks {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   static bool is_of_bodies(const Variable& variable) {
     return variable.group == "reg" || variable.group == "fem" || variable.name == "tracked_at";
   }

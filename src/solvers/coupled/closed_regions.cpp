@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Regions that one sheet bounds are one group, called after the lowest of them.
 std::vector<int> groups_by_sheets(const CouplingMap& map, int regions, std::size_t sheets) {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
 
 constexpr double rounding = 1e-9;  // of a cell
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

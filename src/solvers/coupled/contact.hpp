@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "grid/solid_surface.hpp"
 #include "scene/coupled.hpp"
-#include "solvers/coupled/solid_surface.hpp"
 
 namespace tether::coupled {
 

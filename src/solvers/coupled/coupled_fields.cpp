@@ -7,14 +7,13 @@
 #include <array>
 #include <numeric>
 
+#include "base/index.hpp"
 #include "solvers/coupled/projection.hpp"
 #include "solvers/fem/mesh_fields.hpp"
 #include "solvers/fem/solid_fields.hpp"
 
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Each part's share of the nodes' masses.
 std::vector<std::vector<double>> masses_of_parts(const std::vector<int>& part, int parts,

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "algebra/bicgstab.hpp"
 #include "algebra/quasidefinite_solver.hpp"
 #include "base/errors.hpp"
+#include "base/seconds.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/region_constants.hpp"
 #include "solvers/coupled/schur_complement.hpp"
@@ -21,7 +21,7 @@ namespace {
 class Stopwatch {
  public:
   explicit Stopwatch(double& sum) : sum_(sum) {}
-  ~Stopwatch() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  ~Stopwatch() { sum_ += seconds_since(start_); }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 

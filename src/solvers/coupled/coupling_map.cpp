@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Entry = Eigen::Triplet<double, std::int64_t>;
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The box about face i of a row of n cells, from one middle to the next, as places along the axis.
 struct FaceBox {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solvers/coupled/crossings.hpp"
+#include "grid/crossings.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 #include "solvers/coupled/surface_pieces.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/coupled/flow_box.hpp"
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Calls f(other cell, axis, face) for the neighbours of a cell.
 template <class Function>

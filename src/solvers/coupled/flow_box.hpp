@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "grid/crossings.hpp"
 #include "scene/coupled.hpp"
-#include "solvers/coupled/crossings.hpp"
 #include "solvers/coupled/cut_cells.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 

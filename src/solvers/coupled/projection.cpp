@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Calls f(axis, face, lower pressure, upper pressure) for the faces of a kind that a pressure is beside; -1: none.
 template <class Function>

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Each spring's stiffness, in shares of its nodes' masses.
 std::vector<double> spring_stiffness(const Coupled& scene, const fem::SolidSystem& system) {

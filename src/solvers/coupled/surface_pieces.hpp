@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "grid/solid_surface.hpp"
 #include "grid/staggered_grid.hpp"
-#include "solvers/coupled/solid_surface.hpp"
 
 namespace tether::coupled {
 

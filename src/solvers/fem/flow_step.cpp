@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/seconds.hpp"
+
 namespace tether::fem {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr int most_iterations = 25;
 /// Corrections that cost as much as new factors and the two corrections that these take: with more to come by the old
 /// ones, new factors are cheaper. Measured on Q2Q1 meshes of 5,000 to 40,000 unknowns.
 constexpr double corrections_of_a_factorisation = 6;
-
-double seconds_since(std::chrono::steady_clock::time_point from) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
-}
 
 }  // namespace
 

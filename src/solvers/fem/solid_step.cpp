@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/seconds.hpp"
+
 namespace tether::fem {
 namespace {
 
@@ -21,10 +23,6 @@ double largest(const std::vector<double>& f) {
   double size = 0;
   for (const double value : f) size = std::max(size, std::abs(value));
   return size;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point from) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
 
 /// Whole corrections find the way in stiff and slender bodies, through larger residuals; where they lead nowhere, as in

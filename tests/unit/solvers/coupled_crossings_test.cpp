@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which cells solids hold, by the lines between the cells' middles.
-#include "solvers/coupled/crossings.hpp"
+#include "grid/crossings.hpp"
 
 #include <gtest/gtest.h>
 

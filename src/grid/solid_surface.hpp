@@ -8,7 +8,7 @@
 
 #include "grid/mesh.hpp"
 
-namespace tether::coupled {
+namespace tether {
 
 using Vector = std::array<double, 3>;
 
@@ -49,4 +49,4 @@ std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<cons
 /// A side's area times its normal out of the solid, per unit depth in the plane [area].
 Vector area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q);
 
-}  // namespace tether::coupled
+}  // namespace tether

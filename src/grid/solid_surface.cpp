@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/coupled/solid_surface.hpp"
+#include "grid/solid_surface.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "grid/disjoint_sets.hpp"
 
-namespace tether::coupled {
+namespace tether {
 namespace {
 
 /// Sheets by nodes that sides share, numbered as they come.
@@ -75,4 +75,4 @@ std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<cons
   return volumes;
 }
 
-}  // namespace tether::coupled
+}  // namespace tether

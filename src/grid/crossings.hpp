@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "grid/solid_surface.hpp"
 #include "grid/staggered_grid.hpp"
-#include "solvers/coupled/solid_surface.hpp"
 
-namespace tether::coupled {
+namespace tether {
 
 /// Where the line between the middles of two neighbouring cells meets the solids' surface.
 struct Crossing {
@@ -30,4 +30,4 @@ struct Crossings {
 /// Solids that overlap are one, and what sticks out of the box is no crossing, but counts for what is inside.
 Crossings find_crossings(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid);
 
-}  // namespace tether::coupled
+}  // namespace tether

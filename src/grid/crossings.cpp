@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/coupled/crossings.hpp"
+#include "grid/crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tether::coupled {
-namespace {
+#include "base/index.hpp"
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+namespace tether {
+namespace {
 
 /// Twice the area that the edge from node i to node j and a point span in the plane of axes b, c: taken from the lower
 /// node's end, so that both sides of a surface that share the edge find the same number, with opposite signs. A point
@@ -148,4 +148,4 @@ Crossings find_crossings(const SolidSurface& surface, std::span<const double> q,
   return crossings;
 }
 
-}  // namespace tether::coupled
+}  // namespace tether
