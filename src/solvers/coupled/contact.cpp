@@ -32,9 +32,10 @@ void Contact::begin(std::span<const double> q, std::span<const double> u, double
   }
   std::vector<Touch> kept(touches.size(), Touch::away);
   for (Meeting& meeting : meetings_) {
+    meeting.velocity = u[unknown(meeting)];
     Touch& touch = kept[unknown(meeting)];
     if (touch != Touch::away || meeting.gap > rounding * size) continue;
-    touch = touches[unknown(meeting)];
+    if (touches[unknown(meeting)] != Touch::rebounds) touch = touches[unknown(meeting)];
     meeting.touching = touch != Touch::away;
   }
   touches = std::move(kept);
@@ -51,26 +52,53 @@ void Contact::meet_walls(std::size_t node, const Vector& x, double reach) {
   }
 }
 
-/// At the face of the box that the node is least far behind, or farthest before.
+/// At the face of the box that the node is least far behind, or farthest before, of those that are a wall there.
 void Contact::meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach) {
   Meeting nearest;
   nearest.gap = -INFINITY;
   for (std::size_t axis = 0; axis < dim_; ++axis) {
     for (const double up : {1.0, -1.0}) {
       const double place = up > 0 ? box.high[axis] : box.low[axis], gap = up * (x[axis] - place);
-      if (gap > nearest.gap) nearest = {node, axis, up, place, gap, x, &box};
+      if (gap > nearest.gap && !is_covered(box, axis, up, x)) nearest = {node, axis, up, place, gap, x, &box};
     }
   }
-  if (nearest.gap < reach) meetings_.push_back(nearest);
+  if (nearest.box != nullptr && nearest.gap < reach) meetings_.push_back(nearest);
 }
 
-void Contact::hold(std::span<const Touch> touches, std::span<std::uint8_t> held) const {
+/// Whether a face of the box has another obstacle before it, where a node at x is nearest: obstacles side by side, or
+/// one in another, are one.
+bool Contact::is_covered(const AxisBox& box, std::size_t axis, double up, const Vector& x) const {
+  Vector before = x;
+  for (std::size_t i = 0; i < dim_; ++i) before[i] = std::clamp(x[i], box.low[i], box.high[i]);
+  before[axis] = (up > 0 ? box.high[axis] : box.low[axis]) + up * rounding * scene_.grid.d[axis];
+  return std::any_of(scene_.obstacles.begin(), scene_.obstacles.end(), [&](const AxisBox& other) {
+    bool holds = &other != &box;
+    for (std::size_t i = 0; i < dim_; ++i) holds = holds && before[i] >= other.low[i] && before[i] <= other.high[i];
+    return holds;
+  });
+}
+
+void Contact::hold(std::span<const Touch> touches, std::span<std::uint8_t> held, std::span<double> u1) const {
   for (const Meeting& meeting : meetings_) {
     if (!meeting.touching) continue;
     const Touch touch = touches[unknown(meeting)];
-    held[unknown(meeting)] = 1;
-    for (std::size_t i = 0; touch == Touch::sticks && i < dim_; ++i) held[meeting.node * dim_ + i] = 1;
+    for (std::size_t i = 0; touch == Touch::sticks && i < dim_; ++i)
+      held[meeting.node * dim_ + i] = 1, u1[meeting.node * dim_ + i] = 0;
+    held[unknown(meeting)] = 1, u1[unknown(meeting)] = touch == Touch::rebounds ? rebound(meeting) : 0;
   }
+}
+
+std::vector<double> Contact::lifts(std::span<const Touch> touches, std::size_t unknowns) const {
+  std::vector<double> lifts(unknowns, 0.0);
+  for (const Meeting& meeting : meetings_) {
+    if (!meeting.touching || touches[unknown(meeting)] == Touch::rebounds) continue;
+    lifts[unknown(meeting)] = lift(meeting);
+  }
+  return lifts;
+}
+
+double Contact::lift(const Meeting& meeting) const {
+  return meeting.side * std::max(-meeting.gap - 0.5 * h_ * meeting.side * meeting.velocity, 0.0);
 }
 
 void Contact::add_friction(std::span<double> forces) const {
@@ -80,7 +108,7 @@ void Contact::add_friction(std::span<double> forces) const {
 }
 
 bool Contact::changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
-                      std::vector<Touch>& touches) {
+                      std::span<const double> inertia, std::vector<Touch>& touches) {
   constexpr double same = 1e-4;  // of the largest friction
   bool changed = false;
   double largest = 0, farthest = 0;
@@ -88,7 +116,7 @@ bool Contact::changed(std::span<const double> u0, std::span<const double> u1, st
     Touch& touch = touches[unknown(meeting)];
     if (touch != Touch::away && !meeting.touching) continue;  // another wall across the same axis has it
     const double before = meeting.friction;
-    const Touch then = next(meeting, touch, u0, u1, reactions);
+    const Touch then = next(meeting, touch, u0, u1, reactions, inertia);
     changed = changed || then != touch;
     touch = then, meeting.touching = then != Touch::away;
     largest = std::max(largest, meeting.friction);
@@ -108,19 +136,24 @@ bool Contact::is_behind(const Meeting& meeting, const Vector& x) const {
   return true;
 }
 
-/// A node whose way (5) leads through the wall touches it; one that the wall would have to pull leaves it.
+/// A node whose way (5) leads through the wall touches it; one that the wall would have to pull leaves it, and rebounds
+/// where that leads through the wall. Multiplied by the step's way, the equations (4) say that contact gives the solids
+/// the energy R.d - M (u1 - u0).(lift): a wall that presses takes some by R, and a node that is lifted must lose some
+/// by the other, or it is not halted either. (M (u1 - u0) can be against the node's own change, by its neighbours'.)
 Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
-                    std::span<const double> reactions) const {
+                    std::span<const double> reactions, std::span<const double> inertia) const {
   if (now == Touch::away) {
     Vector x = meeting.from;
     for (std::size_t i = 0; i < dim_; ++i)
       x[i] += 0.5 * h_ * (u0[meeting.node * dim_ + i] + u1[meeting.node * dim_ + i]);
-    if (meeting.released || !is_behind(meeting, x)) return Touch::away;
+    if (meeting.rebounded || !is_behind(meeting, x)) return Touch::away;
+    if (meeting.released) return Touch::rebounds;
     return scene_.friction > 0 ? Touch::sticks : Touch::slides;
   }
   const double pressed = meeting.side * reactions[unknown(meeting)];
-  if (pressed < 0) {
-    meeting.released = true, meeting.friction = 0;
+  const bool gains = now != Touch::rebounds && lift(meeting) * inertia[unknown(meeting)] < 0;
+  if (pressed < 0 || gains) {
+    meeting.released = true, meeting.rebounded = now == Touch::rebounds, meeting.friction = 0;
     return Touch::away;
   }
   return scene_.friction > 0 ? rubbed(meeting, now, pressed, u1, reactions) : now;
@@ -150,8 +183,10 @@ Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<con
   } else if (dot(meeting.along, meeting.along) == 0) {
     meeting.along = towards(way, -1);
   }
-  meeting.turned = dot(meeting.along, meeting.along) == 0 || (now == Touch::slides && dot(meeting.along, way) > 0);
+  const bool turns = dot(meeting.along, meeting.along) == 0 || (now != Touch::sticks && dot(meeting.along, way) > 0);
+  meeting.turned = meeting.turned || turns;
   meeting.friction = meeting.turned ? 0 : most;
+  if (now == Touch::rebounds) return now;
   return meeting.turned ? Touch::sticks : Touch::slides;
 }
 

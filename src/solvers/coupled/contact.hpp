@@ -10,12 +10,15 @@
 
 namespace tether::coupled {
 
-/// What a node does at a wall: it is away from it, its velocity across the wall is held at zero and it slides, or all
-/// of its velocity is held.
-enum class Touch : std::uint8_t { away, slides, sticks };
+/// What a node does at a wall: it is away from it; its velocity across the wall is held at zero and it slides; all of
+/// its velocity is held; or it ends on the wall by the velocity across that (5) takes it there with.
+enum class Touch : std::uint8_t { away, slides, sticks, rebounds };
 
 /// Contact of the surface's nodes with walls of the box and obstacles, with Coulomb's friction: which nodes touch, and
-/// whether they slide, is found together with the velocities, step by step. A node's impact is inelastic.
+/// whether they slide, is found together with the velocities, step by step. A node's impact is inelastic; but (5)
+/// leaves stiff motions velocities that change their sign every step, and one that a wall would have to pull to a halt,
+/// and that would go through it if let go, rebounds. Walls only press, on nodes that come, so that contact gives the
+/// solids no energy.
 class Contact {
  public:
   /// Both must outlive it.
@@ -25,15 +28,18 @@ class Contact {
   /// (that across the wall), says what they did before and will say what they do; those of nodes that are not at a wall
   /// are cleared.
   void begin(std::span<const double> q, std::span<const double> u, double h, std::vector<Touch>& touches);
-  /// Marks the velocities that touching nodes do not have.
-  void hold(std::span<const Touch> touches, std::span<std::uint8_t> held) const;
+  /// Marks the velocities that touching nodes do not choose, and sets those of `u1`.
+  void hold(std::span<const Touch> touches, std::span<std::uint8_t> held, std::span<double> u1) const;
+  /// How much farther than by (5) the step takes nodes that are held, to end on the wall and not behind it: zero of all
+  /// others [length].
+  std::vector<double> lifts(std::span<const Touch> touches, std::size_t unknowns) const;
   /// Adds the friction of sliding nodes to forces.
   void add_friction(std::span<double> forces) const;
-  /// Takes note of a solution: velocities u0 before and u1 behind the step, and the forces on held velocities. Returns
-  /// whether nodes touch or slide that did not, or the other way, or are rubbed by another force: the solution is to be
-  /// found again then.
+  /// Takes note of a solution: velocities u0 before and u1 behind the step, the forces on held velocities, and the
+  /// inertia M (u1 - u0), of which only the sign counts. Returns whether nodes touch or slide that did not, or the
+  /// other way, or are rubbed by another force: the solution is to be found again then.
   bool changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
-               std::vector<Touch>& touches);
+               std::span<const double> inertia, std::vector<Touch>& touches);
   /// Puts nodes that went through a wall, or into an obstacle, onto it.
   void place(std::span<double> q) const;
 
@@ -46,17 +52,23 @@ class Contact {
     Vector from{};                 // where the node is then [length]
     const AxisBox* box = nullptr;  // the obstacle; null: a side of the box
     bool touching = false;         // the node's velocity across is held because of this one
-    bool released = false;         // in this step, to which it does not come back
+    double velocity = 0;           // across, at the step's start
+    bool released = false;         // in this step, after which it can but rebound
+    bool rebounded = false;        // in this step, and was let go
     bool turned = false;           // in this step, from sliding to sticking: it stays
     Vector along{};                // unit vector of the friction on a node that slides; zero: not known yet
     double friction = 0;           // on it [force]
   };
+  double lift(const Meeting& meeting) const;
+  /// By which (5) ends on the wall.
+  double rebound(const Meeting& meeting) const { return -meeting.velocity - 2 * meeting.side * meeting.gap / h_; }
   std::size_t unknown(const Meeting& meeting) const { return meeting.node * dim_ + meeting.axis; }
   void meet_walls(std::size_t node, const Vector& x, double reach);
   void meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach);
+  bool is_covered(const AxisBox& box, std::size_t axis, double up, const Vector& x) const;
   bool is_behind(const Meeting& meeting, const Vector& x) const;
   Touch next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
-             std::span<const double> reactions) const;
+             std::span<const double> reactions, std::span<const double> inertia) const;
   Touch rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
                std::span<const double> reactions) const;
   Vector across_axis(const Meeting& meeting, std::span<const double> values) const;

@@ -97,15 +97,18 @@ void CoupledStep::solve(CoupledState& state, double h) {
   solution.p = of_cells(at_.numbers, state.p);
   solution.L = pressure_matrix(at_.domain, at_.numbers, h / coupled_.density);
   const long long iterations = system_.cost().iterations;
+  std::vector<double> change(u0.size()), inertia(u0.size());
   contact_.begin(state.q, u0, h, state.touches);
   for (int k = 0; k < most_contact_solutions; ++k) {
     solution.held = solids_.held;
-    contact_.hold(state.touches, solution.held);
-    find_regions_of(state, h, solution);
-    for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solution.held[i] != 0 ? 0 : u0[i];
+    for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solids_.held[i] != 0 ? 0 : u0[i];
+    contact_.hold(state.touches, solution.held, state.u);
     solids_.system.move_supports(state.time + h, support_width * h, state.u);
+    find_regions_of(state, h, solution);
     solve_once(flux, state, solution);
-    if (!contact_.changed(u0, state.u, solution.wall_force, state.touches)) break;
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
+    solids_.system.multiply_mass(change, inertia);
+    if (!contact_.changed(u0, state.u, solution.wall_force, inertia, state.touches)) break;
     ++state.contact_solutions;
   }
   state.iterations += system_.cost().iterations - iterations;
@@ -133,10 +136,13 @@ void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution&
 
 void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, Solution& solution) {
   const bool splitting = coupled_.mode == CouplingMode::splitting;
-  std::vector<double> b = solids_.b, r(flux.begin(), flux.end());
+  std::vector<double>& b = solution.b;
+  std::vector<double> r(flux.begin(), flux.end());
+  b = solids_.b;
   solution.friction.assign(b.size(), 0.0);
   contact_.add_friction(solution.friction);
   for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k];
+  solids_.add_lifts(contact_.lifts(state.touches, b.size()), b);
   for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];
   std::vector<int> region;
   for (const std::size_t cell : at_.numbers.cell) region.push_back(at_.domain.region[cell]);
@@ -179,8 +185,7 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
   solids_.A.multiply(state.u, forces);
   double taken = 0, size = 0;
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    const double force =
-        solution.held[k] != 0 ? solution.fluid_force[k] : forces[k] - solids_.b[k] - solution.friction[k];
+    const double force = solution.held[k] != 0 ? solution.fluid_force[k] : forces[k] - solution.b[k];
     taken += state.u[k] * force, size += std::abs(state.u[k] * force);
   }
   FaceValues change = state.v;

@@ -88,6 +88,15 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
     b[k] -= ((1 - part) * solids.beta + elastic) * work_[k] + elastic * spring_[k] * u[k];
 }
 
+/// K' acts on the step's way by the paper's step, by the trapezoidal rule on half of it.
+void SolidEquations::add_lifts(std::span<const double> lifts, std::span<double> b) const {
+  if (std::all_of(lifts.begin(), lifts.end(), [](double lift) { return lift == 0; })) return;
+  const double part = scene_.integrator == CoupledIntegrator::paper ? 1 : 0.5;
+  std::vector<double> force(b.size());
+  stiffness_.multiply(lifts, force);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] -= part * (force[k] + spring_[k] * lifts[k]);
+}
+
 SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) const {
   const double half = scene_.integrator == CoupledIntegrator::paper ? 0.5 * h : 0;
   SparseMatrix R = system.pattern.matrix();

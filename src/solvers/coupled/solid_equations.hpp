@@ -18,6 +18,8 @@ class SolidEquations {
 
   /// Makes A and b of the step of length h from places q and velocities u at `time`.
   void assemble(std::span<const double> q, std::span<const double> u, double time, double h);
+  /// Adds to b what the solids' stiffness does when the step takes them farther than (5) by `lifts` [length].
+  void add_lifts(std::span<const double> lifts, std::span<double> b) const;
   /// What resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by the
   /// trapezoidal rule; rows of velocities that are held, too [mass].
   SparseMatrix resistance(std::span<const double> q, double h) const;

@@ -19,7 +19,8 @@ class Touching : public testing::Test {
   Coupled coupled = fluid_in_box(2, 10);
   Mesh mesh;
   std::vector<Touch> touches = std::vector<Touch>(6, Touch::away);
-  std::vector<double> q{0, 0, 0.5, 0.5, 0.5, 0.6}, u0 = std::vector<double>(6, 0.0), u1 = u0, reactions = u0;
+  std::vector<double> q{0, 0, 0.5, 0.5, 0.5, 0.6}, u0 = std::vector<double>(6, 0.0), u1 = u0, reactions = u0,
+                                                   inertia = u0, chosen = u0;
 
   Contact at_place(double x, double y, double vx = 0, double vy = 0) {
     mesh.kind = ElementKind::tri3;
@@ -31,16 +32,16 @@ class Touching : public testing::Test {
     contact.begin(q, u0, h, touches);
     return contact;
   }
-  /// As the step does: a held velocity is zero.
+  /// As the step does: what contact holds has the velocity that it says.
   bool solved(Contact& contact, const std::vector<double>& free, double rx, double ry) {
     const auto held = held_by(contact);
-    for (std::size_t k = 0; k < 2; ++k) u1[k] = held[k] != 0 ? 0 : free[k];
+    for (std::size_t k = 0; k < 2; ++k) u1[k] = held[k] != 0 ? chosen[k] : free[k];
     reactions[0] = held[0] != 0 ? rx : 0, reactions[1] = held[1] != 0 ? ry : 0;
-    return contact.changed(u0, u1, reactions, touches);
+    return contact.changed(u0, u1, reactions, inertia, touches);
   }
-  std::vector<int> held_by(const Contact& contact) const {
+  std::vector<int> held_by(const Contact& contact) {
     std::vector<std::uint8_t> held(6, 0);
-    contact.hold(touches, held);
+    contact.hold(touches, held, chosen);
     return {held.begin(), held.begin() + 2};
   }
   Vector friction_of(const Contact& contact) const {
@@ -93,7 +94,40 @@ TEST_F(Touching, EndsWhereTheWallWouldHaveToPullAndNotTwiceInAStep) {
   EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
   EXPECT_TRUE(solved(contact, {0, 0}, 0, -1));
   EXPECT_EQ(touches[1], Touch::away);
-  EXPECT_FALSE(solved(contact, {0, -1}, 0, 0));  // though it comes back: else the search would not end
+  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));  // it comes back,
+  EXPECT_EQ(touches[1], Touch::rebounds);
+  EXPECT_TRUE(solved(contact, {0, 0}, 0, -1));  // and is pulled again:
+  EXPECT_EQ(touches[1], Touch::away);
+  EXPECT_FALSE(solved(contact, {0, -1}, 0, 0));  // it is let go, else the search would not end
+}
+
+/// One that would have to be pulled to a halt, and let go would go through: it ends on the wall by (5), and is free in
+/// the next step.
+TEST_F(Touching, ReboundsWhereItCannotBeHalted) {
+  Contact contact = at_place(0.3, 0.01, 0, -1);
+  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
+  EXPECT_EQ(contact.lifts(touches, 6)[1], h / 2 - 0.01);
+  EXPECT_TRUE(solved(contact, {0, 0}, 0, -1));
+  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
+  EXPECT_EQ(touches[1], Touch::rebounds);
+  EXPECT_EQ(contact.lifts(touches, 6), std::vector<double>(6, 0.0));
+  EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
+  EXPECT_DOUBLE_EQ(u1[1], 1 - 2 * 0.01 / h);
+  EXPECT_NEAR(0.01 + h / 2 * (u0[1] + u1[1]), 0, 1e-16);
+  Contact then = at_place(0.3, 0);
+  EXPECT_EQ(touches[1], Touch::away);
+}
+
+/// The same where the nodes around it have the wall push a node that it halts with less than nothing.
+TEST_F(Touching, ReboundsWhereAHaltWouldGiveEnergy) {
+  Contact contact = at_place(0.3, 0.01, 0, -1);
+  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
+  inertia[1] = 1;
+  EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
+  inertia[1] = -1;
+  EXPECT_TRUE(solved(contact, {0, 0}, 0, 1));
+  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
+  EXPECT_EQ(touches[1], Touch::rebounds);
 }
 
 TEST_F(Touching, IsForgottenWhereTheNodeIsAway) {
@@ -188,6 +222,19 @@ TEST_F(Touching, DoesNotHappenWhereObstaclesMeet) {
   q[0] = 0.58;
   contact.place(q);
   EXPECT_EQ(q[0], 0.58);
+}
+
+/// Nor for a node that sinks as it goes: the face between is no wall, nor is any of an obstacle in another.
+TEST_F(Touching, IsNotWithFacesThatObstaclesCover) {
+  coupled.obstacles = {{{0.5, 0, 0}, {1, 0.2, 1}}, {{0, 0, 0}, {0.5, 0.2, 1}}, {{0.6, 0.05, 0}, {0.7, 0.15, 1}}};
+  Contact contact = at_place(0.499, 0.201, 1, -1);
+  EXPECT_TRUE(solved(contact, {1, -1}, 0, 0));
+  EXPECT_EQ(held_by(contact), (std::vector{0, 1}));
+  coupled.obstacles[1].high[1] = 0.1;  // now there is a step
+  touches.assign(6, Touch::away);
+  Contact step = at_place(0.499, 0.15, 1, 0);
+  EXPECT_TRUE(solved(step, {1, 0}, 0, 0));
+  EXPECT_EQ(held_by(step), (std::vector{1, 0}));
 }
 
 }  // namespace
