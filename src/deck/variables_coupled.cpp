@@ -39,7 +39,7 @@ constexpr std::array rows{
              "What the box's left, right, bottom, top, back and front are: walls, without friction where the fluid has "
              "no viscosity, or open at a pressure of zero."},
     Variable{"coupled", "jet_on", text, 1, nl, 1, "", -none, none, sides, "",
-             "Side of the box through which jet k comes in."},
+             "Side of the box through which jet k comes in. Of two jets through a face the later one has it."},
     Variable{"coupled", "jet", real, 2, 4, nl, "length", -none, none, "", "",
              "Its part of that side: lowest and highest place along the side's first axis, and in space along its "
              "second, in the order x, y, z; the whole side where they are not given. It is made of the cells' faces "
@@ -55,7 +55,7 @@ constexpr std::array rows{
              "Temperature that it brings, above that of the surroundings."},
     Variable{"coupled", "obstacle", real, 2, 6, nl, "length", -none, none, "", "",
              "Obstacle k at rest, which neither fluid nor solids enter: its lowest and highest x, y and, in space, z. "
-             "It is made of the cells whose middles lie in it."},
+             "For the fluid it is made of the cells whose middles lie in it; solids stop at the box as it is given."},
     Variable{"coupled", "void", real, 2, 6, nl, "length", -none, none, "", "",
              "Box k without fluid, of pressure zero, given and made likewise."},
     Variable{"coupled", "fluid_in", text, 0, 1, 1, "", -none, none, "box|cavities", "'box'",

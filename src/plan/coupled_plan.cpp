@@ -98,6 +98,7 @@ std::vector<Term> body_terms(const Scene& scene) {
       term("convex stiffness", c.convex, "K' of each element is made positive semi-definite", "convex = .false."),
       term("contact", c.contact, fmt::format("with walls and obstacles, friction {:.4g}", c.friction),
            "contact = .false."),
+      {"contact between bodies", false, "bodies go through one another"},
       term("damping", s.alpha > 0 || s.beta > 0, fmt::format("alpha {:.4g}, beta {:.4g}", s.alpha, s.beta),
            "alpha = beta = 0"),
       term("loads", !s.loads.empty(), fmt::format("{}, dead", s.loads.size()), "none given"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -38,6 +40,12 @@ std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const S
                                 low, high, box.low[i], box.high[i], "xyz"[i]),
                     "what reaches beyond the box is left away, but a part must lie in it");
     box.low[i] = low, box.high[i] = high;
+    const int next = static_cast<int>(std::ceil(std::max((low - grid.low[i]) / grid.d[i] - 0.5, 0.0)));  // middle
+    if (next >= grid.n[i] || grid.middle(axis, next) > high)
+      return refuse(first,
+                    fmt::format("{} {} from {:.6g} to {:.6g} holds no cell: it is thinner than one in {}", name, k, low,
+                                high, "xyz"[i]),
+                    "it is made of the cells whose middles lie in it: widen it, or use more nodes");
   }
   return box;
 }

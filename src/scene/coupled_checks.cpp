@@ -54,6 +54,19 @@ class CoupledChecks {
     for (const char* name : {"smoke_weight", "smoke_lift"})
       unused("coupled", name, "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it");
   }
+  /// Viscosity goes by explicit steps of its own, such that a face's velocity changes by no more than it differs from
+  /// those around it.
+  void viscous_steps() {
+    constexpr double most = 1e6;
+    double around = 0;
+    for (int axis = 0; axis < coupled_.grid.dim; ++axis)
+      around += 2 / (coupled_.grid.d[at(axis)] * coupled_.grid.d[at(axis)]);
+    const double steps = deck_.real("in", "tstep") * coupled_.viscosity / coupled_.density * around;
+    if (steps > most)
+      error("coupled", "viscosity", {1, 1},
+            fmt::format("viscosity takes {:.3g} steps of its own in each step, more than {:.0e}", steps, most),
+            "shorter steps, larger cells or less viscosity");
+  }
   /// What the deck says of bodies, which it has none of.
   void no_bodies() {
     if (deck_.has_group("mesh")) return;
@@ -122,6 +135,7 @@ void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& d
   checks.others();
   checks.plane();
   checks.method();
+  checks.viscous_steps();
   checks.no_bodies();
 }
 

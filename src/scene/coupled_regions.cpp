@@ -34,11 +34,14 @@ class Regions {
     const auto cell = grid_.place_of_cell(static_cast<std::size_t>(found));
     return {grid_.middle(0, cell[0]), grid_.middle(1, cell[1]), grid_.middle(2, cell[2])};
   }
-  /// Area of a jet's faces to a region.
-  double area(const Jet& jet, int region) const {
+  /// Area of the faces to a region that a jet, by its place among them, has.
+  double area(std::size_t k, int region) const {
+    const Jet& jet = coupled_.jets[k];
+    const int axis = axis_of_side(jet.side);
     double area = 0;
     for (const std::size_t face : faces_of(jet, grid_)) {
-      if (region_[cell_at(jet, grid_, face)] == region) area += grid_.area(axis_of_side(jet.side));
+      const bool has = jet_[static_cast<std::size_t>(axis)][face] == static_cast<int>(k);
+      if (has && region_[cell_at(jet, grid_, face)] == region) area += grid_.area(axis);
     }
     return area;
   }
@@ -55,10 +58,12 @@ class Regions {
     }
   }
   void jets() {
-    for (int axis = 0; axis < grid_.dim; ++axis) jet_[static_cast<std::size_t>(axis)].assign(grid_.face_count(axis), 0);
-    for (const Jet& jet : coupled_.jets) {
+    for (int axis = 0; axis < grid_.dim; ++axis)
+      jet_[static_cast<std::size_t>(axis)].assign(grid_.face_count(axis), none);
+    for (std::size_t k = 0; k < coupled_.jets.size(); ++k) {
+      const Jet& jet = coupled_.jets[k];
       for (const std::size_t face : faces_of(jet, grid_))
-        jet_[static_cast<std::size_t>(axis_of_side(jet.side))][face] = 1;
+        jet_[static_cast<std::size_t>(axis_of_side(jet.side))][face] = static_cast<int>(k);
     }
   }
   /// Whether the fluid may leave through the box's side at a cell.
@@ -67,7 +72,7 @@ class Regions {
     const int axis = axis_of_side(side);
     if (!is_low_side(side)) ++face[static_cast<std::size_t>(axis)];
     return coupled_.sides[static_cast<std::size_t>(side)] == BoxSide::open &&
-           jet_[static_cast<std::size_t>(axis)][grid_.face(axis, face)] == 0;
+           jet_[static_cast<std::size_t>(axis)][grid_.face(axis, face)] == none;
   }
   /// A new region of all cells that faces join with this one.
   void fill(std::size_t first) {
@@ -98,7 +103,7 @@ class Regions {
   const StaggeredGrid& grid_;
   std::vector<int> region_;  // of each cell, or what it holds
   std::vector<bool> closed_;
-  std::array<std::vector<char>, 3> jet_;  // of each face
+  std::array<std::vector<int>, 3> jet_;  // of each face, the last of those that take it, or none
 };
 
 /// Times at which the jets' balance is looked at [time].
@@ -137,7 +142,7 @@ std::string text_of(const std::array<double, 3>& place, int dim) {
 void check_region(const Deck& deck, const Clock& clock, const Coupled& coupled, const Regions& regions, int region,
                   Diagnostics& diagnostics) {
   std::vector<double> areas;
-  for (const Jet& jet : coupled.jets) areas.push_back(regions.area(jet, region));
+  for (std::size_t k = 0; k < coupled.jets.size(); ++k) areas.push_back(regions.area(k, region));
   const auto first = std::find_if(areas.begin(), areas.end(), [](double area) { return area > 0; }) - areas.begin();
   for (const double t : times_of(coupled, clock.tmax)) {
     try {

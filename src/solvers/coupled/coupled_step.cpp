@@ -234,26 +234,29 @@ void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, d
 /// A solid that ran away, or is turned inside out, leaves nothing to go on with.
 void CoupledStep::check(const CoupledState& state) const {
   if (state.q.empty()) return;
+  constexpr const char* too_much_added_mass =
+      "added mass above what splitting bears, which shorter steps do not cure: mode='symmetric' of $coupled holds";
+  const bool splitting = coupled_.mode == CouplingMode::splitting;
   const auto d = static_cast<std::size_t>(surface_.dim);
   const StaggeredGrid& grid = coupled_.grid;
   for (std::size_t k = 0; k < state.q.size(); ++k) {
     const std::size_t axis = k % d;
     const double most = farthest * grid.n[axis] * grid.d[axis];  // beyond, cells cannot be counted
     if (std::abs(state.q[k] - grid.low[axis]) <= most && std::isfinite(state.u[k])) continue;
-    throw RunError(
-        fmt::format("t = {:.9g}, step {}: node {} is {} box sizes away: likely cause, steps too long for the "
-                    "way fluid and solids are solved, or an open side that a body leaves through",
-                    state.time, state.steps + 1, k / d + 1, farthest));
+    throw RunError(fmt::format("t = {:.9g}, step {}: node {} is {} box sizes away: likely cause, {}", state.time,
+                               state.steps + 1, k / d + 1, farthest,
+                               splitting
+                                   ? too_much_added_mass
+                                   : "an open side that a body leaves through, or values of the deck that run away"));
   }
   const fem::ShapeVolumes shape = solids_.system.elements->shape(state.q);
   if (shape.least > 0) return;
   const int node = solids_.system.solids.mesh.element(shape.worst)[0];
   const Vector x = place_of(state.q, node, surface_.dim);
   throw RunError(fmt::format(
-      "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, a solid too "
-      "soft for what acts on it, or steps too long for the way fluid and solids are solved",
-      state.time, state.steps + 1, shape.worst + 1, x[0], x[1],
-      surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : ""));
+      "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, {}", state.time,
+      state.steps + 1, shape.worst + 1, x[0], x[1], surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : "",
+      splitting ? too_much_added_mass : "a solid too soft for what acts on it, or steps too long for its motion"));
 }
 
 /// The fluid's velocity of the deck, less what pressures take of it so that it flows round the solids.
