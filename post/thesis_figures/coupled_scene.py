@@ -4,6 +4,7 @@ import numpy
 from matplotlib import collections, colormaps, tri
 
 import run_folder
+import style
 
 FLUID, OBSTACLE = 0, 2  # kinds of cells
 ASLANT = numpy.array((0.35, -0.25))  # what a place moves in the picture for each length that it is nearer
@@ -81,6 +82,8 @@ class CoupledScene:
         x, y = (self.bodies[part][record] for part in "xy")
         axes.tripcolor(tri.Triangulation(x, y, self.elements), self.bodies["energy_density"][record], cmap=BODIES, vmin=0,
                        vmax=self.most_energy, shading="gouraud", zorder=3)
+        axes.set_xlabel(style.label("x", self.units.get("node_x", "1")))
+        axes.set_ylabel(style.label("y", self.units.get("node_y", "1")))
         return image
 
     def draw_space(self, axes, record, name, most, colours):
@@ -95,16 +98,27 @@ class CoupledScene:
             ink = numpy.zeros((*part.shape, 4))
             ink[..., :3] = colormaps[colours](1.0)[:3]
             ink[..., 3] = 1 - numpy.exp(-DENSE * part * self.sizes[2] / depth)
-            ink[kind[layer] == OBSTACLE] = (0.6, 0.65, 0.7, 1.0)
+            obstacles = numpy.zeros_like(ink)  # apart: between the cells' middles colours are mixed
+            obstacles[kind[layer] == OBSTACLE] = (0.6, 0.65, 0.7, 1.0)
             axes.imshow(ink, origin="lower", extent=self.extent(shift), zorder=3 + layer, interpolation="bilinear")
+            axes.imshow(obstacles, origin="lower", extent=self.extent(shift), zorder=3.2 + layer, interpolation="nearest")
             self.draw_faces(axes, record, numpy.flatnonzero(layer_of == layer), 3.5 + layer,
                             CLEAR if name == "speed" else 1.0)
         low, high = (self.extent(self.shift(self.middles[2][end])) for end in (0, -1))
+        self.draw_box(axes, low, high)
         axes.set_xlim(min(low[0], high[0]), max(low[1], high[1]))
         axes.set_ylim(min(low[2], high[2]), max(low[3], high[3]))
         axes.set_xticks([])  # places are shifted by their depth
         axes.set_yticks([])
         return None
+
+    def draw_box(self, axes, back, front):
+        """Edges of the box of fluid, those behind it below all else."""
+        corners = [[(side[x], side[y]) for x, y in ((0, 2), (1, 2), (1, 3), (0, 3))] for side in (back, front)]
+        for corner, order in ((corners[0], 2.5), (corners[1], 3.9 + len(self.middles[2]))):
+            axes.plot(*zip(*corner, corner[0]), color="0.6", linewidth=0.6, zorder=order)
+        for ends in zip(*corners):
+            axes.plot(*zip(*ends), color="0.6", linewidth=0.6, zorder=2.5)
 
     def shift(self, z):
         return ASLANT * (z - self.middles[2][0])
