@@ -22,11 +22,10 @@ struct CoupledState {
   double time = 0, time_lost = 0;  // [time]
   long long steps = 0;
   double dt_last = 0, dt_min = 0;
-  FaceValues v;                  ///< of the fluid, extended into the solids [velocity]
-  std::vector<double> p;         ///< of each cell, extended into the solids [stress]
-  std::vector<double> q, u;      ///< places and velocities of the solids' nodes, dim numbers a node
-  std::vector<double> q_before;  ///< places at the last step's start
-  std::vector<Touch> touches;    ///< of the nodes, a number a velocity
+  FaceValues v;                ///< of the fluid, extended into the solids [velocity]
+  std::vector<double> p;       ///< of each cell, extended into the solids [stress]
+  std::vector<double> q, u;    ///< places and velocities of the solids' nodes, dim numbers a node
+  std::vector<Touch> touches;  ///< of the nodes, a number a velocity
   std::vector<double> fluid_force,
       wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
   Smoke smoke;
@@ -45,8 +44,7 @@ void exchange(Exchange& with, CoupledState& state) {
   with("time", state.time), with("time_lost", state.time_lost), with("steps", state.steps);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
-  with("p", state.p), with("q", state.q), with("u", state.u), with("q_before", state.q_before),
-      with("touches", state.touches);
+  with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
   with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);

@@ -58,7 +58,6 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
 
 void CoupledStep::resume(const CoupledState& state) {
-  before_ = placer_.at(state.q_before).domain;
   at_ = placer_.at(state.q);
   system_.keep_orders(state.orders);
 }
@@ -66,15 +65,20 @@ void CoupledStep::resume(const CoupledState& state) {
 /// One step of the paper, 3.1 to 3.3.
 void CoupledStep::advance(CoupledState& state, double h) {
   const std::vector<double> u0 = state.u;
-  if (coupled_.smoke) follow_domain(before_, at_.domain, state.smoke);
   move_fluid_freely(state, h);                        // (1) without pressure: v*
   solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
   solve(state, h);                                    // (7), (8)
   extend_velocity(at_.domain, state.v, layers_around_fluid);
   carry_smoke_along(state, h);
   move_solids(state, u0, h);  // (5)
-  before_ = std::move(at_.domain);
+  place_solids(state);
+}
+
+/// The fluid's cells change with them, and smoke goes where there is fluid.
+void CoupledStep::place_solids(CoupledState& state) {
+  const FlowDomain before = std::move(at_.domain);
   at_ = placer_.at(state.q);
+  if (coupled_.smoke) follow_domain(before, at_.domain, state.smoke);
 }
 
 void CoupledStep::move_fluid_freely(CoupledState& state, double h) {
@@ -224,7 +228,6 @@ void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
 }
 
 void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, double h) {
-  state.q_before = state.q;
   for (std::size_t k = 0; k < state.q.size(); ++k) state.q[k] += 0.5 * h * (u0[k] + state.u[k]);
   solids_.system.place_supports(state.time + h, state.q);
   contact_.place(state.q);
@@ -272,7 +275,6 @@ CoupledState CoupledStep::start() {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
   at_ = placer_.at(state.q);
-  before_ = at_.domain;
   box_.prescribe(at_.domain, 0, state.v);
   solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
   const std::vector<double> r = net_flux(at_.domain, at_.numbers, state.v);
@@ -286,7 +288,6 @@ CoupledState CoupledStep::start() {
   add_pressure(at_.domain, at_.numbers, p, 1, state.v);
   extend_velocity(at_.domain, state.v, layers_around_fluid);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
-  state.q_before = state.q;
   state.smoke = clean_smoke(at_.domain);
   return state;
 }

@@ -54,6 +54,7 @@ class CoupledStep {
   void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void check(const CoupledState& state) const;
+  void place_solids(CoupledState& state);
 
   const Scene& scene_;
   const Coupled& coupled_;
@@ -64,7 +65,6 @@ class CoupledStep {
   Contact contact_;
   CoupledSystem system_;
   Placement at_;                       // of the solids now
-  FlowDomain before_;                  // at the last step's start
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };
 
