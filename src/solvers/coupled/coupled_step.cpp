@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "solvers/coupled/blend_cut_faces.hpp"
 #include "solvers/coupled/carry_velocity.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/extend_velocity.hpp"
@@ -29,8 +30,9 @@ std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const dou
   return values;
 }
 
-std::vector<double> of_cells(const PressureNumbers& numbers, std::span<const double> values) {
-  std::vector<double> p;
+template <class Value>
+std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Value>& values) {
+  std::vector<Value> p;
   for (const std::size_t cell : numbers.cell) p.push_back(values[cell]);
   return p;
 }
@@ -68,10 +70,16 @@ void CoupledStep::advance(CoupledState& state, double h) {
   move_fluid_freely(state, h);                        // (1) without pressure: v*
   solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
   solve(state, h);                                    // (7), (8)
-  extend_velocity(at_.domain, state.v, layers_around_fluid);
   carry_smoke_along(state, h);
+  end_velocity(h, state.v);
   move_solids(state, u0, h);  // (5)
   place_solids(state);
+}
+
+/// What the next step is to find, in cut faces and in the solids.
+void CoupledStep::end_velocity(double h, FaceValues& v) const {
+  if (coupled_.mode == CouplingMode::cut_cell) blend_cut_faces(at_.domain, h, v);
+  extend_velocity(at_.domain, v, layers_around_fluid);
 }
 
 /// The fluid's cells change with them, and smoke goes where there is fluid.
@@ -148,8 +156,7 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
   for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k];
   solids_.add_lifts(contact_.lifts(state.touches, b.size()), b);
   for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];
-  std::vector<int> region;
-  for (const std::size_t cell : at_.numbers.cell) region.push_back(at_.domain.region[cell]);
+  const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
   std::vector<std::uint8_t> loose = solution.regions.closed;
   for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
     loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
@@ -279,14 +286,13 @@ CoupledState CoupledStep::start() {
   solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
   const std::vector<double> r = net_flux(at_.domain, at_.numbers, state.v);
   std::vector<double> p(r.size(), 0.0);
-  std::vector<int> region;
-  for (const std::size_t cell : at_.numbers.cell) region.push_back(at_.domain.region[cell]);
+  const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
   const Regions regions = regions_of(at_.domain, at_.map, at_.numbers, first_volumes_, first_volumes_, solids_.held, 1);
   system_.solve_fluid({solids_.A, solids_.b, at_.map.B, at_.map.B, pressure_matrix(at_.domain, at_.numbers, 1), r,
                        solids_.held, at_.numbers.cell, at_.domain.kind.size(), region, regions.closed, regions.closed},
                       0, state.u, p);
   add_pressure(at_.domain, at_.numbers, p, 1, state.v);
-  extend_velocity(at_.domain, state.v, layers_around_fluid);
+  end_velocity(scene_.clock.tstep, state.v);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
   state.smoke = clean_smoke(at_.domain);
   return state;

@@ -54,6 +54,7 @@ class CoupledStep {
   void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void check(const CoupledState& state) const;
+  void end_velocity(double h, FaceValues& v) const;
   void place_solids(CoupledState& state);
 
   const Scene& scene_;
