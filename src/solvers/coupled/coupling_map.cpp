@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "solvers/coupled/film_pressures.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -25,23 +26,44 @@ class MapByPressures {
   }
 
   CouplingMap map(std::size_t unknowns) {
-    for (const SurfacePiece& piece : of_.pieces.pieces) add(piece);
+    std::vector<int> before;
+    for (const SurfacePiece& piece : of_.pieces.pieces) before.push_back(sampler_.cell_before(piece));
+    const FilmPressures films({of_.surface, sampler_.places(), of_.pieces, of_.domain, sampler_, before});
+    for (std::size_t k = 0; k < before.size(); ++k)
+      before[k] >= 0 ? add(of_.pieces.pieces[k], at(before[k])) : add_film(of_.pieces.pieces[k], films.on(k));
     return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_};
   }
 
  private:
-  void add(const SurfacePiece& piece) {
-    const int before = sampler_.cell_before(piece);
-    if (before < 0) return;
+  void add(const SurfacePiece& piece, std::size_t before) {
     const Vector& area = of_.pieces.area[at(piece.side)];
-    if (const int region = of_.domain.region[at(before)]; region >= 0) see(piece, region, area);
+    if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, area);
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
-      const PressureStencil whole = sampler_.at(point.x, at(before));
+      const PressureStencil whole = sampler_.at(point.x, before);
       for (int axis = 0; axis < dim_; ++axis) {
         PressureStencil stencil = whole;
         if (cut_ != nullptr) take_cut(piece.cell, axis, point.x[at(axis)], stencil);
         add(piece.side, point, stencil, axis, -area[at(axis)] * point.part);
+      }
+    }
+  }
+
+  /// One pressure all over the piece. Parts of cells say nothing about what is thinner than half a cell.
+  void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure) {
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    const auto nodes = of_.surface.side(at(piece.side));
+    Vector share{};
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        share[a] += of_.pieces.points[k].part * of_.pieces.points[k].share[a];
+    }
+    for (const auto& [cell, weight] : pressure) {
+      const int row = of_.numbers.of_cell[cell];
+      if (row < 0) continue;  // void
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        for (int axis = 0; axis < dim_; ++axis)
+          entries_.emplace_back(row, nodes[a] * dim_ + axis, -weight * share[a] * area[at(axis)]);
       }
     }
   }

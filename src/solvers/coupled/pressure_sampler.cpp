@@ -131,7 +131,7 @@ int PressureSampler::joined(const std::array<int, 3>& cell, int axis, int end) c
   return open ? static_cast<int>(domain_.grid.cell(other)) : -1;
 }
 
-PressureStencil PressureSampler::at(const Vector& x, std::size_t cell) const {
+PressureStencil PressureSampler::at(const Vector& x, std::size_t cell, double behind) const {
   const StaggeredGrid& grid = domain_.grid;
   const auto place = grid.place_of_cell(cell);
   const Vector middle = grid.middle(place);
@@ -141,11 +141,11 @@ PressureStencil PressureSampler::at(const Vector& x, std::size_t cell) const {
     const double away = std::clamp((x[at_index(axis)] - middle[at_index(axis)]) / grid.d[at_index(axis)], -1.0, 1.0);
     if (away == 0) continue;
     const int towards = joined(place, axis, away > 0 ? 1 : 0);
-    const int behind = towards < 0 ? joined(place, axis, away > 0 ? 0 : 1) : -1;
-    if (towards < 0 && behind < 0) continue;
-    const double weight = towards >= 0 ? std::abs(away) : -0.5 * std::abs(away);
+    const int away_from = towards < 0 ? joined(place, axis, away > 0 ? 0 : 1) : -1;
+    if (towards < 0 && away_from < 0) continue;
+    const double weight = towards >= 0 ? std::abs(away) : -behind * std::abs(away);
     stencil.weight[0] -= weight;
-    stencil.add(at_index(towards >= 0 ? towards : behind), weight);
+    stencil.add(at_index(towards >= 0 ? towards : away_from), weight);
   }
   return stencil;
 }

@@ -34,8 +34,11 @@ class PressureSampler {
   int cell_before(const SurfacePiece& piece) const;
   /// The pressure at x from that cell and its neighbours: linear towards neighbours that open faces join, half of what
   /// a linear one would change where x lies on the other side of the cell. B takes it twice, for the force and for the
-  /// flux: by halves the strip between the cell's middle and the surface weighs what it should, to second order.
-  PressureStencil at(const Vector& x, std::size_t cell) const;
+  /// flux: by halves the strip between the cell's middle and the surface weighs what it should, to second order. In a
+  /// film there is no such strip: `behind` 1 takes all of what a linear one would change.
+  PressureStencil at(const Vector& x, std::size_t cell, double behind = 0.5) const;
+  /// Of the solids' nodes.
+  std::span<const double> places() const { return q_; }
 
  private:
   int nearest(const SurfacePiece& piece, const std::array<int, 3>& middle, int reach) const;
