@@ -222,6 +222,30 @@ TEST(Coupled, BlockFallsOnTheFloor) {
   EXPECT_NEAR(run.last("body_y_1"), 0.25, 1e-3);
 }
 
+/// A block of .3 x .2 in water, open at the top, its lower side less than half a cell above the floor or on it.
+std::string block_in_water(const std::string& density, double gap) {
+  return "$in nx=33,ny=33,xleft=0.,xright=2.,ybot=0.,ytop=2.,tmax=.5,tstep=.005,gravc=-9.81,iout(33)=1,tiout(33)=.005 "
+         "$\n"
+         "$reg nreg=1,nvi=4,densir(1)=" +
+         density + ",matr(1,1)=1e6,.3,xvi(1,1)=.85,1.15,1.15,.85,yvi(1,1)=2*" + std::to_string(gap) + ",2*" +
+         std::to_string(gap + 0.2) +
+         " $\n$mesh element='p1',cells(1,1)=4,4 $\n$coupled density=1000.,side(4)='open' $\n";
+}
+
+/// What is lighter than water leaves the floor, what is heavier presses on it with its weight less the water's.
+TEST(Coupled, WaterGetsUnderABlockOnTheFloor) {
+  for (const std::string mode : {"coupled.mode='symmetric'", "coupled.mode='cut-cell'", "coupled.mode='paper'"}) {
+    for (const double gap : {0.0, 0.001, 0.03}) {
+      const DeckRun light = run_text("light", block_in_water("500.", gap), {mode});
+      EXPECT_GT(light.last("body_y_1"), 0.25) << mode << gap;
+      if (mode == "coupled.mode='paper'") continue;  // it has two maps
+      EXPECT_LE(light.summary.at("interface_mismatch"), 1e-9) << mode << gap;
+    }
+    const double weight = 9.81 * 0.06 * (2000 - 1000);
+    EXPECT_NEAR(run_text("heavy", block_in_water("2000.", 0), {mode}).last("body_hold_y_1") / weight, 1, 0.05) << mode;
+  }
+}
+
 TEST(Coupled, BlockSlidesAsCoulombSays) {
   const DeckRun run = run_text("block", block(on_the_floor, "friction=.3"));
   const auto& t = run.history.column("time");

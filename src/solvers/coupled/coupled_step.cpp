@@ -37,15 +37,6 @@ std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Va
   return p;
 }
 
-/// Of fluid cells their size: smoke has no finer place.
-std::vector<double> fluid_volumes(const FlowDomain& domain) {
-  std::vector<double> volumes(domain.kind.size(), 0.0);
-  for (std::size_t c = 0; c < volumes.size(); ++c) {
-    if (domain.kind[c] == CellKind::fluid) volumes[c] = domain.grid.volume();
-  }
-  return volumes;
-}
-
 }  // namespace
 
 CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
@@ -229,7 +220,7 @@ void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
     }
   }
   const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, jets, state.smoke);
-  settle_smoke(at_.domain, fluid_volumes(at_.domain), state.smoke);
+  settle_smoke(at_.domain, clean_smoke(at_.domain).volume, state.smoke);  // which has no finer place than cells
   state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
   state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
 }
