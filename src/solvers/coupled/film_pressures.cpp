@@ -9,7 +9,7 @@
 #include <set>
 
 #include "base/index.hpp"
-#include "solvers/coupled/winding.hpp"
+#include "grid/winding.hpp"
 
 namespace tether::coupled {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "algebra/gmres.hpp"
 #include "algebra/quasidefinite_solver.hpp"
 #include "plan/added_mass.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
@@ -17,12 +18,6 @@ namespace {
 
 constexpr int most_iterations = 500;
 constexpr double settled = 1e-9;  // change of the ratio in an iteration
-
-double product(std::span<const double> x, std::span<const double> y) {
-  double sum = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) sum += x[k] * y[k];
-  return sum;
-}
 
 /// y = M_a x by factors of L.
 class AddedMass {
@@ -78,8 +73,8 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
     for (std::size_t k = 0; k < x.size(); ++k) x[k] = solids.held[k] != 0 ? 0 : x[k];
     added.apply(x, y);
     R.multiply(x, resisted);
-    const double before = ratio, resists = product(x, resisted);
-    ratio = resists > 0 ? product(x, y) / resists : 0;
+    const double before = ratio, resists = dot(x, resisted);
+    ratio = resists > 0 ? dot(x, y) / resists : 0;
     if (std::abs(ratio - before) <= settled * ratio) break;
     for (std::size_t k = 0; k < x.size(); ++k) y[k] = solids.held[k] != 0 ? 0 : y[k] / ratio;
     resistance.solve(y, x);

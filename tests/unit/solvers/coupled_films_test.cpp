@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "solvers/coupled/winding.hpp"
+#include "grid/winding.hpp"
 #include "unit/solvers/coupled_bodies.hpp"
 
 namespace tether::coupled {

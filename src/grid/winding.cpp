@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/coupled/winding.hpp"
+#include "grid/winding.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "base/index.hpp"
 
-namespace tether::coupled {
+namespace tether {
 namespace {
 
 /// By A. Van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
@@ -30,4 +30,4 @@ double turns_about(const SolidSurface& surface, std::span<const double> q, const
   return angle / (surface.dim == 2 ? 2 * std::numbers::pi : 4 * std::numbers::pi);
 }
 
-}  // namespace tether::coupled
+}  // namespace tether
