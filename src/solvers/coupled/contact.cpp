@@ -97,9 +97,8 @@ std::vector<double> Contact::lifts(std::span<const Touch> touches, std::size_t u
   return lifts;
 }
 
-double Contact::lift(const Meeting& meeting) const {
-  return meeting.side * std::max(-meeting.gap - 0.5 * h_ * meeting.side * meeting.velocity, 0.0);
-}
+/// Down, too: a node that is halted before it reaches the wall would else stay above it.
+double Contact::lift(const Meeting& meeting) const { return -meeting.side * meeting.gap - 0.5 * h_ * meeting.velocity; }
 
 void Contact::add_friction(std::span<double> forces) const {
   for (const Meeting& meeting : meetings_) {
@@ -137,9 +136,9 @@ bool Contact::is_behind(const Meeting& meeting, const Vector& x) const {
 }
 
 /// A node whose way (5) leads through the wall touches it; one that the wall would have to pull leaves it, and rebounds
-/// where that leads through the wall. Multiplied by the step's way, the equations (4) say that contact gives the solids
-/// the energy R.d - M (u1 - u0).(lift): a wall that presses takes some by R, and a node that is lifted must lose some
-/// by the other, or it is not halted either. (M (u1 - u0) can be against the node's own change, by its neighbours'.)
+/// where that leads through the wall. Multiplied by the step's way d, the equations (4) say that contact gives the
+/// solids the energy R.d - M (u1 - u0)/h . (lift), and a node whose part of that is above zero is not halted either.
+/// (M (u1 - u0) can be against the node's own change, by its neighbours'.)
 Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
                     std::span<const double> reactions, std::span<const double> inertia) const {
   if (now == Touch::away) {
@@ -151,8 +150,8 @@ Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std
     return scene_.friction > 0 ? Touch::sticks : Touch::slides;
   }
   const double pressed = meeting.side * reactions[unknown(meeting)];
-  const bool gains = now != Touch::rebounds && lift(meeting) * inertia[unknown(meeting)] < 0;
-  if (pressed < 0 || gains) {
+  const double given = -pressed * meeting.gap - lift(meeting) * inertia[unknown(meeting)] / h_;
+  if (pressed < 0 || (now != Touch::rebounds && given > 0)) {
     meeting.released = true, meeting.rebounded = now == Touch::rebounds, meeting.friction = 0;
     return Touch::away;
   }
@@ -193,10 +192,10 @@ Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<con
 void Contact::place(std::span<double> q) const {
   for (const Meeting& meeting : meetings_) {
     double& x = q[unknown(meeting)];
-    const bool through = meeting.side * (x - meeting.place) < 0;
-    const bool stays = meeting.touching || meeting.box == nullptr;
-    if (through && (stays || is_behind(meeting, place_of(q, static_cast<int>(meeting.node), scene_.grid.dim))))
-      x = meeting.place;
+    const bool stays =
+        meeting.side * (x - meeting.place) >= 0 ||
+        (meeting.box != nullptr && !is_behind(meeting, place_of(q, static_cast<int>(meeting.node), scene_.grid.dim)));
+    if (meeting.touching || !stays) x = meeting.place;
   }
 }
 

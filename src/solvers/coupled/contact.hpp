@@ -30,17 +30,17 @@ class Contact {
   void begin(std::span<const double> q, std::span<const double> u, double h, std::vector<Touch>& touches);
   /// Marks the velocities that touching nodes do not choose, and sets those of `u1`.
   void hold(std::span<const Touch> touches, std::span<std::uint8_t> held, std::span<double> u1) const;
-  /// How much farther than by (5) the step takes nodes that are held, to end on the wall and not behind it: zero of all
-  /// others [length].
+  /// How much farther than by (5) the step takes nodes that are halted, to end on the wall: zero of all others
+  /// [length].
   std::vector<double> lifts(std::span<const Touch> touches, std::size_t unknowns) const;
   /// Adds the friction of sliding nodes to forces.
   void add_friction(std::span<double> forces) const;
   /// Takes note of a solution: velocities u0 before and u1 behind the step, the forces on held velocities, and the
-  /// inertia M (u1 - u0), of which only the sign counts. Returns whether nodes touch or slide that did not, or the
-  /// other way, or are rubbed by another force: the solution is to be found again then.
+  /// inertia M (u1 - u0). Returns whether nodes touch or slide that did not, or the other way, or are rubbed by another
+  /// force: the solution is to be found again then.
   bool changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
                std::span<const double> inertia, std::vector<Touch>& touches);
-  /// Puts nodes that went through a wall, or into an obstacle, onto it.
+  /// Puts nodes that touch a wall, or went through it or into an obstacle, onto it.
   void place(std::span<double> q) const;
 
  private:

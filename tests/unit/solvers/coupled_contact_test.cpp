@@ -59,10 +59,25 @@ TEST_F(Touching, BeginsWhereTheWayLeadsThroughTheWall) {
   EXPECT_EQ(touches[1], Touch::slides);
   EXPECT_EQ(held_by(through), (std::vector{0, 1}));
   EXPECT_FALSE(solved(through, {2, 0}, 0, 5));
-  through.place(q);
+}
+
+/// Halted from above or from behind it; others are put there only where they went through.
+TEST_F(Touching, EndsOnTheWall) {
+  for (const double vy : {-0.51, -1.3}) {
+    touches[1] = Touch::away;
+    Contact contact = at_place(0.3, 0.05, 2, vy);
+    EXPECT_TRUE(solved(contact, {2, vy}, 0, 0));
+    EXPECT_NEAR(q[1] + 0.5 * h * vy + contact.lifts(touches, 6)[1], 0, 1e-16);
+    q[1] += 0.5 * h * vy;
+    contact.place(q);
+    EXPECT_EQ(q[1], 0);
+  }
+  touches[1] = Touch::away;
+  Contact away = at_place(0.3, 0.05);
+  away.place(q);
   EXPECT_EQ(q[1], 0.05);
   q[1] = -0.001;
-  through.place(q);
+  away.place(q);
   EXPECT_EQ(q[1], 0);
 }
 
@@ -118,16 +133,21 @@ TEST_F(Touching, ReboundsWhereItCannotBeHalted) {
   EXPECT_EQ(touches[1], Touch::away);
 }
 
-/// The same where the nodes around it have the wall push a node that it halts with less than nothing.
+/// The same where the nodes around it have the wall push a node that it halts with less than nothing: what it gives is
+/// R times the node's way, down to the wall, less the inertia times what that is longer than by (5).
 TEST_F(Touching, ReboundsWhereAHaltWouldGiveEnergy) {
-  Contact contact = at_place(0.3, 0.01, 0, -1);
-  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
-  inertia[1] = 1;
-  EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
-  inertia[1] = -1;
-  EXPECT_TRUE(solved(contact, {0, 0}, 0, 1));
-  EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
-  EXPECT_EQ(touches[1], Touch::rebounds);
+  for (const double gap : {0.0, 0.01, 0.09}) {
+    touches[1] = Touch::away;
+    Contact contact = at_place(0.3, gap, 0, -1);
+    EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));
+    const double lift = h / 2 - gap, reaction = 2, balance = -reaction * gap / lift * h;
+    inertia[1] = balance + (lift > 0 ? 1e-9 : -1e-9);
+    EXPECT_FALSE(solved(contact, {0, 0}, 0, reaction)) << gap;
+    inertia[1] = balance - (lift > 0 ? 1e-9 : -1e-9);
+    EXPECT_TRUE(solved(contact, {0, 0}, 0, reaction)) << gap;
+    EXPECT_TRUE(solved(contact, {0, -1}, 0, 0)) << gap;
+    EXPECT_EQ(touches[1], Touch::rebounds) << gap;
+  }
 }
 
 TEST_F(Touching, IsForgottenWhereTheNodeIsAway) {
