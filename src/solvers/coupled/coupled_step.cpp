@@ -103,11 +103,13 @@ void CoupledStep::solve(CoupledState& state, double h) {
   std::vector<double> change(u0.size()), inertia(u0.size());
   contact_.begin(state.q, u0, h, state.touches);
   for (int k = 0; k < most_contact_solutions; ++k) {
-    solution.held = solids_.held;
+    std::vector<std::uint8_t> held = solids_.held;
     for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solids_.held[i] != 0 ? 0 : u0[i];
-    contact_.hold(state.touches, solution.held, state.u);
+    contact_.hold(state.touches, held, state.u);
     solids_.system.move_supports(state.time + h, support_width * h, state.u);
-    find_regions_of(state, h, solution);
+    solution.same_matrices = k > 0 && held == solution.held;
+    solution.held = std::move(held);
+    if (!solution.same_matrices) find_regions_of(state, h, solution);
     solve_once(flux, state, solution);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
     solids_.system.multiply_mass(change, inertia);
@@ -163,7 +165,8 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
                                    at_.domain.kind.size(),
                                    region,
                                    solution.regions.closed,
-                                   loose};
+                                   loose,
+                                   solution.same_matrices};
   solution.fluid_force.assign(b.size(), 0.0);
   if (splitting) {
     const std::vector<double> before = of_cells(at_.numbers, state.p);

@@ -38,6 +38,7 @@ class CoupledStep {
   /// What is found together: pressures, which velocities contact holds, and what holds them.
   struct Solution {
     std::vector<std::uint8_t> held;  ///< by supports and contact
+    bool same_matrices = false;      ///< nothing else is held than in the solution before
     Regions regions;
     SparseMatrix L;
     std::vector<double> p;                                  ///< of each pressure [stress]

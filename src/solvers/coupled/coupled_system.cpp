@@ -48,12 +48,15 @@ ReducedEquations balanced(const CoupledEquations& equations, double time, std::s
 }  // namespace
 
 struct CoupledSystem::Parts {
+  explicit Parts(int dim) : schur(dim) {}
   QuasidefiniteSolver both, solids, fluid;
   SchurComplement schur;
 };
 
 CoupledSystem::CoupledSystem(const Coupled& scene)
-    : scene_(scene), direct_(systems_of(scene) == CoupledSystems::direct), parts_(std::make_unique<Parts>()) {}
+    : scene_(scene),
+      direct_(systems_of(scene) == CoupledSystems::direct),
+      parts_(std::make_unique<Parts>(scene.grid.dim)) {}
 
 CoupledSystem::~CoupledSystem() = default;
 
@@ -84,8 +87,8 @@ void CoupledSystem::solve_directly(const CoupledEquations& equations, double tim
                                    std::span<double> p) {
   const ReducedEquations with = balanced(equations, time, u);
   const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
-  const SparseMatrix K = matrix_by_cells(equations, first);
-  if (!parts_->both.factorise(K)) refuse(time, "the coupled matrix is singular: likely cause, values that ran away");
+  if (!equations.same_matrices && !parts_->both.factorise(matrix_by_cells(equations, first)))
+    refuse(time, "the coupled matrix is singular: likely cause, values that ran away");
   check_pivots(static_cast<std::int64_t>(equations.cells), time);
   std::vector<double> x(with.b);
   x.resize(with.b.size() + equations.cells, 0.0);
@@ -140,7 +143,7 @@ void CoupledSystem::solve_solids(const CoupledEquations& equations, double time,
   add_transposed_product(equations.B, 1, p, forces);
   alone.b = forces;
   const ReducedEquations with = reduced(alone, u);
-  if (!parts_->solids.factorise(held_matrix(equations.A, equations.held)))
+  if (!equations.same_matrices && !parts_->solids.factorise(held_matrix(equations.A, equations.held)))
     refuse(time, "the solids' matrix is singular: likely cause, values that ran away");
   parts_->solids.solve(with.b, u);
   cost_.factor_nonzeros = parts_->solids.factor_nonzeros();
@@ -157,7 +160,7 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   balance(equations, weight, right);
   for (std::size_t k = 0; k < p.size(); ++k) right[k] = pinned[k] != 0 ? 0 : -right[k];
   if (direct_) {
-    if (!parts_->fluid.factorise(pressures_by_cells(equations, pinned)))
+    if (!equations.same_matrices && !parts_->fluid.factorise(pressures_by_cells(equations, pinned)))
       refuse(time, "the pressures' matrix is singular: likely cause, values that ran away");
     std::vector<double> x(equations.cells, 0.0);
     for (std::size_t k = 0; k < p.size(); ++k) x[equations.cell[k]] = right[k];
@@ -166,8 +169,7 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
     cost_.factor_nonzeros += parts_->fluid.factor_nonzeros();
     return;
   }
-  const KrylovResult result =
-      parts_->schur.solve_pressures(held_matrix(equations.L, pinned), right, scene_.tolerance, p);
+  const KrylovResult result = parts_->schur.solve_pressures(equations, pinned, right, scene_.tolerance, p);
   cost_.iterations += result.iterations;
   if (!result.converged) refuse(time, "conjugate gradients do not converge for the pressures");
 }

@@ -30,6 +30,7 @@ struct CoupledEquations {
   std::span<const int> region;           ///< of each pressure
   std::span<const std::uint8_t> closed;  ///< regions whose constant pressures L does not feel
   std::span<const std::uint8_t> loose;   ///< those of them that no free velocity of the solids feels either
+  bool same_matrices = false;            ///< all but b, r and the values of held velocities is as it was solved last
 };
 
 /// What the solutions have cost.
@@ -38,7 +39,7 @@ struct SystemCost {
   double solve_seconds = 0, factor_nonzeros = 0;
 };
 
-/// Solves them, step after step: symbolic factors and orders of elimination are kept.
+/// Solves them, step after step: symbolic factors and orders of elimination are kept, and factors while matrices are.
 class CoupledSystem {
  public:
   explicit CoupledSystem(const Coupled& scene);

@@ -139,6 +139,35 @@ TEST_P(System, HasOneSolutionByThreeWays) {
   EXPECT_LT(distance(problem, direct, solved(problem, CouplingMode::paper, CoupledSystems::automatic)), 1e-9);
 }
 
+/// Another force and other held velocities with the factors of the solution before, as contact's friction needs them.
+TEST_P(System, IsSolvedAgainWithTheFactorsThatItHas) {
+  Problem problem(GetParam().dim, GetParam().open, GetParam().hold_all);
+  for (const CoupledSystems systems : {CoupledSystems::direct, CoupledSystems::krylov}) {
+    for (const CouplingMode mode : {CouplingMode::symmetric, CouplingMode::splitting}) {
+      Coupled coupled = problem.coupled;
+      coupled.mode = mode, coupled.systems = systems, coupled.tolerance = 1e-13;
+      const auto solve = [&](CoupledSystem& system, bool same) {
+        Answer answer{problem.known, Values(problem.r.size(), 0.0)};
+        CoupledEquations equations = problem.all_of();
+        equations.same_matrices = same;
+        if (mode == CouplingMode::splitting) equations.loose = equations.closed;
+        if (mode == CouplingMode::symmetric) {
+          system.solve(equations, 0, answer.u, answer.p);
+        } else {
+          system.solve_solids(equations, 0, answer.u, answer.p);
+          system.solve_fluid(equations, 0, answer.u, answer.p);
+        }
+        return answer;
+      };
+      CoupledSystem kept(coupled), fresh(coupled);
+      solve(kept, false);
+      problem.equations->b = random_numbers(problem.equations->b.size(), 11);
+      for (double& u : problem.known) u *= 1.5;
+      EXPECT_LT(distance(problem, solve(fresh, false), solve(kept, true)), 1e-12);
+    }
+  }
+}
+
 TEST_P(System, HasANegativePivotForEachCell) {
   const Problem problem(GetParam().dim, GetParam().open, GetParam().hold_all);
   const CoupledEquations equations = problem.all_of();
