@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
+#include <omp.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -53,7 +54,9 @@ CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& 
 
 /// A file over the size limit is told as a failed write, with exit code 4. A sweep hears of its runs' ends whatever the
 /// caller left. What is printed where a standard stream is closed must not land in a file that takes its number.
+/// CHOLMOD starts threads for each supernode, which for factors of this size costs more than it saves.
 void settle_in() {
+  omp_set_max_active_levels(0);
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGCHLD, SIG_DFL);
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
