@@ -41,6 +41,20 @@ std::size_t cell_at(const Jet& jet, const StaggeredGrid& grid, std::size_t face)
   return grid.cell(cell);
 }
 
+JetFaces::JetFaces(const Coupled& coupled) {
+  for (std::size_t k = 0; k < coupled.jets.size(); ++k) {
+    const int axis = axis_of_side(coupled.jets[k].side);
+    auto& jets = jet_[static_cast<std::size_t>(axis)];
+    if (jets.empty()) jets.assign(coupled.grid.face_count(axis), none);
+    for (const std::size_t face : faces_of(coupled.jets[k], coupled.grid)) jets[face] = static_cast<int>(k);
+  }
+}
+
+int JetFaces::jet_of(int axis, std::size_t face) const {
+  const auto& jets = jet_[static_cast<std::size_t>(axis)];
+  return jets.empty() ? none : jets[face];
+}
+
 CoupledSystems systems_of(const Coupled& coupled) {
   if (coupled.systems != CoupledSystems::automatic) return coupled.systems;
   const bool large = static_cast<double>(coupled.grid.cell_count()) > most_cells_of_factors;

@@ -99,6 +99,18 @@ std::vector<std::size_t> faces_of(const Jet& jet, const StaggeredGrid& grid);
 /// The cell that such a face belongs to.
 std::size_t cell_at(const Jet& jet, const StaggeredGrid& grid, std::size_t face);
 
+/// Which jet a face belongs to: of those whose patches it lies in the last.
+class JetFaces {
+ public:
+  static constexpr int none = -1;
+  explicit JetFaces(const Coupled& coupled);
+  /// The jet's place among the scene's, or none.
+  int jet_of(int axis, std::size_t face) const;
+
+ private:
+  std::array<std::vector<int>, 3> jet_;  // of each face; empty along axes without jets
+};
+
 /// In space more cells than these go by conjugate gradients where the deck leaves it open.
 constexpr double most_cells_of_factors = 2e3;
 /// Which of direct and krylov is taken.

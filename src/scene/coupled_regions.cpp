@@ -17,10 +17,9 @@ constexpr int times = 20;      // at which the balance is looked at, beside thos
 /// What the box holds, bodies left aside: regions of cells that faces join, closed or not.
 class Regions {
  public:
-  explicit Regions(const Coupled& coupled) : coupled_(coupled), grid_(coupled.grid) {
+  explicit Regions(const Coupled& coupled) : coupled_(coupled), grid_(coupled.grid), jets_(coupled) {
     region_.assign(grid_.cell_count(), none);
     mark(coupled.voids, empty), mark(coupled.obstacles, wall);
-    jets();
     for (std::size_t c = 0; c < region_.size(); ++c) {
       if (region_[c] == none) fill(c);
     }
@@ -40,7 +39,7 @@ class Regions {
     const int axis = axis_of_side(jet.side);
     double area = 0;
     for (const std::size_t face : faces_of(jet, grid_)) {
-      const bool has = jet_[static_cast<std::size_t>(axis)][face] == static_cast<int>(k);
+      const bool has = jets_.jet_of(axis, face) == static_cast<int>(k);
       if (has && region_[cell_at(jet, grid_, face)] == region) area += grid_.area(axis);
     }
     return area;
@@ -57,22 +56,13 @@ class Regions {
         region_[c] = kind;
     }
   }
-  void jets() {
-    for (int axis = 0; axis < grid_.dim; ++axis)
-      jet_[static_cast<std::size_t>(axis)].assign(grid_.face_count(axis), none);
-    for (std::size_t k = 0; k < coupled_.jets.size(); ++k) {
-      const Jet& jet = coupled_.jets[k];
-      for (const std::size_t face : faces_of(jet, grid_))
-        jet_[static_cast<std::size_t>(axis_of_side(jet.side))][face] = static_cast<int>(k);
-    }
-  }
   /// Whether the fluid may leave through the box's side at a cell.
   bool open_side(const std::array<int, 3>& cell, int side) const {
     auto face = cell;
     const int axis = axis_of_side(side);
     if (!is_low_side(side)) ++face[static_cast<std::size_t>(axis)];
     return coupled_.sides[static_cast<std::size_t>(side)] == BoxSide::open &&
-           jet_[static_cast<std::size_t>(axis)][grid_.face(axis, face)] == none;
+           jets_.jet_of(axis, grid_.face(axis, face)) == JetFaces::none;
   }
   /// A new region of all cells that faces join with this one.
   void fill(std::size_t first) {
@@ -101,9 +91,9 @@ class Regions {
 
   const Coupled& coupled_;
   const StaggeredGrid& grid_;
+  JetFaces jets_;
   std::vector<int> region_;  // of each cell, or what it holds
   std::vector<bool> closed_;
-  std::array<std::vector<int>, 3> jet_;  // of each face, the last of those that take it, or none
 };
 
 /// Times at which the jets' balance is looked at [time].

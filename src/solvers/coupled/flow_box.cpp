@@ -37,7 +37,7 @@ void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const 
 
 }  // namespace
 
-FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid) {
+FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid), jets_(scene) {
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
     const Vector middle = scene.grid.middle(scene.grid.place_of_cell(cell));
     for (const AxisBox& box : scene.voids) {
@@ -47,19 +47,7 @@ FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_co
       if (box.contains(middle)) kind_[cell] = CellKind::wall;
     }
   }
-  mark_jets();
 }
-
-void FlowBox::mark_jets() {
-  for (std::size_t j = 0; j < scene_.jets.size(); ++j) {
-    const int axis = axis_of_side(scene_.jets[j].side);
-    auto& jets = jet_[at(axis)];
-    if (jets.empty()) jets.assign(scene_.grid.face_count(axis), -1);
-    for (const std::size_t face : faces_of(scene_.jets[j], scene_.grid)) jets[face] = static_cast<int>(j);
-  }
-}
-
-int FlowBox::jet_of(int axis, std::size_t face) const { return jet_[at(axis)].empty() ? -1 : jet_[at(axis)][face]; }
 
 FaceKind FlowBox::kind_at_side(int axis, std::size_t face, CellKind cell) const {
   if (cell != CellKind::fluid) return FaceKind::closed;

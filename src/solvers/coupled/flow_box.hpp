@@ -24,7 +24,7 @@ class FlowBox {
   /// Sets the velocities of prescribed faces at a time [velocity].
   void prescribe(const FlowDomain& domain, double time, FaceValues& v) const;
   /// The jet that a face belongs to, or -1.
-  int jet_of(int axis, std::size_t face) const;
+  int jet_of(int axis, std::size_t face) const { return jets_.jet_of(axis, face); }
 
  private:
   void open_faces(const Crossings& crossings, FlowDomain& domain) const;
@@ -32,11 +32,10 @@ class FlowBox {
   void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;
   FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;
   FaceKind kind_at_side(int axis, std::size_t face, CellKind cell) const;
-  void mark_jets();
 
   const Coupled& scene_;
   std::vector<CellKind> kind_;
-  std::array<std::vector<int>, 3> jet_;  // of each face; empty along axes without jets
+  JetFaces jets_;
 };
 
 /// Numbers the parts of the fluid that open faces join.
