@@ -63,8 +63,9 @@ KrylovResult gmres(const Multiply& multiply, const Precondition& precondition, s
     multiply(x, std::span<double>(r));
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
     double residual = basis.start(r);
-    result.converged = residual <= enough;
-    if (result.converged || !(residual < 1e300) || result.iterations >= most_iterations) return result;
+    const bool finite = residual < 1e300;
+    result.converged = finite && residual <= enough;
+    if (result.converged || !finite || result.iterations >= most_iterations) return result;
     while (residual > enough && !basis.full() && result.iterations < most_iterations) {
       precondition(basis.last(), std::span<double>(z));
       multiply(z, std::span<double>(r));

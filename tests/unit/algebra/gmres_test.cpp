@@ -87,8 +87,10 @@ TEST(Gmres, SaysWhereItDoesNotConverge) {
   EXPECT_FALSE(result.converged);
   EXPECT_LE(result.iterations, 45);
   Vector bad = Vector::Ones(20);
-  bad[2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(solve(A, one, bad, x, 60).converged);
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    bad[2] = value;
+    EXPECT_FALSE(solve(A, one, bad, x, 60).converged) << value;
+  }
 }
 
 /// A matrix whose powers soon point one way: without a second pass the vectors lose their right angles.
