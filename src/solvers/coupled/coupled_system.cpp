@@ -96,10 +96,11 @@ void CoupledSystem::solve_directly(const CoupledEquations& equations, double tim
     if (first[k] == 0) x[u.size() + equations.cell[k]] = with.r[k];
   }
   parts_->both.solve(x, x);
-  const std::vector<double> c = RegionConstants(equations, with).found(parts_->both, x);
+  const RegionConstants border(equations, with);
+  const std::vector<double> c = border.found(parts_->both, x);
   std::copy_n(x.begin(), u.size(), u.begin());
-  for (std::size_t k = 0; k < p.size(); ++k)
-    p[k] = x[u.size() + equations.cell[k]] + c[static_cast<std::size_t>(equations.region[k])];
+  for (std::size_t k = 0; k < p.size(); ++k) p[k] = x[u.size() + equations.cell[k]];
+  border.constants().add(c, p);
   cost_.factor_nonzeros = parts_->both.factor_nonzeros();
 }
 
