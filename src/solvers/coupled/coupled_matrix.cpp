@@ -127,6 +127,15 @@ void scale(SparseMatrix& K, std::span<const double> scales) {
   }
 }
 
+double terms_size(const SparseMatrix& A, std::span<const double> u) {
+  double size = 0;
+  for (std::int64_t column = 0; column < A.n; ++column) {
+    for (std::int64_t k = A.start[at(column)]; k < A.start[at(column + 1)]; ++k)
+      size += std::abs(u[at(A.row[at(k)])] * A.value[at(k)] * u[at(column)]);
+  }
+  return size;
+}
+
 void add_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y) {
   for (std::int64_t row = 0; row < B.outerSize(); ++row) {
     for (CouplingMatrix::InnerIterator entry(B, row); entry; ++entry)

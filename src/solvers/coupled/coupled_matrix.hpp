@@ -42,6 +42,8 @@ std::vector<double> scales_of(const SparseMatrix& K);
 void scale(SparseMatrix& K, std::span<const double> scales);
 /// The entry of a column on the diagonal; 0 where there is none.
 double diagonal(const SparseMatrix& A, std::int64_t column);
+/// Size of the terms of u.A u: the sum of |u_i A_ij u_j|.
+double terms_size(const SparseMatrix& A, std::span<const double> u);
 /// y = y + factor B x, y = y + factor B^T x.
 void add_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y);
 void add_transposed_product(const CouplingMatrix& B, double factor, std::span<const double> x, std::span<double> y);

@@ -18,10 +18,11 @@ namespace tether::coupled {
 namespace {
 
 constexpr int layers_around_fluid = 4;
-constexpr double support_width = 1e-3;   // of a step: about its end the speed of a support is taken
-constexpr double rounded_motion = 1e-9;  // of the fluid's kinetic energy in a step: what solids take below, is rounding
-constexpr double rounded_power = 1e-3;   // of the energies that come and go in the fluid in a step: the same
-constexpr int farthest = 1000;           // sizes of the box that a node may be away from it
+constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
+// What solids take is found as a difference, whose smallest parts are lost in these shares of its terms: ten units of
+// rounding, and the tolerance of iterations, over the 1e-9 to which it is looked at.
+constexpr double rounded = 1e-6, solved = 1e-3;
+constexpr int farthest = 1000;  // sizes of the box that a node may be away from it
 constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
@@ -188,10 +189,11 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
 void CoupledStep::account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) const {
   std::vector<double> forces(state.u.size());
   solids_.A.multiply(state.u, forces);
-  double taken = 0, size = 0;
+  double taken = 0, size = 0, inside = terms_size(solids_.A, state.u);
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const double force = solution.held[k] != 0 ? solution.fluid_force[k] : forces[k] - solution.b[k];
     taken += state.u[k] * force, size += std::abs(state.u[k] * force);
+    inside += std::abs(state.u[k] * solution.b[k]);
   }
   FaceValues change = state.v;
   for (std::size_t axis = 0; axis < change.size(); ++axis) {
@@ -205,7 +207,7 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
   state.last.projected = kinetic_energy(at_.domain, change, change, coupled_.density);
   const double in_motion = kinetic_energy(at_.domain, state.v, state.v, coupled_.density) / h,
                passing = state.last.projected / h + std::abs(moving) + std::abs(let_in) + std::abs(sources);
-  const double least = std::max(rounded_motion * in_motion, rounded_power * passing);
+  const double least = std::max(rounded * (in_motion + inside), solved * passing);
   state.last.mismatch = size > 0 ? (sources - moving - let_in - taken) / std::max(size, least) : 0;
   state.worst_mismatch = std::max(state.worst_mismatch, std::abs(state.last.mismatch));
   state.work += h * taken;
