@@ -55,7 +55,7 @@ std::vector<std::string> mesh_summary_keys() {
 std::vector<std::string> flow_summary_keys() { return {"factorisations", "krylov_iterations", "krylov_failures"}; }
 
 std::vector<std::string> coupled_summary_keys() {
-  return {"krylov_iterations", "contact_solutions", "interface_mismatch", "added_mass_ratio"};
+  return {"krylov_iterations", "contact_solutions", "contact_unsettled", "interface_mismatch", "added_mass_ratio"};
 }
 
 Summary read_summary(const std::filesystem::path& path) {

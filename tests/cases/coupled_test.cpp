@@ -144,6 +144,7 @@ TEST(Coupled, LandingsGiveNoEnergy) {
       const auto& energy = run.history.column("energy_total");
       EXPECT_LT(*std::max_element(energy.begin(), energy.end()), 1.001 * energy[0]) << E << friction << integrator;
       EXPECT_LT(energy.back(), most * energy[0]) << E << friction << integrator;
+      EXPECT_EQ(run.summary.at("contact_unsettled"), 0) << E << friction << integrator;
     };
     for (const char* E : {"reg.matr(1,1)=1e6", "reg.matr(1,1)=1e7", "reg.matr(1,1)=1e9"})
       check(tilted, E, "coupled.integrator='paper'", 0.17);

@@ -91,6 +91,7 @@ Summary CoupledSolver::more_summary() const {
                   {"factor_nonzeros", number(cost.factor_nonzeros)},
                   {"solve_seconds", number(cost.solve_seconds)},
                   {"contact_solutions", number(state_.contact_solutions)},
+                  {"contact_unsettled", number(state_.contact_unsettled)},
                   {"interface_mismatch", number(state_.worst_mismatch)}};
   if (ratio_) summary.emplace_back("added_mass_ratio", number(*ratio_));
   return summary;

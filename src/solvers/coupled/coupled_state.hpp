@@ -36,6 +36,7 @@ struct CoupledState {
   long long iterations = 0;         ///< of linear solvers
   std::vector<double> orders;       ///< of elimination, when the state was saved
   long long contact_solutions = 0;  ///< solutions found again because of contact
+  long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
 };
 
 /// The parts of a state for saving and restoring; cells and faces do not change in number.
@@ -51,7 +52,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
   with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);
   with("projected", state.last.projected), with("worst_mismatch", state.worst_mismatch);
-  with("work", state.work), with("contact_solutions", state.contact_solutions), with("iterations", state.iterations);
+  with("work", state.work), with("contact_solutions", state.contact_solutions),
+      with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
   with.list("orders", state.orders);
 }
 

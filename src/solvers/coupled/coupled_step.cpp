@@ -103,7 +103,9 @@ void CoupledStep::solve(CoupledState& state, double h) {
   const long long iterations = system_.cost().iterations;
   std::vector<double> change(u0.size()), inertia(u0.size());
   contact_.begin(state.q, u0, h, state.touches);
-  for (int k = 0; k < most_contact_solutions; ++k) {
+  bool settled = false;
+  for (int k = 0; k < most_contact_solutions && !settled; ++k) {
+    if (k > 0) ++state.contact_solutions;
     std::vector<std::uint8_t> held = solids_.held;
     for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solids_.held[i] != 0 ? 0 : u0[i];
     contact_.hold(state.touches, held, state.u);
@@ -114,9 +116,9 @@ void CoupledStep::solve(CoupledState& state, double h) {
     solve_once(flux, state, solution);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
     solids_.system.multiply_mass(change, inertia);
-    if (!contact_.changed(u0, state.u, solution.wall_force, inertia, state.touches)) break;
-    ++state.contact_solutions;
+    settled = !contact_.changed(u0, state.u, solution.wall_force, inertia, state.touches);
   }
+  if (!settled) ++state.contact_unsettled;
   state.iterations += system_.cost().iterations - iterations;
   const FaceValues free = state.v;
   add_pressure(at_.domain, at_.numbers, solution.p, h / coupled_.density, state.v);  // (8)
