@@ -104,11 +104,24 @@ SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pi
 
 }  // namespace
 
+namespace {
+
+/// Where the entry on the diagonal stands, or where the column ends.
+std::size_t place_on_diagonal(const SparseMatrix& A, std::int64_t column) {
+  const auto first = A.row.begin() + A.start[at(column)], end = A.row.begin() + A.start[at(column + 1)];
+  return at(std::find(first, end, column) - A.row.begin());
+}
+
+}  // namespace
+
 double diagonal(const SparseMatrix& A, std::int64_t column) {
-  for (std::int64_t k = A.start[at(column)]; k < A.start[at(column + 1)]; ++k) {
-    if (A.row[at(k)] == column) return A.value[at(k)];
-  }
-  return 0;
+  const std::size_t place = place_on_diagonal(A, column);
+  return place < at(A.start[at(column + 1)]) ? A.value[place] : 0;
+}
+
+void add_to_diagonal(SparseMatrix& A, std::int64_t column, double value) {
+  const std::size_t place = place_on_diagonal(A, column);
+  if (place < at(A.start[at(column + 1)])) A.value[place] += value;
 }
 
 std::vector<double> scales_of(const SparseMatrix& K) {

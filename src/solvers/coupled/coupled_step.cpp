@@ -180,20 +180,18 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
     system_.solve(equations, state.time, state.u, solution.p);
     add_transposed_product(at_.map.B, 1, solution.p, solution.fluid_force);
   }
-  solution.wall_force.assign(b.size(), 0.0);
-  solids_.A.multiply(state.u, solution.wall_force);  // what holds the velocities that are held
-  for (std::size_t k = 0; k < b.size(); ++k)
-    solution.wall_force[k] = solution.held[k] != 0 ? solution.wall_force[k] - b[k] - solution.fluid_force[k] : 0;
+  solution.Au.resize(b.size()), solution.wall_force.resize(b.size());
+  solids_.A.multiply(state.u, solution.Au);
+  for (std::size_t k = 0; k < b.size(); ++k)  // what holds the velocities that are held
+    solution.wall_force[k] = solution.held[k] != 0 ? solution.Au[k] - b[k] - solution.fluid_force[k] : 0;
 }
 
 /// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held, and once by
 /// the fluid's: what its kinetic energy, the pressure's step, prescribed faces and the volume term leave.
 void CoupledStep::account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) const {
-  std::vector<double> forces(state.u.size());
-  solids_.A.multiply(state.u, forces);
   double taken = 0, size = 0, inside = terms_size(solids_.A, state.u);
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const double force = solution.held[k] != 0 ? solution.fluid_force[k] : forces[k] - solution.b[k];
+  for (std::size_t k = 0; k < state.u.size(); ++k) {
+    const double force = solution.held[k] != 0 ? solution.fluid_force[k] : solution.Au[k] - solution.b[k];
     taken += state.u[k] * force, size += std::abs(state.u[k] * force);
     inside += std::abs(state.u[k] * solution.b[k]);
   }

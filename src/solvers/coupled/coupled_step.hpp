@@ -43,6 +43,7 @@ class CoupledStep {
     SparseMatrix L;
     std::vector<double> p;                                  ///< of each pressure [stress]
     std::vector<double> b;                                  ///< of the solids, with friction and lifts [force]
+    std::vector<double> Au;                                 ///< A u1 [force]
     std::vector<double> source;                             ///< volume term of each pressure [volume/time]
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
   };

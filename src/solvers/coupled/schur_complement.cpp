@@ -47,7 +47,8 @@ SparseMatrix nearby(const SparseMatrix& L, const SparseMatrix& A, const Coupling
 
 }  // namespace
 
-/// The order of elimination is the whole A's: what contact holds of it changes.
+/// The order of elimination is the whole A's: what contact holds of it changes. Multigrid is not to find constants: one
+/// pressure of each closed region is tied down for it.
 bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
   if (std::exchange(ordered_, equations.A.n) != equations.A.n) solids_.order_by(equations.A);
   const SparseMatrix A = held_matrix(equations.A, equations.held);
@@ -56,45 +57,33 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   forces_.resize(equations.b.size()), moved_.resize(equations.b.size());
   constants_ = ConstantPressures(equations);
   set_up_constants();
-  return multigrid_.set_up(nearby(pinned_once(), A, B_));
-}
-
-/// L less the freedom of constants, which multigrid is not to find: one pressure of each of their regions is tied down.
-SparseMatrix SchurComplement::pinned_once() const {
-  SparseMatrix L = L_;
-  std::vector<std::uint8_t> done(constants_.count(), 0);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(L.n); ++k) {
-    if (constants_.of(k) < 0 || std::exchange(done[at(constants_.of(k))], 1) != 0) continue;
-    for (auto e = static_cast<std::size_t>(L.start[k]); e < static_cast<std::size_t>(L.start[k + 1]); ++e) {
-      if (L.row[e] == static_cast<std::int64_t>(k)) L.value[e] *= 2;
-    }
+  SparseMatrix tied = L_;
+  const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
+  for (std::int64_t k = 0; k < tied.n; ++k) {
+    if (first[static_cast<std::size_t>(k)] != 0) add_to_diagonal(tied, k, diagonal(tied, k));
   }
-  return L;
+  return multigrid_.set_up(nearby(tied, A, B_));
 }
 
-/// Column by column. Two constants may drive the solids alike.
+/// Column by column of what the solids yield to constants. Two of these may drive the solids alike.
 void SchurComplement::set_up_constants() {
-  const std::size_t count = constants_.count();
-  stiffness_.resize(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
+  const auto count = static_cast<Eigen::Index>(constants_.count());
+  stiffness_.resize(count, count);
   if (count == 0) return;
-  for (std::size_t c = 0; c < count; ++c) {
-    std::vector<double> unit(count, 0.0), flux(static_cast<std::size_t>(L_.n), 0.0), sums(count, 0.0);
-    unit[c] = 1;
-    constants_.add(unit, flux);
-    move_solids(flux);
-    std::fill(flux.begin(), flux.end(), 0.0);
-    add_product(B_, 1, moved_, flux);
-    constants_.add_sums(flux, sums);
-    stiffness_.col(static_cast<Eigen::Index>(c)) = Eigen::Map<const Eigen::VectorXd>(sums.data(), stiffness_.rows());
+  Eigen::VectorXd x(L_.n + count), y(L_.n + count);
+  const auto size = static_cast<std::size_t>(x.size());
+  for (Eigen::Index c = 0; c < count; ++c) {
+    x.setZero();
+    x[L_.n + c] = 1;
+    multiply({x.data(), size}, {y.data(), size});
+    stiffness_.col(c) = y.tail(count);
   }
   stiffness_ = stiffness_.completeOrthogonalDecomposition().pseudoInverse().eval();
 }
 
-/// A^-1 B^T p.
-void SchurComplement::move_solids(std::span<const double> p) {
-  std::fill(forces_.begin(), forces_.end(), 0.0);
-  add_transposed_product(B_, 1, p, forces_);
-  if (!forces_.empty()) solids_.solve(forces_, moved_);
+/// A^-1 of forces.
+void SchurComplement::move_solids(std::span<const double> forces) {
+  if (!forces.empty()) solids_.solve(forces, moved_);
 }
 
 /// Of [x; c].
@@ -102,7 +91,9 @@ void SchurComplement::multiply(std::span<const double> x, std::span<double> y) {
   const auto n = static_cast<std::size_t>(L_.n);
   whole_.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
   constants_.add(x.subspan(n), whole_);
-  move_solids(whole_);
+  std::fill(forces_.begin(), forces_.end(), 0.0);
+  add_transposed_product(B_, 1, whole_, forces_);
+  move_solids(forces_);
   std::fill(whole_.begin(), whole_.end(), 0.0), std::fill(y.begin(), y.end(), 0.0);
   add_product(B_, 1, moved_, whole_);
   constants_.add_sums(whole_, y.subspan(n));
@@ -131,7 +122,7 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
   const std::vector<double> means = constants_.take_means(x);
   x.insert(x.end(), means.begin(), means.end());
   std::vector<double> right(x.size(), 0.0);
-  if (!forces_.empty()) solids_.solve(with.b, moved_);
+  move_solids(with.b);
   for (std::size_t k = 0; k < n; ++k) right[k] = -with.r[k];
   add_product(B_, -1, moved_, std::span(right).first(n));
   constants_.add_sums(std::span(right).first(n), std::span(right).subspan(n));
@@ -142,7 +133,7 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
   constants_.add(std::span(x).subspan(n), p);
   forces_ = with.b;
   add_transposed_product(B_, 1, p, forces_);
-  if (!forces_.empty()) solids_.solve(forces_, moved_);
+  move_solids(forces_);
   std::copy(moved_.begin(), moved_.end(), u.begin());
   return result;
 }

@@ -31,8 +31,7 @@ class SchurComplement {
  private:
   bool set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   void set_up_constants();
-  SparseMatrix pinned_once() const;
-  void move_solids(std::span<const double> p);
+  void move_solids(std::span<const double> forces);
   void multiply(std::span<const double> x, std::span<double> y);
   void precondition(std::span<const double> r, std::span<double> z);
 

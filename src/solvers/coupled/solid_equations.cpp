@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/index.hpp"
+#include "solvers/coupled/coupled_matrix.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -57,9 +58,7 @@ void SolidEquations::add_springs(std::span<const double> q, double factor, std::
   for (std::size_t k = 0; k < spring_.size(); ++k) {
     if (spring_[k] == 0) continue;
     internal[k] += spring_[k] * (q[k] - system.solids.mesh.x[k]);
-    for (auto e = static_cast<std::size_t>(A.start[k]); e < static_cast<std::size_t>(A.start[k + 1]); ++e) {
-      if (A.row[e] == static_cast<std::int64_t>(k)) A.value[e] += factor * spring_[k];
-    }
+    add_to_diagonal(A, static_cast<std::int64_t>(k), factor * spring_[k]);
   }
 }
 
