@@ -15,15 +15,26 @@ double largest_change(const std::vector<double>& values) {
   return largest;
 }
 
-/// The total energy less what came from outside, and with what damping and stabilisation took; a path without these
-/// columns has neither.
+constexpr double sign_of(Book book) {
+  switch (book) {
+    case Book::gained:
+      return -1;
+    case Book::given:
+    case Book::lost:
+      return 1;
+    case Book::none:
+      break;
+  }
+  return 0;
+}
+
+/// The total energy less what came from outside, and with what went out and what the method lost.
 std::vector<double> balance(const History& history) {
   auto total = history.column("energy_total");
-  const auto names = history.layout.column_names();
-  for (const auto& [name, sign] :
-       {std::pair("energy_outside", -1.0), std::pair("energy_damped", 1.0), std::pair("energy_stabilised", 1.0)}) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) continue;
-    const auto values = history.column(name);
+  for (const Quantity& quantity : history.layout.quantities) {
+    const double sign = sign_of(quantity.book);
+    if (sign == 0) continue;
+    const auto values = history.column(quantity.name);
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += sign * values[k];
   }
   return total;
@@ -32,9 +43,13 @@ std::vector<double> balance(const History& history) {
 /// Part of the energy below which what seems exchanged is rounding.
 constexpr double rounding = 1e-12;
 
-/// The largest change of one of the energies. Within a free rigid body none is exchanged: then its energy itself.
+/// The largest change of one of the energies or of what was booked. Within a free rigid body none is exchanged: then
+/// its energy itself.
 double exchanged_energy(const History& history) {
   double exchanged = 0, there = 0;
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.book != Book::none) exchanged = std::max(exchanged, largest_change(history.column(quantity.name)));
+  }
   for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal", "energy_potential"}) {
     const auto values = history.column(kind);
     exchanged = std::max(exchanged, largest_change(values));
@@ -54,6 +69,15 @@ double energy_rise(const History& history) {
   const double exchanged = exchanged_energy(history);
   const auto total = balance(history);
   return exchanged > 0 ? (*std::max_element(total.begin(), total.end()) - total.front()) / exchanged : 0;
+}
+
+double energy_lost(const History& history) {
+  double lost = 0;
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.book == Book::lost) lost += history.column(quantity.name).back();
+  }
+  const double exchanged = exchanged_energy(history);
+  return exchanged > 0 ? lost / exchanged : 0;
 }
 
 double energy_growth(const History& history) {

@@ -5,9 +5,12 @@
 
 namespace tether {
 
-/// Largest change of the total energy less the work done from outside and with what damping took, over the largest
-/// energy that was exchanged: the largest change of any one kind. 0 where nothing was exchanged.
+/// Largest change of the total energy less all that is booked in columns of its own, over the largest energy that was
+/// exchanged: the largest change of any one kind or booked column. 0 where nothing was exchanged.
 double energy_drift(const History& history);
+
+/// What the method itself lost by the end, over the same: negative where it gained.
+double energy_lost(const History& history);
 
 /// Largest rise of the total energy over the start, over the largest energy that was exchanged.
 double energy_rise(const History& history);

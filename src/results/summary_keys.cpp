@@ -40,9 +40,9 @@ std::vector<std::string> merit_keys(ReferenceKind reference) {
 }  // namespace
 
 std::vector<std::string> summary_keys(ReferenceKind reference) {
-  std::vector<std::string> keys{"path",           "steps",        "points",        "cells_active", "dx",
-                                "time_end",       "dt_min",       "cpu_seconds",   "wall_seconds", "ns_per_point_step",
-                                "peak_memory_mb", "energy_drift", "energy_growth", "mass_drift"};
+  std::vector<std::string> keys{"path",           "steps",        "points",      "cells_active",  "dx",
+                                "time_end",       "dt_min",       "cpu_seconds", "wall_seconds",  "ns_per_point_step",
+                                "peak_memory_mb", "energy_drift", "energy_lost", "energy_growth", "mass_drift"};
   for (auto& key : merit_keys(reference)) keys.push_back(std::move(key));
   return keys;
 }

@@ -150,6 +150,7 @@ class Runner {
             {"ns_per_point_step", number(1e9 * cpu / static_cast<double>(std::max(counts.point_steps, 1LL)))},
             {"peak_memory_mb", number(Clocks::peak_memory_mb())},
             {"energy_drift", number(energy_drift(outputs_.history()))},
+            {"energy_lost", number(energy_lost(outputs_.history()))},
             {"energy_growth", number(energy_growth(outputs_.history()))},
             {"mass_drift", number(mass_drift(outputs_.history()))}};
   }

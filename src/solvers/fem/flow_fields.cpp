@@ -53,14 +53,17 @@ FlowFields::FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers
 HistoryLayout FlowFields::history_layout() const {
   HistoryLayout layout;
   add_energies(layout);
-  const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning) {
-    layout.quantities.push_back({name, dimension, meaning});
+  const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning,
+                       Book book = Book::none) {
+    layout.quantities.push_back({name, dimension, meaning, Per::scene, book});
   };
   add("energy_outside", Dimension::energy,
-      "work done from outside: by walls, inflows, open sides and body forces, less the kinetic energy carried out");
-  add("energy_damped", Dimension::energy, "energy lost to viscosity");
+      "work done from outside: by walls, inflows, open sides and body forces, less the kinetic energy carried out",
+      Book::gained);
+  add("energy_damped", Dimension::energy, "energy lost to viscosity", Book::given);
   if (flow_.element == FlowElement::q1q1)
-    add("energy_stabilised", Dimension::energy, "energy lost to what stabilises equal orders of velocity and pressure");
+    add("energy_stabilised", Dimension::energy, "energy lost to what stabilises equal orders of velocity and pressure",
+        Book::lost);
   add("mass", Dimension::mass, "mass of the fluid, and of as much of it as solids are in the place of");
   add("momentum_x", Dimension::momentum, "momentum of the same in x");
   add("momentum_y", Dimension::momentum, "momentum of the same in y");

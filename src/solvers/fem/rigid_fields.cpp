@@ -37,7 +37,8 @@ void append(const Eigen::Ref<const Eigen::VectorXd>& numbers, Record& record) {
 HistoryLayout history_layout(const Solids& solids, const Rigid& rigid) {
   HistoryLayout layout;
   add_energies(layout);
-  layout.quantities.push_back({"energy_outside", Dimension::energy, "work that loads have done on the body"});
+  layout.quantities.push_back(
+      {"energy_outside", Dimension::energy, "work that loads have done on the body", Per::scene, Book::gained});
   add_momenta(layout, 3);
   add_vector(layout, "omega_", Dimension::rate, "angular velocity, ", 3);
   for (int i = 1; i <= 3; ++i)

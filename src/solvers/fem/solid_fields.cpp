@@ -54,8 +54,10 @@ HistoryLayout history_layout(const Solids& solids) {
   add_energies(layout);
   layout.quantities.push_back(
       {"energy_outside", Dimension::energy,
-       "work that loads and moved supports have done on the solids; of statics what they gained"});
-  layout.quantities.push_back({"energy_damped", Dimension::energy, "energy that damping has taken"});
+       "work that loads and moved supports have done on the solids; of statics what they gained", Per::scene,
+       Book::gained});
+  layout.quantities.push_back(
+      {"energy_damped", Dimension::energy, "energy that damping has taken", Per::scene, Book::given});
   add_momenta(layout, solids.mesh.dim());
   std::vector<std::string> names;
   for (const SolidRegion& region : solids.regions) names.push_back(region.name);

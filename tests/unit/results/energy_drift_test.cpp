@@ -62,6 +62,33 @@ TEST(EnergyDrift, IsOverTheEnergyItselfWhereOnlyRoundingWasExchanged) {
   EXPECT_EQ(energy_drift(history_of({{8, 0, 0, 0}, {8 + 128 * small, 0, 0, 0}})), 1);
 }
 
+/// A column of what came in, went out or was lost: the balance has it, whatever its name.
+History with_column(History history, Book book, const std::vector<double>& values) {
+  history.layout.quantities.push_back({"energy_booked", Dimension::energy, "", Per::scene, book});
+  for (std::size_t k = 0; k < values.size(); ++k) history.records[k].push_back(values[k]);
+  return history;
+}
+
+TEST(EnergyDrift, CountsWhatIsBooked) {
+  const History grows = history_of({{0, 0, 0, 0}, {2, 0, 0, 0}, {8, 0, 0, 0}}),
+                falls = history_of({{8, 0, 0, 0}, {6, 0, 0, 0}, {0, 0, 0, 0}});
+  EXPECT_EQ(energy_drift(with_column(grows, Book::gained, {0, 2, 8})), 0);
+  EXPECT_EQ(energy_drift(with_column(grows, Book::none, {0, 2, 8})), 1);
+  EXPECT_EQ(energy_drift(with_column(falls, Book::given, {1, 3, 9})), 0);  // changes count
+  EXPECT_EQ(energy_drift(with_column(falls, Book::lost, {0, 2, 6})), 0.25);
+}
+
+TEST(EnergyDrift, IsOverWhatWasBookedWhereThatIsLargest) {
+  EXPECT_EQ(energy_drift(with_column(history_of({{1, 0, 0, 0}, {2, 0, 0, 0}}), Book::given, {0, 4})), 1.25);
+}
+
+TEST(EnergyLost, IsWhatTheMethodLostByTheEnd) {
+  const History falls = history_of({{8, 0, 0, 0}, {6, 0, 0, 0}, {0, 0, 0, 0}});
+  EXPECT_EQ(energy_lost(with_column(falls, Book::lost, {0, 5, 4})), 0.5);
+  EXPECT_EQ(energy_lost(with_column(falls, Book::given, {0, 5, 4})), 0);
+  EXPECT_EQ(energy_lost(falls), 0);
+}
+
 TEST(EnergyDrift, NeedsItsColumns) { EXPECT_THROW(energy_drift(History{}), std::out_of_range); }
 
 TEST(EnergyRise, CountsGainsAlone) {
