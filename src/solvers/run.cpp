@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/errors.hpp"
+#include "base/folder_lock.hpp"
 #include "base/text.hpp"
 #include "results/checkpoint.hpp"
 #include "results/compare.hpp"
@@ -31,7 +32,15 @@ constexpr double told_rise = 0.05;
 class Runner {
  public:
   Runner(const Plan& plan, const RunRequest& request)
-      : plan_(plan), request_(request), solver_(make_solver(plan)), outputs_(plan, request, *solver_) {}
+      : plan_(plan),
+        request_(request),
+        solver_(make_solver(plan)),
+        lock_(request.folder, request.deck),
+        outputs_(plan, request, *solver_) {
+    if (!lock_.weakness().empty())
+      outputs_.warn(
+          fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));
+  }
 
   void from_the_start() { outputs_.write_the_start(); }
 
@@ -159,6 +168,7 @@ class Runner {
   const RunRequest& request_;
   Clocks clocks_;
   std::unique_ptr<Solver> solver_;
+  FolderLock lock_;  // before the outputs, which it outlives
   RunOutputs outputs_;
   Pace pace_;
   std::filesystem::path last_checkpoint_;
@@ -178,7 +188,8 @@ RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder,
           {},
           {},
           {},
-          loaded.deck.mesh_text()};
+          loaded.deck.mesh_text(),
+          loaded.deck.file()};
 }
 
 RunOutcome run(const Plan& plan, const RunRequest& request) {

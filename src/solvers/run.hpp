@@ -31,6 +31,7 @@ struct RunRequest {
   std::function<int()> interrupted;               ///< asked several times a second: the signal to stop for, or 0
   std::filesystem::path restart;                  ///< checkpoint to go on from; empty: from the start
   std::shared_ptr<const std::string> mesh_text;   ///< of the file beside deck.effective; null without one
+  std::string deck;                               ///< its file, for others that want the folder
 };
 
 /// The request of a deck as it was loaded, into a folder; `command` is for the files' provenance.
@@ -44,7 +45,8 @@ struct RunOutcome {
 
 /// Runs a plan to its end and writes its folder; from a checkpoint as if the run had never stopped. Throws RunError
 /// after having written all records up to it and the message, Interrupted after having written a checkpoint, FileError
-/// when a file cannot be read or written, InputError where the checkpoint is of another deck.
+/// when a file cannot be read or written or another process works in the folder, InputError where the checkpoint is of
+/// another deck.
 RunOutcome run(const Plan& plan, const RunRequest& request);
 
 }  // namespace tether

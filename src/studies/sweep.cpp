@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/sweep.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <cstring>
 #include <map>
 #include <set>
-#include <thread>
 
 #include "base/errors.hpp"
+#include "base/folder_lock.hpp"
 #include "base/text.hpp"
 #include "results/text_file.hpp"
 #include "studies/outcome_table.hpp"
@@ -25,40 +19,6 @@ namespace tether {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Keeps other sweeps out of a folder. The runs inherit it: while one of a killed sweep still dies, the folder is
-/// taken.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder) {
-    const auto path = folder / "lock";
-    file_ = ::open(path.c_str(), O_RDWR | O_CREAT, 0666);
-    if (file_ < 0) throw FileError(fmt::format("{}: cannot be opened: {}", path.string(), std::strerror(errno)));
-    for (int k = 0; ::flock(file_, LOCK_EX | LOCK_NB) != 0; ++k) {
-      if (k == tries) refuse(folder);
-      std::this_thread::sleep_for(pause);
-    }
-  }
-  ~FolderLock() { ::close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  static constexpr int tries = 30;
-  static constexpr std::chrono::milliseconds pause{100};
-
-  [[noreturn]] void refuse(const fs::path& folder) const {
-    ::close(file_);
-    throw FileError(fmt::format("{}: another sweep works in this folder", folder.string()));
-  }
-  int file_ = -1;
-};
-
-void create(const fs::path& folder) {
-  std::error_code reason;
-  fs::create_directories(folder, reason);
-  if (reason) throw FileError(fmt::format("{}: cannot be created: {}", folder.string(), reason.message()));
-}
 
 /// A study of another mode may have been run here.
 void remove_earlier_outcome(const fs::path& folder) {
@@ -142,8 +102,7 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
 }  // namespace
 
 SweepResult sweep(const Study& study, const SweepOptions& options) {
-  create(options.out);
-  const FolderLock lock(options.out);
+  const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
   remove_earlier_outcome(options.out);
   Sequences sequences(study);
   Scheduler scheduler(study, options.out, options.jobs, options.progress);

@@ -29,7 +29,7 @@ struct SweepResult {
 
 /// Runs a study; writes table.nc and table.csv, a row a run, and for ensembles and bisections outcome.nc and
 /// outcome.csv, a row a combination, of what is finished, also after a signal. A run that fails is a row like any
-/// other. Throws FileError, also where another sweep works in the same folder.
+/// other. Throws FileError, also where another process works in the same folder.
 SweepResult sweep(const Study& study, const SweepOptions& options);
 
 /// The runs that are known before the first has ended, a line each: whether it is finished, its deck, its overrides.

@@ -143,7 +143,7 @@ class Failures(SweepTest):
         with open(self.out / "lock", "w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             result = self.sweep(study, code=4)
-        self.assertIn("another sweep works in this folder", result.stderr)
+        self.assertIn("the folder is in use by another tether", result.stderr)
         self.sweep(study)
 
     def test_a_folder_that_cannot_be_made(self):

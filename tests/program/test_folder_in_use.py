@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A folder is one run's: another that wants it is refused, and a killed one bars nobody."""
+import signal
+import subprocess
+import time
+import unittest
+
+from program import DECKS, TETHER, ProgramTest, sets, summary
+
+# A run of some seconds.
+LONG = (DECKS / "sod.in", *sets(in__nx=201, in__tstep=5e-6), "--set", "in.iout(33)=1", "--set", "in.tiout(33)=1e-4",
+        "--set", "in.iout(41)=1", "--set", "in.tiout(41)=1e-3")
+SHORT = DECKS / "stability-side.in"
+
+
+class FolderInUse(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.out = self.folder / "out"
+
+    def start(self, awaited="checkpoint-1.nc"):
+        """The long run, once it has written this file."""
+        process = subprocess.Popen([TETHER, *map(str, LONG), "--quiet", "--out", self.out], stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        while not (self.out / awaited).exists():
+            self.assertIsNone(process.poll(), "the run ended too soon")
+            time.sleep(0.01)
+        return process
+
+    def state(self):
+        """The files of the run that owns the folder, which it opened once."""
+        return {path.name: path.stat().st_ino for path in self.out.iterdir()
+                if not path.name.startswith("checkpoint-") and ".xmf" not in path.name}
+
+    def test_the_second_run_is_refused_and_told_whose_the_folder_is(self):
+        process = self.start()
+        before = self.state()
+        for command in ([SHORT, "--out", self.out], ["sweep", DECKS / "studies/stability.in", "--out", self.out]):
+            result = self.expect(4, *command)
+            self.assertIn(f"{self.out}: the folder is in use by process {process.pid} on ", result.stderr)
+            self.assertRegex(result.stderr, r"sod\.in since \d{4}-\d\d-\d\d \d\d:\d\d:\d\d; wait for its end, or")
+        self.assertEqual(self.state(), before)
+        self.assertIsNone(process.poll())
+        self.assertIn("sod", (self.out / "deck.effective").read_text().lower())
+
+    def test_what_writes_nothing_is_not_refused(self):
+        self.start()
+        for command in (["check", SHORT], ["plan", SHORT], [SHORT, "--dry-run", "--out", self.out]):
+            self.expect(0, *command, folder=self.folder)
+        self.run_ok(SHORT, out="other")
+
+    def test_a_killed_run_bars_nobody(self):
+        process = self.start()
+        process.send_signal(signal.SIGKILL)
+        newest = sorted(self.out.glob("checkpoint-*.nc"))[-1]
+        self.run_ok(*LONG, "--set", "in.tmax=2e-2", "--restart", newest)
+        process.wait()
+        self.assertEqual(summary(self.out)["time_end"], "0.02")
+        self.assertEqual([path.name for path in self.out.glob("lock*")], [])
+        self.run_ok(SHORT)
+
+    def test_of_many_at_once_one_runs(self):
+        """Six runs start at the same moment: those that end well did so one after the other, and left one run's files."""
+        command = [TETHER, str(SHORT), "--quiet", "--out", str(self.out)]
+        several = [subprocess.Popen([*command, "--set", f"in.tmax=0.0{k}"], stderr=subprocess.PIPE, encoding="utf-8")
+                   for k in range(1, 7)]
+        ends = [(process.communicate(timeout=60)[1], process.returncode) for process in several]
+        for stderr, code in ends:
+            self.assertIn(code, (0, 4), stderr)
+            self.assertEqual("in use by" in stderr, code == 4)
+        end = summary(self.out)["time_end"]
+        self.assertIn(f"tmax = {end}\n", (self.out / "deck.effective").read_text())
+        self.assertTrue((self.out / "history.txt").read_text().splitlines()[-1].startswith(f"{end} "))
+
+
+if __name__ == "__main__":
+    unittest.main()
