@@ -57,8 +57,7 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
   fmt::print("{} in {}\n", line, folder.string());
 }
 
-void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several,
-              SignalWatch& signals) {
+void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
   const Loaded loaded = load(name, options);
   if (!run_options.quiet) print_warnings(name, loaded);
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
@@ -71,11 +70,14 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   RunRequest request = request_of(loaded, folder_of(name, run_options, several), run_options.command);
   request.progress = std::ref(progress);
   request.warn = warn;
+  SignalWatch signals;  // from here on there is something to be kept
   request.interrupted = [&signals] { return signals.take(); };
   request.restart = run_options.restart;
   const RunOutcome outcome = run(loaded.plan, request);
   progress.clear();
   if (!run_options.quiet) print_outcome(name, request.folder, outcome.summary);
+  if (const int late = signals.take(); late != 0)
+    throw Interrupted(late, "interrupted when the run had come to its end: its results are whole");
 }
 
 /// Two decks of one name would write into one folder; a checkpoint is of one deck.
@@ -132,11 +134,8 @@ bool run_published(const PublishedOptions& published, const RunOptions& options)
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
   int worst = guarded("tether", [&] { refuse_shared_folders(decks, run_options); });
   if (worst != exit_done) return worst;
-  SignalWatch signals;
   for (const auto& deck : decks) {
-    worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1, signals); }));
-    const int late = signals.take();  // it came when the deck had come to its end
-    if (late != 0) worst = exit_signal + late;
+    worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
     if (worst > exit_signal) break;
   }
   return worst;

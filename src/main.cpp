@@ -52,6 +52,14 @@ CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& 
   return reproduce;
 }
 
+/// Outside of runs, which hold signals back, there is nothing to be kept: whatever is read or computed, they end it.
+extern "C" void end_by(int signal) { _exit(exit_signal + signal); }
+
+/// Not where the caller wants a signal to be passed over.
+void heed(int signal) {
+  if (std::signal(signal, end_by) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 /// A file over the size limit is told as a failed write, with exit code 4. A sweep hears of its runs' ends whatever the
 /// caller left. What is printed where a standard stream is closed must not land in a file that takes its number.
 /// CHOLMOD starts threads for each supernode, which for factors of this size costs more than it saves.
@@ -59,6 +67,8 @@ void settle_in() {
   omp_set_max_active_levels(0);
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGCHLD, SIG_DFL);
+  heed(SIGINT);
+  heed(SIGTERM);
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDWR);  // takes the lowest number that is free
   }

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,6 +27,30 @@ using Handle = std::unique_ptr<std::FILE, Close>;
   throw FileError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
 }
 
+/// What stands in the place of a regular file.
+std::string kind_of(mode_t mode) {
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return S_ISCHR(mode) ? "a character device" : "a device";
+}
+
+/// A pipe opens without anyone at its other end.
+int open_to_read(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) fail(path, "cannot be opened for reading");
+  struct stat status {};
+  const bool known = ::fstat(file, &status) == 0;
+  if (known && (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))) return file;  // a folder fails by being read
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  if (!known) fail(path, "cannot be read");
+  throw FileError(
+      fmt::format("{}: cannot be read: it is {}, and only regular files are read; write what comes out of it to a "
+                  "file, and name that",
+                  path.string(), kind_of(status.st_mode)));
+}
+
 /// Hands a file, or a folder's list of names, to the disk.
 void sync_to_disk(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -39,7 +64,7 @@ void sync_to_disk(const std::filesystem::path& path) {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
-  const Handle file(std::fopen(path.c_str(), "rb"));
+  const Handle file(fdopen(open_to_read(path), "rb"));
   if (!file) fail(path, "cannot be opened for reading");
   std::string text;
   std::array<char, 65536> buffer{};
@@ -47,6 +72,8 @@ std::string read_file(const std::filesystem::path& path) {
   if (std::ferror(file.get()) != 0) fail(path, "cannot be read");
   return text;
 }
+
+void refuse_irregular_file(const std::filesystem::path& path) { ::close(open_to_read(path)); }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
   Handle file(std::fopen(path.c_str(), "wb"));

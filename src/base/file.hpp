@@ -8,8 +8,12 @@
 
 namespace tether {
 
-/// The whole file as bytes. Throws FileError with the system's reason.
+/// The whole file as bytes. Throws FileError with the system's reason; nothing but a regular file is read, so that a
+/// read comes to an end, whoever writes into a pipe or never does.
 std::string read_file(const std::filesystem::path& path);
+
+/// Throws the FileError of read_file() where the path leads to something else than a regular file.
+void refuse_irregular_file(const std::filesystem::path& path);
 
 /// Writes the whole text and checks every step, the close included. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view text);

@@ -9,10 +9,12 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "base/file.hpp"
 
 namespace tether {
 
 NetcdfInput::NetcdfInput(std::filesystem::path path) : path_(std::move(path)) {
+  refuse_irregular_file(path_);
   check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "open the file");
 }
 

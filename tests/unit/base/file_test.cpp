@@ -2,8 +2,10 @@
 #include "base/file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <functional>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "unit/temporary_folder.hpp"
@@ -49,6 +51,20 @@ TEST_F(FileTest, AFolderIsNoFile) {
   EXPECT_EQ(file_error([&] { read_file(folder); }), folder.string() + ": cannot be read: Is a directory");
   EXPECT_EQ(file_error([&] { write_file(folder, "x"); }),
             folder.string() + ": cannot be opened for writing: Is a directory");
+}
+
+TEST_F(FileTest, OnlyRegularFilesAreRead) {
+  const fs::path pipe = folder / "pipe", link = folder / "link";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
+  fs::create_symlink(pipe, link);
+  for (const auto& [path, kind] : {std::pair{pipe, "a pipe"}, {link, "a pipe"}, {"/dev/zero", "a character device"}}) {
+    const std::string told = path.string() + ": cannot be read: it is " + kind + ", and only regular files are read";
+    EXPECT_TRUE(file_error([&, file = path] { read_file(file); }).starts_with(told)) << told;
+    EXPECT_TRUE(file_error([&, file = path] { refuse_irregular_file(file); }).starts_with(told)) << told;
+  }
+  write_file(folder / "f", "x");
+  fs::create_symlink("f", folder / "to_f");
+  EXPECT_EQ(read_file(folder / "to_f"), "x");
 }
 
 TEST_F(FileTest, AFileIsNoFolder) {
