@@ -42,6 +42,19 @@ std::filesystem::path folder_of(const std::string& deck, const RunOptions& optio
   return options.out.empty() || several ? out / deck_name(deck) : out;
 }
 
+/// Nobody is to wait for threads that nothing uses; empty where none were asked for.
+std::string threads_remark(int threads) {
+  if (threads == 1) return "";
+  return fmt::format(
+      "remark: --threads {} changes nothing: every path computes with one thread so far; several runs go "
+      "side by side by tether sweep --jobs",
+      threads);
+}
+
+void print_threads_remark(int threads) {
+  if (const auto remark = threads_remark(threads); !remark.empty()) fmt::print(stderr, "tether: {}\n", remark);
+}
+
 void print_warnings(const std::string& name, const Loaded& loaded) {
   for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
   for (const auto& warning : loaded.plan.warnings) fmt::print(stderr, "{}: warning: {}\n", name, warning);
@@ -68,6 +81,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
     if (!run_options.quiet) fmt::print(stderr, "{}: warning: {}\n", name, text);
   };
   RunRequest request = request_of(loaded, folder_of(name, run_options, several), run_options.command);
+  if (const auto remark = threads_remark(run_options.threads); !remark.empty()) request.messages.push_back(remark);
   request.progress = std::ref(progress);
   request.warn = warn;
   SignalWatch signals;  // from here on there is something to be kept
@@ -134,6 +148,7 @@ bool run_published(const PublishedOptions& published, const RunOptions& options)
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
   int worst = guarded("tether", [&] { refuse_shared_folders(decks, run_options); });
   if (worst != exit_done) return worst;
+  if (!run_options.quiet) print_threads_remark(run_options.threads);
   for (const auto& deck : decks) {
     worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
     if (worst > exit_signal) break;
@@ -151,8 +166,9 @@ int check_command(const std::string& name, const DeckOptions& options) {
   });
 }
 
-int plan_command(const std::string& deck, const DeckOptions& options) {
+int plan_command(const std::string& deck, const DeckOptions& options, int threads) {
   return guarded(deck, [&] {
+    print_threads_remark(threads);
     const Loaded loaded = load(deck, options);
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
     fmt::print("{}{}", to_text(loaded.plan),

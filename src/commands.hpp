@@ -31,7 +31,7 @@ std::string version_text();
 // Each command tells its errors on stderr and returns the exit code; of several decks all are run and the worst counts.
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options);
 int check_command(const std::string& deck, const DeckOptions& options);
-int plan_command(const std::string& deck, const DeckOptions& options);
+int plan_command(const std::string& deck, const DeckOptions& options, int threads);
 int sweep_command(const std::string& study, const RunOptions& options);
 int reproduce_command(const PublishedOptions& published, const RunOptions& options);
 int vars_command(const std::string& group, bool markdown);

@@ -3,13 +3,16 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <csignal>
 #include <thread>
 
+#include "base/diagnostics.hpp"
 #include "base/ending.hpp"
+#include "command_words.hpp"
 #include "commands.hpp"
 
 // The command line: words in, one command called, its exit code out.
@@ -24,6 +27,11 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
   app.add_option("--path", options.path, "solver path: mpm, fem or coupled (default: what the deck's groups say)")
       ->check(CLI::IsMember({"mpm", "fem", "coupled"}));
+}
+
+void add_threads(CLI::App& app, int& threads) {
+  app.add_option("--threads", threads, "threads; results are the same for any number, and so far all paths use one")
+      ->check(CLI::Range(1, 1024));
 }
 
 /// What all commands of many runs take.
@@ -74,11 +82,33 @@ void settle_in() {
   }
 }
 
-/// An option in front of a command would not reach it.
-bool has_stray_options(const CLI::App& app) {
-  const auto options = app.get_options();
-  return !app.get_subcommands().empty() &&
-         std::any_of(options.begin(), options.end(), [](const CLI::Option* option) { return option->count() > 0; });
+/// What every wrong command line ends with.
+int refuse(const std::string& why) {
+  std::fputs(why.c_str(), stderr);
+  return exit_input;
+}
+
+std::string typed(int argc, char** argv) {
+  std::string command;
+  for (int k = 0; k < argc; ++k) command += (k ? " " : "") + std::string(argv[k]);
+  return command;
+}
+
+/// Reads the words, which may stand in any order behind the command; -1 where there is something to do.
+int parse(CLI::App& app, int argc, char** argv) {
+  try {
+    auto words = ordered_words(app, {argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(std::move(words));
+    return -1;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    const auto called = app.get_subcommands();
+    const std::string who = called.empty() ? "tether" : "tether " + called.front()->get_name();
+    return refuse(fmt::format("{}: error: {}\n  {} --help lists what is expected.\n", who, error.what(), who));
+  } catch (const InputError& error) {
+    return refuse(fmt::format("tether: {}", error.what()));
+  }
 }
 
 }  // namespace
@@ -98,9 +128,7 @@ int main(int argc, char** argv) {
   auto* deck_names = app.add_option("deck", decks, "decks to run");
   add_deck_options(app, options);
   app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)");
-  app.add_option("--threads", run_options.threads,
-                 "threads; results are the same for any number, and so far all paths use one")
-      ->check(CLI::Range(1, 1024));
+  add_threads(app, run_options.threads);
   app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
       ->needs(deck_names)
       ->check([](const std::string& file) { return std::string(file.empty() ? "a file is wanted" : ""); });
@@ -115,6 +143,7 @@ int main(int argc, char** argv) {
   auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
   plan->add_option("deck", deck, "the deck")->required();
   add_deck_options(*plan, options);
+  add_threads(*plan, run_options.threads);
   auto* sweep = add_sweep(app, deck, run_options);
   PublishedOptions published;
   auto* reproduce = add_reproduce(app, published, run_options);
@@ -122,25 +151,18 @@ int main(int argc, char** argv) {
   vars->add_option("group", group, "only this group");
   vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input;
-  }
+  if (const int code = parse(app, argc, argv); code >= 0) return code;
   settle_in();
-  if (has_stray_options(app)) {
-    std::fputs("tether: error: options stand behind the command: tether sweep STUDY --out DIR\n", stderr);
-    return exit_input;
-  }
-  for (int k = 0; k < argc; ++k) run_options.command += (k ? " " : "") + std::string(argv[k]);
+  run_options.command = typed(argc, argv);
   if (*check) return check_command(deck, options);
-  if (*plan) return plan_command(deck, options);
+  if (*plan) return plan_command(deck, options, run_options.threads);
   if (*sweep) return sweep_command(deck, run_options);
   if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);
-  if (decks.empty()) {
-    std::fputs(app.help().c_str(), stderr);
-    return exit_input;
-  }
+  if (decks.empty())
+    return refuse(
+        fmt::format("tether: error: a deck or a command is missing\n  tether DECK runs a deck. The commands are "
+                    "{}; tether --help says what they do.\n",
+                    command_names(app)));
   return run_command(decks, options, run_options);
 }

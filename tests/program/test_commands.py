@@ -56,9 +56,58 @@ class Talk(ProgramTest):
         for command in ("check", "plan", "vars", "sweep"):
             self.assertIn("--help", self.say(command, "--help").stdout)
 
-    def test_options_in_front_of_a_command_are_refused(self):
-        for words in (("--set", "in.tmax=1.0", "check"), ("--quiet", "plan"), ("--out", "x", "sweep")):
-            self.assertIn("options stand behind the command", self.expect(2, *words, DECKS / "sod.in").stderr)
+    def test_help_by_a_word(self):
+        self.assertEqual(self.say("help").stdout, self.say("--help").stdout)
+        for command in ("check", "plan", "sweep", "reproduce", "vars"):
+            self.assertEqual(self.say("help", command).stdout, self.say(command, "--help").stdout)
+
+    def test_a_word_that_is_no_command_runs_nothing(self):
+        """chek DECK once ran the deck, over the results that were there."""
+        deck = DECKS / "stability-side.in"
+        for words, hint in ((("chek", deck), "Did you mean 'check'?"), (("--out", "x", "paln", deck), "Did you mean 'plan'?"),
+                            (("frobnicate",), "The commands are check, plan, sweep, reproduce, vars, help"),
+                            (("help", "me"), "The commands are"), ((deck, "out"), "tether DECK runs a deck"),
+                            ((deck, "check"), "tether check DECK")):
+            with self.subTest(words=words):
+                result = self.expect(2, *words, folder=self.folder)
+                self.assertIn(hint, result.stderr)
+                self.assertEqual(result.stdout, "")
+                self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertIn("'chek' is no command and names no file; nothing was run", run("chek", deck).stderr)
+
+    def test_options_stand_anywhere(self):
+        deck, stop = DECKS / "stability-side.in", ("--set", "in.tmax=0.002")
+        self.assertEqual(self.say(*stop, "check", deck).stdout, self.say("check", deck, *stop).stdout)
+        self.assertEqual(self.say("--path", "mpm", "plan", *stop, deck).stdout, self.say("plan", deck, *stop).stdout)
+        self.assertEqual(self.say("--markdown", "vars").stdout, self.say("vars", "--markdown").stdout)
+        self.assertIn("to run", self.say(
+            "--out", "x", "--dry-run", "sweep", DECKS / "studies/stability.in").stdout)
+        self.expect(0, "--quiet", *stop, "--out=y", deck, "--set=in.gravc=1.0", folder=self.folder)
+        text = (self.folder / "y/deck.effective").read_text()
+        self.assertIn("tmax = 0.002\n", text)
+        self.assertIn("gravc = 1.0\n", text)
+
+    def test_wrong_words_are_told_what_would_be_right(self):
+        deck = DECKS / "stability-side.in"
+        for words, told in (((), "a deck or a command is missing"), (("plan",), "tether plan: error: deck is required"),
+                            (("plan", deck, deck), "tether plan takes one deck, not 2:"),
+                            (("check", deck, "--treads", "2"), "tether check has no option '--treads'"),
+                            (("--out", "x", "plan", deck), "tether plan has no option '--out'"),
+                            ((deck, "--pat", "fem"), "Did you mean '--path'?"),
+                            ((deck, "--threads", "0"), "--threads: Value 0 not in range 1 to 1024")):
+            with self.subTest(words=words):
+                self.assertIn(told, self.expect(2, *words, folder=self.folder).stderr)
+                self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_threads_that_nothing_uses_are_told_of_once(self):
+        deck, remark = DECKS / "stability-side.in", "remark: --threads 3 changes nothing: every path computes with one thread so far"
+        result = self.expect(0, deck, DECKS / "stability-centre.in", "--threads", "3", folder=self.folder)
+        self.assertEqual(result.stderr.count(remark), 1)
+        self.assertIn(remark, (self.folder / "out/stability-side/messages.txt").read_text())
+        self.assertEqual(self.expect(0, "--threads", "3", "plan", deck).stderr.count(remark), 1)
+        for words in ((deck, "--threads", "1"), (deck,), ("plan", deck)):
+            self.assertNotIn("threads", self.expect(0, *words, folder=self.folder).stderr)
+        self.assertNotIn("threads", (self.folder / "out/stability-side/messages.txt").read_text())
 
     def test_an_output_that_takes_no_text_is_told(self):
         for words in (["vars"], ["check", DECKS / "sod.in"]):
