@@ -55,6 +55,9 @@ constexpr std::array rows{
     Variable{"reference", "solution", text, 0, 1, 1, "", -none, none,
              "riemann|spring|string|pendulum|piston|radial-gas|thin-ring", "''",
              "Exact solution that the results are compared with."},
+    Variable{"reference", "window", real, 1, 2, 1, "length", -none, none, "", "",
+             "Part of the tube in which 'riemann' is compared, from x to x. Without it, all that no wave from the ends "
+             "has reached when the run ends."},
 };
 
 }  // namespace

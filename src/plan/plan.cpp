@@ -11,6 +11,7 @@
 #include "plan/bar_plan.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
+#include "plan/reference_plan.hpp"
 #include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
 #include "plan/terms.hpp"
@@ -200,6 +201,8 @@ Plan make_plan(Scene scene) {
   }
   refuse_lost_steps(scene.clock, plan.step);
   plan.warnings = warnings_of(scene, plan.step);
+  for (auto& term : reference_terms(scene)) plan.terms.push_back(std::move(term));
+  for (auto& warning : reference_warnings(scene)) plan.warnings.push_back(std::move(warning));
   plan.scene = std::move(scene);
   return plan;
 }

@@ -16,12 +16,14 @@ double Pendulum::modulus() const {
   return std::sin(start_angle / 2);
 }
 
-double Pendulum::period() const { return 4 * std::sqrt(length / gravity) * boost::math::ellint_1(modulus()); }
+double Pendulum::swing_length() const { return length * (1 + string_part / 3) / (1 + string_part / 2); }
+
+double Pendulum::period() const { return 4 * std::sqrt(swing_length() / gravity) * boost::math::ellint_1(modulus()); }
 
 double Pendulum::angle(double t) const {
   // Jacobi's sn is even in k; Boost wants k >= 0, and the sign of theta0 stands in front.
   const double k = modulus();
-  const double phase = boost::math::ellint_1(k) + std::sqrt(gravity / length) * t;
+  const double phase = boost::math::ellint_1(k) + std::sqrt(gravity / swing_length()) * t;
   return 2 * std::asin(k * boost::math::jacobi_sn(std::abs(k), phase));
 }
 

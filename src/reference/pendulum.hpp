@@ -3,20 +3,24 @@
 
 namespace tether {
 
-/// A point mass on a massless rigid string, let go at rest at an angle from the vertical; the swing may be wide.
-/// Any consistent units, angles in radians; length, gravity > 0. Angles of pi and beyond throw std::domain_error: a
-/// string that begins upright or beyond does not swing. Source: L. D. Landau and E. M. Lifshitz, Mechanics, section
-/// 11, problem 1; the problem is that of thesis 5.7 (Table 1), whose string has a little mass and stretch.
+/// A point mass on a rigid string, let go at rest at an angle from the vertical; the swing may be wide. A uniform
+/// string of mu times the point's mass swings as a massless one of the length L (1 + mu/3)/(1 + mu/2), the moment of
+/// inertia over the static moment. Any consistent units, angles in radians; length, gravity > 0. Angles of pi and
+/// beyond throw std::domain_error: a string that begins upright or beyond does not swing. Source: L. D. Landau and E.
+/// M. Lifshitz, Mechanics, section 11, problem 1; the problem is that of thesis 5.7 (Table 1), whose string stretches a
+/// little.
 struct Pendulum {
   double length = 0;
   double gravity = 0;      ///< acceleration, positive downwards (a deck's gravc has the other sign)
   double start_angle = 0;  ///< theta0 at t = 0, from the vertical
+  double string_part = 0;  ///< mu, the string's mass over the point's
 
-  double period() const;         ///< T = 4 sqrt(L/g) K(sin(theta0/2))
-  double angle(double t) const;  ///< theta, from sin(theta/2) = sin(theta0/2) sn(K + sqrt(g/L) t)
+  double period() const;         ///< T = 4 sqrt(l/g) K(sin(theta0/2))
+  double angle(double t) const;  ///< theta, from sin(theta/2) = sin(theta0/2) sn(K + sqrt(g/l) t)
 
  private:
-  double modulus() const;  ///< k = sin(theta0/2); the checks of start_angle are here
+  double swing_length() const;  ///< L (1 + mu/3)/(1 + mu/2)
+  double modulus() const;       ///< k = sin(theta0/2); the checks of start_angle are here
 };
 
 }  // namespace tether

@@ -51,18 +51,23 @@ void check(const RiemannProblem& problem) {
   }
 }
 
-/// The root of Toro (4.5), which rises with p and is negative at p = 0 where no vacuum opens.
-double star_pressure(const RiemannProblem& problem) {
-  const auto mismatch = [&problem](double p) {
-    return velocity_change(problem.left, p, problem.gamma) + velocity_change(problem.right, p, problem.gamma) +
-           problem.right.velocity - problem.left.velocity;
-  };
-  double above = std::fmax(problem.left.pressure, problem.right.pressure);
+/// The root of a mismatch that rises with p and is negative at p = 0; it is looked for from `above` on.
+template <class Mismatch>
+double pressure_root(const Mismatch& mismatch, double above) {
   while (mismatch(above) < 0) above *= 2;
   std::uintmax_t steps = 1000;
   const boost::math::tools::eps_tolerance<double> full(std::numeric_limits<double>::digits - 2);
   const auto [low, high] = boost::math::tools::toms748_solve(mismatch, 0.0, above, full, steps);
   return (low + high) / 2;
+}
+
+/// The root of Toro (4.5), negative at p = 0 where no vacuum opens.
+double star_pressure(const RiemannProblem& problem) {
+  const auto mismatch = [&problem](double p) {
+    return velocity_change(problem.left, p, problem.gamma) + velocity_change(problem.right, p, problem.gamma) +
+           problem.right.velocity - problem.left.velocity;
+  };
+  return pressure_root(mismatch, std::fmax(problem.left.pressure, problem.right.pressure));
 }
 
 /// Inside the fan of a left rarefaction, where x/t = speed: Toro (4.56).
@@ -74,12 +79,16 @@ GasState inside_fan(const GasState& left, double speed, double gamma) {
           left.pressure * std::pow(ratio, 2 * gamma / (gamma - 1))};
 }
 
+/// Speed of a shock over that of sound in the gas ahead of it: Toro (4.52).
+double mach_number(double pressure_ratio, double gamma) {
+  return std::sqrt((gamma + 1) / (2 * gamma) * pressure_ratio + (gamma - 1) / (2 * gamma));
+}
+
 /// Left of the contact, on the ray x/t = speed, with the left outer state and its star state: Toro 4.5.1.
 GasState left_of_contact(const GasState& left, const GasState& star, double speed, double gamma) {
   const double a = sound_speed(left, gamma);
   if (star.pressure > left.pressure) {
-    const double ratio = star.pressure / left.pressure;
-    const double mach = std::sqrt((gamma + 1) / (2 * gamma) * ratio + (gamma - 1) / (2 * gamma));
+    const double mach = mach_number(star.pressure / left.pressure, gamma);
     return speed < left.velocity - a * mach ? left : star;  // (4.52)
   }
   if (speed < left.velocity - a) return left;                          // head, (4.55)
@@ -108,6 +117,25 @@ RiemannSolution solve_riemann(const RiemannProblem& problem) {
   const double velocity = (left.velocity + right.velocity) / 2 +
                           (velocity_change(right, p, gamma) - velocity_change(left, p, gamma)) / 2;  // (4.9)
   return {problem, {p, velocity, density_behind(left, p, gamma), density_behind(right, p, gamma)}};
+}
+
+double left_wave_speed(const RiemannSolution& solution) {
+  const GasState& left = solution.problem.left;
+  const double gamma = solution.problem.gamma, ratio = solution.star.pressure / left.pressure;
+  return left.velocity - sound_speed(left, gamma) * (ratio > 1 ? mach_number(ratio, gamma) : 1);
+}
+
+RiemannSolution mirror_image(const RiemannSolution& solution) {
+  const auto& [problem, star] = solution;
+  return {{mirrored(problem.right), mirrored(problem.left), problem.gamma, -problem.diaphragm},
+          {star.pressure, -star.velocity, star.density_right, star.density_left}};
+}
+
+double speed_of_shock_from_wall(const GasState& gas, double gamma) {
+  const double a = sound_speed(gas, gamma);
+  if (gas.velocity >= 0) return gas.velocity + a;
+  const auto mismatch = [&](double p) { return velocity_change(gas, p, gamma) + gas.velocity; };
+  return gas.velocity + a * mach_number(pressure_root(mismatch, gas.pressure) / gas.pressure, gamma);
 }
 
 GasSample sample(const RiemannSolution& solution, double x, double t) {

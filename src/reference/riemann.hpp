@@ -40,6 +40,16 @@ struct GasSample {
 /// G. A. Sod's problem, J. Comput. Phys. 27 (1978) 1-31.
 RiemannSolution solve_riemann(const RiemannProblem& problem);
 
+/// Speed of the foremost part of the wave to the left: of a shock, or of the head of a rarefaction.
+double left_wave_speed(const RiemannSolution& solution);
+
+/// The same problem seen in a mirror at x = 0.
+RiemannSolution mirror_image(const RiemannSolution& solution);
+
+/// Speed of the shock that a wall at rest sends to the right into gas that runs into it (velocity <= 0): the sound's
+/// where the gas is at rest.
+double speed_of_shock_from_wall(const GasState& gas, double gamma);
+
 /// The solution at x and t >= 0; t = 0 gives the two initial states. At a jump the state on its right is returned.
 /// Throws std::domain_error for a negative t.
 GasSample sample(const RiemannSolution& solution, double x, double t);

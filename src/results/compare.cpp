@@ -51,6 +51,10 @@ Summary summary_of(const Comparison& comparison) {
     }
     summary.emplace_back("error_" + merit.name, fmt::format("{}", merit.error));
   }
+  if (comparison.window) {
+    summary.emplace_back("compared_from", fmt::format("{}", comparison.window->front()));
+    summary.emplace_back("compared_to", fmt::format("{}", comparison.window->back()));
+  }
   return summary;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,12 @@ struct Merit {
 struct Comparison {
   std::vector<Merit> merits;
   Table exact;
+  std::optional<std::array<double, 2>> window = {};  ///< part of a tube in which profiles are compared, from x to x
 };
 
 /// Compares the finished run with the solution the scene names (none: an empty comparison). A quantity that the run was
 /// too short to show is NaN. The solutions take their constants from the scene: a string's stiffness is E A / L with L
-/// between its end points and A its points' volume over their spacing.
+/// from where it is held to its last point and A its points' volume over their spacing.
 Comparison compare(const Scene& scene, const History& history, const Snapshot& last_points);
 
 /// `period = ...`, `exact_period = ...`, `error_period = ...` for each merit; only the error for a profile.

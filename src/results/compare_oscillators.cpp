@@ -2,36 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <utility>
 
-#include "reference/pendulum.hpp"
-#include "reference/piston.hpp"
-#include "reference/spring.hpp"
-#include "reference/string_bounce.hpp"
+#include "reference/hung_string.hpp"
 #include "results/compare_parts.hpp"
 #include "results/signal.hpp"
 
 namespace tether {
 namespace {
-
-/// A string from a particle file as one spring between its end points, its last point the mass.
-struct StringAsSpring {
-  double length, spacing, area, stiffness, mass, slack;
-
-  explicit StringAsSpring(const Scene& scene) {
-    const Body& body = *find_body<Membrane>(scene);
-    const PointSet& P = scene.points;
-    const double E = std::get<Membrane>(body.material).E;
-    const std::size_t first = body.first, last = body.first + body.count - 1;
-    length = std::hypot(P.x[last] - P.x[first], P.y[last] - P.y[first]);
-    spacing = length / static_cast<double>(body.count - 1);
-    area = P.volume[first] / spacing;
-    stiffness = E * area / length;
-    mass = P.mass[last];
-    slack = 0;
-    for (std::size_t p = first; p <= last; ++p) slack += spacing * std::max(0.0, -(P.sxx[p] + P.syy[p]) / E);
-  }
-};
 
 /// The history's column of the last tracked point, and that of another quantity, beside time.
 std::vector<double> tracked_column(const Scene& scene, const History& history, const char* name) {
@@ -52,24 +30,6 @@ double largest_drop(const std::vector<double>& time, const std::vector<double>& 
   return std::isnan(first) ? first : -*std::min_element(y.begin(), y.end());
 }
 
-/// The fluid's rows of points lie half a spacing inside its ends; its area is its volume over its length.
-struct FluidColumn {
-  double length, area;
-
-  FluidColumn(const Scene& scene, const Body& fluid) {
-    const PointSet& P = scene.points;
-    std::set<double> rows;
-    double volume = 0;
-    for (std::size_t p = fluid.first; p < fluid.first + fluid.count; ++p) {
-      rows.insert(P.y[p]);
-      volume += P.volume[p];
-    }
-    const double n = static_cast<double>(rows.size());
-    length = (*rows.rbegin() - *rows.begin()) * n / (n - 1);
-    area = volume / length;
-  }
-};
-
 template <class Exact>
 Table table_of(const std::vector<double>& time, const std::string& name, const Exact& exact) {
   Table table{{"time", name}, {time, {}}};
@@ -82,22 +42,22 @@ std::string height_name(const Scene& scene) { return "point_y_" + std::to_string
 }  // namespace
 
 Comparison compare_spring(const Scene& scene, const History& history) {
-  const StringAsSpring spring(scene);
-  const SpringMass exact{spring.mass, spring.stiffness, -scene.gravity};
+  const SpringMass exact = spring_of(scene);
   const auto time = history.column("time"), y = height(scene, history);
   const double start = tracked_column(scene, history, "point_y").front();
+  auto path = exact.positions(time);
+  for (double& place : path) place += start;
   return {{relative_merit("period", period_about(time, y, middle(y)), exact.period()),
-           relative_merit("largest_drop", largest_drop(time, y), exact.largest_drop())},
-          table_of(time, height_name(scene), [&](double t) { return start + exact.position(t); })};
+           relative_merit("largest_drop", largest_drop(time, y), exact.largest_drop(time.back()))},
+          {{"time", height_name(scene)}, {time, std::move(path)}}};
 }
 
 Comparison compare_string(const Scene& scene, const History& history) {
-  const StringAsSpring string(scene);
-  const StringBounce exact{string.mass, string.stiffness, -scene.gravity, string.slack};
+  const StringBounce exact = string_bounce_of(scene);
   const auto time = history.column("time"), y = height(scene, history);
   const double start = tracked_column(scene, history, "point_y").front();
   // Of a massless string, taut is where the mass hangs lower than the slack allows.
-  auto taut = passages(time, y, -string.slack);
+  auto taut = passages(time, y, -exact.slack);
   taut.resize(std::max<std::size_t>(taut.size(), 2), std::numeric_limits<double>::quiet_NaN());
   const auto lowest = first_minimum(time, y);
   return {{relative_merit("taut_time", taut[0], exact.taut_time()),
@@ -108,23 +68,16 @@ Comparison compare_string(const Scene& scene, const History& history) {
 }
 
 Comparison compare_pendulum(const Scene& scene, const History& history) {
-  const Body& body = *find_body<Membrane>(scene);
-  const PointSet& P = scene.points;
-  const std::size_t first = body.first, last = body.first + body.count - 1;
-  const double across = P.x[last] - P.x[first], down = P.y[first] - P.y[last];
-  const Pendulum exact{std::hypot(across, down), -scene.gravity, std::atan2(across, down)};
+  const Pendulum exact = pendulum_of(scene);
+  const double pivot = hung_string(scene).x;
   const auto time = history.column("time"), x = tracked_column(scene, history, "point_x");
   const std::string name = "point_x_" + std::to_string(scene.tracked.size());
-  return {{relative_merit("period", period_about(time, x, P.x[first]), exact.period())},
-          table_of(time, name, [&](double t) { return P.x[first] + exact.length * std::sin(exact.angle(t)); })};
+  return {{relative_merit("period", period_about(time, x, pivot), exact.period())},
+          table_of(time, name, [&](double t) { return pivot + exact.length * std::sin(exact.angle(t)); })};
 }
 
 Comparison compare_piston(const Scene& scene, const History& history) {
-  const StringAsSpring spring(scene);
-  const Body& fluid = *find_body<LinearFluid>(scene);
-  const FluidColumn column(scene, fluid);
-  const Piston exact{spring.mass,   spring.stiffness, column.area,
-                     column.length, fluid.density,    std::get<LinearFluid>(fluid.material).beta};
+  const Piston exact = piston_of(scene);
   const auto time = history.column("time"), y = height(scene, history);
   return {{relative_merit("period", period_about(time, y, middle(y)), exact.period())}, {}};
 }

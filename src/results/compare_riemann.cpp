@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "reference/riemann.hpp"
+#include "reference/riemann_tube.hpp"
 #include "results/compare_parts.hpp"
 
 namespace tether {
@@ -12,39 +11,18 @@ namespace {
 /// Places at which the exact profiles are tabulated.
 constexpr int table_rows = 1001;
 
-GasState state_of(const Scene& scene, const Body& body) {
-  const auto& gas = std::get<IdealGas>(body.material);
-  return {body.density, scene.points.vx[body.first], gas.pressure(body.density, body.specific_energy)};
+/// Whether a column of cells is wholly inside.
+bool is_inside(const BackgroundGrid& grid, const TubePart& part, std::size_t column) {
+  const double slip = 1e-6 * grid.dx, left = grid.x0 + static_cast<double>(column) * grid.dx;
+  return left >= part.from - slip && left + grid.dx <= part.to + slip;
 }
 
-std::pair<double, double> extent_x(const Scene& scene, const Body& body) {
-  const auto first = scene.points.x.begin() + static_cast<std::ptrdiff_t>(body.first);
-  const auto [low, high] = std::minmax_element(first, first + static_cast<std::ptrdiff_t>(body.count));
-  return {*low, *high};
-}
-
-/// The body further left is the left state; the diaphragm stands in the middle of the gap between the two.
-RiemannSolution solution_of(const Scene& scene) {
-  const Body* left = &scene.bodies[0];
-  const Body* right = &scene.bodies[1];
-  if (extent_x(scene, *left).first > extent_x(scene, *right).first) std::swap(left, right);
-  const double diaphragm = 0.5 * (extent_x(scene, *left).second + extent_x(scene, *right).first);
-  return solve_riemann(
-      {state_of(scene, *left), state_of(scene, *right), std::get<IdealGas>(left->material).gm1 + 1, diaphragm});
-}
-
-/// The solution is that of an endless tube: once a wave is at an end of the grid the run shows something else.
-void refuse_waves_at_the_ends(const Scene& scene, const RiemannSolution& solution, double t) {
-  const double left = sample(solution, scene.grid.x0, t).density, right = sample(solution, scene.grid.x1, t).density;
-  if (left == solution.problem.left.density && right == solution.problem.right.density) return;
-  throw std::domain_error("by then a wave has reached an end of the tube");
-}
-
-/// L1 error of the profile over the columns of cells that hold points: the mean of a column's points, against the exact
-/// value at its middle. A single point's value scatters about that mean as points cross cells (A.2).
+/// L1 error of the profile over the columns of cells that hold points and are inside the part compared: the mean of a
+/// column's points, against the exact value at its middle. A single point's value scatters about that mean as points
+/// cross cells (A.2).
 template <class Exact>
-Merit l1(const char* name, const BackgroundGrid& grid, const Snapshot& snapshot, const char* field,
-         const Exact& exact) {
+Merit l1(const char* name, const BackgroundGrid& grid, const TubePart& part, const Snapshot& snapshot,
+         const char* field, const Exact& exact) {
   const auto& x = values_of(snapshot, "x");
   const auto& here = values_of(snapshot, field);
   std::vector<double> sum(static_cast<std::size_t>(grid.cells_x()), 0.0), count(sum);
@@ -55,7 +33,7 @@ Merit l1(const char* name, const BackgroundGrid& grid, const Snapshot& snapshot,
   }
   double error = 0, columns = 0;
   for (std::size_t c = 0; c < sum.size(); ++c) {
-    if (count[c] == 0) continue;
+    if (count[c] == 0 || !is_inside(grid, part, c)) continue;
     error += std::abs(sum[c] / count[c] - exact(grid.x0 + (static_cast<double>(c) + 0.5) * grid.dx));
     columns += 1;
   }
@@ -76,17 +54,20 @@ Table table_of(const Scene& scene, const RiemannSolution& solution, double t) {
 }  // namespace
 
 Comparison compare_riemann(const Scene& scene, const Snapshot& last) {
-  const RiemannSolution solution = solution_of(scene);
+  const RiemannTube tube = riemann_tube(scene);
   const double t = last.time;
-  refuse_waves_at_the_ends(scene, solution, t);
+  const TubePart part = compared_part(scene, tube, t);
   const auto exact = [&](double GasSample::*member) {
-    return [&solution, t, member](double x) { return sample(solution, x, t).*member; };
+    return [&tube, t, member](double x) { return sample(tube.solution, x, t).*member; };
   };
-  return {{l1("density", scene.grid, last, "density", exact(&GasSample::density)),
-           l1("velocity", scene.grid, last, "vx", exact(&GasSample::velocity)),
-           l1("pressure", scene.grid, last, "pressure", exact(&GasSample::pressure)),
-           l1("specific_energy", scene.grid, last, "specific_energy", exact(&GasSample::specific_energy))},
-          table_of(scene, solution, t)};
+  const auto error = [&](const char* name, const char* field, double GasSample::*member) {
+    return l1(name, scene.grid, part, last, field, exact(member));
+  };
+  return {{error("density", "density", &GasSample::density), error("velocity", "vx", &GasSample::velocity),
+           error("pressure", "pressure", &GasSample::pressure),
+           error("specific_energy", "specific_energy", &GasSample::specific_energy)},
+          table_of(scene, tube.solution, t),
+          {{part.from, part.to}}};
 }
 
 }  // namespace tether

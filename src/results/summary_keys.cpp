@@ -12,7 +12,8 @@ std::vector<std::string> merit_keys(ReferenceKind reference) {
   std::vector<std::string> names;
   switch (reference) {
     case ReferenceKind::riemann:
-      return {"error_density", "error_velocity", "error_pressure", "error_specific_energy"};
+      return {"error_density",         "error_velocity", "error_pressure",
+              "error_specific_energy", "compared_from",  "compared_to"};
     case ReferenceKind::spring:
       names = {"period", "largest_drop"};
       break;

@@ -140,6 +140,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   scene.outputs = outputs_of(deck, scene, diagnostics);
   drop_grid_outputs(deck, scene, diagnostics);
   scene.reference = reference_of(deck, scene, diagnostics);
+  scene.reference_window = reference_window_of(deck, scene, diagnostics);
   return scene;
 }
 

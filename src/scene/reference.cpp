@@ -3,107 +3,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include "scene/reference_needs.hpp"
 
 namespace tether {
 namespace {
 
-/// How much the second moment of a quarter of a cylinder, given as points, may be above that of the exact shape.
-constexpr double roundness = 0.03;
-
-template <class Law>
-auto count_bodies(const Scene& scene) {
-  return std::count_if(scene.bodies.begin(), scene.bodies.end(),
-                       [](const Body& body) { return std::holds_alternative<Law>(body.material); });
-}
-
-/// Whether the point tracked last is the last of the string: the mass.
-bool tracks_its_end(const Scene& scene, const Body& string) {
-  return !scene.tracked.empty() && scene.tracked.back() == string.first + string.count - 1;
-}
-
-bool begins_at_rest(const Scene& scene, const Body& string) {
-  for (std::size_t p = string.first; p < string.first + string.count; ++p) {
-    if (scene.points.vx[p] != 0 || scene.points.vy[p] != 0) return false;
-  }
-  return true;
-}
-
-/// Whether the scene is a quarter of one with the lower left corner as its centre, at rest, and nothing pulls at it.
-bool is_resting_quarter(const Scene& scene) {
-  const bool at_rest = std::all_of(scene.bodies.begin(), scene.bodies.end(),
-                                   [&](const Body& body) { return begins_at_rest(scene, body); });
-  return scene.geometry == Geometry::plane && mirrors(scene.walls.left) && mirrors(scene.walls.bottom) && at_rest &&
-         scene.gravity == 0;
-}
-
-/// Of all shapes of one area the disc has the least second moment, a quarter of one with R^2 = 4 A/pi: R^2/2 its area.
-bool is_quarter_disc(const Scene& scene, const Body& body) {
-  const PointSet& P = scene.points;
-  double area = 0, moment = 0;
-  for (std::size_t p = body.first; p < body.first + body.count; ++p) {
-    const double x = P.x[p] - scene.grid.x0, y = P.y[p] - scene.grid.y0;
-    area += P.volume[p], moment += P.volume[p] * (x * x + y * y);
-  }
-  return moment / area < (1 + roundness) * 2 * area / std::numbers::pi;
-}
-
-bool has_radial_gas(const Scene& scene) {
-  if (scene.bodies.size() != 1 || count_bodies<IdealGas>(scene) != 1) return false;
-  const Body& gas = scene.bodies.front();
-  return std::get<IdealGas>(gas.material).mu == 0 && is_resting_quarter(scene) && is_quarter_disc(scene, gas);
-}
-
-/// Whether a membrane's ends are within a cell of the two axes, one of each, and nothing stretched it before.
-bool spans_the_quarter(const Scene& scene, const Body& membrane) {
-  const PointSet& P = scene.points;
-  const std::size_t first = membrane.first, last = membrane.first + membrane.count - 1;
-  const auto at_left = [&](std::size_t p) { return P.x[p] - scene.grid.x0 < scene.grid.dx; };
-  const auto at_bottom = [&](std::size_t p) { return P.y[p] - scene.grid.y0 < scene.grid.dy; };
-  for (std::size_t p = first; p <= last; ++p) {
-    if (P.sxx[p] != 0 || P.syy[p] != 0 || P.sxy[p] != 0) return false;
-  }
-  return (at_left(first) && at_bottom(last)) || (at_bottom(first) && at_left(last));
-}
-
-bool has_thin_ring(const Scene& scene) {
-  const auto gases = count_bodies<IdealGas>(scene);
-  if (gases < 1 || count_bodies<Membrane>(scene) != 1 || scene.bodies.size() != static_cast<std::size_t>(gases) + 1) {
-    return false;
-  }
-  return is_resting_quarter(scene) && spans_the_quarter(scene, *find_body<Membrane>(scene)) && scene.ambient == 0;
-}
-
 /// What the scene lacks for the solution; empty where it has all.
 std::string lacks(ReferenceKind kind, const Scene& scene) {
-  const Body* string = count_bodies<Membrane>(scene) == 1 ? find_body<Membrane>(scene) : nullptr;
-  const bool tracked = string && tracks_its_end(scene, *string);
   switch (kind) {
     case ReferenceKind::riemann:
-      return count_bodies<IdealGas>(scene) == 2 && scene.bodies.size() == 2
-                 ? ""
-                 : "two regions of gas, left and right, and nothing else";
+      return lacks_for_riemann(scene);
     case ReferenceKind::spring:
+      return lacks_for_spring(scene);
     case ReferenceKind::string:
+      return lacks_for_string(scene);
     case ReferenceKind::pendulum:
-      return tracked && begins_at_rest(scene, *string) && scene.gravity < 0
-                 ? ""
-                 : "a string from a particle file that begins at rest, its last point tracked, and gravc < 0";
+      return lacks_for_pendulum(scene);
     case ReferenceKind::piston:
-      return tracked && count_bodies<LinearFluid>(scene) == 1
-                 ? ""
-                 : "a linear fluid, a spring from a particle file, its last point tracked";
+      return lacks_for_piston(scene);
     case ReferenceKind::radial_gas:
-      return has_radial_gas(scene) ? ""
-                                   : "a quarter of a cylinder of gas about the lower left corner, at rest and without "
-                                     "viscosity, walls left and below that mirror, gravc = 0 and nothing else";
+      return lacks_for_radial_gas(scene);
     case ReferenceKind::thin_ring:
-      return has_thin_ring(scene)
-                 ? ""
-                 : "one unstressed membrane from the left to the bottom wall, both of which mirror, gas "
-                   "inside, all at rest, gravc = 0, pambient = 0 and nothing else";
+      return lacks_for_thin_ring(scene);
     case ReferenceKind::none:
       break;
   }
@@ -121,6 +42,32 @@ ReferenceKind reference_kind(const std::string& name) {
          : name == "radial-gas" ? ReferenceKind::radial_gas
          : name == "thin-ring"  ? ReferenceKind::thin_ring
                                 : ReferenceKind::none;
+}
+
+std::optional<std::array<double, 2>> reference_window_of(const Deck& deck, const Scene& scene,
+                                                         Diagnostics& diagnostics) {
+  if (!deck.given("reference", "window", 1) && !deck.given("reference", "window", 2)) return std::nullopt;
+  const auto tell = [&](Severity severity, const std::string& what, const std::string& hint) {
+    if (diagnostics.has_errors()) return;
+    const int at = deck.given("reference", "window", 1) ? 1 : 2;
+    diagnostics.add(deck.remark(severity, "reference", "window", {at, 1}, what, hint));
+  };
+  if (!deck.given("reference", "window", 1) || !deck.given("reference", "window", 2)) {
+    tell(Severity::error, "window has two numbers, where it begins and where it ends", "window=0.2,0.8, for example");
+    return std::nullopt;
+  }
+  if (scene.reference != ReferenceKind::riemann) {
+    tell(Severity::warning, "window has no effect: only the solution 'riemann' has one", "");
+    return std::nullopt;
+  }
+  const double from = deck.real("reference", "window", 1), to = deck.real("reference", "window", 2);
+  if (!(from < to) || from < scene.grid.x0 || to > scene.grid.x1) {
+    tell(Severity::error, fmt::format("the window from {:.6g} to {:.6g} is no part of the tube", from, to),
+         fmt::format("it begins at {:.6g} or later, and ends after that, at {:.6g} at the most", scene.grid.x0,
+                     scene.grid.x1));
+    return std::nullopt;
+  }
+  return std::array<double, 2>{from, to};
 }
 
 ReferenceKind reference_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "base/diagnostics.hpp"
@@ -14,5 +16,9 @@ ReferenceKind reference_kind(const std::string& name);
 
 /// The exact solution that $reference names, and whether the scene has what it needs.
 ReferenceKind reference_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics);
+
+/// The part of the tube that $reference window asks for, once the scene has its solution.
+std::optional<std::array<double, 2>> reference_window_of(const Deck& deck, const Scene& scene,
+                                                         Diagnostics& diagnostics);
 
 }  // namespace tether

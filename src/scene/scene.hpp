@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +80,7 @@ struct Scene {
   Method method;
   OutputIntervals outputs;
   ReferenceKind reference = ReferenceKind::none;
+  std::optional<std::array<double, 2>> reference_window;  ///< part of a tube that is compared, from x to x [length]
 };
 
 /// The first body of a law, or null.

@@ -37,11 +37,12 @@ class BarDecks : public test::TemporaryFolder {
   RunOutcome outcome_;
 };
 
-/// The exact spring has no mass. Here eight points between wall and mass have 1e-4 of it each and move with i/9 of its
-/// speed: sum (i/9)^2 1e-4 / 2 = 1.26e-4 of the period is theirs.
+/// The exact spring has 9e-4 of the mass spread along it, a third of which swings with it. Here eight points between
+/// wall and mass have 1e-4 of it each and move with i/9 of its speed: half of sum (i/9)^2 1e-4 - 3e-4 = -2.4e-5 of the
+/// period is missing.
 TEST_F(BarDecks, SpringMass) {
   const auto summary = run_deck("spring-mass");
-  EXPECT_NEAR(summary.at("error_period"), 1.26e-4, 5e-6);
+  EXPECT_NEAR(summary.at("error_period"), -2.41e-5, 1e-6);
   EXPECT_LT(std::abs(summary.at("error_largest_drop")), 1e-3);
   EXPECT_LT(summary.at("energy_drift"), 1e-10);
 }
@@ -55,13 +56,13 @@ TEST_F(BarDecks, StringMass) {
   EXPECT_LT(summary.at("energy_drift"), 1e-3);
 }
 
-/// The exact string has no mass and does not stretch. Of the period the points between take, with 1e-4 of the mass each
-/// at 40 points, sum (i/39 - (i/39)^2) 1e-4 / 2 = 3.2e-4, and the stretch m g L / (E A) gives back 1.9e-4.
+/// The exact string does not stretch. The mass of 3.3 stretches one of E A = 1.75e5 by m g/(E A) = 3.77e-4, and half of
+/// that is the period's.
 TEST_F(BarDecks, Pendulums) {
   for (const char* deck : {"pendulum-20", "pendulum-40", "pendulum-80", "pendulum-40-two-way"}) {
     const auto summary = run_deck(deck);
     EXPECT_NEAR(summary.at("period"), 1.2120, 0.002 * 1.2120) << deck;
-    EXPECT_LT(std::abs(summary.at("error_period")), 2e-4) << deck;
+    EXPECT_NEAR(summary.at("error_period"), 1.89e-4, 3e-5) << deck;
     EXPECT_LT(summary.at("energy_drift"), 1e-6) << deck;
   }
 }

@@ -30,6 +30,12 @@ TEST(Pendulum, period_of_wide_swings) {
   EXPECT_NEAR((Pendulum{1, 4, -pi / 2}.period()), (Pendulum{1, 4, pi / 2}.period()), 1e-14);
 }
 
+/// A rod alone, the string of a mass that is nothing against its own, swings as a string of two thirds of its length.
+TEST(Pendulum, the_strings_own_mass_shortens_the_swing) {
+  EXPECT_NEAR((Pendulum{1, 20, 0.3, 1e12}.period()), (Pendulum{2.0 / 3, 20, 0.3}.period()), 1e-10);
+  EXPECT_NEAR((Pendulum{1, 20, 0.3, 0.06}.period()), (Pendulum{1.02 / 1.03, 20, 0.3}.period()), 1e-14);
+}
+
 TEST(Pendulum, angle_at_the_quarters_of_a_period) {
   const double period = rows.period(), start = rows.start_angle;
   EXPECT_NEAR(rows.angle(0), start, 1e-14);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -55,11 +56,54 @@ TEST(CompareRiemann, TheExactProfilesHaveNoError) {
   }
 }
 
-TEST(CompareRiemann, IsRefusedOnceAWaveIsAtAnEnd) {
+/// The rarefaction's head runs at 1.18 to the left, it is at x = 0 from .42 on; the shock is at x = 1 from .285 on.
+TEST(CompareRiemann, EndsWhereWavesComeFromTheEnds) {
   Snapshot late = sod_snapshot(exactly);
-  late.time =
-      0.4;  // the rarefaction's head runs at 1.18 to the left: it is at x = 0 from .42, the shock at x = 1 from .29
+  late.time = 0.32;
+  const Comparison comparison = compare(sod_scene(), {}, late);
+  ASSERT_TRUE(comparison.window);
+  EXPECT_EQ(comparison.window->front(), 0);
+  EXPECT_GT(comparison.window->back(), 0.96);  // the shock sent back is slower than that which came, 1.75
+  EXPECT_LT(comparison.window->back(), 1);
+  const Summary summary = summary_of(comparison);
+  EXPECT_EQ(summary[4].first, "compared_from");
+  EXPECT_EQ(summary[5].first, "compared_to");
+}
+
+/// Behind the shock that a wall sends back the profile is another, and no column there counts.
+TEST(CompareRiemann, WhatTheEndsSendBackDoesNotCount) {
+  const double t = 0.32;
+  Snapshot late = sod_snapshot(exactly);
+  late.time = t;
+  const double front = compare(sod_scene(), {}, late).window->back();
+  for (int k = 0; k < columns; ++k) {
+    const auto c = static_cast<std::size_t>(k);
+    const double x = (k + 0.5) / columns;
+    const GasSample gas = sample(sod, x, t);
+    const double here = x > front ? 3 * gas.density : gas.density;
+    late.fields[1].values[c] = here;
+  }
+  EXPECT_NEAR(merit_of(compare(sod_scene(), {}, late), "density").error, 0, 1e-12);
+}
+
+TEST(CompareRiemann, IsRefusedOnceAShockFromAWallHasMetTheContact) {
+  Snapshot late = sod_snapshot(exactly);
+  late.time = 0.6;
   EXPECT_THROW(compare(sod_scene(), {}, late), std::domain_error);
+}
+
+TEST(CompareRiemann, AWindowIsThePartThatIsCompared) {
+  Scene scene = sod_scene();
+  scene.reference_window = {{0.2, 0.6}};
+  const auto error = [&](const std::function<double(int)>& off) {
+    return merit_of(compare(scene, {}, sod_snapshot(off)), "density").error;
+  };
+  EXPECT_NEAR(error([](int k) { return k < 20 || k >= 60 ? 5 : 0; }), 0, 1e-13);
+  EXPECT_NEAR(error([](int k) { return k == 20 ? 4 : 0; }), 0.1, 1e-13);
+  scene.reference_window = {{0.2, 1}};
+  Snapshot late = sod_snapshot(exactly);
+  late.time = 0.32;
+  EXPECT_THROW(compare(scene, {}, late), std::domain_error);
 }
 
 TEST(CompareRiemann, ErrorIsTheMeanDistance) {
@@ -96,18 +140,23 @@ TEST(CompareRiemann, TheOrderOfTheBodiesDoesNotMatter) {
   for (const Merit& merit : comparison.merits) EXPECT_NEAR(merit.error, 0, 1e-13) << merit.name;
 }
 
-/// Both states move at .5, and with them the whole solution: the profiles of rest are shifted by .1 at t = .2.
+/// Both states move at .5, and with them the whole solution: the profiles of rest are shifted by .075 at t = .15. The
+/// left wall sends a rarefaction after the gas, at u + a = 1.68, ahead of which all is as it was.
 TEST(CompareRiemann, VelocityOfTheStatesIsPartOfTheProblem) {
   Scene scene = sod_scene();
   for (double& vx : scene.points.vx) vx = 0.5;
-  const Comparison moving = compare(scene, {}, sod_snapshot(exactly));
+  Snapshot early = sod_snapshot(exactly);
+  early.time = 0.15;
+  const Comparison moving = compare(scene, {}, early);
   const auto& columns_of = moving.exact.columns;
   for (std::size_t k = 100; k <= 1000; k += 50) {
-    const GasSample rest = sample(sod, columns_of[0][k] - 0.1, end_time);
+    const GasSample rest = sample(sod, columns_of[0][k] - 0.075, early.time);
     EXPECT_NEAR(columns_of[1][k], rest.density, 1e-12);
     EXPECT_NEAR(columns_of[2][k], rest.velocity + 0.5, 1e-12);
   }
   EXPECT_GT(merit_of(moving, "velocity").error, 0.3);
+  EXPECT_NEAR(moving.window->front(), 0.15 * (0.5 + std::sqrt(1.4)), 1e-9);
+  EXPECT_LT(moving.window->back(), 0.9);  // a shock comes from the right wall, into which the gas runs
 }
 
 /// Star values of Toro's test 1: p = .30313, u = .92745, densities .42632 and .26557.

@@ -21,6 +21,7 @@ inline void add_point(PointSet& points, double x, double y, double volume, doubl
 inline Scene hanging_string(ReferenceKind reference) {
   Scene scene;
   scene.gravity = -10;
+  scene.walls = {Wall::open, Wall::open, Wall::open, Wall::open};  // what holds it is its first point
   scene.reference = reference;
   for (int k = 0; k < 4; ++k) add_point(scene.points, 1, 3 - 0.5 * k, 0.25, 0.001);
   scene.points.mass[3] = 2;

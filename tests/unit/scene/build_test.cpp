@@ -199,7 +199,8 @@ TEST(Reference, OfAStringNeedsRestGravityAndItsLastPointTracked) {
       "6:21: the solution 'spring' needs a string from a particle file that begins at rest, its last point tracked, "
       "and gravc < 0";
   const std::string last = "$points tracked(3)=.true. $\n";
-  EXPECT_EQ(reference_errors("spring", last, "igen=0,gravc=-1."), Texts{});
+  EXPECT_EQ(reference_errors("spring", last, "igen=0,gravc=-1."),
+            Texts{"6:21: the solution 'spring' needs a string that hangs straight down from where it is held"});
   EXPECT_EQ(reference_errors("spring", last, "igen=0"), (Texts{needs}));
   EXPECT_EQ(reference_errors("spring", "$points $\n", "igen=0,gravc=-1."), (Texts{needs}));
   EXPECT_EQ(reference_errors("spring", "$points tracked(1)=.true. $\n", "igen=0,gravc=-1."), (Texts{needs}));
