@@ -63,8 +63,11 @@ Pendulum pendulum_of(const Scene& scene) {
   const HungString string = hung_string(scene);
   const Body& body = *find_body<Membrane>(scene);
   const std::size_t last = body.first + body.count - 1;
-  return {string.length, -scene.gravity, std::atan2(scene.points.x[last] - string.x, string.y - scene.points.y[last]),
-          string.string_mass / string.mass};
+  return {.length = string.length,
+          .gravity = -scene.gravity,
+          .start_angle = std::atan2(scene.points.x[last] - string.x, string.y - scene.points.y[last]),
+          .string_part = string.string_mass / string.mass,
+          .stretch = string.mass * -scene.gravity / (string.stiffness * string.length)};
 }
 
 Piston piston_of(const Scene& scene) {

@@ -16,7 +16,7 @@ double Pendulum::modulus() const {
   return std::sin(start_angle / 2);
 }
 
-double Pendulum::swing_length() const { return length * (1 + string_part / 3) / (1 + string_part / 2); }
+double Pendulum::swing_length() const { return length * (1 + stretch) * (1 + string_part / 3) / (1 + string_part / 2); }
 
 double Pendulum::period() const { return 4 * std::sqrt(swing_length() / gravity) * boost::math::ellint_1(modulus()); }
 

@@ -14,12 +14,13 @@ struct Pendulum {
   double gravity = 0;      ///< acceleration, positive downwards (a deck's gravc has the other sign)
   double start_angle = 0;  ///< theta0 at t = 0, from the vertical
   double string_part = 0;  ///< mu, the string's mass over the point's
+  double stretch = 0;      ///< m g/(E A), the strain of the string with the mass at rest
 
   double period() const;         ///< T = 4 sqrt(l/g) K(sin(theta0/2))
   double angle(double t) const;  ///< theta, from sin(theta/2) = sin(theta0/2) sn(K + sqrt(g/l) t)
 
  private:
-  double swing_length() const;  ///< L (1 + mu/3)/(1 + mu/2)
+  double swing_length() const;  ///< L (1 + m g/(E A)) (1 + mu/3)/(1 + mu/2)
   double modulus() const;       ///< k = sin(theta0/2); the checks of start_angle are here
 };
 

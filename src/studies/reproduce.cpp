@@ -33,6 +33,7 @@ MethodResult result_of(const std::vector<PlannedRun>& runs, const std::vector<Ru
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (runs[k].problem != problem || runs[k].role != role) continue;
     ++result.runs;
+    if (fs::exists(ends[k].folder / "deck.effective")) result.begun.emplace_back(ends[k].folder, beside);
     if (note(ends[k].ending)) result.files.emplace_back(ends[k].folder, beside);
   }
   return result;
@@ -71,7 +72,8 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
   ReproduceResult result{terminal_text(rows), {}, 0};
   for (const RunEnd& end : ends) result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
   for (const ReportRow& row : rows) {
-    if (row.fails) result.disagreed.push_back(fmt::format("{}, {}: {}", row.problem, row.quantity, row.verdict));
+    if (row.standing == Standing::differs)
+      result.disagreed.push_back(fmt::format("{}, {}: {}", row.problem, row.quantity, row.verdict));
   }
   return result;
 }

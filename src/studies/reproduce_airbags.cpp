@@ -63,31 +63,34 @@ double peak(const RunFiles& run) { return Sinking(run).depth; }
 double peak_time(const RunFiles& run) { return Sinking(run).time; }
 double further_than_beside(const RunFiles& run) { return peak(run) - peak(run.beside()); }
 
-/// What Table 7 and its box say of the probe's mass; the box's cells cut the cylinder's edges. `thesis`: of what both
-/// methods begin with, where the thesis' comes to an end.
-std::vector<Quantity> of_probe_and_bag(std::vector<Printed> probe_masses, std::optional<Tolerance> thesis) {
+/// What Tables 7 and 8 say; the box's cells cut the cylinder's edges, and the bag's mass is no other's. `by` are the
+/// methods that come to an end, and are judged.
+std::vector<Quantity> of_probe_and_bag(std::vector<Printed> probe_masses, Judged by) {
   const double thicker = bag_mass / (bag_density * bag_surface());
   return {{.name = "mass of the probe [kg]",
            .reading = probe_mass,
            .published = std::move(probe_masses),
-           .thesis = thesis,
-           .robust = within_part(0.03)},
+           .by_published = by},
           {.name = "mass of the bag [g]",
            .reading = bag_grams,
-           .published = {{1e3 * bag_mass, "6.3.1"},
-                         {1e3 * bag_thickness * bag_density * bag_surface(), "Table 8 on 580 x 315 mm"}},
-           .thesis = thesis,
-           .robust = within_part(0.06)},
+           .published = {printed("367.2", "6.3.1"),
+                         following(1e3 * bag_thickness * bag_density * bag_surface(), "Table 8 on 580 x 315 mm", 0.06)},
+           .by_published = by},
           {.name = "thickness of the bag [mm]",
            .reading = bag_millimetres,
-           .published = {{1e3 * bag_thickness, "Table 8"}, {1e3 * thicker, "367.2 g on 580 x 315 mm"}},
-           .thesis = thesis,
-           .robust = within_part(0.03)},
+           .published = {printed("0.5", "Table 8"), following(1e3 * thicker, "367.2 g on 580 x 315 mm", 0.03)},
+           .by_published = by},
           {.name = "pressure at t = 0 [Pa]",
            .reading = first_pressure,
-           .published = {{4000, "Table 8"}},
-           .thesis = thesis,
-           .robust = within_part(0.01)},
+           .published = {following(4000, "Table 8", 0.01)},
+           .by_published = by},
+          stated_modulus("Young's modulus of the bag [Pa]", bag, 6e7, "Table 8"),
+          stated_modulus("Young's modulus of the probe [Pa]", probe, 5e7, "6.3.1"),
+          {.name = "specific energy of the gas [J/kg]",
+           .reading = modulus(1),
+           .of_deck = true,
+           .published = {printed("8226", "Table 8")},
+           .by_published = Judged::both},
           {.name = "largest displacement of the probe [mm]", .reading = peak},
           {.name = "its time [ms]", .reading = peak_time}};
 }
@@ -95,15 +98,27 @@ std::vector<Quantity> of_probe_and_bag(std::vector<Printed> probe_masses, std::o
 }  // namespace
 
 std::vector<Problem> airbags() {
+  const auto box_mass = [](double mass, const char* box) { return following(mass, box, 0.03); };
   Problem small{.name = "cyl-200", .place = "6.3.2, Fig. 60", .deck = "cyl-200"};
-  small.quantities = of_probe_and_bag({{6.03, "Table 7"}, {cylinder(2375, 0.1, 0.08), "Box 10"}}, std::nullopt);
-  small.quantities.push_back(
-      {.name = "gas points", .reading = gas_points, .published = {{3000, "6.3.2"}}, .robust = within_part(0.2)});
+  small.quantities =
+      of_probe_and_bag({printed("6.03", "Table 7"), box_mass(cylinder(2375, 0.1, 0.08), "Box 10")}, Judged::robust);
+  small.quantities.push_back({.name = "gas points",
+                              .reading = gas_points,
+                              .published = {following(3000, "6.3.2: approximately", 0.2)},
+                              .by_published = Judged::robust});
   Problem tethered{.name = "cyl-200-tether-kept", .place = "6.3.2", .deck = "cyl-200-tether-kept", .beside = "cyl-200"};
-  tethered.quantities = {
-      {.name = "further than without the tether [mm]", .reading = further_than_beside, .published = {{20, "6.3.2"}}}};
+  tethered.quantities = {{.name = "further than without the tether [mm]",
+                          .reading = further_than_beside,
+                          .published = {printed("20", "6.3.2: about")}},
+                         stated_modulus("Young's modulus of the bag [Pa]", bag, 6e7, "Table 8"),
+                         {.name = "specific energy of the gas [J/kg]",
+                          .reading = modulus(1),
+                          .of_deck = true,
+                          .published = {printed("8226", "Table 8")},
+                          .by_published = Judged::both}};
   Problem large{.name = "cyl-500", .place = "6.3.3, Fig. 63", .deck = "cyl-500"};
-  large.quantities = of_probe_and_bag({{8.05, "Table 7"}, {cylinder(360, 0.25, 0.08), "Box 11"}}, within_part(0.03));
+  large.quantities =
+      of_probe_and_bag({printed("8.05", "Table 7"), box_mass(cylinder(360, 0.25, 0.08), "Box 11")}, Judged::both);
   return {std::move(small), std::move(tethered), std::move(large)};
 }
 

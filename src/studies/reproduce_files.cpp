@@ -3,12 +3,30 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
+#include "plan/load.hpp"
 #include "results/netcdf_input.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::published {
+namespace {
+
+constexpr const char* effective_deck = "deck.effective";
+
+/// The deck that ran; of a bisection's runs, which differ in one number only, the first one's.
+std::filesystem::path deck_of(const std::filesystem::path& folder) {
+  auto file = folder / effective_deck;
+  if (std::filesystem::exists(file) || !std::filesystem::is_directory(folder / "runs")) return file;
+  std::set<std::filesystem::path> decks;
+  for (const auto& run : std::filesystem::directory_iterator(folder / "runs"))
+    decks.insert(run.path() / effective_deck);
+  return decks.empty() ? file : *decks.begin();
+}
+
+}  // namespace
 
 double RunFiles::summary(const std::string& key) const {
   const auto path = folder_ / "summary.txt";
@@ -70,6 +88,17 @@ std::vector<double> RunFiles::nodes(const std::string& field, std::size_t snapsh
 }
 
 std::size_t RunFiles::node_snapshots() const { return NetcdfInput(folder_ / "mesh.nc").shape("time").front(); }
+
+const Scene& RunFiles::scene() const {
+  if (scene_) return *scene_;
+  const auto file = deck_of(folder_);
+  try {
+    scene_ = std::make_shared<const Scene>(load(file.string(), {}).plan.scene);
+  } catch (const InputError& error) {
+    throw FileError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  return *scene_;
+}
 
 double RunFiles::largest_holding() const {
   return NetcdfInput(folder_ / "outcome.nc").numbers("largest_holding").front();

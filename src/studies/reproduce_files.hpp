@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "scene/scene.hpp"
 
 namespace tether::published {
 
@@ -36,11 +39,15 @@ class RunFiles {
   std::vector<double> nodes(const std::string& field, std::size_t snapshot) const;
   std::size_t node_snapshots() const;
 
+  /// The scene that ran, of deck.effective; read once. Throws FileError where it cannot be read again.
+  const Scene& scene() const;
+
   /// Of a bisection's outcome.nc: the largest value that held. Not a number where it found none.
   double largest_holding() const;
 
  private:
   std::filesystem::path folder_, beside_;
+  mutable std::shared_ptr<const Scene> scene_;  // read when it is first asked for
 };
 
 }  // namespace tether::published

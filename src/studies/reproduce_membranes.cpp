@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "reference/thin_ring.hpp"
 #include "studies/reproduce_problems.hpp"
 #include "studies/reproduce_readings.hpp"
 
@@ -12,17 +13,12 @@ namespace {
 // The membrane expansion: 6.2, Tables 4 to 6, Box 9. Gas is bodies 1 and 2, the membrane body 3, the scene a quarter.
 
 constexpr int membrane = 3;
-constexpr double wall = 0.1;                                // thickness, Table 6
-constexpr double point_volume = 0.05 * 0.05 / 6.8207;       // Box 9
-constexpr double box_points = 600, table_points = 400;      // of the membrane: Box 9, Table 5
-constexpr double membrane_density = 0.5, gas_energy = 250;  // Table 4
+constexpr double wall = 0.1;                                             // thickness, Table 6
+constexpr double point_volume = 0.05 * 0.05 / 6.8207;                    // Box 9
+constexpr double box_points = 600, table_points = 400;                   // of the membrane: Box 9, Table 5
+constexpr double membrane_density = 0.5, young = 1e6, gas_energy = 250;  // Table 4
 // Box 9's two regions, of density 1: a trapezium, and a quadrilateral of two.
 constexpr double gas_mass = 0.426 * (0.900 + 0.95) / 2 + (0.90 - 0.426) * ((0.900 - 0.65) + (0.74 - 0.65)) / 2;
-
-/// 600 points make the length with which the thickness is Table 6's and the settled radius its Table 5's.
-RingAtRest exact_ring() {
-  return ring_at_rest({box_points * point_volume / wall, wall, 1e6, 0.3, 0.4, gas_mass * gas_energy});
-}
 
 double mass_with(double points) { return gas_mass + points * point_volume * membrane_density; }
 
@@ -88,68 +84,73 @@ double escaped(const RunFiles& run) {
 /// A row of Tables 5 and 6, and how near the two methods come with its cells; no tolerance: not judged.
 struct Simulation {
   const char* number;
-  double points, mass, radius_0, radius_90, pressure, hoop_stress, stress, difference, lost;
+  double points;
+  const char *mass, *radius_0, *radius_90, *pressure, *hoop_stress, *stress, *difference;
+  const char* lost;  ///< null: "less than one percent"
   std::optional<Tolerance> thesis_radius, robust_radius, robust_pressure, robust_stress;
 };
 
+std::vector<Quantity> of_table4() {
+  return {stated_modulus("Young's modulus of the membrane", membrane, young, "Table 4"),
+          stated_modulus("specific energy of the gas", 1, gas_energy, "Table 4")};
+}
+
+/// The radii and stresses that single chaotic runs of the thesis came to are reported: no theory bears them out.
 std::vector<Quantity> of_table5(const Simulation& s) {
   return {{.name = "membrane points",
            .reading = count_of(membrane),
-           .published = {{s.points, "Table 5"}},
-           .thesis = within(0.5),
-           .robust = within(0.5)},
+           .published = {printed(fmt::format("{}", s.points), "Table 5")},
+           .by_published = Judged::both},
           {.name = "total mass",
            .reading = first_value("mass"),
-           .published = {{s.mass, "Table 5"}},
-           .thesis = within_part(0.005),
-           .robust = within_part(0.005)},
+           .published = {printed(s.mass, "Table 5")},
+           .by_published = Judged::both},
           {.name = "radius at 0 degrees",
            .reading = radius_at_0,
-           .published = {{s.radius_0, "Table 5"}},
-           .exact = [] { return exact_ring().radius; },
+           .published = {printed(s.radius_0, "Table 5")},
+           .exact = summary_value("exact_radius_x"),
            .thesis = s.thesis_radius,
            .robust = s.robust_radius},
           {.name = "radius at 90 degrees",
            .reading = radius_at_90,
-           .published = {{s.radius_90, "Table 5"}},
-           .exact = [] { return exact_ring().radius; },
+           .published = {printed(s.radius_90, "Table 5")},
+           .exact = summary_value("exact_radius_y"),
            .thesis = s.thesis_radius,
            .robust = s.robust_radius},
           {.name = "pressure",
            .reading = pressure,
-           .published = {{s.pressure, "Table 5"}},
-           .exact = [] { return exact_ring().pressure; }},
+           .published = {printed(s.pressure, "Table 5")},
+           .exact = summary_value("exact_pressure")},
           {.name = "pressure, mean of the gas points",
            .reading = summary_value("pressure"),
-           .exact = [] { return exact_ring().pressure; },
+           .exact = summary_value("exact_pressure"),
            .robust = s.robust_pressure}};
 }
 
 std::vector<Quantity> of_table6_and_text(const Simulation& s) {
-  const bool bound = s.lost < 0;  // "less than one percent"
   return {{.name = "hoop stress p r/t",
            .reading = hoop_stress,
-           .published = {{s.hoop_stress, "Table 6"}},
-           .exact = [] { return exact_ring().hoop_stress; }},
+           .theory = printed(s.hoop_stress, "Table 6"),
+           .theory_for = TheoryFor::nothing,  // of its own run's radius and pressure
+           .exact = summary_value("exact_stress")},
           {.name = "hoop stress of the points",
            .reading = simulated_stress,
-           .published = {{s.stress, "Table 6"}},
-           .exact = [] { return exact_ring().hoop_stress; },
+           .published = {printed(s.stress, "Table 6")},
+           .exact = summary_value("exact_stress"),
            .robust = s.robust_stress},
           {.name = "difference of the two stresses [%]",
            .reading = stress_difference_percent,
-           .published = {{s.difference, "Table 6"}},
+           .published = {printed(s.difference, "Table 6")},
            .exact = constant(0)},
           {.name = "energy lost [%]",
            .reading = energy_lost_percent,
-           .published = {{bound ? 1 : s.lost, bound ? "6.2.4: less" : "6.2"}},
+           .published = {s.lost ? printed(s.lost, "6.2") : Printed{0.5, "6.2.4: less than 1", 0.5}},
            .exact = constant(0),
            .robust = within(0.01)},
           {.name = "gas points that escaped",
            .reading = escaped,
-           .published = {{0, "6.2"}},
-           .thesis = within(0.5),
-           .robust = within(0.5)}};
+           .published = {printed("0", "6.2")},
+           .by_published = Judged::both}};
 }
 
 Problem expansion(const Simulation& s) {
@@ -159,6 +160,7 @@ Problem expansion(const Simulation& s) {
   problem.robust->overrides = problem.thesis.overrides;
   problem.quantities = of_table5(s);
   for (Quantity& quantity : of_table6_and_text(s)) problem.quantities.push_back(std::move(quantity));
+  for (Quantity& quantity : of_table4()) problem.quantities.push_back(std::move(quantity));
   return problem;
 }
 
@@ -167,11 +169,14 @@ Problem expansion(const Simulation& s) {
 /// it is not judged.
 Problem finest(const Simulation& s) {
   Problem problem = expansion(s);
-  problem.quantities[0].published.push_back({box_points, "Box 9"});
-  problem.quantities[1].published = {{s.mass, "Table 5"},
-                                     {mass_with(box_points), "600 points of Box 9"},
-                                     {mass_with(table_points), "400 points of Box 9"}};
-  for (Quantity& quantity : problem.quantities) quantity.thesis.reset();
+  problem.quantities[0].published.push_back(stated(box_points, "Box 9"));
+  problem.quantities[1].published = {printed(s.mass, "Table 5"),
+                                     following(mass_with(box_points), "600 points of Box 9"),
+                                     following(mass_with(table_points), "400 points of Box 9")};
+  for (Quantity& quantity : problem.quantities) {
+    quantity.thesis.reset();
+    if (quantity.by_published == Judged::both && !quantity.of_deck) quantity.by_published = Judged::robust;
+  }
   return problem;
 }
 
@@ -180,13 +185,13 @@ Problem finest(const Simulation& s) {
 std::vector<Problem> membrane_expansions() {
   const auto part = [](double size) { return std::optional(within_part(size)); };
   constexpr std::nullopt_t open = std::nullopt;
-  return {
-      expansion({"1", 56, 0.600, 1.08, 1.13, 33.4, 369, 394, 6.75, 3.6, open, open, open, open}),
-      expansion(
-          {"2", 100, 0.584, 1.335, 1.334, 24.9, 332, 372, 11.95, 3.4, part(0.08), part(0.015), part(0.05), part(0.01)}),
-      expansion(
-          {"3", 200, 0.583, 1.388, 1.387, 27.0, 375, 417, 11.31, 1.2, part(0.03), part(0.003), part(0.03), part(0.01)}),
-      finest({"4", 400, 0.584, 1.394, 1.396, 29.0, 405, 447, 10.49, -1, open, part(0.003), part(0.03), part(0.01)})};
+  return {expansion({"1", 56, "0.600", "1.08", "1.13", "33.4", "369", "394", "6.75", "3.6", open, open, open, open}),
+          expansion({"2", 100, "0.584", "1.335", "1.334", "24.9", "332", "372", "11.95", "3.4", part(0.08), part(0.015),
+                     part(0.05), part(0.01)}),
+          expansion({"3", 200, "0.583", "1.388", "1.387", "27.0", "375", "417", "11.31", "1.2", part(0.03), part(0.003),
+                     part(0.03), part(0.01)}),
+          finest({"4", 400, "0.584", "1.394", "1.396", "29.0", "405", "447", "10.49", nullptr, open, part(0.003),
+                  part(0.03), part(0.01)})};
 }
 
 }  // namespace tether::published

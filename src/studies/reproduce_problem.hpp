@@ -16,14 +16,21 @@ namespace tether::published {
 /// where the run did not write what is read.
 using Readout = std::function<double(const RunFiles&)>;
 
-/// A number of the thesis and where it stands.
+/// A number of the thesis, where it stands, and its band: how far off a value may be that agrees with it.
 struct Printed {
   double value = 0;
   std::string place;  ///< "Table 3"
+  double band = 0;    ///< in the number's own unit
 };
 
-/// How near a method's value must come. Most were set about what the runs gave: they show that results change, and are
-/// no judgement from outside.
+/// A number as it is printed, whose band is half a unit of its last digit: "0.0071" is .0071 +- .00005.
+Printed printed(const std::string& digits, const std::string& place);
+/// What follows from printed numbers by a formula, to a part of itself.
+Printed following(double value, const std::string& place, double part = 1e-3);
+/// A number that states the problem: it is exact.
+Printed stated(double value, const std::string& place);
+
+/// How near a method's value must come to an exact one: what the method is known to reach, so that changes show.
 struct Tolerance {
   double size = 0;
   bool relative = true;  ///< a part of what it is compared with; else in the quantity's own unit
@@ -32,16 +39,28 @@ struct Tolerance {
 constexpr Tolerance within_part(double part) { return {part, true}; }
 constexpr Tolerance within(double size) { return {size, false}; }
 
-/// A row of the table. The value of each method is compared with the exact one, where there is none with the nearest of
-/// those that the thesis prints.
+/// Methods whose values are judged by the printed ones. The others' difference is reported: what one run of the thesis
+/// printed with more digits than its theory or ours bears out is no measure.
+enum class Judged { none, thesis, robust, both };
+
+/// What a number of the thesis' theory is compared with: the exact value of the deck that ran, which says whether the
+/// deck poses the thesis' problem; the runs' values, where the theory leaves out what the deck has; or nothing.
+enum class TheoryFor { exact, runs, nothing };
+
+/// A row of the table.
 struct Quantity {
   std::string name = {};  ///< with its unit, where it has one
   Readout reading = {};
-  std::vector<Printed> published = {};     ///< several where the thesis contradicts itself; none of what it only draws
-  std::function<double()> exact = {};      ///< of the thesis' problem, whatever the deck says; empty: none is known
-  std::optional<Tolerance> thesis = {};    ///< of the thesis' method; without it the value is reported, not judged
+  bool of_deck = false;                 ///< the reading needs the deck alone: a run that came to no end shows it, too
+  std::vector<Printed> published = {};  ///< several where the thesis contradicts itself; none of what it only draws
+  Judged by_published = Judged::none;   ///< within the bands of the printed values
+  std::optional<Printed> theory = {};   ///< what the thesis quotes of its theory, or its formula gives
+  TheoryFor theory_for = TheoryFor::exact;  ///< judged within the band of the theory; of runs within the tolerances
+  std::optional<Tolerance> thesis_by_theory = {}, robust_by_theory = {};
+  Readout exact = {};                      ///< of the deck that ran; empty: none is known
+  std::optional<Tolerance> thesis = {};    ///< of the thesis' method to the exact value; without it that is reported
   std::optional<Tolerance> robust = {};    ///< of the robust method
-  std::optional<double> upper_bound = {};  ///< the thesis says "less than": judged where a tolerance stands
+  std::optional<double> upper_bound = {};  ///< the thesis says "less than": judged by `by_published`
 };
 
 /// How a method runs a problem's deck.

@@ -6,10 +6,20 @@
 #include <map>
 #include <numeric>
 
+#include "base/numbers.hpp"
+
 namespace tether::published {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+struct Modulus {
+  const Body& body;
+  double operator()(const PlaneElastic& law) const { return law.E; }
+  double operator()(const Membrane& law) const { return law.E; }
+  double operator()(const LinearFluid& law) const { return law.beta; }
+  double operator()(const IdealGas&) const { return body.specific_energy; }
+};
 
 }  // namespace
 
@@ -19,8 +29,38 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? none : sum(values) / static_cast<double>(values.size());
 }
 
-std::function<double()> constant(double value) {
-  return [value] { return value; };
+Printed printed(const std::string& digits, const std::string& place) {
+  const auto exponent = digits.find_first_of("eE");
+  const std::string mantissa = digits.substr(0, exponent);
+  const auto point = mantissa.find('.');
+  const double decimals = point == std::string::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
+  const double power = exponent == std::string::npos ? 0 : parse_real(digits.substr(exponent + 1)).value();
+  return {parse_real(digits).value(), place, 0.5 * std::pow(10.0, power - decimals)};
+}
+
+Printed following(double value, const std::string& place, double part) {
+  return {value, place, part * std::abs(value)};
+}
+
+Printed stated(double value, const std::string& place) { return following(value, place, 1e-6); }
+
+Readout constant(double value) {
+  return [value](const RunFiles&) { return value; };
+}
+
+Readout modulus(int body) {
+  return [body](const RunFiles& run) {
+    const Body& it = run.scene().bodies.at(static_cast<std::size_t>(body) - 1);
+    return std::visit(Modulus{it}, it.material);
+  };
+}
+
+Quantity stated_modulus(const std::string& name, int body, double value, const std::string& place) {
+  return {.name = name,
+          .reading = modulus(body),
+          .of_deck = true,
+          .published = {stated(value, place)},
+          .by_published = Judged::both};
 }
 
 Readout summary_value(const std::string& key) {

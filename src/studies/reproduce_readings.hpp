@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "studies/reproduce_problem.hpp"
@@ -14,8 +13,13 @@ namespace tether::published {
 double sum(const std::vector<double>& values);
 double mean(const std::vector<double>& values);  ///< not a number of none
 
-/// An exact value that is a number.
-std::function<double()> constant(double value);
+/// A number that no deck changes.
+Readout constant(double value);
+
+/// Young's modulus of a body; of a linear fluid its bulk modulus, of a gas its specific energy at the start.
+Readout modulus(int body);
+/// A row for it: what the thesis states of its problem is judged by itself.
+Quantity stated_modulus(const std::string& name, int body, double value, const std::string& place);
 
 /// A key of summary.txt.
 Readout summary_value(const std::string& key);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,8 +24,8 @@ struct ReportColumn {
 constexpr std::array columns{
     ReportColumn{"problem", &ReportRow::problem},      ReportColumn{"quantity", &ReportRow::quantity},
     ReportColumn{"thesis method", &ReportRow::thesis}, ReportColumn{"robust", &ReportRow::robust},
-    ReportColumn{"published", &ReportRow::published},  ReportColumn{"exact", &ReportRow::exact},
-    ReportColumn{"verdict", &ReportRow::verdict}};
+    ReportColumn{"published", &ReportRow::published},  ReportColumn{"theory", &ReportRow::theory},
+    ReportColumn{"exact", &ReportRow::exact},          ReportColumn{"verdict", &ReportRow::verdict}};
 
 /// Spread over median below which runs agree to rounding: what they begin with does.
 constexpr double same = 1e-12;
@@ -34,13 +35,17 @@ std::string number_text(double value) {
   return std::abs(value) < 1e5 || std::abs(value) >= 1e9 ? fmt::format("{:.5g}", value) : fmt::format("{:.0f}", value);
 }
 
-std::string verdict_text(const MethodResult& thesis, const Verdict& of_thesis, const MethodResult& robust,
-                         const Verdict& of_robust) {
-  if (thesis.runs > 0 && robust.runs > 0 && of_thesis.text == of_robust.text) return "both: " + of_thesis.text;
-  Texts said;
-  if (thesis.runs > 0) said.push_back("thesis: " + of_thesis.text);
-  if (robust.runs > 0) said.push_back("robust: " + of_robust.text);
-  return fmt::format("{}", fmt::join(said, "; "));
+std::string printed_text(const Printed& printed) {
+  return fmt::format("{}{}", number_text(printed.value), printed.place.empty() ? "" : " (" + printed.place + ")");
+}
+
+std::string count_text(const std::vector<ReportRow>& rows) {
+  const auto count = [&](Standing standing) {
+    return std::count_if(rows.begin(), rows.end(), [&](const ReportRow& row) { return row.standing == standing; });
+  };
+  return fmt::format("{} rows: {} agree, {} differ, {} are undecided, {} are reported\n", rows.size(),
+                     count(Standing::agrees), count(Standing::differs), count(Standing::undecided),
+                     count(Standing::reported));
 }
 
 std::string overrides_text(const MethodRuns& method) {
@@ -85,26 +90,23 @@ std::string published_text(const Quantity& quantity) {
   if (quantity.upper_bound) return fmt::format("< {}", *quantity.upper_bound);
   Texts texts;
   for (const Printed& printed : quantity.published) {
-    texts.push_back(
-        fmt::format("{}{}", number_text(printed.value), printed.place.empty() ? "" : " (" + printed.place + ")"));
+    texts.push_back(printed_text(printed));
   }
   return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, " or "));
 }
 
 ReportRow report_row(const Problem& problem, const Quantity& quantity, const MethodResult& thesis,
                      const MethodResult& robust) {
-  const Measured by_thesis = measure(quantity, thesis), by_robust = measure(quantity, robust);
-  Verdict of_thesis, of_robust;
-  if (thesis.runs > 0) of_thesis = verdict_on(quantity, by_thesis, quantity.thesis);
-  if (robust.runs > 0) of_robust = verdict_on(quantity, by_robust, quantity.robust);
-  return {problem.name,
-          quantity.name,
-          value_text(by_thesis),
-          value_text(by_robust),
-          published_text(quantity),
-          quantity.exact ? number_text(quantity.exact()) : "-",
-          verdict_text(thesis, of_thesis, robust, of_robust),
-          of_thesis.fails || of_robust.fails};
+  const Judgement judgement = judge(quantity, thesis, robust);
+  return {.problem = problem.name,
+          .quantity = quantity.name,
+          .thesis = value_text(measure(quantity, thesis)),
+          .robust = value_text(measure(quantity, robust)),
+          .published = published_text(quantity),
+          .theory = quantity.theory ? printed_text(*quantity.theory) : "-",
+          .exact = std::isnan(judgement.exact) ? "-" : number_text(judgement.exact),
+          .verdict = judgement.text(),
+          .standing = judgement.standing()};
 }
 
 std::string terminal_text(const std::vector<ReportRow>& rows) {
@@ -116,7 +118,7 @@ std::string terminal_text(const std::vector<ReportRow>& rows) {
     table.columns.push_back({name, "", "", std::move(cells)});
     names.emplace_back(name);
   }
-  return aligned_text(table, names);
+  return aligned_text(table, names) + count_text(rows);
 }
 
 std::string markdown_text(const std::vector<ReportRow>& rows, const std::vector<Problem>& problems,
@@ -131,8 +133,10 @@ std::string markdown_text(const std::vector<ReportRow>& rows, const std::vector<
     text += "|\n";
   }
   text +=
-      "\nMost tolerances were set about what the runs gave, so they show changes; that a row agrees is no proof of its "
-      "own. What a method is known to miss is reported and not judged.\n";
+      "\n" + count_text(rows) +
+      "\nA printed value's band is half a unit of its last digit, and of chaotic cases the runs' standard deviation "
+      "beyond it; runs that spread by more than the digits decide nothing. Exact values are those of the deck that "
+      "ran. What one run of the thesis printed and no theory bears out is reported and not judged.\n";
   text += "\n## Their runs\n\n| problem | thesis | deck | overrides, thesis method | overrides, robust method |\n";
   text += "|---|---|---|---|---|\n";
   for (const Problem& problem : problems) text += runs_of(problem);

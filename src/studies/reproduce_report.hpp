@@ -11,8 +11,8 @@ namespace tether::published {
 
 /// A row of the table as texts.
 struct ReportRow {
-  std::string problem, quantity, thesis, robust, published, exact, verdict;
-  bool fails = false;  ///< a method is judged and does not agree
+  std::string problem, quantity, thesis, robust, published, theory, exact, verdict;
+  Standing standing = Standing::reported;
 };
 
 /// A number in five digits; several runs' as `median +- standard deviation (runs that show it of all)`; "-" of none.
@@ -25,7 +25,7 @@ std::string published_text(const Quantity& quantity);
 ReportRow report_row(const Problem& problem, const Quantity& quantity, const MethodResult& thesis,
                      const MethodResult& robust);
 
-/// The rows below each other, for a terminal.
+/// The rows below each other, for a terminal, and how many agree, differ, are undecided and are reported.
 std::string terminal_text(const std::vector<ReportRow>& rows);
 
 /// The rows as a table in Markdown, and below it each problem's deck, where the thesis has it, and the overrides of

@@ -14,6 +14,7 @@ struct MethodResult {
   std::vector<RunFiles> files;  ///< of the runs that ended well
   std::size_t runs = 0;         ///< of all
   std::string failure;          ///< why the first that failed did; empty where none did
+  std::vector<RunFiles> begun;  ///< of all that began, which have their deck at least
 };
 
 /// A quantity over a method's runs.
@@ -31,21 +32,34 @@ struct Measured {
 /// The quantity of each run; a reading that does not find its file is a run that does not show it.
 Measured measure(const Quantity& quantity, const MethodResult& result);
 
-/// What a value is compared with.
-struct Target {
-  double value = 0;
-  std::string name;  ///< "exact", or where the thesis prints it
-};
-
-/// The exact value, else the printed one that is nearest to `value`; nothing where there is neither.
-std::optional<Target> target_of(const Quantity& quantity, double value);
+/// How a comparison came out, the worst last.
+enum class Standing { reported, agrees, undecided, differs };
 
 struct Verdict {
-  std::string text;    ///< "agrees within 1 %", "differs by 3.2 %", "reported", "no value: why"
-  bool fails = false;  ///< it is judged, and does not agree
+  std::string text;  ///< "agrees with Table 3 within 2.3 %"
+  Standing standing = Standing::reported;
 };
 
-/// Of one method, whose tolerance is given where it is judged.
-Verdict verdict_on(const Quantity& quantity, const Measured& measured, const std::optional<Tolerance>& tolerance);
+/// What a row is judged by: the exact value of the deck that ran, not a number where there is none.
+struct Judgement {
+  Verdict thesis, robust;  ///< of either method, empty where it has no runs
+  Verdict theory;          ///< of the exact value against the thesis' theory
+  double exact = 0;
+
+  Standing standing() const;  ///< the worst
+  std::string text() const;
+};
+
+/// Runs of a chaotic case agree with a number where their median is within the band and their standard deviation is no
+/// larger than the band: what differs from run to run by more than that can be near a number by chance, and is
+/// "undecided". The band of a printed value is that of its digits and, beyond it, the standard deviation: the thesis
+/// printed one run of its own. The standard deviation has to be within the digits alone.
+Verdict compare_with(const Measured& measured, const Printed& target, bool judged, bool one_of_many);
+
+/// All comparisons of a row. A method without a value where it is judged differs.
+Judgement judge(const Quantity& quantity, const MethodResult& thesis, const MethodResult& robust);
+
+/// The exact value of the deck that ran, of the first run that has one; not a number where there is none.
+double exact_of(const Quantity& quantity, const MethodResult& method);
 
 }  // namespace tether::published

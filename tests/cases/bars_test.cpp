@@ -56,13 +56,13 @@ TEST_F(BarDecks, StringMass) {
   EXPECT_LT(summary.at("energy_drift"), 1e-3);
 }
 
-/// The exact string does not stretch. The mass of 3.3 stretches one of E A = 1.75e5 by m g/(E A) = 3.77e-4, and half of
-/// that is the period's.
+/// The exact string has its mass spread along it and is as long as the mass at rest stretches it; without either it is
+/// -1.3e-4 off.
 TEST_F(BarDecks, Pendulums) {
   for (const char* deck : {"pendulum-20", "pendulum-40", "pendulum-80", "pendulum-40-two-way"}) {
     const auto summary = run_deck(deck);
     EXPECT_NEAR(summary.at("period"), 1.2120, 0.002 * 1.2120) << deck;
-    EXPECT_NEAR(summary.at("error_period"), 1.89e-4, 3e-5) << deck;
+    EXPECT_LT(std::abs(summary.at("error_period")), 4e-5) << deck;
     EXPECT_LT(summary.at("energy_drift"), 1e-6) << deck;
   }
 }

@@ -131,6 +131,7 @@ TEST(CompareString, NotANumberWhereTheRunIsTooShort) {
 /// From (1, 3) to (2.2, 1.4): length 2, held at atan(3/4) from the vertical.
 Scene pendulum_scene() {
   Scene scene = hanging_string(ReferenceKind::pendulum);
+  scene.bodies[0].material = Membrane{8e12, 0, false};  // it does not stretch
   for (int k = 0; k < 4; ++k) {
     const auto p = static_cast<std::size_t>(k);
     scene.points.x[p] = 1 + 0.4 * k, scene.points.y[p] = 3 - 1.6 / 3 * k;
@@ -158,6 +159,17 @@ TEST(ComparePendulum, TheExactMotionHasNoError) {
   EXPECT_NEAR(period.error, 0, 1e-7);
   EXPECT_EQ(comparison.exact.names, (std::vector<std::string>{"time", "point_x_2"}));
   EXPECT_NEAR(comparison.exact.columns[1][0], 2.2, 1e-14);
+}
+
+/// Of E A = 2000, three quarters as thick as it is apart (1/4 a point, 2/3 from one to the next), a mass that
+/// weighs 20.
+TEST(ComparePendulum, TheStringIsAsLongAsTheMassStretchesIt) {
+  Scene scene = pendulum_scene();
+  const History still = history_of(
+      1, 4, [](double) { return 1.0; }, nowhere);
+  const double rigid = merit_of(compare(scene, still, {}), "period").exact;
+  scene.bodies[0].material = Membrane{2000 / 0.375, 0, false};
+  EXPECT_NEAR(merit_of(compare(scene, still, {}), "period").exact, rigid * std::sqrt(1.01), 1e-10);
 }
 
 TEST(ComparePendulum, ASlowerSwingHasTheErrorOfItsPeriod) {
