@@ -35,9 +35,13 @@ constexpr std::array rows{
              "are nx - 1 and ny - 1 of $in."},
     Variable{"coupled", "zback", real, 0, 1, 1, "length", -none, none, "", "", "Lowest z of the box."},
     Variable{"coupled", "zfront", real, 0, 1, 1, "length", -none, none, "", "", "Highest z of the box."},
-    Variable{"coupled", "side", text, 1, 6, 1, "", -none, none, "wall|open", "'wall'",
+    Variable{"coupled", "side", text, 1, 6, 1, "", -none, none, "wall|open|void", "'wall'",
              "What the box's left, right, bottom, top, back and front are: walls, without friction where the fluid has "
-             "no viscosity, or open at a pressure of zero."},
+             "no viscosity; open to fluid at rest, whose pressure grows with the depth where gravc acts; or open with "
+             "nothing beyond, at a pressure of zero."},
+    Variable{"coupled", "level", real, 0, 1, 1, "length", -none, none, "", "",
+             "Height at which the fluid beyond open sides has a pressure of zero, as voids have it; ytop where it is "
+             "not given."},
     Variable{"coupled", "jet_on", text, 1, nl, 1, "", -none, none, sides, "",
              "Side of the box through which jet k comes in. Of two jets through a face the later one has it."},
     Variable{"coupled", "jet", real, 2, 4, nl, "length", -none, none, "", "",
@@ -53,6 +57,12 @@ constexpr std::array rows{
     Variable{"coupled", "jet_smoke", real, 1, nl, 1, "", 0, none, "", "0.0", "Density of the smoke that jet k brings."},
     Variable{"coupled", "jet_temperature", real, 1, nl, 1, "", -none, none, "", "0.0",
              "Temperature that it brings, above that of the surroundings."},
+    Variable{"coupled", "smoke_box", real, 2, 6, nl, "length", -none, none, "", "",
+             "Box k that holds smoke at the start: its lowest and highest x, y and, in space, z. A cell that lies in "
+             "it in part has that part of the smoke; boxes that overlap add up."},
+    Variable{"coupled", "box_smoke", real, 1, nl, 1, "", 0, none, "", "0.0", "Density of the smoke in it."},
+    Variable{"coupled", "box_temperature", real, 1, nl, 1, "", -none, none, "", "0.0",
+             "Temperature in it, above that of the surroundings."},
     Variable{"coupled", "obstacle", real, 2, 6, nl, "length", -none, none, "", "",
              "Obstacle k at rest, which neither fluid nor solids enter: its lowest and highest x, y and, in space, z. "
              "For the fluid it is made of the cells whose middles lie in it; solids stop at the box as it is given."},
@@ -66,7 +76,7 @@ constexpr std::array rows{
     Variable{"coupled", "w0", real, 0, 1, 1, "velocity", -none, none, "", "0.0", "The same in z."},
     Variable{"coupled", "smoke_weight", real, 0, 1, 1, "acceleration", 0, none, "", "0.0",
              "Acceleration downwards by a smoke density of 1. Smoke is there when a jet brings density or "
-             "temperature."},
+             "temperature, or a box holds it at the start."},
     Variable{"coupled", "smoke_lift", real, 0, 1, 1, "acceleration", 0, none, "", "0.0",
              "Acceleration upwards by a temperature of 1."},
     Variable{"coupled", "contact", logical, 0, 1, 1, "", -none, none, "", ".true.",

@@ -38,6 +38,12 @@ constexpr std::array rows{
     Variable{"flow", "boundary", text, 1, nl, 1, "", -none, none, "no-slip|slip|moving|inflow|open|periodic", "",
              "What side k is: a wall at rest, a wall along x or y without friction, a wall that moves along itself, a "
              "prescribed velocity, an outflow, or the image of another side."},
+    Variable{"flow", "outside", text, 0, 1, 1, "", -none, none, "fluid|void", "'fluid'",
+             "What is beyond open sides: fluid at rest, whose pressure grows with the depth where gravc acts, or "
+             "nothing, of a pressure of zero."},
+    Variable{"flow", "level", real, 0, 1, 1, "length", -none, none, "", "",
+             "Height at which that fluid has a pressure of zero; the highest y of the fluid's mesh where it is not "
+             "given."},
     Variable{"flow", "boundary_u", text, 1, nl, 1, "velocity", -none, none, "", "",
              "Velocity in x on side k, a moving wall or an inflow, as an expression in x, y, t; 0 where boundary_v "
              "alone is given."},

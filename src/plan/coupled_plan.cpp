@@ -40,13 +40,17 @@ std::string systems_text(const Coupled& coupled) {
                      direct ? "no more" : "more", most_cells_of_factors);
 }
 
-std::string sides_text(const Coupled& coupled) {
-  std::string text;
+std::string sides_text(const Coupled& coupled, double gravity) {
+  std::string to_fluid, to_nothing;
   for (std::size_t side = 0; side < 2 * static_cast<std::size_t>(coupled.grid.dim); ++side) {
-    if (coupled.sides[side] == BoxSide::open)
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", box_side_names[side]);
+    if (coupled.sides[side] == BoxSide::wall) continue;
+    std::string& text = coupled.sides[side] == BoxSide::open ? to_fluid : to_nothing;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", box_side_names[side]);
   }
-  return text;
+  if (!to_fluid.empty() && (gravity != 0 || coupled.smoke))
+    to_fluid += fmt::format(" (to fluid at rest, of pressure zero at y = {:.6g})", coupled.level);
+  if (!to_nothing.empty()) to_nothing += " (to nothing)";
+  return to_fluid + (to_fluid.empty() || to_nothing.empty() ? "" : ", ") + to_nothing;
 }
 
 std::string jets_text(const Coupled& coupled) {
@@ -66,7 +70,7 @@ Term term(const char* name, bool on, const std::string& yes, const std::string& 
 
 std::vector<Term> fluid_terms(const Scene& scene) {
   const Coupled& c = *scene.coupled;
-  const std::string open = sides_text(c);
+  const std::string open = sides_text(c, scene.gravity);
   return {
       {"advection", true,
        c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2" : "semi-Lagrangian: of order 1"},

@@ -54,6 +54,13 @@ std::string systems_text(const Flow& flow, bool solids) {
 
 }  // namespace
 
+std::string outside_text(const Scene& scene) {
+  const Flow& flow = *scene.flow;
+  if (!flow.fluid_outside) return "nothing is beyond open sides: their pressure is zero";
+  if (scene.gravity == 0) return "an open side says what the pressure is";
+  return fmt::format("fluid at rest is beyond open sides, of pressure zero at y = {:.6g}", flow.level);
+}
+
 std::vector<Term> flow_terms(const Scene& scene) {
   const Flow& flow = *scene.flow;
   const bool stabilised = flow.element == FlowElement::q1q1, pinned = !has(flow, Boundary::open);
@@ -68,8 +75,7 @@ std::vector<Term> flow_terms(const Scene& scene) {
        stabilised ? "SUPG, PSPG and LSIC, which equal orders of velocity and pressure need"
                   : "a pressure of lower order than the velocity needs none"},
       {"boundary", true, sides_text(flow)},
-      {"pressure pinned", pinned,
-       pinned ? "to zero at one node, since no side is open" : "an open side says what the pressure is"},
+      {"pressure pinned", pinned, pinned ? "to zero at one node, since no side is open" : outside_text(scene)},
       {"gravity", scene.gravity != 0,
        scene.gravity != 0 ? fmt::format("gravc = {:.6g} in y", scene.gravity) : "gravc = 0"},
       {"body force", driven, driven ? "by bx, by" : "bx and by not given"},

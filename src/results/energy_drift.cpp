@@ -43,8 +43,8 @@ std::vector<double> balance(const History& history) {
 /// Part of the energy below which what seems exchanged is rounding.
 constexpr double rounding = 1e-12;
 
-/// The largest change of one of the energies or of what was booked. Within a free rigid body none is exchanged: then
-/// its energy itself.
+/// The largest change of one of the energies or of what was booked. Within a free rigid body, or a fluid at rest, none
+/// is exchanged: then the energy itself that is there, of a fluid in a box its pressure times its volume.
 double exchanged_energy(const History& history) {
   double exchanged = 0, there = 0;
   for (const Quantity& quantity : history.layout.quantities) {
@@ -54,6 +54,10 @@ double exchanged_energy(const History& history) {
     const auto values = history.column(kind);
     exchanged = std::max(exchanged, largest_change(values));
     for (const double value : values) there = std::max(there, std::abs(value));
+  }
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.name != "energy_pressure") continue;
+    for (const double value : history.column(quantity.name)) there = std::max(there, std::abs(value));
   }
   return exchanged > rounding * there ? exchanged : there;
 }

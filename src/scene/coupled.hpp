@@ -25,8 +25,9 @@ enum class CoupledIntegrator { paper, trapezoid };
 /// How a flow carries its velocity along.
 enum class Advection { semi_lagrangian, maccormack };
 
-/// What a side of the box does: a wall without friction (with, where the fluid is viscous), or a pressure of zero.
-enum class BoxSide { wall, open };
+/// What a side of the box is: a wall without friction (with, where the fluid is viscous); open to fluid at rest, whose
+/// pressure grows with the depth; or open with nothing beyond, where the pressure is zero.
+enum class BoxSide { wall, open, empty };
 
 /// How the linear systems are solved: as their size asks, by factors, or by conjugate gradients.
 enum class CoupledSystems { automatic, direct, krylov };
@@ -58,6 +59,13 @@ struct Jet {
   int number = 0;          ///< of the deck's jet, from 1
 };
 
+/// Smoke that a box holds at the start; where boxes overlap their smoke adds up, and a cell that lies in one in part
+/// has that part of it.
+struct SmokeBox {
+  AxisBox box;
+  double density = 0, temperature = 0;
+};
+
 /// Nodes that a spring pulls back to where they were at the start: each in proportion to its mass, so that a stiff body
 /// moves as a whole.
 struct Spring {
@@ -78,19 +86,21 @@ struct Coupled {
   double density = 1;        ///< of the fluid [mass/volume]
   double viscosity = 0;      ///< mu [stress time]
   std::array<BoxSide, 6> sides{};
+  double level = 0;  ///< height at which the fluid beyond open sides has no pressure [length]
   std::vector<Jet> jets;
   std::vector<AxisBox> obstacles;  ///< at rest, that fluid and solids do not enter
   std::vector<AxisBox> voids;      ///< whose cells hold no fluid: pressure zero
   bool cavities_only = false;      ///< fluid only where solids enclose it, void around them
   std::array<double, 3> start{};   ///< velocity of the fluid at the start
   bool smoke = false;              ///< whether density and temperature of smoke are carried along
-  double smoke_weight = 0;         ///< acceleration downwards by a density of 1 [acceleration]
-  double smoke_lift = 0;           ///< acceleration upwards by a temperature of 1 [acceleration]
-  bool contact = true;             ///< of solids with walls and obstacles
-  double friction = 0;             ///< Coulomb's coefficient of it
-  bool volume_term = true;         ///< whether volumes of closed regions are held
-  bool area_repair = true;         ///< of splitting: whether wall velocities of closed regions are balanced
-  bool convex = true;              ///< whether K' is made positive semi-definite
+  std::vector<SmokeBox> smoke_boxes;
+  double smoke_weight = 0;  ///< acceleration downwards by a density of 1 [acceleration]
+  double smoke_lift = 0;    ///< acceleration upwards by a temperature of 1 [acceleration]
+  bool contact = true;      ///< of solids with walls and obstacles
+  double friction = 0;      ///< Coulomb's coefficient of it
+  bool volume_term = true;  ///< whether volumes of closed regions are held
+  bool area_repair = true;  ///< of splitting: whether wall velocities of closed regions are balanced
+  bool convex = true;       ///< whether K' is made positive semi-definite
   std::vector<Spring> springs;
 };
 

@@ -11,8 +11,11 @@
 namespace tether {
 namespace {
 
-/// Reads box k of obstacle or void, or tells why there is none.
-std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const StaggeredGrid& grid,
+/// What a box is made of: cells whose middles lie in it, or parts of cells, too.
+enum class HeldBy { middles_of_cells, parts_of_cells };
+
+/// Reads box k of obstacle, void or smoke_box, or reports why there is none.
+std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const StaggeredGrid& grid, HeldBy by,
                               Diagnostics& diagnostics) {
   const auto refuse = [&](int i, const std::string& message, const std::string& hint) {
     diagnostics.add(deck.remark(Severity::error, "coupled", name, {i, k}, message, hint));
@@ -40,6 +43,7 @@ std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const S
                                 low, high, box.low[i], box.high[i], "xyz"[i]),
                     "what reaches beyond the box is left away, but a part must lie in it");
     box.low[i] = low, box.high[i] = high;
+    if (by == HeldBy::parts_of_cells) continue;
     const int next = static_cast<int>(std::ceil(std::max((low - grid.low[i]) / grid.d[i] - 0.5, 0.0)));  // middle
     if (next >= grid.n[i] || grid.middle(axis, next) > high)
       return refuse(first,
@@ -55,9 +59,28 @@ std::vector<AxisBox> boxes_of(const Deck& deck, const char* name, const Staggere
   for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[1]);
   std::vector<AxisBox> boxes;
   for (const int k : numbers) {
-    if (const auto box = box_of(deck, name, k, grid, diagnostics)) boxes.push_back(*box);
+    if (const auto box = box_of(deck, name, k, grid, HeldBy::middles_of_cells, diagnostics)) boxes.push_back(*box);
   }
   return boxes;
+}
+
+void add_smoke_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
+  std::set<int> numbers;
+  for (const Subscript at : deck.given_elements("coupled", "smoke_box")) numbers.insert(at[1]);
+  for (const char* name : {"box_smoke", "box_temperature"}) {
+    for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[0]);
+  }
+  for (const int k : numbers) {
+    const auto box = box_of(deck, "smoke_box", k, coupled.grid, HeldBy::parts_of_cells, diagnostics);
+    if (!box) continue;
+    const double density = deck.real("coupled", "box_smoke", k), warmth = deck.real("coupled", "box_temperature", k);
+    if (density == 0 && warmth == 0)
+      diagnostics.add(deck.remark(Severity::warning, "coupled", "smoke_box", {1, k},
+                                  fmt::format("smoke_box {} holds neither smoke nor warmth", k),
+                                  fmt::format("box_smoke({}) or box_temperature({}) says how much", k, k)));
+    coupled.smoke_boxes.push_back({*box, density, warmth});
+    coupled.smoke |= density != 0 || warmth != 0;
+  }
 }
 
 }  // namespace
@@ -65,6 +88,7 @@ std::vector<AxisBox> boxes_of(const Deck& deck, const char* name, const Staggere
 void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   coupled.obstacles = boxes_of(deck, "obstacle", coupled.grid, diagnostics);
   coupled.voids = boxes_of(deck, "void", coupled.grid, diagnostics);
+  add_smoke_boxes(deck, coupled, diagnostics);
 }
 
 }  // namespace tether

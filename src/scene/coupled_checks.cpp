@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -41,7 +42,7 @@ class CoupledChecks {
         flat("side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
     }
     if (coupled_.start[2] != 0) flat("w0", {1, 1}, "the fluid starts along z");
-    in_depth("jet", 3), in_depth("obstacle", 5), in_depth("void", 5);
+    in_depth("jet", 3), in_depth("obstacle", 5), in_depth("void", 5), in_depth("smoke_box", 5);
   }
   /// Parts of the method that do nothing without others.
   void method() {
@@ -50,9 +51,12 @@ class CoupledChecks {
             "leave friction away, or contact=.false.");
     if (coupled_.mode != CouplingMode::splitting) unused("coupled", "area_repair", "mode='splitting' repairs areas");
     if (coupled_.systems == CoupledSystems::direct) unused("coupled", "tolerance", "factors need none");
+    level();
     if (coupled_.smoke) return;
     for (const char* name : {"smoke_weight", "smoke_lift"})
-      unused("coupled", name, "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it");
+      unused(
+          "coupled", name,
+          "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it, box_smoke(k) or box_temperature(k) has it");
   }
   /// Viscosity goes by explicit steps of its own, such that a face's velocity changes by no more than it differs from
   /// those around it.
@@ -89,6 +93,19 @@ class CoupledChecks {
   }
 
  private:
+  /// Voids have a pressure of zero, as the fluid outside has it at its level: where both are, the deck says which.
+  void level() {
+    const bool open = std::count(coupled_.sides.begin(), coupled_.sides.end(), BoxSide::open) > 0;
+    const bool given = deck_.given("coupled", "level");
+    if (given && !open) unused("coupled", "level", "no side is open: side(k)='open' is");
+    if (given || !open || coupled_.voids.empty() || deck_.real("in", "gravc") == 0) return;
+    diagnostics_.add(deck_.remark(Severity::warning, "coupled", "void", {1, 1},
+                                  fmt::format("fluid beyond the open sides has a pressure of zero at ytop = {:.6g}, "
+                                              "voids have it everywhere",
+                                              coupled_.level),
+                                  "level=... says where the surface of the fluid outside is; side(k)='void' has "
+                                  "nothing beyond"));
+  }
   static bool is_of_bodies(const Variable& variable) {
     return variable.group == "reg" || variable.group == "fem" || variable.name == "tracked_at";
   }

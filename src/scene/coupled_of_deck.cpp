@@ -60,9 +60,12 @@ void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   coupled.start = {deck.real("coupled", "u0"), deck.real("coupled", "v0"), deck.real("coupled", "w0")};
   coupled.cavities_only = deck.text("coupled", "fluid_in") == "cavities";
   for (int side = 0; side < 6; ++side) {
-    const bool open = deck.text("coupled", "side", side + 1) == "open";
-    coupled.sides[static_cast<std::size_t>(side)] = open ? BoxSide::open : BoxSide::wall;
+    const std::string kind = deck.text("coupled", "side", side + 1);
+    coupled.sides[static_cast<std::size_t>(side)] = kind == "open"   ? BoxSide::open
+                                                    : kind == "void" ? BoxSide::empty
+                                                                     : BoxSide::wall;
   }
+  coupled.level = deck.given("coupled", "level") ? deck.real("coupled", "level") : coupled.grid.high(1);
   coupled.smoke_weight = deck.real("coupled", "smoke_weight");
   coupled.smoke_lift = deck.real("coupled", "smoke_lift");
 }

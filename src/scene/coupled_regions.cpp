@@ -61,7 +61,7 @@ class Regions {
     auto face = cell;
     const int axis = axis_of_side(side);
     if (!is_low_side(side)) ++face[static_cast<std::size_t>(axis)];
-    return coupled_.sides[static_cast<std::size_t>(side)] == BoxSide::open &&
+    return coupled_.sides[static_cast<std::size_t>(side)] != BoxSide::wall &&
            jets_.jet_of(axis, grid_.face(axis, face)) == JetFaces::none;
   }
   /// A new region of all cells that faces join with this one.

@@ -71,9 +71,11 @@ struct Flow {
   /// All of the boundary, each part once. Where sides meet, a node belongs to the wall at rest before the moving wall
   /// before the inflow; slip holds what these leave.
   std::vector<FlowSide> sides;
-  std::vector<int> twin;    ///< of each node the one whose unknowns it shares, itself but on periodic sides
-  FlowVector acceleration;  ///< of the deck's body force [length/time2]; gravity is the scene's
-  FlowVector start;         ///< velocity at the start
+  std::vector<int> twin;      ///< of each node the one whose unknowns it shares, itself but on periodic sides
+  FlowVector acceleration;    ///< of the deck's body force [length/time2]; gravity is the scene's
+  bool fluid_outside = true;  ///< beyond open sides, at rest, whose pressure grows with the depth; or nothing
+  double level = 0;           ///< height at which that pressure is zero [length]
+  FlowVector start;           ///< velocity at the start
   FlowIntegrator integrator = FlowIntegrator::midpoint;
   Linearisation linearisation = Linearisation::newton;
   FlowSystems systems = FlowSystems::automatic;

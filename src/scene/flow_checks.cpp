@@ -88,6 +88,20 @@ class FlowChecks {
            name == std::string_view("tolerance") ? "tolerance of $flow counts" : "");
     }
   }
+  /// What is said of the fluid beyond open sides, where there is none, or no gravity that it matters in.
+  void outside() {
+    bool open = false;
+    for (const Subscript at : deck_.given_elements("flow", "boundary"))
+      open |= deck_.text("flow", "boundary", at[0]) == "open";
+    const bool acts = open && deck_.real("in", "gravc") != 0;
+    for (const char* name : {"outside", "level"}) {
+      const bool same = !deck_.given("flow", name) || is_default("flow", name, {1, 1});
+      const bool of_nothing = name == std::string_view("level") && deck_.text("flow", "outside") == "void";
+      if (!same && (!acts || of_nothing))
+        warn("flow", name, {1, 1}, fmt::format("{} of $flow has no effect", name),
+             of_nothing ? "outside='void' has nothing beyond open sides" : "it is of open sides under gravc");
+    }
+  }
   /// What a body says of its start: it starts with the fluid.
   void starts() {
     for (const int r : regions_of(deck_, false)) {
@@ -159,6 +173,7 @@ void check_flow_deck(const Deck& deck, Diagnostics& diagnostics) {
   checks.steps();
   checks.solids();
   checks.solver();
+  checks.outside();
   checks.regions();
   checks.starts();
 }

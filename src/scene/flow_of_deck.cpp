@@ -101,6 +101,12 @@ void check_one_fluid(const Deck& deck, const Flow& flow, Diagnostics& diagnostic
          "blocks are joined by whole sides; fluids that nothing joins take a deck each", diagnostics);
 }
 
+double highest(const Mesh& mesh) {
+  double y = mesh.x[1];
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) y = std::max(y, mesh.x[2 * n + 1]);
+  return y;
+}
+
 Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
   Flow flow;
   flow.mesh = std::move(mesh);
@@ -109,6 +115,8 @@ Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
   flow.sides = flow_sides_of(deck, flow.mesh, diagnostics);
   flow.twin = twins_of(deck, flow.mesh, flow.sides, diagnostics);
   if (!diagnostics.has_errors()) check_one_fluid(deck, flow, diagnostics);
+  flow.fluid_outside = deck.text("flow", "outside") == "fluid";
+  flow.level = deck.given("flow", "level") ? deck.real("flow", "level") : highest(flow.mesh);
   flow.acceleration = flow_vector_of(deck, {"bx", "by"}, 1, "bx, by of $flow", diagnostics);
   flow.start = start_of(deck, diagnostics);
   flow.forces = force_sides_of(deck, flow.mesh, diagnostics);

@@ -134,7 +134,6 @@ class Runner {
       if (std::isnan(merit.error))
         outputs_.warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
     }
-    if (plan_.scene.coupled) return;  // what jets and open sides bring is in no balance
     const double rise = energy_rise(outputs_.history());
     if (rise > told_rise) {
       outputs_.warn(fmt::format(

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "base/index.hpp"
@@ -53,6 +54,47 @@ CoupledFields::CoupledFields(const Scene& scene, const CoupledStep& step)
   part_masses_ = masses_of_parts(parts_of(system.solids.mesh), step.surface().parts, system.weights);
 }
 
+/// The columns of the books, in the order of booked().
+void CoupledFields::add_books(HistoryLayout& layout) const {
+  const auto add = [&](const char* name, Book book, const char* meaning) {
+    layout.quantities.push_back({name, Dimension::energy, meaning, Per::scene, book});
+  };
+  using enum Book;
+  add("energy_jets", gained, "work of the pressure at jets, and kinetic energy that they carried in");
+  add("energy_open", gained, "the same of open sides, by the pressure outside, and of voids");
+  add("energy_gravity", gained, "work of gravity on the fluid");
+  add("energy_buoyancy", gained, "work of smoke and warmth on the fluid");
+  add("energy_outside", gained, "work of loads and moved supports on the solids");
+  add("energy_viscous", given, "what viscosity took");
+  add("energy_damped", given, "what damping of the solids took");
+  add("energy_contact", given, "what walls, obstacles and friction took of the solids");
+  add("energy_advected", lost, "kinetic energy lost as the fluid carries its velocity along");
+  add("energy_remeshed", lost, "kinetic energy lost as solids open and close faces");
+  add("energy_projected", lost, "kinetic energy that pressures and forces took by acting at a step's end");
+  add("energy_sources", lost, "what the volume term took, less what it gave");
+  add("energy_coupling", lost, "what the fluid gave the solids less what they took");
+  add("energy_solid_step", lost, "work of the solids' own forces less what is stored of it");
+}
+
+Record CoupledFields::booked(const EnergyBooks& books) {
+  return {books.jets,      books.open_sides, books.gravity,  books.buoyancy,  books.loads,
+          books.viscous,   books.damped,     books.contact,  books.advected,  books.remeshed,
+          books.projected, books.sources,    books.coupling, books.solid_step};
+}
+
+/// Density times gravity times depth below or height above the level outside, times volume: what rounding makes of a
+/// fluid at rest is small against it.
+double CoupledFields::pressure_energy() const {
+  const FlowDomain& domain = step_.domain();
+  const Coupled& coupled = *scene_.coupled;
+  double sum = 0;
+  for (std::size_t c = 0; c < domain.kind.size(); ++c) {
+    if (domain.kind[c] == CellKind::fluid)
+      sum += std::abs(domain.grid.middle(1, domain.grid.place_of_cell(c)[1]) - coupled.level);
+  }
+  return coupled.density * std::abs(scene_.gravity) * domain.grid.volume() * sum;
+}
+
 HistoryLayout CoupledFields::history_layout() const {
   HistoryLayout layout;
   const int dim = scene_.coupled->grid.dim;
@@ -70,12 +112,14 @@ HistoryLayout CoupledFields::history_layout() const {
       "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes, "
       "at "
       "least a thousandth of the powers in the fluid");
-  add("energy_projected", Dimension::energy, "kinetic energy of the fluid that the last step's pressure took");
+  add_books(layout);
+  add("energy_pressure", Dimension::energy,
+      "pressure of a fluid at rest, by its depth, times its volume: rounding at rest is small against it");
   add("regions", Dimension::number, "parts of the fluid that nothing joins");
   add("solver_iterations", Dimension::number, "iterations of linear solvers since the start");
   if (scene_.coupled->smoke) {
     add("smoke_mass", Dimension::volume, "density of smoke times volume");
-    add("smoke_in", Dimension::volume, "smoke that jets have brought");
+    add("smoke_in", Dimension::volume, "smoke that jets have brought, and fluid from outside");
     add("smoke_out", Dimension::volume, "smoke that has left");
     add("smoke_largest", Dimension::number, "largest density of smoke");
   }
@@ -125,9 +169,11 @@ Record CoupledFields::record(const CoupledState& state) const {
                 fluid,
                 coupled.density * volume + sum_of(solids.system.weights)};
   values.insert(values.end(), momentum.begin(), momentum.begin() + coupled.grid.dim);
+  values.insert(values.end(), {volume, state.last.interface_power, state.work, state.last.mismatch});
+  const Record books = booked(state.books);
+  values.insert(values.end(), books.begin(), books.end());
   values.insert(values.end(),
-                {volume, state.last.interface_power, state.work, state.last.mismatch, state.last.projected,
-                 static_cast<double>(domain.regions), static_cast<double>(state.iterations)});
+                {pressure_energy(), static_cast<double>(domain.regions), static_cast<double>(state.iterations)});
   if (coupled.smoke) add_smoke(state, values);
   if (scene_.solids) add_bodies(state, values);
   return values;

@@ -21,6 +21,9 @@ class CoupledFields {
   Snapshot solid_fields(const CoupledState& state) const;
 
  private:
+  void add_books(HistoryLayout& layout) const;
+  static Record booked(const EnergyBooks& books);
+  double pressure_energy() const;
   void add_bodies(const CoupledState& state, Record& record) const;
   void add_smoke(const CoupledState& state, Record& record) const;
   void add_forces(std::span<const double> forces, Record& record) const;

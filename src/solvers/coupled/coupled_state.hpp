@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solvers/coupled/contact.hpp"
+#include "solvers/coupled/energy_books.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 #include "solvers/coupled/smoke.hpp"
 
@@ -12,9 +13,8 @@ namespace tether::coupled {
 /// What one step tells of itself.
 struct StepAccount {
   double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]
-  double mismatch = 0;   ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
-                         ///< 1e-3 of the powers in the fluid
-  double projected = 0;  ///< kinetic energy that the pressure's step has taken [energy]
+  double mismatch = 0;  ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
+                        ///< 1e-3 of the powers in the fluid
 };
 
 /// All that changes in a run.
@@ -31,6 +31,7 @@ struct CoupledState {
   Smoke smoke;
   SmokeFlow smoke_flow;  ///< since the start
   StepAccount last;
+  EnergyBooks books;
   double worst_mismatch = 0;        ///< of all steps
   double work = 0;                  ///< that the solids have taken from the fluid [energy]
   long long iterations = 0;         ///< of linear solvers
@@ -51,7 +52,13 @@ void exchange(Exchange& with, CoupledState& state) {
   with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);
   with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
   with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);
-  with("projected", state.last.projected), with("worst_mismatch", state.worst_mismatch);
+  with("worst_mismatch", state.worst_mismatch);
+  EnergyBooks& books = state.books;
+  with("jets", books.jets), with("open_sides", books.open_sides), with("gravity", books.gravity);
+  with("buoyancy", books.buoyancy), with("loads", books.loads), with("viscous", books.viscous);
+  with("damped", books.damped), with("contact", books.contact), with("advected", books.advected);
+  with("remeshed", books.remeshed), with("projected", books.projected), with("sources", books.sources);
+  with("coupling", books.coupling), with("solid_step", books.solid_step);
   with("work", state.work), with("contact_solutions", state.contact_solutions),
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
   with.list("orders", state.orders);

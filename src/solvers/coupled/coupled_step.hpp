@@ -7,6 +7,7 @@
 #include "solvers/coupled/contact.hpp"
 #include "solvers/coupled/coupled_state.hpp"
 #include "solvers/coupled/coupled_system.hpp"
+#include "solvers/coupled/outside.hpp"
 #include "solvers/coupled/placement.hpp"
 #include "solvers/coupled/solid_equations.hpp"
 
@@ -46,15 +47,25 @@ class CoupledStep {
     std::vector<double> Au;                                 ///< A u1 [force]
     std::vector<double> source;                             ///< volume term of each pressure [volume/time]
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
+    std::vector<double> lifts;                              ///< of the nodes that contact halts [length]
   };
 
   void move_fluid_freely(CoupledState& state, double h);
-  void solve(CoupledState& state, double h);
+  void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
+  Solution solve(CoupledState& state, double h);
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
   void solve_once(std::span<const double> flux, CoupledState& state, Solution& solution);
-  void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) const;
+  void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h);
+  void book_fluid(const Solution& solution, double moving, double let_in, double sources, CoupledState& state,
+                  double h);
+  void book_solids(std::span<const double> q0, std::span<const double> u0, const Solution& solution,
+                   CoupledState& state, double h);
+  double energy_of(const FaceValues& v) const;
+  double stored(std::span<const double> q) const;
+  std::vector<SmokeJet> smoke_sources() const;
   void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
+  void carry_along(CoupledState& state, double h);
   void check(const CoupledState& state) const;
   void end_velocity(double h, FaceValues& v) const;
   void place_solids(CoupledState& state);
@@ -64,10 +75,12 @@ class CoupledStep {
   SolidSurface surface_;
   SolidEquations solids_;
   FlowBox box_;
+  Outside outside_;
   Placer placer_;
   Contact contact_;
   CoupledSystem system_;
   Placement at_;                       // of the solids now
+  FaceValues unforced_;                // velocities before forces and pressures act; then what these change
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };
 

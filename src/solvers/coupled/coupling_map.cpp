@@ -29,9 +29,17 @@ class MapByPressures {
     std::vector<int> before;
     for (const SurfacePiece& piece : of_.pieces.pieces) before.push_back(sampler_.cell_before(piece));
     const FilmPressures films({of_.surface, sampler_.places(), of_.pieces, of_.domain, sampler_, before});
-    for (std::size_t k = 0; k < before.size(); ++k)
-      before[k] >= 0 ? add(of_.pieces.pieces[k], at(before[k])) : add_film(of_.pieces.pieces[k], films.on(k));
-    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_};
+    outside_.assign(unknowns, 0.0);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const SurfacePiece& piece = of_.pieces.pieces[k];
+      if (before[k] >= 0) {
+        add(piece, at(before[k]));
+      } else {
+        add_film(piece, films.on(k));
+        add_outside(piece, films, k);
+      }
+    }
+    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_, outside_};
   }
 
  private:
@@ -43,8 +51,12 @@ class MapByPressures {
       const PressureStencil whole = sampler_.at(point.x, before);
       for (int axis = 0; axis < dim_; ++axis) {
         PressureStencil stencil = whole;
-        if (cut_ != nullptr) take_cut(piece.cell, axis, point.x[at(axis)], stencil);
-        add(piece.side, point, stencil, axis, -area[at(axis)] * point.part);
+        const double by_area = -area[at(axis)] * point.part;
+        if (cut_ != nullptr) {
+          const double p = take_cut(piece.cell, axis, point.x[at(axis)], stencil);
+          if (p != 0) push(piece.side, point, axis, by_area * p);
+        }
+        add(piece.side, point, stencil, axis, by_area);
       }
     }
   }
@@ -68,6 +80,39 @@ class MapByPressures {
     }
   }
 
+  /// The pressure of the fluid outside on what is beyond an open side, and its share of that in a film.
+  void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number) {
+    if (of_.outside == nullptr) return;
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    const int beyond = side_before(piece.middle);
+    const double in_film = beyond >= 0 ? 0 : films.outside_on(number, [&](const Vector& x) {
+      const int side = side_before(x);
+      return side < 0 ? 0 : of_.outside->pressure_beyond(side, x[1]);
+    });
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      const double p = beyond >= 0 ? of_.outside->pressure_beyond(beyond, point.x[1]) : in_film;
+      for (int axis = 0; axis < dim_; ++axis) push(piece.side, point, axis, -area[at(axis)] * point.part * p);
+    }
+  }
+
+  void push(int side, const SurfacePoint& point, int axis, double force) {
+    const auto nodes = of_.surface.side(at(side));
+    for (std::size_t a = 0; a < nodes.size(); ++a) outside_[at(nodes[a] * dim_ + axis)] += point.share[a] * force;
+  }
+
+  /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
+  int side_before(const Vector& x) const {
+    const StaggeredGrid& grid = of_.domain.grid;
+    int beyond = -1;
+    for (int side = 0; side < 2 * dim_; ++side) {
+      const int axis = axis_of_side(side);
+      const bool is_beyond = is_low_side(side) ? x[at(axis)] < grid.low[at(axis)] : x[at(axis)] > grid.high(axis);
+      if (is_beyond && (beyond < 0 || of_.outside->presses(side))) beyond = side;
+    }
+    return beyond;
+  }
+
   void see(const SurfacePiece& piece, int region, const Vector& area) {
     double part = 0;
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) part += of_.pieces.points[k].part;
@@ -86,13 +131,13 @@ class MapByPressures {
   }
 
   /// Between the middles on both sides of x along the axis, in the row of the piece's cell; at walls, and where the
-  /// other cell has no fluid or there is none between the two, constant; to zero at open sides. Nothing where a cell is
-  /// thin.
-  void take_cut(std::array<int, 3> cell, int axis, double x, PressureStencil& stencil) const {
+  /// other cell has no fluid or there is none between the two, constant; to that outside at open sides, whose part is
+  /// returned. Nothing where a cell is thin.
+  double take_cut(std::array<int, 3> cell, int axis, double x, PressureStencil& stencil) const {
     const StaggeredGrid& grid = of_.domain.grid;
     const double box = (x - grid.low[at(axis)]) / grid.d[at(axis)] - 0.5;
     const int low = static_cast<int>(std::floor(box));
-    if (!grid.has_cell(cell)) return;
+    if (!grid.has_cell(cell)) return 0;
     std::array<int, 2> beside{};
     for (const int end : {0, 1}) {
       cell[at(axis)] = low + end;
@@ -101,7 +146,7 @@ class MapByPressures {
     cell[at(axis)] = low + 1;
     const bool open = of_.domain.face[at(axis)][grid.face(axis, cell)] == FaceKind::open;
     for (const int c : beside) {
-      if (c >= 0 && cut_->thin[at(c)] != 0) return;
+      if (c >= 0 && cut_->thin[at(c)] != 0) return 0;
     }
     const auto holds = [&](int c) { return c >= 0 && of_.domain.kind[at(c)] == CellKind::fluid; };
     const auto [a, b] = beside;
@@ -115,9 +160,13 @@ class MapByPressures {
       const bool lower = holds(a) && (t < 0.5 || !holds(b));  // both: at the end of a box without fluid
       linear.add(at(lower ? a : b), 1);
     } else {
-      return;
+      return 0;
     }
     stencil = linear;
+    if (!open || of_.outside == nullptr || (a >= 0 && b >= 0)) return 0;
+    const int side = 2 * axis + (a < 0 ? 0 : 1);
+    const double y = axis == 1 ? grid.face_place(1, cell[1]) : grid.middle(1, cell[1]);
+    return (1 - linear.weight[0]) * of_.outside->pressure_beyond(side, y);
   }
 
   const CoupledSurface& of_;
@@ -126,6 +175,7 @@ class MapByPressures {
   int dim_;
   std::vector<Entry> entries_;
   std::vector<double> seen_;
+  std::vector<double> outside_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/coupled/outside.hpp"
 #include "solvers/coupled/pressure_sampler.hpp"
 
 namespace tether::coupled {
@@ -25,6 +26,9 @@ struct CouplingMap {
   CouplingMatrix B;
   /// Of each sheet of the surface the area that each region of the fluid sees: region r of sheet s at s regions + r.
   std::vector<double> area_seen;
+  /// What the fluid beyond open sides does to the solids, beside B^T p: to what of them is beyond, and where pressures
+  /// between the last cells and an open side, or in a film that ends beyond it, are its own in part [force].
+  std::vector<double> outside;
 };
 
 /// What a map is made from: the surface where it is now, and the fluid about it.
@@ -33,6 +37,7 @@ struct CoupledSurface {
   const SurfacePieces& pieces;
   const FlowDomain& domain;
   const PressureNumbers& numbers;
+  const Outside* outside = nullptr;  ///< null: of no pressure
 };
 
 /// By pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before the surface it

@@ -175,13 +175,14 @@ double FilmPressures::conductance(std::size_t film, std::size_t other) const {
   return 1 / std::max(far, least);
 }
 
-/// What each rim's pressure is to each piece of the films: for each of them one solution of Laplace's equation.
+/// What the pressure of each rim, or of an outlet, is to each piece of the films: for each of them one solution of
+/// Laplace's equation.
 void FilmPressures::share_rims() {
   const auto count = std::ssize(films_);
   if (count == 0) return;
   std::map<int, Eigen::Index> rims;
   for (const Link& link : links_) {
-    if (kind_[at(link.other)] == Kind::rim) rims.emplace(link.other, std::ssize(rims));
+    if (kind_[at(link.other)] != Kind::film) rims.emplace(link.other, std::ssize(rims));
   }
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(count, std::ssize(rims));
@@ -189,7 +190,7 @@ void FilmPressures::share_rims() {
     const int row = number_[at(link.film)];
     entries.emplace_back(row, row, link.conductance);
     if (kind_[at(link.other)] == Kind::film) entries.emplace_back(row, number_[at(link.other)], -link.conductance);
-    if (kind_[at(link.other)] == Kind::rim) parts(row, rims[link.other]) += link.conductance;
+    if (kind_[at(link.other)] != Kind::film) parts(row, rims[link.other]) += link.conductance;
   }
   Eigen::SparseMatrix<double> laplace(count, count);
   laplace.setFromTriplets(entries.begin(), entries.end());
@@ -210,6 +211,7 @@ std::vector<std::pair<std::size_t, double>> FilmPressures::on(std::size_t piece)
   const Vector normal = unit(of_.pieces.area[at(film.side)]);
   std::map<std::size_t, double> weight;
   for (const Share& share : shares_[at(number_[piece])]) {
+    if (kind_[at(share.rim)] == Kind::outlet) continue;
     const Vector along = along_plane(minus(of_.pieces.pieces[at(share.rim)].middle, film.middle), normal);
     const Vector x{film.middle[0] + along[0], film.middle[1] + along[1], film.middle[2] + along[2]};
     const PressureStencil stencil = of_.sampler.at(x, at(of_.before[at(share.rim)]), 1);

@@ -53,7 +53,7 @@ FaceKind FlowBox::kind_at_side(int axis, std::size_t face, CellKind cell) const 
   if (cell != CellKind::fluid) return FaceKind::closed;
   if (jet_of(axis, face) >= 0) return FaceKind::prescribed;
   const bool high = scene_.grid.place_of_face(axis, face)[at(axis)] > 0;
-  return scene_.sides[at(2 * axis + (high ? 1 : 0))] == BoxSide::open ? FaceKind::open : FaceKind::prescribed;
+  return scene_.sides[at(2 * axis + (high ? 1 : 0))] != BoxSide::wall ? FaceKind::open : FaceKind::prescribed;
 }
 
 FaceKind FlowBox::kind_between(const FlowDomain& domain, int axis, std::size_t face) const {

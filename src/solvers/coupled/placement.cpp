@@ -27,7 +27,7 @@ void Placer::map(std::span<const double> q, Placement& at) const {
   const CutCells* cut = scene_.mode == CouplingMode::cut_cell ? &at.cut : nullptr;
   at.numbers = number_pressures(at.domain);
   const PressureSampler sampler(surface_, q, at.pieces, at.domain);
-  const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers};
+  const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers, &outside_};
   at.map = map_by_pressures(of, sampler, cut, q.size());
   if (scene_.mode == CouplingMode::paper) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
 }

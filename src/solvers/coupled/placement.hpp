@@ -5,6 +5,7 @@
 
 #include "solvers/coupled/closed_regions.hpp"
 #include "solvers/coupled/flow_box.hpp"
+#include "solvers/coupled/outside.hpp"
 
 namespace tether::coupled {
 
@@ -22,8 +23,8 @@ struct Placement {
 /// Places solids in the box. All of its arguments must outlive it.
 class Placer {
  public:
-  Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box)
-      : scene_(scene), surface_(surface), box_(box) {}
+  Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside)
+      : scene_(scene), surface_(surface), box_(box), outside_(outside) {}
 
   /// With the solids' nodes at q.
   Placement at(std::span<const double> q) const;
@@ -34,6 +35,7 @@ class Placer {
   const Coupled& scene_;
   const SolidSurface& surface_;
   const FlowBox& box_;
+  const Outside& outside_;
 };
 
 }  // namespace tether::coupled

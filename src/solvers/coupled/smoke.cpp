@@ -179,19 +179,37 @@ SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, c
   return SmokeCarrier(domain, v, jets, smoke).carry(h);
 }
 
-void add_buoyancy(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, double h, FaceValues& v) {
-  for (std::size_t f = 0; f < v[1].size(); ++f) {
-    if (domain.face[1][f] != FaceKind::open) continue;
+namespace {
+
+/// Calls f(face, acceleration) for the open faces across y that fluid is beside.
+template <class Function>
+void each_buoyant_face(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, const Function& f) {
+  for (std::size_t face = 0; face < domain.face[1].size(); ++face) {
+    if (domain.face[1][face] != FaceKind::open) continue;
     double sum = 0;
     int count = 0;
-    for (const int side : cells_beside(domain.grid, 1, f)) {
+    for (const int side : cells_beside(domain.grid, 1, face)) {
       const auto c = static_cast<std::size_t>(side);
       if (side < 0 || domain.kind[c] != CellKind::fluid) continue;
       sum += lift * smoke.temperature(c) - weight * smoke.density(c);
       ++count;
     }
-    if (count > 0) v[1][f] += h * sum / count;
+    if (count > 0) f(face, sum / count);
   }
+}
+
+}  // namespace
+
+void add_buoyancy(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, double h, FaceValues& v) {
+  each_buoyant_face(domain, smoke, lift, weight, [&](std::size_t face, double up) { v[1][face] += h * up; });
+}
+
+double buoyancy_power(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, double density,
+                      const FaceValues& v) {
+  double power = 0;
+  each_buoyant_face(domain, smoke, lift, weight,
+                    [&](std::size_t face, double up) { power += density * domain.volume[1][face] * up * v[1][face]; });
+  return power;
 }
 
 }  // namespace tether::coupled

@@ -23,7 +23,7 @@ struct Smoke {
   double of_volume(double content, std::size_t cell) const { return volume[cell] > 0 ? content / volume[cell] : 0; }
 };
 
-/// What comes in through a prescribed face.
+/// What comes in through a face that a jet or the fluid outside is at.
 struct SmokeJet {
   int axis = 0;
   std::size_t face = 0;
@@ -41,8 +41,8 @@ Smoke clean_smoke(const FlowDomain& domain);
 /// Carries smoke and heat along with v for a time h through faces that are not closed: linear in each cell, with van
 /// Leer's limit, one axis after the other and back, in an even number of equal steps, such that no cell gives away more
 /// than four fifths of its volume along an axis in one. There are at most 64; beyond that, as in any one step, a cell
-/// gives nine tenths at most. What comes in through jets is theirs; from other prescribed faces, open sides and void
-/// cells it is clean. Contents change by nothing but what is returned. Order 2 for smooth flows. Source: van Leer, J.
+/// gives nine tenths at most. What comes in through listed faces is theirs; from others it is
+/// clean. Contents change by nothing but what is returned. Order 2 for smooth flows. Source: van Leer, J.
 /// Comput. Phys. 14, 361 (1974).
 SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, const std::vector<SmokeJet>& jets,
                       Smoke& smoke);
@@ -50,5 +50,8 @@ SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, c
 /// Adds to the velocities v of open faces across y what smoke and warmth do in a time h: h (lift T - weight s), by the
 /// mean of the fluid cells beside. `lift` and `weight` are accelerations by a temperature and a density of 1.
 void add_buoyancy(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, double h, FaceValues& v);
+/// The power of the same on a fluid of this density at velocities v [power].
+double buoyancy_power(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, double density,
+                      const FaceValues& v);
 
 }  // namespace tether::coupled

@@ -58,7 +58,6 @@ class Finder {
   }
 
   int jet_at(std::size_t f) const {
-    if (domain_.face[a_][f] != FaceKind::prescribed) return -1;
     const auto jet = std::lower_bound(jets_.begin(), jets_.end(), std::pair{f, 0});
     return jet != jets_.end() && jet->first == f ? jet->second : -1;
   }

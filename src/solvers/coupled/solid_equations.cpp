@@ -34,6 +34,7 @@ SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, doubl
       held(system.held),
       scene_(scene),
       stiffness_(A),
+      internal_(system.unknowns()),
       spring_(spring_stiffness(scene, system)),
       work_(system.unknowns()) {}
 
@@ -76,10 +77,10 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
   system.elements->add_stiffness(q, scene_.convex, system.pattern, stiffness_);
   for (std::size_t k = 0; k < A.value.size(); ++k) A.value[k] = (part * solids.beta + elastic) * stiffness_.value[k];
   add_mass(1 / h + part * solids.alpha, A);
-  std::fill(work_.begin(), work_.end(), 0.0);
-  system.elements->add_forces(fem::StressAt::end, q, q, work_);  // K(d0)
-  add_springs(q, elastic, work_);
-  for (std::size_t k = 0; k < b.size(); ++k) b[k] = external[k] - work_[k];
+  std::fill(internal_.begin(), internal_.end(), 0.0);
+  system.elements->add_forces(fem::StressAt::end, q, q, internal_);  // K(d0)
+  add_springs(q, elastic, internal_);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] = external[k] - internal_[k];
   system.multiply_mass(u, work_);
   for (std::size_t k = 0; k < b.size(); ++k) b[k] += (1 / h - (1 - part) * solids.alpha) * work_[k];
   stiffness_.multiply(u, work_);
@@ -94,6 +95,28 @@ void SolidEquations::add_lifts(std::span<const double> lifts, std::span<double> 
   std::vector<double> force(b.size());
   stiffness_.multiply(lifts, force);
   for (std::size_t k = 0; k < b.size(); ++k) b[k] -= part * (force[k] + spring_[k] * lifts[k]);
+}
+
+/// The paper's step has K' act on the whole of the way and damping by u1, the trapezoidal rule on half of the way and
+/// by the mean velocity.
+SolidEquations::Taken SolidEquations::taken(std::span<const double> u0, std::span<const double> u1,
+                                            std::span<const double> lifts, double h) {
+  const bool paper = scene_.integrator == CoupledIntegrator::paper;
+  const double part = paper ? 1 : 0.5;
+  std::vector<double> way(b.size()), farther(b.size()), rate(b.size()), force(b.size());
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    way[k] = 0.5 * h * (u0[k] + u1[k]), farther[k] = way[k] + lifts[k];
+    rate[k] = paper ? u1[k] : 0.5 * (u0[k] + u1[k]);
+  }
+  Taken taken;
+  stiffness_.multiply(farther, force);
+  for (std::size_t k = 0; k < b.size(); ++k)
+    taken.inside += way[k] * (internal_[k] + part * (force[k] + spring_[k] * farther[k]));
+  stiffness_.multiply(rate, force);
+  system.multiply_mass(rate, work_);
+  for (std::size_t k = 0; k < b.size(); ++k)
+    taken.damping += way[k] * (system.solids.beta * force[k] + system.solids.alpha * work_[k]);
+  return taken;
 }
 
 SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) const {

@@ -20,6 +20,12 @@ class SolidEquations {
   void assemble(std::span<const double> q, std::span<const double> u, double time, double h);
   /// Adds to b what the solids' stiffness does when the step takes them farther than (5) by `lifts` [length].
   void add_lifts(std::span<const double> lifts, std::span<double> b) const;
+  /// What the solids' own forces take on the way of a step from velocities u0 to u1, as its equations have them: of K
+  /// with springs and lifts, and of damping.
+  struct Taken {
+    double inside = 0, damping = 0;  ///< [energy]
+  };
+  Taken taken(std::span<const double> u0, std::span<const double> u1, std::span<const double> lifts, double h);
   /// What resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by the
   /// trapezoidal rule; rows of velocities that are held, too [mass].
   SparseMatrix resistance(std::span<const double> q, double h) const;
@@ -37,8 +43,9 @@ class SolidEquations {
   void add_springs(std::span<const double> q, double factor, std::span<double> internal);
 
   const Coupled& scene_;
-  SparseMatrix stiffness_;      // K'
-  std::vector<double> spring_;  // stiffness of each unknown [force/length]
+  SparseMatrix stiffness_;        // K'
+  std::vector<double> internal_;  // K(d0) with springs [force]
+  std::vector<double> spring_;    // stiffness of each unknown [force/length]
   std::vector<double> work_;
 };
 

@@ -22,6 +22,7 @@ struct FlowMoment {
   double viscosity = 0;                  ///< mu [stress time]
   std::span<const double> acceleration;  ///< of body forces, 2 numbers a point of quadrature [length/time2]
   Linearisation linearisation = Linearisation::newton;
+  double gravity = 0;  ///< along y, of the fluid beyond open sides; 0 where there is none [length/time2]
 };
 
 /// Sizes that a residual is measured against: of the elements' forces and fluxes before they balance each other, and of
@@ -33,7 +34,7 @@ struct FlowScale {
 /// What goes through a flow's boundary and is lost inside [energy/time].
 struct FlowPower {
   double carried_out = 0;    ///< kinetic energy through open sides and inflows
-  double open_traction = 0;  ///< of the stress that open sides leave
+  double open_traction = 0;  ///< of the stress that open sides leave, and of the pressure outside
   double dissipated = 0;     ///< 2 mu e : e
   double stabilised = 0;     ///< what SUPG, PSPG and LSIC take, which vanishes with the size of the elements
   double body = 0;           ///< of body forces

@@ -68,7 +68,8 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
   }
   for (const auto& at : open_) {
     const Velocities vt = velocity(at);
-    power.open_traction += (vt * at.N).dot(c.mu * (at.G * vt.transpose()) * at.normal);
+    const Eigen::Vector2d traction = c.mu * (at.G * vt.transpose()) * at.normal - outside_pressure(m, at) * at.normal;
+    power.open_traction += (vt * at.N).dot(traction);
   }
   return power;
 }

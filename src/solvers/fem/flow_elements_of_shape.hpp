@@ -202,12 +202,18 @@ class FlowElementsOf final : public FlowElements {
             epsilon * std::sqrt(squares.flux_rounding)};
   }
 
-  /// -p n + mu dv/dn = 0 where a side is open: of the whole stress mu (grad v)^T n stays, which a parabolic profile
-  /// has, too.
+  /// The pressure of the fluid at rest beyond an open side [stress].
+  double outside_pressure(const FlowMoment& m, const SidePoint<V>& at) const {
+    double y = 0;
+    for (int a = 0; a < NV; ++a) y += at.N[a] * mesh_.x[2 * static_cast<std::size_t>(mesh_.element(at.element)[a]) + 1];
+    return flow_.density * m.gravity * (y - flow_.level);
+  }
+  /// -p n + mu dv/dn = -p_out n where a side is open: of the whole stress mu (grad v)^T n stays, which a parabolic
+  /// profile has, too, and the pressure of the fluid outside, which keeps what is at rest at rest.
   void add_open_residual(const FlowConstants& c, const FlowMoment& m, const SidePoint<V>& at,
                          std::span<double> f) const {
     const Velocities vt = (1 - c.theta) * gathered(at.element, m.v0) + c.theta * gathered(at.element, m.v1);
-    const Eigen::Vector2d traction = c.mu * (at.G * vt.transpose()) * at.normal;
+    const Eigen::Vector2d traction = c.mu * (at.G * vt.transpose()) * at.normal - outside_pressure(m, at) * at.normal;
     for (int a = 0; a < NV; ++a) {
       const std::size_t n = node(at.element, a);
       f[2 * n] -= at.N[a] * traction[0], f[2 * n + 1] -= at.N[a] * traction[1];

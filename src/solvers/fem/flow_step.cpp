@@ -91,7 +91,15 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
 }
 
 FlowMoment FlowStep::moment(std::span<const double> v0) const {
-  return {v0, v1_, p_, theta_, rate_, viscosity_, acceleration_, unknowns_.flow.linearisation};
+  return {v0,
+          v1_,
+          p_,
+          theta_,
+          rate_,
+          viscosity_,
+          acceleration_,
+          unknowns_.flow.linearisation,
+          unknowns_.flow.fluid_outside ? gravity_ : 0};
 }
 
 /// (45), (46): the residuals at the unknowns over the largest forces and fluxes and the tolerance; and their size over

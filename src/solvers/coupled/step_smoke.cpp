@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "solvers/coupled/coupled_step.hpp"
+#include "solvers/coupled/smoke_follow.hpp"
+
+// What a step does with smoke.
+
+namespace tether::coupled {
+
+/// What comes in with fluid: through jets, and through open sides that layers outside lie at.
+std::vector<SmokeJet> CoupledStep::smoke_sources() const {
+  std::vector<SmokeJet> sources;
+  for (int axis = 0; axis < coupled_.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < coupled_.grid.face_count(axis); ++f) {
+      const int jet = box_.jet_of(axis, f);
+      if (jet < 0) continue;
+      const Jet& from = coupled_.jets[static_cast<std::size_t>(jet)];
+      sources.push_back({axis, f, from.smoke, from.temperature});
+    }
+  }
+  for (int side = 0; side < 2 * coupled_.grid.dim && outside_.has_smoke(); ++side) {
+    if (coupled_.sides[static_cast<std::size_t>(side)] != BoxSide::open) continue;
+    const int axis = axis_of_side(side);
+    each_face_of_side(coupled_.grid, side, [&](std::size_t f) {
+      if (at_.domain.face[static_cast<std::size_t>(axis)][f] != FaceKind::open) return;
+      const int row = std::min(coupled_.grid.place_of_face(axis, f)[1], coupled_.grid.n[1] - 1);
+      sources.push_back({axis, f, outside_.density(row), outside_.temperature(row)});
+    });
+  }
+  return sources;
+}
+
+void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
+  if (!coupled_.smoke) return;
+  const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, smoke_sources(), state.smoke);
+  settle_smoke(at_.domain, clean_smoke(at_.domain).volume, state.smoke);  // which has no finer place than cells
+  state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
+  state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
+}
+
+}  // namespace tether::coupled

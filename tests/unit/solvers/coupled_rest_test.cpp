@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A fluid at rest under gravity stays at rest, whatever sides are open, with layers of smoke, too.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck/reader.hpp"
+#include "scene/build.hpp"
+#include "solvers/coupled/coupled_solver.hpp"
+
+namespace tether::coupled {
+namespace {
+
+using Overrides = std::vector<std::string>;
+
+Plan plan_of(const std::string& text, const Overrides& overrides = {}) {
+  Diagnostics diagnostics;
+  const Deck deck = read_deck(text, "a.in", overrides, diagnostics);
+  Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
+  diagnostics.throw_if_errors();
+  return make_plan(std::move(scene));
+}
+
+Overrides with(Overrides all, const Overrides& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// Air in a box whose cells are no squares.
+const std::string plane =
+    "$in nx=14,ny=11,xleft=0.,xright=2.,ybot=-.4,ytop=1.1,tmax=.5,tstep=.02,gravc=-9.81 $\n"
+    "$coupled density=1.2 $\n";
+const std::string space =
+    "$in nx=8,ny=7,xleft=0.,xright=2.,ybot=-.4,ytop=1.1,tmax=.2,tstep=.02,gravc=-9.81 $\n"
+    "$coupled density=1.2,nz=6,zback=0.,zfront=1. $\n";
+
+double speed_after(const std::string& deck, const Overrides& overrides, double time = 0.2) {
+  const Plan plan = plan_of(deck, overrides);
+  CoupledSolver solver(plan);
+  solver.advance(time);
+  double fastest = 0;
+  for (const Field& field : solver.grid().fields) {
+    if (field.quantity.dimension != Dimension::velocity) continue;
+    for (const double v : field.values) fastest = std::max(fastest, std::abs(v));
+  }
+  return fastest;
+}
+
+/// Every way to open at least one of the first so many sides.
+std::vector<Overrides> openings(int sides) {
+  std::vector<Overrides> all;
+  for (int which = 1; which < 1 << sides; ++which) {
+    all.emplace_back();
+    for (int side = 0; side < sides; ++side) {
+      if ((which >> side & 1) != 0) all.back().push_back("coupled.side(" + std::to_string(side + 1) + ")='open'");
+    }
+  }
+  return all;
+}
+
+class Rest : public testing::TestWithParam<const char*> {
+ protected:
+  Overrides mode{std::string("coupled.mode='") + GetParam() + "'"};
+};
+INSTANTIATE_TEST_SUITE_P(Coupled, Rest, testing::Values("symmetric", "cut-cell", "splitting", "paper"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                           return name;
+                         });
+
+TEST_P(Rest, BesideOpenSides) {
+  for (const Overrides& open : openings(4)) EXPECT_LE(speed_after(plane, with(mode, open)), 1e-10) << open.size();
+  for (const Overrides& open : openings(6)) {
+    if (open.size() % 2 == 0) continue;
+    EXPECT_LE(speed_after(space, with(mode, open), 0.06), 1e-10) << open.size();
+  }
+}
+
+/// Walls rub the fluid where it is viscous; the level is where the deck wants it.
+TEST_P(Rest, OfAViscousFluidAtAnyLevel) {
+  const Overrides sides{"coupled.side(2)='open'", "coupled.side(4)='open'", "coupled.viscosity=.05"};
+  for (const char* level : {"coupled.level=7.", "coupled.level=.3", "coupled.level=-3."})
+    EXPECT_LE(speed_after(plane, with(mode, with(sides, {level}))), 1e-10) << level;
+}
+
+/// Heavy smoke below warm smoke, which end within cells; beside a wall, and where the layers reach open sides.
+const Overrides layers{
+    "coupled.smoke_box(1:4,1)=0.,2.,-.4,.03", "coupled.box_smoke(1)=1.5", "coupled.smoke_box(1:4,2)=0.,2.,.62,1.1",
+    "coupled.box_temperature(2)=30.",         "coupled.smoke_weight=.7",  "coupled.smoke_lift=.03"};
+
+TEST_P(Rest, OfLayersOfSmoke) {
+  for (const Overrides& open : openings(4))
+    EXPECT_LE(speed_after(plane, with(mode, with(layers, open))), 1e-10) << open.size();
+  EXPECT_LE(speed_after(plane, with(mode, layers)), 1e-10);
+  const Overrides deep{"coupled.smoke_box(5:6,1)=0.,1.", "coupled.smoke_box(5:6,2)=0.,1."};
+  EXPECT_LE(
+      speed_after(space, with(mode, with(layers, with(deep, {"coupled.side(1)='open'", "coupled.side(6)='open'"}))),
+                  0.06),
+      1e-10);
+}
+
+/// Obstacles leave the layers what they are.
+TEST_P(Rest, BesideObstacles) {
+  const Overrides more{"coupled.side(1)='open'", "coupled.side(3)='open'", "coupled.obstacle(1:4,1)=.5,1.2,-.4,.5",
+                       "coupled.obstacle(1:4,2)=1.8,2.,.4,1.1"};
+  EXPECT_LE(speed_after(plane, with(mode, with(layers, more))), 1e-10);
+}
+
+/// As ever where the deck wants it: a pressure of zero all down a side lets the fluid fall out of it.
+TEST(CoupledRest, IsLostBesideNothing) {
+  EXPECT_GT(speed_after(plane, {"coupled.side(2)='void'"}), 1);
+  EXPECT_LE(speed_after(plane, {"coupled.side(4)='void'"}), 1e-10);
+}
+
+}  // namespace
+}  // namespace tether::coupled
