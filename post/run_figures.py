@@ -25,7 +25,9 @@ def over_time(axes, run, name, labels):
 
 
 def energies(run):
-    names = [name for name in run.history.values if name.startswith("energy_")]
+    """Those of which there is some at any time; energy_pressure is what rounding is measured against, no exchange."""
+    names = [name for name in run.history.values
+             if name.startswith("energy_") and name != "energy_pressure" and run.history[name].any()]
     if not names:
         return None
     figure, (axes,) = style.panels(1, 1)

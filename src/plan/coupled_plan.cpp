@@ -47,7 +47,7 @@ std::string sides_text(const Coupled& coupled, double gravity) {
     std::string& text = coupled.sides[side] == BoxSide::open ? to_fluid : to_nothing;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", box_side_names[side]);
   }
-  if (!to_fluid.empty() && (gravity != 0 || coupled.smoke))
+  if (!to_fluid.empty() && (gravity != 0 || !coupled.smoke_boxes.empty()))
     to_fluid += fmt::format(" (to fluid at rest, of pressure zero at y = {:.6g})", coupled.level);
   if (!to_nothing.empty()) to_nothing += " (to nothing)";
   return to_fluid + (to_fluid.empty() || to_nothing.empty() ? "" : ", ") + to_nothing;

@@ -129,11 +129,22 @@ TEST(CoupledChecks, TakeMeshFilesOfAsManyDimensions) {
   EXPECT_EQ(error_with_file(depth), "the mesh is of 2 dimensions, but the box of 3");
 }
 
+/// Both have a pressure of zero somewhere: where, gravity makes the deck say.
+TEST(CoupledChecks, VoidsBesideOpenSidesWantALevel) {
+  const std::string both = "side(1)='open',void(1,1)=1.,2.,.5,1.,";
+  EXPECT_EQ(warnings_of(box(both, "", "gravc=-9.81")),
+            Texts{"fluid beyond the open sides has a pressure of zero at ytop = 1, voids have it everywhere"});
+  EXPECT_EQ(warnings_of(box(both + "level=.5", "", "gravc=-9.81")), Texts{});
+  EXPECT_EQ(warnings_of(box(both)), Texts{});
+}
+
 TEST(CoupledChecks, TellOfWhatHasNoEffect) {
   EXPECT_EQ(warnings_of(
                 box("area_repair=.false.,smoke_lift=1.,solver='direct',tolerance=1e-6", square_body("cfl=.5"), "wl=0")),
             (Texts{"wl of $in has no effect", "cfl of $fem has no effect", "area_repair of $coupled has no effect",
                    "tolerance of $coupled has no effect", "smoke_lift of $coupled has no effect"}));
+  EXPECT_EQ(warnings_of(box("level=.5")), Texts{"level of $coupled has no effect"});
+  EXPECT_EQ(warnings_of(box("side(1)='open',level=.5")), Texts{});
   EXPECT_EQ(warnings_of(box("", square_body("integrator='midpoint',tolerance=1e-5"))),
             (Texts{"integrator of $fem has no effect", "tolerance of $fem has no effect"}));
   EXPECT_EQ(warnings_of(box("", square_body("integrator='energy',cfl=.9"), "wl=6")), Texts{});

@@ -130,6 +130,32 @@ TEST(CoupledScene, BoxesAreCutAtTheGrid) {
   EXPECT_FALSE(c.voids[0].contains({1.25, .5, .5}));
 }
 
+TEST(CoupledScene, SidesLieAtFluidOrNothing) {
+  using enum BoxSide;
+  const Built built = box("side='open','wall','void'");
+  ASSERT_EQ(built.errors(), Texts{});
+  EXPECT_EQ(built.scene.coupled->sides, (std::array{open, wall, empty, wall, wall, wall}));
+  EXPECT_EQ(built.scene.coupled->level, 1);  // the top
+  EXPECT_EQ(box("side(1)='open',level=-3.").scene.coupled->level, -3);
+}
+
+TEST(CoupledScene, BoxesHoldSmokeAtTheStart) {
+  const Built built =
+      box("smoke_box(1,1)=-1.,.5,.25,9.,smoke_box(1,3)=.3,.31,0.,1.,box_smoke(1)=2.,box_temperature(1)=-5.,box_smoke(3)"
+          "=.5");
+  ASSERT_EQ(built.errors(), Texts{});
+  EXPECT_EQ(warnings_of(built), Texts{});
+  const Coupled& c = *built.scene.coupled;
+  EXPECT_TRUE(c.smoke);
+  ASSERT_EQ(c.smoke_boxes.size(), 2u);
+  EXPECT_EQ(c.smoke_boxes[0].box.low, (Triple{-1, .25, 0}));
+  EXPECT_EQ(c.smoke_boxes[0].box.high, (Triple{.5, 9, 1}));
+  EXPECT_EQ(c.smoke_boxes[0].density, 2);
+  EXPECT_EQ(c.smoke_boxes[0].temperature, -5);
+  EXPECT_EQ(c.smoke_boxes[1].density, .5);  // thinner than a cell
+  EXPECT_EQ(warnings_of(box("smoke_box(1,1)=0.,.5,0.,.5")), Texts{"smoke_box 1 holds neither smoke nor warmth"});
+}
+
 TEST(CoupledScene, WallsOfTheBoxHoldNoBody) {
   const Built built = box("",
                           "$reg nreg=1,nvi=4,xvi(1,1)=0.,1.,1.,0.,yvi(1,1)=0.,0.,.5,.5,densir=5.,"

@@ -180,6 +180,10 @@ TEST(FlowDecks, WhatHasNoEffectIsAWarning) {
                    "cfl of $fem has no effect beside a fluid", "tolerance of $fem has no effect beside a fluid",
                    "spin(3,2) has no effect: region 2 is a fluid", "penalty(2) has no effect: region 2 is a fluid",
                    "ipath(4,2) has no effect: region 2 is a fluid"}));
+  const std::string open = "boundary_on(1)='1.right',boundary(1)='open',";
+  EXPECT_EQ(warnings_of(channel(open + "outside='void',level=2.", "", {"in.gravc=-1."})),
+            Texts{"level of $flow has no effect"});
+  EXPECT_EQ(warnings_of(channel(open + "outside='void'")), Texts{"outside of $flow has no effect"});
   EXPECT_EQ(warnings_of(channel("penalty(3)=1.")), Texts{"penalty has no effect: there is no region 3"});
   EXPECT_EQ(built.scene.solids->alpha, 0);
   EXPECT_EQ(built.scene.solids->beta, 0);

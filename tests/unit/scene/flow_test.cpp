@@ -118,6 +118,14 @@ TEST(FlowScene, TracersWithoutABoxFillTheFluid) {
   EXPECT_EQ((std::array{box.x0, box.x1, box.y0, box.y1}), (std::array<double, 4>{0, 2, 0, 1}));
 }
 
+TEST(FlowScene, FluidOutsideHasNoPressureAtTheTop) {
+  EXPECT_TRUE(channel("").scene.flow->fluid_outside);
+  EXPECT_EQ(channel("").scene.flow->level, 1);
+  const std::string open = "boundary_on(1)='1.right',boundary(1)='open',";
+  EXPECT_EQ(channel(open + "level=-2.", "", {"in.gravc=-1."}).scene.flow->level, -2);
+  EXPECT_FALSE(channel(open + "outside='void'", "", {"in.gravc=-1."}).scene.flow->fluid_outside);
+}
+
 TEST(FlowScene, SidesAreTheWholeBoundaryOnce) {
   for (const char* element : {"element='q1q1',", "element='q2q1',"}) {
     const Built built = channel(std::string(element) +

@@ -102,6 +102,19 @@ TEST_P(Balance, OfBodies) {
     EXPECT_NE(last(history, column), 0) << column;
 }
 
+/// Bodies that leave through an open side, beyond which the fluid lifts them, too.
+TEST(CoupledBalance, OfBodiesThatLeave) {
+  for (const char* mode : {"coupled.mode='symmetric'", "coupled.mode='cut-cell'"}) {
+    const History history = history_of(
+        "$in nx=13,ny=11,xleft=0.,xright=1.2,ybot=0.,ytop=1.,tmax=.6,tstep=.02,gravc=-9.81 $\n"
+        "$reg nreg=1,nvi=4,densir(1)=900.,matr(1,1)=1e6,.3,xvi(1,1)=.6,.9,.9,.6,yvi(1,1)=.3,.3,.6,.6,vrx(1)=1.5 $\n"
+        "$mesh element='p1',cells(1,1)=3,3 $\n$coupled density=1000.,side(2)='open',side(4)='open',level=1.3 $\n",
+        {mode});
+    EXPECT_GT(last(history, "body_x_1"), 1.2) << mode;
+    EXPECT_LE(energy_drift(history), 1e-10) << mode;
+  }
+}
+
 /// Fluid that goes on as it is brings in what it takes out, and nothing is lost.
 TEST(CoupledBalance, OfAStreamIsExact) {
   const History history = history_of(

@@ -109,6 +109,25 @@ TEST_P(Rest, BesideObstacles) {
   EXPECT_LE(speed_after(plane, with(mode, with(layers, more))), 1e-10);
 }
 
+/// A block of .4 x .2 that is held, half of it beyond an open side: fluid lifts all of it, and pushes it nowhere.
+TEST(CoupledRest, LiftsWhatIsBeyondASideToo) {
+  const std::string deck =
+      "$in nx=11,ny=11,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax=.1,tstep=.05,gravc=-9.81 $\n"
+      "$reg nreg=1,nvi=4,densir(1)=1000.,matr(1,1)=1e9,.3,xvi(1,1)=.8,1.2,1.2,.8,yvi(1,1)=.37,.37,.57,.57 $\n"
+      "$mesh element='p1',cells(1,1)=4,2 $\n$fem fix_on='1.bottom','1.left','1.right','1.top',\n"
+      "fix(1:2,1)=0.,0.,fix(1:2,2)=0.,0.,fix(1:2,3)=0.,0.,fix(1:2,4)=0.,0. $\n"
+      "$coupled density=1000.,mode='cut-cell',side(2)='open' $\n";
+  for (const char* level : {"coupled.level=1.", "coupled.level=5.", "coupled.level=-2."}) {
+    const Plan plan = plan_of(deck, {level});
+    CoupledSolver solver(plan);
+    solver.advance(0.1);
+    const History history{solver.history_layout(), {solver.record()}};
+    EXPECT_NEAR(history.column("body_force_y_1").back(), 1000 * 9.81 * 0.08, 1e-8) << level;
+    EXPECT_NEAR(history.column("body_force_x_1").back(), 0, 1e-8) << level;
+    EXPECT_NEAR(history.column("energy_fluid").back(), 0, 1e-18) << level;
+  }
+}
+
 /// As ever where the deck wants it: a pressure of zero all down a side lets the fluid fall out of it.
 TEST(CoupledRest, IsLostBesideNothing) {
   EXPECT_GT(speed_after(plane, {"coupled.side(2)='void'"}), 1);
