@@ -68,7 +68,12 @@ void add_smoke_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostic
   std::set<int> numbers;
   for (const Subscript at : deck.given_elements("coupled", "smoke_box")) numbers.insert(at[1]);
   for (const char* name : {"box_smoke", "box_temperature"}) {
-    for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[0]);
+    for (const Subscript at : deck.given_elements("coupled", name)) {
+      if (numbers.contains(at[0])) continue;
+      diagnostics.add(deck.remark(Severity::error, "coupled", name, at,
+                                  fmt::format("{}({}) is in no box: smoke_box(1,{}) is not given", name, at[0], at[0]),
+                                  "smoke_box says where it is: lowest and highest x, y and, in space, z"));
+    }
   }
   for (const int k : numbers) {
     const auto box = box_of(deck, "smoke_box", k, coupled.grid, HeldBy::parts_of_cells, diagnostics);
