@@ -68,7 +68,8 @@ Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
 
 /// A word that could be one of a command, and names no file: a deck has an ending or stands in a folder.
 bool is_lost(const std::string& word) {
-  return word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word);
+  std::error_code ignored;  // of names that no file can have
+  return word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
 }
 
 [[noreturn]] void refuse_word(const CLI::App& app, const std::string& word, bool first) {

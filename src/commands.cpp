@@ -24,6 +24,8 @@
 namespace tether {
 namespace {
 
+const std::string shown_by_check = "shown by tether check";
+
 /// Runs the command, tells on stderr what went wrong, and returns the exit code.
 int guarded(const std::string& name, const std::function<void()>& command) {
   const Ending ending = end_of(name, [&command] {
@@ -60,6 +62,12 @@ void print_warnings(const std::string& name, const Loaded& loaded) {
   for (const auto& warning : loaded.plan.warnings) fmt::print(stderr, "{}: warning: {}\n", name, warning);
 }
 
+/// What does no harm is one line, so that it hides no warning; `where` says who tells all of it.
+void print_number_of_remarks(const std::string& name, const Loaded& loaded, const std::string& where) {
+  const auto count = loaded.remarks.size();
+  if (count > 0) fmt::print(stderr, "{}: {} remark{} {}\n", name, count, count == 1 ? "" : "s", where);
+}
+
 void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
   std::string line = name + ":";
   for (const auto& [key, value] : summary) {
@@ -71,8 +79,14 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
 }
 
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
+  const Clocks clocks;
   const Loaded loaded = load(name, options);
-  if (!run_options.quiet) print_warnings(name, loaded);
+  const auto folder = folder_of(name, run_options, several);
+  if (!run_options.quiet) {
+    print_warnings(name, loaded);
+    print_number_of_remarks(name, loaded,
+                            run_options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string());
+  }
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
   if (run_options.dry_run) return fmt::print("{}{}", to_text(loaded.plan), coupled::splitting_text(loaded.plan));
   ProgressLine progress(name, run_options.quiet);
@@ -80,8 +94,9 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
     progress.clear();
     if (!run_options.quiet) fmt::print(stderr, "{}: warning: {}\n", name, text);
   };
-  RunRequest request = request_of(loaded, folder_of(name, run_options, several), run_options.command);
+  RunRequest request = request_of(loaded, folder, run_options.command);
   if (const auto remark = threads_remark(run_options.threads); !remark.empty()) request.messages.push_back(remark);
+  request.clocks = clocks;
   request.progress = std::ref(progress);
   request.warn = warn;
   SignalWatch signals;  // from here on there is something to be kept
@@ -162,7 +177,9 @@ int check_command(const std::string& name, const DeckOptions& options) {
     const Deck deck = load_deck(name, options, diagnostics);
     fmt::print("{}", check_listing(deck));
     std::fflush(stdout);  // the values first, then what is to be said of them
-    print_warnings(name, load_scene(deck, options, diagnostics));
+    const Loaded loaded = load_scene(deck, options, diagnostics);
+    for (const auto& remark : loaded.remarks) fmt::print(stderr, "{}", remark);
+    print_warnings(name, loaded);
   });
 }
 
@@ -171,6 +188,7 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
     print_threads_remark(threads);
     const Loaded loaded = load(deck, options);
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
+    print_number_of_remarks(deck, loaded, shown_by_check);
     fmt::print("{}{}", to_text(loaded.plan),
                coupled::splitting_text(loaded.plan));  // which has the plan's own warnings
   });

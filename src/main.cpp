@@ -12,6 +12,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/ending.hpp"
+#include "base/short_text.hpp"
 #include "command_words.hpp"
 #include "commands.hpp"
 
@@ -84,7 +85,7 @@ void settle_in() {
 
 /// What every wrong command line ends with.
 int refuse(const std::string& why) {
-  std::fputs(why.c_str(), stderr);
+  std::fputs(with_short_words(why).c_str(), stderr);
   return exit_input;
 }
 

@@ -4,25 +4,12 @@
 #include <umfpack.h>
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include "algebra/cholmod_views.hpp"
 
 namespace tether {
 namespace {
-
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), from_(std::chrono::steady_clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - from_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point from_;
-};
 
 /// The graph of the nodes whose unknowns stand together in the pattern; of a node without unknowns nothing.
 struct NodeGraph {
@@ -103,10 +90,10 @@ class Cholesky {
     if (factor_) cholmod_l_free_factor(&factor_, &common_);
   }
   /// False where A is not positive definite.
-  bool factorise(const SparseMatrix& A, const std::vector<std::int64_t>& order, double& analysis_seconds) {
+  bool factorise(const SparseMatrix& A, const std::vector<std::int64_t>& order, Seconds& analysis) {
     cholmod_sparse matrix = lower_view(A);
     if (!factor_) {
-      const Stopwatch watch(analysis_seconds);
+      const Stopwatch watch(analysis);
       factor_ = cholmod_l_analyze_p(&matrix, as_long(order), nullptr, 0, &common_);
     }
     if (!factor_ || (!cholmod_l_factorize(&matrix, factor_, &common_) && common_.status < CHOLMOD_OK)) out_of_memory(A);
@@ -137,10 +124,10 @@ class Lu {
     umfpack_dl_free_symbolic(&symbolic_);
   }
   /// False where A is singular.
-  bool factorise(const SparseMatrix& A, const std::vector<std::int64_t>& order, double& analysis_seconds) {
+  bool factorise(const SparseMatrix& A, const std::vector<std::int64_t>& order, Seconds& analysis) {
     const auto n = static_cast<SuiteSparse_long>(A.n);
     if (!symbolic_) {
-      const Stopwatch watch(analysis_seconds);
+      const Stopwatch watch(analysis);
       if (umfpack_dl_qsymbolic(n, n, as_long(A.start), as_long(A.row), A.value.data(), as_long(order), &symbolic_,
                                control_, info_) < 0)
         out_of_memory(A);
@@ -177,7 +164,7 @@ struct SparseSolver::Parts {
   std::vector<std::int64_t> start, row;  // the pattern that the analyses are of
   std::vector<std::int64_t> order;       // of elimination
   bool positive = false;
-  double analysis_seconds = 0;
+  Seconds analysis;
 };
 
 SparseSolver::SparseSolver(int block) : parts_(std::make_unique<Parts>()) { parts_->block = block; }
@@ -189,7 +176,7 @@ SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
 
 void SparseSolver::order_by(const SparseMatrix& A) {
-  const Stopwatch watch(parts_->analysis_seconds);
+  const Stopwatch watch(parts_->analysis);
   parts_->order = order_of_blocks(A, parts_->block, parts_->block_start);
   parts_->ordered = true;
 }
@@ -199,13 +186,13 @@ bool SparseSolver::factorise(const SparseMatrix& A, Definite definite) {
     parts_->cholesky.forget(), parts_->lu.forget();
     parts_->start = A.start, parts_->row = A.row;
     if (!parts_->ordered) {
-      const Stopwatch watch(parts_->analysis_seconds);
+      const Stopwatch watch(parts_->analysis);
       parts_->order = order_of_blocks(A, parts_->block, parts_->block_start);
     }
   }
   Parts& at = *parts_;
-  at.positive = definite == Definite::positive && at.cholesky.factorise(A, at.order, at.analysis_seconds);
-  return at.positive || at.lu.factorise(A, at.order, at.analysis_seconds);
+  at.positive = definite == Definite::positive && at.cholesky.factorise(A, at.order, at.analysis);
+  return at.positive || at.lu.factorise(A, at.order, at.analysis);
 }
 
 void SparseSolver::solve(std::span<const double> b, std::span<double> x) {
@@ -216,7 +203,7 @@ double SparseSolver::factor_nonzeros() const {
   return parts_->positive ? parts_->cholesky.nonzeros() : parts_->lu.nonzeros();
 }
 
-double SparseSolver::analysis_seconds() const { return parts_->analysis_seconds; }
+Seconds SparseSolver::analysis() const { return parts_->analysis; }
 
 std::string SparseSolver::method() const { return parts_->positive ? "cholesky" : "lu"; }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/seconds.hpp"
 
 namespace tether {
 
@@ -34,9 +35,9 @@ class SparseSolver {
   /// x of the matrix factorised last; b and x may be the same.
   void solve(std::span<const double> b, std::span<double> x);
 
-  double factor_nonzeros() const;   ///< of the last factorisation, L or L and U
-  double analysis_seconds() const;  ///< of all symbolic analyses so far [s]
-  std::string method() const;       ///< "cholesky" or "lu", of the last factorisation
+  double factor_nonzeros() const;  ///< of the last factorisation, L or L and U
+  Seconds analysis() const;        ///< of all symbolic analyses so far
+  std::string method() const;      ///< "cholesky" or "lu", of the last factorisation
 
  private:
   struct Parts;

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+
+#include "base/short_text.hpp"
 
 namespace tether {
 namespace {
@@ -18,7 +21,8 @@ std::string position(const Place& place) {
 
 /// The line and a caret; tabs are kept before the caret so that it stands under its column in any terminal.
 std::string excerpt(const Diagnostic& diagnostic) {
-  if (diagnostic.line_text.empty()) return "";
+  constexpr std::size_t longest_line = 1000;
+  if (diagnostic.line_text.empty() || diagnostic.line_text.size() > longest_line) return "";
   std::string caret;
   const auto before = static_cast<std::size_t>(std::max(diagnostic.place.column - 1, 0));
   for (std::size_t k = 0; k < before; ++k) {
@@ -44,10 +48,12 @@ std::vector<Diagnostic> placeless_error(const std::string& message, const std::s
 }  // namespace
 
 std::string to_text(const Diagnostic& diagnostic) {
-  const char* word = diagnostic.severity == Severity::error ? "error" : "warning";
+  const char* word = diagnostic.severity == Severity::error     ? "error"
+                     : diagnostic.severity == Severity::warning ? "warning"
+                                                                : "remark";
   std::string text = fmt::format("{}{}: {}\n", position(diagnostic.place), word, diagnostic.message);
-  text += excerpt(diagnostic);
-  if (!diagnostic.hint.empty()) text += fmt::format("  {}\n", diagnostic.hint);
+  text = with_short_words(text) + excerpt(diagnostic);
+  if (!diagnostic.hint.empty()) text += fmt::format("  {}\n", with_short_words(diagnostic.hint));
   return text;
 }
 
@@ -72,12 +78,20 @@ std::vector<Diagnostic> Diagnostics::select(Severity severity) const {
   return chosen;
 }
 
+std::vector<Diagnostic> Diagnostics::remarks() const { return select(Severity::remark); }
 std::vector<Diagnostic> Diagnostics::warnings() const { return select(Severity::warning); }
 std::vector<Diagnostic> Diagnostics::errors() const { return select(Severity::error); }
 bool Diagnostics::has_errors() const { return !errors().empty(); }
 
 void Diagnostics::throw_if_errors() const {
-  if (has_errors()) throw InputError(all_);
+  if (!has_errors()) return;
+  std::vector<Diagnostic> told;
+  std::set<std::string> texts;
+  for (const Diagnostic& diagnostic : all_) {
+    const bool tells = diagnostic.severity != Severity::remark && !diagnostic.moot;
+    if (tells && texts.insert(to_text(diagnostic)).second) told.push_back(diagnostic);
+  }
+  throw InputError(std::move(told));
 }
 
 }  // namespace tether

@@ -9,15 +9,18 @@
 
 namespace tether {
 
-enum class Severity { warning, error };
+/// A remark is on what is known to do no harm, such as the slips of the decks that the thesis prints: it is written
+/// down, but not told in full beside warnings, which it would hide.
+enum class Severity { remark, warning, error };
 
-/// One remark on what the user wrote: where, the line itself, what is wrong, what would be right.
+/// A note on what the user wrote: where, the line itself, what is wrong, what would be right.
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
   std::string line_text;  ///< the line as written, without its end; empty if the place names none
   std::string message;    ///< what is wrong
   std::string hint;       ///< what would be right, or empty
+  bool moot = false;      ///< an error that only follows from another one, which was told: it counts, but is not told
 };
 
 /// `file:line:column: error: message`, the line, a caret under the column, the hint. Ends with a newline.
@@ -42,9 +45,10 @@ class Diagnostics {
   void warn(Place place, std::string line_text, std::string message, std::string hint = {});
   bool has_errors() const;
   const std::vector<Diagnostic>& all() const { return all_; }
+  std::vector<Diagnostic> remarks() const;
   std::vector<Diagnostic> warnings() const;
   std::vector<Diagnostic> errors() const;
-  /// Throws InputError with all remarks, warnings too, when at least one is an error.
+  /// Throws InputError with all errors and warnings, each once, when at least one is an error.
   void throw_if_errors() const;
 
  private:

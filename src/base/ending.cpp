@@ -8,11 +8,12 @@
 
 #include "base/diagnostics.hpp"
 #include "base/errors.hpp"
+#include "base/short_text.hpp"
 
 namespace tether {
 
 Ending end_of(const std::string& name, const std::function<void()>& work) {
-  const auto told = [&name](const char* what) { return fmt::format("{}: error: {}\n", name, what); };
+  const auto told = [&name](const char* what) { return with_short_words(fmt::format("{}: error: {}\n", name, what)); };
   try {
     work();
     return {};

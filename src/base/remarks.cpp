@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/short_text.hpp"
+
 namespace tether {
 namespace {
 
@@ -15,6 +17,11 @@ constexpr std::size_t longest_quoted_text = 60;
 void Remarks::error(int line, int column, std::string message, std::string hint) {
   add(Severity::error, errors_,
       {Severity::error, place(line, column), line_text(line), std::move(message), std::move(hint)});
+}
+
+void Remarks::remark(int line, int column, std::string message, std::string hint) {
+  add(Severity::remark, warnings_,
+      {Severity::remark, place(line, column), line_text(line), std::move(message), std::move(hint)});
 }
 
 void Remarks::warn(int line, int column, std::string message, std::string hint) {
@@ -40,11 +47,11 @@ std::string Remarks::line_text(int line) const {
 }
 
 std::string in_quotes(std::string_view text) {
-  std::string shown(text.substr(0, longest_quoted_text));
+  std::string shown = shortened(text, longest_quoted_text);
   for (char& c : shown) {
     if (c < ' ' || c > '~') c = '?';
   }
-  return fmt::format("'{}{}'", shown, text.size() > longest_quoted_text ? "..." : "");
+  return fmt::format("'{}'", shown);
 }
 
 }  // namespace tether

@@ -19,8 +19,10 @@ class Remarks {
 
   /// Lines and columns count from 1, lines by the file's numbering.
   void error(int line, int column, std::string message, std::string hint = {});
+  void remark(int line, int column, std::string message, std::string hint = {});
   void warn(int line, int column, std::string message, std::string hint = {});
   bool has_errors() const { return errors_ > 0; }
+  int errors() const { return errors_; }
   Place place(int line, int column) const { return {file_, line, column}; }
 
  private:

@@ -22,6 +22,19 @@ bool says_something(const Item& item) {
                      [](const ItemValue& value) { return value.kind != ItemValue::Kind::null; });
 }
 
+/// "0,01" where `value` and `next` are digits with nothing but a comma between them; empty where they are not.
+std::string decimal_comma(const ItemValue& value, const ItemValue& next) {
+  const auto digits = [](const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  };
+  const bool sign = value.text.starts_with('-') || value.text.starts_with('+');
+  const auto exponent = std::min(next.text.find_first_of("eEdD"), next.text.size());
+  const bool numbers = digits(value.text.substr(sign ? 1 : 0)) && digits(next.text.substr(0, exponent));
+  const bool words = value.kind == ItemValue::Kind::word && next.kind == value.kind && !value.counted && !next.counted;
+  const bool glued = next.line == value.line && next.column == value.column + static_cast<int>(value.text.size()) + 1;
+  return words && numbers && glued ? value.text + "," + next.text : "";
+}
+
 /// The values of one item on their way into the elements of one variable.
 class Filling {
  public:
@@ -107,6 +120,31 @@ void Filling::tell_of_next_column(const Token& name) const {
 
 }  // namespace
 
+namespace {
+
+/// False where a number was written with a comma for its point: one value cannot be meant to be two. In arrays that is
+/// only doubtful, where the second begins with a zero.
+bool check_decimal_commas(const Variable& variable, const Item& item, Remarks& remarks) {
+  if (variable.type != ValueType::real) return true;
+  for (std::size_t k = 0; k + 1 < item.values.size(); ++k) {
+    const ItemValue &value = item.values[k], &next = item.values[k + 1];
+    const std::string written = decimal_comma(value, next);
+    if (written.empty()) continue;
+    const std::string hint = fmt::format("A decimal point is '.': {}.{}", value.text, next.text);
+    if (variable.rank == 0) {
+      remarks.error(value.line, value.column,
+                    fmt::format("{} is two values: {} takes one", in_quotes(written), variable.name), hint);
+      return false;
+    }
+    if (next.text.size() < 2 || next.text[0] != '0') continue;
+    remarks.warn(value.line, value.column, fmt::format("{} is read as two values", in_quotes(written)), hint);
+    return true;
+  }
+  return true;
+}
+
+}  // namespace
+
 void Assigner::assign(const std::vector<Group>& groups, Remarks& remarks) {
   for (const auto& group : groups) {
     const auto& name = group.opener.text;
@@ -149,19 +187,28 @@ void Assigner::item(const std::string& group, const Item& item, bool replaces, R
     remarks.error(item.name.line, item.name.column,
                   fmt::format("${} has no variable {}", group, in_quotes(item.name.text)),
                   suggest_variable(group, name));
+    if (const auto meant = meant_variable(group, name); !meant.empty()) fail(meant);
     return;
   }
+  const int errors_before = remarks.errors();
   if (item.broken || says_something(item)) {
     mentioned_.insert(key_of(*variable));
   } else {
     left_empty_.try_emplace(key_of(*variable), remarks.place(item.name.line, item.name.column));
   }
   if (!item.broken) values(*variable, item, replaces, remarks);
+  if (item.broken || remarks.errors() > errors_before) fail(key_of(*variable));
+}
+
+void Assigner::fail(const std::string& full_name) {
+  mentioned_.insert(full_name);
+  contents_.failed.insert(full_name);
 }
 
 void Assigner::values(const Variable& variable, const Item& item, bool replaces, Remarks& remarks) {
   const auto elements = resolve_elements(variable, item, remarks);
   if (!elements) return;
+  if (!check_decimal_commas(variable, item, remarks)) return;
   Filling filling(variable, *elements, contents_.values[key_of(variable)], replaces, remarks);
   for (const auto& value : item.values) {
     if (!filling.take(value, budget_)) return;

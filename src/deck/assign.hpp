@@ -28,6 +28,7 @@ class Assigner {
 
  private:
   void item(const std::string& group, const Item& item, bool replaces, Remarks& remarks);
+  void fail(const std::string& full_name);
   void values(const Variable& variable, const Item& item, bool replaces, Remarks& remarks);
 
   Deck::Contents& contents_;

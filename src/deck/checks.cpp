@@ -21,6 +21,12 @@ void check_study(const Deck& deck, Diagnostics& diagnostics) {
   }
 }
 
+/// Whether a region that nreg does not count has what makes one: then nreg is the likely mistake.
+bool is_described(const Deck& deck, int region) {
+  return deck.given("reg", "densir", region) || deck.given("reg", "xvi", 1, region) ||
+         deck.given("reg", "yvi", 1, region);
+}
+
 /// Box 12 sets vrx(2), Box 9 gives five nvi: of one and two regions.
 void check_regions_beyond_nreg(const Deck& deck, Diagnostics& diagnostics) {
   const int nreg = deck.integer("reg", "nreg");
@@ -30,7 +36,8 @@ void check_regions_beyond_nreg(const Deck& deck, Diagnostics& diagnostics) {
     const auto elements = deck.given_elements("reg", variable.name);
     const auto beyond = std::find_if(elements.begin(), elements.end(), [&](auto at) { return at[region] > nreg; });
     if (beyond == elements.end()) continue;
-    diagnostics.add(deck.remark(Severity::warning, "reg", variable.name, *beyond,
+    const Severity severity = is_described(deck, (*beyond)[region]) ? Severity::warning : Severity::remark;
+    diagnostics.add(deck.remark(severity, "reg", variable.name, *beyond,
                                 fmt::format("{} is set but nreg = {}", element_name(variable, *beyond), nreg),
                                 "Values of regions above nreg are not used."));
   }
@@ -82,13 +89,13 @@ void check_outputs_off(const Deck& deck, Diagnostics& diagnostics) {
     off += (off.empty() ? "" : ", ") + std::to_string(at[0]);
   }
   if (off.empty()) return;
-  diagnostics.add(deck.remark(Severity::warning, "in", "tiout", first,
+  diagnostics.add(deck.remark(Severity::remark, "in", "tiout", first,
                               fmt::format("tiout is set for outputs that are off (iout = 0): {}", off)));
 }
 
 void check_regrig(const Deck& deck, Diagnostics& diagnostics) {
   if (!deck.has_group("regrig") || deck.given("regrig", "nregrig")) return;
-  diagnostics.add(deck.remark(Severity::warning, "regrig", "nregrig", {1, 1}, "$regrig is there without nregrig",
+  diagnostics.add(deck.remark(Severity::remark, "regrig", "nregrig", {1, 1}, "$regrig is there without nregrig",
                               "nregrig is taken as 0."));
 }
 

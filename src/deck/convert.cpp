@@ -90,8 +90,8 @@ std::optional<Data> Conversion::whole_real() {
   if (*number != std::floor(*number) || std::abs(*number) > bounds::largest_integer) return wrong_type();
   if (!allowed(*number)) return std::nullopt;
   const auto whole = static_cast<long long>(*number);
-  remarks_.warn(value_.line, value_.column,
-                fmt::format("{} is an integer; {} is taken for {}", name_, in_quotes(value_.text), whole));
+  remarks_.remark(value_.line, value_.column,
+                  fmt::format("{} is an integer; {} is taken for {}", name_, in_quotes(value_.text), whole));
   return whole;
 }
 
@@ -113,8 +113,8 @@ std::optional<double> Conversion::real_without_last_dot() {
   if (!value_.text.ends_with('.') || shorter.find('.') == std::string_view::npos) return std::nullopt;
   const auto number = parse_real(shorter);
   if (number) {
-    remarks_.warn(value_.line, value_.column,
-                  fmt::format("the last '.' of {} is dropped: {} = {}", in_quotes(value_.text), name_, shorter));
+    remarks_.remark(value_.line, value_.column,
+                    fmt::format("the last '.' of {} is dropped: {} = {}", in_quotes(value_.text), name_, shorter));
   }
   return number;
 }

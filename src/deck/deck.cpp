@@ -148,7 +148,9 @@ std::string Deck::line_text(const Place& place) const {
 Diagnostic Deck::remark(Severity severity, std::string_view group, std::string_view name, Subscript at,
                         std::string message, std::string hint) const {
   const auto where = place(group, name, at[0], at[1]);
-  return {severity, where, line_text(where), std::move(message), std::move(hint)};
+  const bool moot = severity == Severity::error && !given(group, name, at[0], at[1]) &&
+                    contents_.failed.count(key_of(group, name)) > 0;
+  return {severity, where, line_text(where), std::move(message), std::move(hint), moot};
 }
 
 Diagnostic Deck::remark_within(Severity severity, std::string_view group, std::string_view name, Subscript at,

@@ -48,7 +48,8 @@ class Deck {
     Trailer trailer;
     std::map<std::string, Place> groups;                           ///< the groups that are there, and where they open
     std::map<std::string, std::map<Subscript, DeckValue>> values;  ///< by "group.name"
-    std::shared_ptr<const std::string> mesh_text;                  ///< of the file that $mesh names, once it is read
+    std::set<std::string> failed;                  ///< "group.name" of variables that the deck tried to set, in vain
+    std::shared_ptr<const std::string> mesh_text;  ///< of the file that $mesh names, once it is read
   };
   explicit Deck(Contents contents);
 
@@ -96,7 +97,8 @@ class Deck {
   Place place_within(std::string_view group, std::string_view name, Subscript at, std::size_t offset) const;
   /// The text of a line of the deck (empty for line 0), for diagnostics.
   std::string line_text(const Place& place) const;
-  /// A remark on an element's value, at its place, with its line.
+  /// A remark on an element's value, at its place, with its line; an error is moot where the deck tried in vain to give
+  /// the element, which was told.
   Diagnostic remark(Severity severity, std::string_view group, std::string_view name, Subscript at, std::string message,
                     std::string hint = {}) const;
   /// The same on one byte of a text.

@@ -44,6 +44,7 @@ class Lexer {
   void open_group(const Opener& opener);
   bool group_lines();
   bool rest_of_line();
+  void pass_foreign_comment();
   bool piece();
   bool dollar();
   void word();
@@ -116,10 +117,25 @@ bool Lexer::group_lines() {
 
 /// True when the group's terminator was found.
 bool Lexer::rest_of_line() {
+  if (column_ == 0 && line_ < end_) pass_foreign_comment();
   while (in_line()) {
     if (piece()) return true;
   }
   return false;
+}
+
+/// A line that is a comment elsewhere is told of, and nothing of it read.
+void Lexer::pass_foreign_comment() {
+  const auto text = trim(line());
+  const bool letter = !line().empty() && lower(line().substr(0, 1)) == "c" && (text.size() == 1 || is_blank(line()[1]));
+  const auto behind = letter ? trim(text.substr(1)) : std::string_view("=");
+  const bool fixed_form = letter && (behind.empty() || (behind[0] != '=' && behind[0] != '('));
+  if (!fixed_form && !text.starts_with('#') && !text.starts_with('*') && !text.starts_with("//")) return;
+  column_ = line().find_first_not_of(" \t");
+  const std::string_view mark = text.substr(0, text.starts_with("//") ? 2 : 1);
+  remarks_.error(line_number(), column_number(), fmt::format("{} begins no comment", in_quotes(mark)),
+                 "A comment begins with '!'.");
+  column_ = line().size();
 }
 
 /// The rest of a terminator's line is passed over; what was hardly meant so is told.
@@ -268,7 +284,7 @@ void Lexer::odd_bytes() {
 }
 
 void Lexer::semicolon() {
-  remarks_.warn(line_number(), column_number(), "';' is taken for a comma");
+  remarks_.remark(line_number(), column_number(), "';' is taken for a comma");
   push_mark(TokenKind::comma);
 }
 

@@ -10,6 +10,7 @@
 #include "base/numbers.hpp"
 #include "base/remarks.hpp"
 #include "base/text.hpp"
+#include "base/text_kind.hpp"
 #include "deck/fused_rows.hpp"
 
 namespace tether {
@@ -229,6 +230,10 @@ ParticleFile read_particle_file(std::string_view text, const std::string& file, 
   result.first_line = first_line;
   result.lines = split_lines(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text);
   Remarks remarks(file, result.lines, first_line, diagnostics);
+  if (auto [message, hint] = no_text(text); !message.empty()) {
+    remarks.error(0, 0, std::move(message), std::move(hint));
+    return result;
+  }
   ParticleReader(result, remarks).read();
   return result;
 }

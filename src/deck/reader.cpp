@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/text.hpp"
+#include "base/text_kind.hpp"
 #include "deck/assign.hpp"
 #include "deck/checks.hpp"
 #include "deck/lexer.hpp"
@@ -44,6 +45,11 @@ Deck read_deck(std::string_view text, const std::string& file, const std::vector
                Diagnostics& diagnostics) {
   Deck::Contents contents;
   contents.file = file;
+  if (auto [message, hint] = no_text(text); !message.empty()) {  // of which nothing else is worth to be told
+    diagnostics.error({file, 0, 0}, "", std::move(message),
+                      hint.empty() ? "A deck has at least: $in ... $" : std::move(hint));
+    return Deck(std::move(contents));
+  }
   contents.text = text;
   contents.lines = split_lines(without_byte_order_mark(text));
   contents.overrides = overrides;

@@ -41,8 +41,9 @@ constexpr std::array rows{
     Variable{"reg", "matr", real, 2, nr, nr, "", -none, none, "", "0.0",
              "Constants of region r: matr(1,r) is E, or beta of a linear fluid [stress]; matr(2,r) is nu; matr(3..7,r) "
              "are read and have no effect."},
-    Variable{"reg", "ipath", integer, 2, 4, nr, "", smallest_integer, largest_integer, "", "0",
-             "ipath(4,r) is the law of region r: 0 elastic in plane strain, 2 elastic in plane stress, 7 gas with "
+    Variable{"reg", "ipath", integer, 2, 4, nr, "", smallest_integer, largest_integer, "", "",
+             "ipath(4,r) is the law of region r, which has none by default, but for regions of meshes, with 0: 0 "
+             "elastic in plane strain, 2 elastic in plane stress, 7 gas with "
              "density by continuity, 9 gas with density by quadratic interpolation, 8 "
              "linear fluid; ipath(1..3,r) are read and have no effect."},
     Variable{"reg", "vrx", real, 1, nr, 1, "length/time", -none, none, "", "0.0",

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.hpp"
+#include "base/text_kind.hpp"
 #include "grid/gmsh_mesh.hpp"
 #include "grid/gmsh_versions.hpp"
 
@@ -28,12 +31,7 @@ std::optional<int> version_of(const File& file) {
     words->error(fmt::format("version {:.6g} of the format is not read", *version), how_to_save);
     return std::nullopt;
   }
-  const auto binary = words->whole("the type of the file", 0, 1);
-  if (!binary) return std::nullopt;
-  if (*binary == 1) {
-    words->error("this is a binary file", fmt::format("{} (without -bin)", how_to_save));
-    return std::nullopt;
-  }
+  if (!words->whole("the type of the file", 0, 1)) return std::nullopt;
   return *version == 2.2 ? 22 : 41;
 }
 
@@ -73,8 +71,26 @@ void check_sections(const File& file) {
   }
 }
 
+/// Tells of a binary file, whose sections are no lines: what reading them would tell is rubbish.
+bool is_binary(const std::vector<std::string>& lines, Remarks& remarks) {
+  const auto format =
+      std::find_if(lines.begin(), lines.end(), [](const auto& line) { return trim(line) == "$MeshFormat"; });
+  if (format == lines.end() || format + 1 == lines.end()) return false;
+  const int number = static_cast<int>(format - lines.begin()) + 2;
+  Diagnostics ignored;
+  Remarks nobody("", lines, 1, ignored);
+  Words words(*(format + 1), number, nobody);
+  const auto version = words.real("the version");
+  const auto type = version ? words.whole("the type of the file", 0, 1) : std::nullopt;
+  if (type.value_or(0) == 0) return false;
+  remarks.error(number, static_cast<int>(words.place()) + 1, "this is a binary file",
+                fmt::format("{} (without -bin)", how_to_save));
+  return true;
+}
+
 std::optional<Mesh> mesh_of_lines(const std::vector<std::string>& lines, const std::vector<std::string>& regions,
                                   std::vector<MeshFlaw>& flaws, Remarks& remarks) {
+  if (is_binary(lines, remarks)) return std::nullopt;
   std::map<std::string, Section> sections;
   {
     // Of a file in another format, only that is told.
@@ -100,6 +116,10 @@ std::optional<Mesh> read_gmsh(std::string_view text, const std::string& file, co
                               std::vector<MeshFlaw>& flaws, Diagnostics& diagnostics) {
   const std::vector<std::string> lines = split_lines(text);
   Remarks remarks(file, lines, 1, diagnostics);
+  if (auto [message, hint] = no_text(text); !message.empty() && text.find("$MeshFormat") == std::string_view::npos) {
+    remarks.error(0, 0, std::move(message), how_to_save);
+    return std::nullopt;
+  }
   return mesh_of_lines(lines, regions, flaws, remarks);
 }
 

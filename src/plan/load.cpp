@@ -12,6 +12,16 @@
 
 namespace tether {
 
+namespace {
+
+std::vector<std::string> texts_of(const std::vector<Diagnostic>& diagnostics) {
+  std::vector<std::string> texts;
+  for (const auto& diagnostic : diagnostics) texts.push_back(to_text(diagnostic));
+  return texts;
+}
+
+}  // namespace
+
 Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics) {
   return read_deck(read_file(file), file, options.overrides, diagnostics);
 }
@@ -29,16 +39,19 @@ Loaded load_scene(const Deck& given_deck, const DeckOptions& options, Diagnostic
     diagnostics.add(deck.remark(Severity::error, study_group, "", {1, 1}, "this is a study of many runs, none itself",
                                 "tether sweep runs it; with --dry-run it lists the runs"));
   }
-  if (!deck.complete()) diagnostics.throw_if_errors();  // without a grid and a clock there is no scene to look at
   std::optional<std::filesystem::path> given;
   if (!options.particles.empty()) given = options.particles;
+  if (!deck.complete()) {  // without a grid and a clock there is no scene to look at
+    check_without_grid(deck, diagnostics);
+    if (deck.has_group("in")) load_particles(deck, given, diagnostics);
+    diagnostics.throw_if_errors();
+  }
   const auto particles = load_particles(deck, given, diagnostics);
   const Path path = path_of(deck, options.path, diagnostics);
   Scene scene = build_scene(deck, particles, path, diagnostics);
   diagnostics.throw_if_errors();
-  std::vector<std::string> warnings;
-  for (const auto& diagnostic : diagnostics.warnings()) warnings.push_back(to_text(diagnostic));
-  return {deck, make_plan(std::move(scene)), effective_text(deck, particles, path), std::move(warnings)};
+  return {deck, make_plan(std::move(scene)), effective_text(deck, particles, path), texts_of(diagnostics.warnings()),
+          texts_of(diagnostics.remarks())};
 }
 
 Loaded load(const std::string& file, const DeckOptions& options) {

@@ -25,6 +25,7 @@ struct Loaded {
   Plan plan;
   std::string effective;              ///< text of deck.effective: the deck with all values and its particle data
   std::vector<std::string> warnings;  ///< of deck and particle file
+  std::vector<std::string> remarks;   ///< on what does no harm there
 };
 
 /// The deck alone; remarks go into `diagnostics`. Throws FileError where it cannot be read.

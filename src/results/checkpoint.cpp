@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <sstream>
 
 #include "base/errors.hpp"
 #include "base/file.hpp"
@@ -20,7 +21,7 @@ namespace {
 const std::string state_prefix = "state_";
 
 /// Of the variables and attributes below: another one is another file.
-const std::string format = "1";
+const std::string format = "2";
 
 std::vector<double> flat(const std::vector<Record>& records) {
   std::vector<double> numbers;
@@ -50,6 +51,33 @@ struct Pending {
   const std::vector<double>* numbers;
 };
 
+/// A part a line: name, seconds of the processor, seconds of the clock on the wall.
+std::string text_of(const std::vector<CostPart>& parts) {
+  std::string text;
+  for (const auto& [name, taken] : parts) text += fmt::format("{} {} {}\n", name, taken.cpu, taken.wall);
+  return text;
+}
+
+/// The whole and the set-up come first.
+std::vector<CostPart> seconds_of(const Checkpoint& checkpoint) {
+  std::vector<CostPart> parts{{"whole", checkpoint.whole}, {"setup", checkpoint.setup}};
+  parts.insert(parts.end(), checkpoint.parts.begin(), checkpoint.parts.end());
+  return parts;
+}
+
+void read_seconds(const std::string& text, Checkpoint& checkpoint) {
+  std::istringstream words(text);
+  CostPart part;
+  while (words >> part.name >> part.taken.cpu >> part.taken.wall) {
+    if (part.name == "whole")
+      checkpoint.whole = part.taken;
+    else if (part.name == "setup")
+      checkpoint.setup = part.taken;
+    else
+      checkpoint.parts.push_back(part);
+  }
+}
+
 class Writer {
  public:
   explicit Writer(const std::filesystem::path& path, std::size_t room) : file_(path, NetcdfFormat::offset64, room) {
@@ -61,8 +89,7 @@ class Writer {
     file_.global_attribute("checkpoint_format", format);
     file_.global_attribute("deck_effective", checkpoint.deck_effective);
     file_.global_attribute("messages", fmt::format("{}", fmt::join(checkpoint.messages, "\n")));
-    file_.global_attribute("cpu_seconds", fmt::format("{}", checkpoint.cpu_seconds));
-    file_.global_attribute("wall_seconds", fmt::format("{}", checkpoint.wall_seconds));
+    file_.global_attribute("seconds", text_of(seconds_of(checkpoint)));
   }
   void define(const std::string& name, const std::vector<double>& numbers, std::vector<std::size_t> shape) {
     std::vector<int> dimensions;
@@ -151,8 +178,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   checkpoint.records = read_records(file);
   checkpoint.dues = read_dues(file);
   checkpoint.messages = split_lines(file.global_attribute("messages"));
-  checkpoint.cpu_seconds = std::stod(file.global_attribute("cpu_seconds"));
-  checkpoint.wall_seconds = std::stod(file.global_attribute("wall_seconds"));
+  read_seconds(file.global_attribute("seconds"), checkpoint);
   const auto run = file.numbers("run");
   checkpoint.time = run.at(0);
   checkpoint.point_snapshots = static_cast<std::size_t>(run.at(1));

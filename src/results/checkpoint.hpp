@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "results/cost_part.hpp"
 #include "results/results.hpp"
 #include "results/saved_state.hpp"
 
@@ -27,8 +28,9 @@ struct Checkpoint {
   std::size_t point_snapshots = 0;    ///< written so far
   std::size_t grid_snapshots = 0;     ///< written so far
   std::vector<std::string> messages;  ///< of the run so far, those of its deck left out
-  double cpu_seconds = 0, wall_seconds = 0;
-  std::string written_by;  ///< program, version and git hash, of one that was read
+  Seconds whole, setup;               ///< what the run took so far, and what of it before its first steps
+  std::vector<CostPart> parts;        ///< of its steps
+  std::string written_by;             ///< program, version and git hash, of one that was read
 };
 
 /// What stands in written_by of this program's checkpoints.

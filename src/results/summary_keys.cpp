@@ -41,16 +41,38 @@ std::vector<std::string> merit_keys(ReferenceKind reference) {
 }  // namespace
 
 std::vector<std::string> summary_keys(ReferenceKind reference) {
-  std::vector<std::string> keys{"path",           "steps",        "points",      "cells_active",  "dx",
-                                "time_end",       "dt_min",       "cpu_seconds", "wall_seconds",  "ns_per_point_step",
-                                "peak_memory_mb", "energy_drift", "energy_lost", "energy_growth", "mass_drift"};
+  std::vector<std::string> keys{"path",
+                                "steps",
+                                "points",
+                                "cells_active",
+                                "dx",
+                                "time_end",
+                                "dt_min",
+                                "cpu_seconds",
+                                "wall_seconds",
+                                "setup_cpu_seconds",
+                                "setup_wall_seconds",
+                                "ns_per_point_step",
+                                "peak_memory_mb",
+                                "energy_drift",
+                                "energy_lost",
+                                "energy_growth",
+                                "mass_drift"};
   for (auto& key : merit_keys(reference)) keys.push_back(std::move(key));
   return keys;
 }
 
 std::vector<std::string> mesh_summary_keys() {
-  return {"unknowns",         "newton_iterations", "halvings",     "factor_nonzeros",
-          "assembly_seconds", "analysis_seconds",  "solve_seconds"};
+  return {"unknowns",
+          "newton_iterations",
+          "halvings",
+          "factor_nonzeros",
+          "assembly_cpu_seconds",
+          "assembly_wall_seconds",
+          "solve_cpu_seconds",
+          "solve_wall_seconds",
+          "analysis_cpu_seconds",
+          "analysis_wall_seconds"};
 }
 
 std::vector<std::string> flow_summary_keys() { return {"factorisations", "krylov_iterations", "krylov_failures"}; }

@@ -14,6 +14,9 @@ namespace tether {
 /// where it lies in the region. A point's volume is that of its sub-cell, about an axis times the ring of its radius.
 void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics);
 
+/// Tells of the same mistakes, but for those that need the grid.
+void check_region(const Deck& deck, int r, Diagnostics& diagnostics);
+
 /// Adds the particle file as a body. A point's volume is dx dy / np2 (5.4.4), about an axis times the ring of its
 /// radius.
 void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Diagnostics& diagnostics);

@@ -110,11 +110,21 @@ double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics
 
 }  // namespace
 
+void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
+  const bool of_points =
+      !deck.has_group("mesh") && !deck.has_group("rigid") && !deck.has_group("coupled") && !has_flow(deck);
+  if (deck.is_study() || !of_points || deck.integer("in", "igen") == 0) return;
+  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) check_region(deck, r, diagnostics);
+}
+
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Path path, Diagnostics& diagnostics) {
   Scene scene;
   scene.path = path;
   check_axis(deck, diagnostics);
-  if (!check_axes(deck, diagnostics)) return scene;
+  if (!check_axes(deck, diagnostics)) {
+    check_without_grid(deck, diagnostics);
+    return scene;
+  }
   scene.title = title_of(deck);
   scene.units = units_of(deck);
   scene.grid = BackgroundGrid(deck.integer("in", "nx"), deck.integer("in", "ny"), deck.real("in", "xleft"),

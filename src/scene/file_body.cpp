@@ -1,11 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
 #include "scene/bodies.hpp"
 #include "scene/materials.hpp"
 
 namespace tether {
 namespace {
+
+/// Tells of the first two rows in one place: two points that are one, or no string between them.
+void check_places(const ParticleFile& file, Diagnostics& diagnostics) {
+  std::vector<std::size_t> order(file.rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&file](std::size_t k) { return std::tuple(file.rows[k].x, file.rows[k].y, k); };
+  std::sort(order.begin(), order.end(), [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::size_t count = 0, first = 0, twin = file.rows.size();
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const ParticleRow &one = file.rows[order[k - 1]], &other = file.rows[order[k]];
+    if (one.x != other.x || one.y != other.y) continue;
+    ++count;
+    if (order[k] < twin) first = order[k - 1], twin = order[k];
+  }
+  if (count == 0) return;
+  const ParticleRow& row = file.rows[twin];
+  diagnostics.error({file.file, row.line, 1}, line_text(file, row.line),
+                    fmt::format("point {} at ({:.6g}, {:.6g}) is where point {} is{}", twin + 1, row.x, row.y,
+                                first + 1, count > 1 ? fmt::format("; so are {} more", count - 1) : ""),
+                    "each point has a place of its own");
+}
 
 void check_file(const ParticleFile& file, const Material& material, const Scene& scene, Diagnostics& diagnostics) {
   const BackgroundGrid& grid = scene.grid;
@@ -41,6 +67,7 @@ void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Dia
   const auto material = file_material(deck, file, diagnostics);
   if (!material) return;
   check_file(file, *material, scene, diagnostics);
+  check_places(file, diagnostics);
   const std::size_t first = scene.points.size();
   const double area = scene.grid.dx * scene.grid.dy / file.per_cell;
   PointSet& points = scene.points;

@@ -14,9 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Nothing where not even its header could be read: what would be said of its points has no ground.
+std::optional<ParticleFile> read_text(const std::string& text, const std::string& file, int first_line,
+                                      Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.errors().size();
+  ParticleFile read = read_particle_file(text, file, first_line, diagnostics);
+  if (read.rows.empty() && diagnostics.errors().size() > errors_before) return std::nullopt;
+  return read;
+}
+
 std::optional<ParticleFile> read_path(const fs::path& path, const Diagnostic& missing, Diagnostics& diagnostics) {
   try {
-    return read_particle_file(read_file(path), path.string(), 1, diagnostics);
+    return read_text(read_file(path), path.string(), 1, diagnostics);
   } catch (const FileError& error) {
     Diagnostic diagnostic = missing;
     diagnostic.message = fmt::format("particle file: {}", error.what());
@@ -57,7 +66,7 @@ std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional
   const std::string name = deck.text("in", "particles");
   if (!name.empty()) return read_named(deck, name, diagnostics);
   if (!trim(deck.trailer().text).empty()) {
-    return read_particle_file(deck.trailer().text, deck.file(), deck.trailer().first_line, diagnostics);
+    return read_text(deck.trailer().text, deck.file(), deck.trailer().first_line, diagnostics);
   }
   if (igen == 3 && gives_curves(deck)) return std::nullopt;
   const char* last =

@@ -55,7 +55,7 @@ std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& dia
                                     : DensityRule::grid;
   if (law.rule != (ipath == 9 ? DensityRule::quadratic : DensityRule::continuity)) {
     diagnostics.add(
-        deck.remark(Severity::warning, "mpm", "density", {1, 1},
+        deck.remark(Severity::remark, "mpm", "density", {1, 1},
                     fmt::format("density = '{}' wins over ipath(4,{}) = {} of region {}", rule, r, ipath, r)));
   }
   return law;

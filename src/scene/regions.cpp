@@ -34,6 +34,16 @@ class RegionReader {
       shape.polygon.x.push_back(deck_.real("reg", "xvi", k, r_));
       shape.polygon.y.push_back(deck_.real("reg", "yvi", k, r_));
     }
+    if (const auto sides = shape.polygon.crossing()) {
+      const auto text = [vertices](std::size_t k) {
+        return fmt::format("{}-{}", k + 1, (k + 1) % static_cast<std::size_t>(vertices) + 1);
+      };
+      error("xvi", {static_cast<int>(sides->second) + 1, r_},
+            fmt::format("its outline crosses itself: side {} of its vertices passes through side {}",
+                        text(sides->second), text(sides->first)),
+            "vertices go round the region in their order");
+      return std::nullopt;
+    }
     shape.outer = {real("xcenter"), real("ycenter"), real("rex"), real("rey")};
     shape.inner = {real("xcenter"), real("ycenter"), real("rix"), real("riy")};
     return shape;
@@ -114,17 +124,38 @@ void fill_cell(int i, int j, const BackgroundGrid& grid, const RegionShape& shap
   }
 }
 
+/// What a region's values say of it, whatever the grid.
+struct RegionValues {
+  std::optional<RegionShape> shape;
+  std::optional<Material> material;
+  int side;  // points along one side of a cell
+  double density, energy;
+};
+
+/// Nothing where there are mistakes, which are told.
+std::optional<RegionValues> read_region(const RegionReader& reader, const Deck& deck, int r, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.errors().size();
+  RegionValues values{.shape = reader.shape(),
+                      .material = region_material(deck, r, diagnostics),
+                      .side = reader.lattice(),
+                      .density = reader.density(),
+                      .energy = 0};
+  if (values.material) values.energy = reader.energy(*values.material);
+  if (diagnostics.errors().size() > errors_before) return std::nullopt;
+  return values;
+}
+
 }  // namespace
+
+void check_region(const Deck& deck, int r, Diagnostics& diagnostics) {
+  read_region(RegionReader(deck, r, diagnostics), deck, r, diagnostics);
+}
 
 void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics) {
   const RegionReader reader(deck, r, diagnostics);
-  const std::size_t errors_before = diagnostics.errors().size();
-  const auto shape = reader.shape();
-  const auto material = region_material(deck, r, diagnostics);
-  const int side = reader.lattice();
-  const double density = reader.density();
-  const double energy = material ? reader.energy(*material) : 0;
-  if (diagnostics.errors().size() > errors_before) return;
+  const auto values = read_region(reader, deck, r, diagnostics);
+  if (!values) return;
+  const auto& [shape, material, side, density, energy] = *values;
 
   const BackgroundGrid& grid = scene.grid;
   const CellSpan columns(shape->polygon.x, grid.x0, grid.dx, grid.cells_x());

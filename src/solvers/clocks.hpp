@@ -3,37 +3,44 @@
 
 #include <sys/resource.h>
 
-#include <chrono>
+#include <algorithm>
+#include <vector>
+
+#include "base/seconds.hpp"
+#include "results/checkpoint.hpp"
 
 namespace tether {
 
-/// What a run has taken of the machine, those parts of it included that ran before a restart [seconds].
+/// What a run has taken of the machine, those parts of it included that ran before a restart. The set-up is all that
+/// comes before the first step of each process: the reading of the deck, the scene, the first outputs; or what was
+/// saved.
 class Clocks {
  public:
-  double wall_seconds() const {
-    return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  void go_on_from(const Checkpoint& saved) { before_ = saved.whole, setup_ = saved.setup, parts_before_ = saved.parts; }
+  void end_of_setup() { setup_ += seconds_now() - start_; }
+
+  Seconds whole() const { return before_ + (seconds_now() - start_); }
+  Seconds setup() const { return setup_; }
+  /// The parts of steps that a solver measured in this process, and what they took before.
+  std::vector<CostPart> with_earlier(std::vector<CostPart> parts) const {
+    for (CostPart& part : parts) {
+      const auto named = [&part](const CostPart& earlier) { return earlier.name == part.name; };
+      const auto earlier = std::find_if(parts_before_.begin(), parts_before_.end(), named);
+      if (earlier != parts_before_.end()) part.taken += earlier->taken;
+    }
+    return parts;
   }
-  double cpu_seconds() const { return cpu_before_ + cpu_now() - cpu_; }
-  void add(double cpu, double wall) { cpu_before_ += cpu, wall_before_ += wall; }
 
-  static double peak_memory_mb() { return 1e-3 * static_cast<double>(used().ru_maxrss); }  // Linux counts kilobytes
-
- private:
-  static rusage used() {
+  static double peak_memory_mb() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return usage;
+    return 1e-3 * static_cast<double>(usage.ru_maxrss);  // Linux counts kilobytes
   }
-  static double seconds(const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  }
-  static double cpu_now() {
-    const rusage usage = used();
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  }
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-  double cpu_ = cpu_now();
-  double cpu_before_ = 0, wall_before_ = 0;
+
+ private:
+  Seconds start_ = seconds_now();
+  Seconds before_, setup_;
+  std::vector<CostPart> parts_before_;
 };
 
 /// How far a solver may go before it comes back, so that it comes back several times a second, whatever a step costs:

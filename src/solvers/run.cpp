@@ -14,7 +14,6 @@
 #include "results/checkpoint.hpp"
 #include "results/compare.hpp"
 #include "results/energy_drift.hpp"
-#include "solvers/clocks.hpp"
 #include "solvers/make.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run_outputs.hpp"
@@ -34,6 +33,7 @@ class Runner {
   Runner(const Plan& plan, const RunRequest& request)
       : plan_(plan),
         request_(request),
+        clocks_(request.clocks),
         solver_(make_solver(plan)),
         lock_(request.folder, request.deck),
         outputs_(plan, request, *solver_) {
@@ -42,19 +42,23 @@ class Runner {
           fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));
   }
 
-  void from_the_start() { outputs_.write_the_start(); }
+  void from_the_start() {
+    outputs_.write_the_start();
+    clocks_.end_of_setup();
+  }
 
   void from(const Checkpoint& checkpoint) {
     solver_->restore(checkpoint.state);
-    clocks_.add(checkpoint.cpu_seconds, checkpoint.wall_seconds);
+    clocks_.go_on_from(checkpoint);
     outputs_.restore(checkpoint);
+    clocks_.end_of_setup();
     last_checkpoint_ = request_.restart, last_checkpoint_time_ = checkpoint.time;
   }
 
   RunOutcome to_the_end() {
     while (!at_end()) {
       solver_->advance(std::min({plan_.scene.clock.tmax, look_ahead(), outputs_.next()}));
-      pace_.came_back(clocks_.wall_seconds());
+      pace_.came_back(clocks_.whole().wall);
       pass_messages();
       tell_progress();
       outputs_.write_what_is_due(at_end());
@@ -89,7 +93,7 @@ class Runner {
   void tell_progress() {
     if (!request_.progress) return;
     const RunCounts counts = solver_->counts();
-    request_.progress({solver_->time(), plan_.scene.clock.tmax, counts.dt_last, counts, clocks_.wall_seconds()});
+    request_.progress({solver_->time(), plan_.scene.clock.tmax, counts.dt_last, counts, clocks_.whole().wall});
   }
   void write_checkpoint() {
     Checkpoint now;
@@ -98,7 +102,8 @@ class Runner {
     now.time = solver_->time();
     now.state = solver_->save();
     outputs_.save(now);
-    now.cpu_seconds = clocks_.cpu_seconds(), now.wall_seconds = clocks_.wall_seconds();
+    now.whole = clocks_.whole(), now.setup = clocks_.setup();
+    now.parts = clocks_.with_earlier(solver_->cost_parts());
     last_checkpoint_ = add_checkpoint(request_.folder, now), last_checkpoint_time_ = now.time;
   }
   void stop_if_interrupted() {
@@ -116,6 +121,10 @@ class Runner {
     if (!comparison.exact.names.empty()) outputs_.folder().reference(comparison.exact);
     Summary summary = summary_of_run();
     for (auto& line : solver_->more_summary()) summary.push_back(std::move(line));
+    for (const auto& [name, taken] : clocks_.with_earlier(solver_->cost_parts())) {
+      summary.emplace_back(name + "_cpu_seconds", fmt::format("{}", taken.cpu));
+      summary.emplace_back(name + "_wall_seconds", fmt::format("{}", taken.wall));
+    }
     for (auto& line : summary_of(comparison)) summary.push_back(std::move(line));
     outputs_.folder().finish(summary);
     return {std::move(summary), outputs_.history()};
@@ -144,7 +153,7 @@ class Runner {
   }
   Summary summary_of_run() const {
     const RunCounts counts = solver_->counts();
-    const double cpu = clocks_.cpu_seconds();
+    const Seconds whole = clocks_.whole(), setup = clocks_.setup();
     const auto number = [](auto value) { return fmt::format("{}", value); };
     return {{"path", path_name(plan_.scene.path)},
             {"steps", number(counts.steps)},
@@ -153,9 +162,12 @@ class Runner {
             {"dx", number(plan_.scene.grid.dx)},
             {"time_end", number(solver_->time())},
             {"dt_min", number(counts.dt_min)},
-            {"cpu_seconds", number(cpu)},
-            {"wall_seconds", number(clocks_.wall_seconds())},
-            {"ns_per_point_step", number(1e9 * cpu / static_cast<double>(std::max(counts.point_steps, 1LL)))},
+            {"cpu_seconds", number(whole.cpu)},
+            {"wall_seconds", number(whole.wall)},
+            {"setup_cpu_seconds", number(setup.cpu)},
+            {"setup_wall_seconds", number(setup.wall)},
+            {"ns_per_point_step",
+             number(1e9 * (whole - setup).cpu / static_cast<double>(std::max(counts.point_steps, 1LL)))},
             {"peak_memory_mb", number(Clocks::peak_memory_mb())},
             {"energy_drift", number(energy_drift(outputs_.history()))},
             {"energy_lost", number(energy_lost(outputs_.history()))},
@@ -179,16 +191,19 @@ class Runner {
 RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder, const std::string& command) {
   const std::string& text = loaded.deck.text();
   const Scene& scene = loaded.plan.scene;
+  std::vector<std::string> messages = loaded.warnings;
+  messages.insert(messages.end(), loaded.remarks.begin(), loaded.remarks.end());
   return {folder,
           {scene.title, command, text, sha256(text), scene.units, sha256(loaded.effective)},
           loaded.effective,
-          loaded.warnings,
+          std::move(messages),
           {},
           {},
           {},
           {},
           loaded.deck.mesh_text(),
-          loaded.deck.file()};
+          loaded.deck.file(),
+          {}};
 }
 
 RunOutcome run(const Plan& plan, const RunRequest& request) {

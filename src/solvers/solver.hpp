@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "results/cost_part.hpp"
 #include "results/results.hpp"
 #include "results/saved_state.hpp"
 
@@ -40,6 +41,8 @@ class Solver {
   /// throws FileError where the saved state is not of this path and scene.
   virtual SavedState save() const = 0;
   virtual void restore(const SavedState& saved) = 0;
+  /// What parts of the steps took in this process; a part may be a part of another one.
+  virtual std::vector<CostPart> cost_parts() const { return {}; }
   /// What the path tells in summary.txt beside what all paths do.
   virtual Summary more_summary() const { return {}; }
   /// Warnings that came up since the last call.

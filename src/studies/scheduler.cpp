@@ -61,6 +61,7 @@ std::filesystem::path checkpoint_of(const std::string& deck_effective, const std
 /// A run as the command line does it; of a run that ends well the message is its warnings, since its numbers may mean
 /// less than they seem to. For the child process: signals end it at its next look.
 Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, const std::string& command) {
+  const Clocks clocks;
   SignalWatch watch;
   std::string warnings;
   const auto warn = [&warnings](const std::string& text) { warnings += "warning: " + text + "\n"; };
@@ -68,6 +69,7 @@ Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, cons
     Diagnostics diagnostics;
     const Loaded loaded = load_scene(deck, {}, diagnostics);
     RunRequest request = request_of(loaded, folder, command);
+    request.clocks = clocks;
     request.restart = checkpoint_of(request.deck_effective, folder);
     request.interrupted = [&watch] { return watch.take(); };
     request.warn = warn;

@@ -18,7 +18,7 @@ HANGS = "hangs"
 
 # Head of a diagnostic; file, line and column may be missing.
 HEAD = re.compile(r"(?:(?P<file>[^\s:][^:\n]*):(?:(?P<line>\d+):)?(?:(?P<column>\d+):)? )?"
-                  r"(?P<severity>error|warning): (?P<text>.*)")
+                  r"(?P<severity>error|warning|remark): (?P<text>.*)")
 
 
 def run(*arguments, folder=ROOT, before=None, patience=PATIENCE):

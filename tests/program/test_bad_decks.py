@@ -31,6 +31,7 @@ REQUIRED = {
     "curve_without_kind", "curve_without_radius", "curve_of_three_vertices", "curve_vertex_without_y",
     "curve_without_length", "curve_beyond_a_turn", "membrane_on_the_axis", "particles_on_the_axis",
     "grid_beyond_the_axis", "wall_on_the_axis", "plane_stress_about_an_axis", "pin_of_a_solid",
+    "region_bow_tie", "particles_in_one_place", "decimal_comma", "c_comment", "slashes_comment", "name_of_another_code",
     "particles_plane_stress_ratio", "rigid_on_a_plane_mesh", "rigid_without_a_mesh", "rigid_directors_in_a_plane",
     "rigid_director_without_length", "rigid_without_density", "rigid_pinned_and_moving", "rigid_regions_that_part",
     "rigid_region_that_spins", "rigid_force_without_place", "rigid_table_without_torque", "rigid_at_a_wall",

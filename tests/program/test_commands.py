@@ -181,10 +181,10 @@ class Check(ProgramTest):
         self.assertEqual(self.listed(text, "in", "tmax"), ["0.5", "given", "time", "--set", "1:9"])
         self.assertEqual(self.listed(text, "mpm", "cfl"), ["0.25", "given", "--set", "2:9"])
 
-    def test_warnings_go_to_stderr(self):
+    def test_remarks_go_to_stderr(self):
         result = self.expect(0, "check", SOD)
-        self.assertIn(":12:22: warning: tiout is set for outputs that are off", result.stderr)
-        self.assertNotIn("warning", result.stdout)
+        self.assertIn(":12:22: remark: tiout is set for outputs that are off", result.stderr)
+        self.assertNotIn("remark", result.stdout)
 
     def test_all_errors_at_once(self):
         for text, places in ((THREE_MISTAKES, {"3:5", "5:7", "6:2"}), (THREE_WRONG_WISHES, {"6:11", "13:7", "15:12"})):
@@ -258,13 +258,41 @@ class Options(ProgramTest):
     def test_quiet(self):
         deck = DECKS / "stability-side.in"
         loud = self.expect(0, deck, "--out", self.folder / "loud")
-        self.assertIn("warning: $regrig is there without nregrig", loud.stderr)
+        self.assertEqual(loud.stderr.count("1 remark in "), 1)
         self.assertRegex(loud.stdout, r"stability-side.in: 30 steps, .* in \S+/loud\n$")
         quiet = self.expect(0, deck, "--out", self.folder / "quiet", "--quiet")
         self.assertEqual((quiet.stdout, quiet.stderr), ("", ""))
         messages = (self.folder / "quiet/messages.txt").read_text()
-        self.assertIn("warning: $regrig is there without nregrig", messages)
+        self.assertIn("remark: $regrig is there without nregrig", messages)
         self.assertEqual(messages, (self.folder / "loud/messages.txt").read_text())
+
+    def test_known_slips_are_one_line_and_hide_no_warning(self):
+        """The slips of the printed decks do no harm; what may do is told in full, and messages.txt has both."""
+        deck = self.write("slips.in", (DECKS / "piston-m1.in").read_text())
+        options = ("--particles", DECKS.parent / "particles/piston.par", "--set", "in.tmax=1e-4")
+        out = self.folder / "out"
+        result = self.expect(0, deck, "--out", out, *options)
+        lines = result.stderr.splitlines()
+        self.assertEqual([line for line in lines if "remark" in line], [f"{deck}: 3 remarks in {out}/messages.txt"])
+        self.assertEqual([line for line in lines if "tiout" in line or "vrx" in line or "$regrig" in line], [])
+        self.assertTrue(any("warning: the deck's step" in line for line in lines), result.stderr)
+        messages = (out / "messages.txt").read_text()
+        for remark in ("remark: tiout is set", "remark: vrx(2) is set but nreg = 1", "remark: vry(2) is set"):
+            self.assertRegex(messages, rf"slips\.in:\d+:\d+: {re.escape(remark)}")
+        self.assertIn("warning: the deck's step", messages)
+        shown = self.expect(0, "check", deck, *options).stderr
+        self.assertEqual(shown.count(": remark: "), 3)
+        for words in (["plan", deck], [deck, "--dry-run"]):
+            told = self.expect(0, *words, *options).stderr
+            self.assertIn(f"{deck}: 3 remarks shown by tether check\n", told)
+            self.assertNotIn("tiout", told)
+
+    def test_a_region_that_nreg_forgets_is_a_warning(self):
+        deck = self.write("three.in", THREE_WRONG_WISHES.replace("nprg=5", "nprg=4").replace("matr(1,1)=0.0", "matr(1,1)=1.0")
+                          .replace("iout(33)=1", "").replace("ipath(4,1)=0", "ipath(4,1)=0, densir(2)=1., vrx(2)=1."))
+        told = self.expect(0, "plan", deck).stderr
+        self.assertIn("warning: densir(2) is set but nreg = 1", told)
+        self.assertIn("warning: vrx(2) is set but nreg = 1", told)
 
     def test_quiet_keeps_errors_and_the_run_s_warnings(self):
         deck = DECKS / "stability-side.in"

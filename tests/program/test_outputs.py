@@ -14,7 +14,7 @@ from program import DECKS, ROOT, TETHER, ProgramTest, history, netcdf, sets, sum
 BOXES = ROOT / "tests" / "thesis-boxes"
 
 SUMMARY_KEYS = ["path", "steps", "points", "cells_active", "dx", "time_end", "dt_min", "cpu_seconds", "wall_seconds",
-                "ns_per_point_step", "peak_memory_mb", "energy_drift", "energy_lost", "energy_growth", "mass_drift"]
+                "setup_cpu_seconds", "setup_wall_seconds", "ns_per_point_step", "peak_memory_mb", "energy_drift", "energy_lost", "energy_growth", "mass_drift"]
 SCENE_COLUMNS = ["time", "dt", "energy_kinetic", "energy_strain", "energy_internal", "energy_potential", "energy_total",
                  "mass", "momentum_x", "momentum_y", "angular_momentum_z"]
 BODY_COLUMNS = ["body_x", "body_y", "body_vx", "body_vy", "body_mass"]
@@ -123,7 +123,7 @@ class Sod(ProgramTest):
 
     def test_messages_hold_the_deck_s_warnings(self):
         messages = (self.out / "messages.txt").read_text()
-        self.assertIn("sod.in:12:22: warning: tiout is set for outputs that are off", messages)
+        self.assertIn("sod.in:12:22: remark: tiout is set for outputs that are off", messages)
 
 
 class Again(ProgramTest):

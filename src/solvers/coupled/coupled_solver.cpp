@@ -81,6 +81,8 @@ void CoupledSolver::restore(const SavedState& saved) {
   step_.resume(state_);
 }
 
+std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step_.system().cost().solve}}; }
+
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
@@ -89,7 +91,6 @@ Summary CoupledSolver::more_summary() const {
                   {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
                   {"krylov_iterations", number(state_.iterations)},
                   {"factor_nonzeros", number(cost.factor_nonzeros)},
-                  {"solve_seconds", number(cost.solve_seconds)},
                   {"contact_solutions", number(state_.contact_solutions)},
                   {"contact_unsettled", number(state_.contact_unsettled)},
                   {"interface_mismatch", number(state_.worst_mismatch)}};

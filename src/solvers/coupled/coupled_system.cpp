@@ -9,26 +9,12 @@
 #include "algebra/bicgstab.hpp"
 #include "algebra/quasidefinite_solver.hpp"
 #include "base/errors.hpp"
-#include "base/seconds.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/region_constants.hpp"
 #include "solvers/coupled/schur_complement.hpp"
 
 namespace tether::coupled {
 namespace {
-
-/// Adds the seconds of its life to a sum.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& sum) : sum_(sum) {}
-  ~Stopwatch() { sum_ += seconds_since(start_); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& sum_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 [[noreturn]] void refuse(double time, const std::string& what) {
   throw RunError(fmt::format("t = {:.9g}: {}", time, what));
@@ -61,7 +47,7 @@ CoupledSystem::CoupledSystem(const Coupled& scene)
 CoupledSystem::~CoupledSystem() = default;
 
 void CoupledSystem::solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p) {
-  const Stopwatch watch(cost_.solve_seconds);
+  const Stopwatch watch(cost_.solve);
   ++cost_.solves;
   if (scene_.mode == CouplingMode::paper) return solve_as_the_paper(equations, time, u, p);
   if (direct_) return solve_directly(equations, time, u, p);
@@ -137,7 +123,7 @@ void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double
 
 void CoupledSystem::solve_solids(const CoupledEquations& equations, double time, std::span<double> u,
                                  std::span<const double> p) {
-  const Stopwatch watch(cost_.solve_seconds);
+  const Stopwatch watch(cost_.solve);
   ++cost_.solves;
   CoupledEquations alone = equations;
   std::vector<double> forces(equations.b.begin(), equations.b.end());
@@ -152,7 +138,7 @@ void CoupledSystem::solve_solids(const CoupledEquations& equations, double time,
 
 void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, std::span<const double> u,
                                 std::span<double> p) {
-  const Stopwatch watch(cost_.solve_seconds);
+  const Stopwatch watch(cost_.solve);
   std::vector<double> right(equations.r.begin(), equations.r.end());
   add_product(equations.flux, 1, u, right);
   const std::vector<std::uint8_t> pinned = first_pressures(equations, equations.loose);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/seconds.hpp"
 #include "scene/coupled.hpp"
 #include "solvers/coupled/coupling_map.hpp"
 
@@ -36,7 +37,8 @@ struct CoupledEquations {
 /// What the solutions have cost.
 struct SystemCost {
   long long solves = 0, iterations = 0;
-  double solve_seconds = 0, factor_nonzeros = 0;
+  Seconds solve;
+  double factor_nonzeros = 0;
 };
 
 /// Solves them, step after step: symbolic factors and orders of elimination are kept, and factors while matrices are.

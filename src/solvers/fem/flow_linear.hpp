@@ -48,7 +48,7 @@ class FlowLinear {
 
   LinearCounts take_counts() { return std::exchange(counts_, {}); }  ///< since the last call
   double factor_nonzeros() const;                                    ///< of those that there are
-  double analysis_seconds() const { return direct_ ? direct_->analysis_seconds() : 0; }
+  Seconds analysis() const { return direct_ ? direct_->analysis() : Seconds{}; }
 
  private:
   void weigh(const SparseMatrix& K);

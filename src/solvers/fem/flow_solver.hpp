@@ -30,6 +30,7 @@ class FlowSolver final : public Solver {
   std::vector<std::string> take_messages() override;
   SavedState save() const override;
   void restore(const SavedState& saved) override;
+  std::vector<CostPart> cost_parts() const override;
   Summary more_summary() const override;
 
  private:

@@ -2,7 +2,6 @@
 #include "solvers/fem/flow_step.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -105,7 +104,7 @@ FlowMoment FlowStep::moment(std::span<const double> v0) const {
 /// (45), (46): the residuals at the unknowns over the largest forces and fluxes and the tolerance; and their size over
 /// the forces and fluxes that the step began with, which tells what corrections are worth.
 double FlowStep::find_residual(const FlowState& state) {
-  const auto from = std::chrono::steady_clock::now();
+  const Seconds from = seconds_now();
   std::fill(f_.begin(), f_.end(), 0.0);
   std::fill(g_.begin(), g_.end(), 0.0);
   FlowScale scale = elements_->add_residual(moment(state.v), f_, g_);
@@ -116,7 +115,7 @@ double FlowStep::find_residual(const FlowState& state) {
     for (std::size_t i = 0; i < 2; ++i) force += unknowns_.velocity[2 * n + i] < 0 ? 0 : f_[2 * n + i] * f_[2 * n + i];
     flux += unknowns_.pressure[n] < 0 ? 0 : g_[n] * g_[n];
   }
-  cost_.assembly_seconds += seconds_since(from);
+  cost_.assembly += seconds_now() - from;
   const double tolerance = unknowns_.flow.tolerance, tiny = std::numeric_limits<double>::min();
   if (first_scale_.force == 0) first_scale_ = {std::max(scale.force, tiny), std::max(scale.flux, tiny), 0, 0};
   size_ = std::max(std::sqrt(force) / first_scale_.force, std::sqrt(flux) / first_scale_.flux);
@@ -149,16 +148,16 @@ void FlowStep::take_back_correction(const FlowState& state) {
 }
 
 bool FlowStep::factorise(FlowState& state) {
-  const auto from = std::chrono::steady_clock::now();
+  const Seconds from = seconds_now();
   if (immersed_) update_pattern();
   K_.set_zero();
   elements_->add_tangent(moment(state.v), pattern_, K_);
   if (immersed_) immersed_->add_tangent(unknowns_.flow.mesh.element_count(), pattern_, K_);
-  cost_.assembly_seconds += seconds_since(from);
-  const auto solve_from = std::chrono::steady_clock::now();
+  cost_.assembly += seconds_now() - from;
+  const Seconds solve_from = seconds_now();
   const bool done = linear_.factorise(K_, linear_.wants_scales() ? scales(state) : FlowScales{});
   new_factors_ = done;
-  cost_.solve_seconds += seconds_since(solve_from);
+  cost_.solve += seconds_now() - solve_from;
   factors_ = done && !linear_.by_krylov();
   if (!linear_.by_krylov()) state.linearised = {at_.start, at_.dt, state.v, v1_, p_, state.q, state.w, state.drift};
   return done;
@@ -173,10 +172,10 @@ FlowScales FlowStep::scales(const FlowState& state) const {
 bool FlowStep::correct(FlowState& state, double residual) {
   constexpr int most_halvings_of_a_correction = 10;
   constexpr double least_volume = 0.05;
-  const auto from = std::chrono::steady_clock::now();
+  const Seconds from = seconds_now();
   const bool possible = find_correction(residual) && apply_correction(1);
   corrected_part_ = 1;
-  cost_.solve_seconds += seconds_since(from);
+  cost_.solve += seconds_now() - from;
   count(state);
   if (!immersed_ || !possible) return possible;
   immersed_->move(state.v, v1_);
@@ -212,7 +211,7 @@ void FlowStep::count(FlowState& state) {
   const LinearCounts counts = linear_.take_counts();
   state.factorisations += counts.factorisations;
   state.krylov_iterations += counts.iterations, state.krylov_failures += counts.failures;
-  cost_.factor_nonzeros = linear_.factor_nonzeros(), cost_.analysis_seconds = linear_.analysis_seconds();
+  cost_.factor_nonzeros = linear_.factor_nonzeros(), cost_.analysis = linear_.analysis();
 }
 
 /// Adds a part of it. False where it is no number.

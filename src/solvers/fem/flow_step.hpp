@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/seconds.hpp"
 #include "solvers/fem/flow_elements.hpp"
 #include "solvers/fem/flow_linear.hpp"
 #include "solvers/fem/flow_state.hpp"
@@ -22,7 +23,8 @@ struct FlowReport {
 
 /// What the steps have cost; the symbolic analysis is a part of the solution.
 struct FlowCost {
-  double assembly_seconds = 0, solve_seconds = 0, analysis_seconds = 0, factor_nonzeros = 0;
+  Seconds assembly, solve, analysis;
+  double factor_nonzeros = 0;
 };
 
 /// Numbers of a step that the deck's clock decides.

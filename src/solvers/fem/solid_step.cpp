@@ -2,7 +2,6 @@
 #include "solvers/fem/solid_step.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -170,10 +169,10 @@ double SolidStep::find_residual(const SolidState& state, double dt) {
 
 NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonRule& rule) {
   NewtonReport report;
-  const auto from = std::chrono::steady_clock::now();
+  const Seconds from = seconds_now();
   find_inner_forces(state.q, false);
   report.residuals.push_back(find_residual(state, dt));
-  cost_.assembly_seconds += seconds_since(from);
+  cost_.assembly += seconds_now() - from;
   for (int k = 0; k < rule.most_iterations; ++k) {
     report.converged = report.residuals.back() <= system_.solids.tolerance;
     if (report.converged || !correct(state, dt)) return report;
@@ -217,7 +216,7 @@ double SolidStep::next_correction() {
 
 /// One correction of Newton's method, into change and q1. False where the tangent is singular.
 bool SolidStep::correct(const SolidState& state, double dt) {
-  const auto from = std::chrono::steady_clock::now();
+  const Seconds from = seconds_now();
   const Solids& solids = system_.solids;
   const bool mean = dynamic_ && solids.integrator == Integrator::trapezoid;
   const double share = mean ? 0.5 : 1, inertia = dynamic_ ? 2 / (dt * dt) + solids.alpha / dt : 0;
@@ -231,13 +230,13 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   }
   hold(K_, system_.held, stiffest_);
   for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
-  cost_.assembly_seconds += seconds_since(from);
-  const auto solve_from = std::chrono::steady_clock::now();
+  cost_.assembly += seconds_now() - from;
+  const Seconds solve_from = seconds_now();
   const bool symmetric = !dynamic_ || solids.integrator != Integrator::energy;
   const bool regular = solver_.factorise(K_, symmetric ? Definite::positive : Definite::general);
   if (regular) solver_.solve(change_, change_);
-  cost_.solve_seconds += seconds_since(solve_from);
-  cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis_seconds = solver_.analysis_seconds();
+  cost_.solve += seconds_now() - solve_from;
+  cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis = solver_.analysis();
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] += change_[k];
   return regular && std::isfinite(norm(change_));
 }

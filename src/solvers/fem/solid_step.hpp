@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/seconds.hpp"
 #include "solvers/fem/rigid_guess.hpp"
 #include "solvers/fem/solid_state.hpp"
 #include "solvers/fem/solid_system.hpp"
@@ -26,7 +27,8 @@ constexpr double slope_width = 1e-3;
 
 /// What the steps have cost; the symbolic analysis is a part of the solution.
 struct SolidCost {
-  double assembly_seconds = 0, solve_seconds = 0, analysis_seconds = 0, factor_nonzeros = 0;
+  Seconds assembly, solve, analysis;
+  double factor_nonzeros = 0;
 };
 
 /// One step of elastic bodies, from q0, v0 at t to q1, v1 at t + dt, by the solids' integrator.

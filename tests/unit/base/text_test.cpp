@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/short_text.hpp"
+#include "base/text_kind.hpp"
+
 namespace tether {
 namespace {
 
@@ -69,6 +72,26 @@ TEST(NearestName, IsEmptyBeyondTheMost) {
   EXPECT_EQ(nearest_name("gravity", {"gravc"}, 3), "gravc");
   EXPECT_EQ(nearest_name("tmx", {"tmax"}, 0), "");
   EXPECT_EQ(nearest_name("tmax", {}), "");
+}
+
+TEST(ShortText, KeepsTheEndsOfWhatIsLong) {
+  EXPECT_EQ(shortened("abcdefgh", 8), "abcdefgh");
+  EXPECT_EQ(shortened("abcdefghi", 8), "abc...hi");
+  EXPECT_EQ(with_short_words("a abcdefghi\n  b abcdefghij", 8), "a abc...hi\n  b abc...ij");
+  EXPECT_EQ(with_short_words(std::string(100000, 'a')).size(), 300U);
+  EXPECT_EQ(with_short_words(""), "");
+}
+
+TEST(NoText, TextsAreNone) {
+  for (const char* text : {"a", "$in\n nx=3 $\n", "\xef\xbb\xbf$in", "\xc3\xa4\xc3\xb6\xc3\xbc", "\t\r\n x"}) {
+    EXPECT_EQ(no_text(text).message, "") << text;
+  }
+  EXPECT_EQ(no_text(std::string("$in nx=3\0 $ and some more of a deck", 35)).message, "");  // damaged in one place
+  EXPECT_EQ(no_text("").message, "the file is empty");
+  EXPECT_EQ(no_text(std::string("$\0i\0n\0\n\0", 8)).message, "this is a text in UTF-16, no plain text");
+  EXPECT_EQ(no_text(std::string("\0$\0i\0n\0\n", 8)).message, "this is a text in UTF-16, no plain text");
+  EXPECT_EQ(no_text(std::string("CDF\2", 4)).message, "this is a NetCDF file, no plain text");
+  EXPECT_EQ(no_text(std::string(3000, '\1')).message, "this is a binary file, no plain text");
 }
 
 TEST(Sha256, OfThePublishedVectors) {  // FIPS 180-2, appendix B

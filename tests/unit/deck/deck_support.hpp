@@ -15,9 +15,14 @@ struct Reading {
   Deck deck;
   Diagnostics diagnostics;
 
-  /// "line:column: message" of each error, or each warning.
+  /// "line:column: message" of each error, each remark, or all that is no error.
   std::vector<std::string> errors() const { return short_texts(diagnostics.errors()); }
-  std::vector<std::string> warnings() const { return short_texts(diagnostics.warnings()); }
+  std::vector<std::string> remarks() const { return short_texts(diagnostics.remarks()); }
+  std::vector<std::string> warnings() const {
+    std::vector<Diagnostic> all = diagnostics.all();
+    std::erase_if(all, [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
+    return short_texts(all);
+  }
 
  private:
   static std::vector<std::string> short_texts(const std::vector<Diagnostic>& diagnostics) {

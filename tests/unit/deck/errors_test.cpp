@@ -133,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "4:7: units = 'b' is none of its choices", "5:4: wl = 7 is out of range"}},
         Mistake{"wl=4 $fluid mu=2.", {"3:6: '$' inside a line of a group", "3:13: $in has no variable 'mu'"}},
         Mistake{"wl=4 # left", {"3:6: '#' among the values of 'wl'"}},
-        Mistake{"# left wall\nwl=7", {"3:1: '#' among the values of 'tstep'", "4:4: wl = 7 is out of range"}},
-        Mistake{"#wl=7\nwr=7", {"3:1: '#wl' among the values of 'tstep'", "4:4: wr = 7 is out of range"}}));
+        Mistake{"# left wall\nwl=7", {"3:1: '#' begins no comment", "4:4: wl = 7 is out of range"}},
+        Mistake{"#wl=7\nwr=7", {"3:1: '#' begins no comment", "4:4: wr = 7 is out of range"}}));
 
 std::string first_hint(const Reading& reading) {
   const auto errors = reading.diagnostics.errors();
@@ -171,7 +171,7 @@ TEST(Errors, StrayThingsAtTheStartOfAGroup) {
             (Texts{"5:1: a text in quotes is neither a variable with its '=' nor a value",
                    "5:15: nreg = -1 is out of range"}));
   EXPECT_EQ(read_reg("# nreg=4\nnreg=-1").errors(),
-            (Texts{"5:1: '#' is neither a variable with its '=' nor a value", "6:6: nreg = -1 is out of range"}));
+            (Texts{"5:1: '#' begins no comment", "6:6: nreg = -1 is out of range"}));
 }
 
 TEST(Errors, CarryTheLine) {
@@ -218,7 +218,8 @@ TEST(Errors, AnOpenGroupAtTheEnd) {
 }
 
 TEST(Errors, NoIn) {
-  EXPECT_EQ(read("").errors(), (Texts{"0:0: there is no group $in"}));
+  EXPECT_EQ(read("").errors(), (Texts{"0:0: the file is empty"}));
+  EXPECT_EQ(read(" \n").errors(), (Texts{"0:0: the file holds nothing but blanks"}));
   EXPECT_EQ(read("nx = 5\n$reg nreg=1 /\n").errors(), (Texts{"0:0: there is no group $in"}));
 }
 
@@ -249,7 +250,7 @@ TEST(Errors, LongLinesAndNamesAreCutShort) {
   const auto errors = read_in(std::string(5000, 'x') + "=1").diagnostics.errors();
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_EQ(errors[0].line_text, "");
-  EXPECT_EQ(errors[0].message, "$in has no variable '" + std::string(60, 'x') + "...'");
+  EXPECT_EQ(errors[0].message, "$in has no variable '" + std::string(29, 'x') + "..." + std::string(28, 'x') + "'");
 }
 
 TEST(Errors, MoreValuesThanAnyDeckNeeds) {

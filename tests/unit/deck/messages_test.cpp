@@ -17,7 +17,7 @@ TEST(QuotedTexts, AreCutAndShowNoOddBytes) {
   EXPECT_EQ(in_quotes(" ~a"), "' ~a'");
   EXPECT_EQ(in_quotes("a\tb\x7f \xc3 "), "'a?b? ? '");
   EXPECT_EQ(in_quotes(std::string(60, 'x')), "'" + std::string(60, 'x') + "'");
-  EXPECT_EQ(in_quotes(std::string(61, 'x')), "'" + std::string(60, 'x') + "...'");
+  EXPECT_EQ(in_quotes(std::string(61, 'x')), "'" + std::string(29, 'x') + "..." + std::string(28, 'x') + "'");
 }
 
 TEST(Remarks, ShowTheLineByTheNumberingOfItsFile) {

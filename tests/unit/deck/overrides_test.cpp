@@ -85,7 +85,7 @@ TEST(Overrides, SayWhatWouldBeRight) {
 }
 
 TEST(Overrides, DoNotMakeUpForAMissingIn) {
-  EXPECT_EQ(read("", {"reg.nreg=1"}).errors(), (Texts{"0:0: there is no group $in"}));
+  EXPECT_EQ(read("a title\n", {"reg.nreg=1"}).errors(), (Texts{"0:0: there is no group $in"}));
 }
 
 }  // namespace

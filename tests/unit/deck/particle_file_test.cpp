@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Heads, WrongParticles,
     testing::Values(
-        Wrong{"", {"0:0: the particle data end before the density"}},
+        Wrong{"", {"0:0: the file is empty"}},
         Wrong{"0.1\n", {"0:0: the particle data end before 7 material constants"}},
         Wrong{"0.1\n" + constants, {"0:0: the particle data end before 4 integers ipath"}},
         Wrong{"0.1\n" + constants + "3,3,3,8\n",

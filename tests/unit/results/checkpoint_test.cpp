@@ -27,8 +27,8 @@ Checkpoint example() {
   checkpoint.dues = {{0.1, 0.2}, {0, 1e308}};
   checkpoint.point_snapshots = 2;
   checkpoint.messages = {"warning: one", "warning: two"};
-  checkpoint.cpu_seconds = 1.5;
-  checkpoint.wall_seconds = 2.5;
+  checkpoint.whole = {1.5, 2.5}, checkpoint.setup = {0.1, 1e-9};
+  checkpoint.parts = {{"assembly", {0.5, 1.0 / 3}}, {"solve", {0.7, 0.8}}};
   return checkpoint;
 }
 
@@ -62,8 +62,14 @@ TEST_F(CheckpointTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.point_snapshots, 2U);
   EXPECT_EQ(read.grid_snapshots, 0U);
   EXPECT_EQ(read.messages, written.messages);
-  EXPECT_EQ(read.cpu_seconds, 1.5);
-  EXPECT_EQ(read.wall_seconds, 2.5);
+  EXPECT_EQ(read.whole.cpu, 1.5);
+  EXPECT_EQ(read.whole.wall, 2.5);
+  EXPECT_EQ(read.setup.cpu, 0.1);
+  EXPECT_EQ(read.setup.wall, 1e-9);
+  ASSERT_EQ(read.parts.size(), 2U);
+  EXPECT_EQ(read.parts[0].name, "assembly");
+  EXPECT_EQ(read.parts[0].taken.wall, 1.0 / 3);
+  EXPECT_EQ(read.parts[1].taken.cpu, 0.7);
 }
 
 TEST_F(CheckpointTest, LeavesNoTemporaryFile) {
@@ -125,7 +131,7 @@ TEST_F(CheckpointTest, WhatIsNoCheckpointIsRefused) {
 TEST_F(CheckpointTest, TheVariablesDoNotTellWhatARunTook) {
   Checkpoint checkpoint = example();
   write_checkpoint(folder / "a.nc", checkpoint);
-  checkpoint.cpu_seconds = 77, checkpoint.provenance.command = "otherwise";
+  checkpoint.whole.cpu = 77, checkpoint.provenance.command = "otherwise";
   write_checkpoint(folder / "b.nc", checkpoint);
   const NetcdfInput a(folder / "a.nc"), b(folder / "b.nc");
   ASSERT_EQ(a.variables(), b.variables());

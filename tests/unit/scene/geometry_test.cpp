@@ -30,6 +30,24 @@ TEST(PolygonTest, NonConvex) {  // an arrow head, notched from the left
   EXPECT_FALSE(arrow.contains(0.25, 1.5));
 }
 
+TEST(PolygonTest, SidesThatCrossAreFound) {
+  const auto sides = Polygon{{0, 2, 0, 2}, {0, 0, 2, 2}}.crossing();
+  ASSERT_TRUE(sides);
+  EXPECT_EQ(sides->first, 1U);
+  EXPECT_EQ(sides->second, 3U);
+  EXPECT_TRUE((Polygon{{0, 4, 4, 1, 1, 3, 0}, {0, 0, 3, 3, -1, 4, 4}}.crossing()));
+}
+
+TEST(PolygonTest, SidesThatTouchDoNotCross) {
+  EXPECT_FALSE((Polygon{{0, 4, 1}, {0, 0, 3}}.crossing()));
+  EXPECT_FALSE((Polygon{{0, 1, 1, 0, 0}, {0, 0, 1, 1, 0}}.crossing()));        // closed by its first vertex
+  EXPECT_FALSE((Polygon{{0, 2, 4, 4, 2, 0}, {0, 1, 0, 2, 1, 2}}.crossing()));  // pinched to a point in the middle
+  EXPECT_FALSE((Polygon{
+      {0, 3, 3, 0, 0, 1, 1, 2, 2, 1, 1, 0},  // a ring, cut open along a seam
+      {0, 0, 3, 3, 1, 1, 2, 2, 1, 1, 1,
+       1}}.crossing()));
+}
+
 TEST(PolygonTest, EvenOddWhereSidesCross) {  // a bow tie
   const Polygon tie{{0, 2, 2, 0}, {0, 2, 0, 2}};
   EXPECT_TRUE(tie.contains(0.5, 1.25));
