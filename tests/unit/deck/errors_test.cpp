@@ -120,21 +120,21 @@ INSTANTIATE_TEST_SUITE_P(Subscripts, InMistakes,
 
 INSTANTIATE_TEST_SUITE_P(
     Characters, InMistakes,
-    testing::Values(
-        Mistake{"wl=\xc2\xa0"
-                "4",
-                {"3:4: the bytes 0xC2 0xA0 are not plain text (a no-break space)"}},
-        Mistake{"wl\xe2\x80\x93=4", {"3:3: the bytes 0xE2 0x80 0x93 are not plain text"}},
-        Mistake{"wl=4 \x01", {"3:6: the bytes 0x01 are not plain text"}},
-        Mistake{"particles='a\x02 b'", {"3:13: the bytes 0x02 are not plain text"}},
-        Mistake{"particles='a\nwl=4", {"3:11: this quote is never closed"}},
-        Mistake{"particles='a\nunits=\"b\nwl=7",
-                {"3:11: this quote is never closed", "4:7: this quote is never closed",
-                 "4:7: units = 'b' is none of its choices", "5:4: wl = 7 is out of range"}},
-        Mistake{"wl=4 $fluid mu=2.", {"3:6: '$' inside a line of a group", "3:13: $in has no variable 'mu'"}},
-        Mistake{"wl=4 # left", {"3:6: '#' among the values of 'wl'"}},
-        Mistake{"# left wall\nwl=7", {"3:1: '#' begins no comment", "4:4: wl = 7 is out of range"}},
-        Mistake{"#wl=7\nwr=7", {"3:1: '#' begins no comment", "4:4: wr = 7 is out of range"}}));
+    testing::Values(Mistake{"wl=\xc2\xa0"
+                            "4",
+                            {"3:4: the bytes 0xC2 0xA0 are not plain text (a no-break space)"}},
+                    Mistake{"wl\xe2\x80\x93=4", {"3:3: the bytes 0xE2 0x80 0x93 are not plain text"}},
+                    Mistake{"wl=4 \x01", {"3:6: the bytes 0x01 are not plain text"}},
+                    Mistake{"particles='a\x02 b'", {"3:13: the bytes 0x02 are not plain text"}},
+                    Mistake{"particles='a\nwl=4", {"3:11: this quote is never closed"}},
+                    Mistake{"particles='a\nunits=\"b\nwl=7",
+                            {"3:11: this quote is never closed", "4:7: this quote is never closed",
+                             "4:7: units = 'b' is none of its choices", "5:4: wl = 7 is out of range"}},
+                    Mistake{"wl=4 $fluid mu=2.",
+                            {"3:6: '$' inside a line of a group", "3:13: $in has no variable 'mu'"}},
+                    Mistake{"wl=4 # left", {"3:6: '#' among the values of 'wl'"}},
+                    Mistake{"# left wall\nwl=7", {"3:1: '#' begins no comment", "4:4: wl = 7 is out of range"}},
+                    Mistake{"#wl=7\nwr=7", {"3:1: '#' begins no comment", "4:4: wr = 7 is out of range"}}));
 
 std::string first_hint(const Reading& reading) {
   const auto errors = reading.diagnostics.errors();
