@@ -47,6 +47,12 @@ class TrackedString {
       return "a string that is held: its first point pinned, or in the row of cells beside a wall that holds it, "
              "straight on";
     }
+    const double gap = std::hypot(P_.x[first_] - end_->x, P_.y[first_] - end_->y);
+    if (gap > (1 + straightness) * spacing()) {
+      return "points up to what holds the string: its first one is more than a spacing from the wall, and nothing is "
+             "in "
+             "between";
+    }
     return "";
   }
   bool hangs() const { return std::abs(x() - end_->x) < alike * length() && end_->y > y(); }

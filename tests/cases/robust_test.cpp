@@ -90,7 +90,7 @@ TEST(BallAndNet, ReboundsAndIsFree) {
   EXPECT_NEAR(v[late], v.back(), 1e-3);  // nothing pushes it any more
 }
 
-// Exact 1.2120 from the pinned row to the heavy one.
+// Exact 1.2119 from the pinned row to the heavy one.
 TEST(Pendulum, ThePeriodConvergesInSecondOrder) {
   std::vector<double> errors;
   for (const char* deck : {"pendulum-20", "pendulum-40", "pendulum-80"}) {

@@ -166,6 +166,9 @@ TEST(StringReferences, NeedAStringThatIsHeld) {
       "a string that is held: its first point pinned, or in the row of cells beside a wall that holds it, straight on";
   EXPECT_EQ(needed(string("spring", {"in.wt=1"})), held);
   EXPECT_EQ(needed(string("spring", {"in.ytop=1.2"})), held);  // two cells away
+  EXPECT_EQ(needed(string("spring", {"in.ytop=1.1", "in.ny=6"})),
+            "points up to what holds the string: its first one is more than a spacing from the wall, and nothing is in "
+            "between");
   EXPECT_EQ(needed(string("pendulum", {"in.wt=6"}, slanted)),
             "a string whose end is fixed: here it slides along its wall");
 }
