@@ -71,7 +71,8 @@ class Pipes(ProgramTest):
                     time.sleep(0.15)
                     self.assertIsNone(read.poll())
                     read.send_signal(number)
-                    self.assertEqual(read.wait(timeout=20), 128 + number, words)
+                    # It may come before the program is ready for it: a shell tells both as 128 + number.
+                    self.assertIn(read.wait(timeout=20), (128 + number, -number), words)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["large.in"])
 
 
