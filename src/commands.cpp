@@ -72,7 +72,8 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
   std::string line = name + ":";
   for (const auto& [key, value] : summary) {
     if (key == "steps") line += fmt::format(" {} steps,", value);
-    const bool told = key == "cpu_seconds" || key == "energy_drift" || key.starts_with("error_");
+    const bool lost = key == "energy_lost" && value != "0";
+    const bool told = key == "cpu_seconds" || key == "energy_drift" || lost || key.starts_with("error_");
     if (told) line += fmt::format(" {} {:.4g},", key, std::stod(value));
   }
   fmt::print("{} in {}\n", line, folder.string());

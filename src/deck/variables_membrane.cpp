@@ -62,6 +62,9 @@ constexpr std::array rows{
     Variable{"membrane", "density", real, 1, nb, 1, "mass/length3", above_zero, none, "", "", "Density of membrane b."},
     Variable{"membrane", "young", real, 1, nb, 1, "stress", above_zero, none, "", "", "Young's modulus."},
     Variable{"membrane", "poisson", real, 1, nb, 1, "", -1, 0.5, "", "0.0", "Poisson's ratio."},
+    Variable{"membrane", "heavy", real, 2, 2, nb, "mass", above_zero, none, "", "",
+             "Mass of the first (1,b) and of the last point (2,b) of membrane b, instead of their own; volume and "
+             "density stay."},
     Variable{"membrane", "pinned", text, 1, nb, 1, "", -none, none, "none|first|last|both", "'none'",
              "Ends of membrane b that a pin holds; they are points at the very ends of its curves."},
 };

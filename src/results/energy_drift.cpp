@@ -28,12 +28,15 @@ constexpr double sign_of(Book book) {
   return 0;
 }
 
+/// Whether what the method lost, too, is put back into a balance.
+enum class Losses { put_back, left_out };
+
 /// The total energy less what came from outside, and with what went out and what the method lost.
-std::vector<double> balance(const History& history) {
+std::vector<double> balance(const History& history, Losses losses) {
   auto total = history.column("energy_total");
   for (const Quantity& quantity : history.layout.quantities) {
     const double sign = sign_of(quantity.book);
-    if (sign == 0) continue;
+    if (sign == 0 || (quantity.book == Book::lost && losses == Losses::left_out)) continue;
     const auto values = history.column(quantity.name);
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += sign * values[k];
   }
@@ -66,12 +69,12 @@ double exchanged_energy(const History& history) {
 
 double energy_drift(const History& history) {
   const double exchanged = exchanged_energy(history);
-  return exchanged > 0 ? largest_change(balance(history)) / exchanged : 0;
+  return exchanged > 0 ? largest_change(balance(history, Losses::put_back)) / exchanged : 0;
 }
 
 double energy_rise(const History& history) {
   const double exchanged = exchanged_energy(history);
-  const auto total = balance(history);
+  const auto total = balance(history, Losses::left_out);
   return exchanged > 0 ? (*std::max_element(total.begin(), total.end()) - total.front()) / exchanged : 0;
 }
 

@@ -12,7 +12,8 @@ double energy_drift(const History& history);
 /// What the method itself lost by the end, over the same: negative where it gained.
 double energy_lost(const History& history);
 
-/// Largest rise of the total energy over the start, over the largest energy that was exchanged.
+/// Largest rise of the total energy over the start but for what came from outside or went out, over the largest energy
+/// that was exchanged: a method that gains energy shows here, whether it books that or not.
 double energy_rise(const History& history);
 
 /// Largest size of the total energy over its size at the start: how far an unstable run grew. Not a number where the

@@ -62,6 +62,8 @@ std::vector<std::string> summary_keys(ReferenceKind reference) {
   return keys;
 }
 
+std::vector<std::string> string_summary_keys() { return {"widest_gap"}; }
+
 std::vector<std::string> mesh_summary_keys() {
   return {"unknowns",
           "newton_iterations",

@@ -21,6 +21,9 @@ void check_region(const Deck& deck, int r, Diagnostics& diagnostics);
 /// radius.
 void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Diagnostics& diagnostics);
 
+/// Tells where the file's string does not hold together: once its pins are known.
+void tell_file_gaps(const ParticleFile& file, const Body& body, const Scene& scene, Diagnostics& diagnostics);
+
 /// $points: masses of heavy points, which keep their volume, the points whose paths are recorded, and those that are
 /// pinned. `file_first` is the scene's number of the particle file's first row, `file_rows` the number of rows.
 void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene,

@@ -87,11 +87,16 @@ void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, 
   const int regions = igen == 0 ? 0 : deck.integer("reg", "nreg");
   for (int r = 1; r <= regions; ++r) add_region(deck, r, scene, diagnostics);
   const std::size_t file_first = scene.points.size();
+  const std::size_t file_body = scene.bodies.size();
   if (particles) add_file_body(deck, *particles, scene, diagnostics);
   const std::size_t file_rows = scene.points.size() - file_first;
   add_membranes(deck, scene, diagnostics);
   if (igen != 1 && !particles && diagnostics.has_errors()) return;  // rows of a file that could not be read
   apply_points_group(deck, file_first, file_rows, scene, diagnostics);
+  if (file_rows > 0 && !diagnostics.has_errors() &&
+      std::holds_alternative<Membrane>(scene.bodies[file_body].material)) {
+    tell_file_gaps(*particles, scene.bodies[file_body], scene, diagnostics);
+  }
   if (scene.points.size() == 0 && !diagnostics.has_errors()) {
     diagnostics.add(deck.remark(Severity::error, "in", "igen", {1, 1}, "the deck describes no point",
                                 "igen 0 reads a particle file, 1 the regions of $reg, 3 both"));

@@ -8,6 +8,7 @@
 
 #include "scene/bodies.hpp"
 #include "scene/materials.hpp"
+#include "scene/string_gaps.hpp"
 
 namespace tether {
 namespace {
@@ -79,6 +80,18 @@ void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Dia
     points.volume.push_back(volume), points.mass.push_back(file.density * volume);
   }
   scene.bodies.push_back({"particle file", *material, file.density, 0, first, file.rows.size()});
+}
+
+void tell_file_gaps(const ParticleFile& file, const Body& body, const Scene& scene, Diagnostics& diagnostics) {
+  for (const GapRemark& remark : gap_remarks(scene, body)) {
+    const int line = file.rows[remark.point].line;
+    Diagnostic said;
+    said.severity = remark.severity;
+    said.place = {file.file, line, 1};
+    said.line_text = line_text(file, line);
+    said.message = remark.message, said.hint = remark.hint;
+    diagnostics.add(said);
+  }
 }
 
 }  // namespace tether

@@ -9,6 +9,7 @@
 #include "scene/materials.hpp"
 #include "scene/membrane_curves.hpp"
 #include "scene/memory.hpp"
+#include "scene/string_gaps.hpp"
 
 namespace tether {
 namespace {
@@ -27,6 +28,12 @@ class MembraneReader {
   }
   void error_at_curve(const std::string& message, const std::string& hint) const {
     error("curve", {first_curve_, 1}, message, hint);
+  }
+
+  /// At what says how many points there are.
+  void add(const GapRemark& remark) const {
+    const char* name = deck_.given("membrane", "count", b_) ? "count" : "spacing";
+    diagnostics_.add(deck_.remark(remark.severity, "membrane", name, {b_, 1}, labelled(remark.message), remark.hint));
   }
 
   /// A value that every membrane of curves needs; 1 where it is not given.
@@ -161,6 +168,15 @@ void pin_ends(const Deck& deck, int b, EndPoints ends, Scene& scene, Diagnostics
   if (!pinned.empty()) pin_points(deck, "membrane", {b, 1}, pinned, scene, diagnostics);
 }
 
+/// Masses on the first and the last point, which keep their volume.
+void weigh_ends(const Deck& deck, int b, Scene& scene) {
+  const Body& body = scene.bodies.back();
+  if (deck.given("membrane", "heavy", 1, b)) scene.points.mass[body.first] = deck.real("membrane", "heavy", 1, b);
+  if (deck.given("membrane", "heavy", 2, b)) {
+    scene.points.mass[body.first + body.count - 1] = deck.real("membrane", "heavy", 2, b);
+  }
+}
+
 /// The points of a membrane's curves, which have no mistake of their own; none where there cannot be such points.
 std::optional<Seeds> points_of(const MembraneReader& reader, const Curve& curve, const Scene& scene) {
   const bool closed = is_closed(curve);
@@ -191,11 +207,20 @@ void add_membrane(const Deck& deck, int b, Scene& scene, Diagnostics& diagnostic
   const std::size_t first = scene.points.size(), n = points->places.size();
   append(*points, thickness, density, scene.geometry, scene.points);
   scene.bodies.push_back({fmt::format("membrane {}", b), law, density, 0, first, n, is_closed(curve)});
+  weigh_ends(deck, b, scene);
   pin_ends(deck, b, reader.ends(), scene, diagnostics);
+  for (const GapRemark& remark : gap_remarks(scene, scene.bodies.back())) reader.add(remark);
 }
 
 /// Tells of the first value of a membrane that has no curve. Of the first one the particle file's string takes the law.
 void check_without_curves(const Deck& deck, int b, Diagnostics& diagnostics) {
+  for (const int end : {1, 2}) {
+    if (!deck.given("membrane", "heavy", end, b)) continue;
+    return diagnostics.add(
+        deck.remark(Severity::error, "membrane", "heavy", {end, b},
+                    fmt::format("heavy({},{}) is given, and no curve belongs to membrane {}", end, b, b),
+                    "rows of a particle file have their masses from heavy in $points"));
+  }
   for (const char* name :
        {"count", "spacing", "thickness", "density", "young", "poisson", "pinned", "law", "wrinkle"}) {
     const bool of_file = b == 1 && (name == std::string("law") || name == std::string("wrinkle"));

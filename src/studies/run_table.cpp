@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace tether {
 namespace {
@@ -88,6 +89,16 @@ void add_varied(StudyTable& table, const Study& study, const std::vector<Finishe
                            numbers(runs, [](const auto& run) { return run.variant.varied.value(); })});
 }
 
+/// A run that ends well has its warnings for a message.
+double warnings_of(const FinishedRun& run) {
+  constexpr std::string_view word = "warning: ";
+  const std::string& message = run.record.ending.message;
+  double count = 0;
+  if (run.failed()) return count;
+  for (auto at = message.find(word); at != std::string::npos; at = message.find(word, at + word.size())) ++count;
+  return count;
+}
+
 void add_endings(StudyTable& table, const std::vector<FinishedRun>& runs) {
   const auto add = [&](const char* name, const char* meaning, const char* unit, auto cells) {
     table.columns.push_back({name, meaning, unit, std::move(cells)});
@@ -98,7 +109,10 @@ void add_endings(StudyTable& table, const std::vector<FinishedRun>& runs) {
       numbers(runs, [](const auto& run) { return run.record.wall_seconds; }));
   add("exit_code", "0 done, 2 input wrong, 3 run diverged, 4 file trouble, 128 + n killed by signal n", "1",
       numbers(runs, [](const auto& run) { return run.record.ending.exit_code; }));
-  add("message", "why the run failed", "", texts(runs, [](const auto& run) { return run.record.ending.message; }));
+  add("warnings", "warnings of a run that came to its end, which stand in message", "1",
+      numbers(runs, [](const auto& run) { return warnings_of(run); }));
+  add("message", "why the run failed, or its warnings", "",
+      texts(runs, [](const auto& run) { return run.record.ending.message; }));
   add("folder", "folder of the run, from the table's", "",
       texts(runs, [](const auto& run) { return run_folder("", run.record.key).string(); }));
   add("reused", "1 where the run had been finished before", "1",
@@ -108,7 +122,7 @@ void add_endings(StudyTable& table, const std::vector<FinishedRun>& runs) {
 }  // namespace
 
 std::vector<std::string> fixed_columns() {
-  return {"run", "deck", "cpu_seconds", "wall_seconds", "exit_code", "message", "folder", "reused"};
+  return {"run", "deck", "cpu_seconds", "wall_seconds", "exit_code", "warnings", "message", "folder", "reused"};
 }
 
 void add_inputs(StudyTable& table, const Study& study, const std::vector<Combination>& rows) {

@@ -28,6 +28,7 @@ REQUIRED = {
     "incompressible", "output_without_interval", "reference_of_one_gas", "reference_without_string",
     "membrane_without_thickness", "membrane_without_count", "membrane_count_and_spacing", "membrane_of_one_point",
     "huge_membrane", "membrane_outside", "membrane_with_a_gap", "membrane_closed_and_pinned", "membrane_without_curve",
+    "membrane_apart",
     "curve_without_kind", "curve_without_radius", "curve_of_three_vertices", "curve_vertex_without_y",
     "curve_without_length", "curve_beyond_a_turn", "membrane_on_the_axis", "particles_on_the_axis",
     "grid_beyond_the_axis", "wall_on_the_axis", "plane_stress_about_an_axis", "pin_of_a_solid",

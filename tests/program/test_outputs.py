@@ -16,7 +16,8 @@ BOXES = ROOT / "tests" / "thesis-boxes"
 SUMMARY_KEYS = ["path", "steps", "points", "cells_active", "dx", "time_end", "dt_min", "cpu_seconds", "wall_seconds",
                 "setup_cpu_seconds", "setup_wall_seconds", "ns_per_point_step", "peak_memory_mb", "energy_drift", "energy_lost", "energy_growth", "mass_drift"]
 SCENE_COLUMNS = ["time", "dt", "energy_kinetic", "energy_strain", "energy_internal", "energy_potential", "energy_total",
-                 "mass", "momentum_x", "momentum_y", "angular_momentum_z"]
+                 "mass", "momentum_x", "momentum_y", "angular_momentum_z", "energy_transfer", "energy_walls",
+                 "energy_integration"]
 BODY_COLUMNS = ["body_x", "body_y", "body_vx", "body_vy", "body_mass"]
 
 # Box 3, 6, 12 and 14 have their points in a box of their own; the others need none.

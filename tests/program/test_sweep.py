@@ -23,7 +23,8 @@ class Tables(SweepTest):
         self.sweep(self.study(self.GRID))
         rows = self.table()
         self.assertEqual(list(rows[0]), ["run", "deck", "in.tmax", "mpm.order", "steps", "time_end", "dx",
-                                         "cpu_seconds", "wall_seconds", "exit_code", "message", "folder", "reused"])
+                                         "cpu_seconds", "wall_seconds", "exit_code", "warnings", "message", "folder",
+                                         "reused"])
         self.assertEqual([row["run"] for row in rows], [str(k) for k in range(1, 9)])
         self.assertEqual([(pathlib.Path(row["deck"]).stem, row["mpm.order"], row["in.tmax"]) for row in rows],
                          [*itertools.product(("spring-mass", "stability-side"), ("musl", "usl"), ("0.002", "0.004"))])
@@ -84,11 +85,19 @@ class Tables(SweepTest):
         self.assertTrue(all(line.startswith("finished ") for line in
                             self.expect(0, "sweep", study, "--dry-run", "--out", self.out).stdout.splitlines()))
 
+    def test_the_terminal_says_which_rows_carry_warnings(self):
+        study = self.study("decks='../decks/sod.in', axis='in.tstep=2.d-4,1.d-4', set='in.tmax=1.d-3'\n"
+                           "quantities='steps'")
+        result = self.expect(0, "sweep", study, "--out", self.out)
+        self.assertEqual([row["warnings"] for row in self.table()], ["1", "0"])
+        self.assertIn("above dtmax", self.table()[0]["message"])
+        self.assertEqual([line.split()[-1] for line in result.stdout.splitlines()[:3]], ["warnings", "1", "0"])
+
     def test_the_table_on_the_terminal(self):
         study = self.study("decks='../decks/stability-side.in', axis='in.tmax=2.d-3,4.d-3', quantities='steps'")
         result = self.expect(0, "sweep", study, folder=self.folder)
         lines = result.stdout.splitlines()
-        self.assertEqual(lines[0].split(), ["run", "in.tmax", "steps", "cpu_seconds", "exit_code"])
+        self.assertEqual(lines[0].split(), ["run", "in.tmax", "steps", "cpu_seconds", "exit_code", "warnings"])
         self.assertEqual([line.split()[:3] for line in lines[1:]], [["1", "0.002", "2"], ["2", "0.004", "4"]])
         self.assertTrue((self.folder / "out/study/table.nc").exists())  # the default folder
         self.assertEqual(self.expect(0, "sweep", study, "--quiet", folder=self.folder).stdout, "")
@@ -221,6 +230,7 @@ class SodConvergence(SweepTest):
         self.sweep(self.write("studies/sod.in", text))
         rows = self.table()
         self.assertEqual(len(rows), 9)
+        self.assertFalse([row["message"] for row in rows if "above dtmax" in row["message"]])  # one part of dx/c in all
         at = {(row["mpm.density"], row["in.nx"]): row for row in rows}
         for density, largest in (("quadratic", 0.021), ("continuity", 0.022), ("cell", 0.043)):
             self.assertLess(float(at[density, "51"]["error_density"]), largest)

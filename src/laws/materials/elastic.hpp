@@ -26,6 +26,11 @@ struct PlaneElastic {
     const double trace = lambda / (2 * (lambda + G)) * (s.xx + s.yy);
     return {(s.xx - trace) / (2 * G), (s.yy - trace) / (2 * G), s.xy / (2 * G)};
   }
+  /// The same about an axis, where the hoop's stress is one of its own: eps = ((1 + nu) sigma - nu tr(sigma)) / E.
+  Strain strain_about_axis(const Stress& s) const {
+    const double trace = nu / (1 + nu) * (s.xx + s.yy + s.zz);
+    return {(s.xx - trace) / (2 * G), (s.yy - trace) / (2 * G), s.xy / (2 * G), (s.zz - trace) / (2 * G)};
+  }
   /// Energy stored per volume, 1/2 sigma : C^-1 : sigma [stress].
   double energy_density(const Stress& s) const {
     const double trace = s.xx + s.yy;

@@ -195,6 +195,16 @@ void Contact::solve(const Points& points, const Frame& frame, double gravity, do
   }
 }
 
+void Contact::total(NodeTotals& totals, const Frame& frame, double dt) const {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const std::uint8_t held = frame.held[static_cast<std::size_t>(nodes_[k])];
+    for (int g = 0; g < groups_; ++g) {
+      const std::size_t own = index(static_cast<int>(k), g);
+      totals.add(sums_[own], motion_[own], held, dt);
+    }
+  }
+}
+
 void Contact::clear_convected() { std::fill(convected_.begin(), convected_.end(), Pair{}); }
 
 void Contact::divide_convected(const Frame& frame) {

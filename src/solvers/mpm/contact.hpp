@@ -6,6 +6,7 @@
 
 #include "scene/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/balance.hpp"
 #include "solvers/mpm/body_normals.hpp"
 #include "solvers/mpm/range.hpp"
 
@@ -60,6 +61,8 @@ class Contact {
   void decide(const Points& points, const std::vector<Range>& ranges, const Frame& frame);
   /// (9.4), (9.5) of each body, and what contact makes of it.
   void solve(const Points& points, const Frame& frame, double gravity, double dt);
+  /// Adds each body's sums at the shared nodes.
+  void total(NodeTotals& totals, const Frame& frame, double dt) const;
   /// Velocities from momenta that the points gave back (3.24), each field's own.
   void clear_convected();
   void divide_convected(const Frame& frame);

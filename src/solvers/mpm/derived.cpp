@@ -20,22 +20,41 @@ double stored(const Membrane& law, const Points& P, std::size_t p, Geometry) {
 }
 double stored(const IdealGas&, const Points&, std::size_t, Geometry) { return 0; }
 
-double pressure(const PlaneElastic& law, const Points& P, std::size_t p) {
+double pressure(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
   const Stress s = stress_of(P, p);
   // In the plane szz is not carried.
-  return -(s.xx + s.yy + (s.zz != 0 ? s.zz : law.out_of_plane_stress(s))) / 3;
+  return -(s.xx + s.yy + (geometry == Geometry::plane ? law.out_of_plane_stress(s) : s.zz)) / 3;
 }
-double pressure(const LinearFluid&, const Points& P, std::size_t p) { return -P.sxx[p]; }
-double pressure(const Membrane&, const Points& P, std::size_t p) { return -(P.sxx[p] + P.syy[p]) / 3; }
-double pressure(const IdealGas& law, const Points& P, std::size_t p) { return law.pressure(P.rho[p], P.energy[p]); }
+double pressure(const LinearFluid&, const Points& P, std::size_t p, Geometry) { return -P.sxx[p]; }
+double pressure(const Membrane&, const Points& P, std::size_t p, Geometry) { return -(P.sxx[p] + P.syy[p]) / 3; }
 
-Strain strain(const PlaneElastic& law, const Points& P, std::size_t p) { return law.strain(stress_of(P, p)); }
-Strain strain(const Membrane&, const Points& P, std::size_t p) {
+Strain strain(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
+  return geometry == Geometry::plane ? law.strain(stress_of(P, p)) : law.strain_about_axis(stress_of(P, p));
+}
+Strain strain(const Membrane&, const Points& P, std::size_t p, Geometry) {
   const double e = P.strain[p], x = P.tx[p], y = P.ty[p];
   return {e * x * x, e * y * y, e * x * y};
 }
-Strain strain(const LinearFluid&, const Points&, std::size_t) { return {}; }
-Strain strain(const IdealGas&, const Points&, std::size_t) { return {}; }
+Strain strain(const LinearFluid&, const Points&, std::size_t, Geometry) { return {}; }
+Strain strain(const IdealGas&, const Points&, std::size_t, Geometry) { return {}; }
+
+/// Volume and pressure of a point.
+struct Extent {
+  double volume = 0, pressure = 0;
+};
+
+template <class Law>
+Extent extent(const Law& law, const Points& P, std::size_t p, Geometry geometry, const std::vector<double>&) {
+  return {P.volume[p], pressure(law, P, p, geometry)};
+}
+/// Gas that takes its density from the nodes has the pressure that their forces have, and the density that belongs to
+/// this pressure and to its energy: where it meets another gas, its own. A gas whose energy was used up has no such.
+Extent extent(const IdealGas& law, const Points& P, std::size_t p, Geometry, const std::vector<double>& pressures) {
+  if (law.rule == DensityRule::grid && pressures[p] > 0 && P.energy[p] > 0) {
+    return {P.mass[p] * law.pressure(1, P.energy[p]) / pressures[p], pressures[p]};
+  }
+  return {law_volume(law, P, p), law.pressure(P.rho[p], P.energy[p])};
+}
 
 }  // namespace
 
@@ -66,7 +85,16 @@ void Energies::add(const Scene& scene, std::size_t b, const State& state, const 
       body.material);
 }
 
-DerivedFields derived_fields(const Scene& scene, const Points& P, const std::vector<std::size_t>& slots) {
+Energies stored_energy(const Scene& scene, const State& state) {
+  const auto slots = slots_by_id(state.points);
+  Energies energies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) energies.add(scene, b, state, slots);
+  energies.internal += state.heat_under_way;
+  return energies;
+}
+
+DerivedFields derived_fields(const Scene& scene, const Points& P, const std::vector<std::size_t>& slots,
+                             const std::vector<double>& pressures) {
   DerivedFields fields;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
@@ -74,12 +102,12 @@ DerivedFields derived_fields(const Scene& scene, const Points& P, const std::vec
         [&](const auto& law) {
           for (std::size_t id = body.first; id < body.first + body.count; ++id) {
             const std::size_t p = slots[id];
-            const double volume = law_volume(law, P, p);
+            const Extent now = extent(law, P, p, scene.geometry, pressures);
             fields.body.push_back(static_cast<double>(b + 1));
-            fields.volume.push_back(volume);
-            fields.density.push_back(P.mass[p] / volume);
-            fields.pressure.push_back(pressure(law, P, p));
-            const Strain e = strain(law, P, p);
+            fields.volume.push_back(now.volume);
+            fields.density.push_back(P.mass[p] / now.volume);
+            fields.pressure.push_back(now.pressure);
+            const Strain e = strain(law, P, p, scene.geometry);
             fields.strain_xx.push_back(e.xx), fields.strain_yy.push_back(e.yy), fields.strain_xy.push_back(e.xy);
             fields.normal_x.push_back(-P.ty[p]), fields.normal_y.push_back(P.tx[p]);
           }

@@ -16,7 +16,10 @@ std::vector<std::size_t> slots_by_id(const Points& points);
 struct Energies {
   double strain = 0, internal = 0, ambient = 0;
   void add(const Scene& scene, std::size_t b, const State& state, const std::vector<std::size_t>& slots);
+  double sum() const { return strain + internal + ambient; }
 };
+/// Of all bodies, and heat that is under way to the gas.
+Energies stored_energy(const Scene& scene, const State& state);
 
 /// Fields that follow from the state by the point's law, in the order of the scene.
 struct DerivedFields {
@@ -24,6 +27,8 @@ struct DerivedFields {
   std::vector<double> strain_xx, strain_yy, strain_xy;  // elastic strain of solids, tangent strain of strings
   std::vector<double> normal_x, normal_y;               // of strings: the tangent turned left by a right angle
 };
-DerivedFields derived_fields(const Scene& scene, const Points& points, const std::vector<std::size_t>& slots);
+/// `pressures` as StepSet::gas_pressures.
+DerivedFields derived_fields(const Scene& scene, const Points& points, const std::vector<std::size_t>& slots,
+                             const std::vector<double>& pressures);
 
 }  // namespace tether::mpm

@@ -79,9 +79,18 @@ HistoryLayout history_layout(const Scene& scene) {
     layout.quantities.push_back(
         {"energy_ledger", Dimension::energy, "heat that the ledger has given to the gas, part of its internal energy"});
   }
+  layout.quantities.push_back(
+      {"energy_transfer", Dimension::energy, "energy that went lost between points and nodes", Per::scene, Book::lost});
+  layout.quantities.push_back({"energy_walls", Dimension::energy, "energy of what points gave to nodes that walls hold",
+                               Per::scene, Book::lost});
+  layout.quantities.push_back({"energy_integration", Dimension::energy,
+                               "work of the nodes' forces that nothing stored, which is the steps' own error; less "
+                               "what the ledger has given back",
+                               Per::scene, Book::lost});
   if (by_gap(scene)) {
-    layout.quantities.push_back(
-        {"energy_contact", Dimension::energy, "energy that impulses of contact have taken, no longer in the total"});
+    layout.quantities.push_back({"energy_contact", Dimension::energy,
+                                 "energy that impulses of contact have taken, no longer in the total", Per::scene,
+                                 Book::lost});
   }
   if (scene.outputs.tracked_angle) {
     layout.quantities.push_back(
@@ -102,15 +111,13 @@ Record record(const State& state, const Scene& scene) {
   const auto slots = slots_by_id(P);
   std::vector<Motion> bodies;
   Motion all;
-  Energies energies;
+  const Energies energies = stored_energy(scene, state);
   const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
   const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     bodies.push_back(motion_of(scene.bodies[b], P, slots, D));
     all.add(bodies.back());
-    energies.add(scene, b, state, slots);
   }
-  energies.internal += state.heat_under_way;
   const double potential = -scene.gravity * all.my;
   Record values{state.time,
                 state.dt_last,
@@ -125,6 +132,8 @@ Record record(const State& state, const Scene& scene) {
                 all.angular};
   if (scene.ambient != 0) values.push_back(energies.ambient);
   if (state.keeps_ledger) values.push_back(state.heat_given);
+  const Balance& balance = state.balance;
+  values.insert(values.end(), {balance.transfer, balance.walls, balance.integration(energies.sum())});
   if (by_gap(scene)) values.push_back(state.contact.lost());
   if (scene.outputs.tracked_angle) {
     values.push_back(tracked_angle(P, slots[scene.tracked.front()], slots[scene.tracked.back()]));

@@ -116,29 +116,52 @@ inline void map_force(const Points& P, std::size_t p, double volume, std::vector
   each_force<S>(P, p, volume, locator, at, nodes, [&](std::size_t n, Pair force) { sums[n].force += force; });
 }
 
-/// FLIP: v_p += dt sum N_i f_i / m_i (3.22). APIC: the field of sum N_i (mv)_i^L / m_i.
+/// |C|^2 D of a field, of two axes, D = h^2/4 for quadratic splines; bilinear functions are not orthogonal, and what
+/// the field adds to the point's energy is left out [velocity^2].
+template <class S>
+inline double spread_squared(const Locator& locator, const LinearField& a, const LinearField& b) {
+  if constexpr (S::Kernel::size == LinearKernel::size) return 0;
+  const Pair x = a.by_x * b.by_x, y = a.by_y * b.by_y;
+  return 0.25 * ((x[0] + x[1]) / (locator.per_dx * locator.per_dx) + (y[0] + y[1]) / (locator.per_dy * locator.per_dy));
+}
+
+/// v . v' + C : C' D of two fields: sum_i N_i of their values' products at the nodes [velocity^2].
+template <class S>
+inline double product(const Locator& locator, const LinearField& a, const LinearField& b) {
+  const Pair v = a.v * b.v;
+  return v[0] + v[1] + spread_squared<S>(locator, a, b);
+}
+
+/// FLIP: v_p += dt sum N_i f_i / m_i (3.22). APIC: the field of sum N_i (mv)_i^L / m_i. Adds to `squares` what the
+/// balance of energy wants of points: m_p |a_p|^2, or of APIC m_p |field|^2 before less after [mass velocity^2 /
+/// time^2, energy].
 template <class S>
 inline void accelerate(Points& P, std::size_t p, double dt, const std::vector<NodeMotion>& motion,
                        const Locator& locator, const typename S::Kernel::Place& at,
-                       const typename S::Kernel::Nodes& nodes) {
+                       const typename S::Kernel::Nodes& nodes, double& squares) {
   if constexpr (S::affine) {
     const LinearField field = S::Kernel::affine(locator, at, nodes, [&](std::size_t n) { return motion[n].u; });
+    const LinearField before = field_about(P, p);
+    squares += P.mass[p] * (product<S>(locator, before, before) - product<S>(locator, field, field));
     P.vx[p] = field.v[0], P.vy[p] = field.v[1];
     P.vxx[p] = field.by_x[0], P.vyx[p] = field.by_x[1], P.vxy[p] = field.by_y[0], P.vyy[p] = field.by_y[1];
   } else {
     const Pair a = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion[n].a; });
+    squares += P.mass[p] * (a[0] * a[0] + a[1] * a[1]);
     const Pair v = pair(P.vx[p], P.vy[p]) + dt * a;
     P.vx[p] = v[0], P.vy[p] = v[1];
   }
 }
 
-/// x_p += dt sum N_i (mv)_i^L / m_i (3.21). Of APIC that sum is the velocity that the point has just taken.
+/// x_p += dt sum N_i (mv)_i^L / m_i (3.21). Of APIC that sum is the velocity that the point has just taken. Adds m_p
+/// times the way up to `lifted` [mass length].
 template <class S>
 inline void move(Points& P, std::size_t p, double dt, const std::vector<NodeMotion>& motion,
-                 const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
+                 const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes, double& lifted) {
   Pair u = pair(P.vx[p], P.vy[p]);
   if constexpr (!S::affine) u = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion[n].u; });
   P.x[p] += dt * u[0], P.y[p] += dt * u[1];
+  lifted += P.mass[p] * dt * u[1];
 }
 
 /// Takes `at` from the point's old cell to its new one: false, and noted in `trouble`, where the point left the grid or

@@ -11,32 +11,21 @@
 
 namespace tether::mpm {
 
-/// |C|^2 D of a field, of two axes [velocity^2].
-inline double spread_squared(const Locator& locator, const LinearField& a, const LinearField& b) {
-  const Pair x = a.by_x * b.by_x, y = a.by_y * b.by_y;
-  return 0.25 * ((x[0] + x[1]) / (locator.per_dx * locator.per_dx) + (y[0] + y[1]) / (locator.per_dy * locator.per_dy));
-}
-
-/// v . v' + C : C' D of two fields: sum_i N_i of their values' products at the nodes [velocity^2].
-inline double product(const Locator& locator, const LinearField& a, const LinearField& b) {
-  const Pair v = a.v * b.v;
-  return v[0] + v[1] + spread_squared(locator, a, b);
-}
-
 /// accelerate() for APIC by splines; returns the kinetic energy per mass that the point's transfers of this step lose,
 /// to the nodes and back [velocity^2].
 template <class S>
 inline double accelerate_and_book(Points& P, std::size_t p, const Grid& grid, const Locator& locator,
-                                  const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
+                                  const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes,
+                                  double& squares_of_points) {
   const LinearField given = field_about(P, p);
   const LinearField old = S::Kernel::affine(locator, at, nodes, [&](std::size_t n) { return grid.convected[n]; });
-  accelerate<S>(P, p, 0, grid.motion, locator, at, nodes);
+  accelerate<S>(P, p, 0, grid.motion, locator, at, nodes, squares_of_points);
   const LinearField taken = field_about(P, p);
   const auto N = S::Kernel::values(at);
   double squares = 0;
   for (std::size_t k = 0; k < S::Kernel::size; ++k) squares += N[k] * grid.squares[nodes[k]];
-  return 0.5 *
-         (product(locator, given, given) - 2 * product(locator, given, old) - product(locator, taken, taken) + squares);
+  return 0.5 * (product<S>(locator, given, given) - 2 * product<S>(locator, given, old) -
+                product<S>(locator, taken, taken) + squares);
 }
 
 }  // namespace tether::mpm

@@ -57,12 +57,13 @@ inline void accelerate_move_and_map_membrane(const PassWork& work, Elements& ele
     if (ledger) {
       const auto middle = [&](std::size_t n) { return 0.5 * (work.grid.convected[n] + work.grid.motion[n].u); };
       const Pair moved = dt * S::Kernel::value(at, nodes, middle);
-      const double lost = P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes);
+      const double lost =
+          P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, work.found.squares);
       elements.book(p, pair(P.x[p], P.y[p]), moved, lost);
     } else {
-      accelerate<S>(P, p, dt, work.grid.motion, work.locator, at, nodes);
+      accelerate<S>(P, p, dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
     }
-    move<S>(P, p, dt, work.grid.motion, at, nodes);
+    move<S>(P, p, dt, work.grid.motion, at, nodes, work.found.lifted);
     if (!accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, work.found, work.trouble)) continue;
     map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
   }

@@ -20,6 +20,18 @@ void solve_momentum(StepWork& work, double dt) {
   grid.unfold_motion();
 }
 
+void total_nodes(StepWork& work, double dt) {
+  const State& state = work.state;
+  const Grid& grid = state.grid;
+  const Contact& contact = state.contact;
+  for (const int node : grid.active_nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    if (contact.on() && contact.slot(n) >= 0) continue;  // where each body has its own
+    work.nodes.add(grid.sums[n], grid.motion[n], grid.frame.held[n], dt);
+  }
+  if (contact.on()) contact.total(work.nodes, grid.frame, dt);
+}
+
 void divide_convected(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);

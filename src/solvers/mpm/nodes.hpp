@@ -10,6 +10,9 @@ namespace tether::mpm {
 /// (mv)^L = (mv) + dt f, with the body force m b (3.17), (3.19), (3.20), walls.
 void solve_momentum(StepWork& work, double dt);
 
+/// Sums of the balance of energy over the nodes' fields, before they are used.
+void total_nodes(StepWork& work, double dt);
+
 /// v_i = sum m_p v_p N_i / m_i from the momenta that points gave to `convected` (3.24), walls.
 void divide_convected(Grid& grid);
 /// The same quotient from the momenta mapped at the start of the step.

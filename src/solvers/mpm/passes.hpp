@@ -42,7 +42,7 @@ inline void accelerate_and_convect(const PassWork& work, Range range) {
     if (pins && P.pinned[p]) continue;
     const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
-    accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes);
+    accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
     each_momentum<S>(P, p, work.locator, at, nodes,
                      [&](std::size_t n, double, Pair momentum) { work.grid.convected[n] += momentum; });
   }
@@ -55,9 +55,11 @@ inline bool strain_and_move(const PassWork& work, std::size_t p, typename S::Ker
   const auto nodes = S::Kernel::nodes(work.locator, at);
   rate = rate_at<S>(
       work.locator, at, nodes, [&](std::size_t n) { return Pass::velocity(work.grid, n); }, work.P.x[p]);
-  if constexpr (Pass::accelerates) accelerate<S>(work.P, p, work.step.dt, work.grid.motion, work.locator, at, nodes);
+  if constexpr (Pass::accelerates) {
+    accelerate<S>(work.P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
+  }
   if constexpr (!Pass::moves) return true;
-  move<S>(work.P, p, work.step.dt, work.grid.motion, at, nodes);
+  move<S>(work.P, p, work.step.dt, work.grid.motion, at, nodes, work.found.lifted);
   return accept_place<typename S::Kernel>(work.P, p, work.locator, work.grid.frame, at, work.found, work.trouble);
 }
 
@@ -144,10 +146,10 @@ inline double accelerate_move_and_map(const PassWork& work, Range range, bool le
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (!pins || !P.pinned[p]) {
       if (ledger)
-        lost += P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes);
+        lost += P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, work.found.squares);
       else
-        accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes);
-      move<S>(P, p, work.step.dt, work.grid.motion, at, nodes);
+        accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
+      move<S>(P, p, work.step.dt, work.grid.motion, at, nodes, work.found.lifted);
     }
     if (!accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, work.found, work.trouble)) continue;
     map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
@@ -178,12 +180,12 @@ inline void accelerate_move_and_map_gas(const IdealGas& law, const PassWork& wor
     if (!work.step.heats) heat_centred<S>(work, p, at, nodes);
     double lost = 0;
     if (ledger) {
-      lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes);
+      lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes, work.found.squares);
       work.found.heat += P.mass[p] * lost;
     } else {
-      accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes);
+      accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes, work.found.squares);
     }
-    move<S>(P, p, work.step.dt, grid.motion, at, nodes);
+    move<S>(P, p, work.step.dt, grid.motion, at, nodes, work.found.lifted);
     if (!accept_place<typename S::Kernel>(P, p, work.locator, grid.frame, at, work.found, work.trouble)) continue;
     const auto there = S::Kernel::nodes(work.locator, at);
     if (ledger) {

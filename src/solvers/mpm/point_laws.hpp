@@ -31,6 +31,8 @@ struct StepFindings {
   double wave_max = 0;       // largest c + |v| of the gas [velocity]
   double c_squared_max = 0;  // of the gas
   long long crossings = 0;   // points that changed cell
+  double squares = 0;        // of the points, for the balance of energy: balance.hpp
+  double lifted = 0;         // sum of m_p times the way up [mass length]
   double heat = 0;           // that the ledger gave to the gas for its own transfers [energy]
 };
 

@@ -89,6 +89,10 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   with("heat_given", state.heat_given), with("heat_under_way", state.heat_under_way);
   with("heat_for_all", state.heat_for_all);
   with("crossings_since_sort", state.crossings_since_sort), with("limit_told", state.limit_told);
+  with("balance_transfer", state.balance.transfer), with("balance_walls", state.balance.walls);
+  with("balance_work", state.balance.work), with("balance_fall", state.balance.fall);
+  with("balance_stored", state.balance.stored);
+  with("widest_gap", state.widest_gap), with("gap_told", state.gap_told);
 }
 
 }  // namespace

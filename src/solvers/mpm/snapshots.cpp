@@ -53,7 +53,7 @@ Snapshot point_fields(const State& state, const Scene& scene) {
   const Points& P = state.points;
   const auto slots = slots_by_id(P);
   const auto of = [&](const std::vector<double>& array) { return in_order(array, slots); };
-  DerivedFields derived = derived_fields(scene, P, slots);
+  DerivedFields derived = derived_fields(scene, P, slots, step_set(scene).gas_pressures(state, scene));
   using D = Dimension;
   return {state.time,
           {field("x", D::length, "place, x", of(P.x)),
@@ -85,7 +85,7 @@ Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set)
   std::vector<NodeSums> sums(state.grid.frame.shape.nodes());
   set.map_all(state, scene, sums);
   const auto slots = slots_by_id(state.points);
-  const DerivedFields derived = derived_fields(scene, state.points, slots);
+  const DerivedFields derived = derived_fields(scene, state.points, slots, set.gas_pressures(state, scene));
   const auto nodes = [&](const auto& get) {
     return over_nodes(state.grid.frame, [&](std::size_t n) { return get(sums[n]); });
   };

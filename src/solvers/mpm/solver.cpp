@@ -11,6 +11,7 @@
 #include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/steps.hpp"
 #include "solvers/mpm/stop.hpp"
+#include "solvers/mpm/string_watch.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::mpm {
@@ -23,7 +24,9 @@ constexpr double vanishing = 1e-9;
 
 MpmSolver::MpmSolver(const Plan& plan)
     : plan_(plan), set_(step_set(plan.scene)), state_(start(plan.scene)), sort_(plan.scene.points.size()) {
-  state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
+  strings_ = find_body<Membrane>(plan.scene) != nullptr;
+  if (strings_) state_.gap_told = watch_strings(state_, plan.scene).has_value();  // the deck's remarks tell it
+  state_.limit_told = plan.step.first_step() < plan.step.deck_step;               // the plan tells it
   const auto encloses = [](const std::optional<Elements>& of) { return of && of->encloses(); };
   const bool acts = std::any_of(state_.elements_of.begin(), state_.elements_of.end(), encloses) ||
                     std::any_of(state_.ambient_of.begin(), state_.ambient_of.end(), encloses);
@@ -53,6 +56,8 @@ void MpmSolver::step(double dt) {
   set_.step(work, dt);
   if (work.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.trouble, dt);
   state_.crossings_since_sort += work.found.crossings;
+  state_.balance.add(work.nodes, work.found.squares, work.found.lifted, plan_.scene.method.transfer == Transfer::apic,
+                     plan_.scene.gravity, dt);
   finish_step(work.found, dt);
 }
 
@@ -71,6 +76,9 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   state_.wave_max = found.wave_max;
   state_.heat_given += found.heat;
   state_.heat_under_way += found.heat;
+  if (strings_) {
+    if (auto text = watch_strings(state_, plan_.scene)) messages_.push_back(std::move(*text));
+  }
   if (found.crossings > 0) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
 }
@@ -96,6 +104,11 @@ Record MpmSolver::record() const { return mpm::record(state_, plan_.scene); }
 Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
 
 Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
+
+Summary MpmSolver::more_summary() const {
+  if (!strings_) return {};
+  return {{"widest_gap", fmt::format("{}", state_.widest_gap)}};
+}
 
 std::vector<std::string> MpmSolver::take_messages() { return std::exchange(messages_, {}); }
 

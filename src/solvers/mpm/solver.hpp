@@ -26,6 +26,7 @@ class MpmSolver final : public Solver {
   Record record() const override;
   Snapshot points() const override;
   Snapshot grid() const override;
+  Summary more_summary() const override;
   std::vector<std::string> take_messages() override;
   SavedState save() const override { return mpm::save(state_); }
   void restore(const SavedState& saved) override { mpm::restore(state_, saved); }
@@ -40,6 +41,7 @@ class MpmSolver final : public Solver {
   StepSet set_;
   State state_;
   CellSort sort_;
+  bool strings_ = false;  // are there any
   std::vector<std::string> messages_;
 };
 

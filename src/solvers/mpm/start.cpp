@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/size.hpp"
+#include "solvers/mpm/derived.hpp"
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/sort.hpp"
 #include "solvers/mpm/state.hpp"
@@ -149,6 +150,7 @@ State start(const Scene& scene) {
   const StepSet set = step_set(scene);
   set.list_active(state.grid, state.points);
   set.map_all(state, scene, state.grid.sums);
+  state.balance.stored = stored_energy(scene, state).sum();
   return state;
 }
 

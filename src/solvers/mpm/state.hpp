@@ -7,6 +7,7 @@
 #include "results/saved_state.hpp"
 #include "scene/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/balance.hpp"
 #include "solvers/mpm/contact.hpp"
 #include "solvers/mpm/density.hpp"
 #include "solvers/mpm/elements.hpp"
@@ -33,6 +34,7 @@ struct State {
   std::vector<std::optional<Elements>> ambient_of;   // of each body: where only the pressure outside needs them
   Contact contact;                                   // of bodies that share nodes
   bool keeps_ledger = false;                         // of heat that transfers and elements lose
+  Balance balance;                                   // of energy
   double gas_mass = 0;                               // [mass]
   double heat_given = 0;                             // to the gas by the ledger since the start [energy]
   double heat_under_way = 0;                         // of it, what the gas takes in the next step [energy]
@@ -43,6 +45,8 @@ struct State {
   long long steps = 0;
   double dt_last = 0, dt_min = 0;      // [time]
   long long crossings_since_sort = 0;  // of points, from cell to cell
+  double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
+  bool gap_told = false;               // whether one that does not hold together was told
   bool limit_told = false;             // whether a shorter step than the deck's was told
 
   explicit State(const Scene& scene) : points(scene), grid(scene), contact(scene, grid.frame) {}

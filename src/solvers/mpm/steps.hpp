@@ -14,6 +14,7 @@ struct StepWork {
   const Scene& scene;
   StepFindings found;
   Trouble trouble;
+  NodeTotals nodes = {};
 };
 
 /// What a method does with a state, compiled for its kernel, transfer and geometry, and chosen once for a run.
@@ -27,6 +28,8 @@ struct StepSet {
   void (*list_active)(Grid& grid, const Points& points);
   /// sum_p m_p q_p N_i of a quantity q of all points, added to `values`.
   void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values);
+  /// The pressure that the nodes' forces have of gas whose density comes from the nodes, by slot; empty without such.
+  std::vector<double> (*gas_pressures)(const State& state, const Scene& scene);
 };
 
 StepSet step_set(const Scene& scene);

@@ -125,5 +125,15 @@ TEST(PlaneElasticTest, StrainIsTheInverseOfTheStress) {
   }
 }
 
+TEST(PlaneElasticTest, AboutAnAxisStrainIsTheInverseOfAllThreeStresses) {
+  const PlaneElastic law = plane_strain(4, 0.25);
+  const Strain given{0.01, -0.02, 0.005, 0.03};
+  const Strain back = law.strain_about_axis(law.updated({}, given, 1));
+  EXPECT_NEAR(back.xx, given.xx, 1e-16);
+  EXPECT_NEAR(back.yy, given.yy, 1e-16);
+  EXPECT_NEAR(back.xy, given.xy, 1e-16);
+  EXPECT_NEAR(back.zz, given.zz, 1e-16);
+}
+
 }  // namespace
 }  // namespace tether

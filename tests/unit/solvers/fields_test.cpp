@@ -79,6 +79,20 @@ TEST(PointFields, FollowFromTheLaws) {
   EXPECT_EQ(field(snapshot, "strain_xx")[0], 0);
 }
 
+// About an axis the hoop's stress is one of its own, whatever its value: 0 is one, too.
+TEST(PointFields, AboutAnAxisTheHoopsStressCounts) {
+  Scene scene = gas_and_solid();
+  scene.geometry = Geometry::axisymmetric;
+  State state = start(scene);
+  for (const double hoop : {0.0, 0.8}) {
+    for (std::size_t p = 0; p < 2; ++p) state.points.szz[p] = hoop;
+    const Snapshot snapshot = point_fields(state, scene);
+    EXPECT_NEAR(field(snapshot, "pressure")[1], -(1.6 + hoop) / 3, 1e-15);
+    EXPECT_NEAR(field(snapshot, "strain_xx")[1], (1.6 - 0.25 * hoop) / 4, 1e-15);
+    EXPECT_NEAR(field(snapshot, "strain_yy")[1], -0.25 * (1.6 + hoop) / 4, 1e-15);
+  }
+}
+
 TEST(PointFields, NormalsStandOnTheTangentsOfStrings) {
   Scene scene = open_scene(6, 6);
   add_block(scene, plane_strain(1, 0), 1, 4, 2, 3, 1);  // three places in a row along x, taken as a string

@@ -55,7 +55,8 @@ class Transfer : public testing::TestWithParam<Wall> {
   double book(std::size_t p) {
     const Locator locator(grid_.frame.shape);
     const auto at = SplineKernel::locate(locator, points_.x[p], points_.y[p]);
-    return accelerate_and_book<Splines>(points_, p, grid_, locator, at, SplineKernel::nodes(locator, at));
+    double squares = 0;
+    return accelerate_and_book<Splines>(points_, p, grid_, locator, at, SplineKernel::nodes(locator, at), squares);
   }
 
   std::mt19937 random_{5};

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/node_pieces.hpp"
+
+// Where the energy of a step goes. With a = f / m + g after walls and contact, u = v + dt a, the middle of the step
+// w = u - dt a / 2 and P = sum_i f_i . w_i dt, the work of all forces but gravity's:
+//   FLIP  dK = P + g dt sum_i m_i w_i,y + J . w - T,  T = dt^2 / 2 (sum_i m_i |a_i|^2 - sum_p m_p |a_p|^2)
+//   APIC  the same, T = K_points - K_nodes before the solve, and K_nodes - K_points after it
+// since a point's a_p is the mean sum N_i a_i, and both are sums of squares of what differs from a mean. J are the
+// impulses of contact, whose -J . w the contact books. The potential energy changes by -g sum_p m_p dt u_p,y, and what
+// the points stored of -P shows in their strain and internal energy dU. Then
+//   -dE = T + (-J . w) + (-P - dU) + g dt (sum_p m_p u_p,y - sum_i m_i w_i,y).
+// The last is w's half step, and what pins keep from falling and images behind walls have too much.
+
+namespace tether::mpm {
+
+/// Sums over the nodes after the solve.
+struct NodeTotals {
+  double power = 0;    // sum f . w [power]
+  double squares = 0;  // FLIP: sum m |a|^2
+  double gained = 0;   // APIC: sum m a . w, kinetic energy after the solve less before it, over dt [power]
+  double upward = 0;   // sum m w_y [momentum]
+  double held = 0;     // sum of .5 m |v|^2 that walls took [energy]
+
+  void add(const NodeSums& sum, const NodeMotion& motion, std::uint8_t walls, double dt) {
+    const Pair middle = motion.u - (0.5 * dt) * motion.a;
+    power += dot(sum.force, middle);
+    squares += sum.m * squared(motion.a);
+    gained += sum.m * dot(motion.a, middle);
+    upward += sum.m * middle[1];
+    if (walls == holds_none) return;
+    Pair v = sum.momentum * inverse(sum.m);
+    if (!(walls & holds_x)) v[0] = 0;
+    if (!(walls & holds_y)) v[1] = 0;
+    held += 0.5 * sum.m * squared(v);
+  }
+};
+
+/// Since the start [energy].
+struct Balance {
+  double transfer = 0;  // T, without what walls took
+  double walls = 0;     // APIC: of what points gave to nodes that walls hold; FLIP gives them increments alone
+  double work = 0;      // sum of P
+  double fall = 0;      // what gravity gave to the nodes less what the points' falling gave
+  double stored = 0;    // strain and internal energy at the start, and that of the pressure outside
+
+  /// `points` of a step: FLIP: sum_p m_p |a_p|^2; APIC: twice the points' kinetic energy before less after it.
+  /// `lifted`: sum_p m_p dt u_p,y.
+  void add(const NodeTotals& nodes, double points, double lifted, bool affine, double gravity, double dt) {
+    work += dt * nodes.power;
+    fall += gravity * (dt * nodes.upward - lifted);
+    if (affine) {
+      walls += nodes.held;
+      transfer += dt * nodes.gained + 0.5 * points - nodes.held;
+    } else {
+      transfer += 0.5 * dt * dt * (nodes.squares - points);
+    }
+  }
+  /// What steps of finite length make of the work, with this energy stored now [energy].
+  double integration(double stored_now) const { return stored - stored_now - work - fall; }
+};
+
+}  // namespace tether::mpm
