@@ -46,12 +46,25 @@ std::vector<double> balance(const History& history, Losses losses) {
 /// Part of the energy below which what seems exchanged is rounding.
 constexpr double rounding = 1e-12;
 
-/// The largest change of one of the energies or of what was booked. Within a free rigid body, or a fluid at rest, none
-/// is exchanged: then the energy itself that is there, of a fluid in a box its pressure times its volume.
-double exchanged_energy(const History& history) {
-  double exchanged = 0, there = 0;
+/// What the method itself lost since the start, by record. Its columns may be large and of opposite signs.
+std::vector<double> lost_by_method(const History& history) {
+  std::vector<double> lost(history.records.size(), 0.0);
   for (const Quantity& quantity : history.layout.quantities) {
-    if (quantity.book != Book::none) exchanged = std::max(exchanged, largest_change(history.column(quantity.name)));
+    if (quantity.book != Book::lost) continue;
+    const auto values = history.column(quantity.name);
+    for (std::size_t k = 0; k < lost.size(); ++k) lost[k] += values[k];
+  }
+  return lost;
+}
+
+/// The largest change of one of the energies, of what was booked, or of all that the method lost. Within a free rigid
+/// body, or a fluid at rest, none is exchanged: then the energy itself that is there, of a fluid in a box its pressure
+/// times its volume.
+double exchanged_energy(const History& history) {
+  double exchanged = history.records.empty() ? 0 : largest_change(lost_by_method(history)), there = 0;
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.book != Book::gained && quantity.book != Book::given) continue;
+    exchanged = std::max(exchanged, largest_change(history.column(quantity.name)));
   }
   for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal", "energy_potential"}) {
     const auto values = history.column(kind);
@@ -79,12 +92,8 @@ double energy_rise(const History& history) {
 }
 
 double energy_lost(const History& history) {
-  double lost = 0;
-  for (const Quantity& quantity : history.layout.quantities) {
-    if (quantity.book == Book::lost) lost += history.column(quantity.name).back();
-  }
   const double exchanged = exchanged_energy(history);
-  return exchanged > 0 ? lost / exchanged : 0;
+  return exchanged > 0 ? lost_by_method(history).back() / exchanged : 0;
 }
 
 double energy_growth(const History& history) {

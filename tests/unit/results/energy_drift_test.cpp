@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace tether {
 namespace {
@@ -64,7 +65,8 @@ TEST(EnergyDrift, IsOverTheEnergyItselfWhereOnlyRoundingWasExchanged) {
 
 /// A column of what came in, went out or was lost: the balance has it, whatever its name.
 History with_column(History history, Book book, const std::vector<double>& values) {
-  history.layout.quantities.push_back({"energy_booked", Dimension::energy, "", Per::scene, book});
+  const std::string name = "energy_booked_" + std::to_string(history.layout.quantities.size());
+  history.layout.quantities.push_back({name, Dimension::energy, "", Per::scene, book});
   for (std::size_t k = 0; k < values.size(); ++k) history.records[k].push_back(values[k]);
   return history;
 }
@@ -80,6 +82,21 @@ TEST(EnergyDrift, CountsWhatIsBooked) {
 
 TEST(EnergyDrift, IsOverWhatWasBookedWhereThatIsLargest) {
   EXPECT_EQ(energy_drift(with_column(history_of({{1, 0, 0, 0}, {2, 0, 0, 0}}), Book::given, {0, 4})), 1.25);
+}
+
+// Columns of what the method lost may be large and cancel: their sum counts.
+TEST(EnergyLost, LargeColumnsThatCancelAreNoExchange) {
+  const History falls = history_of({{8, 0, 0, 0}, {6, 0, 0, 0}, {4, 0, 0, 0}});
+  const History booked = with_column(with_column(falls, Book::lost, {0, 51, 102}), Book::lost, {0, -50, -100});
+  EXPECT_EQ(energy_lost(booked), 0.5);
+  EXPECT_EQ(energy_drift(booked), 0.5);
+}
+
+// A method that gains energy shows it, although it books it.
+TEST(EnergyRise, CountsWhatTheMethodGained) {
+  const History grows = history_of({{4, 0, 0, 0}, {5, 0, 0, 0}, {8, 0, 0, 0}});
+  EXPECT_EQ(energy_rise(with_column(grows, Book::lost, {0, -1, -4})), 1);
+  EXPECT_EQ(energy_rise(with_column(grows, Book::gained, {0, 1, 4})), 0);
 }
 
 TEST(EnergyLost, IsWhatTheMethodLostByTheEnd) {

@@ -115,7 +115,7 @@ TEST(Membranes, OfOneBodyAreJoinedInTheOrderOfTheirCurves) {
       "curve(2)='line',body(2)=2,x(1,2)=0.,1.,y(1,2)=0.,0.\n"
       "curve(4)='line',body(4)=2,x(1,4)=1.,1.,y(1,4)=0.,1.\n"
       "curve(3)='line',x(1,3)=0.,1.,y(1,3)=.25,.25\n"
-      "count(1)=2,count(2)=4,density(1)=1.,3.,young(1)=1.,1.,thickness(1)=.5,.25");
+      "count(1)=2,count(2)=4,density(1)=1.,3.,young(1)=1.,1.,thickness(1)=.5,.25,strain='element'");
   ASSERT_EQ(built.errors(), Texts{});
   const Scene& scene = built.scene;
   ASSERT_EQ(scene.bodies.size(), 2u);

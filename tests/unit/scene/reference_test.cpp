@@ -53,7 +53,8 @@ Built ring(const std::vector<std::string>& overrides = {}, const std::string& po
   const std::string rows =
       points.empty() ? ".05 .9 0. 0. 0. 0. 0.\n.6 .6 0. 0. 0. 0. 0.\n.9 .05 0. 0. 0. 0. 0.\n" : points;
   return build(on_unit_square("igen=3\n$\n$fluid siep(1)=2. $\n$reg\nnreg=1,nvi=4\nxvi(1,1)=0.,.5,.5,0.\n"
-                              "yvi(1,1)=0.,0.,.5,.5\ndensir=3.,ipath(4,1)=9\n$\n$reference solution='thin-ring' $\n" +
+                              "yvi(1,1)=0.,0.,.5,.5\ndensir=3.,ipath(4,1)=9\n$\n$reference solution='thin-ring' $\n"
+                              "$membrane strain='element' $\n" +
                               groups + "0.5 ! density\n100.,.3,0.,0.,0.,0.,0.\n3,3,3,8\n3\n3,2\n" + rows),
                overrides);
 }

@@ -95,7 +95,7 @@ TEST(MembraneEnds, CarryMasses) {
   EXPECT_EQ(built.scene.points.volume.front(), built.scene.points.volume[1]);
   EXPECT_EQ(built.scene.points.mass[1], built.scene.points.mass[2]);
   EXPECT_EQ(one_line("count(1)=4,heavy(2,2)=9.").errors(),
-            (Texts{"7:12: heavy(2,2) is given, and no curve belongs to membrane 2"}));
+            (Texts{"7:23: heavy(2,2) is given, and no curve belongs to membrane 2"}));
 }
 
 }  // namespace

