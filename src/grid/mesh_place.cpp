@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid/mesh_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "grid/jacobian.hpp"
+#include "grid/lagrange.hpp"
+
+namespace tether {
+namespace {
+
+constexpr double rounding = 1e-9;    // of an element's size, within which a place is that of a node
+constexpr int most_iterations = 40;  // of Newton's method for a place in the reference element
+
+template <class Shapes>
+constexpr bool is_simplex_of = Shapes::nodes == Shapes::dim + 1;
+
+template <class Shapes>
+using Point = std::array<double, static_cast<std::size_t>(Shapes::dim)>;
+
+template <class Shapes>
+double length(const Point<Shapes>& v) {
+  double square = 0;
+  for (const double component : v) square += component * component;
+  return std::sqrt(square);
+}
+
+/// The place of the reference element that stands for s where s is outside of it.
+template <class Shapes>
+Point<Shapes> inside(Point<Shapes> s) {
+  if constexpr (is_simplex_of<Shapes>) {
+    double sum = 0;
+    for (double& component : s) sum += component = std::max(component, 0.0);
+    for (double& component : s) component /= std::max(sum, 1.0);
+  } else {
+    for (double& component : s) component = std::clamp(component, -1.0, 1.0);
+  }
+  return s;
+}
+
+/// What separates x from the place that s stands for.
+template <class Shapes>
+Point<Shapes> remainder(const Mesh& mesh, std::size_t e, const std::array<double, 3>& x, const Point<Shapes>& s) {
+  const auto N = Shapes::values(s);
+  Point<Shapes> r{};
+  for (std::size_t a = 0; a < N.size(); ++a) {
+    const double* node = &mesh.x[static_cast<std::size_t>(mesh.element(e)[a]) * r.size()];
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] += N[a] * (x[i] - node[i]);
+  }
+  return r;
+}
+
+/// ds = (dx/ds)^-1 r.
+template <class Shapes>
+Point<Shapes> correction(const Mesh& mesh, std::size_t e, const Point<Shapes>& s, const Point<Shapes>& r) {
+  constexpr std::size_t dim = Shapes::dim;
+  const auto G = Shapes::gradients(s);
+  std::array<double, dim * dim> J{};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(Shapes::nodes); ++a) {
+    const double* node = &mesh.x[static_cast<std::size_t>(mesh.element(e)[a]) * dim];
+    for (std::size_t i = 0; i < dim; ++i) {
+      for (std::size_t j = 0; j < dim; ++j) J[i * dim + j] += node[i] * G[a * dim + j];
+    }
+  }
+  invert(J);
+  Point<Shapes> ds{};
+  for (std::size_t i = 0; i < dim; ++i) {
+    for (std::size_t j = 0; j < dim; ++j) ds[i] += J[i * dim + j] * r[j];
+  }
+  return ds;
+}
+
+/// The place in the reference element by Newton's method from its middle, kept within it or not far from it.
+template <class Shapes>
+Point<Shapes> reference_place(const Mesh& mesh, std::size_t e, const std::array<double, 3>& x) {
+  Point<Shapes> s{};
+  if constexpr (is_simplex_of<Shapes>) s.fill(1.0 / Shapes::nodes);
+  for (int k = 0; k < most_iterations; ++k) {
+    const Point<Shapes> ds = correction<Shapes>(mesh, e, s, remainder<Shapes>(mesh, e, x, s));
+    if (!std::isfinite(length<Shapes>(ds))) break;
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] += ds[i];
+    if (length<Shapes>(ds) < 1e-14) break;
+    if constexpr (!is_simplex_of<Shapes>) {
+      for (double& component : s) component = std::clamp(component, -2.0, 2.0);
+    }
+  }
+  return inside<Shapes>(s);
+}
+
+/// A box around an element's nodes; edges of higher order may leave it by a part of its size.
+template <class Shapes>
+struct Outline {
+  Point<Shapes> low, high;
+  double size = 0;
+
+  Outline(const Mesh& mesh, std::size_t e) {
+    low.fill(std::numeric_limits<double>::infinity()), high.fill(-std::numeric_limits<double>::infinity());
+    for (int a = 0; a < Shapes::nodes; ++a) {
+      const double* node = &mesh.x[static_cast<std::size_t>(mesh.element(e)[a]) * low.size()];
+      for (std::size_t i = 0; i < low.size(); ++i)
+        low[i] = std::min(low[i], node[i]), high[i] = std::max(high[i], node[i]);
+    }
+    for (std::size_t i = 0; i < low.size(); ++i) size = std::max(size, high[i] - low[i]);
+  }
+  /// No place of the element is nearer to x.
+  double away(const std::array<double, 3>& x) const {
+    Point<Shapes> r{};
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::max({low[i] - x[i], x[i] - high[i], 0.0});
+    return std::max(length<Shapes>(r) - 0.5 * size, 0.0);
+  }
+};
+
+template <class Shapes>
+MeshPlace place_at(const Mesh& mesh, std::size_t e, const Point<Shapes>& s) {
+  const auto N = Shapes::values(s);
+  MeshPlace place;
+  for (std::size_t a = 0; a < N.size(); ++a) {
+    if (std::abs(N[a] - 1) < rounding) return {{mesh.element(e)[a]}, {1}};
+    place.nodes.push_back(mesh.element(e)[a]), place.parts.push_back(N[a]);
+  }
+  return place;
+}
+
+template <class Shapes>
+NearestPlace nearest_of(const Mesh& mesh, const std::array<double, 3>& x) {
+  NearestPlace best{{}, std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const Outline<Shapes> outline(mesh, e);
+    if (outline.away(x) >= best.away) continue;
+    const Point<Shapes> s = reference_place<Shapes>(mesh, e, x);
+    const double away = length<Shapes>(remainder<Shapes>(mesh, e, x, s));
+    if (away < best.away) best = {place_at<Shapes>(mesh, e, s), away, outline.size};
+    if (best.away <= rounding * outline.size) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+double MeshPlace::of(std::span<const double> values, std::size_t per_node, std::size_t i) const {
+  double sum = 0;
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    sum += parts[a] * values[static_cast<std::size_t>(nodes[a]) * per_node + i];
+  return sum;
+}
+
+NearestPlace nearest_place(const Mesh& mesh, const std::array<double, 3>& x) {
+  return with_shapes(mesh.kind, [&](auto shapes) { return nearest_of<decltype(shapes)>(mesh, x); });
+}
+
+}  // namespace tether
