@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -68,15 +69,25 @@ void print_number_of_remarks(const std::string& name, const Loaded& loaded, cons
   if (count > 0) fmt::print(stderr, "{}: {} remark{} {}\n", name, count, count == 1 ? "" : "s", where);
 }
 
+/// Whether the closing line names a key: what the run was for and what it can be trusted by.
+bool closes_with(const std::string& key, const std::string& value) {
+  constexpr std::array names{"cpu_seconds",          "period",
+                             "momentum_drift",       "angular_momentum_drift",
+                             "energy_drift",         "interface_mismatch",
+                             "equilibrium_residual", "steady_residual"};
+  if (std::find(names.begin(), names.end(), key) != names.end()) return true;
+  if (key == "energy_lost") return value != "0";
+  return key.starts_with("error_") || key.starts_with("drag_") || key.starts_with("lift_");
+}
+
 void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
   std::string line = name + ":";
   for (const auto& [key, value] : summary) {
-    if (key == "steps") line += fmt::format(" {} steps,", value);
-    const bool lost = key == "energy_lost" && value != "0";
-    const bool told = key == "cpu_seconds" || key == "energy_drift" || lost || key.starts_with("error_");
-    if (told) line += fmt::format(" {} {:.4g},", key, std::stod(value));
+    if (key == "steps") line += fmt::format(" {} step{},", value, value == "1" ? "" : "s");
+    if (closes_with(key, value)) line += fmt::format(" {} {:.4g},", key, std::stod(value));
   }
-  fmt::print("{} in {}\n", line, folder.string());
+  line.back() = ' ';
+  fmt::print("{}in {}\n", line, folder.string());
 }
 
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {

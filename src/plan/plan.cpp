@@ -203,6 +203,11 @@ Plan make_plan(Scene scene) {
   plan.warnings = warnings_of(scene, plan.step);
   for (auto& term : reference_terms(scene)) plan.terms.push_back(std::move(term));
   for (auto& warning : reference_warnings(scene)) plan.warnings.push_back(std::move(warning));
+  if (scene.solids && !scene.rigid) {
+    plan.locking = locking_of(*scene.solids);
+    std::string locks = locking_warning(plan.locking, *scene.solids, scene.path == Path::coupled);
+    if (!locks.empty()) plan.warnings.push_back(std::move(locks));
+  }
   plan.scene = std::move(scene);
   return plan;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/locking.hpp"
 #include "scene/scene.hpp"
 
 namespace tether {
@@ -49,6 +50,7 @@ struct Plan {
   StepRule step;
   std::vector<Term> terms;
   Cost cost;
+  std::vector<Locking> locking;  ///< of bodies on a mesh
   std::vector<std::string> warnings;
 };
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/summary_keys.hpp"
 
+#include <fmt/format.h>
+
 #include "base/file.hpp"
 #include "base/text.hpp"
 
 namespace tether {
 namespace {
+
+/// Sides in force_on of $flow.
+constexpr int force_side_count = 10;
 
 /// What results/compare_*.cpp tell of: profiles by their error alone.
 std::vector<std::string> merit_keys(ReferenceKind reference) {
@@ -77,7 +82,20 @@ std::vector<std::string> mesh_summary_keys() {
           "analysis_wall_seconds"};
 }
 
+std::vector<std::string> locking_summary_keys() { return {"elements_across", "bending_too_stiff"}; }
+
+std::vector<std::string> residual_summary_keys() { return {"equilibrium_residual", "steady_residual"}; }
+
+std::vector<std::string> momentum_summary_keys() { return {"momentum_drift", "angular_momentum_drift"}; }
+
 std::vector<std::string> flow_summary_keys() { return {"factorisations", "krylov_iterations", "krylov_failures"}; }
+
+std::vector<std::string> coefficient_summary_keys() {
+  std::vector<std::string> keys;
+  for (int k = 1; k <= force_side_count; ++k)
+    keys.insert(keys.end(), {fmt::format("drag_{}", k), fmt::format("lift_{}", k)});
+  return keys;
+}
 
 std::vector<std::string> coupled_summary_keys() {
   return {"krylov_iterations", "contact_solutions", "contact_unsettled", "interface_mismatch", "added_mass_ratio"};

@@ -19,6 +19,18 @@ std::vector<std::string> mesh_summary_keys();
 /// Keys of a material point run with strings or membranes.
 std::vector<std::string> string_summary_keys();
 
+/// Keys of runs with elastic bodies of elements of order 1.
+std::vector<std::string> locking_summary_keys();
+
+/// The key of statics, and that of steady flows.
+std::vector<std::string> residual_summary_keys();
+
+/// Keys of runs of bodies that nothing but loads acts on.
+std::vector<std::string> momentum_summary_keys();
+
+/// Keys that a flow with force_on(k), speed and length adds: drag_1, lift_1 ...
+std::vector<std::string> coefficient_summary_keys();
+
 /// Keys of numbers that a run of a flow adds to these.
 std::vector<std::string> flow_summary_keys();
 

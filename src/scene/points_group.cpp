@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -59,6 +61,25 @@ void pin_rows(const Deck& deck, std::size_t file_first, std::size_t file_rows, S
   if (!pinned.empty()) pin_points(deck, "points", first, pinned, scene, diagnostics);
 }
 
+/// Part of a cell from which it is said how far the nearest point is.
+constexpr double told_distance = 1e-6;
+
+/// Tracks the point nearest to a place, and says how far away it is.
+void track_nearest(const Deck& deck, int k, Scene& scene, Diagnostics& diagnostics) {
+  const double x = deck.real("points", "tracked_at", 1, k), y = deck.real("points", "tracked_at", 2, k);
+  const std::size_t p = nearest_point(scene.points, x, y);
+  const double away = std::hypot(scene.points.x[p] - x, scene.points.y[p] - y);
+  scene.tracked.push_back(p);
+  scene.tracked_from.resize(scene.tracked.size());
+  scene.tracked_from.back() = fmt::format(", {:.3g} from ({:.6g}, {:.6g})", away, x, y);
+  if (away <= told_distance * std::min(scene.grid.dx, scene.grid.dy)) return;
+  diagnostics.add(deck.remark(Severity::warning, "points", "tracked_at", {1, k},
+                              fmt::format("what is tracked is the nearest point, number {} at ({:.6g}, {:.6g}), {:.3g} "
+                                          "from ({:.6g}, {:.6g})",
+                                          p + 1, scene.points.x[p], scene.points.y[p], away, x, y),
+                              "material points have no values between them"));
+}
+
 }  // namespace
 
 void pin_points(const Deck& deck, const char* group, Subscript at, const std::vector<std::size_t>& points, Scene& scene,
@@ -93,8 +114,7 @@ void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t fi
       continue;
     }
     if (scene.points.size() == 0) continue;
-    scene.tracked.push_back(nearest_point(scene.points, deck.real("points", "tracked_at", 1, at[1]),
-                                          deck.real("points", "tracked_at", 2, at[1])));
+    track_nearest(deck, at[1], scene, diagnostics);
   }
 }
 

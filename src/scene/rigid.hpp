@@ -26,7 +26,7 @@ struct RigidForce {
 };
 
 /// That all bodies on the mesh together are one rigid body, as the deck's group $rigid says. Its mesh, densities, loads
-/// and tracked nodes are those of the scene's solids.
+/// and tracked places are those of the scene's solids.
 struct Rigid {
   RigidForm form = RigidForm::reduced;
   std::optional<Eigen::Vector3d> point;                     ///< reference point; none: the centre of mass

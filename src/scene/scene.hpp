@@ -73,15 +73,21 @@ struct Scene {
   std::shared_ptr<const Flow> flow;      ///< a fluid on a mesh; with it, solids are immersed in it
   /// A fluid in a box, by the coupled path; with it, solids go through the fluid, and are null where there are none.
   std::shared_ptr<const Coupled> coupled;
-  std::vector<std::size_t> tracked;  ///< points whose paths are recorded
-  std::vector<std::size_t> pinned;   ///< points that a pin holds where they are
-  double ambient = 0;                ///< pressure outside membranes that enclose gas [stress]
+  std::vector<std::size_t> tracked;       ///< points whose paths are recorded
+  std::vector<std::string> tracked_from;  ///< of each how far it is from the place that was asked for, or nothing
+  std::vector<std::size_t> pinned;        ///< points that a pin holds where they are
+  double ambient = 0;                     ///< pressure outside membranes that enclose gas [stress]
   Clock clock;
   Method method;
   OutputIntervals outputs;
   ReferenceKind reference = ReferenceKind::none;
   std::optional<std::array<double, 2>> reference_window;  ///< part of a tube that is compared, from x to x [length]
 };
+
+/// What the history calls tracked point k.
+inline std::string tracked_name(const Scene& scene, std::size_t k) {
+  return "point " + std::to_string(scene.tracked[k] + 1) + (k < scene.tracked_from.size() ? scene.tracked_from[k] : "");
+}
 
 /// The first body of a law, or null.
 template <class Law>

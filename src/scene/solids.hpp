@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grid/mesh.hpp"
+#include "grid/mesh_place.hpp"
 #include "laws/materials/hyperelastic.hpp"
 #include "scene/amplitude.hpp"
 
@@ -41,13 +42,19 @@ struct Support {
   int number = 0;  ///< of the deck's support, from 1; 0 of a wall
 };
 
+/// A place of a body whose path is recorded, and what the history calls it.
+struct TrackedPlace {
+  MeshPlace place;
+  std::string name;
+};
+
 /// Elastic bodies on a mesh, as the deck's groups $mesh and $fem describe them.
 struct Solids {
   Mesh mesh;
   std::vector<SolidRegion> regions;
   std::vector<Load> loads;
   std::vector<Support> supports;
-  std::vector<int> tracked;  ///< nodes whose paths are recorded
+  std::vector<TrackedPlace> tracked;
   Integrator integrator = Integrator::energy;
   double alpha = 0, beta = 0;     ///< Rayleigh damping alpha M + beta K [1/time], [time]
   double tolerance = 1e-11;       ///< of Newton's method: residual over the largest force

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 
 #include "scene/flow_of_deck.hpp"
 #include "scene/materials.hpp"
@@ -75,31 +73,33 @@ Integrator integrator_of(const Deck& deck) {
                                : Integrator::central;
 }
 
-/// The longest extent of a mesh along an axis [length].
-double size_of(const Mesh& mesh) {
-  const Eigen::Map<const Eigen::MatrixXd> x(mesh.x.data(), mesh.dim(), static_cast<Eigen::Index>(mesh.node_count()));
-  return (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+/// Part of an element by which a tracked place may lie outside of the bodies: more than rounding of the deck's digits.
+constexpr double most_outside = 1e-6;
+
+/// What the history calls the place: its node, if it is one, and where it is at the start.
+std::string tracked_name(const MeshPlace& place, const std::array<double, 3>& at, int dim) {
+  const std::string where = dim == 3 ? fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2])
+                                     : fmt::format("({:.6g}, {:.6g})", at[0], at[1]);
+  return place.nodes.size() == 1 ? fmt::format("node {} at {}", place.nodes[0] + 1, where) : "place " + where;
 }
 
-/// Nodes nearest to tracked_at.
-void track_nodes(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
-  const auto dim = static_cast<std::size_t>(solids.mesh.dim());
+/// The places of tracked_at, each within an element; one that lies in no body is a mistake.
+void track_places(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
+  const int dim = solids.mesh.dim();
   for (const Subscript at : deck.given_elements("points", "tracked_at")) {
     if (at[0] != 1 || !deck.given("points", "tracked_at", 2, at[1])) continue;
-    const double place[] = {deck.real("points", "tracked_at", 1, at[1]), deck.real("points", "tracked_at", 2, at[1]),
-                            deck.real("mesh", "tracked_z", at[1])};
-    std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t n = 0; n < solids.mesh.node_count(); ++n) {
-      double square = 0;
-      for (std::size_t i = 0; i < dim; ++i) square += std::pow(solids.mesh.x[n * dim + i] - place[i], 2);
-      if (square < least) least = square, nearest = n;
-    }
-    if (const double away = std::sqrt(least), size = size_of(solids.mesh); away > size)
-      diagnostics.add(
-          deck.remark(Severity::warning, "points", "tracked_at", {1, at[1]},
-                      fmt::format("the nearest node is {:.4g} away, {:.2g} of the mesh's size", away, away / size)));
-    solids.tracked.push_back(static_cast<int>(nearest));
+    const std::array<double, 3> x{deck.real("points", "tracked_at", 1, at[1]),
+                                  deck.real("points", "tracked_at", 2, at[1]), deck.real("mesh", "tracked_z", at[1])};
+    NearestPlace nearest = nearest_place(solids.mesh, x);
+    std::string name = tracked_name(nearest.place, x, dim);
+    if (nearest.away > most_outside * nearest.element_size)
+      diagnostics.add(deck.remark(
+          Severity::error, "points", "tracked_at", {1, at[1]},
+          fmt::format("{} lies in no body: it is about {:.3g} outside of the nearest element, {:.2g} of its size",
+                      name.substr(name.find('(')), nearest.away, nearest.away / nearest.element_size),
+          dim == 3 ? "tracked_at(1:2,k) and tracked_z(k) of $mesh are the place at the start"
+                   : "tracked_at(1:2,k) is the place at the start"));
+    solids.tracked.push_back({std::move(nearest.place), std::move(name)});
   }
 }
 
@@ -141,7 +141,7 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   solids.tolerance = deck.real("fem", "tolerance");
   solids.from_equilibrium = deck.logical("fem", "settle");
   add_loads(deck, solids, diagnostics);
-  track_nodes(deck, solids, diagnostics);
+  track_places(deck, solids, diagnostics);
   if (scene.rigid) {
     check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);

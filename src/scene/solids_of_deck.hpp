@@ -21,7 +21,7 @@ std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics);
 /// The mesh of the blocks that are a fluid's, likewise; mesh_of is that of the others.
 std::optional<Mesh> fluid_mesh_of(const Deck& deck, Diagnostics& diagnostics);
 
-/// Adds the bodies on a mesh that $reg, $mesh and $fem describe, with loads, supports and tracked nodes; with $rigid
+/// Adds the bodies on a mesh that $reg, $mesh and $fem describe, with loads, supports and tracked places; with $rigid
 /// they are one rigid body, without laws and supports. A static problem that supports leave free to move as a whole is
 /// a mistake of its own.
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics);

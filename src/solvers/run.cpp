@@ -17,6 +17,7 @@
 #include "solvers/make.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run_outputs.hpp"
+#include "solvers/scene_summary.hpp"
 
 namespace tether {
 namespace {
@@ -120,6 +121,9 @@ class Runner {
     warn_of_what_looks_wrong(comparison);
     if (!comparison.exact.names.empty()) outputs_.folder().reference(comparison.exact);
     Summary summary = summary_of_run();
+    if (!balances_energy(plan_.scene, outputs_.history()))
+      std::erase_if(summary, [](const auto& line) { return line.first.starts_with("energy_"); });
+    for (auto& line : scene_summary(plan_, outputs_.history())) summary.push_back(std::move(line));
     for (auto& line : solver_->more_summary()) summary.push_back(std::move(line));
     for (const auto& [name, taken] : clocks_.with_earlier(solver_->cost_parts())) {
       summary.emplace_back(name + "_cpu_seconds", fmt::format("{}", taken.cpu));
@@ -143,6 +147,7 @@ class Runner {
       if (std::isnan(merit.error))
         outputs_.warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
     }
+    if (!balances_energy(plan_.scene, outputs_.history())) return;
     const double rise = energy_rise(outputs_.history());
     if (rise > told_rise) {
       outputs_.warn(fmt::format(

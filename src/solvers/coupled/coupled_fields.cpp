@@ -215,7 +215,7 @@ void CoupledFields::add_bodies(const CoupledState& state, Record& record) const 
     }
   }
   for (const auto& masses : part_masses_) record.push_back(sum_of(masses));
-  fem::append_nodes(*scene_.solids, state.q, state.u, record);
+  fem::append_tracked(*scene_.solids, state.q, state.u, record);
 }
 
 /// Velocities are the means of a cell's two faces.

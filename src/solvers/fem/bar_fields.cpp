@@ -121,7 +121,7 @@ HistoryLayout history_layout(const Scene& scene) {
     for (const auto& row : tracked_quantities()) layout.quantities.push_back(row);
   }
   for (const Body& body : scene.bodies) layout.body_names.push_back(body.name);
-  for (const std::size_t p : scene.tracked) layout.point_names.push_back(fmt::format("point {}", p + 1));
+  for (std::size_t k = 0; k < scene.tracked.size(); ++k) layout.point_names.push_back(tracked_name(scene, k));
   return layout;
 }
 

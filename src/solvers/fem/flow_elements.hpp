@@ -33,11 +33,13 @@ struct FlowScale {
 
 /// What goes through a flow's boundary and is lost inside [energy/time].
 struct FlowPower {
-  double carried_out = 0;    ///< kinetic energy through open sides and inflows
-  double open_traction = 0;  ///< of the stress that open sides leave, and of the pressure outside
-  double dissipated = 0;     ///< 2 mu e : e
-  double stabilised = 0;     ///< what SUPG, PSPG and LSIC take, which vanishes with the size of the elements
-  double body = 0;           ///< of body forces
+  double carried_by_open = 0;     ///< kinetic energy out through open sides
+  double carried_by_inflows = 0;  ///< and through inflows, negative where they bring some
+  double convected = 0;           ///< what the convective term takes: that, but for what the divergence makes it lose
+  double open_traction = 0;       ///< of the stress that open sides leave, and of the pressure outside
+  double dissipated = 0;          ///< 2 mu e : e
+  double stabilised = 0;          ///< what SUPG, PSPG and LSIC take, which vanishes with the size of the elements
+  double body = 0;                ///< of body forces
 };
 
 /// The elements of a flow: integrals over its mesh, and over its sides.

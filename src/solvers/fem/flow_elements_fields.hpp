@@ -52,6 +52,7 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
       at.evaluate(c, v0, v1, pressures(e, m.p));
       power.dissipated += at.weight * 0.5 * c.mu * (at.L + at.L.transpose()).squaredNorm();
       power.body += at.weight * c.rho * at.b.dot(at.v);
+      power.convected += at.weight * c.rho * at.convection.dot(at.v);
       if constexpr (Point::stabilised)
         power.stabilised +=
             at.weight * (at.tau * at.convection.dot(at.residual) + (at.tau_L * at.divergence - at.p) * at.L.trace());
@@ -60,12 +61,12 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
   const auto velocity = [&](const SidePoint<V>& at) {
     return Velocities((1 - c.theta) * gathered(at.element, m.v0) + c.theta * gathered(at.element, m.v1));
   };
-  for (const auto* side : {&open_, &inflow_}) {
-    for (const auto& at : *side) {
-      const Eigen::Vector2d v = velocity(at) * at.N;
-      power.carried_out += 0.5 * c.rho * v.squaredNorm() * v.dot(at.normal);
-    }
-  }
+  const auto carried = [&](const SidePoint<V>& at) {
+    const Eigen::Vector2d v = velocity(at) * at.N;
+    return 0.5 * c.rho * v.squaredNorm() * v.dot(at.normal);
+  };
+  for (const auto& at : open_) power.carried_by_open += carried(at);
+  for (const auto& at : inflow_) power.carried_by_inflows += carried(at);
   for (const auto& at : open_) {
     const Velocities vt = velocity(at);
     const Eigen::Vector2d traction = c.mu * (at.G * vt.transpose()) * at.normal - outside_pressure(m, at) * at.normal;

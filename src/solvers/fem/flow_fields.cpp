@@ -23,20 +23,46 @@ MeshPlace place_of(const Mesh& mesh, const PointFinder::Found& found) {
   return place;
 }
 
+/// What a flow of this kind exchanges; a steady one exchanges over no time, and nothing is booked.
+std::vector<ExchangeColumn> exchanges_of(const Flow& flow, bool with_bodies) {
+  using All = FlowExchange;
+  if (flow.integrator == FlowIntegrator::steady) return {};
+  std::vector<ExchangeColumn> list{
+      {"energy_walls", "work of moving walls on the fluid", Book::gained, &All::walls},
+      {"energy_inflow", "work of inflows, and the kinetic energy that they bring", Book::gained, &All::inflows},
+      {"energy_open", "work at open sides, less the kinetic energy that leaves there", Book::gained, &All::open},
+      {"energy_body_forces", "work of gravity and body forces on the fluid", Book::gained, &All::body_forces}};
+  if (with_bodies) {
+    list.push_back({"energy_loads", "work of loads on bodies", Book::gained, &All::loads});
+    list.push_back({"energy_supports", "work of bodies' supports", Book::gained, &All::supports});
+  }
+  list.push_back({"energy_viscosity", "energy that viscosity turned into heat", Book::given, &All::viscosity});
+  if (flow.element == FlowElement::q1q1)
+    list.push_back({"energy_stabilised", "energy lost to what stabilises equal orders of velocity and pressure",
+                    Book::lost, &All::stabilised});
+  list.push_back({"energy_advected", "energy lost by advection where velocities are not quite free of divergence",
+                  Book::lost, &All::advected});
+  if (with_bodies)
+    list.push_back({"energy_immersed",
+                    "energy lost in bodies by their steps and as they take the fluid's velocity anew", Book::lost,
+                    &All::immersed});
+  if (flow.integrator == FlowIntegrator::euler)
+    list.push_back(
+        {"energy_stepped", "kinetic energy of the fluid lost by steps of backward Euler", Book::lost, &All::stepped});
+  return list;
+}
+
 /// Whether drag and lift are wanted as coefficients.
 bool has_coefficients(const Flow& flow) { return flow.speed > 0 && flow.length > 0; }
 
 }  // namespace
 
-double MeshPlace::of(std::span<const double> values, std::size_t per_node, std::size_t i) const {
-  double sum = 0;
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    sum += parts[a] * values[static_cast<std::size_t>(nodes[a]) * per_node + i];
-  return sum;
-}
-
 FlowFields::FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers& tracers)
-    : flow_(flow), step_(step), tracers_(tracers), stream_(step.elements()) {
+    : flow_(flow),
+      step_(step),
+      tracers_(tracers),
+      stream_(step.elements()),
+      exchanges_(exchanges_of(flow, step.immersed() != nullptr)) {
   const PointFinder finder(flow.mesh);
   for (const auto& probe : flow.probes) probes_.push_back(place_of(flow.mesh, finder.find(probe).value()));
   for (const ForceSide& side : flow.forces) {
@@ -57,13 +83,8 @@ HistoryLayout FlowFields::history_layout() const {
                        Book book = Book::none) {
     layout.quantities.push_back({name, dimension, meaning, Per::scene, book});
   };
-  add("energy_outside", Dimension::energy,
-      "work done from outside: by walls, inflows, open sides and body forces, less the kinetic energy carried out",
-      Book::gained);
-  add("energy_damped", Dimension::energy, "energy lost to viscosity", Book::given);
-  if (flow_.element == FlowElement::q1q1)
-    add("energy_stabilised", Dimension::energy, "energy lost to what stabilises equal orders of velocity and pressure",
-        Book::lost);
+  for (const ExchangeColumn& exchange : exchanges_)
+    add(exchange.name, Dimension::energy, exchange.meaning, exchange.book);
   add("mass", Dimension::mass, "mass of the fluid, and of as much of it as solids are in the place of");
   add("momentum_x", Dimension::momentum, "momentum of the same in x");
   add("momentum_y", Dimension::momentum, "momentum of the same in y");
@@ -144,7 +165,7 @@ void FlowFields::append_bodies(const FlowState& state, Record& record) const {
     }
   }
   for (std::size_t r = 0; r < regions.size(); ++r) record.push_back(regions[r].density * sizes[r]);
-  append_nodes(immersed.solids(), state.q, state.w, record);
+  append_tracked(immersed.solids(), state.q, state.w, record);
   if (flow_.tracers.count[0] > 0)
     record.push_back(static_cast<double>(tracers_.count_inside(immersed.solids(), state)));
   const ShapeVolumes shape = immersed.system().elements->shape(state.q);
@@ -165,9 +186,10 @@ Record FlowFields::record(const FlowState& state) const {
   const double potential = immersed ? immersed->potential_energy(state) : 0;
   const std::vector<double> psi = stream_.of(state.v), pressure = elements.pressure_at_nodes(state.p);
   const auto [least, largest] = std::minmax_element(psi.begin(), psi.end());
-  Record values{state.time, state.dt_last, kinetic, strain, 0, potential, kinetic + strain + potential,
-                state.work, state.damped};
-  if (flow_.element == FlowElement::q1q1) values.push_back(state.stabilised);
+  Record values{
+      state.time, state.dt_last, kinetic, strain, 0, potential, kinetic + strain + potential,
+  };
+  for (const ExchangeColumn& exchange : exchanges_) values.push_back(state.exchanged.*exchange.amount);
   values.insert(values.end(), {momentum[0], momentum[1], momentum[2], *least, *largest});
   if (has_coefficients(flow_)) values.push_back(flow_.density * flow_.speed * flow_.length / step_.viscosity());
   append_forces(state, values);

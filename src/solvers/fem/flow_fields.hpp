@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "grid/mesh_place.hpp"
 #include "results/results.hpp"
 #include "scene/flow.hpp"
 #include "solvers/fem/flow_state.hpp"
@@ -14,12 +15,12 @@
 
 namespace tether::fem {
 
-/// A place in a mesh: its element's nodes and their functions there.
-struct MeshPlace {
-  std::vector<int> nodes;
-  std::vector<double> parts;
-  /// Of component i of `per_node` numbers a node.
-  double of(std::span<const double> values, std::size_t per_node, std::size_t i) const;
+/// A column of energy that was exchanged, and what of the state it records.
+struct ExchangeColumn {
+  const char* name;
+  const char* meaning;
+  Book book;
+  double FlowExchange::*amount;
 };
 
 /// What records and snapshots of a flow are made from. All must outlive it.
@@ -44,6 +45,7 @@ class FlowFields {
   const FlowStep& step_;
   const FlowTracers& tracers_;
   StreamFunction stream_;
+  std::vector<ExchangeColumn> exchanges_;
   std::vector<MeshPlace> probes_;
   std::vector<std::vector<int>> force_nodes_;      // of each side whose force is recorded
   std::vector<std::vector<double>> body_volumes_;  // of each region of the solids, its nodes' parts at the start

@@ -47,6 +47,7 @@ void FlowSolver::advance(double until) {
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
         [&](double part) {
           FlowReport report = step_.advance(state_, {state_.time, part, tmax});
+          state_.residual = flow_.tolerance * report.residuals.back();
           if (report.converged) tracers_.advance(state_, part);
           return report;
         },
@@ -156,14 +157,16 @@ std::vector<CostPart> FlowSolver::cost_parts() const {
 Summary FlowSolver::more_summary() const {
   const FlowCost& cost = step_.cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  return {{"unknowns", number(unknowns_.count())},
-          {"newton_iterations", number(state_.newton_steps)},
-          {"factorisations", number(state_.factorisations)},
-          {"halvings", number(state_.halvings)},
-          {"factor_nonzeros", number(cost.factor_nonzeros)},
-          {"linear_solver", step_.by_krylov() ? "krylov" : "direct"},
-          {"krylov_iterations", number(state_.krylov_iterations)},
-          {"krylov_failures", number(state_.krylov_failures)}};
+  Summary summary{{"unknowns", number(unknowns_.count())},
+                  {"newton_iterations", number(state_.newton_steps)},
+                  {"factorisations", number(state_.factorisations)},
+                  {"halvings", number(state_.halvings)},
+                  {"factor_nonzeros", number(cost.factor_nonzeros)},
+                  {"linear_solver", step_.by_krylov() ? "krylov" : "direct"},
+                  {"krylov_iterations", number(state_.krylov_iterations)},
+                  {"krylov_failures", number(state_.krylov_failures)}};
+  if (flow_.integrator == FlowIntegrator::steady) summary.emplace_back("steady_residual", number(state_.residual));
+  return summary;
 }
 
 }  // namespace tether::fem

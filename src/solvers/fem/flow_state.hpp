@@ -15,6 +15,21 @@ struct LinearisedAt {
   std::vector<double> q0, w0, drift;  // of immersed solids, at the start
 };
 
+/// What a flow and its bodies have got from outside, have given to heat and the method has lost [energy].
+struct FlowExchange {
+  double walls = 0;        ///< work of moving walls
+  double inflows = 0;      ///< work of inflows, and the kinetic energy that they brought
+  double open = 0;         ///< work at open sides, less the kinetic energy that left there
+  double body_forces = 0;  ///< work of gravity and body forces on the fluid
+  double loads = 0;        ///< work of loads on bodies
+  double supports = 0;     ///< work of bodies' supports
+  double viscosity = 0;    ///< given to heat
+  double stabilised = 0;   ///< lost to what stabilises equal orders
+  double advected = 0;     ///< lost by the convective term where velocities are not quite free of divergence
+  double immersed = 0;     ///< lost in bodies, by their steps and as they take the fluid's velocity anew
+  double stepped = 0;      ///< kinetic energy of the fluid lost by steps of backward Euler
+};
+
 /// Of a flow: 2 numbers a node of velocities, 1 of pressures; of immersed solids 2 a node of places.
 struct FlowState {
   double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
@@ -26,9 +41,8 @@ struct FlowState {
   std::vector<double> drift;       ///< their mean velocities over that step
   std::vector<double> tracers;     ///< their places, 2 numbers each
   std::vector<int> tracer_left;    ///< 1 of those that left the mesh
-  double work = 0;                 ///< done from outside so far [energy]
-  double damped = 0;               ///< lost to viscosity so far [energy]
-  double stabilised = 0;           ///< and to what stabilises equal orders [energy]
+  FlowExchange exchanged;          ///< so far
+  double residual = 0;             ///< that the last step ended with, over the largest force or flux
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
@@ -42,7 +56,12 @@ void exchange(Exchange& with, FlowState& state) {
   with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
       with("q", state.q), with("w", state.w), with("drift", state.drift);
   with("tracers", state.tracers), with("tracer_left", state.tracer_left);
-  with("work", state.work), with("damped", state.damped), with("stabilised", state.stabilised);
+  FlowExchange& all = state.exchanged;
+  with("walls", all.walls), with("inflows", all.inflows), with("open", all.open);
+  with("body_forces", all.body_forces), with("loads", all.loads), with("supports", all.supports);
+  with("viscosity", all.viscosity), with("stabilised", all.stabilised);
+  with("advected", all.advected), with("immersed", all.immersed), with("stepped", all.stepped);
+  with("residual", state.residual);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps);
   with("factorisations", state.factorisations), with("halvings", state.halvings);

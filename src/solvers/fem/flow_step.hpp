@@ -68,6 +68,7 @@ class FlowStep {
   bool apply_correction(double part);
   void update_pattern();
   void accept(FlowState& state);
+  void add_exchange(FlowState& state);
   double residual_behind_correction(const FlowState& state, double before);
   void take_back_correction(const FlowState& state);
 
@@ -75,6 +76,7 @@ class FlowStep {
   std::unique_ptr<FlowElements> elements_;
   std::unique_ptr<ImmersedSolids> immersed_;
   double gravity_;
+  std::vector<bool> inflow_;  // of each node, whether an inflow prescribes its velocity
   ClusterPattern pattern_;
   SparseMatrix K_;
   FlowLinear linear_;

@@ -230,20 +230,25 @@ void ImmersedSolids::add_tangent(std::size_t first, const ClusterPattern& patter
   }
 }
 
-/// Loads do work on the way of their nodes, supports all that acts on theirs.
+/// Loads do work on the way of their nodes, supports what holds theirs. Stress and inertia work on all of them: what of
+/// it is neither strain nor kinetic energy afterwards, the step has lost, by its rule or as the nodes take the velocity
+/// that the fluid has where they have come to.
 void ImmersedSolids::accept(FlowState& state) {
-  const double before = system_.gravity_energy(q0_);
+  double loads = system_.gravity_energy(q1_) - system_.gravity_energy(q0_);  // which outer_ has with the other sign
+  double supports = 0, lost = strain_energy(q0_) - strain_energy(q1_) + kinetic_energy(state);
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     const double way = q1_[k] - q0_[k];
-    state.work += (system_.held[k] ? F_[k] + outer_[k] : outer_[k]) * way;
+    loads += outer_[k] * way, lost += (F_[k] + outer_[k]) * way;
+    if (system_.held[k]) supports += F_[k] * way;
   }
-  state.work += system_.gravity_energy(q1_) - before;  // which outer_ has with the other sign
   state.q = q1_, state.drift = V_;
   place(state.q, state.time + dt_);
   map_.velocities(state.v, state.w);
   for (std::size_t k = 0; k < state.w.size(); ++k) {
     if (system_.held[k]) state.w[k] = led_[k];
   }
+  lost -= kinetic_energy(state);
+  state.exchanged.loads += loads, state.exchanged.supports += supports, state.exchanged.immersed += lost;
 }
 
 double ImmersedSolids::kinetic_energy(const FlowState& state) const {
@@ -254,8 +259,8 @@ double ImmersedSolids::kinetic_energy(const FlowState& state) const {
   return energy;
 }
 
-double ImmersedSolids::strain_energy(const FlowState& state) const {
-  return system_.elements->strain_energy(state.q) + (penalty_ ? penalty_->strain_energy(state.q) : 0);
+double ImmersedSolids::strain_energy(std::span<const double> q) const {
+  return system_.elements->strain_energy(q) + (penalty_ ? penalty_->strain_energy(q) : 0);
 }
 
 std::string ImmersedSolids::worst_element() const {

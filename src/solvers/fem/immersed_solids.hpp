@@ -50,7 +50,7 @@ class ImmersedSolids {
 
   /// Energies of the state: kinetic, of the excess mass; strain; potential, of the excess weight [energy].
   double kinetic_energy(const FlowState& state) const;
-  double strain_energy(const FlowState& state) const;
+  double strain_energy(const FlowState& state) const { return strain_energy(state.q); }
   double potential_energy(const FlowState& state) const { return system_.gravity_energy(state.q); }
   /// The element that is nearest to being turned inside out, for messages.
   std::string worst_element() const;
@@ -59,6 +59,7 @@ class ImmersedSolids {
   const SolidSystem& system() const { return system_; }
 
  private:
+  double strain_energy(std::span<const double> q) const;
   void place(std::span<const double> x, double time);
   void find_tangent();
   std::vector<std::pair<std::size_t, std::size_t>> cell_pairs() const;

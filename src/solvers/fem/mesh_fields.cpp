@@ -54,14 +54,14 @@ void add_bodies_and_nodes(HistoryLayout& layout, const Solids& solids, const std
     add_vector(layout, "point_v", Dimension::velocity, "velocity, ", dim, Per::point);
   }
   layout.body_names = bodies;
-  for (const int node : solids.tracked) layout.point_names.push_back(fmt::format("node {}", node + 1));
+  for (const TrackedPlace& tracked : solids.tracked) layout.point_names.push_back(tracked.name);
 }
 
-void append_nodes(const Solids& solids, std::span<const double> q, std::span<const double> v, Record& record) {
+void append_tracked(const Solids& solids, std::span<const double> q, std::span<const double> v, Record& record) {
   const auto d = static_cast<std::size_t>(solids.mesh.dim());
   for (const auto& of : {q, v}) {
     for (std::size_t i = 0; i < d; ++i) {
-      for (const int node : solids.tracked) record.push_back(of[static_cast<std::size_t>(node) * d + i]);
+      for (const TrackedPlace& tracked : solids.tracked) record.push_back(tracked.place.of(of, d, i));
     }
   }
 }

@@ -19,11 +19,11 @@ void add_vector(HistoryLayout& layout, const std::string& name, Dimension dimens
 void add_energies(HistoryLayout& layout);
 /// Adds mass and momenta: in the plane the angular momentum has one component.
 void add_momenta(HistoryLayout& layout, int dim);
-/// Adds the bodies' and the tracked nodes' columns, and their names.
+/// Adds the bodies' and the tracked places' columns, and their names.
 void add_bodies_and_nodes(HistoryLayout& layout, const Solids& solids, const std::vector<std::string>& bodies);
 
-/// Adds the numbers of tracked nodes: by components, their places, then their velocities.
-void append_nodes(const Solids& solids, std::span<const double> q, std::span<const double> v, Record& record);
+/// Adds the numbers of tracked places: by components, where they are, then their velocities.
+void append_tracked(const Solids& solids, std::span<const double> q, std::span<const double> v, Record& record);
 
 /// Places, displacements and velocities of all nodes.
 Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q, std::span<const double> v);

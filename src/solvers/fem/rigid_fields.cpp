@@ -38,7 +38,7 @@ HistoryLayout history_layout(const Solids& solids, const Rigid& rigid) {
   HistoryLayout layout;
   add_energies(layout);
   layout.quantities.push_back(
-      {"energy_outside", Dimension::energy, "work that loads have done on the body", Per::scene, Book::gained});
+      {"energy_loads", Dimension::energy, "work that loads have done on the body", Per::scene, Book::gained});
   add_momenta(layout, 3);
   add_vector(layout, "omega_", Dimension::rate, "angular velocity, ", 3);
   for (int i = 1; i <= 3; ++i)
@@ -67,7 +67,7 @@ Record record(const RigidRunState& state, const RigidSystem& system) {
   append(inertia.centre(q), values);
   append(rigid_linear_momentum(inertia, motion) / mass, values);
   values.push_back(mass);
-  append_nodes(system.solids, at_nodes(q, system), at_nodes(motion.v, system), values);
+  append_tracked(system.solids, at_nodes(q, system), at_nodes(motion.v, system), values);
   return values;
 }
 

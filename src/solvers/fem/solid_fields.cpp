@@ -53,9 +53,9 @@ HistoryLayout history_layout(const Solids& solids) {
   HistoryLayout layout;
   add_energies(layout);
   layout.quantities.push_back(
-      {"energy_outside", Dimension::energy,
-       "work that loads and moved supports have done on the solids; of statics what they gained", Per::scene,
-       Book::gained});
+      {"energy_loads", Dimension::energy, "work that loads have done on the solids", Per::scene, Book::gained});
+  layout.quantities.push_back(
+      {"energy_supports", Dimension::energy, "work of supports and walls that move", Per::scene, Book::gained});
   layout.quantities.push_back(
       {"energy_damped", Dimension::energy, "energy that damping has taken", Per::scene, Book::given});
   add_momenta(layout, solids.mesh.dim());
@@ -89,7 +89,8 @@ Record record(const SolidState& state, const SolidSystem& system) {
                 0,
                 potential,
                 kinetic + strain + potential,
-                state.work,
+                state.of_loads,
+                state.of_supports,
                 state.damped,
                 std::accumulate(masses.begin(), masses.end(), 0.0)};
   values.insert(values.end(), motion.momentum.begin(), motion.momentum.begin() + dim);
@@ -97,7 +98,7 @@ Record record(const SolidState& state, const SolidSystem& system) {
   add_means(state.q, system, masses, values);
   add_means(state.v, system, masses, values);
   values.insert(values.end(), masses.begin(), masses.end());
-  append_nodes(system.solids, state.q, state.v, values);
+  append_tracked(system.solids, state.q, state.v, values);
   return values;
 }
 

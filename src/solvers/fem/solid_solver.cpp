@@ -56,6 +56,7 @@ NewtonReport SolidSolver::advanced(double dt) {
   if (state_.time + dt <= state_.time) lose(dt);
   NewtonReport report = step_.advance(state_, dt);
   if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
+  if (!report.residuals.empty()) state_.residual = report.residuals.back();
   return report;
 }
 
@@ -132,10 +133,13 @@ Summary SolidSolver::more_summary() const {
   const SolidCost& cost = step_.cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
   const auto free = std::count(system_.held.begin(), system_.held.end(), 0);
-  return {{"unknowns", number(free)},
-          {"newton_iterations", number(state_.newton_steps)},
-          {"halvings", number(state_.halvings)},
-          {"factor_nonzeros", number(cost.factor_nonzeros)}};
+  Summary summary{{"unknowns", number(free)},
+                  {"newton_iterations", number(state_.newton_steps)},
+                  {"halvings", number(state_.halvings)},
+                  {"factor_nonzeros", number(cost.factor_nonzeros)}};
+  if (system_.solids.integrator == Integrator::equilibrium)
+    summary.emplace_back("equilibrium_residual", number(state_.residual));
+  return summary;
 }
 
 }  // namespace tether::fem

@@ -241,23 +241,39 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   return regular && std::isfinite(norm(change_));
 }
 
-/// Energies that came from outside, and the new state. In (17) the mean velocity does the work; that of a supported
-/// node need not be its way over the step, and its inertia works along the mean. From equilibrium to equilibrium what
-/// is stored is what came in.
+/// Work of loads, of supports, and of damping, and the new state. In (17) the mean velocity does the work; that of a
+/// supported node need not be its way over the step, and its inertia works along the mean.
 void SolidStep::accept(SolidState& state, double dt) {
-  double outside = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it with the other sign
-  if (!dynamic_) outside += system_.elements->strain_energy(q1_) - system_.elements->strain_energy(state.q);
+  double loads = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it with the other sign
+  double supports = 0;
+  if (!dynamic_) add_work_of_equilibrium(state);
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : 2 * way / dt - state.v[k];
     if (dynamic_) {
       const double inertial_way = 0.5 * dt * (state.v[k] + v1);
-      outside += system_.held[k] ? inertia_[k] * inertial_way + (inner_[k] + damping_[k]) * way : outer_[k] * way;
+      loads += outer_[k] * way;
+      if (system_.held[k]) supports += inertia_[k] * inertial_way + (inner_[k] + damping_[k] - outer_[k]) * way;
     }
     state.damped += damping_[k] * way;
     state.v[k] = dynamic_ ? v1 : 0;
     state.q[k] = q1_[k];
   }
-  state.work += outside;
+  state.of_loads += loads, state.of_supports += supports;
+}
+
+/// From equilibrium to equilibrium loads and the forces of supports work with the mean of both ends: exactly where the
+/// body answers linearly, and with the square of the step else.
+void SolidStep::add_work_of_equilibrium(SolidState& state) {
+  system_.external_forces(state.time, start_);
+  std::fill(scratch_.begin(), scratch_.end(), 0.0);
+  system_.elements->add_forces(StressAt::end, state.q, state.q, scratch_);
+  double loads = 0, supports = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    const double way = q1_[k] - state.q[k], load = 0.5 * (start_[k] + outer_[k]);
+    loads += load * way;
+    if (system_.held[k]) supports += (0.5 * (scratch_[k] + inner_[k]) - load) * way;
+  }
+  state.of_loads += loads, state.of_supports += supports;
 }
 
 }  // namespace tether::fem

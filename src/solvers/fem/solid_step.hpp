@@ -57,6 +57,7 @@ class SolidStep {
   double rounding() const;
   bool correct(const SolidState& state, double dt);
   void accept(SolidState& state, double dt);
+  void add_work_of_equilibrium(SolidState& state);
   void add_damping(double dt, std::span<const double> q0);
   void find_accelerations(std::span<const double> q, std::span<const double> v, double time, std::span<double> a);
   void explicit_step(SolidState& state, double dt);

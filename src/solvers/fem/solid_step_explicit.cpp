@@ -40,18 +40,19 @@ void SolidStep::explicit_step(SolidState& state, double dt) {
   }
   system_.external_forces(state.time, start_);
   find_accelerations(q1_, state.v, state.time + dt, state.a);
-  double outside = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);
+  double loads = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // which start_ and outer_ have, too
+  double supports = 0;
   const auto d = static_cast<std::size_t>(system_.dim());
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     const double way = q1_[k] - state.q[k], m = system_.lumped[k / d];
-    outside += 0.5 * (start_[k] + outer_[k]) * way;
+    loads += 0.5 * (start_[k] + outer_[k]) * way;
     if (system_.held[k])
-      outside += 0.5 * m * (moved_[k] * moved_[k] - scratch_[k] * scratch_[k] - (change_[k] + state.a[k]) * way);
+      supports += 0.5 * m * (moved_[k] * moved_[k] - scratch_[k] * scratch_[k] - (change_[k] + state.a[k]) * way);
     state.damped += damping_[k] * way;
     state.v[k] = system_.held[k] ? moved_[k] : state.v[k] + 0.5 * dt * state.a[k];
     state.q[k] = q1_[k];
   }
-  state.work += outside;
+  state.of_loads += loads, state.of_supports += supports;
 }
 
 /// 2/omega, less where damping of the ratio xi acts with the velocity of half a step before (T. Belytschko, W. K. Liu,

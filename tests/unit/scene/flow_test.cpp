@@ -238,7 +238,7 @@ TEST(FlowScene, BodiesBehindAFluidAreCountedFromZero) {
   EXPECT_EQ(solids.mesh.region, (std::vector<int>{0, 1}));
   EXPECT_EQ(solids.regions.at(1).name, "region 3");
   EXPECT_EQ(solids.loads.at(0).region, 1);
-  EXPECT_EQ(solids.tracked, std::vector<int>{7});
+  EXPECT_EQ(solids.tracked.at(0).place.nodes, std::vector<int>{7});
   EXPECT_EQ(built.scene.flow->volume_penalty, (std::vector<double>{0, 9}));
 }
 

@@ -140,8 +140,9 @@ double missing_energy(bool all, double dt) {
   const FlowState& state = run.state;
   const ImmersedSolids& immersed = *run.step.immersed();
   const double there = run.step.elements().kinetic_energy(state.v) + immersed.kinetic_energy(state) +
-                       immersed.strain_energy(state) + state.damped;
-  return (state.work - there) / state.work;
+                       immersed.strain_energy(state) + state.exchanged.viscosity;
+  const double in = state.exchanged.walls + state.exchanged.inflows + state.exchanged.open + state.exchanged.supports;
+  return (in - there) / in;
 }
 
 /// Supports that accelerate a body feel its inertia, and so do the nodes beside them: where none is free to the last

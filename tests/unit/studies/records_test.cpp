@@ -172,6 +172,7 @@ TEST_F(Records, SummariesOfBoxesHaveTheirs) {
   std::set<std::string> keys;
   for (const auto& [key, value] : read_summary(folder / "bar/summary.txt")) keys.insert(key);
   for (const auto& key : coupled_summary_keys()) EXPECT_EQ(keys.count(key), 1u) << key;
+  for (const auto& key : locking_summary_keys()) EXPECT_EQ(keys.count(key), 1u) << key;
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "cases/run_deck.hpp"
+
+// What the program says of elements that lock, against what they do: static cantilevers against the beam with shear,
+// and a sheared panel against fine elements of order 2.
+
+namespace tether::cases {
+namespace {
+
+/// Of a plate of length L and thickness 1 in plane strain, E = 1, held at its left, a shear force on its right side.
+struct Plate {
+  std::string element;
+  int across;
+  double length, nu;
+};
+
+DeckRun bent(const Plate& plate) {
+  return run_text(
+      "locking",
+      fmt::format("a plate that bends\n$in nx=2,ny=2,xleft=-1.,xright=99.,ybot=-9.,ytop=9.,tmax=1.,"
+                  "tstep=1.,iout(33)=1,tiout(33)=1. $\n"
+                  "$reg nreg=1,nvi=4,xvi(1,1)=0.,{0},{0},0.,yvi(1,1)=0.,0.,1.,1.,densir(1)=1.,"
+                  "matr(1,1)=1.,{1} $\n$mesh element='{2}',cells(1,1)={3},{4} $\n"
+                  "$fem static=.true.,law(1)='linear',fix_on(1)='1.left',fix(1:2,1)=0.,0.,"
+                  "load_on(1)='1.right',load(2,1)=1e-6 $\n$points tracked_at(1,1)={0},0.5 $\n",
+                  plate.length, plate.nu, plate.element, static_cast<int>(plate.across * plate.length), plate.across));
+}
+
+double deflection(const DeckRun& run) { return run.last("point_y_1") - 0.5; }
+
+/// Timoshenko's: L^3/(3 E' I) + L/(5/6 G).
+double of_the_beam(const Plate& plate) {
+  const double L = plate.length;
+  return 1e-6 * (4 * L * L * L * (1 - plate.nu * plate.nu) + L * 2.4 * (1 + plate.nu));
+}
+
+TEST(Locking, IsSaidOfBeamsAsMuchAsItIs) {
+  for (const Plate& plate : {Plate{"q1", 3, 10, 0.3}, Plate{"q1", 3, 10, 0.4}, Plate{"p1", 3, 10, 0.3},
+                             Plate{"p1", 6, 10, 0.45}, Plate{"q1", 2, 10, 0.49}}) {
+    const DeckRun run = bent(plate);
+    const double too_stiff = of_the_beam(plate) / deflection(run) - 1;
+    EXPECT_EQ(run.summary.at("elements_across"), plate.across);
+    EXPECT_NEAR(run.summary.at("bending_too_stiff"), too_stiff, too_stiff / 6) << plate.element << " " << plate.nu;
+    ASSERT_EQ(run.warnings.size(), 1u);
+    EXPECT_NE(run.warnings[0].find(fmt::format("{} {} elements across its thickness 1 with nu = {}", plate.across,
+                                               plate.element, plate.nu)),
+              std::string::npos)
+        << run.warnings[0];
+  }
+}
+
+TEST(Locking, IsSaidOfPanelsThatHardlyChangeTheirVolume) {
+  for (const double nu : {0.49, 0.4999}) {
+    const double right = deflection(bent({"q2", 12, 2, nu}));
+    for (const int across : {4, 8}) {
+      const DeckRun run = bent({"q1", across, 2, nu});
+      const double too_stiff = right / deflection(run) - 1;
+      EXPECT_NEAR(run.summary.at("bending_too_stiff"), too_stiff, too_stiff / 3) << nu << " " << across;
+    }
+  }
+}
+
+TEST(Locking, IsNotSaidWhereThereIsNone) {
+  EXPECT_EQ(bent({"q1", 6, 10, 0.3}).warnings, std::vector<std::string>{});
+  EXPECT_EQ(bent({"p1", 12, 10, 0.3}).warnings, std::vector<std::string>{});
+  const DeckRun run = bent({"q2", 1, 10, 0.3});
+  EXPECT_EQ(run.warnings, std::vector<std::string>{});
+  EXPECT_NEAR(deflection(run) / of_the_beam({"q2", 1, 10, 0.3}), 1, 0.02);
+}
+
+}  // namespace
+}  // namespace tether::cases
