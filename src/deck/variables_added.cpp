@@ -16,9 +16,10 @@ constexpr std::array rows{
              "Mass of the point of row i of the particle file, instead of its own; its volume and density stay."},
     Variable{"points", "tracked", logical, 1, point_count, 1, "", -none, none, "", ".false.",
              "Whether position and velocity of row i of the particle file go into the history."},
-    Variable{"points", "tracked_at", real, 2, 2, tracked_at_count, "length", -none, none, "", "",
-             "x, y of a place at the start whose path goes into the history: of material points and bars the nearest point "
-             "has it, of bodies on a mesh the place within its element; one that lies in no body is an error."},
+    Variable{
+        "points", "tracked_at", real, 2, 2, tracked_at_count, "length", -none, none, "", "",
+        "x, y of a place at the start whose path goes into the history: of material points and bars the nearest point "
+        "has it, of bodies on a mesh the place within its element; one that lies in no body is an error."},
     Variable{"points", "pinned", logical, 1, point_count, 1, "", -none, none, "", ".false.",
              "Whether a pin holds the point of row i of the particle file where it is."},
     Variable{"mpm", "method", text, 0, 1, 1, "", -none, none, "thesis|robust", "'thesis'",
