@@ -34,7 +34,7 @@ TEST(FemBalance, AnInflowDoesTheWorkThatViscosityTakes) {
                                                      "boundary(2)='open'"));
     const double heat = 0.5 * 2.0 / 3 * 0.5;               // mu L <(1 - 2 y)^2> t
     const double within = element[2] == '2' ? 1e-9 : 0.1;  // six bilinear elements are coarse for it
-    EXPECT_LT(relative(run.last("energy_viscosity"), heat), within) << element;
+    EXPECT_LT(relative(run.last("energy_viscous"), heat), within) << element;
     EXPECT_LT(relative(run.last("energy_inflow") + run.last("energy_open"), heat), within) << element;
     EXPECT_LT(std::abs(run.last("energy_walls")), 1e-12) << element;
     EXPECT_LT(run.summary.at("energy_drift"), 1e-8) << element;
@@ -47,7 +47,7 @@ TEST(FemBalance, AMovingWallDoesTheWorkThatViscosityTakes) {
       run_text("couette", channel("u0='y',boundary_on(1)='1.top',boundary(1)='moving',boundary_u(1)='1',"
                                   "boundary_on(2)='1.left',boundary(2)='periodic',boundary_with(2)='1.right'"));
   EXPECT_LT(relative(run.last("energy_walls"), 0.5 * 2 * 0.5), 1e-9);
-  EXPECT_LT(relative(run.last("energy_viscosity"), 0.5 * 2 * 0.5), 1e-9);
+  EXPECT_LT(relative(run.last("energy_viscous"), 0.5 * 2 * 0.5), 1e-9);
   EXPECT_LT(run.summary.at("energy_drift"), 1e-9);
 }
 

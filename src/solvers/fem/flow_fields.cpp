@@ -36,7 +36,7 @@ std::vector<ExchangeColumn> exchanges_of(const Flow& flow, bool with_bodies) {
     list.push_back({"energy_loads", "work of loads on bodies", Book::gained, &All::loads});
     list.push_back({"energy_supports", "work of bodies' supports", Book::gained, &All::supports});
   }
-  list.push_back({"energy_viscosity", "energy that viscosity turned into heat", Book::given, &All::viscosity});
+  list.push_back({"energy_viscous", "energy that viscosity turned into heat", Book::given, &All::viscosity});
   if (flow.element == FlowElement::q1q1)
     list.push_back({"energy_stabilised", "energy lost to what stabilises equal orders of velocity and pressure",
                     Book::lost, &All::stabilised});
