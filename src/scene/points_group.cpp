@@ -73,7 +73,7 @@ void track_nearest(const Deck& deck, int k, Scene& scene, Diagnostics& diagnosti
   scene.tracked_from.resize(scene.tracked.size());
   scene.tracked_from.back() = fmt::format(", {:.3g} from ({:.6g}, {:.6g})", away, x, y);
   if (away <= told_distance * std::min(scene.grid.dx, scene.grid.dy)) return;
-  diagnostics.add(deck.remark(Severity::warning, "points", "tracked_at", {1, k},
+  diagnostics.add(deck.remark(Severity::remark, "points", "tracked_at", {1, k},
                               fmt::format("what is tracked is the nearest point, number {} at ({:.6g}, {:.6g}), {:.3g} "
                                           "from ({:.6g}, {:.6g})",
                                           p + 1, scene.points.x[p], scene.points.y[p], away, x, y),

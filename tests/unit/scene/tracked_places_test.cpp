@@ -54,8 +54,9 @@ TEST(TrackedPlaces, OutsideOfEveryBodyAreMistakes) {
 
 TEST(TrackedPlaces, OfMaterialPointsAreTheNearestPointsWhoseDistanceIsSaid) {
   const Built built = build(string_deck("$points tracked_at(1,1)=.4,.9 $\n"));
-  ASSERT_EQ(built.diagnostics.warnings().size(), 1u);
-  EXPECT_EQ(built.diagnostics.warnings()[0].message,
+  ASSERT_EQ(built.diagnostics.all().size(), 1u);
+  EXPECT_EQ(built.diagnostics.all()[0].severity, Severity::remark);
+  EXPECT_EQ(built.diagnostics.all()[0].message,
             "what is tracked is the nearest point, number 2 at (0.375, 0.5), 0.401 from (0.4, 0.9)");
   EXPECT_EQ(tracked_name(built.scene, 0), "point 2, 0.401 from (0.4, 0.9)");
 }
