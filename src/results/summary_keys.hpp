@@ -16,6 +16,9 @@ std::vector<std::string> summary_keys(ReferenceKind reference);
 /// Keys that a run of bodies or of a flow on a mesh adds; where they are rigid, the first three.
 std::vector<std::string> mesh_summary_keys();
 
+/// Keys that a run of elastic bodies on a mesh adds, also in a flow or in a box.
+std::vector<std::string> body_summary_keys();
+
 /// Keys of numbers that a run of a flow adds to these.
 std::vector<std::string> flow_summary_keys();
 

@@ -44,7 +44,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 class Keys {
  public:
   void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
-  void add_those_of_meshes() { add(mesh_summary_keys()); }
+  void add_those_of_meshes() { add(mesh_summary_keys()), add(body_summary_keys()); }
   void add_those_of_flows() { add(flow_summary_keys()); }
   void add_those_of_boxes() { add(coupled_summary_keys()); }
   const std::vector<std::string>& known() const { return known_; }
