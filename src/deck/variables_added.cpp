@@ -60,6 +60,24 @@ constexpr std::array rows{
     Variable{"reference", "window", real, 1, 2, 1, "length", -none, none, "", "",
              "Part of the tube in which 'riemann' is compared, from x to x. Without it, all that no wave from the ends "
              "has reached when the run ends."},
+    Variable{"limits", "quality", real, 1, 2, 1, "", 0, none, "", "",
+             "Least volume of an element of a body over that at the start, below which a run warns (1) and is stopped "
+             "(2). .1 and .001 where not given, as in all of this group 0 switches off."},
+    Variable{"limits", "volume", real, 1, 2, 1, "", 0, none, "", "",
+             "Volume of a body over that at the start, or the other way round where it grows: warning, stop below. .5 "
+             "and .05."},
+    Variable{
+        "limits", "energy_step", real, 1, 2, 1, "", 0, none, "", "",
+        "Rise of the energy in one step (from one record to the next of material points, bars, flows on a mesh and "
+        "explicit steps) that no column explains, over the largest energy before or exchanged in it: warning, stop "
+        "above. .5 and 100."},
+    Variable{"limits", "energy_growth", real, 1, 2, 1, "", 0, none, "", "",
+             "The same rise since the start, over the largest energy exchanged by then: warning at the end of the run, "
+             "stop above. .05 and 0."},
+    Variable{"limits", "splitting", real, 1, 2, 1, "", 0, none, "", "",
+             "Size of interface_mismatch of a fluid in a box: warning, stop above. 1 and 100."},
+    Variable{"limits", "cfl", real, 1, 2, 1, "", 0, none, "", "",
+             "Cells that a fluid in a box crosses in a step: warning, stop above. 4 and 0."},
 };
 
 }  // namespace

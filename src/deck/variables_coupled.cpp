@@ -42,12 +42,17 @@ constexpr std::array rows{
     Variable{"coupled", "level", real, 0, 1, 1, "length", -none, none, "", "",
              "Height at which the fluid beyond open sides has a pressure of zero, as voids have it; ytop where it is "
              "not given."},
+    Variable{"coupled", "open_on", text, 1, nl, 1, "", -none, none, sides, "",
+             "Side of the box that opening k is in: a part of it that is open as a whole side is. Bodies are stopped "
+             "there as by the rest of the side."},
+    Variable{"coupled", "open", real, 2, 4, nl, "length", -none, none, "", "",
+             "Its part of that side, given as that of a jet and with parts of faces likewise."},
     Variable{"coupled", "jet_on", text, 1, nl, 1, "", -none, none, sides, "",
              "Side of the box through which jet k comes in. Of two jets through a face the later one has it."},
     Variable{"coupled", "jet", real, 2, 4, nl, "length", -none, none, "", "",
              "Its part of that side: lowest and highest place along the side's first axis, and in space along its "
-             "second, in the order x, y, z; the whole side where they are not given. It is made of the cells' faces "
-             "whose middles lie in it."},
+             "second, in the order x, y, z; the whole side where they are not given. A face of the grid that it has "
+             "but a part of takes that part of its speed, so that its flux is the deck's."},
     Variable{"coupled", "jet_speed", real, 1, nl, 1, "velocity", -none, none, "", "", "Speed of jet k into the box."},
     Variable{"coupled", "jet_time", real, 2, nt, nl, "time", -none, none, "", "",
              "Ascending times of a table that the speed is multiplied by, as load_time of $fem."},

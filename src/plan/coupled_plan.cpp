@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/cfl_number.hpp"
 #include "plan/solid_plan.hpp"
 #include "scene/size.hpp"
 #include "scene/solids.hpp"
@@ -40,6 +41,16 @@ std::string systems_text(const Coupled& coupled) {
                      direct ? "no more" : "more", most_cells_of_factors);
 }
 
+/// Of a part of a side, per unit depth in the plane.
+double area_of(int side, const AxisBox& patch) {
+  double area = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != axis_of_side(side))
+      area *= patch.high[static_cast<std::size_t>(axis)] - patch.low[static_cast<std::size_t>(axis)];
+  }
+  return area;
+}
+
 std::string sides_text(const Coupled& coupled, double gravity) {
   std::string to_fluid, to_nothing;
   for (std::size_t side = 0; side < 2 * static_cast<std::size_t>(coupled.grid.dim); ++side) {
@@ -47,6 +58,10 @@ std::string sides_text(const Coupled& coupled, double gravity) {
     std::string& text = coupled.sides[side] == BoxSide::open ? to_fluid : to_nothing;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", box_side_names[side]);
   }
+  for (const Opening& opening : coupled.openings)
+    to_fluid +=
+        fmt::format("{}{} in part (area {:.4g})", to_fluid.empty() ? "" : ", ",
+                    box_side_names[static_cast<std::size_t>(opening.side)], area_of(opening.side, opening.patch));
   if (!to_fluid.empty() && (gravity != 0 || !coupled.smoke_boxes.empty()))
     to_fluid += fmt::format(" (to fluid at rest, of pressure zero at y = {:.6g})", coupled.level);
   if (!to_nothing.empty()) to_nothing += " (to nothing)";
@@ -56,8 +71,7 @@ std::string sides_text(const Coupled& coupled, double gravity) {
 std::string jets_text(const Coupled& coupled) {
   std::string text;
   for (const Jet& jet : coupled.jets) {
-    const double area =
-        static_cast<double>(faces_of(jet, coupled.grid).size()) * coupled.grid.area(axis_of_side(jet.side));
+    const double area = area_of(jet.side, jet.patch);
     text += fmt::format("{}jet {} on the {} (area {:.4g}, speed {:.4g})", text.empty() ? "" : ", ", jet.number,
                         box_side_names[static_cast<std::size_t>(jet.side)], area, jet.speed);
   }
@@ -66,6 +80,14 @@ std::string jets_text(const Coupled& coupled) {
 
 Term term(const char* name, bool on, const std::string& yes, const std::string& no) {
   return {name, on, on ? yes : no};
+}
+
+Term cfl_term(const Scene& scene) {
+  const CflNumber cfl = cfl_number(scene);
+  return term("CFL number", cfl.number > 0,
+              fmt::format("{:.3g} cells a step by {}, {:.4g}; the run has that of the velocities it finds", cfl.number,
+                          cfl.of, cfl.speed),
+              "the deck gives no velocity; the run has that of those it finds");
 }
 
 std::vector<Term> fluid_terms(const Scene& scene) {
@@ -86,6 +108,7 @@ std::vector<Term> fluid_terms(const Scene& scene) {
            c.cavities_only ? "everywhere but in cavities of bodies" : fmt::format("{} boxes", c.voids.size()),
            "fluid everywhere"),
       {"linear systems", true, systems_text(c)},
+      cfl_term(scene),
   };
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.hpp"
 #include "plan/bar_plan.hpp"
+#include "plan/cfl_number.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
 #include "plan/reference_plan.hpp"
@@ -108,6 +109,15 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
   }
   if (scene.path == Path::mpm && scene.method.order == StressOrder::usl) {
     warnings.push_back("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
+  }
+  if (scene.coupled) {
+    const CflNumber cfl = cfl_number(scene);
+    const double most = scene.limits.cfl.warn;
+    if (most > 0 && cfl.number > most)
+      warnings.push_back(
+          fmt::format("{}, {:.4g}, crosses {:.3g} cells in a step, more than {:.3g} (cfl of $limits): much of what the "
+                      "fluid carries along is lost; tstep = {:.3g} has {:.3g} cells",
+                      cfl.of, cfl.speed, cfl.number, most, scene.clock.tstep * most / cfl.number, most));
   }
   if (scene.rigid) {
     const double turn = rule.first_step() * scene.rigid->omega.norm();

@@ -118,8 +118,9 @@ class Writer {
 
 void write(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const auto history = flat(checkpoint.records), dues = flat(checkpoint.dues);
-  const std::vector<double> run{checkpoint.time, static_cast<double>(checkpoint.point_snapshots),
-                                static_cast<double>(checkpoint.grid_snapshots)};
+  std::vector<double> run{checkpoint.time, static_cast<double>(checkpoint.point_snapshots),
+                          static_cast<double>(checkpoint.grid_snapshots)};
+  run.insert(run.end(), checkpoint.watched.begin(), checkpoint.watched.end());
   Writer writer(path, room_of(checkpoint));
   writer.attributes(checkpoint);
   for (const auto& [name, array] : checkpoint.state) writer.define(state_prefix + name, array, {array.size()});
@@ -183,6 +184,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   checkpoint.time = run.at(0);
   checkpoint.point_snapshots = static_cast<std::size_t>(run.at(1));
   checkpoint.grid_snapshots = static_cast<std::size_t>(run.at(2));
+  checkpoint.watched.assign(run.begin() + 3, run.end());
   return checkpoint;
 }
 

@@ -27,6 +27,7 @@ struct Checkpoint {
   std::vector<SavedDue> dues;         ///< of history, points, grid, checkpoint
   std::size_t point_snapshots = 0;    ///< written so far
   std::size_t grid_snapshots = 0;     ///< written so far
+  std::vector<double> watched;        ///< what the watch for runs gone wrong remembers
   std::vector<std::string> messages;  ///< of the run so far, those of its deck left out
   Seconds whole, setup;               ///< what the run took so far, and what of it before its first steps
   std::vector<CostPart> parts;        ///< of its steps

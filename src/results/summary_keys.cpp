@@ -62,7 +62,9 @@ std::vector<std::string> summary_keys(ReferenceKind reference) {
                                 "energy_drift",
                                 "energy_lost",
                                 "energy_growth",
-                                "mass_drift"};
+                                "energy_rise",
+                                "mass_drift",
+                                "energy_step_largest"};
   for (auto& key : merit_keys(reference)) keys.push_back(std::move(key));
   return keys;
 }
@@ -88,6 +90,8 @@ std::vector<std::string> residual_summary_keys() { return {"equilibrium_residual
 
 std::vector<std::string> momentum_summary_keys() { return {"momentum_drift", "angular_momentum_drift"}; }
 
+std::vector<std::string> body_summary_keys() { return {"nodes_inside", "quality_least", "volume_worst"}; }
+
 std::vector<std::string> flow_summary_keys() { return {"factorisations", "krylov_iterations", "krylov_failures"}; }
 
 std::vector<std::string> coefficient_summary_keys() {
@@ -98,7 +102,8 @@ std::vector<std::string> coefficient_summary_keys() {
 }
 
 std::vector<std::string> coupled_summary_keys() {
-  return {"krylov_iterations", "contact_solutions", "contact_unsettled", "interface_mismatch", "added_mass_ratio"};
+  return {"krylov_iterations",  "contact_solutions", "contact_unsettled", "cfl_largest",
+          "interface_mismatch", "added_mass_ratio",  "obstacle_volume",   "void_volume"};
 }
 
 Summary read_summary(const std::filesystem::path& path) {

@@ -31,6 +31,9 @@ std::vector<std::string> momentum_summary_keys();
 /// Keys that a flow with force_on(k), speed and length adds: drag_1, lift_1 ...
 std::vector<std::string> coefficient_summary_keys();
 
+/// Keys that a run of elastic bodies on a mesh adds, also in a flow or in a box.
+std::vector<std::string> body_summary_keys();
+
 /// Keys of numbers that a run of a flow adds to these.
 std::vector<std::string> flow_summary_keys();
 

@@ -11,6 +11,7 @@
 #include "scene/coupled_of_deck.hpp"
 #include "scene/fem_checks.hpp"
 #include "scene/flow_of_deck.hpp"
+#include "scene/limits_of_deck.hpp"
 #include "scene/membranes.hpp"
 #include "scene/memory.hpp"
 #include "scene/outputs.hpp"
@@ -152,6 +153,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
     if (path == Path::fem) check_fem(deck, particles, scene, diagnostics);
   }
   scene.ambient = ambient_of(deck, scene, diagnostics);
+  scene.limits = limits_of(deck, diagnostics);
   scene.outputs = outputs_of(deck, scene, diagnostics);
   drop_grid_outputs(deck, scene, diagnostics);
   scene.reference = reference_of(deck, scene, diagnostics);

@@ -37,16 +37,26 @@ enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, si
 constexpr std::array<const char*, 6> box_side_names{"left", "right", "bottom", "top", "back", "front"};
 
 /// A box with sides along the axes [length]; in the plane its z is that of the grid's layer of cells. Cells belong to
-/// an obstacle or a void, and faces to a jet, when their middles lie in it.
+/// an obstacle or a void when their middles lie in it.
 struct AxisBox {
   std::array<double, 3> low{}, high{};
   /// Whether a place lies in it or, as near as rounding tells, on its edge.
   bool contains(const std::array<double, 3>& place) const;
 };
 
+/// What the cells make of a box whose middles lie in it.
+AxisBox cells_of(const AxisBox& box, const StaggeredGrid& grid);
+
 /// The axis across a side of the box, and whether the side is at its lower end.
 constexpr int axis_of_side(int side) { return side / 2; }
 constexpr bool is_low_side(int side) { return side % 2 == 0; }
+
+/// Part of a side that is open.
+struct Opening {
+  int side = side_left;
+  AxisBox patch;   ///< as a jet's
+  int number = 0;  ///< of the deck's opening, from 1
+};
 
 /// Part of a side that fluid is blown in through.
 struct Jet {
@@ -87,6 +97,7 @@ struct Coupled {
   double viscosity = 0;      ///< mu [stress time]
   std::array<BoxSide, 6> sides{};
   double level = 0;  ///< height at which the fluid beyond open sides has no pressure [length]
+  std::vector<Opening> openings;
   std::vector<Jet> jets;
   std::vector<AxisBox> obstacles;  ///< at rest, that fluid and solids do not enter
   std::vector<AxisBox> voids;      ///< whose cells hold no fluid: pressure zero
@@ -104,22 +115,8 @@ struct Coupled {
   std::vector<Spring> springs;
 };
 
-/// Numbers, of those across the side's axis, of the faces that a jet is made of, in ascending order.
-std::vector<std::size_t> faces_of(const Jet& jet, const StaggeredGrid& grid);
-/// The cell that such a face belongs to.
-std::size_t cell_at(const Jet& jet, const StaggeredGrid& grid, std::size_t face);
-
-/// Which jet a face belongs to: of those whose patches it lies in the last.
-class JetFaces {
- public:
-  static constexpr int none = -1;
-  explicit JetFaces(const Coupled& coupled);
-  /// The jet's place among the scene's, or none.
-  int jet_of(int axis, std::size_t face) const;
-
- private:
-  std::array<std::vector<int>, 3> jet_;  // of each face; empty along axes without jets
-};
+/// Whether there is fluid beyond a side: it is open, or a wall with an opening.
+bool has_fluid_beyond(const Coupled& coupled, int side);
 
 /// In space more cells than these go by conjugate gradients where the deck leaves it open.
 constexpr double most_cells_of_factors = 2e3;

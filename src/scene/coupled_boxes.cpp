@@ -54,12 +54,38 @@ std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const S
   return box;
 }
 
+/// Warns of a box whose edges are not at faces of the grid, with what its cells make of it.
+void tell_rounding(const Deck& deck, const char* name, int k, const AxisBox& box, const StaggeredGrid& grid,
+                   Diagnostics& diagnostics) {
+  constexpr double rounding = 1e-3;  // of a cell
+  const AxisBox got = cells_of(box, grid);
+  double size = 1, size_got = 1;
+  std::string places;
+  bool off = false;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    off =
+        off || std::max(std::abs(got.low[i] - box.low[i]), std::abs(got.high[i] - box.high[i])) > rounding * grid.d[i];
+    size *= box.high[i] - box.low[i], size_got *= got.high[i] - got.low[i];
+    places += fmt::format("{}{:.6g} to {:.6g} in {}", axis == 0 ? "" : ", ", got.low[i], got.high[i], "xyz"[i]);
+  }
+  if (!off) return;
+  diagnostics.add(
+      deck.remark(Severity::warning, "coupled", name, {1, k},
+                  fmt::format("for the fluid {} {} is made of the cells from {}: {:.4g} in place of {:.4g}, {:+.2g} %",
+                              name, k, places, size_got, size, 100 * (size_got / size - 1)),
+                  "place its edges at faces of the grid, or use more nodes"));
+}
+
 std::vector<AxisBox> boxes_of(const Deck& deck, const char* name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
   std::set<int> numbers;
   for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[1]);
   std::vector<AxisBox> boxes;
   for (const int k : numbers) {
-    if (const auto box = box_of(deck, name, k, grid, HeldBy::middles_of_cells, diagnostics)) boxes.push_back(*box);
+    const auto box = box_of(deck, name, k, grid, HeldBy::middles_of_cells, diagnostics);
+    if (!box) continue;
+    tell_rounding(deck, name, k, *box, grid, diagnostics);
+    boxes.push_back(*box);
   }
   return boxes;
 }

@@ -42,7 +42,7 @@ class CoupledChecks {
         flat("side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
     }
     if (coupled_.start[2] != 0) flat("w0", {1, 1}, "the fluid starts along z");
-    in_depth("jet", 3), in_depth("obstacle", 5), in_depth("void", 5), in_depth("smoke_box", 5);
+    in_depth("jet", 3), in_depth("open", 3), in_depth("obstacle", 5), in_depth("void", 5), in_depth("smoke_box", 5);
   }
   /// Parts of the method that do nothing without others.
   void method() {
@@ -95,7 +95,8 @@ class CoupledChecks {
  private:
   /// Voids have a pressure of zero, as the fluid outside has it at its level: where both are, the deck says which.
   void level() {
-    const bool open = std::count(coupled_.sides.begin(), coupled_.sides.end(), BoxSide::open) > 0;
+    const bool open =
+        std::count(coupled_.sides.begin(), coupled_.sides.end(), BoxSide::open) > 0 || !coupled_.openings.empty();
     const bool given = deck_.given("coupled", "level");
     if (given && !open) unused("coupled", "level", "no side is open: side(k)='open' is");
     if (given || !open || coupled_.voids.empty() || deck_.real("in", "gravc") == 0) return;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "scene/coupled_of_deck.hpp"
 #include "scene/named_sides.hpp"
@@ -10,42 +11,26 @@
 namespace tether {
 namespace {
 
-/// Reads one jet.
-class JetReader {
+/// Reads the part of a side that a jet or an opening is: `name` is the deck's variable of its places.
+class PatchReader {
  public:
-  JetReader(const Deck& deck, int k, const Coupled& coupled, Diagnostics& diagnostics)
-      : deck_(deck), k_(k), coupled_(coupled), diagnostics_(diagnostics) {}
+  PatchReader(const Deck& deck, const char* name, int k, const Coupled& coupled, Diagnostics& diagnostics)
+      : deck_(deck), name_(name), k_(k), coupled_(coupled), diagnostics_(diagnostics) {}
 
-  Jet read() {
-    Jet jet;
-    jet.number = k_;
-    const auto side = std::find(box_side_names.begin(), box_side_names.end(), deck_.text("coupled", "jet_on", k_));
-    jet.side = static_cast<int>(side - box_side_names.begin());
-    if (axis_of_side(jet.side) < coupled_.grid.dim) {
-      jet.patch = patch_of(jet.side);
-    } else {
-      error("jet_on", {k_, 1}, fmt::format("jet {} is on the {}, but the box is plane", k_, *side),
-            "with nz, zback and zfront of $coupled there is a back and a front");
-    }
-    if (!deck_.given("coupled", "jet_speed", k_)) {
-      error("jet_on", {k_, 1}, fmt::format("jet {} has no speed: jet_speed({}) is not given", k_, k_),
-            "it is positive into the box");
-    } else {
-      jet.speed = deck_.real("coupled", "jet_speed", k_);
-    }
-    jet.amplitude = amplitude_of(deck_, "coupled", "jet", k_, diagnostics_);
-    jet.smoke = deck_.real("coupled", "jet_smoke", k_);
-    jet.temperature = deck_.real("coupled", "jet_temperature", k_);
-    return jet;
-  }
-
- private:
-  void error(const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, "coupled", name, at, message, hint));
+  int side() const {
+    const auto side = std::find(box_side_names.begin(), box_side_names.end(), deck_.text("coupled", on(), k_));
+    return static_cast<int>(side - box_side_names.begin());
   }
   AxisBox patch_of(int side) {
     const StaggeredGrid& grid = coupled_.grid;
     AxisBox patch;
+    if (axis_of_side(side) >= grid.dim) {
+      error(
+          on(), {k_, 1},
+          fmt::format("{} is on the {}, but the box is plane", what(), box_side_names[static_cast<std::size_t>(side)]),
+          "with nz, zback and zfront of $coupled there is a back and a front");
+      return patch;
+    }
     int first = 1;  // of the deck's places along an axis
     for (int axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<std::size_t>(axis);
@@ -59,33 +44,60 @@ class JetReader {
     }
     return patch;
   }
+  std::string on() const { return std::string(name_) + "_on"; }
+  /// "jet 2" or "opening 1".
+  std::string what() const { return fmt::format("{} {}", name_ == std::string_view("jet") ? "jet" : "opening", k_); }
+  void error(const std::string& name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, "coupled", name, at, message, hint));
+  }
+
+ private:
   /// From low to high, the side's ends, narrower where the deck says so.
   void read_extent(int first, double& low, double& high) {
-    const bool given = deck_.given("coupled", "jet", first, k_);
-    if (given != deck_.given("coupled", "jet", first + 1, k_)) {
+    const bool given = deck_.given("coupled", name_, first, k_);
+    if (given != deck_.given("coupled", name_, first + 1, k_)) {
       const int there = given ? first : first + 1, other = given ? first + 1 : first;
-      error("jet", {there, k_}, fmt::format("jet({},{}) is not given, but jet({},{}) is", other, k_, there, k_),
-            "a jet has a lowest and a highest place along an axis, or all of the side");
+      error(name_, {there, k_}, fmt::format("{0}({1},{2}) is not given, but {0}({3},{2}) is", name_, other, k_, there),
+            "it has a lowest and a highest place along an axis, or all of the side");
       return;
     }
     if (!given) return;
-    const double a = deck_.real("coupled", "jet", first, k_), b = deck_.real("coupled", "jet", first + 1, k_);
+    const double a = deck_.real("coupled", name_, first, k_), b = deck_.real("coupled", name_, first + 1, k_);
     const double slack = 1e-9 * (high - low);
     if (!(b > a)) {
-      error("jet", {first + 1, k_}, fmt::format("jet {}: {:.6g} is not above {:.6g}", k_, b, a), "the lowest first");
+      error(name_, {first + 1, k_}, fmt::format("{}: {:.6g} is not above {:.6g}", what(), b, a), "the lowest first");
     } else if (a < low - slack || b > high + slack) {
-      error("jet", {first, k_},
-            fmt::format("jet {} from {:.6g} to {:.6g} is not within its side, {:.6g} to {:.6g}", k_, a, b, low, high),
+      error(name_, {first, k_},
+            fmt::format("{} from {:.6g} to {:.6g} is not within its side, {:.6g} to {:.6g}", what(), a, b, low, high),
             "places are along x, y, z less the axis across the side");
     }
     low = a, high = b;
   }
 
   const Deck& deck_;
+  const char* name_;
   int k_;
   const Coupled& coupled_;
   Diagnostics& diagnostics_;
 };
+
+Jet jet_of(const Deck& deck, int k, const Coupled& coupled, Diagnostics& diagnostics) {
+  PatchReader reader(deck, "jet", k, coupled, diagnostics);
+  Jet jet;
+  jet.number = k;
+  jet.side = reader.side();
+  jet.patch = reader.patch_of(jet.side);
+  if (!deck.given("coupled", "jet_speed", k)) {
+    reader.error("jet_on", {k, 1}, fmt::format("jet {} has no speed: jet_speed({}) is not given", k, k),
+                 "it is positive into the box");
+  } else {
+    jet.speed = deck.real("coupled", "jet_speed", k);
+  }
+  jet.amplitude = amplitude_of(deck, "coupled", "jet", k, diagnostics);
+  jet.smoke = deck.real("coupled", "jet_smoke", k);
+  jet.temperature = deck.real("coupled", "jet_temperature", k);
+  return jet;
+}
 
 }  // namespace
 
@@ -94,9 +106,25 @@ void add_jets(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
                 {"jet", "jet_speed", "jet_time", "jet_factor", "jet_expression", "jet_smoke", "jet_temperature"},
                 diagnostics);
   for (const Subscript at : deck.given_elements("coupled", "jet_on")) {
-    coupled.jets.push_back(JetReader(deck, at[0], coupled, diagnostics).read());
+    coupled.jets.push_back(jet_of(deck, at[0], coupled, diagnostics));
     const Jet& jet = coupled.jets.back();
     coupled.smoke |= jet.smoke != 0 || jet.temperature != 0;
+  }
+}
+
+void add_openings(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
+  check_all_act(deck, "coupled", "open", "open_on", {"open"}, diagnostics);
+  for (const Subscript at : deck.given_elements("coupled", "open_on")) {
+    PatchReader reader(deck, "open", at[0], coupled, diagnostics);
+    Opening opening;
+    opening.number = at[0];
+    opening.side = reader.side();
+    opening.patch = reader.patch_of(opening.side);
+    if (coupled.sides[static_cast<std::size_t>(opening.side)] != BoxSide::wall)
+      diagnostics.add(deck.remark(Severity::warning, "coupled", "open_on", at,
+                                  fmt::format("opening {} has no effect: all of that side is open", opening.number),
+                                  fmt::format("leave side({}) away", opening.side + 1)));
+    coupled.openings.push_back(opening);
   }
 }
 

@@ -101,6 +101,7 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   coupled->grid = grid_of(deck, scene.grid);
   read_method(deck, *coupled);
   read_fluid(deck, *coupled, diagnostics);
+  add_openings(deck, *coupled, diagnostics);
   add_jets(deck, *coupled, diagnostics);
   add_boxes(deck, *coupled, diagnostics);
   if (deck.has_group("mesh")) add_solids(deck, scene, diagnostics);

@@ -16,6 +16,9 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 /// Jets by jet_on and what belongs to it, each with its part of the side.
 void add_jets(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
 
+/// Openings by open_on, likewise.
+void add_openings(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
+
 /// Obstacles and voids.
 void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
 

@@ -8,6 +8,7 @@
 #include "grid/mesh_flaws.hpp"
 #include "scene/coupled_checks.hpp"
 #include "scene/flow_of_deck.hpp"
+#include "scene/side_faces.hpp"
 #include "scene/solids.hpp"
 
 namespace tether {
@@ -84,18 +85,37 @@ bool in_element(const Mesh& mesh, std::size_t e, const Place& place) {
   return part.minCoeff() >= -rounding && part.sum() <= 1 + rounding;
 }
 
-/// A place in the side and one half a cell before it, for each face of a jet.
+/// Of each face of a jet the middle of what the jet has of it, and a place half a cell before that.
 std::vector<Place> places_of(const Jet& jet, const StaggeredGrid& grid) {
   const auto across = static_cast<std::size_t>(axis_of_side(jet.side));
   std::vector<Place> places;
-  for (const std::size_t face : faces_of(jet, grid)) {
-    const auto cell = grid.place_of_cell(cell_at(jet, grid, face));
-    Place place{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
+  for (const FacePart& of_jet : faces_of(jet.side, jet.patch, grid)) {
+    const auto cell = grid.place_of_cell(cell_at(jet.side, grid, of_jet.face));
+    Place place{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double low = grid.low[i] + cell[i] * grid.d[i];
+      place[i] = 0.5 * (std::max(low, jet.patch.low[i]) + std::min(low + grid.d[i], jet.patch.high[i]));
+    }
+    place[across] = grid.middle(static_cast<int>(across), cell[across]);
     places.push_back(place);
     place[across] = jet.patch.low[across];
     places.push_back(place);
   }
   return places;
+}
+
+/// The area of a jet whose cells belong to an obstacle.
+double area_before_obstacles(const Jet& jet, const Coupled& coupled) {
+  const StaggeredGrid& grid = coupled.grid;
+  double area = 0;
+  for (const FacePart& of_jet : faces_of(jet.side, jet.patch, grid)) {
+    const auto cell = grid.place_of_cell(cell_at(jet.side, grid, of_jet.face));
+    const Place middle{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
+    const auto holds = [&](const AxisBox& obstacle) { return obstacle.contains(middle); };
+    if (std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(), holds))
+      area += of_jet.part * grid.area(axis_of_side(jet.side));
+  }
+  return area;
 }
 
 /// The element that has one of these places, or none.
@@ -119,14 +139,17 @@ void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled
     diagnostics.add(deck.remark(Severity::error, "coupled", "jet_on", {jet.number, 1}, message, hint));
   };
   const std::vector<Place> places = places_of(jet, coupled.grid);
-  if (places.empty())
-    return refuse(fmt::format("jet {} meets no face of the grid: it is narrower than a cell", jet.number),
-                  "it is made of the faces whose middles lie in it: widen it, or use more nodes");
   for (std::size_t k = 0; k < coupled.obstacles.size(); ++k) {
     if (std::any_of(places.begin(), places.end(), [&](const Place& p) { return coupled.obstacles[k].contains(p); }))
       return refuse(fmt::format("jet {} comes in through an obstacle", jet.number),
                     "a jet comes in where the cell behind the side holds fluid");
   }
+  const double lost = area_before_obstacles(jet, coupled);
+  if (lost > 0)
+    diagnostics.add(
+        deck.remark(Severity::warning, "coupled", "jet_on", {jet.number, 1},
+                    fmt::format("jet {} loses an area of {:.4g} to cells that belong to an obstacle", jet.number, lost),
+                    "place the obstacle's edge at faces of the grid"));
   const auto element = mesh ? element_at(*mesh, places) : std::nullopt;
   if (element)
     refuse(fmt::format("jet {} comes in through a body: through element {} at {}", jet.number, *element + 1,

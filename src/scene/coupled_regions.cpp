@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "scene/coupled_checks.hpp"
+#include "scene/side_faces.hpp"
 #include "scene/solids.hpp"
 
 namespace tether {
@@ -17,7 +18,7 @@ constexpr int times = 20;      // at which the balance is looked at, beside thos
 /// What the box holds, bodies left aside: regions of cells that faces join, closed or not.
 class Regions {
  public:
-  explicit Regions(const Coupled& coupled) : coupled_(coupled), grid_(coupled.grid), jets_(coupled) {
+  explicit Regions(const Coupled& coupled) : coupled_(coupled), grid_(coupled.grid), sides_(coupled) {
     region_.assign(grid_.cell_count(), none);
     mark(coupled.voids, empty), mark(coupled.obstacles, wall);
     for (std::size_t c = 0; c < region_.size(); ++c) {
@@ -38,9 +39,10 @@ class Regions {
     const Jet& jet = coupled_.jets[k];
     const int axis = axis_of_side(jet.side);
     double area = 0;
-    for (const std::size_t face : faces_of(jet, grid_)) {
-      const bool has = jets_.jet_of(axis, face) == static_cast<int>(k);
-      if (has && region_[cell_at(jet, grid_, face)] == region) area += grid_.area(axis);
+    for (const FacePart& of_jet : faces_of(jet.side, jet.patch, grid_)) {
+      if (region_[cell_at(jet.side, grid_, of_jet.face)] != region) continue;
+      for (const JetShare& share : sides_.jets(axis, of_jet.face))
+        area += share.jet == static_cast<int>(k) ? share.part * grid_.area(axis) : 0;
     }
     return area;
   }
@@ -61,8 +63,7 @@ class Regions {
     auto face = cell;
     const int axis = axis_of_side(side);
     if (!is_low_side(side)) ++face[static_cast<std::size_t>(axis)];
-    return coupled_.sides[static_cast<std::size_t>(side)] != BoxSide::wall &&
-           jets_.jet_of(axis, grid_.face(axis, face)) == JetFaces::none;
+    return sides_.open(axis, grid_.face(axis, face)) > 0;
   }
   /// A new region of all cells that faces join with this one.
   void fill(std::size_t first) {
@@ -91,7 +92,7 @@ class Regions {
 
   const Coupled& coupled_;
   const StaggeredGrid& grid_;
-  JetFaces jets_;
+  SideFaces sides_;
   std::vector<int> region_;  // of each cell, or what it holds
   std::vector<bool> closed_;
 };

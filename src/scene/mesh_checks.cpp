@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "deck/spelling.hpp"
+#include "grid/mesh_flaws.hpp"
+#include "grid/overlaps.hpp"
 #include "scene/axis.hpp"
 #include "scene/flow_of_deck.hpp"
 #include "scene/solids_of_deck.hpp"
@@ -136,6 +138,24 @@ void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& d
                                             other->amplitude.of, support.amplitude.of, "xyz"[axis]),
                                 "leave that direction away in one of them"));
   }
+}
+
+void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
+  const Mesh& mesh = solids.mesh;
+  const Overlap found = OverlapFinder(mesh).find(mesh.x);
+  if (found.nodes == 0) return;
+  const std::vector<int> parts = parts_of(mesh);
+  const auto name = [&](int part) {
+    std::size_t e = 0;
+    while (parts[static_cast<std::size_t>(mesh.element(e)[0])] != part) ++e;
+    return fmt::format("body {} ({})", part + 1, solids.regions[static_cast<std::size_t>(mesh.region[e])].name);
+  };
+  const bool file = !deck.text("mesh", "file").empty();
+  diagnostics.add(
+      deck.remark(Severity::warning, file ? "mesh" : "reg", file ? "file" : "nreg", {1, 1},
+                  fmt::format("{} and {} overlap at the start: node {} at {} lies inside both", name(found.part),
+                              name(found.other), found.node + 1, place_text(mesh, found.node)),
+                  "nothing stops bodies at one another: what they do where they overlap is wrong; place them apart"));
 }
 
 }  // namespace tether

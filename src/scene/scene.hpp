@@ -12,6 +12,7 @@
 #include "grid/geometry.hpp"
 #include "laws/materials/material.hpp"
 #include "laws/walls/walls.hpp"
+#include "scene/limits.hpp"
 #include "scene/method.hpp"
 #include "scene/path.hpp"
 
@@ -80,6 +81,7 @@ struct Scene {
   Clock clock;
   Method method;
   OutputIntervals outputs;
+  Limits limits;
   ReferenceKind reference = ReferenceKind::none;
   std::optional<std::array<double, 2>> reference_window;  ///< part of a tube that is compared, from x to x [length]
 };

@@ -142,6 +142,7 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   solids.from_equilibrium = deck.logical("fem", "settle");
   add_loads(deck, solids, diagnostics);
   track_places(deck, solids, diagnostics);
+  check_overlaps(deck, solids, diagnostics);
   if (scene.rigid) {
     check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);

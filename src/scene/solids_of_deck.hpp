@@ -52,6 +52,8 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge);
 void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics);
 /// Tells of an edge of the grid that goes through the mesh and whose wall would hold `held` nodes.
 void check_wall(const Deck& deck, const Mesh& mesh, const GridEdge& edge, std::size_t held, Diagnostics& diagnostics);
+/// Warns of bodies that overlap at the start.
+void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
 /// Tells of supports that move one node along one axis to different places.
 void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
 

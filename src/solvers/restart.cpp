@@ -24,7 +24,7 @@ constexpr int angle_switch = 38;
 bool must_agree(const Variable& variable, Subscript at) {
   const bool free = std::find(may_differ.begin(), may_differ.end(), variable.name) != may_differ.end();
   const bool columns = variable.name == "iout" && at[0] == angle_switch;
-  return variable.effect == Effect::used && (variable.group != "in" || !free || columns);
+  return variable.effect == Effect::used && variable.group != "limits" && (variable.group != "in" || !free || columns);
 }
 
 std::string text_of(const Deck& deck, const Variable& variable, Subscript at) {

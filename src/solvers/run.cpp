@@ -18,15 +18,13 @@
 #include "solvers/restart.hpp"
 #include "solvers/run_outputs.hpp"
 #include "solvers/scene_summary.hpp"
+#include "solvers/watch.hpp"
 
 namespace tether {
 namespace {
 
 /// Part of the run after which the solver comes back for a progress line, whatever is due.
 constexpr double progress_part = 1e-3;
-
-/// Rise of the total energy, over what was exchanged, from which a run is told to gain energy.
-constexpr double told_rise = 0.05;
 
 /// A run under way: the solver, and its outputs.
 class Runner {
@@ -37,7 +35,8 @@ class Runner {
         clocks_(request.clocks),
         solver_(make_solver(plan)),
         lock_(request.folder, request.deck),
-        outputs_(plan, request, *solver_) {
+        outputs_(plan, request, *solver_),
+        watch_(plan.scene, solver_->history_layout()) {
     if (!lock_.weakness().empty())
       outputs_.warn(
           fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));
@@ -45,6 +44,7 @@ class Runner {
 
   void from_the_start() {
     outputs_.write_the_start();
+    look(outputs_.history().records.back());
     clocks_.end_of_setup();
   }
 
@@ -52,17 +52,21 @@ class Runner {
     solver_->restore(checkpoint.state);
     clocks_.go_on_from(checkpoint);
     outputs_.restore(checkpoint);
+    watch_.restore(checkpoint.watched, checkpoint.records.front());
     clocks_.end_of_setup();
     last_checkpoint_ = request_.restart, last_checkpoint_time_ = checkpoint.time;
   }
 
   RunOutcome to_the_end() {
     while (!at_end()) {
-      solver_->advance(std::min({plan_.scene.clock.tmax, look_ahead(), outputs_.next()}));
+      advance(std::min({plan_.scene.clock.tmax, look_ahead(), outputs_.next()}));
       pace_.came_back(clocks_.whole().wall);
       pass_messages();
       tell_progress();
+      const std::size_t before = outputs_.history().records.size();
       outputs_.write_what_is_due(at_end());
+      if (!solver_->watched_each_step() && outputs_.history().records.size() > before)
+        look(outputs_.history().records.back());
       if (outputs_.takes_checkpoint(at_end())) write_checkpoint();
       stop_if_interrupted();
     }
@@ -81,6 +85,24 @@ class Runner {
   }
 
  private:
+  /// Where a record costs next to nothing, every step is looked at.
+  void advance(double until) {
+    if (!solver_->watched_each_step()) return solver_->advance(until);
+    while (solver_->time() < until && !at_end()) {
+      solver_->advance(std::nextafter(solver_->time(), plan_.scene.clock.tmax));
+      look(solver_->record());
+    }
+  }
+  void look(const Record& record) {
+    watch_.look(record, *solver_);
+    for (const auto& message : watch_.take_messages()) outputs_.warn(message);
+    const double most = plan_.scene.limits.energy_growth.stop;
+    if (most == 0 || energy_rise(outputs_.history()) <= most) return;
+    throw RunError(
+        fmt::format("t = {:.9g}: the energy has risen by more than {:.3g} of what was exchanged "
+                    "(energy_growth of $limits): likely cause, steps too long, or a run that diverges",
+                    record.front(), most));
+  }
   bool at_end() const { return solver_->time() >= plan_.scene.clock.tmax; }
   /// At least one step, and no further than the next look at signals and progress.
   double look_ahead() const {
@@ -102,6 +124,7 @@ class Runner {
     now.deck_effective = request_.deck_effective;
     now.time = solver_->time();
     now.state = solver_->save();
+    now.watched = watch_.save();
     outputs_.save(now);
     now.whole = clocks_.whole(), now.setup = clocks_.setup();
     now.parts = clocks_.with_earlier(solver_->cost_parts());
@@ -121,6 +144,7 @@ class Runner {
     warn_of_what_looks_wrong(comparison);
     if (!comparison.exact.names.empty()) outputs_.folder().reference(comparison.exact);
     Summary summary = summary_of_run();
+    for (auto& line : watch_.summary()) summary.push_back(std::move(line));
     if (!balances_energy(plan_.scene, outputs_.history()))
       std::erase_if(summary, [](const auto& line) { return line.first.starts_with("energy_"); });
     for (auto& line : scene_summary(plan_, outputs_.history())) summary.push_back(std::move(line));
@@ -149,10 +173,11 @@ class Runner {
     }
     if (!balances_energy(plan_.scene, outputs_.history())) return;
     const double rise = energy_rise(outputs_.history());
-    if (rise > told_rise) {
+    const double most = plan_.scene.limits.energy_growth.warn;
+    if (most > 0 && rise > most) {
       outputs_.warn(fmt::format(
           "the total energy rose by {:.2g} of the largest energy exchanged: points that change cell, a step "
-          "near the limit, or a run that diverges",
+          "near the limit, or a run that diverges (energy_growth of $limits)",
           rise));
     }
   }
@@ -177,6 +202,7 @@ class Runner {
             {"energy_drift", number(energy_drift(outputs_.history()))},
             {"energy_lost", number(energy_lost(outputs_.history()))},
             {"energy_growth", number(energy_growth(outputs_.history()))},
+            {"energy_rise", number(energy_rise(outputs_.history()))},
             {"mass_drift", number(mass_drift(outputs_.history()))}};
   }
 
@@ -186,6 +212,7 @@ class Runner {
   std::unique_ptr<Solver> solver_;
   FolderLock lock_;  // before the outputs, which it outlives
   RunOutputs outputs_;
+  Watch watch_;
   Pace pace_;
   std::filesystem::path last_checkpoint_;
   double last_checkpoint_time_ = 0;

@@ -46,7 +46,8 @@ class Keys {
   void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
   void add_those_of_strings() { add(string_summary_keys()); }
   void add_those_of_meshes() {
-    add(mesh_summary_keys()), add(locking_summary_keys()), add(momentum_summary_keys()), add(residual_summary_keys());
+    add(mesh_summary_keys()), add(body_summary_keys()), add(locking_summary_keys()), add(momentum_summary_keys()),
+        add(residual_summary_keys());
   }
   void add_those_of_flows() { add(flow_summary_keys()), add(coefficient_summary_keys()); }
   void add_those_of_boxes() { add(coupled_summary_keys()); }

@@ -22,9 +22,11 @@ DeckRun run_loaded(const std::string& name, const Loaded& loaded) {
   RunRequest request;
   request.folder = folder;
   request.deck_effective = loaded.effective;
+  std::vector<std::string> messages;
+  request.warn = [&messages](const std::string& text) { messages.push_back(text); };
   const std::shared_ptr<void> keeps_folder(nullptr, [folder](void*) { std::filesystem::remove_all(folder); });
   const RunOutcome outcome = run(loaded.plan, request);
-  DeckRun result{{}, outcome.history, loaded.plan.warnings, folder.string(), keeps_folder};
+  DeckRun result{{}, outcome.history, loaded.plan.warnings, messages, folder.string(), keeps_folder};
   for (const auto& [key, value] : outcome.summary) {
     if (key != "path" && key != "linear_solver" && key != "mode") result.summary[key] = std::stod(value);
   }

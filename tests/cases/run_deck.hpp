@@ -15,6 +15,7 @@ struct DeckRun {
   std::map<std::string, double> summary;
   History history;
   std::vector<std::string> warnings;  ///< of the plan
+  std::vector<std::string> messages;  ///< warnings of the run
   std::string folder;
   std::shared_ptr<void> keeps_folder;  ///< the folder goes with the last copy of the run
 

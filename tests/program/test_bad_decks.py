@@ -50,7 +50,7 @@ REQUIRED = {
     "coupled_file_of_quadrilaterals", "coupled_fluid_region", "coupled_friction_without_contact",
     "coupled_hinge_that_moves", "coupled_hinge_without_body", "coupled_hinge_without_y", "coupled_huge",
     "coupled_inverted_element", "coupled_jet_expression", "coupled_jet_half_given", "coupled_jet_in_a_body",
-    "coupled_jet_in_an_obstacle", "coupled_jet_in_depth", "coupled_jet_inverted", "coupled_jet_of_no_face",
+    "coupled_jet_in_an_obstacle", "coupled_jet_in_depth", "coupled_jet_inverted", "coupled_opening_beyond",
     "coupled_jet_on_the_back", "coupled_jet_outside", "coupled_jet_without_side", "coupled_jet_without_speed",
     "coupled_no_cavity", "coupled_nz_without_ends", "coupled_obstacle_inverted", "coupled_obstacle_outside",
     "coupled_of_quadrilaterals", "coupled_one_cell", "coupled_open_front", "coupled_plane_body_in_space",

@@ -96,4 +96,33 @@ Regions regions_of(const FlowDomain& domain, const CouplingMap& map, const Press
   return regions;
 }
 
+int unmeasured_region(const FlowDomain& domain, const CouplingMap& map, const Regions& regions,
+                      std::span<const std::uint8_t> cavity, const FaceValues& v) {
+  const std::size_t count = at(domain.regions);
+  std::vector<std::uint8_t> by_jets(count, 0), shared(count, 0), in_cavity(count, 0);
+  for (int axis = 0; axis < domain.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
+      if (domain.face[at(axis)][f] != FaceKind::prescribed || v[at(axis)][f] == 0) continue;
+      for (const int cell : cells_beside(domain.grid, axis, f)) {
+        if (cell >= 0 && domain.region[at(cell)] >= 0) by_jets[at(domain.region[at(cell)])] = 1;
+      }
+    }
+  }
+  for (std::size_t s = 0; s < cavity.size(); ++s) {
+    const auto sees = [&](std::size_t r) { return map.area_seen[s * count + r] > 0; };
+    std::size_t seen = 0;
+    for (std::size_t r = 0; r < count; ++r) seen += sees(r) ? 1 : 0;
+    for (std::size_t r = 0; r < count; ++r) {
+      if (!sees(r)) continue;
+      if (cavity[s] != 0) in_cavity[r] = 1;
+      if (seen > 1) shared[r] = 1;
+    }
+  }
+  for (std::size_t r = 0; r < count; ++r) {
+    const bool moves = regions.closed[r] != 0 && regions.compliant[r] != 0 && by_jets[r] != 0;
+    if (moves && shared[r] != 0 && in_cavity[r] == 0) return static_cast<int>(r);
+  }
+  return -1;
+}
+
 }  // namespace tether::coupled

@@ -30,4 +30,9 @@ Regions regions_of(const FlowDomain& domain, const CouplingMap& map, const Press
                    std::span<const double> volumes, std::span<const double> first, std::span<const std::uint8_t> held,
                    double h);
 
+/// The first region that jets fill or empty, that a body and the box's sides close together and whose volume nothing
+/// measures: no cavity's sheet bounds it, and the sheets that do bound other regions, too. -1: none.
+int unmeasured_region(const FlowDomain& domain, const CouplingMap& map, const Regions& regions,
+                      std::span<const std::uint8_t> cavity, const FaceValues& v);
+
 }  // namespace tether::coupled

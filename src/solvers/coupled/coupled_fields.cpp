@@ -51,6 +51,9 @@ double sum_of(const std::vector<double>& values) { return std::accumulate(values
 CoupledFields::CoupledFields(const Scene& scene, const CoupledStep& step)
     : scene_(scene), step_(step), first_volumes_(enclosed_volumes(step.surface(), step.solids().system.solids.mesh.x)) {
   const fem::SolidSystem& system = step.solids().system;
+  part_of_sheet_.resize(first_volumes_.size());
+  for (std::size_t s = 0; s < step.surface().side_count(); ++s)
+    part_of_sheet_[at(step.surface().sheet[s])] = at(step.surface().part[s]);
   part_masses_ = masses_of_parts(parts_of(system.solids.mesh), step.surface().parts, system.weights);
 }
 
@@ -115,6 +118,7 @@ HistoryLayout CoupledFields::history_layout() const {
   add_books(layout);
   add("energy_pressure", Dimension::energy,
       "pressure of a fluid at rest, by its depth, times its volume: rounding at rest is small against it");
+  add("cfl", Dimension::number, "cells that the fluid crossed along an axis where it was fastest, in the last step");
   add("regions", Dimension::number, "parts of the fluid that nothing joins");
   add("solver_iterations", Dimension::number, "iterations of linear solvers since the start");
   if (scene_.coupled->smoke) {
@@ -124,7 +128,8 @@ HistoryLayout CoupledFields::history_layout() const {
     add("smoke_largest", Dimension::number, "largest density of smoke");
   }
   if (!scene_.solids) return layout;
-  add("element_quality", Dimension::number, "least volume of an element over that at the start");
+  fem::add_shape(layout);
+  fem::add_overlap(layout);
   for (std::size_t s = 0; s < first_volumes_.size(); ++s) {
     add(fmt::format("volume_sheet_{}", s + 1), Dimension::volume,
         first_volumes_[s] < 0 ? "volume of a cavity in the solids"
@@ -172,8 +177,8 @@ Record CoupledFields::record(const CoupledState& state) const {
   values.insert(values.end(), {volume, state.last.interface_power, state.work, state.last.mismatch});
   const Record books = booked(state.books);
   values.insert(values.end(), books.begin(), books.end());
-  values.insert(values.end(),
-                {pressure_energy(), static_cast<double>(domain.regions), static_cast<double>(state.iterations)});
+  values.insert(values.end(), {pressure_energy(), state.last.cfl, static_cast<double>(domain.regions),
+                               static_cast<double>(state.iterations)});
   if (coupled.smoke) add_smoke(state, values);
   if (scene_.solids) add_bodies(state, values);
   return values;
@@ -202,7 +207,12 @@ void CoupledFields::add_forces(std::span<const double> forces, Record& record) c
 void CoupledFields::add_bodies(const CoupledState& state, Record& record) const {
   const std::size_t d = at(scene_.coupled->grid.dim);
   record.push_back(step_.solids().system.elements->shape(state.q).least);
-  for (const double volume : enclosed_volumes(step_.surface(), state.q)) record.push_back(std::abs(volume));
+  const std::vector<double> enclosed = enclosed_volumes(step_.surface(), state.q);
+  std::vector<double> volumes(part_masses_.size(), 0.0);
+  for (std::size_t s = 0; s < enclosed.size(); ++s) volumes[part_of_sheet_[s]] += enclosed[s];
+  record.insert(record.end(), volumes.begin(), volumes.end());
+  record.push_back(static_cast<double>(state.overlap.now));
+  for (const double volume : enclosed) record.push_back(std::abs(volume));
   add_forces(state.fluid_force, record);
   add_forces(state.wall_force, record);
   for (const auto* values : {&state.q, &state.u}) {

@@ -31,7 +31,8 @@ class CoupledFields {
   const Scene& scene_;
   const CoupledStep& step_;
   std::vector<std::vector<double>> part_masses_;  // of each part, by nodes [mass]
-  std::vector<double> first_volumes_;             // that the surface's sheets enclose at the start [volume]
+  std::vector<std::size_t> part_of_sheet_;
+  std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start [volume]
 };
 
 }  // namespace tether::coupled

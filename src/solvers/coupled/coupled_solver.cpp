@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solvers/coupled/splitting_limit.hpp"
+#include "solvers/fem/solid_fields.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::coupled {
@@ -28,7 +29,10 @@ CoupledSolver::CoupledSolver(const Plan& plan)
       none_(no_solids(*plan.scene.coupled)),
       step_(plan.scene, solids_of(plan, none_)),
       fields_(plan.scene, step_),
-      state_(step_.start()) {
+      state_(step_.start()),
+      overlaps_(step_.solids().system.solids) {
+  std::vector<std::string> told_by_the_deck;
+  overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
   if (plan.scene.coupled->mode != CouplingMode::splitting) return;
   const auto outlook = splitting_outlook(plan.scene, plan.step.deck_step);
   if (!outlook) return;
@@ -44,11 +48,14 @@ void CoupledSolver::advance(double until) {
     step_.advance(state_, h);
     add_compensated(state_.time, state_.time_lost, h);
     if (last) state_.time = tmax, state_.time_lost = 0;
+    look_for_overlaps();
     ++state_.steps;
     state_.dt_last = h;
     if (state_.dt_min == 0 || (!last && h < state_.dt_min)) state_.dt_min = h;
   }
 }
+
+void CoupledSolver::look_for_overlaps() { overlaps_.look(state_.q, state_.time, state_.overlap, messages_); }
 
 RunCounts CoupledSolver::counts() const {
   RunCounts counts;
@@ -67,6 +74,10 @@ std::vector<std::string> CoupledSolver::take_messages() {
   return messages;
 }
 
+std::string CoupledSolver::worst_element() const {
+  return plan_.scene.solids ? fem::worst_element(step_.solids().system, state_.q) : std::string();
+}
+
 SavedState CoupledSolver::save() const {
   StateSaver saver;
   CoupledState state = state_;
@@ -78,6 +89,7 @@ SavedState CoupledSolver::save() const {
 void CoupledSolver::restore(const SavedState& saved) {
   StateRestorer restorer(saved);
   exchange(restorer, state_);
+  messages_.clear();  // of the start: the run has them
   step_.resume(state_);
 }
 
@@ -93,7 +105,17 @@ Summary CoupledSolver::more_summary() const {
                   {"factor_nonzeros", number(cost.factor_nonzeros)},
                   {"contact_solutions", number(state_.contact_solutions)},
                   {"contact_unsettled", number(state_.contact_unsettled)},
+                  {"cfl_largest", number(state_.cfl_largest)},
+                  {"nodes_inside", number(state_.overlap.most)},
                   {"interface_mismatch", number(state_.worst_mismatch)}};
+  const auto volume_of = [&](CellKind kind) {
+    const auto& kinds = step_.domain().kind;
+    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * plan_.scene.coupled->grid.volume();
+  };
+  if (!plan_.scene.coupled->obstacles.empty())
+    summary.emplace_back("obstacle_volume", number(volume_of(CellKind::wall)));
+  if (!plan_.scene.coupled->voids.empty() && !plan_.scene.coupled->cavities_only)
+    summary.emplace_back("void_volume", number(volume_of(CellKind::empty)));
   if (ratio_) summary.emplace_back("added_mass_ratio", number(*ratio_));
   return summary;
 }

@@ -8,6 +8,7 @@
 #include "plan/plan.hpp"
 #include "solvers/coupled/coupled_fields.hpp"
 #include "solvers/coupled/coupled_step.hpp"
+#include "solvers/fem/body_overlaps.hpp"
 #include "solvers/solver.hpp"
 
 namespace tether::coupled {
@@ -31,13 +32,18 @@ class CoupledSolver final : public Solver {
   void restore(const SavedState& saved) override;
   std::vector<CostPart> cost_parts() const override;
   Summary more_summary() const override;
+  bool watched_each_step() const override { return true; }
+  std::string worst_element() const override;
 
  private:
+  void look_for_overlaps();
+
   const Plan& plan_;
   Solids none_;  // of a scene without any
   CoupledStep step_;
   CoupledFields fields_;
   CoupledState state_;
+  fem::BodyOverlaps overlaps_;
   std::vector<std::string> messages_;
   std::optional<double> ratio_;  // of added mass at the start, by which splitting holds or fails
 };

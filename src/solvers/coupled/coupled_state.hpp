@@ -7,6 +7,7 @@
 #include "solvers/coupled/energy_books.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 #include "solvers/coupled/smoke.hpp"
+#include "solvers/fem/overlap_count.hpp"
 
 namespace tether::coupled {
 
@@ -15,6 +16,7 @@ struct StepAccount {
   double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]
   double mismatch = 0;  ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
                         ///< 1e-3 of the powers in the fluid
+  double cfl = 0;       ///< cells that the fluid crosses along an axis where it is fastest
 };
 
 /// All that changes in a run.
@@ -33,10 +35,13 @@ struct CoupledState {
   StepAccount last;
   EnergyBooks books;
   double worst_mismatch = 0;        ///< of all steps
+  double cfl_largest = 0;           ///< likewise
   double work = 0;                  ///< that the solids have taken from the fluid [energy]
   long long iterations = 0;         ///< of linear solvers
   std::vector<double> orders;       ///< of elimination, when the state was saved
   long long contact_solutions = 0;  ///< solutions found again because of contact
+  long long unmeasured = 0;         ///< 1 once it was told that a closed volume is not held
+  fem::OverlapCount overlap;        ///< of the solids
   long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
 };
 
@@ -59,8 +64,11 @@ void exchange(Exchange& with, CoupledState& state) {
   with("damped", books.damped), with("contact", books.contact), with("advected", books.advected);
   with("remeshed", books.remeshed), with("projected", books.projected), with("sources", books.sources);
   with("coupling", books.coupling), with("solid_step", books.solid_step);
+  with("cfl", state.last.cfl), with("cfl_largest", state.cfl_largest);
   with("work", state.work), with("contact_solutions", state.contact_solutions),
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
+  fem::exchange(with, state.overlap);
+  with("unmeasured", state.unmeasured);
   with.list("orders", state.orders);
 }
 

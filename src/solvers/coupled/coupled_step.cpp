@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/coupled/coupled_step.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "base/errors.hpp"
 #include "solvers/coupled/blend_cut_faces.hpp"
 #include "solvers/coupled/carry_velocity.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
@@ -19,7 +18,6 @@ namespace {
 
 constexpr int layers_around_fluid = 4;
 constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
-constexpr int farthest = 1000;          // sizes of the box that a node may be away from it
 constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
@@ -33,6 +31,17 @@ std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Va
   std::vector<Value> p;
   for (const std::size_t cell : numbers.cell) p.push_back(values[cell]);
   return p;
+}
+
+double cells_crossed(const FlowDomain& domain, const FaceValues& v, double h) {
+  double most = 0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(domain.grid.dim); ++axis) {
+    for (std::size_t f = 0; f < v[axis].size(); ++f) {
+      if (domain.face[axis][f] != FaceKind::closed)
+        most = std::max(most, std::abs(v[axis][f]) * h / domain.grid.d[axis]);
+    }
+  }
+  return most;
 }
 
 }  // namespace
@@ -60,6 +69,8 @@ void CoupledStep::advance(CoupledState& state, double h) {
   move_fluid_freely(state, h);                        // (1) without pressure: v*
   solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
   const Solution solution = solve(state, h);          // (7), (8)
+  state.last.cfl = cells_crossed(at_.domain, state.v, h);
+  state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
   carry_smoke_along(state, h);
   const double found = energy_of(state.v);
   end_velocity(h, state.v);
@@ -133,6 +144,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
     solution.same_matrices = k > 0 && held == solution.held;
     solution.held = std::move(held);
     if (!solution.same_matrices) find_regions_of(state, h, solution);
+    if (k == 0) tell_of_unmeasured_volume(solution.regions, state);
     solve_once(flux, state, solution);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
     solids_.system.multiply_mass(change, inertia);
@@ -215,34 +227,6 @@ void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, d
   solids_.system.place_supports(state.time + h, state.q);
   contact_.place(state.q);
   check(state);
-}
-
-/// A solid that ran away, or is turned inside out, leaves nothing to go on with.
-void CoupledStep::check(const CoupledState& state) const {
-  if (state.q.empty()) return;
-  constexpr const char* too_much_added_mass =
-      "added mass above what splitting bears, which shorter steps do not cure: mode='symmetric' of $coupled holds";
-  const bool splitting = coupled_.mode == CouplingMode::splitting;
-  const auto d = static_cast<std::size_t>(surface_.dim);
-  const StaggeredGrid& grid = coupled_.grid;
-  for (std::size_t k = 0; k < state.q.size(); ++k) {
-    const std::size_t axis = k % d;
-    const double most = farthest * grid.n[axis] * grid.d[axis];  // beyond, cells cannot be counted
-    if (std::abs(state.q[k] - grid.low[axis]) <= most && std::isfinite(state.u[k])) continue;
-    throw RunError(fmt::format("t = {:.9g}, step {}: node {} is {} box sizes away: likely cause, {}", state.time,
-                               state.steps + 1, k / d + 1, farthest,
-                               splitting
-                                   ? too_much_added_mass
-                                   : "an open side that a body leaves through, or values of the deck that run away"));
-  }
-  const fem::ShapeVolumes shape = solids_.system.elements->shape(state.q);
-  if (shape.least > 0) return;
-  const int node = solids_.system.solids.mesh.element(shape.worst)[0];
-  const Vector x = place_of(state.q, node, surface_.dim);
-  throw RunError(fmt::format(
-      "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, {}", state.time,
-      state.steps + 1, shape.worst + 1, x[0], x[1], surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : "",
-      splitting ? too_much_added_mass : "a solid too soft for what acts on it, or steps too long for its motion"));
 }
 
 /// The fluid's velocity of the deck, less what pressures take of it so that it flows round the solids.

@@ -33,7 +33,7 @@ class CoupledStep {
   std::vector<double> orders() const { return system_.orders(); }
   /// Goes on from a state that was saved with its orders.
   void resume(const CoupledState& state);
-  std::vector<std::string> take_messages() { return system_.take_messages(); }
+  std::vector<std::string> take_messages();
 
  private:
   /// What is found together: pressures, which velocities contact holds, and what holds them.
@@ -62,11 +62,12 @@ class CoupledStep {
                    CoupledState& state, double h);
   double energy_of(const FaceValues& v) const;
   double stored(std::span<const double> q) const;
-  std::vector<SmokeJet> smoke_sources() const;
+  std::vector<SmokeJet> smoke_sources(double time) const;
   void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void carry_along(CoupledState& state, double h);
   void check(const CoupledState& state) const;
+  void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, FaceValues& v) const;
   void place_solids(CoupledState& state);
 
@@ -79,6 +80,7 @@ class CoupledStep {
   Placer placer_;
   Contact contact_;
   CoupledSystem system_;
+  std::vector<std::string> messages_;
   Placement at_;                       // of the solids now
   FaceValues unforced_;                // velocities before forces and pressures act; then what these change
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start

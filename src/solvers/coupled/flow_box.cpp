@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/coupled/flow_box.hpp"
 
+#include <algorithm>
+
 #include "base/index.hpp"
 
 namespace tether::coupled {
@@ -37,7 +39,8 @@ void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const 
 
 }  // namespace
 
-FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid), jets_(scene) {
+FlowBox::FlowBox(const Coupled& scene)
+    : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid), side_faces_(scene) {
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
     const Vector middle = scene.grid.middle(scene.grid.place_of_cell(cell));
     for (const AxisBox& box : scene.voids) {
@@ -51,9 +54,12 @@ FlowBox::FlowBox(const Coupled& scene) : scene_(scene), kind_(scene.grid.cell_co
 
 FaceKind FlowBox::kind_at_side(int axis, std::size_t face, CellKind cell) const {
   if (cell != CellKind::fluid) return FaceKind::closed;
-  if (jet_of(axis, face) >= 0) return FaceKind::prescribed;
-  const bool high = scene_.grid.place_of_face(axis, face)[at(axis)] > 0;
-  return scene_.sides[at(2 * axis + (high ? 1 : 0))] != BoxSide::wall ? FaceKind::open : FaceKind::prescribed;
+  return side_faces_.open(axis, face) > 0 ? FaceKind::open : FaceKind::prescribed;
+}
+
+double FlowBox::open_part(int axis, std::size_t face, FaceKind kind) const {
+  const double part = kind == FaceKind::open ? side_faces_.open(axis, face) : 1;
+  return part > 0 ? part : 1;
 }
 
 FaceKind FlowBox::kind_between(const FlowDomain& domain, int axis, std::size_t face) const {
@@ -76,10 +82,12 @@ void FlowBox::open_faces(const Crossings& crossings, FlowDomain& domain) const {
       const FaceKind kind = kind_between(domain, axis, f);
       domain.face[at(axis)][f] = kind;
       if (kind == FaceKind::closed) continue;
-      domain.area[at(axis)][f] = grid.area(axis);
+      const double open = open_part(axis, f, kind);
+      domain.area[at(axis)][f] = grid.area(axis) * open;
       const auto place = grid.place_of_face(axis, f);
       const bool at_side = place[at(axis)] == 0 || place[at(axis)] == grid.n[at(axis)];
-      domain.volume[at(axis)][f] = grid.volume() * (at_side ? 0.5 : 1);  // to the side, where the pressure is zero
+      domain.volume[at(axis)][f] =
+          grid.volume() * (at_side ? 0.5 * open : 1);  // to the side, where the pressure is zero
     }
   }
 }
@@ -133,8 +141,9 @@ void FlowBox::open_cut_cells(const Crossings& crossings, const CutCells& cut, Fl
                            (held(low) || held(high));  // void on one side of a solid, fluid on the other
       const FaceKind kind = fluid > 0 && !divided ? kind_between(domain, axis, f) : FaceKind::closed;
       domain.face[at(axis)][f] = kind;
-      domain.area[at(axis)][f] = kind == FaceKind::closed ? 0 : grid.area(axis) * (fluid / whole);
-      domain.volume[at(axis)][f] = kind == FaceKind::closed ? 0 : fluid;
+      const double open = kind == FaceKind::closed ? 0 : open_part(axis, f, kind);
+      domain.area[at(axis)][f] = grid.area(axis) * open * (fluid / whole);
+      domain.volume[at(axis)][f] = open * fluid;
     }
   }
 }
@@ -146,17 +155,45 @@ FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) cons
   return domain;
 }
 
+std::vector<double> FlowBox::jet_speeds(double time) const {
+  std::vector<double> speeds;
+  for (const Jet& jet : scene_.jets) speeds.push_back(jet.speed * jet.amplitude.at(time));
+  return speeds;
+}
+
+/// A face that a jet has but a part of takes that part of its speed: the flux is the jet's.
 void FlowBox::prescribe(const FlowDomain& domain, double time, FaceValues& v) const {
-  std::vector<double> speed;
-  for (const Jet& jet : scene_.jets) speed.push_back(jet.speed * jet.amplitude.at(time));
+  const std::vector<double> speeds = jet_speeds(time);
   for (int axis = 0; axis < scene_.grid.dim; ++axis) {
     for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
       if (domain.face[at(axis)][f] != FaceKind::prescribed) continue;
-      const int jet = jet_of(axis, f);
-      const bool inwards = jet >= 0 && scene_.jets[at(jet)].side % 2 == 0;
-      v[at(axis)][f] = jet < 0 ? 0 : (inwards ? speed[at(jet)] : -speed[at(jet)]);
+      double speed = 0;
+      for (const JetShare& share : side_faces_.jets(axis, f))
+        speed += (is_low_side(scene_.jets[at(share.jet)].side) ? 1 : -1) * share.part * speeds[at(share.jet)];
+      v[at(axis)][f] = speed;
     }
   }
+}
+
+/// Of several jets in a face those that blow in count, each by its part of the face's flux, so that what they bring is
+/// theirs, whatever others take out there.
+std::vector<SmokeJet> FlowBox::smoke_of_jets(double time) const {
+  const std::vector<double> speeds = jet_speeds(time);
+  std::vector<SmokeJet> jets;
+  for (int axis = 0; axis < scene_.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < scene_.grid.face_count(axis); ++f) {
+      SmokeJet smoke{axis, f, 0, 0};
+      double net = 0;
+      for (const JetShare& share : side_faces_.jets(axis, f)) {
+        const Jet& jet = scene_.jets[at(share.jet)];
+        const double flux = share.part * speeds[at(share.jet)];
+        net += flux;
+        smoke.density += std::max(flux, 0.0) * jet.smoke, smoke.temperature += std::max(flux, 0.0) * jet.temperature;
+      }
+      if (net > 0) jets.push_back({axis, f, smoke.density / net, smoke.temperature / net});
+    }
+  }
+  return jets;
 }
 
 void find_regions(FlowDomain& domain) {

@@ -4,9 +4,10 @@
 #include <span>
 
 #include "grid/crossings.hpp"
-#include "scene/coupled.hpp"
+#include "scene/side_faces.hpp"
 #include "solvers/coupled/cut_cells.hpp"
 #include "solvers/coupled/flow_domain.hpp"
+#include "solvers/coupled/smoke.hpp"
 
 namespace tether::coupled {
 
@@ -23,19 +24,22 @@ class FlowBox {
   FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
   /// Sets the velocities of prescribed faces at a time [velocity].
   void prescribe(const FlowDomain& domain, double time, FaceValues& v) const;
-  /// The jet that a face belongs to, or -1.
-  int jet_of(int axis, std::size_t face) const { return jets_.jet_of(axis, face); }
+  /// What jets bring in through the faces that they have at a time, by their shares of what comes in there.
+  std::vector<SmokeJet> smoke_of_jets(double time) const;
 
  private:
   void open_faces(const Crossings& crossings, FlowDomain& domain) const;
   void fill_cut_cells(const CutCells& cut, FlowDomain& domain) const;
   void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;
+  std::vector<double> jet_speeds(double time) const;
+  /// How much of a face is open: less than 1 of faces in the box's sides alone.
+  double open_part(int axis, std::size_t face, FaceKind kind) const;
   FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;
   FaceKind kind_at_side(int axis, std::size_t face, CellKind cell) const;
 
   const Coupled& scene_;
   std::vector<CellKind> kind_;
-  JetFaces jets_;
+  SideFaces side_faces_;
 };
 
 /// Numbers the parts of the fluid that open faces join.

@@ -106,7 +106,7 @@ template <class Function>
 void Outside::each_face(const FlowDomain& domain, const Function& f) const {
   const StaggeredGrid& grid = domain.grid;
   for (int side = 0; side < 2 * grid.dim; ++side) {
-    if (scene_.sides[at(side)] != BoxSide::open) continue;
+    if (!has_fluid_beyond(scene_, side)) continue;
     const int axis = axis_of_side(side);
     each_face_of_side(grid, side, [&](std::size_t face) {
       if (domain.face[at(axis)][face] != FaceKind::open) return;

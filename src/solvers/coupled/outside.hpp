@@ -27,9 +27,7 @@ class Outside {
   /// Of the fluid outside at a height [stress].
   double pressure(double y) const;
   /// Whether there is fluid beyond a side of the box.
-  bool presses(int side) const {
-    return scene_.sides[static_cast<std::size_t>(side)] == BoxSide::open && !scene_.cavities_only;
-  }
+  bool presses(int side) const { return has_fluid_beyond(scene_, side) && !scene_.cavities_only; }
   /// The pressure beyond a side of the box at a height: zero where the side is no open one, or has nothing beyond.
   double pressure_beyond(int side, double y) const;
   /// Smoke and warmth of the layer at a row of cells.

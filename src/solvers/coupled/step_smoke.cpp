@@ -9,18 +9,10 @@
 namespace tether::coupled {
 
 /// What comes in with fluid: through jets, and through open sides that layers outside lie at.
-std::vector<SmokeJet> CoupledStep::smoke_sources() const {
-  std::vector<SmokeJet> sources;
-  for (int axis = 0; axis < coupled_.grid.dim; ++axis) {
-    for (std::size_t f = 0; f < coupled_.grid.face_count(axis); ++f) {
-      const int jet = box_.jet_of(axis, f);
-      if (jet < 0) continue;
-      const Jet& from = coupled_.jets[static_cast<std::size_t>(jet)];
-      sources.push_back({axis, f, from.smoke, from.temperature});
-    }
-  }
+std::vector<SmokeJet> CoupledStep::smoke_sources(double time) const {
+  std::vector<SmokeJet> sources = box_.smoke_of_jets(time);
   for (int side = 0; side < 2 * coupled_.grid.dim && outside_.has_smoke(); ++side) {
-    if (coupled_.sides[static_cast<std::size_t>(side)] != BoxSide::open) continue;
+    if (!has_fluid_beyond(coupled_, side)) continue;
     const int axis = axis_of_side(side);
     each_face_of_side(coupled_.grid, side, [&](std::size_t f) {
       if (at_.domain.face[static_cast<std::size_t>(axis)][f] != FaceKind::open) return;
@@ -33,7 +25,7 @@ std::vector<SmokeJet> CoupledStep::smoke_sources() const {
 
 void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
   if (!coupled_.smoke) return;
-  const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, smoke_sources(), state.smoke);
+  const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, smoke_sources(state.time + h), state.smoke);
   settle_smoke(at_.domain, clean_smoke(at_.domain).volume, state.smoke);  // which has no finer place than cells
   state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
   state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;

@@ -120,7 +120,8 @@ HistoryLayout FlowFields::history_layout() const {
   add_bodies_and_nodes(layout, step_.immersed()->solids(), names);
   if (flow_.tracers.count[0] > 0)
     add("tracers_in_solids", Dimension::number, "tracers inside of solids, which start outside");
-  layout.quantities.push_back({"body_volume", Dimension::volume, "volume of its shape, per unit depth", Per::body});
+  add_shape(layout);
+  add_overlap(layout);
   return layout;
 }
 
@@ -169,7 +170,9 @@ void FlowFields::append_bodies(const FlowState& state, Record& record) const {
   if (flow_.tracers.count[0] > 0)
     record.push_back(static_cast<double>(tracers_.count_inside(immersed.solids(), state)));
   const ShapeVolumes shape = immersed.system().elements->shape(state.q);
+  record.push_back(shape.least);
   record.insert(record.end(), shape.of_region.begin(), shape.of_region.end());
+  record.push_back(static_cast<double>(state.overlap.now));
 }
 
 Snapshot FlowFields::body_fields(const FlowState& state) const {

@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "solvers/fem/halved_steps.hpp"
+#include "solvers/fem/solid_fields.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::fem {
@@ -37,6 +38,13 @@ FlowSolver::FlowSolver(const Plan& plan)
                     "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
                     residuals_text(report.residuals)));
   tracers_.start(plan.scene.solids.get(), state_);
+  if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
+  std::vector<std::string> told_by_the_deck;
+  if (overlaps_) overlaps_->look(state_.q, 0, state_.overlap, told_by_the_deck);
+}
+
+void FlowSolver::look_for_overlaps() {
+  if (overlaps_) overlaps_->look(state_.q, state_.time, state_.overlap, messages_);
 }
 
 void FlowSolver::advance(double until) {
@@ -53,6 +61,7 @@ void FlowSolver::advance(double until) {
         },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
     tell_of_failures(failures);
+    look_for_overlaps();
     if (light_bodies_) check_kinetic_energy();
   }
 }
@@ -136,6 +145,10 @@ Snapshot FlowSolver::grid() const { return fields_.node_fields(state_); }
 
 std::vector<std::string> FlowSolver::take_messages() { return std::exchange(messages_, {}); }
 
+std::string FlowSolver::worst_element() const {
+  return step_.immersed() ? fem::worst_element(step_.immersed()->system(), state_.q) : std::string();
+}
+
 SavedState FlowSolver::save() const {
   StateSaver saver;
   FlowState state = state_;
@@ -146,6 +159,7 @@ SavedState FlowSolver::save() const {
 void FlowSolver::restore(const SavedState& saved) {
   StateRestorer restorer(saved);
   exchange(restorer, state_);
+  messages_.clear();  // of the start: the run has them
   step_.resume(state_, plan_.scene.clock.tmax);
 }
 
@@ -155,6 +169,12 @@ std::vector<CostPart> FlowSolver::cost_parts() const {
 }
 
 Summary FlowSolver::more_summary() const {
+  Summary summary = cost_summary();
+  if (overlaps_) summary.emplace_back("nodes_inside", fmt::format("{}", state_.overlap.most));
+  return summary;
+}
+
+Summary FlowSolver::cost_summary() const {
   const FlowCost& cost = step_.cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
   Summary summary{{"unknowns", number(unknowns_.count())},

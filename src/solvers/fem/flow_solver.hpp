@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/fem/body_overlaps.hpp"
 #include "solvers/fem/flow_fields.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_step.hpp"
@@ -32,8 +34,11 @@ class FlowSolver final : public Solver {
   void restore(const SavedState& saved) override;
   std::vector<CostPart> cost_parts() const override;
   Summary more_summary() const override;
+  std::string worst_element() const override;
 
  private:
+  Summary cost_summary() const;
+  void look_for_overlaps();
   void tell_of_failures(long long before);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
   bool has_light_bodies() const;
@@ -46,7 +51,8 @@ class FlowSolver final : public Solver {
   FlowTracers tracers_;
   FlowFields fields_;
   FlowState state_;
-  bool light_bodies_ = false;  // whose kinetic energy is looked at
+  std::optional<BodyOverlaps> overlaps_;  // of immersed solids
+  bool light_bodies_ = false;             // whose kinetic energy is looked at
   std::vector<std::string> messages_;
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "results/saved_state.hpp"
+#include "solvers/fem/overlap_count.hpp"
 
 namespace tether::fem {
 
@@ -46,6 +47,7 @@ struct FlowState {
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
+  OverlapCount overlap;  ///< of immersed solids
   LinearisedAt linearised;
 };
 
@@ -66,6 +68,7 @@ void exchange(Exchange& with, FlowState& state) {
   with("steps", state.steps), with("newton_steps", state.newton_steps);
   with("factorisations", state.factorisations), with("halvings", state.halvings);
   with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures);
+  exchange(with, state.overlap);
   LinearisedAt& at = state.linearised;
   with("linearised_time", at.time), with("linearised_dt", at.dt);
   with.list("linearised_v0", at.v0), with.list("linearised_v1", at.v1), with.list("linearised_p", at.p);

@@ -44,6 +44,19 @@ void add_momenta(HistoryLayout& layout, int dim) {
   }
 }
 
+void add_overlap(HistoryLayout& layout) {
+  layout.quantities.push_back(
+      {"nodes_inside", Dimension::number,
+       "nodes of the bodies that lie inside another of them, or inside their own that has come through itself"});
+}
+
+void add_shape(HistoryLayout& layout) {
+  layout.quantities.push_back(
+      {"element_quality", Dimension::number, "least volume of an element over that at the start"});
+  layout.quantities.push_back(
+      {"body_volume", Dimension::volume, "volume of its shape, in the plane per unit depth", Per::body});
+}
+
 void add_bodies_and_nodes(HistoryLayout& layout, const Solids& solids, const std::vector<std::string>& bodies) {
   const int dim = solids.mesh.dim();
   add_vector(layout, "body_", Dimension::length, "centre of mass, ", dim, Per::body);

@@ -19,6 +19,10 @@ void add_vector(HistoryLayout& layout, const std::string& name, Dimension dimens
 void add_energies(HistoryLayout& layout);
 /// Adds mass and momenta: in the plane the angular momentum has one component.
 void add_momenta(HistoryLayout& layout, int dim);
+/// Adds the number of nodes inside another body.
+void add_overlap(HistoryLayout& layout);
+/// Adds the least volume of an element, and the bodies' volumes.
+void add_shape(HistoryLayout& layout);
 /// Adds the bodies' and the tracked places' columns, and their names.
 void add_bodies_and_nodes(HistoryLayout& layout, const Solids& solids, const std::vector<std::string>& bodies);
 

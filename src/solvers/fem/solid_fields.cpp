@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/solid_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <numeric>
 
@@ -59,6 +61,8 @@ HistoryLayout history_layout(const Solids& solids) {
   layout.quantities.push_back(
       {"energy_damped", Dimension::energy, "energy that damping has taken", Per::scene, Book::given});
   add_momenta(layout, solids.mesh.dim());
+  add_overlap(layout);
+  add_shape(layout);
   std::vector<std::string> names;
   for (const SolidRegion& region : solids.regions) names.push_back(region.name);
   add_bodies_and_nodes(layout, solids, names);
@@ -95,11 +99,22 @@ Record record(const SolidState& state, const SolidSystem& system) {
                 std::accumulate(masses.begin(), masses.end(), 0.0)};
   values.insert(values.end(), motion.momentum.begin(), motion.momentum.begin() + dim);
   values.insert(values.end(), motion.angular.begin() + (dim == 3 ? 0 : 2), motion.angular.end());
+  values.push_back(static_cast<double>(state.overlap.now));
+  const ShapeVolumes shape = system.elements->shape(state.q);
+  values.push_back(shape.least);
+  values.insert(values.end(), shape.of_region.begin(), shape.of_region.end());
   add_means(state.q, system, masses, values);
   add_means(state.v, system, masses, values);
   values.insert(values.end(), masses.begin(), masses.end());
   append_tracked(system.solids, state.q, state.v, values);
   return values;
+}
+
+std::string worst_element(const SolidSystem& system, std::span<const double> q) {
+  const ShapeVolumes shape = system.elements->shape(q);
+  const auto x = node_vector(q, static_cast<std::size_t>(system.solids.mesh.element(shape.worst)[0]), system.dim());
+  return fmt::format("element {} at ({:.6g}, {:.6g}{})", shape.worst + 1, x[0], x[1],
+                     system.dim() == 3 ? fmt::format(", {:.6g}", x[2]) : "");
 }
 
 Snapshot node_fields(const SolidState& state, const SolidSystem& system) {

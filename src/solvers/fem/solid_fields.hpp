@@ -13,6 +13,8 @@ namespace tether::fem {
 HistoryLayout history_layout(const Solids& solids);
 Record record(const SolidState& state, const SolidSystem& system);
 Snapshot node_fields(const SolidState& state, const SolidSystem& system);
+/// The element whose volume is the least part of that at the start, and where it is, for a message.
+std::string worst_element(const SolidSystem& system, std::span<const double> q);
 /// The same fields of nodes at q with velocities v.
 Snapshot shape_fields(double time, const SolidSystem& system, std::span<const double> q, std::span<const double> v);
 

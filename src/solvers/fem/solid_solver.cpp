@@ -14,7 +14,7 @@
 
 namespace tether::fem {
 SolidSolver::SolidSolver(const Plan& plan)
-    : plan_(plan), system_(*plan.scene.solids, plan.scene.gravity), step_(system_) {
+    : plan_(plan), system_(*plan.scene.solids, plan.scene.gravity), step_(system_), overlaps_(system_.solids) {
   state_.q = system_.solids.mesh.x;
   state_.v = first_velocities(system_);
   if (system_.solids.integrator == Integrator::central) state_.a.assign(state_.q.size(), 0.0);
@@ -22,6 +22,8 @@ SolidSolver::SolidSolver(const Plan& plan)
   if (system_.solids.integrator != Integrator::equilibrium)
     system_.move_supports(0, slope_width * plan.scene.clock.tstep, state_.v);
   if (system_.solids.from_equilibrium) start();
+  std::vector<std::string> told_by_the_deck;
+  overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
 }
 
 void SolidSolver::start() {
@@ -35,7 +37,17 @@ void SolidSolver::start() {
 }
 
 void SolidSolver::advance(double until) {
-  while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax) {
+    step(next_step());
+    look_for_overlaps();
+  }
+}
+
+/// Explicit steps are many and short: bodies do not go far in some of them.
+void SolidSolver::look_for_overlaps() {
+  constexpr long long explicit_steps = 16;
+  if (system_.solids.integrator == Integrator::central && state_.steps % explicit_steps != 0) return;
+  overlaps_.look(state_.q, state_.time, state_.overlap, messages_);
 }
 
 double SolidSolver::next_step() const {
@@ -122,6 +134,7 @@ SavedState SolidSolver::save() const {
 void SolidSolver::restore(const SavedState& saved) {
   StateRestorer restorer(saved);
   exchange(restorer, state_);
+  messages_.clear();  // of the start: the run has them
 }
 
 std::vector<CostPart> SolidSolver::cost_parts() const {
@@ -136,6 +149,7 @@ Summary SolidSolver::more_summary() const {
   Summary summary{{"unknowns", number(free)},
                   {"newton_iterations", number(state_.newton_steps)},
                   {"halvings", number(state_.halvings)},
+                  {"nodes_inside", number(state_.overlap.most)},
                   {"factor_nonzeros", number(cost.factor_nonzeros)}};
   if (system_.solids.integrator == Integrator::equilibrium)
     summary.emplace_back("equilibrium_residual", number(state_.residual));

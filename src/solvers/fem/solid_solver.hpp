@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/fem/body_overlaps.hpp"
+#include "solvers/fem/solid_fields.hpp"
 #include "solvers/fem/solid_state.hpp"
 #include "solvers/fem/solid_step.hpp"
 #include "solvers/fem/solid_system.hpp"
@@ -30,9 +32,12 @@ class SolidSolver final : public Solver {
   void restore(const SavedState& saved) override;
   std::vector<CostPart> cost_parts() const override;
   Summary more_summary() const override;
+  bool watched_each_step() const override { return system_.solids.integrator != Integrator::central; }
+  std::string worst_element() const override { return fem::worst_element(system_, state_.q); }
 
  private:
   void start();
+  void look_for_overlaps();
   double next_step() const;
   void step(double dt);
   NewtonReport advanced(double dt);
@@ -43,6 +48,7 @@ class SolidSolver final : public Solver {
   SolidSystem system_;
   SolidStep step_;
   SolidState state_;
+  BodyOverlaps overlaps_;
   std::vector<std::string> messages_;
 };
 

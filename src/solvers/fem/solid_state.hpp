@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "results/saved_state.hpp"
+#include "solvers/fem/overlap_count.hpp"
 
 namespace tether::fem {
 
@@ -18,6 +19,7 @@ struct SolidState {
   double residual = 0;             ///< that Newton's method ended the last step with, over the largest force
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, halvings = 0;
+  OverlapCount overlap;
 };
 
 /// Lists what a step depends on over saver and restorer alike.
@@ -29,6 +31,7 @@ void exchange(Exchange& with, SolidState& state) {
   with("residual", state.residual);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
+  exchange(with, state.overlap);
 }
 
 }  // namespace tether::fem

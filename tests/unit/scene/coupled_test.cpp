@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene has of a deck with $coupled.
-#include "scene/coupled.hpp"
+#include "scene/side_faces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,26 +96,55 @@ TEST(CoupledScene, InSpaceAJetHasTwoExtents) {
   EXPECT_EQ(jets[1].patch.high, (Triple{2, .5, 1}));
   EXPECT_TRUE(built.scene.coupled->smoke);
   const StaggeredGrid& grid = built.scene.coupled->grid;
-  const auto top = faces_of(jets[0], grid), front = faces_of(jets[1], grid);
-  EXPECT_EQ(top,
+  const auto top = faces_of(jets[0].side, jets[0].patch, grid), front = faces_of(jets[1].side, jets[1].patch, grid);
+  std::vector<std::size_t> faces;
+  for (const FacePart& of_jet : top) {
+    faces.push_back(of_jet.face);
+    EXPECT_EQ(of_jet.part, 1);
+  }
+  EXPECT_EQ(faces,
             (std::vector{grid.face(1, 2, 4, 1), grid.face(1, 3, 4, 1), grid.face(1, 2, 4, 2), grid.face(1, 3, 4, 2)}));
   EXPECT_EQ(front.size(), 8u);
-  EXPECT_EQ(cell_at(jets[0], grid, top[0]), grid.cell(2, 3, 1));
-  EXPECT_EQ(cell_at(jets[1], grid, front[0]), grid.cell(4, 0, 3));
+  EXPECT_EQ(cell_at(jets[0].side, grid, top[0].face), grid.cell(2, 3, 1));
+  EXPECT_EQ(cell_at(jets[1].side, grid, front[0].face), grid.cell(4, 0, 3));
 }
 
-/// Middles of cells are at .125, .375, ...: an end at one of them takes it in, whatever the rounding.
-TEST(CoupledScene, AJetIsOfTheFacesWhoseMiddlesLieInIt) {
-  const auto faces = [](const std::string& extent) {
-    const Built built = box("side(2)='open',jet_on='left',jet_speed=1.,jet(1,1)=" + extent);
-    return faces_of(built.scene.coupled->jets.at(0), built.scene.coupled->grid).size();
-  };
-  EXPECT_EQ(faces("0.,1."), 4u);
-  EXPECT_EQ(faces(".25,.5"), 1u);
-  EXPECT_EQ(faces(".2,.6"), 1u);
-  EXPECT_EQ(faces(".375,.625"), 2u);
-  EXPECT_EQ(faces(".37500000001,.625"), 2u);
-  EXPECT_EQ(faces(".376,.625"), 1u);
+/// Its area is that of the deck, by parts of faces, whatever the grid; also where it is narrower than a face.
+TEST(CoupledScene, AJetHasItsArea) {
+  for (const auto& [extent, low, high] : {std::tuple("0.,1.", 0., 1.), std::tuple(".25,.5", .25, .5),
+                                          std::tuple(".2,.6", .2, .6), std::tuple(".3,.31", .3, .31)}) {
+    const Built built = box(std::string("side(2)='open',jet_on='left',jet_speed=1.,jet(1,1)=") + extent);
+    ASSERT_EQ(built.errors(), Texts{});
+    const Coupled& c = *built.scene.coupled;
+    double area = 0;
+    for (const FacePart& of_jet : faces_of(c.jets[0].side, c.jets[0].patch, c.grid)) {
+      area += of_jet.part * c.grid.area(0);
+      EXPECT_EQ(SideFaces(c).jets(0, of_jet.face).size(), 1u);
+      EXPECT_EQ(SideFaces(c).open(0, of_jet.face), 0);
+    }
+    EXPECT_NEAR(area, high - low, 1e-15) << extent;
+  }
+}
+
+/// In space, too, where a later jet takes its part of an earlier one, and an opening has what no jet has. A face of a
+/// jet is open nowhere.
+TEST(CoupledScene, SidesAreShared) {
+  const Built built = box(depth +
+                          "jet_on='top','top',jet(1,1)=.1,1.,.1,.9,jet(1,2)=.55,1.3,.3,.65,jet_speed=1.,1.,"
+                          "open_on(1)='top',open(1,1)=1.4,1.9,.2,.8");
+  ASSERT_EQ(built.errors(), Texts{});
+  const Coupled& c = *built.scene.coupled;
+  const SideFaces sides(c);
+  std::array<double, 2> of_jet{};
+  double open = 0;
+  for (std::size_t f = 0; f < c.grid.face_count(1); ++f) {
+    for (const JetShare& share : sides.jets(1, f))
+      of_jet[static_cast<std::size_t>(share.jet)] += share.part * c.grid.area(1);
+    open += sides.open(1, f) * c.grid.area(1);
+  }
+  EXPECT_NEAR(of_jet[0], .9 * .8 - .45 * .35, 1e-14);
+  EXPECT_NEAR(of_jet[1], .75 * .35, 1e-14);
+  EXPECT_NEAR(open, .5 * .6 - .1 * .5, 1e-14);  // faces from 1.25 to 1.5 have parts of jet 2
 }
 
 TEST(CoupledScene, BoxesAreCutAtTheGrid) {

@@ -158,6 +158,9 @@ TEST_F(Records, SummariesOfMeshesHaveTheirKeysToo) {
     auto written = std::string(name) == "rigid-torque"
                        ? std::vector<std::string>{"unknowns", "newton_iterations", "halvings"}
                        : mesh_summary_keys();
+    if (name == std::string("l-block")) {
+      for (auto& key : body_summary_keys()) written.push_back(std::move(key));
+    }
     if (loaded.plan.scene.flow) {
       for (auto& key : flow_summary_keys()) written.push_back(std::move(key));
     }
@@ -166,13 +169,15 @@ TEST_F(Records, SummariesOfMeshesHaveTheirKeysToo) {
 }
 
 TEST_F(Records, SummariesOfBoxesHaveTheirs) {
-  const std::vector<std::string> overrides{"in.tmax=.04", "coupled.mode='splitting'"};
+  const std::vector<std::string> overrides{"in.tmax=.04", "coupled.mode='splitting'",
+                                           "coupled.obstacle(1,1)=1.5,1.6,.5,.6", "coupled.void(1,1)=1.2,1.3,.7,.8"};
   const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/coupled-bar.in", {overrides, "", ""});
   run(loaded.plan, request_of(loaded, folder / "bar", ""));
   std::set<std::string> keys;
   for (const auto& [key, value] : read_summary(folder / "bar/summary.txt")) keys.insert(key);
   for (const auto& key : coupled_summary_keys()) EXPECT_EQ(keys.count(key), 1u) << key;
   for (const auto& key : locking_summary_keys()) EXPECT_EQ(keys.count(key), 1u) << key;
+  for (const auto& key : body_summary_keys()) EXPECT_EQ(keys.count(key), 1u) << key;
 }
 
 }  // namespace

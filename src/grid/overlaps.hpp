@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "grid/solid_surface.hpp"
+
+namespace tether {
+
+/// Nodes of a mesh that lie inside another of its bodies, or of its own where that has come through itself.
+struct Overlap {
+  std::size_t nodes = 0;
+  int node = -1;              ///< the first of them
+  int part = -1, other = -1;  ///< the connected body that it belongs to, and the one that it lies in
+  Vector place{};             ///< where it is [length]
+};
+
+/// Looks for nodes inside other bodies. Bodies whose boxes are apart cost a pass over the nodes; where boxes meet, a
+/// line from each node in both is followed through the sides of the other that stand in its way. Bodies that touch, to
+/// a 1e-6 of their size, do not overlap. Sides of order 2 are taken as straight between their nodes.
+class OverlapFinder {
+ public:
+  explicit OverlapFinder(const Mesh& mesh);
+
+  int parts() const { return static_cast<int>(parts_.size()); }
+  /// With the nodes at q, dim numbers a node.
+  Overlap find(std::span<const double> q);
+
+ private:
+  /// A connected body: its nodes, those of its surface, and the surface as edges or triangles.
+  struct Part {
+    std::vector<int> nodes, rim, facets;
+    Vector low{}, high{};
+  };
+  /// Facets of one body by the columns of a lattice across x that they reach into.
+  struct Columns {
+    Vector low{};
+    std::array<double, 3> per_length{};
+    std::array<int, 3> n{1, 1, 1};
+    std::vector<std::size_t> start;
+    std::vector<std::size_t> facet;
+  };
+
+  void find_boxes(std::span<const double> q);
+  void sort_facets(const Part& part, std::span<const double> q);
+  int turns(const Part& part, std::span<const double> q, const Vector& x) const;
+  bool touches(const Part& part, std::span<const double> q, const Vector& x, double near) const;
+  template <class Function>
+  void for_column(const Part& part, const Vector& x, const Function& f) const;
+  bool is_deep_in(const Part& part, std::span<const double> q, const Vector& x, bool its_own) const;
+  Vector place(std::span<const double> q, int node) const { return place_of(q, node, dim_); }
+
+  int dim_;
+  std::vector<Part> parts_;
+  std::vector<double> rounding_;  // of each part: what counts as touching [length]
+  Columns columns_;               // of the part that is looked at
+};
+
+}  // namespace tether

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+
+namespace tether {
+namespace {
+
+/// Motions by less than this part of a cell a step are at rest: their energy is no measure of another.
+constexpr double resting = 1e-6;
+
+/// The sign by which a booked column goes into the energy that is kept.
+double sign_of(Book book) { return book == Book::gained ? -1 : book == Book::none ? 0 : 1; }
+
+/// Columns by this name, or of bodies by it and a number.
+std::vector<std::size_t> columns_of(const HistoryLayout& layout, const std::string& name) {
+  const auto names = layout.column_names();
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == name || (names[k].starts_with(name + "_") &&
+                             names[k].find_first_not_of("0123456789", name.size() + 1) == std::string::npos))
+      columns.push_back(k);
+  }
+  return columns;
+}
+
+}  // namespace
+
+Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid.dx) {
+  const Limits& limits = scene.limits;
+  const auto names = layout.column_names();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == "mass") mass_ = k;
+    if (names[k] == "energy_total") total_ = k;
+    if (names[k] == "energy_potential") potential_ = k;
+    for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal"}) {
+      if (names[k] == kind) energies_.push_back(k);
+    }
+  }
+  for (const Quantity& quantity : layout.quantities) {
+    if (quantity.book != Book::none)
+      booked_.push_back({columns_of(layout, quantity.name).front(), sign_of(quantity.book)});
+  }
+  keeps_books_ = !scene.coupled || !booked_.empty();
+  const auto add = [&](Number number, const char* column) {
+    number.from = columns_of(layout, column);
+    if (!number.from.empty()) numbers_.push_back(std::move(number));
+  };
+  add({"quality",
+       "quality_least",
+       "the least volume of an element over that at the start",
+       "a body too soft for what acts on it, or steps too long",
+       limits.quality,
+       true,
+       {},
+       1,
+       false},
+      "element_quality");
+  add({"splitting",
+       "mismatch_largest",
+       "the mismatch of the power across the interface",
+       "a way of coupling that does not hold: mode='cut-cell' of $coupled does",
+       limits.splitting,
+       false,
+       {},
+       0,
+       false},
+      "interface_mismatch");
+  add({"cfl",
+       "cfl_largest",
+       "the number of cells that the fluid crosses in a step",
+       "steps too long for what the fluid carries along, of which much is lost",
+       limits.cfl,
+       false,
+       {},
+       0,
+       false},
+      "cfl");
+  volume_ = {"volume",
+             "volume_worst",
+             "the volume of a body over that at the start, or the other way round",
+             "a body too soft for what acts on it, or a fluid that goes through it",
+             limits.volume,
+             true,
+             columns_of(layout, "body_volume"),
+             1,
+             false};
+  energy_step_ = {"energy_step",
+                  "energy_step_largest",
+                  "the rise of the energy that nothing explains, over the largest energy before",
+                  "steps too long, or a way of coupling that does not hold",
+                  limits.energy_step,
+                  false,
+                  {},
+                  0,
+                  false};
+}
+
+void Watch::look(const Record& record, const Solver& solver) {
+  if (first_.empty()) first_ = record;
+  for (Number& number : numbers_) {
+    for (const std::size_t column : number.from)
+      judge(number, std::abs(record[column]), record.front(),
+            [&] { return number.low ? solver.worst_element() : std::string(); });
+  }
+  look_at_volumes(record);
+  look_at_energy(record);
+}
+
+void Watch::look_at_volumes(const Record& record) {
+  for (std::size_t b = 0; b < volume_.from.size(); ++b) {
+    const double ratio = record[volume_.from[b]] / first_[volume_.from[b]];
+    judge(volume_, std::min(ratio, 1 / ratio), record.front(), [b] { return fmt::format("body {}", b + 1); });
+  }
+}
+
+/// The energy that should be kept is the total less what came from outside, with what went out and what the method
+/// lost. What it rises by is measured by what there was before, and by what was exchanged in the step.
+void Watch::look_at_energy(const Record& record) {
+  double balance = record[total_], booked = 0, exchanged = std::abs(record[potential_] - first_[potential_]);
+  for (const Term& term : booked_) {
+    balance += term.sign * record[term.column];
+    booked += std::abs(record[term.column]);
+  }
+  if (!keeps_books_) return;
+  if (!std::isfinite(balance) && energy_step_.limit.stop > 0)
+    throw RunError(
+        fmt::format("t = {:.9g}: the energy is no number: likely cause, {}", record.front(), energy_step_.cause));
+  const double measure = std::max({largest_, exchanged, std::abs(booked - booked_before_), rest_energy(record)});
+  if (measure > 0 && looked_)
+    judge(energy_step_, (balance - balance_) / measure, record.front(), [] { return std::string(); });
+  looked_ = true;
+  balance_ = balance, booked_before_ = booked;
+  for (const std::size_t column : energies_) largest_ = std::max(largest_, std::abs(record[column]));
+  largest_ = std::max({largest_, exchanged, booked});
+}
+
+/// The kinetic energy of all mass at a speed that is next to rest in a step.
+double Watch::rest_energy(const Record& record) const {
+  const double step = record[1];
+  const double speed = step > 0 ? resting * cell_ / step : 0;
+  return 0.5 * record[mass_] * speed * speed;
+}
+
+void Watch::judge(Number& number, double value, double time, const Place& where) {
+  const bool worse = number.low ? value < number.worst : value > number.worst;
+  if (worse) number.worst = value;
+  const auto passes = [&](double limit) { return limit > 0 && (number.low ? value < limit : value > limit); };
+  const auto text = [&](double limit) {
+    const std::string place = where();
+    return fmt::format("{} is {:.3g}{}, {} the limit of {:.3g} ({} of $limits): likely cause, {}", number.what, value,
+                       place.empty() ? "" : ", of " + place, number.low ? "below" : "above", limit, number.name,
+                       number.cause);
+  };
+  if (passes(number.limit.stop)) throw RunError(fmt::format("t = {:.9g}: {}", time, text(number.limit.stop)));
+  if (number.told || !passes(number.limit.warn)) return;
+  number.told = true;
+  messages_.push_back(fmt::format("t = {:.6g}: {}", time, text(number.limit.warn)));
+}
+
+std::vector<std::string> Watch::take_messages() { return std::exchange(messages_, {}); }
+
+Summary Watch::summary() const {
+  Summary summary{{energy_step_.key, fmt::format("{}", energy_step_.worst)}};
+  for (const Number& number : numbers_) {
+    if (number.low) summary.emplace_back(number.key, fmt::format("{}", number.worst));
+  }
+  if (!volume_.from.empty()) summary.emplace_back(volume_.key, fmt::format("{}", volume_.worst));
+  return summary;
+}
+
+std::vector<double> Watch::save() const {
+  std::vector<double> saved{looked_ ? 1.0 : 0.0, balance_, largest_, booked_before_};
+  const auto add = [&](const Number& number) { saved.insert(saved.end(), {number.worst, number.told ? 1.0 : 0.0}); };
+  for (const Number& number : numbers_) add(number);
+  add(volume_), add(energy_step_);
+  return saved;
+}
+
+void Watch::restore(const std::vector<double>& saved, const Record& first) {
+  first_ = first;
+  looked_ = saved.at(0) != 0, balance_ = saved.at(1), largest_ = saved.at(2), booked_before_ = saved.at(3);
+  std::size_t k = 4;
+  const auto take = [&](Number& number) { number.worst = saved.at(k), number.told = saved.at(k + 1) != 0, k += 2; };
+  for (Number& number : numbers_) take(number);
+  take(volume_), take(energy_step_);
+}
+
+}  // namespace tether

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "cases/run_deck.hpp"
+
+// Runs that go wrong: told once, and ended beyond reason.
+
+namespace tether::cases {
+namespace {
+
+using Overrides = std::vector<std::string>;
+
+std::size_t told(const DeckRun& run, const std::string& name) {
+  return static_cast<std::size_t>(std::count_if(run.messages.begin(), run.messages.end(), [&](const auto& text) {
+    return text.find("(" + name + " of $limits)") != std::string::npos;
+  }));
+}
+
+std::string error_of(const std::string& name, const std::string& deck, const Overrides& overrides) {
+  try {
+    run_text(name, deck, overrides);
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A soft block that a load presses to a fraction of its volume.
+const char* const pressed =
+    "$in nx=3,ny=3,xleft=-9.,xright=9.,ybot=-9.,ytop=9.,tmax=1.,tstep=.02,iout(33)=1,tiout(33)=.5,wl=1,wr=1,wb=1,wt=1 "
+    "$\n"
+    "$reg nreg=1,nvi=4,densir(1)=1.,xvi(1,1)=0.,1.,1.,0.,yvi(1,1)=0.,0.,1.,1.,matr(1,1)=100.,.0 $\n"
+    "$mesh cells(1,1)=3,3 $\n"
+    "$fem law(1)='neo-hookean',fix_on(1)='1.bottom',fix(1:2,1)=0.,0.,load_on(1)='1.top',load(1:2,1)=0.,-150.,"
+    "load_expression(1)='min(t*2,1)',alpha=20. $\n";
+
+TEST(Limits, OfElementsAndBodies) {
+  const DeckRun quiet = run_text("quiet", pressed);
+  const double quality = quiet.summary.at("quality_least"), volume = quiet.summary.at("volume_worst");
+  ASSERT_LT(volume, 0.5);
+  ASSERT_GT(quality, 0.1);
+  ASSERT_LE(quality, volume);
+  EXPECT_EQ(told(quiet, "quality"), 0u);
+  EXPECT_EQ(told(quiet, "volume"), 1u);
+  const DeckRun strict = run_text("strict", pressed, {"limits.quality(1)=.99", "limits.volume(1)=0."});
+  EXPECT_EQ(told(strict, "quality"), 1u);
+  EXPECT_EQ(told(strict, "volume"), 0u);
+  EXPECT_EQ(strict.summary.at("quality_least"), quality);
+  const std::string text = error_of("stopped", pressed, {"limits.quality=.99,.9"});
+  EXPECT_NE(text.find("below the limit of 0.9 (quality of $limits)"), std::string::npos) << text;
+  EXPECT_NE(text.find("element "), std::string::npos) << text;
+  EXPECT_NE(error_of("small", pressed, {"limits.volume=.99,.9"}).find("body 1"), std::string::npos);
+}
+
+/// A bar by steps a fifth above their limit, whose energy grows by up to 19 times between records.
+TEST(Limits, OfTheEnergy) {
+  const Overrides wild{"mpm.cfl=1.2", "in.tstep=1.", "in.dtmax=1.", "in.tiout(33)=1.d-4", "in.tiout(34)=1.d-4"};
+  const DeckRun run = run_deck("stability-side", wild);
+  EXPECT_GT(run.summary.at("energy_growth"), 1e20);
+  EXPECT_GT(run.summary.at("energy_step_largest"), 15);
+  EXPECT_EQ(told(run, "energy_growth"), 1u);
+  EXPECT_EQ(told(run, "energy_step"), 1u);
+  Overrides off = wild;
+  off.push_back("limits.energy_step(1)=0.");
+  off.push_back("limits.energy_growth(1)=0.");
+  EXPECT_TRUE(run_deck("stability-side", off).messages.empty());
+  for (const char* stop : {"limits.energy_step=.5,10.", "limits.energy_growth=.05,1."}) {
+    Overrides strict = wild;
+    strict.emplace_back(stop);
+    try {
+      run_deck("stability-side", strict);
+      ADD_FAILURE() << "it ran to its end with " << stop;
+    } catch (const RunError& error) {
+      EXPECT_NE(std::string(error.what()).find("of $limits): likely cause"), std::string::npos) << error.what();
+    }
+  }
+}
+
+/// What is right is not told of.
+TEST(Limits, AreNotReachedByWhatIsRight) {
+  for (const char* deck : {"pendulum-20", "spring-mass", "l-block", "coupled-piston"}) {
+    const DeckRun run = run_deck(deck, {"in.tmax=" + std::string(deck[0] == 's' ? "2.d-2" : ".3")});
+    for (const char* name : {"quality", "volume", "energy_step", "energy_growth", "splitting", "cfl"})
+      EXPECT_EQ(told(run, name), 0u) << deck << " " << name;
+    EXPECT_LT(run.summary.at("energy_step_largest"), 0.1) << deck;
+  }
+}
+
+}  // namespace
+}  // namespace tether::cases
