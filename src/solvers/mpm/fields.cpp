@@ -32,6 +32,21 @@ const std::vector<Quantity>& scene_quantities() {
   return rows;
 }
 
+/// In the order of record().
+const std::vector<Quantity>& edge_quantities() {
+  using D = Dimension;
+  static const std::vector<Quantity> rows{
+      {"edge_mass_in", D::mass, "mass that came in through open edges"},
+      {"edge_mass_out", D::mass, "mass that went out through open edges"},
+      {"edge_mass_back", D::mass, "mass of both that came in through an outflow or went out through an inflow"},
+      {"edge_momentum_x", D::momentum, "momentum in x that came in through open edges, less what went out"},
+      {"edge_momentum_y", D::momentum, "momentum in y that came in through open edges, less what went out"},
+      {"edge_energy_in", D::energy, "energy that came in through open edges", Per::scene, Book::gained},
+      {"edge_energy_out", D::energy, "energy that went out through open edges", Per::scene, Book::given},
+  };
+  return rows;
+}
+
 /// Of a point that has left the grid.
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
 
@@ -115,18 +130,7 @@ HistoryLayout history_layout(const Scene& scene) {
                                  Book::lost});
   }
   if (scene.edges.any()) {
-    layout.quantities.push_back({"edge_mass_in", Dimension::mass, "mass that came in through open edges"});
-    layout.quantities.push_back({"edge_mass_out", Dimension::mass, "mass that went out through open edges"});
-    layout.quantities.push_back({"edge_mass_back", Dimension::mass,
-                                 "mass of both that came in through an outflow or went out through an inflow"});
-    layout.quantities.push_back(
-        {"edge_momentum_x", Dimension::momentum, "momentum in x that came in through open edges, less what went out"});
-    layout.quantities.push_back(
-        {"edge_momentum_y", Dimension::momentum, "momentum in y that came in through open edges, less what went out"});
-    layout.quantities.push_back(
-        {"edge_energy_in", Dimension::energy, "energy that came in through open edges", Per::scene, Book::gained});
-    layout.quantities.push_back(
-        {"edge_energy_out", Dimension::energy, "energy that went out through open edges", Per::scene, Book::given});
+    for (const auto& row : edge_quantities()) layout.quantities.push_back(row);
   }
   if (scene.outputs.tracked_angle) {
     layout.quantities.push_back(
