@@ -15,7 +15,7 @@ namespace {
 
 std::size_t body_of(const State& state, std::size_t slot) {
   std::size_t b = 0;
-  while (slot >= state.ranges[b].end) ++b;
+  while (slot < state.ranges[b].begin || slot >= state.ranges[b].end) ++b;  // gas may stand after others
   return b;
 }
 
