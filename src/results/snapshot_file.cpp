@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -116,17 +117,24 @@ std::size_t SnapshotFile::checked_length(const Snapshot& snapshot) const {
   return length;
 }
 
+/// With no numbers in place of points that other records have.
+void SnapshotFile::put(int variable, const NetcdfFile::Part& part, const std::vector<double>& values) {
+  if (values.size() == values_) return file_.put(variable, part, values);
+  std::vector<double> padded = values;
+  padded.resize(values_, std::numeric_limits<double>::quiet_NaN());
+  file_.put(variable, part, padded);
+}
+
 void SnapshotFile::append(const Snapshot& snapshot) {
-  const std::size_t length = checked_length(snapshot);
-  file_.reserve(variables_.size() * (std::max(length, values_) * sizeof(double) + room_per_variable) + room_per_file);
+  values_ = std::max(values_, checked_length(snapshot));
+  file_.reserve(variables_.size() * (values_ * sizeof(double) + room_per_variable) + room_per_file);
   file_.put(time_, {{records_}, {1}}, std::array{snapshot.time});
   NetcdfFile::Part part{{records_}, {1}};
   for (const auto& axis : axes_) {
     part.start.push_back(0);
-    part.count.push_back(axis.grows ? length : axis.length);
+    part.count.push_back(axis.grows ? values_ : axis.length);
   }
-  for (std::size_t k = 0; k < variables_.size(); ++k) file_.put(variables_[k], part, snapshot.fields[k].values);
-  values_ = std::max(values_, length);
+  for (std::size_t k = 0; k < variables_.size(); ++k) put(variables_[k], part, snapshot.fields[k].values);
   file_.sync();
   ++records_;
 }

@@ -50,6 +50,7 @@ class SnapshotFile {
   void close() { file_.close(); }
 
  private:
+  void put(int variable, const NetcdfFile::Part& part, const std::vector<double>& values);
   bool grows() const { return axes_.front().grows; }
   void define(const Snapshot& first, const Provenance& provenance);
   int dimension(const Axis& axis);
