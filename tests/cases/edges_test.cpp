@@ -47,6 +47,8 @@ TEST(OpenTube, FollowsTheExactSolutionAtFirstOrder) {
     expect_booked(*run);
     EXPECT_LE(run->summary.at("mass_drift"), 1e-12);
     EXPECT_GT(run->last("edge_mass_in"), 0);
+    EXPECT_EQ(run->summary.at("compared_from"), 0);  // open edges send nothing into the tube
+    EXPECT_EQ(run->summary.at("compared_to"), 1);
   }
 }
 
