@@ -65,7 +65,7 @@ def draw_points(axes, particles, record):
     """The points of one snapshot, a colour for each body."""
     x, y = particles["x"][record], particles["y"][record]
     body = particles["body"][record] if "body" in particles else numpy.zeros_like(x)
-    for number in numpy.unique(body):
+    for number in numpy.unique(body[numpy.isfinite(body)]):  # a record may have fewer points than others
         axes.plot(x[body == number], y[body == number], **style.POINTS)
 
 

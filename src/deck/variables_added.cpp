@@ -54,6 +54,20 @@ constexpr std::array rows{
     Variable{"mpm", "cfl", real, 0, 1, 1, "", 0, none, "", "",
              "Factor of the step limit dx/c, 1 by the thesis' method and .65 by the robust one; 0 takes the deck's "
              "step as it is."},
+    Variable{"mpm", "edge", text, 1, 4, 1, "", -none, none, "wall|outflow|inflow", "'wall'",
+             "What the left, right, bottom and top edge of the grid do with gas: 'wall' is what wl, wr, wb, wt say; "
+             "through the others it passes, out, or in with the state given below, and the wall code gives way."},
+    Variable{"mpm", "edge_density", real, 1, 4, 1, "mass/length3", above_zero, none, "", "",
+             "Density of the gas outside edge k; needed at an inflow, at an outflow it goes with edge_energy."},
+    Variable{"mpm", "edge_energy", real, 1, 4, 1, "length2/time2", above_zero, none, "", "",
+             "Its specific internal energy. At an outflow both say the pressure outside and what comes in should the "
+             "flow turn round; without them gas leaves as if the grid went on."},
+    Variable{"mpm", "edge_u", real, 1, 4, 1, "length/time", -none, none, "", "0.0",
+             "Its velocity in x, at an inflow; needed at the left and right edge."},
+    Variable{"mpm", "edge_v", real, 1, 4, 1, "length/time", -none, none, "", "0.0",
+             "Its velocity in y, at an inflow; needed at the bottom and top edge."},
+    Variable{"mpm", "edge_region", integer, 1, 4, 1, "", 1, region_count, "", "",
+             "The region whose gas comes in at edge k, an inflow; else the gas that stands there at the start."},
     Variable{"reference", "solution", text, 0, 1, 1, "", -none, none,
              "riemann|spring|string|pendulum|piston|radial-gas|thin-ring", "''",
              "Exact solution that the results are compared with."},

@@ -72,17 +72,35 @@ StepRule step_rule(const Scene& scene) {
     double& fastest = std::holds_alternative<IdealGas>(body.material) ? gas_wave : rule.solid_speed;
     fastest = std::max(fastest, std::visit(FirstWave{scene, body}, body.material));
   }
+  for (const Edge& edge : scene.edges.of) {
+    if (edge.kind != EdgeKind::inflow) continue;
+    const auto& gas = std::get<IdealGas>(scene.bodies[edge.body].material);
+    gas_wave = std::max(gas_wave, std::sqrt(gas.sound_speed_squared(edge.energy)) + std::hypot(edge.u, edge.v));
+  }
   rule.first_limit = rule.limit(gas_wave);
   rule.sharp_limit = sharp_limit(scene, rule.h);
   return rule;
 }
 
+/// Points of the strips beyond open edges, as they are at the start.
+double points_of_strips(const Scene& scene) {
+  int lattice = 0;
+  for (const Body& body : scene.bodies) {
+    if (std::holds_alternative<IdealGas>(body.material)) lattice = std::max(lattice, body.lattice);
+  }
+  double cells = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (scene.edges.of[k].open()) cells += strip_cells * (k < 2 ? scene.grid.cells_y() : scene.grid.cells_x());
+  }
+  return cells * lattice * lattice;
+}
+
 Cost cost_of(const Scene& scene, const StepRule& rule) {
+  const double points = static_cast<double>(scene.points.size()) + points_of_strips(scene);
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
-  cost.point_steps = cost.steps * static_cast<double>(scene.points.size());
-  cost.megabytes = 1e-6 * (static_cast<double>(scene.grid.nodes()) * bytes_per_node +
-                           static_cast<double>(scene.points.size()) * bytes_per_point);
+  cost.point_steps = cost.steps * points;
+  cost.megabytes = 1e-6 * (static_cast<double>(scene.grid.nodes()) * bytes_per_node + points * bytes_per_point);
   cost.seconds = cost.point_steps * seconds_per_point_step;
   return cost;
 }

@@ -62,6 +62,23 @@ std::string tangents_reason(const Method& method) {
   return rules[static_cast<int>(method.normals)];
 }
 
+/// Each open edge, and what is outside it.
+std::string edges_reason(const Scene& scene) {
+  std::string text;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Edge& edge = scene.edges.of[k];
+    if (!edge.open()) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", edge_names[k],
+                        edge.kind == EdgeKind::inflow ? "inflow" : "outflow");
+    if (edge.kind == EdgeKind::inflow)
+      text += fmt::format(" of {}, density {:.6g}, energy {:.6g}, velocity ({:.6g}, {:.6g})",
+                          scene.bodies[edge.body].name, edge.density, edge.energy, edge.u, edge.v);
+    else if (edge.has_outside)
+      text += fmt::format(" to density {:.6g}, energy {:.6g}", edge.density, edge.energy);
+  }
+  return text;
+}
+
 /// Whether several bodies are there that do not share one field anyway.
 bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && find_body<PlaneElastic>(scene) != nullptr; }
 
@@ -99,6 +116,7 @@ std::vector<Term> terms_of(const Scene& scene) {
                : "bodies share one velocity field where they share a node, as in the thesis' basic method"),
       term("heat ledger", method.ledger && gas, "what transfer and elements lose heats the gas",
            gas ? "what the method loses of the energy is lost" : "no gas"),
+      term("open edges", scene.edges.any(), edges_reason(scene), "no gas passes the edges of the grid"),
       term("pressure outside", scene.ambient != 0,
            fmt::format("pambient = {:.6g} on membranes that enclose gas", scene.ambient), "pambient = 0"),
       {"heat conduction", false, "not in the source's energy equation (4.8)"},

@@ -84,8 +84,22 @@ struct Columns {
   }
 };
 
-/// Gas that ends within a cell of a wall stands at it.
-TubeEnd end_of(Wall wall, double wall_x, double gas_x, double cell) {
+/// Whether gas of a body comes in or goes out as if the tube went on: an outflow with nothing outside, or the body's
+/// own state outside.
+bool goes_on(const Scene& scene, const Edge& edge, const Body& body) {
+  if (edge.kind == EdgeKind::outflow && !edge.has_outside) return true;
+  const bool same = edge.density == body.density && edge.energy == body.specific_energy;
+  return same && (edge.kind == EdgeKind::outflow || edge.u == scene.points.vx[body.first]);
+}
+
+/// Gas that ends within a cell of a wall stands at it, or at an open edge. Where that has another state outside, waves
+/// run in at once, as from where gas ends.
+TubeEnd end_of(const Scene& scene, std::size_t side, const Body& body, double gas_x) {
+  const double wall_x = side == 0 ? scene.grid.x0 : scene.grid.x1, cell = scene.grid.dx;
+  const Edge& edge = scene.edges.of[side];
+  if (edge.open() && std::abs(wall_x - gas_x) < cell)
+    return {wall_x, goes_on(scene, edge, body) ? EndKind::edge : EndKind::vacuum};
+  const Wall wall = side == 0 ? scene.walls.left : scene.walls.right;
   const bool at_wall = wall != Wall::open && std::abs(wall_x - gas_x) < cell;
   return {at_wall ? wall_x : gas_x, at_wall ? EndKind::wall : EndKind::vacuum};
 }
@@ -105,11 +119,9 @@ RiemannTube riemann_tube(const Scene& scene) {
   if (Columns(scene, *left).low > Columns(scene, *right).low) std::swap(left, right);
   const Columns of_left(scene, *left), of_right(scene, *right);
   const double diaphragm = 0.5 * (of_left.high + of_right.low);
-  const BackgroundGrid& grid = scene.grid;
   return {solve_riemann(
               {state_of(scene, *left), state_of(scene, *right), std::get<IdealGas>(left->material).gm1 + 1, diaphragm}),
-          end_of(scene.walls.left, grid.x0, of_left.low - of_left.half, grid.dx),
-          end_of(scene.walls.right, grid.x1, of_right.high + of_right.half, grid.dx)};
+          end_of(scene, 0, *left, of_left.low - of_left.half), end_of(scene, 1, *right, of_right.high + of_right.half)};
 }
 
 TubePart compared_part(const Scene& scene, const RiemannTube& tube, double t) {

@@ -16,6 +16,7 @@ struct WantedSnapshots {
   const Snapshot& like;
   std::size_t count = 0;
   std::string run_sha256;
+  bool changing = false;  ///< the number of points; `like` has that of the last
 };
 
 /// Hands the snapshots of a file (particles.nc or mesh.nc) to `append`, one by one. Returns "", or where some cannot be

@@ -104,8 +104,15 @@ double energy_growth(const History& history) {
 }
 
 double mass_drift(const History& history) {
-  const auto mass = history.column("mass");
-  return largest_change(mass) / mass.front();
+  auto mass = history.column("mass");
+  const double there = mass.front();
+  for (const Quantity& quantity : history.layout.quantities) {
+    const bool in = quantity.name == "edge_mass_in";
+    if (!in && quantity.name != "edge_mass_out") continue;
+    const auto passed = history.column(quantity.name);
+    for (std::size_t k = 0; k < mass.size(); ++k) mass[k] += in ? -passed[k] : passed[k];
+  }
+  return largest_change(mass) / there;
 }
 
 }  // namespace tether

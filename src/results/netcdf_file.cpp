@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <system_error>
@@ -121,6 +122,11 @@ void NetcdfFile::chunk(int variable, const std::vector<std::size_t>& lengths) {
   check(nc_def_var_chunking(id_, variable, NC_CHUNKED, lengths.data()), fmt::format("set the chunks of {}", name));
   // Chunks are put whole and never read back: a cache would only hold memory.
   check(nc_set_var_chunk_cache(id_, variable, 0, 0, 0), fmt::format("turn the cache of {} off", name));
+}
+
+void NetcdfFile::fill_with_nan(int variable) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  check(nc_def_var_fill(id_, variable, NC_FILL, &nan), fmt::format("set what fills {}", variable_name(variable)));
 }
 
 void NetcdfFile::end_definitions() { check(nc_enddef(id_), "write the definitions"); }

@@ -44,6 +44,8 @@ class NetcdfFile {
   void global_attribute(const std::string& name, std::string_view text);
   /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.
   void chunk(int variable, const std::vector<std::size_t>& lengths);
+  /// What is not put of this variable is no number.
+  void fill_with_nan(int variable);
   void end_definitions();
 
   /// Puts as many values as the part has (else std::invalid_argument), the last dimension fastest.

@@ -56,11 +56,11 @@ std::filesystem::path prepared(const std::filesystem::path& folder, EarlierSnaps
 }  // namespace
 
 ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout,
-                           const Provenance& provenance, EarlierSnapshots earlier)
+                           const Provenance& provenance, EarlierSnapshots earlier, bool points_change)
     : folder_(prepared(folder, earlier)),
       command_(provenance.command),
       history_(folder_, layout, provenance),
-      points_(folder_, provenance),
+      points_(folder_, provenance, points_change),
       grid_(folder_, provenance),
       mesh_(folder_, "mesh", provenance),
       solids_(folder_, "solids", provenance),

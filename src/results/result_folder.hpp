@@ -25,7 +25,7 @@ class ResultFolder {
   /// Creates the folder and those above it, and removes what an earlier run left there under the names that belong to
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
-               EarlierSnapshots earlier = EarlierSnapshots::removed);
+               EarlierSnapshots earlier = EarlierSnapshots::removed, bool points_change = false);
   /// Where the snapshots of an earlier run stand, those of particles.nc, mesh.nc or solids.nc: set aside or not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
   /// Ends the setting aside of one of these.

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -62,6 +64,7 @@ void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
     variables_.push_back(define_quantity(file_, field.quantity, dimensions, provenance.units));
     for (const auto& [name, text] : fixed_.of_each_field) file_.attribute(variables_.back(), name, text);
     file_.chunk(variables_.back(), chunk);
+    if (grows()) file_.fill_with_nan(variables_.back());
   }
   const std::vector<int> fixed = define_fixed();
   file_.end_definitions();
@@ -79,7 +82,7 @@ void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
 
 int SnapshotFile::dimension(const Axis& axis) {
   const auto [known, fresh] = dimensions_.try_emplace(axis.name, -1);
-  if (fresh) known->second = file_.dimension(axis.name, axis.length);
+  if (fresh) known->second = file_.dimension(axis.name, axis.grows ? NetcdfFile::unlimited : axis.length);
   return known->second;
 }
 
@@ -98,30 +101,40 @@ std::vector<int> SnapshotFile::define_fixed() {
   return variables;
 }
 
-void SnapshotFile::check(const Snapshot& snapshot) const {
+std::size_t SnapshotFile::checked_length(const Snapshot& snapshot) const {
   if (snapshot.fields.size() != names_.size()) {
     throw std::invalid_argument(
         fmt::format("a snapshot of {} fields, {} in the first", snapshot.fields.size(), names_.size()));
   }
+  const std::size_t length = grows() ? snapshot.fields.front().values.size() : values_;
   for (std::size_t k = 0; k < names_.size(); ++k) {
     const auto& field = snapshot.fields[k];
-    if (field.quantity.name != names_[k] || field.values.size() != values_) {
+    if (field.quantity.name != names_[k] || field.values.size() != length) {
       throw std::invalid_argument(fmt::format("field {} with {} numbers where {} with {} was expected",
-                                              field.quantity.name, field.values.size(), names_[k], values_));
+                                              field.quantity.name, field.values.size(), names_[k], length));
     }
   }
+  return length;
+}
+
+/// With no numbers in place of points that other records have.
+void SnapshotFile::put(int variable, const NetcdfFile::Part& part, const std::vector<double>& values) {
+  if (values.size() == values_) return file_.put(variable, part, values);
+  std::vector<double> padded = values;
+  padded.resize(values_, std::numeric_limits<double>::quiet_NaN());
+  file_.put(variable, part, padded);
 }
 
 void SnapshotFile::append(const Snapshot& snapshot) {
-  check(snapshot);
+  values_ = std::max(values_, checked_length(snapshot));
   file_.reserve(variables_.size() * (values_ * sizeof(double) + room_per_variable) + room_per_file);
   file_.put(time_, {{records_}, {1}}, std::array{snapshot.time});
   NetcdfFile::Part part{{records_}, {1}};
   for (const auto& axis : axes_) {
     part.start.push_back(0);
-    part.count.push_back(axis.length);
+    part.count.push_back(axis.grows ? values_ : axis.length);
   }
-  for (std::size_t k = 0; k < variables_.size(); ++k) file_.put(variables_[k], part, snapshot.fields[k].values);
+  for (std::size_t k = 0; k < variables_.size(); ++k) put(variables_[k], part, snapshot.fields[k].values);
   file_.sync();
   ++records_;
 }

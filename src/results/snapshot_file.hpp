@@ -17,6 +17,7 @@ struct Axis {
   std::string name;
   std::size_t length = 0;
   std::vector<double> places;  ///< none, or as many as the length: then a coordinate variable of the axis' name
+  bool grows = false;          ///< the only axis, whose length a record may change: what it lacks is no number
 };
 
 /// Numbers that no record changes, and what they are: a mesh's nodes of its elements. Axes of one name are one.
@@ -49,14 +50,17 @@ class SnapshotFile {
   void close() { file_.close(); }
 
  private:
+  void put(int variable, const NetcdfFile::Part& part, const std::vector<double>& values);
+  bool grows() const { return axes_.front().grows; }
   void define(const Snapshot& first, const Provenance& provenance);
   int dimension(const Axis& axis);
   std::vector<int> define_fixed();
-  void check(const Snapshot& snapshot) const;
+  /// Numbers of each field; throws where there are others than in the first snapshot.
+  std::size_t checked_length(const Snapshot& snapshot) const;
 
   std::vector<Axis> axes_;
   FixedPart fixed_;
-  std::size_t values_;  ///< numbers of one field: the product of the axes' lengths
+  std::size_t values_;  ///< numbers of one field: the product of the axes' lengths, the largest so far
   NetcdfFile file_;
   std::map<std::string, int> dimensions_;  ///< of all axes by name
   int time_ = -1;

@@ -32,19 +32,20 @@ Axis nodes(const char* name, int count, double first, double step) {
 
 }  // namespace
 
-PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance)
-    : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
+PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, bool changing)
+    : folder_(std::move(folder)), provenance_(std::move(provenance)), changing_(changing) {}
 
 void PointWriter::append(const Snapshot& snapshot) {
   if (!file_) {
     check_points(snapshot);
-    const std::vector<Axis> axes{{"point", snapshot.fields.front().values.size(), {}}};
+    const std::vector<Axis> axes{{"point", snapshot.fields.front().values.size(), {}, changing_}};
     file_.emplace(folder_ / "particles.nc", axes, snapshot, provenance_);
     series_ = {"particles.nc", field_names(snapshot), {}};
   }
   file_->append(snapshot);
   series_.times.push_back(snapshot.time);
-  replace_file(folder_ / "particles.xmf", xdmf_points(series_, snapshot.fields.front().values.size()));
+  counts_.push_back(snapshot.fields.front().values.size());
+  replace_file(folder_ / "particles.xmf", xdmf_points(series_, counts_));
 }
 
 void PointWriter::close() {

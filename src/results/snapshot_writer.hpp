@@ -17,14 +17,18 @@ namespace tether {
 /// HDF5_USE_FILE_LOCKING=FALSE.
 class PointWriter {
  public:
-  PointWriter(std::filesystem::path folder, Provenance provenance);
-  /// The snapshot has the fields `x` and `y`, and the same fields and points every time. Throws FileError.
+  /// `changing`: how many points there are.
+  PointWriter(std::filesystem::path folder, Provenance provenance, bool changing = false);
+  /// The snapshot has the fields `x` and `y`, and the same fields every time, and, unless their number changes, the
+  /// same points; else a record with fewer than another has no numbers at its end. Throws FileError.
   void append(const Snapshot& snapshot);
   void close();
 
  private:
   std::filesystem::path folder_;
   Provenance provenance_;
+  bool changing_;
+  std::vector<std::size_t> counts_;  // of points in each record
   XdmfSeries series_;
   std::optional<SnapshotFile> file_;
 };

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace tether {
 namespace {
 
@@ -13,6 +15,7 @@ using Shape = std::vector<std::size_t>;
 /// One record of a field: its lengths in the file, and as the topology of the XDMF grid counts them.
 struct Layout {
   Shape in_file, in_grid;
+  Shape taken = {};  // of in_file, where that is not all
 };
 
 /// One record of a variable: a slab of the whole data set, given by start, stride and count along each dimension.
@@ -22,7 +25,8 @@ std::string record_item(const XdmfSeries& series, const std::string& field, std:
   std::string text = fmt::format("<DataItem ItemType=\"HyperSlab\" Type=\"HyperSlab\" Dimensions=\"{}\">\n",
                                  fmt::join(layout.in_grid, " "));
   text += fmt::format("<DataItem Dimensions=\"3 {}\" NumberType=\"Int\" Format=\"XML\">{} {} {} 1 {}</DataItem>\n",
-                      shape.size() + 1, record, fmt::join(zeros, " "), fmt::join(ones, " "), fmt::join(shape, " "));
+                      shape.size() + 1, record, fmt::join(zeros, " "), fmt::join(ones, " "),
+                      fmt::join(layout.taken.empty() ? shape : layout.taken, " "));
   text += fmt::format(
       "<DataItem Dimensions=\"{} {}\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">{}:/{}</DataItem>\n",
       series.times.size(), fmt::join(shape, " "), series.file, field);
@@ -34,27 +38,35 @@ std::string attribute(const XdmfSeries& series, const std::string& field, std::s
                      record_item(series, field, record, layout));
 }
 
-/// One uniform grid a record; `place` writes its topology and geometry.
-template <class Place>
-std::string collection(const XdmfSeries& series, const Layout& layout, Place place) {
+/// One uniform grid a record of this layout; `place` writes its topology and geometry.
+template <class LayoutOf, class Place>
+std::string collection_of(const XdmfSeries& series, LayoutOf layout_of, Place place) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
       "<Grid Name=\"series\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (std::size_t record = 0; record < series.times.size(); ++record) {
     text += fmt::format("<Grid Name=\"record\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n", series.times[record]);
     text += place(record);
-    for (const auto& field : series.fields) text += attribute(series, field, record, layout);
+    for (const auto& field : series.fields) text += attribute(series, field, record, layout_of(record));
     text += "</Grid>\n";
   }
   return text + "</Grid>\n</Domain>\n</Xdmf>\n";
 }
 
+template <class Place>
+std::string collection(const XdmfSeries& series, const Layout& layout, Place place) {
+  return collection_of(
+      series, [&layout](std::size_t) { return layout; }, place);
+}
+
 }  // namespace
 
-std::string xdmf_points(const XdmfSeries& series, std::size_t points) {
-  const Layout layout{{points}, {points}};
-  return collection(series, layout, [&](std::size_t record) {
-    return fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n", points) +
+std::string xdmf_points(const XdmfSeries& series, const std::vector<std::size_t>& counts) {
+  const std::size_t most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
+  const auto layout_of = [&](std::size_t record) { return Layout{{most}, {counts[record]}, {counts[record]}}; };
+  return collection_of(series, layout_of, [&](std::size_t record) {
+    const Layout layout = layout_of(record);
+    return fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n", counts[record]) +
            "<Geometry GeometryType=\"X_Y\">\n" + record_item(series, "x", record, layout) +
            record_item(series, "y", record, layout) + "</Geometry>\n";
   });

@@ -17,9 +17,9 @@ struct XdmfSeries {
   std::vector<double> times;        ///< of the records
 };
 
-/// XDMF version 2, which ParaView's "XDMF Reader" reads (its Xdmf3 readers do not): the points of each record at the
-/// fields x and y.
-std::string xdmf_points(const XdmfSeries& series, std::size_t points);
+/// XDMF version 2, which ParaView's "XDMF Reader" reads (its Xdmf3 readers do not): the points of each record, so many,
+/// at the fields x and y.
+std::string xdmf_points(const XdmfSeries& series, const std::vector<std::size_t>& counts);
 
 /// The same for fields over time, node_y, node_x on the nodes of a background grid.
 std::string xdmf_grid(const XdmfSeries& series, const BackgroundGrid& grid);

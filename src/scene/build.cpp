@@ -9,6 +9,7 @@
 #include "scene/axis.hpp"
 #include "scene/bodies.hpp"
 #include "scene/coupled_of_deck.hpp"
+#include "scene/edges_of_deck.hpp"
 #include "scene/fem_checks.hpp"
 #include "scene/flow_of_deck.hpp"
 #include "scene/limits_of_deck.hpp"
@@ -138,6 +139,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;
   scene.geometry = geometry_of(deck);
   scene.walls = path == Path::coupled ? open_walls : walls_of(deck);
+  if (path == Path::mpm) scene.edges = edges_of(deck, scene.walls, diagnostics);
   scene.gravity = deck.real("in", "gravc");
   scene.clock = clock_of(deck, path, diagnostics);
   scene.method = method_of(deck, diagnostics);
@@ -150,6 +152,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
     add_solids(deck, scene, diagnostics);
   } else {
     add_bodies(deck, particles, scene, diagnostics);
+    check_edges(deck, scene, diagnostics);
     if (path == Path::fem) check_fem(deck, particles, scene, diagnostics);
   }
   scene.ambient = ambient_of(deck, scene, diagnostics);

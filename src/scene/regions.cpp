@@ -178,7 +178,7 @@ void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics)
                                               grid.y0, grid.y1)
                                 : "check its vertices, its ellipses and nprg");
   }
-  scene.bodies.push_back({fmt::format("region {}", r), *material, density, energy, first, count});
+  scene.bodies.push_back({fmt::format("region {}", r), *material, density, energy, first, count, false, side});
 }
 
 }  // namespace tether

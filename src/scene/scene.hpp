@@ -12,6 +12,7 @@
 #include "grid/geometry.hpp"
 #include "laws/materials/material.hpp"
 #include "laws/walls/walls.hpp"
+#include "scene/edges.hpp"
 #include "scene/limits.hpp"
 #include "scene/method.hpp"
 #include "scene/path.hpp"
@@ -41,6 +42,7 @@ struct Body {
   double specific_energy = 0;  // initial, of a gas [energy/mass]
   std::size_t first = 0, count = 0;
   bool closed = false;  // membrane: its last point is next to its first
+  int lattice = 1;      // of a region: points along a side of a cell
 };
 
 struct Clock {
@@ -66,6 +68,7 @@ struct Scene {
   BackgroundGrid grid;
   Geometry geometry = Geometry::plane;
   Walls walls;
+  Edges edges;         // gas passes through some of them
   double gravity = 0;  // acceleration in y [length/time2]
   PointSet points;
   std::vector<Body> bodies;

@@ -31,7 +31,8 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
     : plan_(plan),
       request_(request),
       solver_(solver),
-      folder_(request.folder, solver.history_layout(), request.provenance, earlier_snapshots(request)),
+      folder_(request.folder, solver.history_layout(), request.provenance, earlier_snapshots(request),
+              plan.scene.edges.any()),
       history_{solver.history_layout(), {}},
       history_due_(plan.scene.outputs.history),
       points_due_(plan.scene.outputs.points),
@@ -96,7 +97,7 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   last_points_ = solver_.points();
   const std::string run = sha256(checkpoint.deck_effective);
   if (!last_points_.fields.empty())
-    take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run},
+    take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run, plan_.scene.edges.any()},
               [this](const Snapshot& snapshot) { write_points(snapshot); });
   take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
             [this](const Snapshot& snapshot) { write_grid(snapshot); });

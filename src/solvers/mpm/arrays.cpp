@@ -32,7 +32,7 @@ Points::Points(const Scene& scene)
 }
 
 Grid::Grid(const Scene& scene)
-    : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel),
+    : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel, scene.edges),
       sums(frame.shape.nodes()),
       motion(frame.shape.nodes()),
       convected(frame.shape.nodes()),

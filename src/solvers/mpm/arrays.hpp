@@ -28,6 +28,15 @@ struct Points {
 
   explicit Points(const Scene& scene);
   std::size_t size() const { return x.size(); }
+
+  /// Calls visit(array) for each property.
+  template <class Visit>
+  void each_array(const Visit& visit) {
+    for (auto* array : {&x,   &y,   &vx,  &vy,     &mass,   &volume, &vxx, &vyx, &vxy, &vyy, &sxx, &syy,
+                        &sxy, &szz, &rho, &energy, &strain, &hoop,   &tx,  &ty,  &dxx, &dyy, &dxy, &dzz})
+      visit(*array);
+    visit(pinned), visit(id);
+  }
 };
 
 /// Sums over points at a node, mapped at the start of a step (3.15)-(3.18).

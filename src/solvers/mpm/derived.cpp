@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/mpm/derived.hpp"
 
+#include <algorithm>
+
 #include "solvers/mpm/point_laws.hpp"
 
 namespace tether::mpm {
@@ -58,13 +60,37 @@ Extent extent(const IdealGas& law, const Points& P, std::size_t p, Geometry, con
 
 }  // namespace
 
-std::vector<std::size_t> slots_by_id(const Points& points) {
-  std::vector<std::size_t> slots(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) slots[static_cast<std::size_t>(points.id[p])] = p;
-  return slots;
+namespace {
+
+template <class Counts>
+Order order_where(const State& state, const Counts& counts) {
+  Order order;
+  const std::vector<int>& id = state.points.id;
+  for (const Range range : state.ranges) {
+    const std::size_t begin = order.slots.size();
+    for (std::size_t p = range.begin; p < range.end; ++p) {
+      if (counts(p)) order.slots.push_back(p);
+    }
+    std::sort(order.slots.begin() + static_cast<std::ptrdiff_t>(begin), order.slots.end(),
+              [&id](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+    order.bodies.push_back({begin, order.slots.size()});
+  }
+  return order;
 }
 
-void Energies::add(const Scene& scene, std::size_t b, const State& state, const std::vector<std::size_t>& slots) {
+}  // namespace
+
+Order order_of_all(const State& state) {
+  return order_where(state, [](std::size_t) { return true; });
+}
+
+Order order_within(const State& state) {
+  if (!state.strips.on()) return order_of_all(state);
+  const Points& P = state.points;
+  return order_where(state, [&](std::size_t p) { return !state.strips.holds(P.x[p], P.y[p]); });
+}
+
+void Energies::add(const Scene& scene, std::size_t b, const State& state, const Order& order) {
   const Body& body = scene.bodies[b];
   const Points& P = state.points;
   if (state.ambient_of[b]) ambient += state.ambient_of[b]->ambient_energy(P);
@@ -76,8 +102,7 @@ void Energies::add(const Scene& scene, std::size_t b, const State& state, const 
   const bool gas = std::holds_alternative<IdealGas>(body.material);
   std::visit(
       [&](const auto& law) {
-        for (std::size_t id = body.first; id < body.first + body.count; ++id) {
-          const std::size_t p = slots[id];
+        for (const std::size_t p : order.of(b)) {
           strain += stored(law, P, p, scene.geometry);
           if (gas) internal += P.mass[p] * P.energy[p];
         }
@@ -85,23 +110,21 @@ void Energies::add(const Scene& scene, std::size_t b, const State& state, const 
       body.material);
 }
 
-Energies stored_energy(const Scene& scene, const State& state) {
-  const auto slots = slots_by_id(state.points);
+Energies stored_energy(const Scene& scene, const State& state, const Order& order) {
   Energies energies;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) energies.add(scene, b, state, slots);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) energies.add(scene, b, state, order);
   energies.internal += state.heat_under_way;
   return energies;
 }
 
-DerivedFields derived_fields(const Scene& scene, const Points& P, const std::vector<std::size_t>& slots,
+DerivedFields derived_fields(const Scene& scene, const Points& P, const Order& order,
                              const std::vector<double>& pressures) {
   DerivedFields fields;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     std::visit(
         [&](const auto& law) {
-          for (std::size_t id = body.first; id < body.first + body.count; ++id) {
-            const std::size_t p = slots[id];
+          for (const std::size_t p : order.of(b)) {
             const Extent now = extent(law, P, p, scene.geometry, pressures);
             fields.body.push_back(static_cast<double>(b + 1));
             fields.volume.push_back(now.volume);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -9,26 +10,36 @@
 
 namespace tether::mpm {
 
-/// The slot in which each point of the scene stands now.
-std::vector<std::size_t> slots_by_id(const Points& points);
+/// The slots in which points stand, body after body, in each by the points' numbers.
+struct Order {
+  std::vector<std::size_t> slots;
+  std::vector<Range> bodies;  // of `slots`
 
-/// Stored and internal energy [energy]. `slots` says where each point of the scene stands.
+  std::span<const std::size_t> of(std::size_t b) const {
+    return {slots.data() + bodies[b].begin, bodies[b].end - bodies[b].begin};
+  }
+};
+/// Of all points, or of those that no strip beyond an open edge holds.
+Order order_of_all(const State& state);
+Order order_within(const State& state);
+
+/// Stored and internal energy [energy].
 struct Energies {
   double strain = 0, internal = 0, ambient = 0;
-  void add(const Scene& scene, std::size_t b, const State& state, const std::vector<std::size_t>& slots);
+  void add(const Scene& scene, std::size_t b, const State& state, const Order& order);
   double sum() const { return strain + internal + ambient; }
 };
 /// Of all bodies, and heat that is under way to the gas.
-Energies stored_energy(const Scene& scene, const State& state);
+Energies stored_energy(const Scene& scene, const State& state, const Order& order);
 
-/// Fields that follow from the state by the point's law, in the order of the scene.
+/// Fields that follow from the state by the point's law, in the given order.
 struct DerivedFields {
   std::vector<double> body, volume, density, pressure;
   std::vector<double> strain_xx, strain_yy, strain_xy;  // elastic strain of solids, tangent strain of strings
   std::vector<double> normal_x, normal_y;               // of strings: the tangent turned left by a right angle
 };
 /// `pressures` as StepSet::gas_pressures.
-DerivedFields derived_fields(const Scene& scene, const Points& points, const std::vector<std::size_t>& slots,
+DerivedFields derived_fields(const Scene& scene, const Points& points, const Order& order,
                              const std::vector<double>& pressures);
 
 }  // namespace tether::mpm

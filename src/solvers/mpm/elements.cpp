@@ -17,8 +17,8 @@ constexpr double at_a_wall = 1e-9;
 
 }  // namespace
 
-Elements::Elements(const Scene& scene, std::size_t b, const Points& points, const Frame& frame)
-    : range_{scene.bodies[b].first, scene.bodies[b].first + scene.bodies[b].count},
+Elements::Elements(const Scene& scene, std::size_t b, Range range, const Points& points, const Frame& frame)
+    : range_(range),
       law_(std::get<Membrane>(scene.bodies[b].material)),
       about_axis_(scene.geometry == Geometry::axisymmetric),
       closed_(scene.bodies[b].closed),

@@ -16,8 +16,8 @@ namespace tether::mpm {
 /// behind walls that mirror, with these; between the left and the right wall what lies below it.
 class Elements {
  public:
-  /// Of body b of the scene; the points stand where they start, with their initial strains.
-  Elements(const Scene& scene, std::size_t b, const Points& points, const Frame& frame);
+  /// Of body b of the scene, in these slots; the points stand where they start, with their initial strains.
+  Elements(const Scene& scene, std::size_t b, Range range, const Points& points, const Frame& frame);
 
   Range range() const { return range_; }
   /// Energy stored in the elements at the points' present places; that of the pressure outside, 0 at the start

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
 
 #include "solvers/mpm/derived.hpp"
 #include "solvers/plane_quantities.hpp"
@@ -29,6 +32,24 @@ const std::vector<Quantity>& scene_quantities() {
   return rows;
 }
 
+/// In the order of record().
+const std::vector<Quantity>& edge_quantities() {
+  using D = Dimension;
+  static const std::vector<Quantity> rows{
+      {"edge_mass_in", D::mass, "mass that came in through open edges"},
+      {"edge_mass_out", D::mass, "mass that went out through open edges"},
+      {"edge_mass_back", D::mass, "mass of both that came in through an outflow or went out through an inflow"},
+      {"edge_momentum_x", D::momentum, "momentum in x that came in through open edges, less what went out"},
+      {"edge_momentum_y", D::momentum, "momentum in y that came in through open edges, less what went out"},
+      {"edge_energy_in", D::energy, "energy that came in through open edges", Per::scene, Book::gained},
+      {"edge_energy_out", D::energy, "energy that went out through open edges", Per::scene, Book::given},
+  };
+  return rows;
+}
+
+/// Of a point that has left the grid.
+constexpr double gone = std::numeric_limits<double>::quiet_NaN();
+
 /// Of a body. Under APIC a point also carries the field about it: D = h^2/4 an axis of C's squares, and of its spin.
 struct Motion {
   Pair D{};
@@ -49,11 +70,27 @@ struct Motion {
   }
 };
 
-/// Sums over a body in the order of the scene, so that constant sums stay constant to the last bit.
-Motion motion_of(const Body& body, const Points& P, const std::vector<std::size_t>& slots, Pair D) {
+/// Sums over a body in the order of its points' numbers, so that constant sums stay constant to the last bit.
+Motion motion_of(std::span<const std::size_t> body, const Points& P, Pair D) {
   Motion motion{D};
-  for (std::size_t id = body.first; id < body.first + body.count; ++id) motion.add(P, slots[id]);
+  for (const std::size_t p : body) motion.add(P, p);
   return motion;
+}
+
+/// Slots of the tracked points; past the last slot for one that has left the grid.
+std::vector<std::size_t> tracked_slots(const State& state, const Scene& scene, const Order& order) {
+  const std::vector<int>& id = state.points.id;
+  std::vector<std::size_t> tracked;
+  for (const std::size_t number : scene.tracked) {
+    if (!state.strips.on()) {  // all are there
+      tracked.push_back(order.slots[number]);
+      continue;
+    }
+    const auto found = std::find_if(order.slots.begin(), order.slots.end(),
+                                    [&](std::size_t p) { return static_cast<std::size_t>(id[p]) == number; });
+    tracked.push_back(found == order.slots.end() ? id.size() : *found);
+  }
+  return tracked;
 }
 
 /// Whether impulses of contact may act: a solid is there, and another body.
@@ -92,6 +129,9 @@ HistoryLayout history_layout(const Scene& scene) {
                                  "energy that impulses of contact have taken, no longer in the total", Per::scene,
                                  Book::lost});
   }
+  if (scene.edges.any()) {
+    for (const auto& row : edge_quantities()) layout.quantities.push_back(row);
+  }
   if (scene.outputs.tracked_angle) {
     layout.quantities.push_back(
         {"tracked_angle", Dimension::number,
@@ -108,14 +148,14 @@ HistoryLayout history_layout(const Scene& scene) {
 
 Record record(const State& state, const Scene& scene) {
   const Points& P = state.points;
-  const auto slots = slots_by_id(P);
+  const Order order = order_within(state);
   std::vector<Motion> bodies;
   Motion all;
-  const Energies energies = stored_energy(scene, state);
+  const Energies energies = stored_energy(scene, state, order);
   const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
   const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    bodies.push_back(motion_of(scene.bodies[b], P, slots, D));
+    bodies.push_back(motion_of(order.of(b), P, D));
     all.add(bodies.back());
   }
   const double potential = -scene.gravity * all.my;
@@ -133,10 +173,19 @@ Record record(const State& state, const Scene& scene) {
   if (scene.ambient != 0) values.push_back(energies.ambient);
   if (state.keeps_ledger) values.push_back(state.heat_given);
   const Balance& balance = state.balance;
-  values.insert(values.end(), {balance.transfer, balance.walls, balance.integration(energies.sum())});
+  const double stored = energies.sum() - state.strips.passed().stored;  // without what came in by the edges
+  values.insert(values.end(), {balance.transfer, balance.walls, balance.integration(stored)});
   if (by_gap(scene)) values.push_back(state.contact.lost());
+  if (state.strips.on()) {
+    const Passed& passed = state.strips.passed();
+    for (const double value : {passed.mass_in, passed.mass_out, passed.back, passed.momentum_x, passed.momentum_y,
+                               passed.energy_in, passed.energy_out})
+      values.push_back(value);
+  }
+  const auto tracked = tracked_slots(state, scene, order);
+  const bool all_there = std::none_of(tracked.begin(), tracked.end(), [&](std::size_t p) { return p >= P.size(); });
   if (scene.outputs.tracked_angle) {
-    values.push_back(tracked_angle(P, slots[scene.tracked.front()], slots[scene.tracked.back()]));
+    values.push_back(all_there ? tracked_angle(P, tracked.front(), tracked.back()) : gone);
   }
   const auto per_body = [&](auto get) {
     for (const Motion& m : bodies) values.push_back(get(m));
@@ -147,7 +196,7 @@ Record record(const State& state, const Scene& scene) {
   per_body([](const Motion& m) { return m.py / m.mass; });
   per_body([](const Motion& m) { return m.mass; });
   for (const auto* array : {&P.x, &P.y, &P.vx, &P.vy}) {
-    for (const std::size_t id : scene.tracked) values.push_back((*array)[slots[id]]);
+    for (const std::size_t p : tracked) values.push_back(p < P.size() ? (*array)[p] : gone);
   }
   return values;
 }

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int room = 6;  // cells behind an open edge that points may move into
 
-/// Nodes that the kernel needs before a wall's row.
-int padding(Kernel kernel, Wall wall) {
+/// Nodes that the kernel needs before a wall's row, or the strip before an edge's.
+int padding(Kernel kernel, Wall wall, const Edge& edge) {
+  if (edge.open()) return strip_cells + 2;
   if (kernel == Kernel::linear) return 0;
   return wall == Wall::open ? room + 1 : 1;
 }
@@ -25,12 +26,16 @@ struct Axis {
   int nodes, before, behind;
   bool fold_low, fold_high;
 
-  Axis(Kernel kernel, int deck_nodes, Wall low, Wall high)
-      : nodes(deck_nodes + padding(kernel, low) + padding(kernel, high)),
-        before(padding(kernel, low)),
-        behind(padding(kernel, high)),
-        fold_low(kernel == Kernel::bspline && low != Wall::open),
-        fold_high(kernel == Kernel::bspline && high != Wall::open) {}
+  struct Side {
+    Wall wall;
+    const Edge& edge;
+  };
+  Axis(Kernel kernel, int deck_nodes, Side low, Side high)
+      : nodes(deck_nodes + padding(kernel, low.wall, low.edge) + padding(kernel, high.wall, high.edge)),
+        before(padding(kernel, low.wall, low.edge)),
+        behind(padding(kernel, high.wall, high.edge)),
+        fold_low(kernel == Kernel::bspline && low.wall != Wall::open),
+        fold_high(kernel == Kernel::bspline && high.wall != Wall::open) {}
 
   int low_wall() const { return before; }
   int high_wall() const { return nodes - 1 - behind; }
@@ -117,15 +122,19 @@ BackgroundGrid enlarged(const BackgroundGrid& deck, const Axis& x, const Axis& y
 
 }  // namespace
 
-Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry, Kernel kernel) : deck(deck_) {
-  const Axis x(kernel, deck.nx, walls.left, walls.right), y(kernel, deck.ny, walls.bottom, walls.top);
+Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges)
+    : deck(deck_) {
+  const auto& [left_edge, right_edge, bottom_edge, top_edge] = edges.of;
+  const Axis x(kernel, deck.nx, {walls.left, left_edge}, {walls.right, right_edge});
+  const Axis y(kernel, deck.ny, {walls.bottom, bottom_edge}, {walls.top, top_edge});
   shape = enlarged(deck, x, y);
   left = x.before, bottom = y.before;
-  const auto margin = [&](Wall wall, double h) {
+  const auto margin = [&](Wall wall, const Edge& edge, double h) {
+    if (edge.open()) return (strip_cells + 1) * h;
     return kernel == Kernel::bspline && wall == Wall::open ? room * h : 0;
   };
-  x0 = deck.x0 - margin(walls.left, deck.dx), x1 = deck.x1 + margin(walls.right, deck.dx);
-  y0 = deck.y0 - margin(walls.bottom, deck.dy), y1 = deck.y1 + margin(walls.top, deck.dy);
+  x0 = deck.x0 - margin(walls.left, left_edge, deck.dx), x1 = deck.x1 + margin(walls.right, right_edge, deck.dx);
+  y0 = deck.y0 - margin(walls.bottom, bottom_edge, deck.dy), y1 = deck.y1 + margin(walls.top, top_edge, deck.dy);
   if (geometry == Geometry::axisymmetric) x0 = std::max(x0, 0.0);  // room behind an open edge ends at the axis
   ghosts = ghosts_of(x, y, walls);
   held = held_nodes(x, y, walls);

@@ -8,6 +8,7 @@
 #include "grid/geometry.hpp"
 #include "grid/pair.hpp"
 #include "laws/walls/walls.hpp"
+#include "scene/edges.hpp"
 #include "scene/method.hpp"
 
 namespace tether::mpm {
@@ -21,7 +22,8 @@ struct Ghost {
 };
 
 /// The nodes that a run computes with: the deck's grid, and around it what the kernel reaches to. Behind a wall that is
-/// a row of ghosts; behind an open edge there is room, padding of six cells into which points may move.
+/// a row of ghosts; behind an open wall there is room, padding of six cells into which points may move; beyond an edge
+/// through which gas passes, by any kernel, there are the cells of its strip, and two more.
 struct Frame {
   BackgroundGrid shape;      // with what is around it
   BackgroundGrid deck;       // the deck's grid
@@ -33,7 +35,7 @@ struct Frame {
   std::vector<Pair> sign;          // of each node: a ghost's, else 1
   std::vector<double> per_volume;  // 1 / int N_i dV of the image: a wall's node has half, a corner's a quarter
 
-  Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel);
+  Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges = {});
 
   /// False for NaN.
   bool contains(double x, double y) const { return x >= x0 && x <= x1 && y >= y0 && y <= y1; }

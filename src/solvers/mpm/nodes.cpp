@@ -58,6 +58,26 @@ void clear_sums(Grid& grid) {
   for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)] = {};
 }
 
+void map_anew(State& state, const Scene& scene, const StepSet& set) {
+  Grid& grid = state.grid;
+  const std::vector<int> before = grid.active_nodes;
+  set.list_active(grid, state.points);
+  for (const int node : before) {
+    const auto n = static_cast<std::size_t>(node);
+    if (grid.loss.empty() || grid.loss[n] == 0 || grid.node_stamp[n] == grid.stamp) continue;
+    state.heat_under_way -= grid.loss[n];
+    state.strips.book_lost_heat(grid.loss[n]);
+    grid.loss[n] = 0;
+  }
+  set.map_all(state, scene, grid.sums);
+}
+
+void forget_sums(State& state, const StepSet& set) {
+  clear_sums(state.grid);
+  set.list_active(state.grid, state.points);
+  clear_sums(state.grid);
+}
+
 void clear_forces(Grid& grid) {
   for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)].force = Pair{};
 }

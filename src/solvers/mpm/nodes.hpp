@@ -22,6 +22,12 @@ void clear_convected(Grid& grid);
 void clear_sums(Grid& grid);
 void clear_forces(Grid& grid);
 
+/// The lists of cells and nodes, and all sums, from where the points are now: for points that came, went or were moved
+/// outside a step. Heat under way at nodes that no point reaches any more has gone with the gas that was there.
+void map_anew(State& state, const Scene& scene, const StepSet& set);
+/// What has to go before: sums at the nodes of the step, and at those that its points have reached by now.
+void forget_sums(State& state, const StepSet& set);
+
 /// Density of the gas at the nodes from its mass there.
 void gas_at_nodes(Grid& grid);
 /// Books energy that was lost away from the gas as heat of all gas alike.

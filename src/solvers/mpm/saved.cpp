@@ -8,8 +8,9 @@ namespace {
 
 /// Sums at the nodes that hold points, in the order of the list of these nodes.
 struct ActiveSums {
-  std::vector<int> apart;   // what criterion 3 remembers
-  double contact_lost = 0;  // and what impulses took
+  std::vector<std::size_t> begin, end;  // of each body, its slots
+  std::vector<int> apart;               // what criterion 3 remembers
+  double contact_lost = 0;              // and what impulses took
   std::vector<double> m, gas, momentum_x, momentum_y, force_x, force_y, loss;
   std::vector<double> element_force_x, element_force_y;  // on the points of membranes, of the last step
 };
@@ -67,16 +68,36 @@ void put_forces(const ActiveSums& sums, State& state) {
   });
 }
 
+void take_ranges(const State& state, ActiveSums& sums) {
+  for (const Range range : state.ranges) sums.begin.push_back(range.begin), sums.end.push_back(range.end);
+}
+
+/// Arrays that no checkpoint has follow the others' length.
+void put_ranges(const ActiveSums& sums, const Scene& scene, State& state) {
+  const double gas_mass = state.gas_mass;
+  state.points.each_array([n = state.points.x.size()](auto& array) { array.resize(n); });
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) state.ranges[b] = {sums.begin[b], sums.end[b]};
+  state.list_fluids(scene);
+  state.gas_mass = gas_mass;  // to the last bit: it was added up in another order
+  state.strips.find_gas_on_edges();
+}
+
 /// The list of what a state consists of, once for both ways.
 template <class Exchange, class AnyState, class Sums>
 void exchange(Exchange& with, AnyState& state, Sums& sums) {
   auto& P = state.points;
-  with("x", P.x), with("y", P.y), with("vx", P.vx), with("vy", P.vy);
-  with("vxx", P.vxx), with("vyx", P.vyx), with("vxy", P.vxy), with("vyy", P.vyy);
-  with("mass", P.mass), with("volume", P.volume);
-  with("sxx", P.sxx), with("syy", P.syy), with("sxy", P.sxy), with("szz", P.szz);
-  with("rho", P.rho), with("energy", P.energy), with("strain", P.strain), with("hoop", P.hoop);
-  with("tx", P.tx), with("ty", P.ty), with("id", P.id);
+  const auto take = [&](const char* name, auto& array) {  // where gas passes the edges their number changes
+    state.strips.on() ? with.list(name, array) : with(name, array);
+  };
+  take("x", P.x), take("y", P.y), take("vx", P.vx), take("vy", P.vy);
+  take("vxx", P.vxx), take("vyx", P.vyx), take("vxy", P.vxy), take("vyy", P.vyy);
+  take("mass", P.mass), take("volume", P.volume);
+  take("sxx", P.sxx), take("syy", P.syy), take("sxy", P.sxy), take("szz", P.szz);
+  take("rho", P.rho), take("energy", P.energy), take("strain", P.strain), take("hoop", P.hoop);
+  take("tx", P.tx), take("ty", P.ty), take("id", P.id);
+  Strips::exchange(with, state.strips);
+  with("body_begin", sums.begin), with("body_end", sums.end), with("gas_mass", state.gas_mass);
+  with("point_steps", state.point_steps);
   with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);
   with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_loss", sums.loss);
   with.list("node_momentum_x", sums.momentum_x), with.list("node_momentum_y", sums.momentum_y);
@@ -103,16 +124,19 @@ SavedState save(const State& state) {
   sums.apart = state.contact.memory();
   sums.contact_lost = state.contact.lost();
   take_forces(state, sums);
+  take_ranges(state, sums);
   exchange(saver, state, sums);
   return saver.take();
 }
 
-void restore(State& state, const SavedState& saved) {
+void restore(State& state, const Scene& scene, const SavedState& saved) {
   std::fill(state.grid.sums.begin(), state.grid.sums.end(), NodeSums{});
   std::fill(state.grid.loss.begin(), state.grid.loss.end(), 0.0);
   StateRestorer restorer(saved);
   ActiveSums sums;
+  take_ranges(state, sums);
   exchange(restorer, state, sums);
+  put_ranges(sums, scene, state);
   put_sums(sums, state.grid);
   state.contact.remember(sums.apart);
   state.contact.set_lost(sums.contact_lost);

@@ -12,18 +12,18 @@ Field field(const char* name, Dimension dimension, const char* meaning, std::vec
   return {{name, dimension, meaning, Per::scene}, std::move(values)};
 }
 
-/// An array of the points in the order of the scene.
-std::vector<double> in_order(const std::vector<double>& array, const std::vector<std::size_t>& slots) {
+/// An array of the points in an order.
+std::vector<double> in_order(const std::vector<double>& array, const Order& order) {
   std::vector<double> values;
-  values.reserve(slots.size());
-  for (const std::size_t slot : slots) values.push_back(array[slot]);
+  values.reserve(order.slots.size());
+  for (const std::size_t slot : order.slots) values.push_back(array[slot]);
   return values;
 }
 
-std::vector<double> numbers(const Points& points, const std::vector<std::size_t>& slots) {
+std::vector<double> numbers(const Points& points, const Order& order) {
   std::vector<double> values;
-  values.reserve(slots.size());
-  for (const std::size_t slot : slots) values.push_back(points.id[slot] + 1.0);
+  values.reserve(order.slots.size());
+  for (const std::size_t slot : order.slots) values.push_back(points.id[slot] + 1.0);
   return values;
 }
 
@@ -38,11 +38,11 @@ std::vector<double> over_nodes(const Frame& frame, const Get& get) {
 
 double quotient(double a, double m) { return m > 0 ? a / m : 0; }
 
-/// sum m_p q_p N_i / m_i of a quantity q that stands in the order of the scene.
+/// sum m_p q_p N_i / m_i of a quantity q of all points in their order.
 std::vector<double> mean_at_nodes(const State& state, const StepSet& set, const std::vector<NodeSums>& sums,
-                                  const std::vector<std::size_t>& slots, const std::vector<double>& q) {
+                                  const Order& order, const std::vector<double>& q) {
   std::vector<double> of_slots(q.size()), values(sums.size(), 0.0);
-  for (std::size_t id = 0; id < slots.size(); ++id) of_slots[slots[id]] = q[id];
+  for (std::size_t k = 0; k < q.size(); ++k) of_slots[order.slots[k]] = q[k];
   set.map_quantity(state, of_slots, values);
   return over_nodes(state.grid.frame, [&](std::size_t n) { return quotient(values[n], sums[n].m); });
 }
@@ -51,14 +51,14 @@ std::vector<double> mean_at_nodes(const State& state, const StepSet& set, const 
 
 Snapshot point_fields(const State& state, const Scene& scene) {
   const Points& P = state.points;
-  const auto slots = slots_by_id(P);
-  const auto of = [&](const std::vector<double>& array) { return in_order(array, slots); };
-  DerivedFields derived = derived_fields(scene, P, slots, step_set(scene).gas_pressures(state, scene));
+  const Order order = order_within(state);
+  const auto of = [&](const std::vector<double>& array) { return in_order(array, order); };
+  DerivedFields derived = derived_fields(scene, P, order, step_set(scene).gas_pressures(state, scene));
   using D = Dimension;
   return {state.time,
           {field("x", D::length, "place, x", of(P.x)),
            field("y", D::length, "place, y", of(P.y)),
-           field("id", D::number, "number of the point, from 1", numbers(P, slots)),
+           field("id", D::number, "number of the point, from 1", numbers(P, order)),
            field("body", D::number, "number of its body, from 1", std::move(derived.body)),
            field("vx", D::velocity, "velocity, x", of(P.vx)),
            field("vy", D::velocity, "velocity, y", of(P.vy)),
@@ -84,12 +84,12 @@ Snapshot point_fields(const State& state, const Scene& scene) {
 Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set) {
   std::vector<NodeSums> sums(state.grid.frame.shape.nodes());
   set.map_all(state, scene, sums);
-  const auto slots = slots_by_id(state.points);
-  const DerivedFields derived = derived_fields(scene, state.points, slots, set.gas_pressures(state, scene));
+  const Order order = order_of_all(state);
+  const DerivedFields derived = derived_fields(scene, state.points, order, set.gas_pressures(state, scene));
   const auto nodes = [&](const auto& get) {
     return over_nodes(state.grid.frame, [&](std::size_t n) { return get(sums[n]); });
   };
-  const auto mean = [&](const std::vector<double>& q) { return mean_at_nodes(state, set, sums, slots, q); };
+  const auto mean = [&](const std::vector<double>& q) { return mean_at_nodes(state, set, sums, order, q); };
   using D = Dimension;
   return {state.time,
           {field("mass", D::mass, "mass mapped to the node", nodes([](const NodeSums& n) { return n.m; })),
@@ -104,7 +104,7 @@ Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set)
            field("density", D::density, "mean of the points by mass", mean(derived.density)),
            field("pressure", D::stress, "mean of the points by mass", mean(derived.pressure)),
            field("specific_energy", D::specific_energy, "mean of the points by mass",
-                 mean(in_order(state.points.energy, slots)))}};
+                 mean(in_order(state.points.energy, order)))}};
 }
 
 }  // namespace tether::mpm

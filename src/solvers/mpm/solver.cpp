@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/nodes.hpp"
 #include "solvers/mpm/steps.hpp"
 #include "solvers/mpm/stop.hpp"
 #include "solvers/mpm/string_watch.hpp"
@@ -19,6 +20,15 @@ namespace {
 
 /// A step this much shorter than the deck's is no step any more.
 constexpr double vanishing = 1e-9;
+
+/// Internal energy of all gas, and of what is under way to it [energy].
+double heat_of_gas(const State& state) {
+  double sum = state.heat_under_way;
+  for (const Range range : state.gas) {
+    for (std::size_t p = range.begin; p < range.end; ++p) sum += state.points.mass[p] * state.points.energy[p];
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -53,12 +63,25 @@ double MpmSolver::next_step() {
 
 void MpmSolver::step(double dt) {
   StepWork work{state_, plan_.scene, {}, {}};
+  if (state_.strips.on()) state_.strips.before_step(state_, plan_.scene);
   set_.step(work, dt);
+  if (state_.strips.on() && work.trouble.kind == TroubleKind::none) pass_edges(work, dt);
   if (work.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.trouble, dt);
   state_.crossings_since_sort += work.found.crossings;
   state_.balance.add(work.nodes, work.found.squares, work.found.lifted, plan_.scene.method.transfer == Transfer::apic,
                      plan_.scene.gravity, dt);
   finish_step(work.found, dt);
+}
+
+/// What gas that passes an edge changes: points, and with them the sums at the nodes.
+void MpmSolver::pass_edges(StepWork& work, double dt) {
+  forget_sums(state_, set_);
+  const double stored = heat_of_gas(state_);
+  state_.strips.after_step(state_, plan_.scene, dt, work.found, work.trouble);
+  for (auto& text : state_.strips.take_news()) messages_.push_back(std::move(text));
+  if (work.trouble.kind != TroubleKind::none) return;
+  map_anew(state_, plan_.scene, set_);
+  state_.balance.stored += heat_of_gas(state_) - stored;  // that is no work of the nodes' forces
 }
 
 void MpmSolver::finish_step(const StepFindings& found, double dt) {
@@ -72,6 +95,7 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   // A last step that tmax cuts short tells nothing of the run.
   if (state_.steps == 0 || (!last && dt < state_.dt_min)) state_.dt_min = dt;
   ++state_.steps;
+  state_.point_steps += static_cast<long long>(state_.points.size());
   state_.c_max = std::sqrt(found.c_squared_max);
   state_.wave_max = found.wave_max;
   state_.heat_given += found.heat;
@@ -79,7 +103,7 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   if (strings_) {
     if (auto text = watch_strings(state_, plan_.scene)) messages_.push_back(std::move(*text));
   }
-  if (found.crossings > 0) set_.list_active(state_.grid, state_.points);
+  if (found.crossings > 0 && !state_.strips.on()) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
 }
 
@@ -92,9 +116,7 @@ void MpmSolver::sort_where_scattered() {
 
 RunCounts MpmSolver::counts() const {
   const auto points = state_.points.size();
-  return {state_.steps,  state_.steps * static_cast<long long>(points),
-          points,        state_.grid.active_cells.size(),
-          state_.dt_min, state_.dt_last};
+  return {state_.steps, state_.point_steps, points, state_.grid.active_cells.size(), state_.dt_min, state_.dt_last};
 }
 
 HistoryLayout MpmSolver::history_layout() const { return mpm::history_layout(plan_.scene); }

@@ -29,11 +29,12 @@ class MpmSolver final : public Solver {
   Summary more_summary() const override;
   std::vector<std::string> take_messages() override;
   SavedState save() const override { return mpm::save(state_); }
-  void restore(const SavedState& saved) override { mpm::restore(state_, saved); }
+  void restore(const SavedState& saved) override { mpm::restore(state_, plan_.scene, saved); }
 
  private:
   double next_step();
   void step(double dt);
+  void pass_edges(StepWork& work, double dt);
   void finish_step(const StepFindings& found, double dt);
   void sort_where_scattered();
 

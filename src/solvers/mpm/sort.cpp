@@ -9,6 +9,7 @@ CellSort::CellSort(std::size_t points) : doubles_(points), ints_(points) { keys_
 
 template <class T>
 void CellSort::permute(std::vector<T>& array, std::vector<T>& scratch, Range range) const {
+  if (scratch.size() < keys_.size()) scratch.resize(keys_.size());  // points came in
   for (std::size_t k = 0; k < keys_.size(); ++k) scratch[k] = array[keys_[k].slot];
   std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
 }

@@ -77,13 +77,6 @@ std::optional<CellDensity> cell_density(const Scene& scene, const Frame& frame) 
   return std::nullopt;
 }
 
-void list_gas(const Body& body, Range range, const IdealGas& gas, State& state) {
-  state.gas.push_back(range);
-  if (from_cells(gas)) state.gas_by_cells.push_back(range);
-  if (gas.rule == DensityRule::grid) state.gas_by_nodes.push_back(range);
-  for (std::size_t p = body.first; p < body.first + body.count; ++p) state.gas_mass += state.points.mass[p];
-}
-
 /// A rule of chapter 7 for membranes whose strain is their points'. A padded grid's edges are no walls to it.
 void make_normals(const Scene& scene, State& state) {
   const Method& method = scene.method;
@@ -91,9 +84,6 @@ void make_normals(const Scene& scene, State& state) {
   std::size_t most = 0;
   for (const Body& body : scene.bodies) {
     if (std::holds_alternative<Membrane>(body.material)) most = std::max(most, body.count);
-    const bool fluid =
-        std::holds_alternative<IdealGas>(body.material) || std::holds_alternative<LinearFluid>(body.material);
-    if (fluid) state.fluids.push_back({body.first, body.first + body.count});
   }
   if (most == 0) return;
   const Frame& frame = state.grid.frame;
@@ -110,9 +100,9 @@ void make_elements(const Scene& scene, State& state) {
     auto& ambient = state.ambient_of.emplace_back();
     if (!std::holds_alternative<Membrane>(scene.bodies[b].material)) continue;
     if (elements)
-      of.emplace(scene, b, state.points, state.grid.frame);
+      of.emplace(scene, b, state.ranges[b], state.points, state.grid.frame);
     else if (scene.ambient != 0)
-      ambient.emplace(scene, b, state.points, state.grid.frame);
+      ambient.emplace(scene, b, state.ranges[b], state.points, state.grid.frame);
     std::size_t bad = 0;
     if (of) of->update(state.points, bad);
     if (ambient) ambient->update_ambient(state.points);
@@ -136,22 +126,38 @@ State start(const Scene& scene) {
     const bool pins = std::any_of(scene.pinned.begin(), scene.pinned.end(),
                                   [&](std::size_t p) { return p >= body.first && p < body.first + body.count; });
     state.has_pins.push_back(pins ? 1 : 0);
-    const auto* gas = std::get_if<IdealGas>(&body.material);
-    if (gas) list_gas(body, state.ranges.back(), *gas, state);
   }
+  state.list_fluids(scene);
+  state.strips.fill(state, scene);
   state.keeps_ledger = keeps_ledger(scene);
-  CellSort(scene.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
+  CellSort(state.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
   if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
   make_normals(scene, state);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     std::visit(StartPoints{state, scene.bodies[b], state.ranges[b], b, {}}, scene.bodies[b].material);
   }
+  state.strips.begin(state, scene);
   make_elements(scene, state);
   const StepSet set = step_set(scene);
   set.list_active(state.grid, state.points);
   set.map_all(state, scene, state.grid.sums);
-  state.balance.stored = stored_energy(scene, state).sum();
+  state.balance.stored = stored_energy(scene, state, order_within(state)).sum();
   return state;
+}
+
+void State::list_fluids(const Scene& scene) {
+  gas.clear(), gas_by_cells.clear(), gas_by_nodes.clear(), fluids.clear();
+  gas_mass = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Range range = ranges[b];
+    if (std::holds_alternative<LinearFluid>(scene.bodies[b].material)) fluids.push_back(range);
+    const auto* law = std::get_if<IdealGas>(&scene.bodies[b].material);
+    if (!law) continue;
+    gas.push_back(range), fluids.push_back(range);
+    if (from_cells(*law)) gas_by_cells.push_back(range);
+    if (law->rule == DensityRule::grid) gas_by_nodes.push_back(range);
+    for (std::size_t p = range.begin; p < range.end; ++p) gas_mass += points.mass[p];
+  }
 }
 
 void State::find_tangents(std::size_t b) {

@@ -13,6 +13,7 @@
 #include "solvers/mpm/elements.hpp"
 #include "solvers/mpm/normals.hpp"
 #include "solvers/mpm/range.hpp"
+#include "solvers/mpm/strips.hpp"
 
 namespace tether::mpm {
 
@@ -32,6 +33,7 @@ struct State {
   std::optional<CellDensity> density;                // where the gas takes its density from cells
   std::vector<std::optional<Elements>> elements_of;  // of each body: its elements, where they make its forces
   std::vector<std::optional<Elements>> ambient_of;   // of each body: where only the pressure outside needs them
+  Strips strips;                                     // of gas beyond open edges
   Contact contact;                                   // of bodies that share nodes
   bool keeps_ledger = false;                         // of heat that transfers and elements lose
   Balance balance;                                   // of energy
@@ -48,11 +50,14 @@ struct State {
   double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
   bool gap_told = false;               // whether one that does not hold together was told
   bool limit_told = false;             // whether a shorter step than the deck's was told
+  long long point_steps = 0;
 
-  explicit State(const Scene& scene) : points(scene), grid(scene), contact(scene, grid.frame) {}
+  explicit State(const Scene& scene) : points(scene), grid(scene), strips(scene), contact(scene, grid.frame) {}
 
   /// New tangents of membrane b by the scene's rule, and the total strain's component along them (5.3).
   void turn_tangents(const Scene& scene, std::size_t b);
+  /// The lists of gases and fluids, and the mass of all gas, from the present ranges.
+  void list_fluids(const Scene& scene);
   /// New tangents alone; those of before say which way they run.
   void find_tangents(std::size_t b);
 };
@@ -68,6 +73,6 @@ bool keeps_ledger(const Scene& scene);
 /// are, since points that were sorted meanwhile would add up to others. Scratch arrays are left out. restore() throws
 /// FileError.
 SavedState save(const State& state);
-void restore(State& state, const SavedState& saved);
+void restore(State& state, const Scene& scene, const SavedState& saved);
 
 }  // namespace tether::mpm

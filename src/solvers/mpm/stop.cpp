@@ -15,7 +15,7 @@ namespace {
 
 std::size_t body_of(const State& state, std::size_t slot) {
   std::size_t b = 0;
-  while (slot >= state.ranges[b].end) ++b;
+  while (slot < state.ranges[b].begin || slot >= state.ranges[b].end) ++b;  // gas may stand after others
   return b;
 }
 
@@ -63,6 +63,8 @@ std::string what_happened(const State& state, const Walls& walls, const Trouble&
       if (P.rho[p] < 0)
         return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", P.rho[p]);
       return "has a stress that is no number: likely cause, a run that diverged";
+    case TroubleKind::at_open_edge:
+      return "is beyond an open edge, through which only gas passes: make the grid larger, or stop what moves there";
     case TroubleKind::none:
       break;
   }

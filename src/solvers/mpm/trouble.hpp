@@ -5,7 +5,7 @@
 
 namespace tether::mpm {
 
-enum class TroubleKind { none, left_grid, jumped, unsound };
+enum class TroubleKind { none, left_grid, jumped, unsound, at_open_edge };
 
 /// The first point of a step whose numbers are no longer sound. Noted inside the passes, told after them.
 struct Trouble {

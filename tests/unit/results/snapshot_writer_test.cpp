@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/snapshot_writer.hpp"
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "base/file.hpp"
@@ -40,6 +42,29 @@ TEST_F(SnapshotWriterTest, WritesFieldsOfPoints) {
   EXPECT_EQ(reader.attribute("units", "id"), "1");
   EXPECT_EQ(reader.attribute("units", "time"), "s");
   EXPECT_EQ(reader.attribute("long_name", "x"), "place along x");
+}
+
+/// The first n of the points.
+Snapshot first_points(double time, std::size_t n) {
+  Snapshot snapshot = test::three_points(time);
+  for (Field& field : snapshot.fields) field.values.resize(n);
+  return snapshot;
+}
+
+TEST_F(SnapshotWriterTest, ARecordWithFewerPointsHasNoNumbersAtItsEnd) {
+  PointWriter writer(folder, test::provenance(), true);
+  for (const std::size_t n : {2, 3, 1, 0}) writer.append(first_points(0.5, n));
+  writer.close();
+  const test::Reader reader(folder / "particles.nc");
+  const Values id = reader.values("id");
+  ASSERT_EQ(id.size(), 4u * 3u);
+  const double gone = std::numeric_limits<double>::quiet_NaN();
+  const Values expected{1, 2, gone, 1, 2, 3, 1, gone, gone, gone, gone, gone};
+  for (std::size_t k = 0; k < id.size(); ++k)
+    EXPECT_TRUE(id[k] == expected[k] || (std::isnan(id[k]) && std::isnan(expected[k]))) << k << ": " << id[k];
+  const std::string xmf = read_file(folder / "particles.xmf");
+  for (const char* count : {"NumberOfElements=\"2\"", "NumberOfElements=\"3\"", "NumberOfElements=\"1\""})
+    EXPECT_NE(xmf.find(count), std::string::npos) << count;
 }
 
 TEST_F(SnapshotWriterTest, WritesFieldsOfNodesWithTheirPlaces) {

@@ -131,12 +131,12 @@ TEST_F(XdmfTest, IsWholeAfterEachRecord) {
 }
 
 TEST(Xdmf, IsWellFormedWithoutRecords) {
-  EXPECT_EQ(attribute(parsed(xdmf_points({"particles.nc", {"x", "y"}, {}}, 5)).get_child("Xdmf"), "Version"), "2.0");
+  EXPECT_EQ(attribute(parsed(xdmf_points({"particles.nc", {"x", "y"}, {}}, {})).get_child("Xdmf"), "Version"), "2.0");
 }
 
 TEST(Xdmf, KeepsEveryDigitOfATime) {
   const double time = 0.1 + 0.2;
-  const auto tree = parsed(xdmf_points({"particles.nc", {"x", "y"}, {time}}, 5));
+  const auto tree = parsed(xdmf_points({"particles.nc", {"x", "y"}, {time}}, {5}));
   EXPECT_EQ(tree.get<std::string>("Xdmf.Domain.Grid.Grid.Time.<xmlattr>.Value"), "0.30000000000000004");
 }
 
