@@ -17,6 +17,7 @@
 #include "deck/document.hpp"
 #include "progress.hpp"
 #include "solvers/coupled/splitting_limit.hpp"
+#include "solvers/coupled/thin_bodies.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
 #include "studies/reproduce.hpp"
@@ -78,6 +79,12 @@ bool closes_with(const std::string& key, const std::string& value) {
   if (std::find(names.begin(), names.end(), key) != names.end()) return true;
   if (key == "energy_lost") return value != "0";
   return key.starts_with("error_") || key.starts_with("drag_") || key.starts_with("lift_");
+}
+
+/// What the scene's own places tell of the method, which a run finds, too.
+void print_thin_bodies(const std::string& name, const Scene& scene) {
+  const std::string thin = coupled::thin_text(scene);
+  if (!thin.empty()) fmt::print(stderr, "{}: warning: {}\n", name, thin);
 }
 
 void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
@@ -192,6 +199,7 @@ int check_command(const std::string& name, const DeckOptions& options) {
     const Loaded loaded = load_scene(deck, options, diagnostics);
     for (const auto& remark : loaded.remarks) fmt::print(stderr, "{}", remark);
     print_warnings(name, loaded);
+    print_thin_bodies(name, loaded.plan.scene);
   });
 }
 
@@ -200,6 +208,7 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
     print_threads_remark(threads);
     const Loaded loaded = load(deck, options);
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
+    print_thin_bodies(deck, loaded.plan.scene);
     print_number_of_remarks(deck, loaded, shown_by_check);
     fmt::print("{}{}", to_text(loaded.plan),
                coupled::splitting_text(loaded.plan));  // which has the plan's own warnings

@@ -12,6 +12,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/ending.hpp"
+#include "base/kept_memory.hpp"
 #include "base/short_text.hpp"
 #include "command_words.hpp"
 #include "commands.hpp"
@@ -73,6 +74,7 @@ void heed(int signal) {
 /// caller left. What is printed where a standard stream is closed must not land in a file that takes its number.
 /// CHOLMOD starts threads for each supernode, which for factors of this size costs more than it saves.
 void settle_in() {
+  keep_freed_memory();
   omp_set_max_active_levels(0);
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGCHLD, SIG_DFL);

@@ -3,6 +3,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <cmath>
 
 namespace tether {
@@ -12,8 +13,13 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 using Vector = Eigen::VectorXd;
 using Solver = Eigen::BiCGSTAB<Matrix, Eigen::IncompleteLUT<double, std::int64_t>>;
 
+/// Fewer iterations than these are not looked at; of more, the residual must have fallen to this share.
+constexpr int between_looks = 200;
+constexpr double enough_progress = 0.1;
+
 }  // namespace
 
+/// Where the recurrence has broken down, or ended short of the residual itself, it begins anew from the best x.
 KrylovResult bicgstab(const SparseMatrix& A, std::span<const double> b, std::span<double> x, double tolerance, int most,
                       const IncompleteLu& factors) {
   KrylovResult result;
@@ -23,22 +29,24 @@ KrylovResult bicgstab(const SparseMatrix& A, std::span<const double> b, std::spa
                                                  A.row.data(), A.value.data());
   const Eigen::Map<const Vector> right(b.data(), A.n);
   Eigen::Map<Vector> solution(x.data(), A.n);
+  Vector best = Vector::Zero(A.n);
+  double least = right.norm();
   Solver solver;
   solver.preconditioner().setDroptol(factors.drop);
   solver.preconditioner().setFillfactor(factors.fill);
   solver.setTolerance(tolerance);
-  int done = 1;
-  while (true) {
-    const double residual = (right - matrix * solution).norm();
-    const bool finite = residual < 1e300;
-    result.converged = finite && residual <= enough;
-    if (result.converged || !finite || done == 0 || result.iterations >= most) return result;
-    if (result.iterations == 0) solver.compute(matrix);
+  for (bool first = true;; first = false) {
+    const double residual = (right - matrix * solution).norm(), before = least;
+    if (residual < least) least = residual, best = solution;
+    solution = best;
+    result.converged = least <= enough;
+    if (result.converged || result.iterations >= most || !std::isfinite(least)) return result;
+    if (!first && least > enough_progress * before) return result;
+    if (first) solver.compute(matrix);
     if (solver.preconditioner().info() != Eigen::Success) return result;
-    solver.setMaxIterations(most - result.iterations);
-    solution = solver.solveWithGuess(right, solution).eval();
-    done = static_cast<int>(solver.iterations());
-    result.iterations += done;
+    solver.setMaxIterations(std::min(between_looks, most - result.iterations));
+    solution = solver.solveWithGuess(right, best).eval();
+    result.iterations += static_cast<int>(solver.iterations());
   }
 }
 

@@ -16,8 +16,9 @@ struct IncompleteLu {
 };
 
 /// Solves A x = b for any A from the first guess x by Eigen's BiCGSTAB, preconditioned by its IncompleteLUT, until
-/// |b - A x| <= tolerance |b|, by the residual itself and not only by its recurrence, or `most` iterations are done.
-/// Where A is singular, or the factors are no use, it does not converge; x is then without meaning.
+/// |b - A x| <= tolerance |b|, by the residual itself and not only by its recurrence, or `most` iterations are done, or
+/// 200 have left more than a tenth of the residual. Where A is singular, or the factors are no use, it does not
+/// converge; x is then the best that was found.
 KrylovResult bicgstab(const SparseMatrix& A, std::span<const double> b, std::span<double> x, double tolerance, int most,
                       const IncompleteLu& factors = {});
 

@@ -14,9 +14,10 @@ constexpr std::string_view sides = "left|right|bottom|top|back|front";
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{"coupled", "mode", text, 0, 1, 1, "", -none, none, "symmetric|cut-cell|splitting|paper", "'symmetric'",
-             "How fluid and solids are solved: simultaneously by one map and its transpose, the same with the open "
-             "parts of faces, one after the other, or simultaneously by two maps as in the paper."},
+    Variable{"coupled", "mode", text, 0, 1, 1, "", -none, none, "cut-cell|symmetric|splitting|paper", "'cut-cell'",
+             "How fluid and solids are solved: simultaneously by one map and its transpose, with the open parts of "
+             "faces; the same with cells that are wholly fluid or solid; one after the other; or simultaneously by two "
+             "maps as in the paper."},
     Variable{"coupled", "integrator", text, 0, 1, 1, "", -none, none, "paper|trapezoid", "'paper'",
              "Step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule."},
     Variable{"coupled", "advection", text, 0, 1, 1, "", -none, none, "semi-lagrangian|maccormack", "'maccormack'",

@@ -24,7 +24,7 @@ std::string mode_text(const Scene& scene) {
     case CouplingMode::cut_cell:
       return fmt::format("{}: simultaneous, with the open parts of faces; power balances to rounding", own);
     case CouplingMode::paper:
-      return fmt::format("{}: simultaneous by two maps, whose powers differ; would take symmetric", own);
+      return fmt::format("{}: simultaneous by two maps, whose powers differ; would take cut-cell", own);
     case CouplingMode::splitting:
       break;
   }

@@ -102,8 +102,8 @@ std::vector<std::string> coefficient_summary_keys() {
 }
 
 std::vector<std::string> coupled_summary_keys() {
-  return {"krylov_iterations",  "contact_solutions", "contact_unsettled", "cfl_largest",
-          "interface_mismatch", "added_mass_ratio",  "obstacle_volume",   "void_volume"};
+  return {"krylov_iterations", "lu_solutions",       "contact_solutions", "contact_unsettled", "cfl_largest",
+          "thin_cells",        "interface_mismatch", "added_mass_ratio",  "obstacle_volume",   "void_volume"};
 }
 
 Summary read_summary(const std::filesystem::path& path) {

@@ -124,6 +124,18 @@ void add_to_diagonal(SparseMatrix& A, std::int64_t column, double value) {
   if (place < at(A.start[at(column + 1)])) A.value[place] += value;
 }
 
+SparseMatrix with_symmetric_pattern(const SparseMatrix& K) {
+  const Eigen::Map<const ByColumns> view(K.n, K.n, static_cast<std::int64_t>(K.value.size()), K.start.data(),
+                                         K.row.data(), K.value.data());
+  const ByColumns sum = view + 0.0 * ByColumns(view.transpose());
+  SparseMatrix out;
+  out.n = K.n;
+  out.start.assign(sum.outerIndexPtr(), sum.outerIndexPtr() + K.n + 1);
+  out.row.assign(sum.innerIndexPtr(), sum.innerIndexPtr() + sum.nonZeros());
+  out.value.assign(sum.valuePtr(), sum.valuePtr() + sum.nonZeros());
+  return out;
+}
+
 std::vector<double> scales_of(const SparseMatrix& K) {
   std::vector<double> scales;
   for (std::int64_t k = 0; k < K.n; ++k) {

@@ -35,6 +35,9 @@ SparseMatrix pressures_by_cells(const CoupledEquations& equations, std::span<con
 /// [A, -B^T; -flux, -L], all of it.
 SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
 
+/// K with zeros where its transpose has entries and it has none.
+SparseMatrix with_symmetric_pattern(const SparseMatrix& K);
+
 /// For each unknown of K the root of its diagonal's size, or 1 where that is 0: what makes rows and columns of
 /// velocities and of pressures, whose numbers are of different units, alike.
 std::vector<double> scales_of(const SparseMatrix& K);

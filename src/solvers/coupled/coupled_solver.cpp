@@ -102,9 +102,11 @@ Summary CoupledSolver::more_summary() const {
                   {"linear_solver", step_.system().solver_name()},
                   {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
                   {"krylov_iterations", number(state_.iterations)},
+                  {"lu_solutions", number(state_.lu_solutions)},
                   {"factor_nonzeros", number(cost.factor_nonzeros)},
                   {"contact_solutions", number(state_.contact_solutions)},
                   {"contact_unsettled", number(state_.contact_unsettled)},
+                  {"thin_cells", number(state_.thin_cells)},
                   {"cfl_largest", number(state_.cfl_largest)},
                   {"nodes_inside", number(state_.overlap.most)},
                   {"interface_mismatch", number(state_.worst_mismatch)}};

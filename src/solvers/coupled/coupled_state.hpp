@@ -38,11 +38,13 @@ struct CoupledState {
   double cfl_largest = 0;           ///< likewise
   double work = 0;                  ///< that the solids have taken from the fluid [energy]
   long long iterations = 0;         ///< of linear solvers
+  long long lu_solutions = 0;       ///< by factors where BiCGSTAB did not converge
   std::vector<double> orders;       ///< of elimination, when the state was saved
   long long contact_solutions = 0;  ///< solutions found again because of contact
   long long unmeasured = 0;         ///< 1 once it was told that a closed volume is not held
   fem::OverlapCount overlap;        ///< of the solids
   long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
+  long long thin_cells = 0;         ///< most in any step at which bodies are thinner than a cell, by cut-cell
 };
 
 /// The parts of a state for saving and restoring; cells and faces do not change in number.
@@ -69,6 +71,7 @@ void exchange(Exchange& with, CoupledState& state) {
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
   fem::exchange(with, state.overlap);
   with("unmeasured", state.unmeasured);
+  with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);
   with.list("orders", state.orders);
 }
 

@@ -76,7 +76,7 @@ void CoupledStep::advance(CoupledState& state, double h) {
   end_velocity(h, state.v);
   move_solids(state, u0, h);  // (5)
   book_solids(q0, u0, solution, state, h);
-  place_solids(state);
+  place_solids(state.time + h, state);
   state.books.remeshed += found - energy_of(state.v);
 }
 
@@ -87,10 +87,11 @@ void CoupledStep::end_velocity(double h, FaceValues& v) const {
 }
 
 /// The fluid's cells change with them, and smoke goes where there is fluid.
-void CoupledStep::place_solids(CoupledState& state) {
+void CoupledStep::place_solids(double time, CoupledState& state) {
   const FlowDomain before = std::move(at_.domain);
   at_ = placer_.at(state.q);
   if (coupled_.smoke) follow_domain(before, at_.domain, state.smoke);
+  note_thin_bodies(time, state);
 }
 
 void CoupledStep::move_fluid_freely(CoupledState& state, double h) {
@@ -131,7 +132,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
   Solution solution;
   solution.p = of_cells(at_.numbers, state.p);
   solution.L = pressure_matrix(at_.domain, at_.numbers, h / coupled_.density);
-  const long long iterations = system_.cost().iterations;
+  const SystemCost before = system_.cost();
   std::vector<double> change(u0.size()), inertia(u0.size());
   contact_.begin(state.q, u0, h, state.touches);
   bool settled = false;
@@ -151,7 +152,8 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
     settled = !contact_.changed(u0, state.u, solution.wall_force, inertia, state.touches);
   }
   if (!settled) ++state.contact_unsettled;
-  state.iterations += system_.cost().iterations - iterations;
+  state.iterations += system_.cost().iterations - before.iterations;
+  state.lu_solutions += system_.cost().lu_solves - before.lu_solves;
   const FaceValues free = state.v;
   add_pressure(at_.domain, at_.numbers, solution.p, h / coupled_.density, state.v);  // (8)
   account(free, solution, state, h);
@@ -260,6 +262,7 @@ CoupledState CoupledStep::start() {
     state.smoke.smoke[c] = first.density[c] * state.smoke.volume[c];
     state.smoke.heat[c] = first.temperature[c] * state.smoke.volume[c];
   }
+  note_thin_bodies(0, state);
   return state;
 }
 

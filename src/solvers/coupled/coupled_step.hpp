@@ -69,7 +69,8 @@ class CoupledStep {
   void check(const CoupledState& state) const;
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, FaceValues& v) const;
-  void place_solids(CoupledState& state);
+  void place_solids(double time, CoupledState& state);
+  void note_thin_bodies(double time, CoupledState& state);
 
   const Scene& scene_;
   const Coupled& coupled_;

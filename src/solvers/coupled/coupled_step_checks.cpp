@@ -21,7 +21,7 @@ constexpr int farthest = 1000;  // sizes of the box that a node may be away from
 void CoupledStep::check(const CoupledState& state) const {
   if (state.q.empty()) return;
   constexpr const char* too_much_added_mass =
-      "added mass above what splitting bears, which shorter steps do not cure: mode='symmetric' of $coupled holds";
+      "added mass above what splitting bears, which shorter steps do not cure: mode='cut-cell' of $coupled holds";
   const bool splitting = coupled_.mode == CouplingMode::splitting;
   const auto d = static_cast<std::size_t>(surface_.dim);
   const StaggeredGrid& grid = coupled_.grid;

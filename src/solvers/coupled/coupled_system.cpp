@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "algebra/bicgstab.hpp"
 #include "algebra/quasidefinite_solver.hpp"
+#include "algebra/sparse_solver.hpp"
 #include "base/errors.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/region_constants.hpp"
@@ -114,11 +117,38 @@ void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double
   for (std::size_t k = 0; k < x.size(); ++k) right[k] /= scales[k], x[k] *= scales[k];
   const KrylovResult result = bicgstab(K, right, x, scene_.tolerance, most);
   cost_.iterations += result.iterations;
-  if (!result.converged)
-    refuse(time, fmt::format("BiCGSTAB does not converge in {} iterations: mode='symmetric' of $coupled needs none",
-                             result.iterations));
+  if (!result.converged) solve_by_lu(K, right, time, result.iterations, x);
   for (std::size_t k = 0; k < u.size(); ++k) u[k] = x[k] / scales[k];
   for (std::size_t k = 0; k < p.size(); ++k) p[k] = with.pinned[k] != 0 ? 0 : x[u.size() + k] / scales[u.size() + k];
+}
+
+/// What BiCGSTAB does not find, factors of the same matrix find, unless it is singular. The residual is taken off until
+/// it falls no more.
+void CoupledSystem::solve_by_lu(const SparseMatrix& K, std::span<const double> right, double time, int iterations,
+                                std::span<double> x) {
+  constexpr int most_corrections = 5;
+  if (cost_.lu_solves++ == 0)
+    messages_.push_back(
+        fmt::format("t = {:.6g}: BiCGSTAB does not converge in {} iterations: this system, and others like it, are "
+                    "solved by factors (lu_solutions of summary.txt counts them)",
+                    time, iterations));
+  SparseSolver lu;  // anew each time: what it kept would make a run that goes on differ from its restart
+  if (!lu.factorise(with_symmetric_pattern(K), Definite::general))
+    refuse(time,
+           "the coupled matrix is singular: likely cause, values that ran away, or a part of the fluid that "
+           "mode='paper' joins to nothing; mode='cut-cell' of $coupled may do");
+  std::vector<double> residual(right.begin(), right.end()), change(x.size());
+  std::fill(x.begin(), x.end(), 0.0);
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < most_corrections && norm(residual) < 0.5 * least; ++k) {
+    least = norm(residual);
+    lu.solve(residual, change);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += change[i];
+    K.multiply(x, residual);
+    for (std::size_t i = 0; i < x.size(); ++i) residual[i] = right[i] - residual[i];
+  }
+  cost_.factor_nonzeros = lu.factor_nonzeros();
+  if (!std::isfinite(norm(residual))) refuse(time, "the coupled system has no finite solution: values that ran away");
 }
 
 void CoupledSystem::solve_solids(const CoupledEquations& equations, double time, std::span<double> u,

@@ -37,6 +37,7 @@ struct CoupledEquations {
 /// What the solutions have cost.
 struct SystemCost {
   long long solves = 0, iterations = 0;
+  long long lu_solves = 0;  ///< by factors where BiCGSTAB did not converge
   Seconds solve;
   double factor_nonzeros = 0;
 };
@@ -69,6 +70,8 @@ class CoupledSystem {
   void solve_directly(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
   void solve_by_gradients(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
   void solve_as_the_paper(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
+  void solve_by_lu(const SparseMatrix& K, std::span<const double> right, double time, int iterations,
+                   std::span<double> x);
   void check_pivots(std::int64_t expected, double time);
 
   const Coupled& scene_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "algebra/gmres.hpp"
@@ -84,7 +85,11 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
 
 std::optional<double> added_mass_ratio(const Scene& scene, double h) {
   if (!scene.coupled || !scene.solids || systems_of(*scene.coupled) != CoupledSystems::direct) return std::nullopt;
-  const CoupledStep step(scene, *scene.solids);
+  Coupled box = *scene.coupled;  // whose own mode may have another map
+  box.mode = CouplingMode::splitting;
+  Scene split = scene;
+  split.coupled = std::make_shared<const Coupled>(box);
+  const CoupledStep step(split, *split.solids);
   return added_mass_ratio(step, scene.solids->mesh.x, scene.coupled->density, h);
 }
 

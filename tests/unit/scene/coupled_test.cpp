@@ -28,7 +28,7 @@ TEST(CoupledScene, CellsLieBetweenTheNodes) {
 TEST(CoupledScene, HasTheDefaultsOfTheTable) {
   const Built built = box("");
   const Coupled& c = *built.scene.coupled;
-  EXPECT_EQ(c.mode, CouplingMode::symmetric);
+  EXPECT_EQ(c.mode, CouplingMode::cut_cell);
   EXPECT_EQ(c.integrator, CoupledIntegrator::paper);
   EXPECT_EQ(c.advection, Advection::maccormack);
   EXPECT_EQ(c.systems, CoupledSystems::automatic);

@@ -42,12 +42,15 @@ class Solved : public testing::TestWithParam<Kind> {
   Plan plan = plan_of(bag, GetParam().overrides);
 };
 INSTANTIATE_TEST_SUITE_P(Coupled, Solved,
-                         testing::Values(Kind{"Symmetric", {}}, Kind{"CutCell", {"coupled.mode='cut-cell'"}},
+                         testing::Values(Kind{"CutCell", {}}, Kind{"Symmetric", {"coupled.mode='symmetric'"}},
                                          Kind{"Krylov", {"coupled.solver='krylov'"}},
                                          Kind{"Splitting",
                                               {"coupled.mode='splitting'", "reg.densir(1)=3*9e4", "reg.matr(1,1)=1e8",
                                                "reg.matr(1,2)=1e8", "reg.matr(1,3)=1e8"}},
                                          Kind{"Paper", {"coupled.mode='paper'"}},
+                                         Kind{"PaperByFactors",
+                                              {"coupled.mode='paper'", "reg.matr(2,1)=.4999999",
+                                               "reg.matr(2,2)=.4999999", "reg.matr(2,3)=.4999999"}},
                                          Kind{"Slow", {"reg.vrx(1)=3*.01", "reg.vry(1)=3*-.02", "in.gravc=-.5"}}),
                          [](const auto& info) { return std::string(info.param.name); });
 

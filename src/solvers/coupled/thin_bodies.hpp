@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "scene/scene.hpp"
+#include "solvers/coupled/placement.hpp"
+
+namespace tether::coupled {
+
+/// Where bodies, or gaps between them, are thinner than a cell: parts of cells say nothing there.
+struct ThinBodies {
+  std::size_t cells = 0;     ///< that count as wholly fluid or solid for it
+  std::size_t of_cells = 0;  ///< cells that the bodies' surface goes through
+  int body = -1;             ///< whose surface goes through the first of them, from 0
+  Vector place{};            ///< of that one's middle [length]
+};
+ThinBodies thin_bodies(const Placement& placed, const SolidSurface& surface);
+
+/// What a user is to know of them; empty where there are none.
+std::string thin_text(const ThinBodies& thin, int dim);
+
+/// The same of a scene at its start; empty where its mode takes no parts of cells.
+std::string thin_text(const Scene& scene);
+
+}  // namespace tether::coupled

@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Steps work in memory that the process has: the kernel does not clear pages for them again and again."""
+import os
+import subprocess
+import unittest
+
+from program import DECKS, TETHER, ProgramTest, sets
+
+
+
+class PageFaults(ProgramTest):
+    def faults(self, name, tmax, *options):
+        """Pages that the kernel had to find for a run that writes no fields."""
+        command = [TETHER, DECKS / f"{name}.in", "--quiet", "--out", self.folder / f"{name}-{tmax}",
+                   *sets(in__tmax=tmax, **{"in__iout(39)": 0}), *options]
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        return usage.ru_minflt
+
+    def test_steps_in_space_take_no_new_pages(self):
+        finer = sets(in__nx=33, in__ny=33, coupled__nz=33)
+        few, many = (self.faults("plate-stream-3d", steps / 60, *finer) for steps in (4, 8))
+        self.assertLess((many - few) / 4, 1000)
+
+    def test_steps_in_the_plane_take_no_new_pages(self):
+        finer = sets(in__nx=129, in__ny=65)
+        few, many = (self.faults("coupled-bar", steps / 30, *finer) for steps in (15, 35))
+        self.assertLess((many - few) / 20, 20)
+
+
+if __name__ == "__main__":
+    unittest.main()
