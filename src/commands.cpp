@@ -18,6 +18,7 @@
 #include "progress.hpp"
 #include "solvers/coupled/splitting_limit.hpp"
 #include "solvers/coupled/thin_bodies.hpp"
+#include "solvers/rehearsal.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
 #include "studies/reproduce.hpp"
@@ -97,6 +98,9 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
   fmt::print("{}in {}\n", line, folder.string());
 }
 
+/// With its own warnings, its cost as the first steps show it, and whether splitting would hold.
+void print_plan(const Plan& plan) { fmt::print("{}{}", to_text(rehearsed(plan)), coupled::splitting_text(plan)); }
+
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
   const Clocks clocks;
   const Loaded loaded = load(name, options);
@@ -107,7 +111,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
                             run_options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string());
   }
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
-  if (run_options.dry_run) return fmt::print("{}{}", to_text(loaded.plan), coupled::splitting_text(loaded.plan));
+  if (run_options.dry_run) return print_plan(loaded.plan);
   ProgressLine progress(name, run_options.quiet);
   const auto warn = [&](const std::string& text) {
     progress.clear();
@@ -210,8 +214,7 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
     print_thin_bodies(deck, loaded.plan.scene);
     print_number_of_remarks(deck, loaded, shown_by_check);
-    fmt::print("{}{}", to_text(loaded.plan),
-               coupled::splitting_text(loaded.plan));  // which has the plan's own warnings
+    print_plan(loaded.plan);
   });
 }
 

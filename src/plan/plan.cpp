@@ -264,8 +264,11 @@ std::string to_text(const Plan& plan) {
     text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
                         runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
                         plan.step.first_limit, plan.step.cfl);
-  text += fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} s on one core\n",
-                      plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds);
+  text +=
+      fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} CPU s on one core ({})\n",
+                  plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds,
+                  plan.cost.rehearsed > 0 ? fmt::format("carried on from {} steps made on trial", plan.cost.rehearsed)
+                                          : "an estimate by formulas: no steps were made on trial");
   for (const auto& warning : plan.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }

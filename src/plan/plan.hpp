@@ -39,9 +39,10 @@ struct Term {
   std::string reason;
 };
 
-/// What a run is expected to cost.
+/// What a run is expected to cost: CPU seconds and the peak of memory of the whole process.
 struct Cost {
   double steps = 0, point_steps = 0, megabytes = 0, seconds = 0;
+  long long rehearsed = 0;  ///< steps, made on trial, from which this was found; 0: an estimate by formulas
 };
 
 /// What will be modelled, what is left out and why. Owns the scene.

@@ -242,12 +242,17 @@ class Plan(ProgramTest):
         self.assertIn("is 3.00 times the limit dx/c = 0.001: steps are limited to 0.0005", text)
 
 
+def without_cost(plan):
+    """The lines of a plan but for what was measured."""
+    return [line for line in plan.splitlines() if not line.startswith("cost: ")]
+
+
 class Options(ProgramTest):
     def test_dry_run_writes_nothing(self):
         for words in ([SOD, "--dry-run"], [SOD, "--dry-run", "--out", self.folder / "out"]):
             result = self.expect(0, *words, folder=self.folder)
             self.assertIn("cost: 1430 steps", result.stdout)
-            self.assertEqual(result.stdout, run("plan", SOD).stdout)
+            self.assertEqual(without_cost(result.stdout), without_cost(run("plan", SOD).stdout))
             self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_the_default_folder_is_out_and_the_deck_s_name(self):

@@ -133,7 +133,8 @@ TEST(PlanText, SaysWhatIsModelledAndWhatIsLeftOutAndWhy) {
       "step: 0.0625 at the start (deck 0.125, limit dx/c 0.0625, cfl 1)\n"
       "cost: 16 steps, 16 point-steps, 0.00952 MB, about ";
   EXPECT_EQ(text.substr(0, expected.size()), expected);
-  EXPECT_NE(text.find(" s on one core\nwarning: the deck's step 0.125 is 2.00 times the limit dx/c = 0.0625: steps are "
+  EXPECT_NE(text.find(" CPU s on one core (an estimate by formulas: no steps were made on trial)\nwarning: the deck's "
+                      "step 0.125 is 2.00 times the limit dx/c = 0.0625: steps are "
                       "limited to 0.0625\n"),
             std::string::npos);
 }
