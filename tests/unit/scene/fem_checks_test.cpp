@@ -85,7 +85,7 @@ TEST(FemScene, PlaneStressOfAMembraneOfCurvesIsRefused) {
 TEST(FemScene, NeighboursInOnePlaceAreRefused) {
   std::string deck = string_deck();
   deck.replace(deck.find(".375"), 4, ".125");
-  EXPECT_EQ(build_fem(deck).errors(), Texts{"11:1: points 1 and 2 of the string stand in one place, (0.125, 0.5)"});
+  EXPECT_EQ(build_fem(deck).errors(), Texts{"11:1: point 2 at (0.125, 0.5) is where point 1 is"});  // told once
   // There and half way back: the points beside the turn are one.
   const char* groups =
       "$membrane curve(1)='polyline',x(1,1)=.2,.8,.5,y(1,1)=.5,.5,.5,\ncount=6,thickness=.1,density=1.,"
