@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "solvers/coupled/closed_regions.hpp"
 #include "solvers/coupled/coupled_step.hpp"
+#include "solvers/coupled/thin_bodies.hpp"
 
 // What a step finds wrong or doubtful.
 
@@ -59,6 +61,15 @@ void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState
                   "jets fill or empty "
                   "it: volume_term does not hold its volume, which may drift from what the jets bring",
                   state.time, x[0], x[1], coupled_.grid.dim == 3 ? fmt::format(", {:.6g}", x[2]) : ""));
+}
+
+/// A warning once, where the cells are first too wide for the bodies.
+void CoupledStep::note_thin_bodies(double time, CoupledState& state) {
+  if (coupled_.mode != CouplingMode::cut_cell) return;
+  const ThinBodies thin = thin_bodies(at_, surface_);
+  if (thin.cells > 0 && state.thin_cells == 0)
+    messages_.push_back(fmt::format("t = {:.6g}: {}", time, thin_text(thin, surface_.dim)));
+  state.thin_cells = std::max(state.thin_cells, static_cast<long long>(thin.cells));
 }
 
 std::vector<std::string> CoupledStep::take_messages() {
