@@ -12,7 +12,7 @@ struct Spelling {
   const char* cgs;
 };
 
-constexpr std::array<Spelling, 19> spellings{{
+constexpr std::array<Spelling, 20> spellings{{
     {Dimension::number, "1", "1"},
     {Dimension::time, "s", "s"},
     {Dimension::length, "m", "cm"},
@@ -32,6 +32,7 @@ constexpr std::array<Spelling, 19> spellings{{
     {Dimension::rate, "s-1", "s-1"},
     {Dimension::torque, "N m", "dyn cm"},
     {Dimension::flux, "m2 s-1", "cm2 s-1"},
+    {Dimension::power, "W", "erg s-1"},
 }};
 
 }  // namespace

@@ -28,7 +28,8 @@ enum class Dimension {
   angular_momentum,
   rate,
   torque,
-  flux  ///< area/time, of stream functions
+  flux,  ///< area/time, of stream functions
+  power
 };
 
 /// The unit in UDUNITS spelling ("m s-1"), "1" for pure numbers and wherever the deck names no system. Time stays "s"

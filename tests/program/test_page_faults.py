@@ -20,15 +20,19 @@ class PageFaults(ProgramTest):
         self.assertEqual(process.returncode, 0)
         return usage.ru_minflt
 
+    def check(self, name, step, few, many, most, *options):
+        """At most so many new pages a step; again where it is more, since a kernel short of memory takes some away."""
+        for _ in range(3):
+            fewer, more = (self.faults(name, steps * step, *options) for steps in (few, many))
+            if (more - fewer) / (many - few) < most:
+                return
+        self.fail(f"{name}: {fewer} pages in {few} steps, {more} in {many}")
+
     def test_steps_in_space_take_no_new_pages(self):
-        finer = sets(in__nx=33, in__ny=33, coupled__nz=33)
-        few, many = (self.faults("plate-stream-3d", steps / 60, *finer) for steps in (4, 8))
-        self.assertLess((many - few) / 4, 1000)
+        self.check("plate-stream-3d", 1 / 60, 4, 8, 1000, *sets(in__nx=33, in__ny=33, coupled__nz=33))
 
     def test_steps_in_the_plane_take_no_new_pages(self):
-        finer = sets(in__nx=129, in__ny=65)
-        few, many = (self.faults("coupled-bar", steps / 30, *finer) for steps in (15, 35))
-        self.assertLess((many - few) / 20, 20)
+        self.check("coupled-bar", 1 / 30, 15, 35, 20, *sets(in__nx=129, in__ny=65))
 
 
 if __name__ == "__main__":

@@ -109,7 +109,7 @@ HistoryLayout CoupledFields::history_layout() const {
   add("mass", Dimension::mass, "mass of fluid and solids");
   fem::add_vector(layout, "momentum_", Dimension::momentum, "momentum of fluid and solids in ", dim);
   add("fluid_volume", Dimension::volume, "volume of the fluid, by its cells");
-  add("interface_power", Dimension::energy, "energy a time that the solids took from the fluid in the last step");
+  add("interface_power", Dimension::power, "power that the solids took from the fluid in the last step");
   add("interface_work", Dimension::energy, "energy that they have taken");
   add("interface_mismatch", Dimension::number,
       "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes, "

@@ -15,7 +15,7 @@ struct Row {
 };
 
 /// Every dimension, in UDUNITS spelling.
-constexpr std::array<Row, 19> rows{{
+constexpr std::array<Row, 20> rows{{
     {Dimension::number, "1", "1"},
     {Dimension::time, "s", "s"},
     {Dimension::length, "m", "cm"},
@@ -35,6 +35,7 @@ constexpr std::array<Row, 19> rows{{
     {Dimension::rate, "s-1", "s-1"},
     {Dimension::torque, "N m", "dyn cm"},
     {Dimension::flux, "m2 s-1", "cm2 s-1"},
+    {Dimension::power, "W", "erg s-1"},
 }};
 
 TEST(UnitText, OfEveryDimensionInBothSystems) {

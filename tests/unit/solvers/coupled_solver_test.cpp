@@ -152,5 +152,18 @@ TEST(CoupledColumns, AreThoseOfFluidAndSolids) {
   }
 }
 
+/// What is over time is no energy.
+TEST(CoupledHistory, ThePowerAcrossTheInterfaceIsAPower) {
+  const Plan plan = plan_of(bag);
+  const HistoryLayout layout = CoupledSolver(plan).history_layout();
+  const auto dimension_of = [&](const std::string& name) {
+    const auto found = std::find_if(layout.quantities.begin(), layout.quantities.end(),
+                                    [&](const Quantity& quantity) { return quantity.name == name; });
+    return found == layout.quantities.end() ? Dimension::number : found->dimension;
+  };
+  EXPECT_EQ(dimension_of("interface_power"), Dimension::power);
+  EXPECT_EQ(dimension_of("interface_work"), Dimension::energy);
+}
+
 }  // namespace
 }  // namespace tether::coupled
