@@ -15,19 +15,6 @@ double largest_change(const std::vector<double>& values) {
   return largest;
 }
 
-constexpr double sign_of(Book book) {
-  switch (book) {
-    case Book::gained:
-      return -1;
-    case Book::given:
-    case Book::lost:
-      return 1;
-    case Book::none:
-      break;
-  }
-  return 0;
-}
-
 /// Whether what the method lost, too, is put back into a balance.
 enum class Losses { put_back, left_out };
 
@@ -79,6 +66,19 @@ double exchanged_energy(const History& history) {
 }
 
 }  // namespace
+
+double sign_of(Book book) {
+  switch (book) {
+    case Book::gained:
+      return -1;
+    case Book::given:
+    case Book::lost:
+      return 1;
+    case Book::none:
+      break;
+  }
+  return 0;
+}
 
 double energy_drift(const History& history) {
   const double exchanged = exchanged_energy(history);

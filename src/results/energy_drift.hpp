@@ -5,6 +5,9 @@
 
 namespace tether {
 
+/// The sign by which a booked column goes into the energy that is kept; 0 for all others.
+double sign_of(Book book);
+
 /// Largest change of the total energy less all that is booked in columns of its own, over the largest energy that was
 /// exchanged: the largest change of any one kind or booked column. 0 where nothing was exchanged.
 double energy_drift(const History& history);

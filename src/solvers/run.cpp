@@ -145,7 +145,7 @@ class Runner {
     if (!comparison.exact.names.empty()) outputs_.folder().reference(comparison.exact);
     Summary summary = summary_of_run();
     for (auto& line : watch_.summary()) summary.push_back(std::move(line));
-    if (!balances_energy(plan_.scene, outputs_.history()))
+    if (!balances_energy(plan_.scene, outputs_.history().layout))
       std::erase_if(summary, [](const auto& line) { return line.first.starts_with("energy_"); });
     for (auto& line : scene_summary(plan_, outputs_.history())) summary.push_back(std::move(line));
     for (auto& line : solver_->more_summary()) summary.push_back(std::move(line));
@@ -171,7 +171,7 @@ class Runner {
       if (std::isnan(merit.error))
         outputs_.warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
     }
-    if (!balances_energy(plan_.scene, outputs_.history())) return;
+    if (!balances_energy(plan_.scene, outputs_.history().layout)) return;
     const double rise = energy_rise(outputs_.history());
     const double most = plan_.scene.limits.energy_growth.warn;
     if (most > 0 && rise > most) {

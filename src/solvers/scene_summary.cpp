@@ -110,10 +110,10 @@ void add_coefficients(const History& history, Summary& summary) {
 
 }  // namespace
 
-bool balances_energy(const Scene& scene, const History& history) {
+bool balances_energy(const Scene& scene, const HistoryLayout& layout) {
   if (scene.flow) return scene.flow->integrator != FlowIntegrator::steady;
   if (scene.coupled)
-    return std::ranges::any_of(history.layout.quantities, [](const Quantity& q) { return q.book != Book::none; });
+    return std::ranges::any_of(layout.quantities, [](const Quantity& q) { return q.book != Book::none; });
   return !scene.solids || scene.rigid || scene.solids->integrator != Integrator::equilibrium;
 }
 

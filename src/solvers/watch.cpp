@@ -8,15 +8,14 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "results/energy_drift.hpp"
+#include "solvers/scene_summary.hpp"
 
 namespace tether {
 namespace {
 
 /// Motions by less than this part of a cell a step are at rest: their energy is no measure of another.
 constexpr double resting = 1e-6;
-
-/// The sign by which a booked column goes into the energy that is kept.
-double sign_of(Book book) { return book == Book::gained ? -1 : book == Book::none ? 0 : 1; }
 
 /// Columns by this name, or of bodies by it and a number.
 std::vector<std::size_t> columns_of(const HistoryLayout& layout, const std::string& name) {
@@ -47,7 +46,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     if (quantity.book != Book::none)
       booked_.push_back({columns_of(layout, quantity.name).front(), sign_of(quantity.book)});
   }
-  keeps_books_ = !scene.coupled || !booked_.empty();
+  keeps_books_ = balances_energy(scene, layout);
   const auto add = [&](Number number, const char* column) {
     number.from = columns_of(layout, column);
     if (!number.from.empty()) numbers_.push_back(std::move(number));

@@ -21,15 +21,6 @@ namespace {
 /// A step this much shorter than the deck's is no step any more.
 constexpr double vanishing = 1e-9;
 
-/// Internal energy of all gas, and of what is under way to it [energy].
-double heat_of_gas(const State& state) {
-  double sum = state.heat_under_way;
-  for (const Range range : state.gas) {
-    for (std::size_t p = range.begin; p < range.end; ++p) sum += state.points.mass[p] * state.points.energy[p];
-  }
-  return sum;
-}
-
 }  // namespace
 
 MpmSolver::MpmSolver(const Plan& plan)
@@ -76,12 +67,9 @@ void MpmSolver::step(double dt) {
 /// What gas that passes an edge changes: points, and with them the sums at the nodes.
 void MpmSolver::pass_edges(StepWork& work, double dt) {
   forget_sums(state_, set_);
-  const double stored = heat_of_gas(state_);
   state_.strips.after_step(state_, plan_.scene, dt, work.found, work.trouble);
   for (auto& text : state_.strips.take_news()) messages_.push_back(std::move(text));
-  if (work.trouble.kind != TroubleKind::none) return;
-  map_anew(state_, plan_.scene, set_);
-  state_.balance.stored += heat_of_gas(state_) - stored;  // that is no work of the nodes' forces
+  if (work.trouble.kind == TroubleKind::none) map_anew(state_, plan_.scene, set_);
 }
 
 void MpmSolver::finish_step(const StepFindings& found, double dt) {
