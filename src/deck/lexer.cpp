@@ -12,14 +12,10 @@
 namespace tether {
 namespace {
 
-bool is_plain(char c) { return c > ' ' && c <= '~'; }
 bool ends_word(char c) { return !is_plain(c) || std::string_view(",;/=()!'\":$&").find(c) != std::string_view::npos; }
 
 /// What cannot follow a text in quotes: the text was closed too soon, or is not meant to be closed there.
 bool begins_value(char c) { return c == '\'' || c == '"' || !ends_word(c); }
-
-/// Control characters; bytes above ASCII may stand in quotes (names of files in UTF-8).
-bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
 
 class Lexer {
  public:
@@ -126,13 +122,9 @@ bool Lexer::rest_of_line() {
 
 /// A line that is a comment elsewhere is told of, and nothing of it read.
 void Lexer::pass_foreign_comment() {
-  const auto text = trim(line());
-  const bool letter = !line().empty() && lower(line().substr(0, 1)) == "c" && (text.size() == 1 || is_blank(line()[1]));
-  const auto behind = letter ? trim(text.substr(1)) : std::string_view("=");
-  const bool fixed_form = letter && (behind.empty() || (behind[0] != '=' && behind[0] != '('));
-  if (!fixed_form && !text.starts_with('#') && !text.starts_with('*') && !text.starts_with("//")) return;
+  const std::string_view mark = foreign_comment(line());
+  if (mark.empty()) return;
   column_ = line().find_first_not_of(" \t");
-  const std::string_view mark = text.substr(0, text.starts_with("//") ? 2 : 1);
   remarks_.error(line_number(), column_number(), fmt::format("{} begins no comment", in_quotes(mark)),
                  "A comment begins with '!'.");
   column_ = line().size();
@@ -274,9 +266,8 @@ void Lexer::odd_bytes() {
   const auto start = column_;
   while (in_line() && !is_plain(here()) && !is_blank(here())) ++column_;
   std::string bytes;
-  for (auto k = start; k < std::min(column_, start + most_shown); ++k) {
+  for (auto k = start; k < std::min(column_, start + most_shown); ++k)
     bytes += fmt::format(" 0x{:02X}", static_cast<unsigned char>(line()[k]));
-  }
   const bool nbsp = line().compare(start, 2, "\xc2\xa0") == 0;
   remarks_.error(line_number(), static_cast<int>(start) + 1,
                  fmt::format("the bytes{} are not plain text{}", bytes, nbsp ? " (a no-break space)" : ""),

@@ -17,6 +17,8 @@ bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') |
 }  // namespace
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_plain(char c) { return c > ' ' && c <= '~'; }
+bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool ends_name(std::string_view line, std::size_t at) {
@@ -36,6 +38,15 @@ std::optional<Opener> opener_of(std::string_view line) {
   opener.detached = start > opener.column + 1;
   if (opener.name == "end" || (opener.detached && !is_group(opener.name))) return std::nullopt;
   return opener;
+}
+
+std::string_view foreign_comment(std::string_view line) {
+  const auto text = trim(line);
+  if (text.starts_with("//")) return text.substr(0, 2);
+  if (text.starts_with('#') || text.starts_with('*')) return text.substr(0, 1);
+  const bool letter = !line.empty() && lower(line.substr(0, 1)) == "c" && (text.size() == 1 || is_blank(line[1]));
+  const auto after = letter ? trim(text.substr(1)) : std::string_view("=");
+  return after.empty() || (after[0] != '=' && after[0] != '(') ? text.substr(0, 1) : std::string_view();
 }
 
 }  // namespace tether

@@ -18,8 +18,13 @@ struct Opener {
 /// Blanks, then $NAME or &NAME, NAME a word other than "end" that is followed by a separator, '!' or the line's end.
 std::optional<Opener> opener_of(std::string_view line);
 
+/// The mark by which a line is a comment in other languages ('#', '*', '//', fixed form's 'C'); empty where it is none.
+std::string_view foreign_comment(std::string_view line);
+
 bool is_blank(char c);  ///< blank or tab
 bool is_letter(char c);
+bool is_plain(char c);    ///< visible ASCII
+bool is_control(char c);  ///< no tab; bytes above ASCII may stand in quotes (names of files in UTF-8)
 bool ends_name(std::string_view line, std::size_t at);  ///< separator, '!' or the line's end at `at`
 
 }  // namespace tether

@@ -120,7 +120,8 @@ void NetcdfFile::global_attribute(const std::string& name, std::string_view text
 void NetcdfFile::chunk(int variable, const std::vector<std::size_t>& lengths) {
   const auto name = variable_name(variable);
   check(nc_def_var_chunking(id_, variable, NC_CHUNKED, lengths.data()), fmt::format("set the chunks of {}", name));
-  // Chunks are put whole and never read back: a cache would only hold memory. A size of 0 would mean the default, 16 MB.
+  // Chunks are put whole and never read back: a cache would only hold memory. A size of 0 would mean the default of
+  // 16 MB.
   check(nc_set_var_chunk_cache(id_, variable, 1, 1, 0), fmt::format("turn the cache of {} off", name));
 }
 

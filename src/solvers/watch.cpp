@@ -128,7 +128,7 @@ void Watch::look_at_energy(const Record& record) {
     booked += std::abs(record[term.column]);
   }
   if (!keeps_books_) return;
-  if (!std::isfinite(balance) && energy_step_.limit.stop > 0)
+  if (looked_ && !std::isfinite(balance) && energy_step_.limit.stop > 0)  // the start is the solver's to judge
     throw RunError(
         fmt::format("t = {:.9g}: the energy is no number: likely cause, {}", record.front(), energy_step_.cause));
   const double measure = std::max({largest_, exchanged, std::abs(booked - booked_before_), rest_energy(record)});

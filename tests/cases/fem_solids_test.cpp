@@ -65,7 +65,9 @@ void expect_kept(const DeckRun& run, double within) {
 void expect_kept_where_the_middle_is_not(const char* law, const char* bearable, const char* ten_times, double growth) {
   const auto fly = [&](const char* step, std::vector<std::string> overrides) {
     for (const char* region : {"1", "2", "3"}) overrides.push_back(std::string("fem.law(") + region + ")=" + law);
-    overrides.insert(overrides.end(), {std::string("in.tstep=") + step, std::string("in.tiout(33)=") + step,
+    // Such steps leave nothing of the shape: conservation alone is looked at.
+    overrides.insert(overrides.end(), {"limits.volume=0,0", "limits.quality=0,0", "limits.energy_step=0,0",
+                                       std::string("in.tstep=") + step, std::string("in.tiout(33)=") + step,
                                        "in.tmax=" + std::to_string(5 + 1000 * std::stod(step))});
     return run_deck("l-block", overrides);
   };
@@ -134,12 +136,16 @@ TEST(FemSolids, DampingTakesItsShareOfABarsSwing) {
 }
 
 TEST(FemSolids, ExplicitStepsAboveTheirLimitAreTold) {
-  try {
-    run_deck("bar-vibration", {"fem.integrator='central'", "fem.cfl=0", "in.tstep=0.2"});
-    FAIL() << "it came to its end";
-  } catch (const RunError& error) {
-    EXPECT_NE(std::string(error.what()).find("steps of 0.2 above the limit 0.0"), std::string::npos) << error.what();
-  }
+  const auto end_with = [](const char* limits) -> std::string {
+    try {
+      run_deck("bar-vibration", {"fem.integrator='central'", "fem.cfl=0", "in.tstep=0.2", limits});
+    } catch (const RunError& error) {
+      return error.what();
+    }
+    return "it came to its end";
+  };
+  EXPECT_NE(end_with("limits.energy_step=0,0").find("steps of 0.2 above the limit 0.0"), std::string::npos);
+  EXPECT_NE(end_with("limits.energy_step=0.5,100").find("steps too long"), std::string::npos);
 }
 
 /// A support that moves stretches a bar step by step: E A u^2/(2 L) is stored, and all of it came from outside.

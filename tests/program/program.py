@@ -69,6 +69,11 @@ def diagnostics(stderr):
     return found
 
 
+def without_cost(plan):
+    """The lines of a plan but for what was measured."""
+    return [line for line in plan.splitlines() if not line.startswith("cost: ")]
+
+
 class ProgramTest(unittest.TestCase):
     """A test with a temporary folder of its own."""
 

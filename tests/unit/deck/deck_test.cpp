@@ -77,8 +77,8 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
 }
 
 TEST(Variables, GroupsInTheirOrder) {
-  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "mesh",
-                                  "fem", "rigid", "flow", "coupled", "study"}));
+  EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "limits",
+                                  "mesh", "fem", "rigid", "flow", "coupled", "study"}));
 }
 
 }  // namespace

@@ -203,8 +203,8 @@ TEST(Errors, UnknownGroups) {
   const auto errors = reading.diagnostics.errors();
   EXPECT_EQ(errors[0].hint, "Did you mean '$fluid'?");
   EXPECT_EQ(errors[1].hint,
-            "The groups are $in, $fluid, $regrig, $reg, $membrane, $points, $mpm, $reference, $mesh, $fem, $rigid, "
-            "$flow, $coupled, $study.");
+            "The groups are $in, $fluid, $regrig, $reg, $membrane, $points, $mpm, $reference, $limits, $mesh, $fem, "
+            "$rigid, $flow, $coupled, $study.");
 }
 
 TEST(Errors, ABlankBeforeTheGroupsName) {

@@ -125,10 +125,13 @@ TEST(SplittingEstimate, IsToldWithWhatItComparesAndByWhatErrorsGrow) {
 }
 
 TEST(CoupledPlan, SaysByWhichMode) {
-  EXPECT_EQ(term_of(scene_of(""), "mode"), "symmetric: simultaneous, power across the interface balances to rounding");
+  EXPECT_EQ(term_of(scene_of(""), "mode"),
+            "cut-cell: simultaneous, with the open parts of faces; power balances to rounding");
+  EXPECT_EQ(term_of(scene_of("mode='symmetric'"), "mode"),
+            "symmetric: simultaneous, power across the interface balances to rounding");
   EXPECT_EQ(term_of(scene_of("mode='splitting'"), "mode"), "splitting: solids and fluid one after the other");
   EXPECT_EQ(term_of(scene_of("mode='paper'"), "mode"),
-            "paper: simultaneous by two maps, whose powers differ; would take symmetric");
+            "paper: simultaneous by two maps, whose powers differ; would take cut-cell");
 }
 
 TEST(CoupledPlan, SaysWhatIsModelled) {

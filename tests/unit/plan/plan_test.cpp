@@ -127,6 +127,7 @@ TEST(PlanText, SaysWhatIsModelledAndWhatIsLeftOutAndWhy) {
       "  membrane elements: no string\n"
       "  contact and release: bodies share one velocity field where they share a node, as in the thesis' basic method\n"
       "  heat ledger: no gas\n"
+      "  open edges: no gas passes the edges of the grid\n"
       "  pressure outside: pambient = 0\n"
       "  heat conduction: not in the source's energy equation (4.8)\n"
       "  third dimension: the scene is plane, one unit deep\n"
