@@ -43,8 +43,9 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     }
   }
   for (const Quantity& quantity : layout.quantities) {
-    if (quantity.book != Book::none)
-      booked_.push_back({columns_of(layout, quantity.name).front(), sign_of(quantity.book)});
+    if (quantity.book == Book::none) continue;
+    const double sign = quantity.book == Book::lost ? 0 : sign_of(quantity.book);  // what a method makes is a rise, too
+    booked_.push_back({columns_of(layout, quantity.name).front(), sign});
   }
   keeps_books_ = balances_energy(scene, layout);
   const auto add = [&](Number number, const char* column) {
@@ -119,8 +120,8 @@ void Watch::look_at_volumes(const Record& record) {
   }
 }
 
-/// The energy that should be kept is the total less what came from outside, with what went out and what the method
-/// lost. What it rises by is measured by what there was before, and by what was exchanged in the step.
+/// The energy that should be kept is the total less what came from outside and with what went out. What it rises by is
+/// measured by what there was before, and by what was exchanged in the step.
 void Watch::look_at_energy(const Record& record) {
   double balance = record[total_], booked = 0, exchanged = std::abs(record[potential_] - first_[potential_]);
   for (const Term& term : booked_) {
