@@ -89,7 +89,7 @@ SavedState CoupledSolver::save() const {
 void CoupledSolver::restore(const SavedState& saved) {
   StateRestorer restorer(saved);
   exchange(restorer, state_);
-  messages_.clear();  // of the start: the run has them
+  take_messages();  // of the start: the run has them
   step_.resume(state_);
 }
 
