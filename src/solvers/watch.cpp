@@ -93,7 +93,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
              false};
   energy_step_ = {"energy_step",
                   "energy_step_largest",
-                  "the rise of the energy that nothing explains, over the largest energy before",
+                  "the rise of the energy that no exchange explains, over the largest energy before",
                   "steps too long, or a way of coupling that does not hold",
                   limits.energy_step,
                   false,
