@@ -43,9 +43,9 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     }
   }
   for (const Quantity& quantity : layout.quantities) {
-    if (quantity.book == Book::none) continue;
-    const double sign = quantity.book == Book::lost ? 0 : sign_of(quantity.book);  // what a method makes is a rise, too
-    booked_.push_back({columns_of(layout, quantity.name).front(), sign});
+    // What a method makes is a rise, and no measure of it.
+    if (quantity.book != Book::none && quantity.book != Book::lost)
+      booked_.push_back({columns_of(layout, quantity.name).front(), sign_of(quantity.book)});
   }
   keeps_books_ = balances_energy(scene, layout);
   const auto add = [&](Number number, const char* column) {
