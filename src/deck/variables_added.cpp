@@ -83,7 +83,7 @@ constexpr std::array rows{
     Variable{
         "limits", "energy_step", real, 1, 2, 1, "", 0, none, "", "",
         "Rise of the energy in one step (from one record to the next of material points, bars, flows on a mesh and "
-        "explicit steps) that no column explains, over the largest energy before or exchanged in it: warning, stop "
+        "explicit steps) that no exchange explains, over the largest energy before or exchanged in it: warning, stop "
         "above. .5 and 100."},
     Variable{"limits", "energy_growth", real, 1, 2, 1, "", 0, none, "", "",
              "The same rise since the start, over the largest energy exchanged by then: warning at the end of the run, "

@@ -43,8 +43,9 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     }
   }
   for (const Quantity& quantity : layout.quantities) {
-    if (quantity.book == Book::none || quantity.book == Book::lost) continue;  // what a method makes is a rise, too
-    booked_.push_back({columns_of(layout, quantity.name).front(), sign_of(quantity.book)});
+    // What a method makes is a rise, and no measure of it.
+    if (quantity.book != Book::none && quantity.book != Book::lost)
+      booked_.push_back({columns_of(layout, quantity.name).front(), sign_of(quantity.book)});
   }
   keeps_books_ = balances_energy(scene, layout);
   const auto add = [&](Number number, const char* column) {
@@ -92,7 +93,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
              false};
   energy_step_ = {"energy_step",
                   "energy_step_largest",
-                  "the rise of the energy that nothing explains, over the largest energy before",
+                  "the rise of the energy that no exchange explains, over the largest energy before",
                   "steps too long, or a way of coupling that does not hold",
                   limits.energy_step,
                   false,
