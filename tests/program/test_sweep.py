@@ -113,7 +113,7 @@ class Failures(SweepTest):
         rows = self.table()
         self.assertEqual([row["exit_code"] for row in rows], ["0", "3", "0"])
         self.assertEqual([row["steps"] for row in rows], ["60", "", "40"])
-        self.assertIn("jumped over a cell", rows[1]["message"])
+        self.assertIn("above the limit of 100 (energy_step of $limits)", rows[1]["message"])
         self.assertTrue(numpy.isnan(netcdf(self.out / "table.nc")["steps"][1]))
 
     def test_a_scene_that_cannot_be_built_is_a_result(self):
