@@ -154,10 +154,16 @@ class StoppedRuns(Blocks):
 
     def test_a_step_too_long(self):
         columns = self.stop("the step is 2.00 times the limit dx/c: likely cause, a step too long", *sets(
-            in__tstep=2e-3, in__dtmax=2e-3, in__tmax=1), deck=DECKS / "stability-side.in")
+            in__tstep=2e-3, in__dtmax=2e-3, in__tmax=1), "--set", "limits.energy_step=0,0", deck=DECKS / "stability-side.in")
         self.assertGreater(len(columns["time"]), 5)
         energy = columns["energy_total"]
         self.assertGreater(energy[-1], 100 * energy[0])
+
+    def test_a_step_too_long_is_seen_by_its_energy_first(self):
+        result = self.expect(3, DECKS / "stability-side.in", "--quiet", "--out", self.out,
+                             *sets(in__tstep=2e-3, in__dtmax=2e-3, in__tmax=1))
+        self.assertRegex(result.stderr, r"error: t = \S+: the rise of the energy .* \(energy_step of \$limits\): likely "
+                                        r"cause, steps too long")
 
     def test_a_point_that_leaves_an_open_grid(self):
         columns = self.stop("left the grid by the right edge (wall 1): likely cause, an open edge too near", *sets(in__tmax=1))
