@@ -24,7 +24,7 @@ constexpr double longest_step = 0.7, most_megabytes = 3000;  ///< by the estimat
 
 /// What the writing costs beside the forming of what is written: of a run's files, a record, a field of a snapshot and
 /// a number of it; measured [s].
-constexpr double seconds_per_run = 8e-3, seconds_per_record = 60e-6, seconds_per_field = 2.2e-4,
+constexpr double seconds_per_run = 3e-3, seconds_per_record = 25e-6, seconds_per_field = 2.2e-4,
                  seconds_per_number = 20e-9;
 /// What the library that writes holds, with snapshots more, and for each field of each snapshot; measured [MB].
 constexpr double writing_megabytes = 6, snapshot_megabytes = 3.5, field_megabytes = 2.5e-3;
