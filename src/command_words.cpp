@@ -120,7 +120,7 @@ std::vector<std::string> of_help(const CLI::App& app, const std::vector<std::str
   return {names.front(), "--help"};
 }
 
-/// Options first; what could be taken for one comes behind "--".
+/// Options first; what could be taken for one comes after "--".
 std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& names) {
   if (std::any_of(names.begin(), names.end(), [](const auto& name) { return name.starts_with('-'); }))
     words.emplace_back("--");

@@ -82,7 +82,7 @@ bool closes_with(const std::string& key, const std::string& value) {
   return key.starts_with("error_") || key.starts_with("drag_") || key.starts_with("lift_");
 }
 
-/// What the scene's own places tell of the method, which a run finds, too.
+/// Warns of bodies too thin for the cells where they stand at the start, as a run does, too.
 void print_thin_bodies(const std::string& name, const Scene& scene) {
   const std::string thin = coupled::thin_text(scene);
   if (!thin.empty()) fmt::print(stderr, "{}: warning: {}\n", name, thin);

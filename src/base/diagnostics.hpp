@@ -10,7 +10,7 @@
 namespace tether {
 
 /// A remark is on what is known to do no harm, such as the slips of the decks that the thesis prints: it is written
-/// down, but not told in full beside warnings, which it would hide.
+/// down, but not reported in full next to warnings, which it would hide.
 enum class Severity { remark, warning, error };
 
 /// A note on what the user wrote: where, the line itself, what is wrong, what would be right.

@@ -35,9 +35,9 @@ class Watch {
     const char* key = "";    // in summary.txt
     const char* what = "";   // for people
     const char* cause = "";  // why it may be so
-    Limit limit;
-    bool low = false;               // smaller ones are worse
-    std::vector<std::size_t> from;  // the columns, of which the worst counts
+    Limit limit = {};
+    bool low = false;                    // smaller ones are worse
+    std::vector<std::size_t> from = {};  // the columns, of which the worst counts
     double worst = 0;
     bool told = false;
   };
