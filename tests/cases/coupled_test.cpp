@@ -123,22 +123,30 @@ TEST(Coupled, BalloonKeepsItsWater) {
   EXPECT_GT(area_errors(without)[0], 0.005);
 }
 
-/// A block that falls on a floor through next to nothing, by steps that are long for its waves. The mode is named as it
-/// changes the roundings of a run in which stiff waves and friction amplify them.
+/// A block that falls on a floor through next to nothing, by steps that are long for its waves.
 DeckRun landing(const char* corners, const Overrides& overrides) {
   const std::string deck =
       "$in nx=17,ny=17,xleft=0.,xright=2.,ybot=0.,ytop=2.,tmax=1.5,tstep=.005,gravc=-9.81,iout(33)=1,tiout(33)=.005 $\n"
       "$reg nreg=1,nvi=4,densir(1)=1000.,matr(1,1)=1e6,.3," +
       std::string(corners) +
       " $\n$mesh element='p1',cells(1,1)=4,4 $\n"
-      "$coupled mode='symmetric',density=1e-3,side(1)='open','open','wall','open' $\n";
+      "$coupled density=1e-3,side(1)='open','open','wall','open' $\n";
   return run_text("landing", deck, overrides);
 }
 const char* const tilted = "xvi(1,1)=.89,1.18,1.11,.82,yvi(1,1)=.45,.56,.75,.64";
 const char* const flat = "xvi(1,1)=.85,1.15,1.15,.85,yvi(1,1)=.45,.45,.65,.65";
 
+/// The most that contact and the step's own error together give it in a step, over the energy at the start.
+double given_in_a_step(const DeckRun& run) {
+  const auto& taken = run.history.column("energy_contact");
+  const auto& lost = run.history.column("energy_solid_step");
+  double most = 0;
+  for (std::size_t k = 1; k < taken.size(); ++k) most = std::max(most, taken[k - 1] - taken[k] + lost[k - 1] - lost[k]);
+  return most / run.first("energy_total");
+}
+
 /// Contact gives it no energy, and it comes to rest with its weight on the floor: .18 of the energy is left to a block
-/// that lies.
+/// that lies, and more where steps resolve its waves, which the trapezoidal rule does not damp.
 TEST(Coupled, LandingsGiveNoEnergy) {
   for (const char* friction : {"coupled.friction=0.", "coupled.friction=.3"}) {
     const auto check = [&](const char* corners, const char* E, const char* integrator, double most) {
@@ -147,11 +155,13 @@ TEST(Coupled, LandingsGiveNoEnergy) {
       EXPECT_LT(*std::max_element(energy.begin(), energy.end()), 1.001 * energy[0]) << E << friction << integrator;
       EXPECT_LT(energy.back(), most * energy[0]) << E << friction << integrator;
       EXPECT_EQ(run.summary.at("contact_unsettled"), 0) << E << friction << integrator;
+      return run;
     };
     for (const char* E : {"reg.matr(1,1)=1e6", "reg.matr(1,1)=1e7", "reg.matr(1,1)=1e9"})
       check(tilted, E, "coupled.integrator='paper'", 0.17);
-    for (const char* E : {"reg.matr(1,1)=1e6", "reg.matr(1,1)=1e7", "reg.matr(1,1)=1e8"})
-      check(flat, E, "coupled.integrator='trapezoid'", 0.25);
+    check(flat, "reg.matr(1,1)=1e6", "coupled.integrator='trapezoid'", 0.26);
+    for (const char* E : {"reg.matr(1,1)=1e7", "reg.matr(1,1)=1e8", "reg.matr(1,1)=1e9"})
+      EXPECT_LT(given_in_a_step(check(flat, E, "coupled.integrator='trapezoid'", 0.2)), 0.003) << E << friction;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/index.hpp"
 
@@ -10,6 +11,13 @@ namespace tether::coupled {
 namespace {
 
 constexpr double rounding = 1e-9;  // of a cell
+constexpr int chances = 3;         // of block pivoting
+
+/// The unit vector along x, or against it; zero of none.
+Vector towards(const Vector& x, double sign) {
+  const double size = sign * std::sqrt(dot(x, x));
+  return size == 0 ? Vector{} : Vector{x[0] / size, x[1] / size, x[2] / size};
+}
 
 }  // namespace
 
@@ -21,6 +29,7 @@ Contact::Contact(const Coupled& scene, const SolidSurface& surface)
 
 void Contact::begin(std::span<const double> q, std::span<const double> u, double h, std::vector<Touch>& touches) {
   h_ = h;
+  fewest_ = std::numeric_limits<std::size_t>::max(), chances_ = chances;
   meetings_.clear();
   const double size = *std::max_element(scene_.grid.d.begin(), scene_.grid.d.begin() + scene_.grid.dim);
   for (const int node : nodes_) {
@@ -32,10 +41,11 @@ void Contact::begin(std::span<const double> q, std::span<const double> u, double
   }
   std::vector<Touch> kept(touches.size(), Touch::away);
   for (Meeting& meeting : meetings_) {
-    meeting.velocity = u[unknown(meeting)];
+    meeting.before = place_of(u, static_cast<int>(meeting.node), scene_.grid.dim);
     Touch& touch = kept[unknown(meeting)];
     if (touch != Touch::away || meeting.gap > rounding * size) continue;
-    if (touches[unknown(meeting)] != Touch::rebounds) touch = touches[unknown(meeting)];
+    const Touch before = touches[unknown(meeting)];
+    if (before != Touch::rebounds) touch = before == Touch::grips ? Touch::sticks : before;
     meeting.touching = touch != Touch::away;
   }
   touches = std::move(kept);
@@ -82,8 +92,8 @@ void Contact::hold(std::span<const Touch> touches, std::span<std::uint8_t> held,
   for (const Meeting& meeting : meetings_) {
     if (!meeting.touching) continue;
     const Touch touch = touches[unknown(meeting)];
-    for (std::size_t i = 0; touch == Touch::sticks && i < dim_; ++i)
-      held[meeting.node * dim_ + i] = 1, u1[meeting.node * dim_ + i] = 0;
+    for (std::size_t i = 0; (touch == Touch::sticks || touch == Touch::grips) && i < dim_; ++i)
+      held[meeting.node * dim_ + i] = 1, u1[meeting.node * dim_ + i] = touch == Touch::grips ? -meeting.before[i] : 0;
     held[unknown(meeting)] = 1, u1[unknown(meeting)] = touch == Touch::rebounds ? rebound(meeting) : 0;
   }
 }
@@ -98,7 +108,9 @@ std::vector<double> Contact::lifts(std::span<const Touch> touches, std::size_t u
 }
 
 /// Down, too: a node that is halted before it reaches the wall would else stay above it.
-double Contact::lift(const Meeting& meeting) const { return -meeting.side * meeting.gap - 0.5 * h_ * meeting.velocity; }
+double Contact::lift(const Meeting& meeting) const {
+  return -meeting.side * meeting.gap - 0.5 * h_ * meeting.before[meeting.axis];
+}
 
 void Contact::add_friction(std::span<double> forces) const {
   for (const Meeting& meeting : meetings_) {
@@ -106,22 +118,41 @@ void Contact::add_friction(std::span<double> forces) const {
   }
 }
 
-bool Contact::changed(std::span<const double> u0, std::span<const double> u1, std::span<const double> reactions,
-                      std::span<const double> inertia, std::vector<Touch>& touches) {
+bool Contact::changed(std::span<const double> u1, std::span<const double> reactions, std::span<const double> inertia,
+                      std::vector<Touch>& touches) {
   constexpr double same = 1e-4;  // of the largest friction
   bool changed = false;
   double largest = 0, farthest = 0;
+  std::vector<std::pair<Meeting*, Touch>> wrong;  // of those that can but rebound
   for (Meeting& meeting : meetings_) {
     Touch& touch = touches[unknown(meeting)];
     if (touch != Touch::away && !meeting.touching) continue;  // another wall across the same axis has it
     const double before = meeting.friction;
-    const Touch then = next(meeting, touch, u0, u1, reactions, inertia);
+    const bool rebounds = meeting.released;
+    const Touch then = next(meeting, touch, u1, reactions, inertia);
     changed = changed || then != touch;
-    touch = then, meeting.touching = then != Touch::away;
+    if (rebounds && then != touch) wrong.emplace_back(&meeting, then);
+    if (!rebounds && meeting.released) fewest_ = std::numeric_limits<std::size_t>::max(), chances_ = chances;
+    if (!rebounds) touch = then, meeting.touching = then != Touch::away;
     largest = std::max(largest, meeting.friction);
     farthest = std::max(farthest, std::abs(meeting.friction - before));
   }
+  if (!wrong.empty() && !all_at_once(wrong.size())) wrong.erase(wrong.begin(), wrong.end() - 1);
+  for (const auto& [meeting, then] : wrong) {
+    if (then != Touch::away && touches[unknown(*meeting)] != Touch::away) continue;
+    touches[unknown(*meeting)] = then, meeting->touching = then != Touch::away;
+  }
   return changed || farthest > same * largest;
+}
+
+/// Block pivoting: all nodes that are wrong change as long as they become fewer; for a while they may not, and then one
+/// at a time changes, the last in a fixed order, which ends with the solution (Murty).
+bool Contact::all_at_once(std::size_t wrong) {
+  if (wrong < fewest_) {
+    fewest_ = wrong, chances_ = chances;
+    return true;
+  }
+  return chances_-- > 0;
 }
 
 /// Behind the wall, and where it is an obstacle's, in the obstacle: beside that its face goes on as no wall.
@@ -139,54 +170,59 @@ bool Contact::is_behind(const Meeting& meeting, const Vector& x) const {
 /// where that leads through the wall. Multiplied by the step's way d, the equations (4) say that contact gives the
 /// solids the energy R.d - M (u1 - u0)/h . (lift), and a node whose part of that is above zero is not halted either.
 /// (M (u1 - u0) can be against the node's own change, by its neighbours'.)
-Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u0, std::span<const double> u1,
-                    std::span<const double> reactions, std::span<const double> inertia) const {
+Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u1, std::span<const double> reactions,
+                    std::span<const double> inertia) const {
   if (now == Touch::away) {
     Vector x = meeting.from;
-    for (std::size_t i = 0; i < dim_; ++i)
-      x[i] += 0.5 * h_ * (u0[meeting.node * dim_ + i] + u1[meeting.node * dim_ + i]);
-    if (meeting.rebounded || !is_behind(meeting, x)) return Touch::away;
+    for (std::size_t i = 0; i < dim_; ++i) x[i] += 0.5 * h_ * (meeting.before[i] + u1[meeting.node * dim_ + i]);
+    if (!is_behind(meeting, x)) return Touch::away;
     if (meeting.released) return Touch::rebounds;
     return scene_.friction > 0 ? Touch::sticks : Touch::slides;
   }
   const double pressed = meeting.side * reactions[unknown(meeting)];
   const double given = -pressed * meeting.gap - lift(meeting) * inertia[unknown(meeting)] / h_;
   if (pressed < 0 || (now != Touch::rebounds && given > 0)) {
-    meeting.released = true, meeting.rebounded = now == Touch::rebounds, meeting.friction = 0;
+    meeting.released = true, meeting.friction = 0;
     return Touch::away;
   }
   return scene_.friction > 0 ? rubbed(meeting, now, pressed, u1, reactions) : now;
 }
 
 /// A node's values along the wall.
-Vector Contact::across_axis(const Meeting& meeting, std::span<const double> values) const {
+Vector Contact::along_wall(const Meeting& meeting, std::span<const double> values) const {
   Vector along{};
   for (std::size_t i = 0; i < dim_; ++i) along[i] = i == meeting.axis ? 0 : values[meeting.node * dim_ + i];
   return along;
 }
 
 /// Coulomb: a node that sticks begins to slide where that takes more than mu times the pressing force. One that slides
-/// is rubbed by that much against its way; where that would drive it back, it sticks for the rest of the step. A node
-/// that comes sticks first: an impact is not rubbed by more than stops it.
+/// is rubbed by that much; where that would drive it back, it sticks for the rest of the step. A node that comes sticks
+/// first: an impact is not rubbed by more than stops it. But by (5) the step's way is h (u0 + u1)/2, along which
+/// friction must not drive a node either. One that is halted goes h u0/2, and where a force along that way is what
+/// halts it, it is rubbed against u0 instead; where that turns its way, it does not move at all.
 Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
                       std::span<const double> reactions) const {
+  if (now == Touch::grips) return now;
   const double most = scene_.friction * pressed;
-  const Vector way = across_axis(meeting, u1), held = across_axis(meeting, reactions);
-  const auto towards = [&](const Vector& x, double sign) {
-    const double size = sign * std::sqrt(dot(x, x));
-    return size == 0 ? Vector{} : Vector{x[0] / size, x[1] / size, x[2] / size};
-  };
+  Vector first = meeting.before;
+  first[meeting.axis] = 0;
+  const Vector last = along_wall(meeting, u1), way{first[0] + last[0], first[1] + last[1], first[2] + last[2]};
   if (now == Touch::sticks) {
-    if (meeting.turned || std::sqrt(dot(held, held)) <= most) return now;
-    meeting.along = towards(held, 1);
-  } else if (dot(meeting.along, meeting.along) == 0) {
-    meeting.along = towards(way, -1);
+    const Vector held = along_wall(meeting, reactions);
+    const bool driven = dot(held, first) > 0;
+    if (!driven && (meeting.turned || std::sqrt(dot(held, held)) <= most)) return now;
+    meeting.driven = driven;
+    meeting.along = driven ? towards(first, -1) : towards(held, 1), meeting.friction = most;
+    return Touch::slides;
   }
-  const bool turns = dot(meeting.along, meeting.along) == 0 || (now != Touch::sticks && dot(meeting.along, way) > 0);
+  if (dot(meeting.along, meeting.along) == 0) meeting.along = towards(way, -1);
+  const bool halts = now == Touch::slides && !meeting.driven;
+  const bool turns =
+      dot(meeting.along, meeting.along) == 0 || dot(meeting.along, way) > 0 || (halts && dot(meeting.along, last) > 0);
   meeting.turned = meeting.turned || turns;
-  meeting.friction = meeting.turned ? 0 : most;
-  if (now == Touch::rebounds) return now;
-  return meeting.turned ? Touch::sticks : Touch::slides;
+  meeting.friction = turns || (now == Touch::rebounds && meeting.turned) ? 0 : most;
+  if (now == Touch::rebounds || !turns) return now;
+  return meeting.driven ? Touch::grips : Touch::sticks;
 }
 
 void Contact::place(std::span<double> q) const {

@@ -18,7 +18,6 @@ namespace {
 
 constexpr int layers_around_fluid = 4;
 constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
-constexpr int most_contact_solutions = 20;
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
   std::vector<double> values(numbers.of_cell.size(), 0.0);
@@ -151,9 +150,9 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
     solve_once(flux, state, solution);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
     solids_.system.multiply_mass(change, inertia);
-    settled = !contact_.changed(u0, state.u, solution.wall_force, inertia, state.touches);
+    settled = !contact_.changed(state.u, solution.wall_force, inertia, state.touches);
   }
-  if (!settled) ++state.contact_unsettled;
+  if (!settled) tell_of_unsettled_contact(state);
   state.iterations += system_.cost().iterations - before.iterations;
   state.lu_solutions += system_.cost().lu_solves - before.lu_solves;
   const FaceValues free = state.v;

@@ -13,6 +13,9 @@
 
 namespace tether::coupled {
 
+/// After these solutions of a step what touches stays as it is.
+constexpr int most_contact_solutions = 60;
+
 /// A step of fluid and solids together. The scene must outlive it.
 class CoupledStep {
  public:
@@ -67,6 +70,7 @@ class CoupledStep {
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void carry_along(CoupledState& state, double h);
   void check(const CoupledState& state) const;
+  void tell_of_unsettled_contact(CoupledState& state);
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, FaceValues& v) const;
   void place_solids(double time, CoupledState& state);

@@ -47,6 +47,16 @@ void CoupledStep::check(const CoupledState& state) const {
       splitting ? too_much_added_mass : "a solid too soft for what acts on it, or steps too long for its motion"));
 }
 
+/// A warning once. What the last solution holds is then not what its forces ask for.
+void CoupledStep::tell_of_unsettled_contact(CoupledState& state) {
+  if (state.contact_unsettled++ > 0) return;
+  messages_.push_back(fmt::format(
+      "t = {:.6g}, step {}: which nodes touch walls and slide there was not settled in {} solutions: such a "
+      "step may give a body energy, or put nodes that went through a wall back onto it; contact_unsettled of "
+      "summary.txt counts these steps, shorter ones help",
+      state.time, state.steps + 1, most_contact_solutions));
+}
+
 /// Once: the volume term has nothing to go by there.
 void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState& state) {
   if (!coupled_.volume_term || coupled_.mode == CouplingMode::splitting || state.unmeasured != 0) return;

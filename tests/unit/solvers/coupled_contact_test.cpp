@@ -37,7 +37,7 @@ class Touching : public testing::Test {
     const auto held = held_by(contact);
     for (std::size_t k = 0; k < 2; ++k) u1[k] = held[k] != 0 ? chosen[k] : free[k];
     reactions[0] = held[0] != 0 ? rx : 0, reactions[1] = held[1] != 0 ? ry : 0;
-    return contact.changed(u0, u1, reactions, inertia, touches);
+    return contact.changed(u1, reactions, inertia, touches);
   }
   std::vector<int> held_by(const Contact& contact) {
     std::vector<std::uint8_t> held(6, 0);
@@ -103,7 +103,7 @@ TEST_F(Touching, KeepsNodesInTheBox) {
   }
 }
 
-TEST_F(Touching, EndsWhereTheWallWouldHaveToPullAndNotTwiceInAStep) {
+TEST_F(Touching, EndsWhereTheWallWouldHaveToPull) {
   touches[1] = Touch::slides;
   Contact contact = at_place(0.3, 0);
   EXPECT_FALSE(solved(contact, {0, 0}, 0, 1));
@@ -111,9 +111,29 @@ TEST_F(Touching, EndsWhereTheWallWouldHaveToPullAndNotTwiceInAStep) {
   EXPECT_EQ(touches[1], Touch::away);
   EXPECT_TRUE(solved(contact, {0, -1}, 0, 0));  // it comes back,
   EXPECT_EQ(touches[1], Touch::rebounds);
-  EXPECT_TRUE(solved(contact, {0, 0}, 0, -1));  // and is pulled again:
+  EXPECT_TRUE(solved(contact, {0, 0}, 0, -1));  // and is pulled again, by what others do:
   EXPECT_EQ(touches[1], Touch::away);
-  EXPECT_FALSE(solved(contact, {0, -1}, 0, 0));  // it is let go, else the search would not end
+  EXPECT_FALSE(solved(contact, {0, 1}, 0, 0));
+}
+
+/// Two nodes each of which is wrong as long as the other does the same: changed together they would go round for ever.
+TEST_F(Touching, ChangesOneAtATimeWhereAllGoRound) {
+  q[2] = 0.6, q[3] = 0;
+  u0[3] = -1;
+  touches[1] = touches[3] = Touch::slides;
+  Contact contact = at_place(0.3, 0, 0, -1);
+  int solutions = 0;
+  for (bool again = true; again && solutions < 20; ++solutions) {
+    const bool same = (touches[1] == Touch::away) == (touches[3] == Touch::away);
+    for (const std::size_t k : {1, 3}) {
+      u1[k] = touches[k] == Touch::away ? (same ? -1 : 2) : 1;
+      reactions[k] = touches[k] == Touch::away ? 0 : (same ? -1 : 1);
+    }
+    again = contact.changed(u1, reactions, inertia, touches);
+  }
+  EXPECT_LT(solutions, 10);
+  EXPECT_EQ(touches[1], Touch::away);
+  EXPECT_EQ(touches[3], Touch::rebounds);
 }
 
 /// One that would have to be pulled to a halt, and let go would go through: it ends on the wall by (5), and is free in
@@ -178,6 +198,25 @@ TEST_F(Touching, RubsByFrictionTimesWhatPresses) {
   EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
   EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
   EXPECT_FALSE(solved(contact, {0, 0}, -9, 3));
+}
+
+/// By (5) a node that sticks still goes h u0/2: a wall that has to push it along that way gives it energy. It is rubbed
+/// against it, and where that drives it back, held so that it does not move at all.
+TEST_F(Touching, IsNotPushedAlongTheWall) {
+  coupled.friction = 0.5;
+  Contact contact = at_place(0.3, 0.001, 1, -1);
+  EXPECT_TRUE(solved(contact, {1, -1}, 0, 0));
+  EXPECT_TRUE(solved(contact, {0, 0}, 0.1, 2));
+  EXPECT_EQ(touches[1], Touch::slides);
+  EXPECT_EQ(friction_of(contact), (Vector{-1, 0, 0}));
+  EXPECT_FALSE(solved(contact, {-0.9, 0}, 0, 2));
+  EXPECT_TRUE(solved(contact, {-1.1, 0}, 0, 2));
+  EXPECT_EQ(touches[1], Touch::grips);
+  EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
+  EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
+  EXPECT_EQ(chosen[0], -u0[0]);
+  Contact then = at_place(0.3, 0);
+  EXPECT_EQ(touches[1], Touch::sticks);
 }
 
 /// One that sticks goes on to where holding it takes more.
