@@ -86,8 +86,9 @@ constexpr std::array rows{
         "explicit steps) that no exchange explains, over the largest energy before or exchanged in it: warning, stop "
         "above. .5 and 100."},
     Variable{"limits", "energy_growth", real, 1, 2, 1, "", 0, none, "", "",
-             "The same rise since the start, over the largest energy exchanged by then: warning at the end of the run, "
-             "stop above. .05 and 0."},
+             "The same rise since the start: warning at the end of the run where it is above this part of the largest "
+             "energy exchanged, stop above this multiple of the energy at the start, or of what was booked since. .05 "
+             "and 100."},
     Variable{"limits", "splitting", real, 1, 2, 1, "", 0, none, "", "",
              "Size of interface_mismatch of a fluid in a box: warning, stop above. 1 and 100."},
     Variable{"limits", "cfl", real, 1, 2, 1, "", 0, none, "", "",

@@ -14,7 +14,8 @@ struct Limits {
   Limit volume;       ///< a body's volume over that at the start, or the other way round: below
   Limit energy_step;  ///< rise of the energy that nothing booked explains, from one look to the next, over the largest
                       ///< energy before or exchanged meanwhile: above
-  Limit energy_growth;  ///< the same since the start, over the largest energy exchanged: above
+  Limit energy_growth;  ///< the same since the start: warns above a part of the largest energy exchanged, stops above a
+                        ///< multiple of the energy at the start, or of what was booked or fell since
   Limit splitting;      ///< size of the mismatch of the power across the interface: above
   Limit cfl;            ///< cells that the fluid in a box crosses in a step: above
 };

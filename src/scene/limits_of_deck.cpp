@@ -10,7 +10,7 @@ namespace {
 constexpr Limits default_limits{.quality = {0.1, 0.001},
                                 .volume = {0.5, 0.05},
                                 .energy_step = {0.5, 100},
-                                .energy_growth = {0.05, 0},
+                                .energy_growth = {0.05, 100},
                                 .splitting = {1, 100},
                                 .cfl = {4, 0}};
 

@@ -96,12 +96,6 @@ class Runner {
   void look(const Record& record) {
     watch_.look(record, *solver_);
     for (const auto& message : watch_.take_messages()) outputs_.warn(message);
-    const double most = plan_.scene.limits.energy_growth.stop;
-    if (most == 0 || energy_rise(outputs_.history()) <= most) return;
-    throw RunError(
-        fmt::format("t = {:.9g}: the energy has risen by more than {:.3g} of what was exchanged "
-                    "(energy_growth of $limits): likely cause, steps too long, or a run that diverges",
-                    record.front(), most));
   }
   bool at_end() const { return solver_->time() >= plan_.scene.clock.tmax; }
   /// At least one step, and no further than the next look at signals and progress.

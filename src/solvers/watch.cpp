@@ -85,6 +85,12 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
                   .what = "the rise of the energy that no exchange explains, over the largest energy before",
                   .cause = "steps too long, or a way of coupling that does not hold",
                   .limit = limits.energy_step};
+  energy_growth_ = {.name = "energy_growth",
+                    .what =
+                        "the rise of the energy since the start that no exchange explains, over the energy then or "
+                        "exchanged since",
+                    .cause = "steps too long, or a run that diverges",
+                    .limit = {.stop = limits.energy_growth.stop}};  // the run warns of it at its end
 }
 
 void Watch::look(const Record& record, const Solver& solver) {
@@ -105,25 +111,43 @@ void Watch::look_at_volumes(const Record& record) {
   }
 }
 
-/// The energy that should be kept is the total less what came from outside and with what went out. What it rises by is
-/// measured by what there was before, and by what was exchanged in the step.
+/// What the energy rises by is measured by what there was before, and by what was exchanged in the step; its rise since
+/// the start by what there was then, and by what was exchanged since.
 void Watch::look_at_energy(const Record& record) {
-  double balance = record[total_], booked = 0, exchanged = std::abs(record[potential_] - first_[potential_]);
-  for (const Term& term : booked_) {
-    balance += term.sign * record[term.column];
-    booked += std::abs(record[term.column]);
-  }
   if (!keeps_books_) return;
+  const double balance = kept_energy(record), booked = booked_energy(record);
   if (looked_ && !std::isfinite(balance) && energy_step_.limit.stop > 0)  // the start is the solver's to judge
     throw RunError(
         fmt::format("t = {:.9g}: the energy is no number: likely cause, {}", record.front(), energy_step_.cause));
-  const double measure = std::max({largest_, exchanged, std::abs(booked - booked_before_), rest_energy(record)});
-  if (measure > 0 && looked_)
-    judge(energy_step_, (balance - balance_) / measure, record.front(), [] { return std::string(); });
+  const double exchanged = std::abs(record[potential_] - first_[potential_]), rest = rest_energy(record);
+  const double measure = std::max({largest_, exchanged, std::abs(booked - booked_before_), rest});
+  const auto nowhere = [] { return std::string(); };
+  if (measure > 0 && looked_) judge(energy_step_, (balance - balance_) / measure, record.front(), nowhere);
+  const double reached = std::max({largest_energy(first_), exchanged, booked, rest});
+  if (reached > 0) judge(energy_growth_, (balance - kept_energy(first_)) / reached, record.front(), nowhere);
   looked_ = true;
   balance_ = balance, booked_before_ = booked;
-  for (const std::size_t column : energies_) largest_ = std::max(largest_, std::abs(record[column]));
-  largest_ = std::max({largest_, exchanged, booked});
+  largest_ = std::max({largest_, largest_energy(record), exchanged, booked});
+}
+
+/// The total less what came from outside and with what went out.
+double Watch::kept_energy(const Record& record) const {
+  double energy = record[total_];
+  for (const Term& term : booked_) energy += term.sign * record[term.column];
+  return energy;
+}
+
+double Watch::booked_energy(const Record& record) const {
+  double booked = 0;
+  for (const Term& term : booked_) booked += std::abs(record[term.column]);
+  return booked;
+}
+
+/// Of the kinds that are no potential.
+double Watch::largest_energy(const Record& record) const {
+  double largest = 0;
+  for (const std::size_t column : energies_) largest = std::max(largest, std::abs(record[column]));
+  return largest;
 }
 
 /// The kinetic energy of all mass at a speed that is next to rest in a step.

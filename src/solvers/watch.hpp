@@ -51,6 +51,9 @@ class Watch {
   void judge(Number& number, double value, double time, const Place& where);
   void look_at_volumes(const Record& record);
   void look_at_energy(const Record& record);
+  double kept_energy(const Record& record) const;
+  double booked_energy(const Record& record) const;
+  double largest_energy(const Record& record) const;
   double rest_energy(const Record& record) const;
 
   double cell_;                       // [length]
@@ -60,7 +63,7 @@ class Watch {
   std::vector<Term> booked_;
   bool keeps_books_ = true;      // so that a rise means something
   std::vector<Number> numbers_;  // of columns
-  Number volume_, energy_step_;
+  Number volume_, energy_step_, energy_growth_;
   Record first_;  // that was looked at
   bool looked_ = false;
   double balance_ = 0, largest_ = 0, booked_before_ = 0;  // of the energy, at the last look
