@@ -21,7 +21,7 @@
 #include "solvers/rehearsal.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
-#include "studies/reproduce.hpp"
+#include "studies/reproduce/reproduce.hpp"
 #include "studies/sweep.hpp"
 
 namespace tether {

@@ -133,6 +133,12 @@ std::string expression_words() {
   return functions + "pi, e";
 }
 
+bool is_expression_function(std::string_view name) {
+  const auto named = [&](const auto& function) { return name == function.name; };
+  return std::any_of(functions_of_one.begin(), functions_of_one.end(), named) ||
+         std::any_of(functions_of_two.begin(), functions_of_two.end(), named);
+}
+
 struct Expression::Parser {
   std::string text;
   std::vector<std::string> names;

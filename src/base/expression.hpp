@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tether {
@@ -47,5 +48,8 @@ class Expression {
 
 /// The functions and constants, for messages and documents: "sin, cos, ...".
 std::string expression_words();
+
+/// Whether an expression may have a function of this name.
+bool is_expression_function(std::string_view name);
 
 }  // namespace tether

@@ -30,7 +30,9 @@ bool Deck::has_group(std::string_view group) const { return contents_.groups.cou
 
 std::vector<std::string> Deck::possible_groups() const {
   auto groups = group_names();
-  std::erase_if(groups, [this](const std::string& group) { return (group == study_group) != is_study(); });
+  std::erase_if(groups, [this](const std::string& group) {
+    return (group == published_group && !has_group(group)) || (group == study_group) != is_study();
+  });
   return groups;
 }
 

@@ -61,7 +61,7 @@ class Deck {
   bool has_group(std::string_view group) const;
   /// Whether it is a study deck, which tells of many runs and is none itself.
   bool is_study() const { return has_group(study_group); }
-  /// The groups of the table that such a deck may have, in its order.
+  /// The groups of the table that such a deck may have, in its order; $published where it has it.
   std::vector<std::string> possible_groups() const;
 
   // The value of an element, given or default. Throws std::logic_error where the table has no such variable, where it

@@ -44,6 +44,7 @@ std::string effective_deck(const Deck& deck, const std::vector<std::string>& als
   std::string text;
   for (const auto& line : deck.header()) text += line + "\n";
   for (const auto& group : deck.possible_groups()) {
+    if (group == published_group) continue;  // it says nothing to the run
     const bool silent = chooses_path(group) && !deck.has_group(group);
     if (silent && std::find(also.begin(), also.end(), group) == also.end()) continue;
     std::string items;

@@ -19,6 +19,7 @@ std::span<const Variable> rigid_variables();
 std::span<const Variable> flow_variables();
 std::span<const Variable> coupled_variables();
 std::span<const Variable> study_variables();
+std::span<const Variable> published_variables();
 
 namespace bounds {
 constexpr double none = std::numeric_limits<double>::infinity();

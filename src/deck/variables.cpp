@@ -12,7 +12,7 @@ std::vector<Variable> joined_table() {
   std::vector<Variable> table;
   for (const auto part :
        {in_variables(), fluid_variables(), region_variables(), membrane_variables(), added_variables(), fem_variables(),
-        rigid_variables(), flow_variables(), coupled_variables(), study_variables()}) {
+        rigid_variables(), flow_variables(), coupled_variables(), study_variables(), published_variables()}) {
     table.insert(table.end(), part.begin(), part.end());
   }
   return table;

@@ -42,6 +42,8 @@ bool chooses_path(std::string_view group);
 
 /// The group of study decks, which have no other.
 constexpr std::string_view study_group = "study";
+/// The group of published numbers, which says nothing to the run itself.
+constexpr std::string_view published_group = "published";
 
 // Sizes of the old code's arrays.
 constexpr int region_count = 20;       ///< regions

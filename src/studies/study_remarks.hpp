@@ -9,13 +9,14 @@
 
 namespace tether {
 
-/// Tells of mistakes at the places of a study deck's values.
+/// Reports mistakes at the places of a group's values.
 class StudyRemarks {
  public:
   /// The references must outlive this.
-  StudyRemarks(const Deck& deck, Diagnostics& diagnostics) : deck_(deck), diagnostics_(diagnostics) {}
+  StudyRemarks(const Deck& deck, Diagnostics& diagnostics, std::string_view group = study_group)
+      : deck_(deck), diagnostics_(diagnostics), group_(group) {}
 
-  /// At $study name(k), else at $study.
+  /// At the group's name(k), else at the group.
   void error(const std::string& name, int k, const std::string& message, const std::string& hint = {});
   /// Those of the text that stands in name(k), each at its column where the deck has the text on one line.
   void tell(const std::string& name, int k, const std::vector<Mistake>& mistakes);
@@ -25,6 +26,7 @@ class StudyRemarks {
 
   const Deck& deck_;
   Diagnostics& diagnostics_;
+  std::string_view group_;
 };
 
 }  // namespace tether

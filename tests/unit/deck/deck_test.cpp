@@ -78,7 +78,7 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
 
 TEST(Variables, GroupsInTheirOrder) {
   EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "limits",
-                                  "mesh", "fem", "rigid", "flow", "coupled", "study"}));
+                                  "mesh", "fem", "rigid", "flow", "coupled", "study", "published"}));
 }
 
 }  // namespace

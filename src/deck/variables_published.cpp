@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "deck/variable_groups.hpp"
+
+namespace tether {
+namespace {
+
+using bounds::none;
+using enum ValueType;
+
+constexpr int most_rows = 40, most_overrides = 20;
+
+constexpr Variable text_of_problem(std::string_view name, std::string_view fallback, std::string_view meaning,
+                                   std::string_view choices = "") {
+  return {published_group, name, text, 0, 1, 1, "", -none, none, choices, fallback, meaning};
+}
+constexpr Variable overrides(std::string_view name, std::string_view meaning) {
+  return {published_group, name, text, 1, most_overrides, 1, "", -none, none, "", "", meaning};
+}
+constexpr Variable text_of_row(std::string_view name, std::string_view fallback, std::string_view meaning,
+                               std::string_view choices = "") {
+  return {published_group, name, text, 1, most_rows, 1, "", -none, none, choices, fallback, meaning};
+}
+
+constexpr std::array rows{
+    text_of_problem("name", "''", "Name of the problem for 'tether reproduce'; without it the deck's file name."),
+    text_of_problem("source", "''", "What published the numbers: 'thesis'."),
+    text_of_problem("place", "''", "Where that has them: '4.1, Figs 13, 14'."),
+    text_of_problem("deck", "''",
+                    "Deck to run, a path from this deck's folder, at most one folder up; without it this deck."),
+    text_of_problem("like", "''", "Another deck whose $published gives what this one leaves out."),
+    text_of_problem("beside", "''", "A deck that is run as well, for readings that compare two runs: beside(f)."),
+    text_of_problem("study", "''", "A bisection that is run on the deck in place of a single run."),
+    text_of_problem("methods", "'both'", "By which methods material points are run: the thesis's, and the robust one.",
+                    "thesis|both"),
+    text_of_problem("varied", "'none'",
+                    "Chaotic by these methods: ten runs whose steps differ by up to half a per cent.",
+                    "none|thesis|robust|both"),
+    overrides("thesis_set",
+              "A value for the runs by the thesis's method, and of decks without points: "
+              "'group.name=value'."),
+    overrides("robust_set", "A value for the runs by the robust method."),
+    text_of_row("quantity", "", "A row of the table: its name, with the unit where it has one."),
+    text_of_row("is", "",
+                "What the row reads off a finished run: an expression of keys of summary.txt and of functions of the "
+                "run, 'max(body_y_3)'; row(1) stands for what an earlier row reads."),
+    text_of_row("printed", "''",
+                "What is printed, and where: '0.0071 (Table 3)' within half a unit of the last digit, '6 +- 3 % (Box "
+                "10)', '= 0.05 (Box 2)' exactly, '< 1 (6.2)'; ' or ' between what contradicts itself."),
+    text_of_row("judged", "'none'", "Whose values are judged by what is printed; the others' are reported.",
+                "none|thesis|robust|both"),
+    text_of_row("theory", "''", "What the source quotes of its theory, written as `printed`."),
+    text_of_row("theory_for", "'exact'",
+                "What theory is compared with: the exact value of the deck that ran, the runs, or nothing.",
+                "exact|runs|nothing"),
+    text_of_row("exact", "''", "The exact value of the deck that ran, written as `is`."),
+    text_of_row("thesis_within", "''",
+                "How near the thesis's method, or a deck without points, must come to the exact value: '2 %', or a "
+                "size; without it the distance is reported."),
+    text_of_row("robust_within", "''", "The same for the robust method."),
+    text_of_row("thesis_to_theory", "''", "How near it must come to the theory, where that is for runs."),
+    text_of_row("robust_to_theory", "''", "The same for the robust method."),
+};
+
+}  // namespace
+
+std::span<const Variable> published_variables() { return rows; }
+
+}  // namespace tether

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/reproduce/point_readings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "base/errors.hpp"
+#include "base/numbers.hpp"
+
+namespace tether::published {
+namespace {
+
+using Arguments = std::vector<Argument>;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+const Formula& formula_of(const Argument& argument) { return *std::get<std::shared_ptr<const Formula>>(argument); }
+
+double sum(const Numbers& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+double least_of(const Numbers& values) {
+  return values.empty() ? none : *std::min_element(values.begin(), values.end());
+}
+double largest_of(const Numbers& values) {
+  return values.empty() ? none : *std::max_element(values.begin(), values.end());
+}
+
+/// The values of a formula at all points of a snapshot, or at all nodes.
+Numbers at_points(const RunFiles& run, const Formula& formula, std::size_t snapshot) {
+  std::vector<Numbers> fields;
+  for (const std::string& name : formula.names()) fields.push_back(run.points(name, snapshot));
+  return formula.of_each(run, fields, fields.empty() ? run.points("x", snapshot).size() : fields.front().size());
+}
+Numbers at_nodes(const RunFiles& run, const Formula& formula, std::size_t snapshot) {
+  std::vector<Numbers> fields;
+  for (const std::string& name : formula.names()) fields.push_back(run.nodes(name, snapshot));
+  return formula.of_each(run, fields, fields.empty() ? run.nodes("x", snapshot).size() : fields.front().size());
+}
+
+/// Of the values those for which `which` is not 0.
+Numbers selected(const Numbers& values, const Numbers& which) {
+  Numbers chosen;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    if (which.at(p) != 0) chosen.push_back(values[p]);
+  }
+  return chosen;
+}
+
+Numbers chosen_points(const RunFiles& run, const Argument& value, const Argument& which, const Argument& snapshot) {
+  const std::size_t k = snapshot_of(run.snapshots(), snapshot);
+  return selected(at_points(run, formula_of(value), k), at_points(run, formula_of(which), k));
+}
+Numbers chosen_nodes(const RunFiles& run, const Arguments& a) {
+  const std::size_t k = snapshot_of(run.node_snapshots(), a[2]);
+  return selected(at_nodes(run, formula_of(a[0]), k), at_nodes(run, formula_of(a[1]), k));
+}
+
+/// Middles of the columns of cells that hold points, and the means of a field over their points.
+struct Columns {
+  Numbers x, mean_of_points;
+
+  Columns(const RunFiles& run, const std::string& field, std::size_t snapshot) {
+    const Numbers places = run.points("x", snapshot), values = run.points(field, snapshot);
+    const double width = run.summary("dx");
+    std::map<double, Numbers> columns;  // by their middles
+    for (std::size_t p = 0; p < places.size(); ++p)
+      columns[(std::floor(places[p] / width) + 0.5) * width].push_back(values[p]);
+    for (const auto& [middle, of_column] : columns) x.push_back(middle), mean_of_points.push_back(mean(of_column));
+  }
+};
+
+/// A body's points at the start as a line.
+struct Line {
+  Numbers x, y, volume;
+
+  Line(const RunFiles& run, const Argument& body) {
+    const auto number = static_cast<int>(formula_of(body).of_run(run));
+    x = run.points("x", 0, number), y = run.points("y", 0, number), volume = run.points("volume", 0, number);
+  }
+  double piece(std::size_t p) const { return std::hypot(x[p] - x[p - 1], y[p] - y[p - 1]); }
+  double volume_between_ends() const {
+    double between = 0;
+    for (std::size_t p = 1; p + 1 < volume.size(); ++p) between += volume[p];
+    return between;
+  }
+};
+
+}  // namespace
+
+std::size_t snapshot_of(std::size_t count, const Argument& argument) {
+  const auto& word = std::get<std::string>(argument);
+  if (count > 0 && word == "first") return 0;
+  if (count > 0 && word == "last") return count - 1;
+  const auto number = parse_integer(word);
+  if (!number || *number < 0 || static_cast<std::size_t>(*number) >= count)
+    throw FileError(fmt::format("there is no snapshot {}, of {}", word, count));
+  return static_cast<std::size_t>(*number);
+}
+
+double mean(const Numbers& values) { return values.empty() ? none : sum(values) / static_cast<double>(values.size()); }
+
+double points_sum(const RunFiles& run, const Arguments& a) { return sum(chosen_points(run, a[0], a[1], a[2])); }
+double points_mean(const RunFiles& run, const Arguments& a) { return mean(chosen_points(run, a[0], a[1], a[2])); }
+double points_min(const RunFiles& run, const Arguments& a) { return least_of(chosen_points(run, a[0], a[1], a[2])); }
+double points_max(const RunFiles& run, const Arguments& a) { return largest_of(chosen_points(run, a[0], a[1], a[2])); }
+double points_where_least(const RunFiles& run, const Arguments& a) {
+  const Numbers values = chosen_points(run, a[0], a[2], a[3]), by = chosen_points(run, a[1], a[2], a[3]);
+  if (values.empty()) return none;
+  return values[static_cast<std::size_t>(std::min_element(by.begin(), by.end()) - by.begin())];
+}
+double point(const RunFiles& run, const Arguments& a) {
+  const Numbers values = at_points(run, formula_of(a[0]), snapshot_of(run.snapshots(), a[2]));
+  const double k = formula_of(a[1]).of_run(run);
+  return k >= 1 && k <= static_cast<double>(values.size()) ? values[static_cast<std::size_t>(k) - 1] : none;
+}
+double nodes_sum(const RunFiles& run, const Arguments& a) { return sum(chosen_nodes(run, a)); }
+double nodes_mean(const RunFiles& run, const Arguments& a) { return mean(chosen_nodes(run, a)); }
+double nodes_min(const RunFiles& run, const Arguments& a) { return least_of(chosen_nodes(run, a)); }
+double nodes_max(const RunFiles& run, const Arguments& a) { return largest_of(chosen_nodes(run, a)); }
+
+double columns_mean(const RunFiles& run, const Arguments& a) {
+  const Columns columns(run, std::get<std::string>(a[0]), snapshot_of(run.snapshots(), a[3]));
+  const double from = formula_of(a[1]).of_run(run), to = formula_of(a[2]).of_run(run);
+  Numbers between;
+  for (std::size_t c = 0; c < columns.x.size(); ++c) {
+    if (columns.x[c] > from && columns.x[c] < to) between.push_back(columns.mean_of_points[c]);
+  }
+  return mean(between);
+}
+
+double front(const RunFiles& run, const Arguments& a) {
+  const Columns columns(run, std::get<std::string>(a[0]), snapshot_of(run.snapshots(), a[2]));
+  const double level = formula_of(a[1]).of_run(run);
+  for (std::size_t c = columns.x.size(); c-- > 1;) {
+    const double here = columns.mean_of_points[c - 1], right = columns.mean_of_points[c];
+    if (here < level) continue;
+    return columns.x[c - 1] + (columns.x[c] - columns.x[c - 1]) * (here - level) / (here - right);
+  }
+  return none;
+}
+
+double columns_apart(const RunFiles& run, const Arguments& a) {
+  const auto columns = [&](const RunFiles& of) {
+    return Columns(of, std::get<std::string>(a[0]), of.snapshots() - 1).mean_of_points;
+  };
+  const Numbers here = columns(run), there = columns(run.beside());
+  double largest = 0;
+  for (std::size_t c = 0; c < std::min(here.size(), there.size()); ++c)
+    largest = std::max(largest, std::abs(here[c] - there[c]));
+  return largest;
+}
+
+double thickness(const RunFiles& run, const Arguments& a) {
+  const Line line(run, a[0]);
+  double length = 0;
+  for (std::size_t p = 1; p < line.x.size(); ++p) length += line.piece(p);
+  const auto pieces = static_cast<double>(line.x.size() - 1);
+  return line.volume_between_ends() / (length * (pieces - 1) / pieces);
+}
+
+double thickness_about_axis(const RunFiles& run, const Arguments& a) {
+  const Line line(run, a[0]);
+  double surface = 0;
+  for (std::size_t p = 1; p + 1 < line.x.size(); ++p)
+    surface += 2 * std::numbers::pi * line.x[p] * (line.piece(p + 1) + line.piece(p)) / 2;
+  return line.volume_between_ends() / surface;
+}
+
+}  // namespace tether::published

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/reproduce/formula.hpp"
+
+namespace tether::published {
+
+// What readings find in the fields of points and nodes. The arguments are those of reading_functions(), in their order.
+// Each throws FileError where the run did not write what is read.
+
+/// The number of a snapshot, of `count`, that a word names. Throws FileError where there is none.
+std::size_t snapshot_of(std::size_t count, const Argument& argument);
+
+double mean(const Numbers& values);  ///< not a number of none
+
+double points_sum(const RunFiles& run, const std::vector<Argument>& arguments);
+double points_mean(const RunFiles& run, const std::vector<Argument>& arguments);
+double points_min(const RunFiles& run, const std::vector<Argument>& arguments);
+double points_max(const RunFiles& run, const std::vector<Argument>& arguments);
+double points_where_least(const RunFiles& run, const std::vector<Argument>& arguments);
+double point(const RunFiles& run, const std::vector<Argument>& arguments);
+double nodes_sum(const RunFiles& run, const std::vector<Argument>& arguments);
+double nodes_mean(const RunFiles& run, const std::vector<Argument>& arguments);
+double nodes_min(const RunFiles& run, const std::vector<Argument>& arguments);
+double nodes_max(const RunFiles& run, const std::vector<Argument>& arguments);
+
+/// Over the columns of cells that hold points, counted from x = 0.
+double columns_mean(const RunFiles& run, const std::vector<Argument>& arguments);
+double front(const RunFiles& run, const std::vector<Argument>& arguments);
+double columns_apart(const RunFiles& run, const std::vector<Argument>& arguments);
+
+/// The points of a body stand for equal pieces of a line; those at its ends, which may have half a piece or a whole
+/// one, do not count.
+double thickness(const RunFiles& run, const std::vector<Argument>& arguments);
+double thickness_about_axis(const RunFiles& run, const std::vector<Argument>& arguments);
+
+}  // namespace tether::published

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/reproduce/reading.hpp"
+
+#include <memory>
+
+#include "studies/reproduce/formula.hpp"
+
+namespace tether::published {
+
+ReadReading read_reading(const std::string& text) {
+  ReadReading read;
+  const auto formula = std::make_shared<const Formula>(text, 0, read.mistakes);
+  if (!read.mistakes.empty()) return read;
+  read.reading = [formula](const RunFiles& run) { return formula->of_run(run); };
+  read.of_deck = formula->of_deck();
+  return read;
+}
+
+}  // namespace tether::published
