@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <string_view>
 #include <thread>
 
 #include "base/diagnostics.hpp"
@@ -62,8 +63,15 @@ CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& 
   return reproduce;
 }
 
-/// Outside of runs, which hold signals back, there is nothing to be kept: whatever is read or computed, they end it.
-extern "C" void end_by(int signal) { _exit(exit_signal + signal); }
+/// Outside of runs, which hold signals back, there is nothing to be kept: whatever is read or computed, they end it. Of
+/// what a program may call here, write() says so.
+extern "C" void end_by(int signal) {
+  constexpr std::string_view by_int = "tether: interrupted by SIGINT while no run was under way\n",
+                             by_term = "tether: interrupted by SIGTERM while no run was under way\n";
+  const std::string_view text = signal == SIGINT ? by_int : by_term;
+  if (write(STDERR_FILENO, text.data(), text.size()) < 0) _exit(exit_signal + signal);  // nowhere to say it
+  _exit(exit_signal + signal);
+}
 
 /// Not where the caller wants a signal to be passed over.
 void heed(int signal) {

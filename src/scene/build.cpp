@@ -115,12 +115,33 @@ double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics
   return pressure;
 }
 
+/// Of membranes by curves, in a grid so large that no place in it is wrong; what that grid makes doubtful does not
+/// count.
+void check_curves(const Deck& deck, const Method& method, Diagnostics& diagnostics) {
+  constexpr double far = 1e30;
+  Scene scene;
+  scene.grid = BackgroundGrid(2, 2, -far, far, -far, far);
+  scene.geometry = geometry_of(deck);
+  scene.method = method;
+  Diagnostics found;
+  add_membranes(deck, scene, found);
+  for (auto& error : found.errors()) diagnostics.add(std::move(error));
+}
+
 }  // namespace
 
 void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.is_study()) return;
+  limits_of(deck, diagnostics);
+  const Method method = method_of(deck, diagnostics);
   const bool of_points =
       !deck.has_group("mesh") && !deck.has_group("rigid") && !deck.has_group("coupled") && !has_flow(deck);
-  if (deck.is_study() || !of_points || deck.integer("in", "igen") == 0) return;
+  if (!of_points) return;
+  if (deck.given("in", "xleft")) check_axis(deck, diagnostics);
+  Walls walls = walls_of(deck);
+  edges_of(deck, walls, diagnostics);
+  check_curves(deck, method, diagnostics);
+  if (deck.integer("in", "igen") == 0) return;
   for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) check_region(deck, r, diagnostics);
 }
 

@@ -136,6 +136,16 @@ class BadDecks(ProgramTest):
         there = {path.stem for path in (ROOT / FOLDER).glob("*.in")}
         self.assertEqual(REQUIRED - there, set())
 
+    def test_what_needs_no_grid_is_told_without_one(self):
+        deck = self.write("half.in", "no grid and no clock\n$in\n igen=1, cyl=1., xleft=-1.\n$\n$reg nreg=1 $\n"
+                          "$membrane curve(1)='line', x(1,1)=0.,1., y(1,1)=0.,0., density(1)=1. $\n"
+                          "$mpm edge(1)='inflow' $\n$limits quality=.1,.5 $\n")
+        result = run("check", deck)
+        self.assertEqual(result.returncode, 2)
+        for text in ("$in lacks nx, ny, xright, ybot, ytop, tmax, tstep", "xleft = -1 lies beyond the axis", "region 1",
+                     "thickness(1)", "count(1)", "an inflow needs edge_density(1)", "quality: the run stops at 0.5"):
+            self.assertIn(text, result.stderr)
+
     def test_a_huge_grid_is_refused_before_memory_is_taken(self):
         self.refuse(FOLDER / "huge_grid.in")
         self.refuse(FOLDER / "huge_region.in")

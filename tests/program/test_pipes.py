@@ -67,12 +67,16 @@ class Pipes(ProgramTest):
         for number in (signal.SIGTERM, signal.SIGINT):
             for words in ([], ["check"]):
                 command = [TETHER, *words, str(deck)]
-                with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as read:
+                with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as read:
                     time.sleep(0.15)
                     self.assertIsNone(read.poll())
                     read.send_signal(number)
+                    said = read.communicate(timeout=20)[1].decode()
                     # It may come before the program is ready for it: a shell tells both as 128 + number.
-                    self.assertIn(read.wait(timeout=20), (128 + number, -number), words)
+                    self.assertIn(read.returncode, (128 + number, -number), words)
+                    if read.returncode > 0:
+                        by = signal.Signals(number).name
+                        self.assertEqual(said, f"tether: interrupted by {by} while no run was under way\n")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["large.in"])
 
 
