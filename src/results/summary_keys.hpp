@@ -19,6 +19,12 @@ std::vector<std::string> mesh_summary_keys();
 /// Keys of a material point run with strings or membranes.
 std::vector<std::string> string_summary_keys();
 
+/// Keys of a material point run with several gases whose density is that of cells.
+std::vector<std::string> gas_summary_keys();
+
+/// Keys of a material point run with solids or linear fluids.
+std::vector<std::string> solid_points_summary_keys();
+
 /// Keys of runs with elastic bodies of elements of order 1.
 std::vector<std::string> locking_summary_keys();
 

@@ -159,6 +159,27 @@ void check_axis_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostic
       fmt::format("xleft must be at least {:.6g}; an edge on the axis has wl=5", needed)));
 }
 
+/// Where layers of two inflows meet at a corner they come out of step.
+void tell_corners(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
+  const auto enters = [&](std::size_t k) {
+    const Edge& edge = scene.edges.of[k];
+    return edge.kind == EdgeKind::inflow && (k < 2 ? edge.u : edge.v) != 0;
+  };
+  for (const std::size_t across : {0U, 1U}) {
+    for (const std::size_t up : {2U, 3U}) {
+      if (!enters(across) || !enters(up)) continue;
+      diagnostics.add(deck.remark(
+          Severity::warning, "mpm", "edge", {static_cast<int>(up) + 1, 1},
+          fmt::format(
+              "gas flows in at the {} and at the {} edge: near their corner its density is uneven by {}",
+              edge_names[across], edge_names[up],
+              scene.method.kernel == Kernel::linear ? "up to a half" : "some per cent, most with few points a cell"),
+          "turn the grid so that the stream comes in through one edge"));
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 Edges edges_of(const Deck& deck, Walls& walls, Diagnostics& diagnostics) {
@@ -185,6 +206,7 @@ void check_edges(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
     keep_clear(deck, k, scene, diagnostics);
   }
   check_axis_of(deck, scene, diagnostics);
+  tell_corners(deck, scene, diagnostics);
 }
 
 }  // namespace tether

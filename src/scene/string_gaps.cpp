@@ -74,16 +74,11 @@ void remark_gaps(const Scene& scene, const Body& body, std::vector<GapRemark>& r
 }
 
 void remark_ends(const Scene& scene, const Body& body, std::vector<GapRemark>& remarks) {
-  if (body.closed || body.count < 2) return;
   for (const bool first : {true, false}) {
-    const std::size_t k = first ? 0 : body.count - 1;
-    const StringEnd end = string_end(scene.grid, scene.walls, points_of(scene, body), first);
-    if (!end.name || end.cells <= widest_sound_end + rounding || is_pinned(scene, body.first + k)) continue;
-    // At a wall that mirrors, an element goes on behind it, and only fluid minds the gap.
-    const bool element = scene.method.membrane_strain == MembraneStrain::element;
-    if (mirrors(end.wall) && (element || !has_fluid(scene))) continue;
+    const StringEnd end = end_at_wall(scene, body, first);
+    if (!end.name || end.cells <= widest_sound_end + rounding) continue;
     remarks.push_back(
-        {Severity::warning, k,
+        {Severity::warning, first ? 0 : body.count - 1,
          fmt::format("its {} point stands {:.3g} of a cell off the {} wall, whose nodes hold little of "
                      "it: the string comes off, and fluid passes there",
                      first ? "first" : "last", end.cells, end.name),
@@ -102,18 +97,33 @@ StringEnd string_end(const BackgroundGrid& grid, const Walls& walls, const Strin
   const double x = points.x[p], y = points.y[p];
   const double across = (x - points.x[q]) / grid.dx, up = (y - points.y[q]) / grid.dy;
   const double length = std::hypot(across, up);
-  StringEnd nearest{nullptr, Wall::open, std::numeric_limits<double>::infinity()};
+  StringEnd nearest{nullptr, 0, Wall::open, std::numeric_limits<double>::infinity()};
   // `towards`: cells towards the wall that the string runs in a cell's length of its own.
-  const auto look = [&](const char* name, Wall wall, double cells, double towards) {
+  const auto look = [&](const char* name, int side, Wall wall, double towards) {
+    const double cells = cells_off(grid, {name, side, wall, 0}, x, y);
     const bool meets = towards > 0 && cells <= reach_of_walls * towards;
-    if (wall != Wall::open && wall != Wall::axis && meets && cells < nearest.cells) nearest = {name, wall, cells};
+    if (wall != Wall::open && wall != Wall::axis && meets && cells < nearest.cells) nearest = {name, side, wall, cells};
   };
   if (!(length > 0)) return nearest;
-  look("left", walls.left, (x - grid.x0) / grid.dx, -across / length);
-  look("right", walls.right, (grid.x1 - x) / grid.dx, across / length);
-  look("bottom", walls.bottom, (y - grid.y0) / grid.dy, -up / length);
-  look("top", walls.top, (grid.y1 - y) / grid.dy, up / length);
+  look("left", 0, walls.left, -across / length);
+  look("right", 1, walls.right, across / length);
+  look("bottom", 2, walls.bottom, -up / length);
+  look("top", 3, walls.top, up / length);
   return nearest;
+}
+
+double cells_off(const BackgroundGrid& grid, const StringEnd& end, double x, double y) {
+  const double cells[] = {(x - grid.x0) / grid.dx, (grid.x1 - x) / grid.dx, (y - grid.y0) / grid.dy,
+                          (grid.y1 - y) / grid.dy};
+  return cells[end.side];
+}
+
+StringEnd end_at_wall(const Scene& scene, const Body& body, bool first) {
+  if (body.closed || body.count < 2 || is_pinned(scene, body.first + (first ? 0 : body.count - 1))) return {};
+  const StringEnd end = string_end(scene.grid, scene.walls, points_of(scene, body), first);
+  const bool element = scene.method.membrane_strain == MembraneStrain::element;
+  if (end.name && mirrors(end.wall) && (element || !has_fluid(scene))) return {};
+  return end;
 }
 
 std::vector<GapRemark> gap_remarks(const Scene& scene, const Body& body) {

@@ -32,12 +32,19 @@ constexpr double widest_sound_gap = 1, widest_sound_end = 0.5;
 /// An end of a string that runs to a wall.
 struct StringEnd {
   const char* name = nullptr;  // the wall's; none where there is no such wall
+  int side = 0;                // left, right, bottom, top
   Wall wall = Wall::open;
   double cells = 0;  // from it
 };
 /// The last point's, or with `first` the first one's: the wall that the string would meet within one and a half cells
 /// if it went on.
 StringEnd string_end(const BackgroundGrid& grid, const Walls& walls, const StringPoints& points, bool first);
+
+/// The end of a string that needs its wall: none where it is pinned or closed, and at a wall that mirrors, where an
+/// element goes on behind it, none but where fluid minds the gap.
+StringEnd end_at_wall(const Scene& scene, const Body& body, bool first);
+/// How far a place is from the wall of an end [cells].
+double cells_off(const BackgroundGrid& grid, const StringEnd& end, double x, double y);
 
 /// What is to be said of a body of points at the start: an error, or a warning, or nothing.
 struct GapRemark {

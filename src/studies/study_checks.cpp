@@ -44,7 +44,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 class Keys {
  public:
   void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
-  void add_those_of_strings() { add(string_summary_keys()); }
+  void add_those_of_points() { add(string_summary_keys()), add(gas_summary_keys()), add(solid_points_summary_keys()); }
   void add_those_of_meshes() {
     add(mesh_summary_keys()), add(body_summary_keys()), add(locking_summary_keys()), add(momentum_summary_keys()),
         add(residual_summary_keys());
@@ -144,7 +144,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     const Deck base = read_base(study, k, found);
     tell_of(base, study.decks[k].number, found, remarks, diagnostics);
     keys.add(base.text("reference", "solution"));
-    if (!base.has_group("mesh") && !base.has_group("coupled")) keys.add_those_of_strings();
+    if (!base.has_group("mesh") && !base.has_group("coupled")) keys.add_those_of_points();
     if (base.has_group("mesh")) keys.add_those_of_meshes();
     if (base.has_group("flow")) keys.add_those_of_flows();
     if (base.has_group("coupled")) keys.add_those_of_boxes();

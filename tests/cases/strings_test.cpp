@@ -96,6 +96,24 @@ TEST(Pendulum, AStringThatComesApartIsToldOnce) {
   EXPECT_GT(run.summary.at("widest_gap"), 1);
 }
 
+/// A weight on a soft string that hangs from the top wall, which no pin holds there unless one is given.
+std::string hung_from_the_top(const std::string& more) {
+  return "a string at a wall\n$in\nnx=11,ny=21,xleft=0.,xright=1.,ybot=0.,ytop=2.,tmax=.5,tstep=2.d-4,igen=1,wl=1,wr=1,"
+         "wb=1,wt=0,gravc=-10.\n$\n$reg nreg=0 $\n$mpm method='robust' $\n$membrane curve(1)='line',x(1,1)=.53,.53,"
+         "y(1,1)=2.,1.4,count(1)=20,density(1)=1000.,thickness(1)=.01,young(1)=1.e5,heavy(2,1)=30." +
+         more + "\n$\n";
+}
+
+// At the start all is well; the run says when the end is no longer held.
+TEST(String, AnEndThatSlidesOffItsWallIsToldOnce) {
+  const DeckRun run = run_text("slides", hung_from_the_top(""));
+  EXPECT_EQ(
+      std::count_if(run.messages.begin(), run.messages.end(),
+                    [](const auto& text) { return text.find("of a cell off the top wall") != std::string::npos; }),
+      1);
+  EXPECT_TRUE(run_text("held", hung_from_the_top(", pinned(1)='first'")).messages.empty());
+}
+
 TEST(Piston, PeriodsOfBothMasses) {
   const DeckRun light = run_deck("piston-m01"), heavy = run_deck("piston-m1");
   expect_within(light.summary.at("period"), 0.00709, 0.01);

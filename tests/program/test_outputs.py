@@ -65,7 +65,7 @@ class Sod(ProgramTest):
     def test_summary(self):
         told = summary(self.out)
         errors = [f"error_{name}" for name in ("density", "velocity", "pressure", "specific_energy")]
-        self.assertEqual(list(told), SUMMARY_KEYS + errors + ["compared_from", "compared_to"])
+        self.assertEqual(list(told), SUMMARY_KEYS + ["gases_apart"] + errors + ["compared_from", "compared_to"])
         # 50 cells of 9 points on either side, .143 / 1e-4 steps.
         self.assertEqual([told[key] for key in ("path", "steps", "points", "cells_active", "time_end", "mass_drift")],
                          ["mpm", "1430", "900", "100", "0.143", "0"])

@@ -13,11 +13,17 @@
 // the points stored of -P shows in their strain and internal energy dU. Then
 //   -dE = T + (-J . w) + (-P - dU) + g dt (sum_p m_p u_p,y - sum_i m_i w_i,y).
 // The last is w's half step, and what pins keep from falling and images behind walls have too much.
+//
+// A point on a line of the grid gives the nodes across the cell next to nothing of its mass (Locator::edge), but by
+// bilinear functions its whole force: a of such a node is 1e12 times too large, and dt^2 / 2 m |a|^2 in T and in P,
+// which cancel, would be all that there is in either. Of a node lighter than any that motion knows, both go without:
+// with its velocity before the solve for w, as m |a|^2 = (f + m g) . a where a wall holds nothing.
 
 namespace tether::mpm {
 
 /// Sums over the nodes after the solve.
 struct NodeTotals {
+  double light = 0;    // nodes of no more mass than this count without m |a|^2 [mass]
   double power = 0;    // sum f . w [power]
   double squares = 0;  // FLIP: sum m |a|^2
   double gained = 0;   // APIC: sum m a . w, kinetic energy after the solve less before it, over dt [power]
@@ -25,9 +31,10 @@ struct NodeTotals {
   double held = 0;     // sum of .5 m |v|^2 that walls took [energy]
 
   void add(const NodeSums& sum, const NodeMotion& motion, std::uint8_t walls, double dt) {
-    const Pair middle = motion.u - (0.5 * dt) * motion.a;
+    const bool counts = sum.m > light;
+    const Pair middle = motion.u - (counts ? 0.5 * dt : dt) * motion.a;
     power += dot(sum.force, middle);
-    squares += sum.m * squared(motion.a);
+    if (counts) squares += sum.m * squared(motion.a);
     gained += sum.m * dot(motion.a, middle);
     upward += sum.m * middle[1];
     if (walls == holds_none) return;

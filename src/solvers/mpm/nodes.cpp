@@ -24,11 +24,13 @@ void total_nodes(StepWork& work, double dt) {
   const State& state = work.state;
   const Grid& grid = state.grid;
   const Contact& contact = state.contact;
+  work.nodes.light = state.light_node;
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
     if (contact.on() && contact.slot(n) >= 0) continue;  // where each body has its own
     work.nodes.add(grid.sums[n], grid.motion[n], grid.frame.held[n], dt);
   }
+  work.nodes.light = 0;  // impulses have work of their own
   if (contact.on()) contact.total(work.nodes, grid.frame, dt);
 }
 

@@ -12,7 +12,6 @@
 #include "solvers/mpm/nodes.hpp"
 #include "solvers/mpm/steps.hpp"
 #include "solvers/mpm/stop.hpp"
-#include "solvers/mpm/string_watch.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::mpm {
@@ -21,13 +20,21 @@ namespace {
 /// A step this much shorter than the deck's is no step any more.
 constexpr double vanishing = 1e-9;
 
+/// At what moves no more than a cell in as many steps.
+constexpr int steps_between_looks = 64;
+
 }  // namespace
 
 MpmSolver::MpmSolver(const Plan& plan)
-    : plan_(plan), set_(step_set(plan.scene)), state_(start(plan.scene)), sort_(plan.scene.points.size()) {
-  strings_ = find_body<Membrane>(plan.scene) != nullptr;
-  if (strings_) state_.gap_told = watch_strings(state_, plan.scene).has_value();  // the deck's remarks tell it
-  state_.limit_told = plan.step.first_step() < plan.step.deck_step;               // the plan tells it
+    : plan_(plan),
+      set_(step_set(plan.scene)),
+      state_(start(plan.scene)),
+      sort_(plan.scene.points.size()),
+      strings_(plan.scene),
+      mixing_(plan.scene, state_.grid.frame) {
+  if (strings_.on()) strings_.look(state_, plan.scene, messages_);
+  messages_.clear();                                                 // the deck's remarks tell it
+  state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
   const auto encloses = [](const std::optional<Elements>& of) { return of && of->encloses(); };
   const bool acts = std::any_of(state_.elements_of.begin(), state_.elements_of.end(), encloses) ||
                     std::any_of(state_.ambient_of.begin(), state_.ambient_of.end(), encloses);
@@ -88,11 +95,14 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
   state_.wave_max = found.wave_max;
   state_.heat_given += found.heat;
   state_.heat_under_way += found.heat;
-  if (strings_) {
-    if (auto text = watch_strings(state_, plan_.scene)) messages_.push_back(std::move(*text));
-  }
+  look();
   if (found.crossings > 0 && !state_.strips.on()) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
+}
+
+void MpmSolver::look() {
+  if (strings_.on()) strings_.look(state_, plan_.scene, messages_);
+  if (mixing_.on() && state_.steps % steps_between_looks == 1) mixing_.look(state_, plan_.scene, messages_);
 }
 
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
@@ -116,8 +126,10 @@ Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
 Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
 
 Summary MpmSolver::more_summary() const {
-  if (!strings_) return {};
-  return {{"widest_gap", fmt::format("{}", state_.widest_gap)}};
+  Summary summary;
+  if (strings_.on()) summary.emplace_back("widest_gap", fmt::format("{}", state_.widest_gap));
+  if (mixing_.on()) summary.emplace_back("gases_apart", fmt::format("{}", state_.gases_apart));
+  return summary;
 }
 
 std::vector<std::string> MpmSolver::take_messages() { return std::exchange(messages_, {}); }

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/mpm/gas_mixing.hpp"
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/sort.hpp"
 #include "solvers/mpm/state.hpp"
 #include "solvers/mpm/steps.hpp"
+#include "solvers/mpm/string_watch.hpp"
 #include "solvers/solver.hpp"
 
 namespace tether::mpm {
@@ -37,12 +39,14 @@ class MpmSolver final : public Solver {
   void pass_edges(StepWork& work, double dt);
   void finish_step(const StepFindings& found, double dt);
   void sort_where_scattered();
+  void look();
 
   const Plan& plan_;
   StepSet set_;
   State state_;
   CellSort sort_;
-  bool strings_ = false;  // are there any
+  StringWatch strings_;
+  GasMixing mixing_;
   std::vector<std::string> messages_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "scene/size.hpp"
 #include "solvers/mpm/derived.hpp"
@@ -24,6 +25,13 @@ static_assert(bytes_of_node <= bytes_per_node, "scene/size.hpp: a node takes mor
 static_assert(28 * sizeof(double) + 1 + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <=
                   bytes_per_point,
               "scene/size.hpp: a point takes more than it says");
+
+/// Of the points' mean mass: nodes with less have it from points on a line of the grid, 1e-12 of their masses.
+constexpr double light_part = 1e-9;
+
+double mean_mass(const PointSet& points) {
+  return std::accumulate(points.mass.begin(), points.mass.end(), 0.0) / static_cast<double>(points.size());
+}
 
 bool from_cells(const IdealGas& gas) { return gas.rule == DensityRule::cell || gas.rule == DensityRule::quadratic; }
 
@@ -128,6 +136,7 @@ State start(const Scene& scene) {
     state.has_pins.push_back(pins ? 1 : 0);
   }
   state.list_fluids(scene);
+  state.light_node = light_part * mean_mass(scene.points);
   state.strips.fill(state, scene);
   state.keeps_ledger = keeps_ledger(scene);
   CellSort(state.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
@@ -139,6 +148,7 @@ State start(const Scene& scene) {
   state.strips.begin(state, scene);
   make_elements(scene, state);
   const StepSet set = step_set(scene);
+  set.fit_fields(state);
   set.list_active(state.grid, state.points);
   set.map_all(state, scene, state.grid.sums);
   state.balance.stored = stored_energy(scene, state, order_within(state)).sum();

@@ -37,6 +37,7 @@ struct State {
   Contact contact;                                   // of bodies that share nodes
   bool keeps_ledger = false;                         // of heat that transfers and elements lose
   Balance balance;                                   // of energy
+  double light_node = 0;                             // mass of which no motion is, for the balance [mass]
   double gas_mass = 0;                               // [mass]
   double heat_given = 0;                             // to the gas by the ledger since the start [energy]
   double heat_under_way = 0;                         // of it, what the gas takes in the next step [energy]
@@ -49,6 +50,9 @@ struct State {
   long long crossings_since_sort = 0;  // of points, from cell to cell
   double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
   bool gap_told = false;               // whether one that does not hold together was told
+  bool end_told = false;               // whether an end of one that came off its wall was told
+  double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start
+  bool mixing_told = false;            // whether that was told
   bool limit_told = false;             // whether a shorter step than the deck's was told
   long long point_steps = 0;
 

@@ -30,6 +30,8 @@ struct StepSet {
   void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values);
   /// The pressure that the nodes' forces have of gas whose density comes from the nodes, by slot; empty without such.
   std::vector<double> (*gas_pressures)(const State& state, const Scene& scene);
+  /// At the start: the fields about points that begin with different velocities, where points carry such.
+  void (*fit_fields)(State& state);
 };
 
 StepSet step_set(const Scene& scene);

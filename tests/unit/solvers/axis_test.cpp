@@ -97,6 +97,7 @@ TEST_P(AboutTheAxis, AnEvenGasInACylinderRests) {
 /// points beyond the axis' nodes and within what edges have not reached.
 struct Collapse {
   double density = 0, energy = 0, density_spread = 0;
+  double density_outside = 0;  // of points that began at r > .25, whatever the cells
 };
 
 Collapse collapse(Scene scene, const IdealGas& gas, double h) {
@@ -113,6 +114,7 @@ Collapse collapse(Scene scene, const IdealGas& gas, double h) {
     const double r = run.scene().points.x[p];
     if (r < 2 * h || r > 0.6 || std::abs(run.scene().points.y[p]) > 0.6) continue;
     worst.density = std::max(worst.density, std::abs(density[p] / rho - 1));
+    if (r > 0.25) worst.density_outside = std::max(worst.density_outside, std::abs(density[p] / rho - 1));
     worst.energy = std::max(worst.energy, std::abs(specific_energy[p] / energy - 1));
     least = std::min(least, density[p]), most = std::max(most, density[p]);
   }
@@ -121,8 +123,10 @@ Collapse collapse(Scene scene, const IdealGas& gas, double h) {
 }
 
 // Velocity -(r, z): it stays linear, every point flies freely, density grows as (1 - t)^-3 and stays even, energy
-// follows the adiabat. First order in the step, which goes with the cells; the robust method writes the density of the
-// place where a point stands, so that what is left is what the sum over rings has too much on grids however fine.
+// follows the adiabat. First order in the step, which goes with the cells. The robust method writes the density of the
+// place where a point stands, without an error of the step. By cells from the axis its error is the same on all grids:
+// a point's gradient is that of the step's beginning, which the mean over rings, h^2 / (4 r) off the node, makes a
+// velocity of. So it falls with the cells at each radius.
 TEST_P(AboutTheAxis, UniformCompressionStaysUniform) {
   Collapse at[2];
   for (int k = 0; k < 2; ++k) {
@@ -136,10 +140,14 @@ TEST_P(AboutTheAxis, UniformCompressionStaysUniform) {
   EXPECT_LT(at[1].density, 0.03);
   EXPECT_LT(at[1].energy, 0.02);
   EXPECT_LT(at[1].density_spread, 0.02);
-  if (robust())
-    EXPECT_LT(at[0].density, 0.016);
-  else
-    EXPECT_NEAR(at[0].density / at[1].density, 2, 0.6);
+  const double ratio = at[0].density_outside / at[1].density_outside;
+  if (robust()) {
+    EXPECT_LT(at[0].density, 0.004);  // .0146 and .0151 where points begin without the gradients of their velocities
+    EXPECT_LT(at[1].density, 0.004);
+    EXPECT_GT(ratio, 1.9);
+  } else {
+    EXPECT_NEAR(ratio, 2, 0.6);
+  }
 }
 
 /// Largest error of a column's displacement at half its period, against the top's.
