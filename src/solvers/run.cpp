@@ -26,6 +26,9 @@ namespace {
 /// Part of the run after which the solver comes back for a progress line, whatever is due.
 constexpr double progress_part = 1e-3;
 
+/// Where a record costs as much as a step or two, so that looking costs less than a hundredth.
+constexpr long long steps_between_looks = 64;
+
 /// A run under way: the solver, and its outputs.
 class Runner {
  public:
@@ -85,12 +88,13 @@ class Runner {
   }
 
  private:
-  /// Where a record costs next to nothing, every step is looked at.
+  /// Where a record costs next to nothing, every step is looked at, else some: a run that goes wrong between records is
+  /// to end by its limits, too.
   void advance(double until) {
-    if (!solver_->watched_each_step()) return solver_->advance(until);
+    const long long every = solver_->watched_each_step() ? 1 : steps_between_looks;
     while (solver_->time() < until && !at_end()) {
       solver_->advance(std::nextafter(solver_->time(), plan_.scene.clock.tmax));
-      look(solver_->record());
+      if (solver_->counts().steps % every == 0) look(solver_->record());
     }
   }
   void look(const Record& record) {

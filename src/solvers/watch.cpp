@@ -29,6 +29,13 @@ std::vector<std::size_t> columns_of(const HistoryLayout& layout, const std::stri
   return columns;
 }
 
+/// A gas of points: its volume is no sign of anything wrong. Membranes of points keep the one that they have.
+bool changes_freely(const Scene& scene, std::size_t body) {
+  if (scene.path != Path::mpm || body >= scene.bodies.size()) return false;
+  const Material& material = scene.bodies[body].material;
+  return std::holds_alternative<IdealGas>(material) || std::holds_alternative<Membrane>(material);
+}
+
 }  // namespace
 
 Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid.dx) {
@@ -78,8 +85,12 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
              .cause = "a body too soft for what acts on it, or a fluid that goes through it",
              .limit = limits.volume,
              .low = true,
-             .from = columns_of(layout, "body_volume"),
              .worst = 1};
+  const auto volumes = columns_of(layout, "body_volume");
+  for (std::size_t b = 0; b < volumes.size(); ++b) {
+    if (changes_freely(scene, b)) continue;
+    volume_.from.push_back(volumes[b]), bodies_.push_back(b);
+  }
   energy_step_ = {.name = "energy_step",
                   .key = "energy_step_largest",
                   .what = "the rise of the energy that no exchange explains, over the largest energy before",
@@ -105,9 +116,9 @@ void Watch::look(const Record& record, const Solver& solver) {
 }
 
 void Watch::look_at_volumes(const Record& record) {
-  for (std::size_t b = 0; b < volume_.from.size(); ++b) {
-    const double ratio = record[volume_.from[b]] / first_[volume_.from[b]];
-    judge(volume_, std::min(ratio, 1 / ratio), record.front(), [b] { return fmt::format("body {}", b + 1); });
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const double ratio = record[volume_.from[k]] / first_[volume_.from[k]];
+    judge(volume_, std::min(ratio, 1 / ratio), record.front(), [&] { return fmt::format("body {}", bodies_[k] + 1); });
   }
 }
 

@@ -64,7 +64,8 @@ class Watch {
   bool keeps_books_ = true;      // so that a rise means something
   std::vector<Number> numbers_;  // of columns
   Number volume_, energy_step_, energy_growth_;
-  Record first_;  // that was looked at
+  std::vector<std::size_t> bodies_;  // of the columns of volume_, from 0
+  Record first_;                     // that was looked at
   bool looked_ = false;
   double balance_ = 0, largest_ = 0, booked_before_ = 0;  // of the energy, at the last look
   std::vector<std::string> messages_;

@@ -114,6 +114,34 @@ TEST(Limits, OfThePapersMapsByTheTrapezoidalRule) {
   EXPECT_NE(error_of("swimming", swimming, soft), "");
 }
 
+// Steps above their limit between two records far apart: the run ends by what its energy shows, before points leave.
+TEST(Limits, AreLookedAtBetweenRecords) {
+  const Overrides wild{"mpm.cfl=1.06", "in.tstep=1.",      "in.dtmax=1.",
+                       "in.tmax=10.",  "in.tiout(33)=10.", "in.tiout(34)=10."};
+  std::string text = "it ran to its end";
+  try {
+    run_deck("stability-side", wild);
+  } catch (const RunError& error) {
+    text = error.what();
+  }
+  EXPECT_NE(text.find("above the limit of 100 (energy_step of $limits)"), std::string::npos) << text;
+}
+
+/// A soft block of points between slip walls that its weight presses together.
+TEST(Limits, OfTheVolumesOfPoints) {
+  const char* const block =
+      "$in nx=6,ny=13,xleft=0.,xright=.5,ybot=0.,ytop=1.2,tmax=.3,tstep=.001,gravc=-150.,wl=6,wr=6,wb=6,wt=1,\n"
+      "iout(33)=1,tiout(33)=.01 $\n$reg nreg=1,nvi=4,xvi(1,1)=0.,.5,.5,0.,yvi(1,1)=0.,0.,1.,1.,densir(1)=1.,nprg=4,\n"
+      "ipath(1,1)=3,3,3,0,matr(1,1)=100.,0. $\n$mpm method='robust' $\n";
+  const DeckRun run = run_text("block", block);
+  EXPECT_EQ(told(run, "volume"), 1u);
+  const auto volume = run.history.column("body_volume_1");
+  EXPECT_NEAR(volume.front(), 0.5, 1e-12);
+  EXPECT_NEAR(*std::min_element(volume.begin(), volume.end()) / 0.5, run.summary.at("volume_worst"), 1e-3);
+  EXPECT_NE(error_of("stopped", block, {"limits.volume=.9,.7"}).find("of body 1, below the limit of 0.7"),
+            std::string::npos);
+}
+
 /// What is right is not told of.
 TEST(Limits, AreNotReachedByWhatIsRight) {
   for (const char* deck : {"pendulum-20", "spring-mass", "l-block", "coupled-piston"}) {

@@ -2,6 +2,7 @@
 #include "solvers/mpm/derived.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solvers/mpm/point_laws.hpp"
 
@@ -29,6 +30,16 @@ double pressure(const PlaneElastic& law, const Points& P, std::size_t p, Geometr
 }
 double pressure(const LinearFluid&, const Points& P, std::size_t p, Geometry) { return -P.sxx[p]; }
 double pressure(const Membrane&, const Points& P, std::size_t p, Geometry) { return -(P.sxx[p] + P.syy[p]) / 3; }
+
+/// Rates of strain add up to the logarithm of the volume over that at the start.
+double filled(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
+  return P.volume[p] * std::exp(-3 * (1 - 2 * law.nu) / law.E * pressure(law, P, p, geometry));
+}
+double filled(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
+  return P.volume[p] * std::exp(P.sxx[p] / law.beta);
+}
+double filled(const Membrane&, const Points& P, std::size_t p, Geometry) { return P.volume[p]; }
+double filled(const IdealGas& law, const Points& P, std::size_t p, Geometry) { return law_volume(law, P, p); }
 
 Strain strain(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
   return geometry == Geometry::plane ? law.strain(stress_of(P, p)) : law.strain_about_axis(stress_of(P, p));
@@ -115,6 +126,16 @@ Energies stored_energy(const Scene& scene, const State& state, const Order& orde
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) energies.add(scene, b, state, order);
   energies.internal += state.heat_under_way;
   return energies;
+}
+
+double volume_of(const Scene& scene, std::size_t b, const Points& points, const Order& order) {
+  return std::visit(
+      [&](const auto& law) {
+        double volume = 0;
+        for (const std::size_t p : order.of(b)) volume += filled(law, points, p, scene.geometry);
+        return volume;
+      },
+      scene.bodies[b].material);
 }
 
 DerivedFields derived_fields(const Scene& scene, const Points& P, const Order& order,

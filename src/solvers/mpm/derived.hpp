@@ -32,6 +32,10 @@ struct Energies {
 /// Of all bodies, and heat that is under way to the gas.
 Energies stored_energy(const Scene& scene, const State& state, const Order& order);
 
+/// What a body fills now: of solids and linear fluids by the strain that their stress tells, of gas by its density; of
+/// a membrane what it began with [volume].
+double volume_of(const Scene& scene, std::size_t b, const Points& points, const Order& order);
+
 /// Fields that follow from the state by the point's law, in the given order.
 struct DerivedFields {
   std::vector<double> body, volume, density, pressure;

@@ -98,6 +98,9 @@ bool by_gap(const Scene& scene) {
   return scene.method.contact == ContactRule::gap && scene.bodies.size() > 1 && find_body<PlaneElastic>(scene);
 }
 
+/// Bodies whose volume tells whether a run goes wrong.
+bool has_volumes(const Scene& scene) { return find_body<PlaneElastic>(scene) || find_body<LinearFluid>(scene); }
+
 /// Angle of the line from the first to the last tracked point, from the downward vertical [degrees].
 double tracked_angle(const Points& P, std::size_t first, std::size_t last) {
   return std::atan2(P.x[last] - P.x[first], P.y[first] - P.y[last]) * 180 / std::numbers::pi;
@@ -138,6 +141,10 @@ HistoryLayout history_layout(const Scene& scene) {
          "degrees from the downward vertical of the line from the first to the last tracked point"});
   }
   for (const auto& row : body_quantities()) layout.quantities.push_back(row);
+  if (has_volumes(scene)) {
+    layout.quantities.push_back(
+        {"body_volume", Dimension::volume, "volume, of membranes that at the start", Per::body});
+  }
   if (!scene.tracked.empty()) {
     for (const auto& row : tracked_quantities()) layout.quantities.push_back(row);
   }
@@ -195,6 +202,9 @@ Record record(const State& state, const Scene& scene) {
   per_body([](const Motion& m) { return m.px / m.mass; });
   per_body([](const Motion& m) { return m.py / m.mass; });
   per_body([](const Motion& m) { return m.mass; });
+  if (has_volumes(scene)) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) values.push_back(volume_of(scene, b, P, order));
+  }
   for (const auto* array : {&P.x, &P.y, &P.vx, &P.vy}) {
     for (const std::size_t p : tracked) values.push_back(p < P.size() ? (*array)[p] : gone);
   }
