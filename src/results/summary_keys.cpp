@@ -71,7 +71,7 @@ std::vector<std::string> summary_keys(ReferenceKind reference) {
 
 std::vector<std::string> string_summary_keys() { return {"widest_gap"}; }
 
-std::vector<std::string> gas_summary_keys() { return {"gases_apart"}; }
+std::vector<std::string> gas_summary_keys() { return {"gases_apart", "gas_leaked"}; }
 
 std::vector<std::string> solid_points_summary_keys() { return {"volume_worst"}; }
 

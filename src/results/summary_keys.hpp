@@ -19,7 +19,8 @@ std::vector<std::string> mesh_summary_keys();
 /// Keys of a material point run with strings or membranes.
 std::vector<std::string> string_summary_keys();
 
-/// Keys of a material point run with several gases whose density is that of cells.
+/// Keys of a material point run with several gases whose density is that of cells, and with gas and membranes that part
+/// the grid.
 std::vector<std::string> gas_summary_keys();
 
 /// Keys of a material point run with solids or linear fluids.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "cases/run_deck.hpp"
 
@@ -112,6 +113,29 @@ TEST(TwoGases, ThatDoNotMixAreNotTold) {
   EXPECT_EQ(of_mixing(cell), 0);
   EXPECT_EQ(cell.summary.at("gases_apart"), 1);
   EXPECT_EQ(two_gases({"mpm.method='robust'"}).summary.count("gases_apart"), 0U);
+}
+
+/// Gas of ten times the pressure on the left of a membrane of so many points, from the bottom to the top of a box.
+std::string parted(int points) {
+  return "two gases and a membrane\n$in nx=21,ny=12,xleft=0.,xright=2.,ybot=0.,ytop=1.1,tmax=.5,tstep=.002,igen=1,wl=6,"
+         "wr=6,wb=6,wt=6 $\n$fluid gm1=.4,siep(1)=5.,siep(2)=5. $\n$reg nreg=2,nvi=4,4,xvi(1,1)=0.,1.,1.,0.,"
+         "yvi(1,1)=0.,0.,1.1,1.1,xvi(1,2)=1.,2.,2.,1.,yvi(1,2)=0.,0.,1.1,1.1,densir=1.,.1,nprg=4,4,\n"
+         "ipath(1,1)=3,3,3,7,ipath(1,2)=3,3,3,7 $\n$membrane strain='element',curve(1)='line',x(1,1)=1.,1.,"
+         "y(1,1)=0.,1.1,density(1)=10.,thickness(1)=.01,young(1)=1.e4,count(1)=" +
+         std::to_string(points) + " $\n";
+}
+
+// A membrane of four points on eleven cells lets gas through, one of 33 does not.
+TEST(TwoGases, ThatPassThroughAMembraneAreCounted) {
+  const auto told = [](const DeckRun& run) {
+    return std::count_if(run.messages.begin(), run.messages.end(),
+                         [](const auto& text) { return text.find("gas seeps through it") != std::string::npos; });
+  };
+  const DeckRun leaks = run_text("leaks", parted(4)), holds = run_text("holds", parted(33));
+  EXPECT_GT(leaks.summary.at("gas_leaked"), 20);
+  EXPECT_EQ(told(leaks), 1);
+  EXPECT_EQ(holds.summary.at("gas_leaked"), 0);
+  EXPECT_EQ(told(holds), 0);
 }
 
 struct Expansion {

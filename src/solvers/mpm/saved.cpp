@@ -115,6 +115,7 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   with("balance_stored", state.balance.stored);
   with("widest_gap", state.widest_gap), with("gap_told", state.gap_told), with("end_told", state.end_told);
   with("gases_apart", state.gases_apart), with("mixing_told", state.mixing_told);
+  with("gas_leaked", state.gas_leaked), with("leak_told", state.leak_told);
 }
 
 }  // namespace

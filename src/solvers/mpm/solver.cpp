@@ -22,6 +22,8 @@ constexpr double vanishing = 1e-9;
 
 /// At what moves no more than a cell in as many steps.
 constexpr int steps_between_looks = 64;
+/// A count of what is on which side of a membrane costs some steps.
+constexpr int steps_between_counts = 1024;
 
 }  // namespace
 
@@ -31,7 +33,8 @@ MpmSolver::MpmSolver(const Plan& plan)
       state_(start(plan.scene)),
       sort_(plan.scene.points.size()),
       strings_(plan.scene),
-      mixing_(plan.scene, state_.grid.frame) {
+      mixing_(plan.scene, state_.grid.frame),
+      leaks_(plan.scene) {
   if (strings_.on()) strings_.look(state_, plan.scene, messages_);
   messages_.clear();                                                 // the deck's remarks tell it
   state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
@@ -103,6 +106,8 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
 void MpmSolver::look() {
   if (strings_.on()) strings_.look(state_, plan_.scene, messages_);
   if (mixing_.on() && state_.steps % steps_between_looks == 1) mixing_.look(state_, plan_.scene, messages_);
+  const bool last = state_.time >= plan_.scene.clock.tmax;
+  if (leaks_.on() && (last || state_.steps % steps_between_counts == 0)) leaks_.look(state_, plan_.scene, messages_);
 }
 
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
@@ -129,6 +134,7 @@ Summary MpmSolver::more_summary() const {
   Summary summary;
   if (strings_.on()) summary.emplace_back("widest_gap", fmt::format("{}", state_.widest_gap));
   if (mixing_.on()) summary.emplace_back("gases_apart", fmt::format("{}", state_.gases_apart));
+  if (leaks_.on()) summary.emplace_back("gas_leaked", fmt::format("{}", state_.gas_leaked));
   return summary;
 }
 

@@ -6,6 +6,7 @@
 
 #include "plan/plan.hpp"
 #include "solvers/mpm/gas_mixing.hpp"
+#include "solvers/mpm/leak_watch.hpp"
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/sort.hpp"
 #include "solvers/mpm/state.hpp"
@@ -47,6 +48,7 @@ class MpmSolver final : public Solver {
   CellSort sort_;
   StringWatch strings_;
   GasMixing mixing_;
+  LeakWatch leaks_;
   std::vector<std::string> messages_;
 };
 

@@ -53,6 +53,8 @@ struct State {
   bool end_told = false;               // whether an end of one that came off its wall was told
   double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start
   bool mixing_told = false;            // whether that was told
+  long long gas_leaked = 0;            // points of gas beyond a membrane that parts the grid, at the last look
+  bool leak_told = false;              // whether that was told
   bool limit_told = false;             // whether a shorter step than the deck's was told
   long long point_steps = 0;
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "solvers/mpm/state.hpp"
+
+namespace tether::mpm {
+
+/// Looks whether gas has passed through membranes that part the grid: closed ones, and those whose two ends begin at
+/// edges of the grid. A point that is on the other side than at the start, half a cell deep, has passed.
+class LeakWatch {
+ public:
+  explicit LeakWatch(const Scene& scene);
+
+  bool on() const { return !walls_.empty(); }
+  /// Counts at the present places, and adds to `messages` what there is to warn of, once a run.
+  void look(State& state, const Scene& scene, std::vector<std::string>& messages) const;
+
+ private:
+  using Outline = std::vector<Vec2>;
+  /// A membrane that parts the grid.
+  struct Parting {
+    std::size_t body = 0;
+    int first_side = -1, last_side = -1;  // of the grid, at which its ends are; none of a closed one
+    std::vector<std::uint8_t> inside;     // at the start, of each point of the scene
+  };
+
+  static Outline outline(const Parting& parting, const BackgroundGrid& grid, Outline points);
+  std::size_t passed(const Parting& parting, const State& state, const Scene& scene) const;
+
+  std::vector<Parting> walls_;
+  double deep_ = 0;  // [length]
+};
+
+}  // namespace tether::mpm
