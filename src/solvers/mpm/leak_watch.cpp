@@ -9,12 +9,14 @@
 namespace tether::mpm {
 namespace {
 
-/// The edge of the grid within half a cell of a place, left, right, bottom, top; -1 where there is none.
-int side_at(const BackgroundGrid& grid, const Vec2& at) {
+/// The edge of the grid at which a membrane ends, left, right, bottom, top; -1 where there is none within half a cell
+/// of its end, which lies half a piece beyond its last point.
+int side_at(const BackgroundGrid& grid, const Vec2& at, const Vec2& before) {
+  const double half_a_piece = 0.5 * std::hypot((at.x - before.x) / grid.dx, (at.y - before.y) / grid.dy);
   const double cells[] = {(at.x - grid.x0) / grid.dx, (grid.x1 - at.x) / grid.dx, (at.y - grid.y0) / grid.dy,
                           (grid.y1 - at.y) / grid.dy};
   const auto nearest = std::min_element(std::begin(cells), std::end(cells));
-  return *nearest <= 0.5 ? static_cast<int>(nearest - std::begin(cells)) : -1;
+  return *nearest <= 0.5 + half_a_piece ? static_cast<int>(nearest - std::begin(cells)) : -1;
 }
 
 /// Whether a ray from the place to the right crosses the closed outline an odd number of times.
@@ -46,7 +48,8 @@ LeakWatch::LeakWatch(const Scene& scene) : deep_(0.5 * std::min(scene.grid.dx, s
     for (std::size_t p = body.first; p < body.first + body.count; ++p) points.push_back({P.x[p], P.y[p]});
     Parting parting{b, -1, -1, {}};
     if (!body.closed) {
-      parting.first_side = side_at(scene.grid, points.front()), parting.last_side = side_at(scene.grid, points.back());
+      parting.first_side = side_at(scene.grid, points.front(), points[1]);
+      parting.last_side = side_at(scene.grid, points.back(), points[points.size() - 2]);
       if (parting.first_side < 0 || parting.last_side < 0) continue;
     }
     const Outline around = outline(parting, scene.grid, std::move(points));
