@@ -88,7 +88,7 @@ struct Spring {
 /// deck's groups $in and $coupled describe it.
 struct Coupled {
   StaggeredGrid grid;
-  CouplingMode mode = CouplingMode::symmetric;
+  CouplingMode mode = CouplingMode::cut_cell;
   CoupledIntegrator integrator = CoupledIntegrator::paper;
   Advection advection = Advection::maccormack;
   CoupledSystems systems = CoupledSystems::automatic;

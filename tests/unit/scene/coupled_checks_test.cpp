@@ -187,5 +187,21 @@ TEST(CoupledChecks, TellAllMistakesAtOnce) {
   EXPECT_EQ(built.errors().size(), 5u);
 }
 
+/// Cells of .25 whose middles lie in a box: from .25 to 1.25 where it goes from .3 to 1.2.
+TEST(CoupledBoxes, ThatAreNotAtFacesAreToldWithTheSizeOfTheirCells) {
+  for (const std::string kind : {"obstacle", "void"}) {
+    const auto told = [&](const std::string& places, const std::string& more) {
+      return warnings_of(box("side(2)='open'," + more + kind + "(1,1)=" + places));
+    };
+    const std::string start = "for the fluid " + kind + " 1 is made of the cells from ";
+    EXPECT_EQ(told(".3,1.2,.1,.6", ""), Texts{start + "0.25 to 1.25 in x, 0 to 0.5 in y: 0.5 in place of 0.45, +11 %"});
+    EXPECT_EQ(told(".3,1.1,.1,.6", ""), Texts{start + "0.25 to 1 in x, 0 to 0.5 in y: 0.375 in place of 0.4, -6.2 %"});
+    EXPECT_EQ(told(".3,1.2,.1,.6,.2,.7", depth),
+              Texts{start + "0.25 to 1.25 in x, 0 to 0.5 in y, 0.25 to 0.75 in z: 0.25 in place of 0.225, +11 %"});
+    EXPECT_EQ(told(".25,1.25,0.,.5", ""), Texts{});
+    EXPECT_EQ(told(".25,1.25,0.,.5,.25,.75", depth), Texts{});
+  }
+}
+
 }  // namespace
 }  // namespace tether::test

@@ -108,8 +108,10 @@ inline std::vector<double> random_numbers(std::size_t count, unsigned seed, doub
 }
 
 /// A box of n cells a side, the unit square or cube, with walls, and fluid of density 1.
+/// By cells that are wholly fluid or solid, unless a test says otherwise.
 inline Coupled fluid_in_box(int dim, int n) {
   Coupled coupled;
+  coupled.mode = CouplingMode::symmetric;
   coupled.grid.dim = dim;
   for (std::size_t a = 0; a < at(dim); ++a) coupled.grid.n[a] = n, coupled.grid.d[a] = 1.0 / n;
   return coupled;

@@ -56,6 +56,10 @@ TEST_P(Thin, TheBodyIsNamed) {
   EXPECT_EQ(thin.body, 1);
   EXPECT_NEAR(thin.place[1], 0.253, 0.1);
   EXPECT_NE(thin_text(thin, dim).find("body 2"), std::string::npos);
+  EXPECT_NE(thin_text({.cells = 2, .of_cells = 9}, dim).find("at 2 cells (their surface goes through 9): these cells"),
+            std::string::npos);
+  EXPECT_NE(thin_text({.cells = 1, .of_cells = 9}, dim).find("at 1 cell (their surface goes through 9): it counts"),
+            std::string::npos);
 }
 
 TEST_P(Thin, ModesOfWholeCellsHaveNone) {
