@@ -161,7 +161,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
   state.p = on_cells(at_.numbers, solution.p);
   extend_pressure(at_.domain, state.p, layers_around_fluid);
   for (std::size_t k = 0; k < solution.friction.size(); ++k) {
-    state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k];
+    state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k] + at_.map.film_weight[k];
     state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
   }
   return solution;
@@ -187,7 +187,7 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
   b = solids_.b;
   solution.friction.assign(b.size(), 0.0);
   contact_.add_friction(solution.friction);
-  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + at_.map.outside[k];
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + at_.map.outside[k] + at_.map.film_weight[k];
   solution.lifts = contact_.lifts(state.touches, b.size());
   solids_.add_lifts(solution.lifts, b);
   for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];

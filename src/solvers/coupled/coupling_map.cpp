@@ -29,17 +29,19 @@ class MapByPressures {
     std::vector<int> before;
     for (const SurfacePiece& piece : of_.pieces.pieces) before.push_back(sampler_.cell_before(piece));
     const FilmPressures films({of_.surface, sampler_.places(), of_.pieces, of_.domain, sampler_, before});
-    outside_.assign(unknowns, 0.0);
+    outside_.assign(unknowns, 0.0), film_weight_.assign(unknowns, 0.0);
     for (std::size_t k = 0; k < before.size(); ++k) {
       const SurfacePiece& piece = of_.pieces.pieces[k];
       if (before[k] >= 0) {
         add(piece, at(before[k]));
       } else {
-        add_film(piece, films.on(k));
+        const auto pressure = films.on(k);
+        add_film(piece, pressure);
+        add_film_weight(piece, films, k, pressure);
         add_outside(piece, films, k);
       }
     }
-    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_, outside_};
+    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_, outside_, film_weight_};
   }
 
  private:
@@ -54,7 +56,7 @@ class MapByPressures {
         const double by_area = -area[at(axis)] * point.part;
         if (cut_ != nullptr) {
           const double p = take_cut(piece.cell, axis, point.x[at(axis)], stencil);
-          if (p != 0) push(piece.side, point, axis, by_area * p);
+          if (p != 0) push(piece.side, point, axis, by_area * p, outside_);
         }
         add(piece.side, point, stencil, axis, by_area);
       }
@@ -80,6 +82,27 @@ class MapByPressures {
     }
   }
 
+  /// Harmonic from rim to rim is what the pressure differs by from that at rest at the same height: from the heights of
+  /// the rims, and of the cells whose pressures theirs are, to that of the piece it grows as that at rest does.
+  void add_film_weight(const SurfacePiece& piece, const FilmPressures& films, std::size_t number,
+                       const std::vector<std::pair<std::size_t, double>>& pressure) {
+    if (of_.outside == nullptr) return;
+    const auto at_rest = [&](const Vector& x) { return of_.outside->pressure(x[1]); };
+    double whole = films.outside_on(number, [](const Vector&) { return 1.0; });  // parts of rims, and these at rest
+    double rims = films.outside_on(number, at_rest);
+    for (const auto& [cell, weight] : pressure) {
+      if (of_.numbers.of_cell[cell] < 0) continue;  // void
+      whole += weight, rims += weight * at_rest(of_.domain.grid.middle(of_.domain.grid.place_of_cell(cell)));
+    }
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      const double p = whole * at_rest(point.x) - rims;
+      for (int axis = 0; axis < dim_; ++axis)
+        push(piece.side, point, axis, -area[at(axis)] * point.part * p, film_weight_);
+    }
+  }
+
   /// The pressure of the fluid outside on what is beyond an open side, and its share of that in a film.
   void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number) {
     if (of_.outside == nullptr) return;
@@ -92,13 +115,13 @@ class MapByPressures {
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const double p = beyond >= 0 ? of_.outside->pressure_beyond(beyond, point.x[1]) : in_film;
-      for (int axis = 0; axis < dim_; ++axis) push(piece.side, point, axis, -area[at(axis)] * point.part * p);
+      for (int axis = 0; axis < dim_; ++axis) push(piece.side, point, axis, -area[at(axis)] * point.part * p, outside_);
     }
   }
 
-  void push(int side, const SurfacePoint& point, int axis, double force) {
+  void push(int side, const SurfacePoint& point, int axis, double force, std::vector<double>& forces) const {
     const auto nodes = of_.surface.side(at(side));
-    for (std::size_t a = 0; a < nodes.size(); ++a) outside_[at(nodes[a] * dim_ + axis)] += point.share[a] * force;
+    for (std::size_t a = 0; a < nodes.size(); ++a) forces[at(nodes[a] * dim_ + axis)] += point.share[a] * force;
   }
 
   /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
@@ -175,7 +198,7 @@ class MapByPressures {
   int dim_;
   std::vector<Entry> entries_;
   std::vector<double> seen_;
-  std::vector<double> outside_;
+  std::vector<double> outside_, film_weight_;
 };
 
 }  // namespace

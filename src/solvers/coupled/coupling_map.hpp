@@ -29,6 +29,9 @@ struct CouplingMap {
   /// What the fluid beyond open sides does to the solids, beside B^T p: to what of them is beyond, and where pressures
   /// between the last cells and an open side, or in a film that ends beyond it, are its own in part [force].
   std::vector<double> outside;
+  /// What the weight of the fluid in films does to the solids, beside B^T p, which has the pressures of their rims at
+  /// the heights of these: in a film at rest it grows downwards [force].
+  std::vector<double> film_weight;
 };
 
 /// What a map is made from: the surface where it is now, and the fluid about it.

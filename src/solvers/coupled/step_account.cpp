@@ -95,6 +95,7 @@ void CoupledStep::book_solids(std::span<const double> q0, std::span<const double
   const SolidEquations::Taken taken = solids_.taken(u0, state.u, solution.lifts, h);
   books.contact -= product(way, solution.friction);
   books.open_sides += product(way, at_.map.outside);
+  books.gravity += product(way, at_.map.film_weight);
   books.loads += product(way, solids_.external) + solids_.system.gravity_energy(way);
   books.damped += taken.damping;
   books.coupling -= product(way, solution.fluid_force);
