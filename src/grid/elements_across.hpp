@@ -16,10 +16,9 @@ struct ElementsAcross {
   std::vector<int> regions;
 };
 
-/// Of each connected part of a mesh of order 1, from its sides alone, so that it holds for any mesh. From each side on
-/// the boundary a way leads through the part: through quadrilaterals and hexahedra from a side to the opposite one,
-/// through triangles and tetrahedra straight along the side's normal, where two of the former and three of the latter
-/// count as a layer (into as many a cell is cut across). The thickness is what a tenth of the boundary does not exceed.
+/// Of each connected part of a mesh of order 1, in the order of parts_of(), from its sides alone, so that it holds for
+/// any mesh: by the shortest of the ways_across() that leave opposite, from a tenth of the boundary. The thickness is
+/// at right angles to it, whatever the angle of the elements' other sides: a body bends as its own shape does.
 std::vector<ElementsAcross> elements_across(const Mesh& mesh);
 
 }  // namespace tether

@@ -33,6 +33,23 @@ double poisson_ratio(const Lame& l, bool plane_stress) {
   return plane_stress ? l.lambda / (l.lambda + 2 * l.mu) : l.lambda / (2 * (l.lambda + l.mu));
 }
 
+/// Longest extent over the thickness from which a body bends that nothing holds: shorter ones, of which their own
+/// inertia or a fluid is all that acts on them, are squeezed and turned.
+constexpr double slender = 2;
+
+/// Of each connected part of the mesh.
+std::vector<bool> held_parts(const Solids& solids) {
+  const std::vector<int> part = parts_of(solids.mesh);
+  std::vector<bool> held(static_cast<std::size_t>(count_parts(solids.mesh)), false);
+  for (const Support& support : solids.supports) {
+    for (const int n : support.nodes) {
+      if (part[static_cast<std::size_t>(n)] >= 0)
+        held[static_cast<std::size_t>(part[static_cast<std::size_t>(n)])] = true;
+    }
+  }
+  return held;
+}
+
 std::string body_name(const ElementsAcross& across, const Solids& solids) {
   const std::string first = solids.regions[static_cast<std::size_t>(across.regions.front())].name;
   const std::size_t others = across.regions.size() - 1;
@@ -62,8 +79,15 @@ double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double 
 
 std::vector<Locking> locking_of(const Solids& solids) {
   std::vector<Locking> bodies;
-  for (const ElementsAcross& across : elements_across(solids.mesh)) {
-    Locking body{body_name(across, solids), static_cast<int>(across.count), across.thickness, 0, -1, 0};
+  const std::vector<ElementsAcross> parts = elements_across(solids.mesh);
+  const std::vector<bool> held = parts.empty() ? std::vector<bool>() : held_parts(solids);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const ElementsAcross& across = parts[p];
+    Locking body{.body = body_name(across, solids),
+                 .across = static_cast<int>(across.count),
+                 .thickness = across.thickness,
+                 .too_stiff = -1,
+                 .bends = held[p] || across.longest >= slender * across.thickness};
     for (const int r : across.regions) {
       const ElasticLaw& law = solids.regions[static_cast<std::size_t>(r)].law;
       const std::optional<Lame> l = std::visit(InPlane{}, law);
@@ -79,10 +103,10 @@ std::vector<Locking> locking_of(const Solids& solids) {
 }
 
 std::string locking_warning(const std::vector<Locking>& bodies, const Solids& solids, bool coupled) {
-  if (bodies.empty()) return "";
-  const Locking& worst = *std::ranges::max_element(bodies, {}, &Locking::too_stiff);
-  if (worst.too_stiff < told_stiffness) return "";
-  const auto told = [](const Locking& body) { return body.too_stiff >= told_stiffness; };
+  const auto told = [](const Locking& body) { return body.bends && body.too_stiff >= told_stiffness; };
+  if (std::ranges::none_of(bodies, told)) return "";
+  const Locking& worst =
+      *std::ranges::max_element(bodies, {}, [&](const Locking& body) { return told(body) ? body.too_stiff : 0; });
   const auto others = std::ranges::count_if(bodies, told) - 1;
   const bool one = worst.across == 1;
   return fmt::format(

@@ -17,6 +17,7 @@ struct Locking {
   double thickness = 0;  ///< [length]
   double nu = 0;         ///< Poisson's ratio
   double too_stiff = 0;  ///< stiffness in bending over the true one, less 1
+  bool bends = true;     ///< it is held, or long enough to bend without
   int enough = 0;        ///< elements across that would leave it too stiff by told_stiffness
 };
 
@@ -29,8 +30,8 @@ double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double 
 /// Of each connected body; none where elements are of order 2, which bend, or of fibres alone, which do not resist it.
 std::vector<Locking> locking_of(const Solids& solids);
 
-/// What is to be said of the one that is most too stiff, nothing where it is not by told_stiffness; `coupled` bodies
-/// have no other elements.
+/// What is to be said of the one of those that bend that is most too stiff, nothing where it is not by told_stiffness;
+/// `coupled` bodies have no other elements.
 std::string locking_warning(const std::vector<Locking>& bodies, const Solids& solids, bool coupled);
 
 }  // namespace tether

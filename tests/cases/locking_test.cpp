@@ -74,5 +74,22 @@ TEST(Locking, IsNotSaidWhereThereIsNone) {
   EXPECT_NEAR(deflection(run) / of_the_beam({"q2", 1, 10, 0.3}), 1, 0.02);
 }
 
+/// A block that flies, and one that is held at a side.
+std::vector<std::string> warnings_of(const std::string& name, double length, bool held) {
+  return run_text(name, fmt::format("a block\n$in nx=2,ny=2,xleft=-1.,xright=99.,ybot=-9.,ytop=9.,tmax=1e-3,"
+                                    "tstep=1e-3,iout(33)=1,tiout(33)=1e-3 $\n"
+                                    "$reg nreg=1,nvi=4,xvi(1,1)=0.,{0},{0},0.,yvi(1,1)=0.,0.2,1.2,1.,densir(1)=1.,"
+                                    "matr(1,1)=1.,.3,vrx(1)=.1 $\n$mesh element='p1',cells(1,1)=6,6 $\n$fem {1} $\n",
+                                    length, held ? "fix_on(1)='1.left',fix(1:2,1)=0.,0." : ""))
+      .warnings;
+}
+
+/// What is as long as it is thick and free is squeezed, not bent.
+TEST(Locking, IsNotSaidOfBlocksThatNothingBends) {
+  EXPECT_EQ(warnings_of("locking-free", 1.3, false), std::vector<std::string>{});
+  EXPECT_EQ(warnings_of("locking-held", 1.3, true).size(), 1u);
+  EXPECT_EQ(warnings_of("locking-long", 3, false).size(), 1u);
+}
+
 }  // namespace
 }  // namespace tether::cases

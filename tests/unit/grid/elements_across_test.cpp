@@ -9,10 +9,10 @@
 namespace tether {
 namespace {
 
-/// A bar of `cells` elements, 1 thick along y, each turned by an angle about z.
+/// A bar of `cells` elements, 1 thick along y, sheared along x and turned by an angle about z.
 struct Bar {
   std::array<int, 3> cells;
-  double length, width = 1, angle = 0;
+  double length, width = 1, angle = 0, shear = 0;
 };
 
 int number(const Bar& bar, int i, int j, int k) { return i + (bar.cells[0] + 1) * (j + (bar.cells[1] + 1) * k); }
@@ -21,8 +21,8 @@ void add_nodes(const Bar& bar, int dim, Mesh& mesh) {
   for (int k = 0; k <= (dim == 3 ? bar.cells[2] : 0); ++k) {
     for (int j = 0; j <= bar.cells[1]; ++j) {
       for (int i = 0; i <= bar.cells[0]; ++i) {
-        const double x = bar.length * i / bar.cells[0], y = 1.0 * j / bar.cells[1], c = std::cos(bar.angle),
-                     s = std::sin(bar.angle);
+        const double y = 1.0 * j / bar.cells[1], x = bar.length * i / bar.cells[0] + bar.shear * y,
+                     c = std::cos(bar.angle), s = std::sin(bar.angle);
         mesh.x.insert(mesh.x.end(), {c * x - s * y, s * x + c * y});
         if (dim == 3) mesh.x.push_back(bar.width * k / bar.cells[2]);
       }
@@ -69,6 +69,29 @@ TEST(ElementsAcross, CountsTheLayersOfABarWhicheverWayItLies) {
       EXPECT_NEAR(found[0].thickness, 1, 1e-12);
       EXPECT_NEAR(found[0].along, 0.5, 1e-12);
       EXPECT_EQ(found[0].regions, std::vector<int>{0});
+    }
+  }
+}
+
+/// Slanted ends, by up to 63 degrees, make it no thinner and leave no layer out: it bends as its length does.
+TEST(ElementsAcross, TakesTheThicknessOfShearedBodiesAtRightAngles) {
+  for (const ElementKind kind : kinds) {
+    for (const double shear : {-2.0, -0.6, 0.17, 0.6, 1.0, 2.0}) {
+      const auto found = elements_across(mesh_of({{30, 3, 10}, 10, 3, 0.4, shear}, kind));
+      EXPECT_EQ(found.at(0).count, 3) << static_cast<int>(kind) << " " << shear;
+      EXPECT_NEAR(found.at(0).thickness, 1, 1e-9) << static_cast<int>(kind) << " " << shear;
+      EXPECT_NEAR(found.at(0).along, 1.0 / 3, 0.02) << static_cast<int>(kind) << " " << shear;
+    }
+  }
+}
+
+/// Short ones, of which a straight way from a slanted end soon comes out again.
+TEST(ElementsAcross, TakesTheThicknessOfShearedBlocks) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::tri3}) {
+    for (const double shear : {-0.5, -0.17, 0.17, 0.5}) {
+      const auto found = elements_across(mesh_of({{8, 6, 1}, 1.35, 1, 1.57, shear}, kind));
+      EXPECT_EQ(found.at(0).count, 6) << static_cast<int>(kind) << " " << shear;
+      EXPECT_NEAR(found.at(0).thickness, 1, 1e-9) << static_cast<int>(kind) << " " << shear;
     }
   }
 }
