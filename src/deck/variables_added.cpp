@@ -77,9 +77,9 @@ constexpr std::array rows{
     Variable{"limits", "quality", real, 1, 2, 1, "", 0, none, "", "",
              "Least volume of an element of a body over that at the start, below which a run warns (1) and is stopped "
              "(2). .1 and .001 where not given, as in all of this group 0 switches off."},
-    Variable{"limits", "volume", real, 1, 2, 1, "", 0, none, "", "",
-             "Volume of a body over that at the start, or the other way round where it grows: warning, stop below. .5 "
-             "and .05."},
+    Variable{
+        "limits", "volume", real, 1, 2, 1, "", 0, none, "", "",
+        "Volume of a body against that at the start, the smaller over the larger: warning, stop below. .5 and .05."},
     Variable{
         "limits", "energy_step", real, 1, 2, 1, "", 0, none, "", "",
         "Rise of the energy in one step (from one record to the next of material points, bars, flows on a mesh and "

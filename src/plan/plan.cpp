@@ -12,6 +12,7 @@
 #include "plan/cfl_number.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
+#include "plan/immersed_plan.hpp"
 #include "plan/reference_plan.hpp"
 #include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
@@ -235,6 +236,10 @@ Plan make_plan(Scene scene) {
     plan.locking = locking_of(*scene.solids);
     std::string locks = locking_warning(plan.locking, *scene.solids, scene.path == Path::coupled);
     if (!locks.empty()) plan.warnings.push_back(std::move(locks));
+  }
+  if (scene.flow && scene.solids) {
+    std::string coarse = immersed_warning(*scene.flow, *scene.solids);
+    if (!coarse.empty()) plan.warnings.push_back(std::move(coarse));
   }
   plan.scene = std::move(scene);
   return plan;

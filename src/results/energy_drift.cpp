@@ -30,6 +30,16 @@ std::vector<double> balance(const History& history, Losses losses) {
   return total;
 }
 
+/// Largest size of a column of these energies at any time; 0 where there is none.
+double largest_of(const History& history, const std::string& name) {
+  double largest = 0;
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.name != name) continue;
+    for (const double value : history.column(name)) largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
 /// Part of the energy below which what seems exchanged is rounding.
 constexpr double rounding = 1e-12;
 
@@ -58,10 +68,7 @@ double exchanged_energy(const History& history) {
     exchanged = std::max(exchanged, largest_change(values));
     for (const double value : values) there = std::max(there, std::abs(value));
   }
-  for (const Quantity& quantity : history.layout.quantities) {
-    if (quantity.name != "energy_pressure") continue;
-    for (const double value : history.column(quantity.name)) there = std::max(there, std::abs(value));
-  }
+  there = std::max(there, largest_of(history, "energy_pressure"));
   return exchanged > rounding * there ? exchanged : there;
 }
 
@@ -86,7 +93,7 @@ double energy_drift(const History& history) {
 }
 
 double energy_rise(const History& history) {
-  const double exchanged = exchanged_energy(history);
+  const double exchanged = std::max(exchanged_energy(history), settling * largest_of(history, "energy_pressure"));
   const auto total = balance(history, Losses::left_out);
   return exchanged > 0 ? (*std::max_element(total.begin(), total.end()) - total.front()) / exchanged : 0;
 }

@@ -128,6 +128,15 @@ void check_curves(const Deck& deck, const Method& method, Diagnostics& diagnosti
   for (auto& error : found.errors()) diagnostics.add(std::move(error));
 }
 
+/// Regions that $fem is to divide, where nothing says how; strings alone become bars.
+bool lacks_mesh(const Deck& deck) {
+  if (!deck.has_group("fem") || deck.integer("in", "igen") == 0) return false;
+  for (const char* name : {"law", "fix_on", "load_on", "static"}) {
+    if (!deck.given_elements("fem", name).empty()) return deck.integer("reg", "nreg") > 0;
+  }
+  return false;
+}
+
 }  // namespace
 
 void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
@@ -171,6 +180,10 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
     add_flow(deck, scene, diagnostics);
   } else if (deck.has_group("mesh") || deck.has_group("rigid")) {
     add_solids(deck, scene, diagnostics);
+  } else if (lacks_mesh(deck)) {
+    diagnostics.add(deck.remark(Severity::error, "fem", "", {1, 1}, "$fem has no mesh to act on",
+                                "add $mesh, whose cells(1,r) divide region r of $reg, or whose file names a mesh; "
+                                "without $fem the regions are of material points"));
   } else {
     add_bodies(deck, particles, scene, diagnostics);
     check_edges(deck, scene, diagnostics);

@@ -132,6 +132,13 @@ void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
     diagnostics.add(deck.remark(Severity::warning, "mesh", name, given.front(),
                                 fmt::format("{} has no effect: the mesh is that of the file", name)));
   }
+  for (const char* name : {"nvi", "xvi", "yvi"}) {
+    const auto given = deck.given_elements("reg", name);
+    if (given.empty()) continue;
+    diagnostics.add(deck.remark(Severity::warning, "reg", name, given.front(),
+                                fmt::format("{} of $reg has no effect: the mesh is that of the file", name)));
+    break;
+  }
 }
 
 std::optional<Mesh> mesh_of_deck_file(const Deck& deck, int regions, Diagnostics& diagnostics) {

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "deck/spelling.hpp"
 #include "scene/flow_of_deck.hpp"
 #include "scene/materials.hpp"
 #include "scene/rigid_of_deck.hpp"
@@ -121,6 +124,29 @@ void check_free_motions(const Deck& deck, const Solids& solids, Diagnostics& dia
                                 "it acts with the stiffness of the shape at the start; alpha damps all motion"));
 }
 
+/// What only motions have, of a deck that has none.
+void check_equilibria(const Deck& deck, Diagnostics& diagnostics) {
+  if (!deck.logical("fem", "static")) return;
+  const std::array<std::pair<const char*, const char*>, 8> moving{{{"reg", "vrx"},
+                                                                   {"reg", "vry"},
+                                                                   {"fem", "vrz"},
+                                                                   {"fem", "spin"},
+                                                                   {"fem", "alpha"},
+                                                                   {"fem", "beta"},
+                                                                   {"fem", "integrator"},
+                                                                   {"fem", "cfl"}}};
+  for (const auto& [group, name] : moving) {
+    for (const Subscript at : deck.given_elements(group, name)) {
+      if (value_text(deck.value(group, name, at[0], at[1])) == find_variable(group, name)->fallback) continue;
+      diagnostics.add(deck.remark(
+          Severity::warning, group, name, at,
+          fmt::format("{} of ${} has no effect: static=.true. looks for equilibria, which have no motion", name, group),
+          ""));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
@@ -140,6 +166,7 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (!has_flow(deck)) solids.alpha = deck.real("fem", "alpha"), solids.beta = deck.real("fem", "beta");
   solids.tolerance = deck.real("fem", "tolerance");
   solids.from_equilibrium = deck.logical("fem", "settle");
+  check_equilibria(deck, diagnostics);
   add_loads(deck, solids, diagnostics);
   track_places(deck, solids, diagnostics);
   check_overlaps(deck, solids, diagnostics);

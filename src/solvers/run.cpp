@@ -173,10 +173,12 @@ class Runner {
     const double rise = energy_rise(outputs_.history());
     const double most = plan_.scene.limits.energy_growth.warn;
     if (most > 0 && rise > most) {
-      outputs_.warn(fmt::format(
-          "the total energy rose by {:.2g} of the largest energy exchanged: points that change cell, a step "
-          "near the limit, or a run that diverges (energy_growth of $limits)",
-          rise));
+      outputs_.warn(
+          fmt::format("the total energy rose by {:.2g} of the largest energy exchanged: {}, or a run that diverges "
+                      "(energy_growth of $limits)",
+                      rise,
+                      plan_.scene.path == Path::mpm ? "points that change cell, a step near the limit"
+                                                    : "a step near the limit or too long"));
     }
   }
   Summary summary_of_run() const {

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "base/errors.hpp"
 #include "results/energy_drift.hpp"
+#include "scene/solids.hpp"
 #include "solvers/scene_summary.hpp"
 
 namespace tether {
@@ -16,6 +18,15 @@ namespace {
 
 /// Motions by less than this part of a cell a step are at rest: their energy is no measure of another.
 constexpr double resting = 1e-6;
+
+/// Why a body's volume changes beyond reason.
+const char* cause_of_volume(const Scene& scene) {
+  if (scene.flow || scene.coupled) return "a body too soft for what acts on it, or a fluid that goes through it";
+  const auto is_linear = [](const SolidRegion& region) { return std::holds_alternative<LinearElastic>(region.law); };
+  if (scene.solids && std::ranges::any_of(scene.solids->regions, is_linear))
+    return "a body too soft for what acts on it: large turns by law='linear' grow it, which other laws do not";
+  return "a body too soft for what acts on it";
+}
 
 /// Columns by this name, or of bodies by it and a number.
 std::vector<std::size_t> columns_of(const HistoryLayout& layout, const std::string& name) {
@@ -45,6 +56,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     if (names[k] == "mass") mass_ = k;
     if (names[k] == "energy_total") total_ = k;
     if (names[k] == "energy_potential") potential_ = k;
+    if (names[k] == "energy_pressure") pressure_ = k;
     for (const char* kind : {"energy_kinetic", "energy_strain", "energy_internal"}) {
       if (names[k] == kind) energies_.push_back(k);
     }
@@ -81,8 +93,8 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
       "cfl");
   volume_ = {.name = "volume",
              .key = "volume_worst",
-             .what = "the volume of a body over that at the start, or the other way round",
-             .cause = "a body too soft for what acts on it, or a fluid that goes through it",
+             .what = "a body's volume against that at the start, the smaller over the larger,",
+             .cause = cause_of_volume(scene),
              .limit = limits.volume,
              .low = true,
              .worst = 1};
@@ -93,7 +105,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
   }
   energy_step_ = {.name = "energy_step",
                   .key = "energy_step_largest",
-                  .what = "the rise of the energy that no exchange explains, over the largest energy before",
+                  .what = "the rise of the energy in a step that no exchange explains, over the largest energy before,",
                   .cause = "steps too long, or a way of coupling that does not hold",
                   .limit = limits.energy_step};
   energy_growth_ = {.name = "energy_growth",
@@ -161,11 +173,12 @@ double Watch::largest_energy(const Record& record) const {
   return largest;
 }
 
-/// The kinetic energy of all mass at a speed that is next to rest in a step.
+/// The kinetic energy of all mass at a speed that is next to rest in a step, or what settles in a fluid that stands.
 double Watch::rest_energy(const Record& record) const {
   const double step = record[1];
   const double speed = step > 0 ? resting * cell_ / step : 0;
-  return 0.5 * record[mass_] * speed * speed;
+  const double still = pressure_ == 0 ? 0 : settling * std::abs(record[pressure_]);
+  return std::max(0.5 * record[mass_] * speed * speed, still);
 }
 
 void Watch::judge(Number& number, double value, double time, const Place& where) {

@@ -59,7 +59,7 @@ class Watch {
   double cell_;                       // [length]
   std::size_t mass_ = 0, total_ = 0;  // columns
   std::vector<std::size_t> energies_;
-  std::size_t potential_ = 0;
+  std::size_t potential_ = 0, pressure_ = 0;  // the latter 0 where there is none
   std::vector<Term> booked_;
   bool keeps_books_ = true;      // so that a rise means something
   std::vector<Number> numbers_;  // of columns

@@ -42,6 +42,12 @@ struct FlowPower {
   double body = 0;                ///< of body forces
 };
 
+/// A force on the fluid at a node [force].
+struct NodeForce {
+  std::size_t node = 0;
+  std::array<double, 2> force{};
+};
+
 /// The elements of a flow: integrals over its mesh, and over its sides.
 class FlowElements {
  public:
@@ -55,10 +61,13 @@ class FlowElements {
   virtual void add_tangent(const FlowMoment& m, const ClusterPattern& pattern, SparseMatrix& K) const = 0;
   /// The body force's acceleration at all points of quadrature, with that of gravity along y [length/time2].
   virtual std::vector<double> accelerations(double gravity, double time) const = 0;
-  virtual double kinetic_energy(std::span<const double> v) const = 0;  ///< [energy]
+  virtual double kinetic_energy(std::span<const double> v) const = 0;   ///< [energy]
+  virtual double pressure_energy(std::span<const double> p) const = 0;  ///< the pressure's size times volume [energy]
   /// Mass, and momentum in x and y.
   virtual std::array<double, 3> momentum(std::span<const double> v) const = 0;
   virtual FlowPower power(const FlowMoment& m) const = 0;
+  /// What the fluid's stress on the sides next to the ends of the flow's force side k gives to that side's nodes.
+  virtual std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const = 0;
   /// dv/dx - du/dy, the mean around each node [1/time].
   virtual std::vector<double> vorticity(std::span<const double> v) const = 0;
   /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations.

@@ -32,6 +32,14 @@ double FlowElementsOf<V, P>::kinetic_energy(std::span<const double> v) const {
 }
 
 template <class V, class P>
+double FlowElementsOf<V, P>::pressure_energy(std::span<const double> p) const {
+  double energy = 0;
+  for (std::size_t at = 0; at < weights_.size(); ++at)
+    energy += weights_[at] * std::abs(pressures(at / points, p).dot(pressure_values_[at % points]));
+  return energy;
+}
+
+template <class V, class P>
 std::array<double, 3> FlowElementsOf<V, P>::momentum(std::span<const double> v) const {
   std::array<double, 3> sum{};
   for (std::size_t at = 0; at < weights_.size(); ++at) {
@@ -73,6 +81,29 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
     power.open_traction += (vt * at.N).dot(traction);
   }
   return power;
+}
+
+/// <N_A, sigma n> over the neighbours; where they slip, what acts along them is known to be nothing.
+template <class V, class P>
+std::vector<NodeForce> FlowElementsOf<V, P>::corner_forces(const FlowMoment& m, std::size_t k) const {
+  const FlowConstants c = constants(m);
+  std::vector<NodeForce> forces;
+  for (const Corner& corner : corners_[k]) {
+    for (const SidePoint<V>& at : corner.points) {
+      const Velocities vt = (1 - c.theta) * gathered(at.element, m.v0) + c.theta * gathered(at.element, m.v1);
+      const Eigen::Matrix2d L = vt * at.G.transpose();
+      const double p = pressures(at.element, m.p).dot(Eigen::Map<const Pressures>(P::values(at.place).data()));
+      Eigen::Vector2d traction = c.mu * (L + L.transpose()) * at.normal - p * at.normal;
+      if (corner.side.slip) traction = at.normal * at.normal.dot(traction) / at.normal.squaredNorm();
+      for (const int a : corner.side.shared) {
+        const int n = corner.side.nodes[static_cast<std::size_t>(a)];
+        const int* nodes = mesh_.element(at.element);
+        const double N = at.N[std::find(nodes, nodes + NV, n) - nodes];
+        forces.push_back({static_cast<std::size_t>(n), {N * traction[0], N * traction[1]}});
+      }
+    }
+  }
+  return forces;
 }
 
 template <class V, class P>

@@ -6,8 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "grid/jacobian.hpp"
+#include "solvers/fem/flow_corners.hpp"
 #include "solvers/fem/flow_elements.hpp"
 #include "solvers/fem/flow_kernels.hpp"
 #include "solvers/fem/flow_sides.hpp"
@@ -40,6 +43,14 @@ class FlowElementsOf final : public FlowElements {
     for (const FlowSide& side : flow_.sides) {
       if (side.boundary == Boundary::open) add_side_points<V>(mesh_, side.sides, open_);
       if (side.boundary == Boundary::inflow) add_side_points<V>(mesh_, side.sides, inflow_);
+    }
+    for (const ForceSide& force : flow_.forces) {
+      corners_.emplace_back();
+      for (CornerSide& side : corner_sides_of(flow_, force)) {
+        std::vector<SidePoint<V>> at;
+        add_side_points<V>(mesh_, side.nodes, at);
+        corners_.back().push_back({std::move(side), std::move(at)});
+      }
     }
   }
 
@@ -82,8 +93,10 @@ class FlowElementsOf final : public FlowElements {
 
   std::vector<double> accelerations(double gravity, double time) const override;
   double kinetic_energy(std::span<const double> v) const override;
+  double pressure_energy(std::span<const double> p) const override;
   std::array<double, 3> momentum(std::span<const double> v) const override;
   FlowPower power(const FlowMoment& m) const override;
+  std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const override;
   std::vector<double> vorticity(std::span<const double> v) const override;
   SparseMatrix laplacian() const override;
   std::vector<double> stream_source(std::span<const double> v) const override;
@@ -242,6 +255,12 @@ class FlowElementsOf final : public FlowElements {
   std::vector<double> weights_;
   std::vector<Eigen::Matrix2d> metrics_;
   std::vector<SidePoint<V>> open_, inflow_;
+  /// A neighbour of a force side, and its points of quadrature.
+  struct Corner {
+    CornerSide side;
+    std::vector<SidePoint<V>> points;
+  };
+  std::vector<std::vector<Corner>> corners_;  // of each force side
 };
 
 }  // namespace tether::fem

@@ -85,6 +85,7 @@ HistoryLayout FlowFields::history_layout() const {
   };
   for (const ExchangeColumn& exchange : exchanges_)
     add(exchange.name, Dimension::energy, exchange.meaning, exchange.book);
+  add("energy_pressure", Dimension::energy, "size of the pressure times volume: rounding at rest is small against it");
   add("mass", Dimension::mass, "mass of the fluid, and of as much of it as solids are in the place of");
   add("momentum_x", Dimension::momentum, "momentum of the same in x");
   add("momentum_y", Dimension::momentum, "momentum of the same in y");
@@ -94,10 +95,8 @@ HistoryLayout FlowFields::history_layout() const {
   for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
     const std::string& side = flow_.forces[k].name;
     const std::string number = fmt::format("_{}", k + 1);
-    add("side_force_x" + number, Dimension::force,
-        "force in x of the fluid on " + side + " with its end nodes, mean of the last step");
-    add("side_force_y" + number, Dimension::force,
-        "force in y of the fluid on " + side + " with its end nodes, mean of the last step");
+    add("side_force_x" + number, Dimension::force, "force in x of the fluid on " + side + ", mean of the last step");
+    add("side_force_y" + number, Dimension::force, "force in y of the fluid on " + side + ", mean of the last step");
     add("side_torque_z" + number, Dimension::torque, "its torque about the deck's place");
     if (!has_coefficients(flow_)) continue;
     add("drag" + number, Dimension::number, "force in x over speed^2 length density/2");
@@ -128,12 +127,17 @@ HistoryLayout FlowFields::history_layout() const {
 void FlowFields::append_forces(const FlowState& state, Record& record) const {
   for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
     double x = 0, y = 0, torque = 0;
-    for (const int node : force_nodes_[k]) {
-      const std::size_t n = static_cast<std::size_t>(node);
-      const double fx = -state.force[2 * n], fy = -state.force[2 * n + 1];
+    const auto add = [&](std::size_t n, double fx, double fy) {
       x += fx, y += fy;
       torque += (flow_.mesh.x[2 * n] - flow_.forces[k].centre[0]) * fy -
                 (flow_.mesh.x[2 * n + 1] - flow_.forces[k].centre[1]) * fx;
+    };
+    for (const int node : force_nodes_[k]) {
+      const std::size_t n = static_cast<std::size_t>(node);
+      add(n, -state.force[2 * n], -state.force[2 * n + 1]);
+    }
+    if (state.steps > 0) {
+      for (const auto& [node, force] : step_.corner_forces(state, k)) add(node, force[0], force[1]);
     }
     record.insert(record.end(), {x, y, torque});
     const double unit = 0.5 * flow_.density * flow_.speed * flow_.speed * flow_.length;
@@ -193,7 +197,8 @@ Record FlowFields::record(const FlowState& state) const {
       state.time, state.dt_last, kinetic, strain, 0, potential, kinetic + strain + potential,
   };
   for (const ExchangeColumn& exchange : exchanges_) values.push_back(state.exchanged.*exchange.amount);
-  values.insert(values.end(), {momentum[0], momentum[1], momentum[2], *least, *largest});
+  values.insert(values.end(),
+                {elements.pressure_energy(state.p), momentum[0], momentum[1], momentum[2], *least, *largest});
   if (has_coefficients(flow_)) values.push_back(flow_.density * flow_.speed * flow_.length / step_.viscosity());
   append_forces(state, values);
   append_probes(state, pressure, psi, values);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ constexpr std::size_t index_count = static_cast<std::size_t>(n);
 template <class V>
 struct SidePoint {
   std::size_t element = 0;
+  std::array<double, 2> place;           ///< in the reference element
   Eigen::Vector2d normal;                ///< outward, as long as the point's part of the side [length]
   Eigen::Matrix<double, V::nodes, 1> N;  ///< all of the element's functions there
   Eigen::Matrix<double, 2, V::nodes> G;  ///< and their gradients [1/length]
@@ -65,7 +67,7 @@ void add_side_points(const Mesh& mesh, const Sides& sides, std::vector<SidePoint
             slopes[a] * Eigen::Map<const Eigen::Vector2d>(&mesh.x[2 * static_cast<std::size_t>(sides[first + a])]);
       const auto map = jacobian_at<V>(mesh, of.element, s);
       SidePoint<V> at;
-      at.element = of.element;
+      at.element = of.element, at.place = s;
       at.normal = Line::weight(k) * Eigen::Vector2d(tangent[1], -tangent[0]);
       at.N = Eigen::Map<const Eigen::Matrix<double, V::nodes, 1>>(V::values(s).data());
       at.G = Eigen::Map<const Eigen::Matrix<double, 2, V::nodes>>(map.gradients.data());

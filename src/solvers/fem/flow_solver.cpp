@@ -39,12 +39,15 @@ FlowSolver::FlowSolver(const Plan& plan)
                     residuals_text(report.residuals)));
   tracers_.start(plan.scene.solids.get(), state_);
   if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
+  if (step_.immersed()) doubts_.emplace(step_.immersed()->solids(), plan.scene.grid);
   std::vector<std::string> told_by_the_deck;
   if (overlaps_) overlaps_->look(state_.q, 0, state_.overlap, told_by_the_deck);
 }
 
-void FlowSolver::look_for_overlaps() {
-  if (overlaps_) overlaps_->look(state_.q, state_.time, state_.overlap, messages_);
+void FlowSolver::look_at_bodies() {
+  if (!overlaps_) return;
+  overlaps_->look(state_.q, state_.time, state_.overlap, messages_);
+  doubts_->look_at_turns(state_.q, state_.time, state_.told, messages_);
 }
 
 void FlowSolver::advance(double until) {
@@ -61,7 +64,7 @@ void FlowSolver::advance(double until) {
         },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
     tell_of_failures(failures);
-    look_for_overlaps();
+    look_at_bodies();
     if (light_bodies_) check_kinetic_energy();
   }
 }
@@ -110,9 +113,13 @@ void FlowSolver::stop(double dt, const FlowReport& report) const {
   if (flow_.integrator != FlowIntegrator::steady)
     throw RunError(fmt::format(
         "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; "
-        "residuals over the tolerance's{}; fastest is node {} at ({:.6g}, {:.6g}) with {:.4g}: likely "
-        "cause, steps too long for the flow",
-        state_.time, state_.steps + 1, dt, most_halvings, residuals, worst + 1, place[0], place[1], fastest));
+        "residuals over the tolerance's{}; fastest is node {} at ({:.6g}, {:.6g}) with {:.4g}: likely cause, {}steps "
+        "too "
+        "long for the flow",
+        state_.time, state_.steps + 1, dt, most_halvings, residuals, worst + 1, place[0], place[1], fastest,
+        light_bodies_ ? "bodies lighter than the fluid, whose elements are to be no coarser than the fluid's and which "
+                        "are to be stiff enough for the mass that they take from it, or "
+                      : ""));
   const double tmax = plan_.scene.clock.tmax, density = flow_.density;
   const auto reynolds = [&](double time) {
     const double mu = flow_.viscosity * tmax / time;

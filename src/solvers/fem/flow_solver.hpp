@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/fem/body_doubts.hpp"
 #include "solvers/fem/body_overlaps.hpp"
 #include "solvers/fem/flow_fields.hpp"
 #include "solvers/fem/flow_state.hpp"
@@ -38,7 +39,7 @@ class FlowSolver final : public Solver {
 
  private:
   Summary cost_summary() const;
-  void look_for_overlaps();
+  void look_at_bodies();
   void tell_of_failures(long long before);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
   bool has_light_bodies() const;
@@ -51,8 +52,9 @@ class FlowSolver final : public Solver {
   FlowTracers tracers_;
   FlowFields fields_;
   FlowState state_;
-  std::optional<BodyOverlaps> overlaps_;  // of immersed solids
-  bool light_bodies_ = false;             // whose kinetic energy is looked at
+  std::optional<BodyOverlaps> overlaps_;
+  std::optional<BodyDoubts> doubts_;  // of immersed solids
+  bool light_bodies_ = false;         // whose kinetic energy is looked at
   std::vector<std::string> messages_;
 };
 

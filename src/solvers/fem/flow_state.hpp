@@ -5,6 +5,7 @@
 
 #include "results/saved_state.hpp"
 #include "solvers/fem/overlap_count.hpp"
+#include "solvers/fem/told_doubts.hpp"
 
 namespace tether::fem {
 
@@ -48,6 +49,7 @@ struct FlowState {
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
   OverlapCount overlap;  ///< of immersed solids
+  ToldDoubts told;       ///< of them
   LinearisedAt linearised;
 };
 
@@ -68,7 +70,7 @@ void exchange(Exchange& with, FlowState& state) {
   with("steps", state.steps), with("newton_steps", state.newton_steps);
   with("factorisations", state.factorisations), with("halvings", state.halvings);
   with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures);
-  exchange(with, state.overlap);
+  exchange(with, state.overlap), exchange(with, state.told);
   LinearisedAt& at = state.linearised;
   with("linearised_time", at.time), with("linearised_dt", at.dt);
   with.list("linearised_v0", at.v0), with.list("linearised_v1", at.v1), with.list("linearised_p", at.p);

@@ -14,7 +14,11 @@
 
 namespace tether::fem {
 SolidSolver::SolidSolver(const Plan& plan)
-    : plan_(plan), system_(*plan.scene.solids, plan.scene.gravity), step_(system_), overlaps_(system_.solids) {
+    : plan_(plan),
+      system_(*plan.scene.solids, plan.scene.gravity),
+      step_(system_),
+      overlaps_(system_.solids),
+      doubts_(system_.solids, plan.scene.grid) {
   state_.q = system_.solids.mesh.x;
   state_.v = first_velocities(system_);
   if (system_.solids.integrator == Integrator::central) state_.a.assign(state_.q.size(), 0.0);
@@ -22,8 +26,22 @@ SolidSolver::SolidSolver(const Plan& plan)
   if (system_.solids.integrator != Integrator::equilibrium)
     system_.move_supports(0, slope_width * plan.scene.clock.tstep, state_.v);
   if (system_.solids.from_equilibrium) start();
+  tell_of_short_steps();
   std::vector<std::string> told_by_the_deck;
   overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
+}
+
+/// As plan and run do of points and bars, whose limit is known without the elements.
+void SolidSolver::tell_of_short_steps() {
+  const Clock& clock = plan_.scene.clock;
+  if (system_.solids.integrator != Integrator::central || clock.cfl == 0) return;
+  const double limit = step_.longest_explicit_step(state_.q), dt = clock.cfl * limit;
+  if (!(dt < plan_.step.deck_step * (1 - 1e-9))) return;
+  messages_.push_back(fmt::format(
+      "the deck's step {:.4g} is {:#.3g} times the limit 2/omega = {:.4g} of central differences: steps are "
+      "limited to {:.4g}, cfl = {:.3g} of it, {:.0f} in place of {:.0f}",
+      plan_.step.deck_step, plan_.step.deck_step / limit, limit, dt, clock.cfl, std::ceil(clock.tmax / dt),
+      std::ceil(clock.tmax / plan_.step.deck_step)));
 }
 
 void SolidSolver::start() {
@@ -39,15 +57,16 @@ void SolidSolver::start() {
 void SolidSolver::advance(double until) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax) {
     step(next_step());
-    look_for_overlaps();
+    look_at_bodies();
   }
 }
 
 /// Explicit steps are many and short: bodies do not go far in some of them.
-void SolidSolver::look_for_overlaps() {
+void SolidSolver::look_at_bodies() {
   constexpr long long explicit_steps = 16;
   if (system_.solids.integrator == Integrator::central && state_.steps % explicit_steps != 0) return;
   overlaps_.look(state_.q, state_.time, state_.overlap, messages_);
+  doubts_.look(state_.q, state_.time, state_.told, messages_);
 }
 
 double SolidSolver::next_step() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/fem/body_doubts.hpp"
 #include "solvers/fem/body_overlaps.hpp"
 #include "solvers/fem/solid_fields.hpp"
 #include "solvers/fem/solid_state.hpp"
@@ -37,7 +38,8 @@ class SolidSolver final : public Solver {
 
  private:
   void start();
-  void look_for_overlaps();
+  void tell_of_short_steps();
+  void look_at_bodies();
   double next_step() const;
   void step(double dt);
   NewtonReport advanced(double dt);
@@ -49,6 +51,7 @@ class SolidSolver final : public Solver {
   SolidStep step_;
   SolidState state_;
   BodyOverlaps overlaps_;
+  BodyDoubts doubts_;
   std::vector<std::string> messages_;
 };
 

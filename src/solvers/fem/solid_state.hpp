@@ -5,6 +5,7 @@
 
 #include "results/saved_state.hpp"
 #include "solvers/fem/overlap_count.hpp"
+#include "solvers/fem/told_doubts.hpp"
 
 namespace tether::fem {
 
@@ -20,6 +21,7 @@ struct SolidState {
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, halvings = 0;
   OverlapCount overlap;
+  ToldDoubts told;
 };
 
 /// Lists what a step depends on over saver and restorer alike.
@@ -31,7 +33,7 @@ void exchange(Exchange& with, SolidState& state) {
   with("residual", state.residual);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
-  exchange(with, state.overlap);
+  exchange(with, state.overlap), exchange(with, state.told);
 }
 
 }  // namespace tether::fem

@@ -99,6 +99,16 @@ TEST(EnergyRise, CountsWhatTheMethodGained) {
   EXPECT_EQ(energy_rise(with_column(grows, Book::gained, {0, 1, 4})), 0);
 }
 
+/// What settles in a fluid that stands under pressure is small against the pressure times the volume.
+TEST(EnergyRise, IsNoneOfWhatSettlesUnderPressure) {
+  History history = history_of({{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}});
+  EXPECT_EQ(energy_rise(history), 1);
+  history.layout.quantities.push_back({"energy_pressure", Dimension::energy, ""});
+  for (Record& record : history.records) record.push_back(-1e5);
+  EXPECT_EQ(energy_rise(history), 0.01);
+  EXPECT_EQ(energy_drift(history), 1);
+}
+
 TEST(EnergyLost, IsWhatTheMethodLostByTheEnd) {
   const History falls = history_of({{8, 0, 0, 0}, {6, 0, 0, 0}, {0, 0, 0, 0}});
   EXPECT_EQ(energy_lost(with_column(falls, Book::lost, {0, 5, 4})), 0.5);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "scene/flow.hpp"
+#include "scene/solids.hpp"
+
+namespace tether {
+
+/// Where a body's elements are the longest over the fluid's that they lie in at the start, along the same direction.
+/// Distances between nodes: of biquadratic elements half their length.
+struct ImmersedSpacing {
+  int region = -1;                    ///< the body's, from 0; -1 where there is none
+  double of_solid = 0, of_fluid = 0;  ///< [length]
+  double ratio() const { return of_fluid > 0 ? of_solid / of_fluid : 0; }
+};
+ImmersedSpacing coarsest_spacing(const Flow& flow, const Solids& solids);
+
+/// What is to be said of it, nothing where the nodes stand as close as the fluid's.
+std::string immersed_warning(const Flow& flow, const Solids& solids);
+
+}  // namespace tether

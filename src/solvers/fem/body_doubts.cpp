@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/fem/body_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "base/index.hpp"
+#include "grid/jacobian.hpp"
+
+namespace tether::fem {
+namespace {
+
+/// Strain that a linear law may leave out: a turn by 18 degrees alone makes as much, and cantilevers under their weight
+/// sag 4 % too far.
+constexpr double most_left_out = 0.05;
+
+/// Part of the grid's extent by which a node may be beyond its edge.
+constexpr double grazing = 1e-3;
+
+/// Half the largest entry of (grad u)^T grad u in the middle of an element: Green's strain less the linear one.
+template <class Shapes>
+double left_out_of(const Mesh& mesh, std::size_t e, std::span<const double> q) {
+  constexpr int dim = Shapes::dim;
+  std::array<double, dim> middle{};
+  for (int k = 0; k < Shapes::points; ++k) {
+    for (int i = 0; i < dim; ++i) middle[at(i)] += Shapes::place(k)[at(i)] / Shapes::points;
+  }
+  const auto map = jacobian_at<Shapes>(mesh, e, middle);
+  Eigen::Matrix<double, dim, dim> slope = Eigen::Matrix<double, dim, dim>::Zero();
+  for (int a = 0; a < Shapes::nodes; ++a) {
+    const std::size_t n = dim * at(mesh.element(e)[a]);
+    for (int i = 0; i < dim; ++i) {
+      const double u = q[n + at(i)] - mesh.x[n + at(i)];
+      for (int j = 0; j < dim; ++j) slope(i, j) += u * map.gradients[at(a * dim + j)];
+    }
+  }
+  return 0.5 * (slope.transpose() * slope).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+BodyDoubts::BodyDoubts(const Solids& solids, const BackgroundGrid& grid) : solids_(solids), grid_(grid) {
+  for (std::size_t e = 0; e < solids.mesh.element_count(); ++e) {
+    if (std::holds_alternative<LinearElastic>(solids.regions[at(solids.mesh.region[e])].law)) linear_.push_back(e);
+  }
+}
+
+void BodyDoubts::look(std::span<const double> q, double time, ToldDoubts& told,
+                      std::vector<std::string>& messages) const {
+  look_at_edges(q, time, told, messages);
+  look_at_turns(q, time, told, messages);
+}
+
+/// Nodes that stand at an edge at the start, held there or not, are as the deck wants them.
+void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubts& told,
+                               std::vector<std::string>& messages) const {
+  if (told.left_grid != 0) return;
+  const auto dim = at(solids_.mesh.dim());
+  const std::array<double, 2> low{grid_.x0, grid_.y0}, high{grid_.x1, grid_.y1};
+  constexpr std::array<std::array<const char*, 2>, 2> names{{{"xleft", "xright"}, {"ybot", "ytop"}}};
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    const std::size_t i = k % dim;
+    if (i > 1) continue;
+    const double x0 = solids_.mesh.x[k], far = grazing * (high[i] - low[i]);
+    const bool out = q[k] < low[i] - far || q[k] > high[i] + far;
+    if (!out || !(x0 > low[i] && x0 < high[i])) continue;
+    const bool up = q[k] > high[i];
+    const std::size_t first = k - i;
+    messages.push_back(fmt::format(
+        "t = {:.6g}: node {} of {}, at ({:.6g}, {:.6g}), has left the grid beyond {} = {:.6g}: the grid's walls hold "
+        "nodes that stand at them at the start and stop no others; fix_on of $fem holds a body, walls of $coupled stop "
+        "it",
+        time, k / dim + 1, region_of_node(k / dim), q[first], q[first + 1], names[i][up ? 1 : 0],
+        up ? high[i] : low[i]));
+    told.left_grid = 1;
+    return;
+  }
+}
+
+void BodyDoubts::look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
+                               std::vector<std::string>& messages) const {
+  if (told.turned != 0) return;
+  for (const std::size_t e : linear_) {
+    const double strain = left_out(e, q);
+    if (!(strain > most_left_out)) continue;
+    messages.push_back(
+        fmt::format("t = {:.6g}: law='linear' leaves out strains of {:.2g} in element {} of {}, as much as a turn by "
+                    "{:.0f} degrees "
+                    "makes: it holds for small turns alone, law='svk' for any",
+                    time, strain, e + 1, solids_.regions[at(solids_.mesh.region[e])].name,
+                    std::acos(std::max(1 - strain, -1.0)) * 180 / M_PI));
+    told.turned = 1;
+    return;
+  }
+}
+
+double BodyDoubts::left_out(std::size_t e, std::span<const double> q) const {
+  return with_shapes(solids_.mesh.kind, [&](auto shapes) { return left_out_of<decltype(shapes)>(solids_.mesh, e, q); });
+}
+
+std::string BodyDoubts::region_of_node(std::size_t node) const {
+  const Mesh& mesh = solids_.mesh;
+  const auto found = std::ranges::find(mesh.nodes, static_cast<int>(node));
+  const auto e = static_cast<std::size_t>(found - mesh.nodes.begin()) / at(node_count_of(mesh.kind));
+  return e < mesh.element_count() ? solids_.regions[at(mesh.region[e])].name : std::string("no element");
+}
+
+}  // namespace tether::fem

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grid/background_grid.hpp"
+#include "scene/solids.hpp"
+#include "solvers/fem/told_doubts.hpp"
+
+namespace tether::fem {
+
+/// Looks whether bodies go on where the model does not hold any more: beyond the grid, where nothing stops them, or
+/// turned further than a linear law follows. Each is told once. The solids and the grid must outlive it.
+class BodyDoubts {
+ public:
+  BodyDoubts(const Solids& solids, const BackgroundGrid& grid);
+
+  void look(std::span<const double> q, double time, ToldDoubts& told, std::vector<std::string>& messages) const;
+  /// The linear law alone: of bodies that something else holds within the grid.
+  void look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
+                     std::vector<std::string>& messages) const;
+
+ private:
+  void look_at_edges(std::span<const double> q, double time, ToldDoubts& told,
+                     std::vector<std::string>& messages) const;
+  double left_out(std::size_t e, std::span<const double> q) const;
+  std::string region_of_node(std::size_t node) const;
+
+  const Solids& solids_;
+  const BackgroundGrid& grid_;
+  std::vector<std::size_t> linear_;  // elements of linear laws
+};
+
+}  // namespace tether::fem
