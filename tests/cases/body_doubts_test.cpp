@@ -14,7 +14,8 @@ namespace tether::cases {
 namespace {
 
 long long told(const DeckRun& run, const std::string& part) {
-  return std::ranges::count_if(run.messages, [&](const std::string& text) { return text.find(part) != std::string::npos; });
+  return std::ranges::count_if(run.messages,
+                               [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
 /// A block that falls from .13 above the grid's floor, which it reaches at sqrt(2 .13/9.81) = .163.
@@ -58,6 +59,30 @@ TEST(BodyDoubts, ALinearLawThatIsTurnedTooFarIsTold) {
   EXPECT_LT(sag(near) / sag(cantilever("svk", 6e7)), 1.04);
   EXPECT_EQ(told(near, turned), 0);
   EXPECT_EQ(told(cantilever("svk", 2e7), turned), 0);
+}
+
+/// A cantilever of period .023 that falls into its vibration: steps of twice that are told, of a tenth not.
+TEST(BodyDoubts, StepsLongerThanAPeriodAreTold) {
+  const auto swings = [](double step) {
+    const DeckRun run = run_text(
+        "swings", fmt::format("a vibration\n$in nx=2,ny=2,xleft=-1.,xright=3.,ybot=-1.5,ytop=1.,tmax={},tstep={},"
+                              "gravc=-9.81,iout(33)=1,tiout(33)=1. $\n"
+                              "$reg nreg=1,nvi=4,xvi(1,1)=.2,1.5,1.5,.2,yvi(1,1)=-.145,-.145,-.055,-.055,"
+                              "densir=2700.,matr(1,1)=7.e10,.33,ipath(4,1)=2 $\n$mesh element='q2',cells(1,1)=9,1 $\n"
+                              "$fem law='linear',fix_on='1.left',fix(1,1)=0.,0. $\n",
+                              30 * step, step));
+    return told(run, "steps the bodies' velocity turned back");
+  };
+  EXPECT_EQ(swings(0.05), 1);
+  EXPECT_EQ(swings(0.0023), 0);
+  EXPECT_EQ(swings(2e-4), 0);
+}
+
+/// Explicit steps that their limit cuts.
+TEST(BodyDoubts, StepsThatAreCutAreTold) {
+  const DeckRun cut = falling("tmax=.01", ",integrator='central'");
+  EXPECT_EQ(told(cut, "times the limit 2/omega"), 1);
+  EXPECT_EQ(told(falling("tmax=.01,dtmax=1.", ",integrator='central',cfl=0."), "times the limit"), 0);
 }
 
 /// No fluid is blamed where there is none, and the law is.

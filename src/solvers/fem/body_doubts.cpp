@@ -98,6 +98,29 @@ void BodyDoubts::look_at_turns(std::span<const double> q, double time, ToldDoubt
   }
 }
 
+/// A vibration of n steps a period turns back in 2 of n; steps longer than its period turn it back every time.
+void BodyDoubts::look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
+                                double time, ToldDoubts& told, std::vector<std::string>& messages) {
+  constexpr double moving = 1e-3, most = 0.6;  // part of the largest energy; of steps that turn back
+  constexpr long long least = 4;
+  if (told.swings != 0) return;
+  const std::size_t dim = v0.size() / masses.size();
+  double before = 0, after = 0, both = 0;
+  for (std::size_t k = 0; k < v0.size(); ++k) {
+    const double m = masses[k / dim];
+    before += m * v0[k] * v0[k], after += m * v1[k] * v1[k], both += m * v0[k] * v1[k];
+  }
+  told.fastest = std::max({told.fastest, before, after});
+  if (!(std::min(before, after) > moving * told.fastest)) return;
+  ++told.looks, told.reversals += both < 0 ? 1 : 0;
+  if (told.reversals < least || static_cast<double>(told.reversals) < most * static_cast<double>(told.looks)) return;
+  messages.push_back(fmt::format(
+      "t = {:.6g}: in {} of {} steps the bodies' velocity turned back: steps are longer than half the period of what "
+      "vibrates, whose period and place are then those of the steps; a tenth of the period or less follows it",
+      time, told.reversals, told.looks));
+  told.swings = 1;
+}
+
 double BodyDoubts::left_out(std::size_t e, std::span<const double> q) const {
   return with_shapes(solids_.mesh.kind, [&](auto shapes) { return left_out_of<decltype(shapes)>(solids_.mesh, e, q); });
 }

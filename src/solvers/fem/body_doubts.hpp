@@ -22,6 +22,9 @@ class BodyDoubts {
   /// The linear law alone: of bodies that something else holds within the grid.
   void look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
                      std::vector<std::string>& messages) const;
+  /// Whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the nodes.
+  static void look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
+                             double time, ToldDoubts& told, std::vector<std::string>& messages);
 
  private:
   void look_at_edges(std::span<const double> q, double time, ToldDoubts& told,

@@ -124,6 +124,16 @@ HistoryLayout FlowFields::history_layout() const {
   return layout;
 }
 
+/// What the last step was about, of a state that a checkpoint held, too.
+FlowMoment FlowFields::last_moment(const FlowState& state) const {
+  return {.v0 = state.v_before,
+          .v1 = state.v,
+          .p = state.p,
+          .theta = flow_.integrator == FlowIntegrator::midpoint ? 0.5 : 1,
+          .viscosity = step_.viscosity(),
+          .acceleration = {}};
+}
+
 void FlowFields::append_forces(const FlowState& state, Record& record) const {
   for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
     double x = 0, y = 0, torque = 0;
@@ -137,7 +147,8 @@ void FlowFields::append_forces(const FlowState& state, Record& record) const {
       add(n, -state.force[2 * n], -state.force[2 * n + 1]);
     }
     if (state.steps > 0) {
-      for (const auto& [node, force] : step_.corner_forces(state, k)) add(node, force[0], force[1]);
+      for (const auto& [node, force] : step_.elements().corner_forces(last_moment(state), k))
+        add(node, force[0], force[1]);
     }
     record.insert(record.end(), {x, y, torque});
     const double unit = 0.5 * flow_.density * flow_.speed * flow_.speed * flow_.length;

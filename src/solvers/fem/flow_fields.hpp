@@ -36,6 +36,7 @@ class FlowFields {
   Snapshot body_fields(const FlowState& state) const;
 
  private:
+  FlowMoment last_moment(const FlowState& state) const;
   void append_bodies(const FlowState& state, Record& record) const;
   void append_forces(const FlowState& state, Record& record) const;
   void append_probes(const FlowState& state, const std::vector<double>& pressure, const std::vector<double>& psi,

@@ -277,14 +277,6 @@ void FlowStep::add_exchange(FlowState& state) {
   all.stepped += (2 * theta_ - 1) * elements_->kinetic_energy(change);
 }
 
-/// A state that a checkpoint held has this, too.
-std::vector<NodeForce> FlowStep::corner_forces(const FlowState& state, std::size_t k) const {
-  const double theta = unknowns_.flow.integrator == FlowIntegrator::midpoint ? 0.5 : 1;
-  return elements_->corner_forces(
-      {.v0 = state.v_before, .v1 = state.v, .p = state.p, .theta = theta, .viscosity = viscosity_, .acceleration = {}},
-      k);
-}
-
 void FlowStep::resume(const FlowState& state, double tmax) {
   const LinearisedAt& at = state.linearised;
   factors_ = false;

@@ -51,8 +51,6 @@ class FlowStep {
   /// Null where there are none.
   ImmersedSolids* immersed() const { return immersed_.get(); }
   const FlowElements& elements() const { return *elements_; }
-  /// What the fluid's stress on the neighbours of force side k gave to its nodes in the last step.
-  std::vector<NodeForce> corner_forces(const FlowState& state, std::size_t k) const;
   /// That of the last step [stress time].
   double viscosity() const { return viscosity_; }
   const FlowCost& cost() const { return cost_; }

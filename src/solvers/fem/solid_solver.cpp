@@ -56,7 +56,9 @@ void SolidSolver::start() {
 
 void SolidSolver::advance(double until) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax) {
+    const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
     step(next_step());
+    if (implicit()) BodyDoubts::look_at_swings(before, state_.v, system_.lumped, state_.time, state_.told, messages_);
     look_at_bodies();
   }
 }

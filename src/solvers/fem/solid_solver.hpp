@@ -37,6 +37,9 @@ class SolidSolver final : public Solver {
   std::string worst_element() const override { return fem::worst_element(system_, state_.q); }
 
  private:
+  bool implicit() const {
+    return system_.solids.integrator != Integrator::central && system_.solids.integrator != Integrator::equilibrium;
+  }
   void start();
   void tell_of_short_steps();
   void look_at_bodies();

@@ -48,6 +48,20 @@ TEST(Loads, GrowInProportionToTimeWhereNothingIsGiven) {
   EXPECT_DOUBLE_EQ(first_load(square("load_on(1)='1.top',load(1,1)=1.")).at(0.5), 1);
 }
 
+/// What only motions have is told where there are none.
+TEST(Loads, EquilibriaHaveNoMotion) {
+  const auto told = [](const std::string& fem) {
+    Texts texts;
+    for (const auto& d : square("fix_on(1)='1.left',fix(1,1)=0.,0.," + fem).diagnostics.warnings())
+      texts.push_back(d.message.substr(0, d.message.find(':')));
+    return texts;
+  };
+  EXPECT_EQ(told("static=.true.,alpha=1.,spin(3,1)=2."),
+            (Texts{"spin of $fem has no effect", "alpha of $fem has no effect"}));
+  EXPECT_EQ(told("static=.true.,alpha=0."), Texts{});
+  EXPECT_EQ(told("alpha=1."), Texts{});
+}
+
 TEST(Loads, SupportsFollowExpressionsToo) {
   const Built built = square("fix_on(2)='1.left',fix(1,2)=.5,fix_expression(2)='t^2'");
   ASSERT_EQ(built.errors(), Texts{});
