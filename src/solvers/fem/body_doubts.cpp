@@ -47,6 +47,14 @@ BodyDoubts::BodyDoubts(const Solids& solids, const BackgroundGrid& grid) : solid
   for (std::size_t e = 0; e < solids.mesh.element_count(); ++e) {
     if (std::holds_alternative<LinearElastic>(solids.regions[at(solids.mesh.region[e])].law)) linear_.push_back(e);
   }
+  const std::vector<int> part = parts_of(solids.mesh);
+  std::vector<bool> held(at(count_parts(solids.mesh)), false);
+  for (const Support& support : solids.supports) {
+    for (const int n : support.nodes) {
+      if (part[at(n)] >= 0) held[at(part[at(n)])] = true;
+    }
+  }
+  for (const int p : part) free_.push_back(p >= 0 && !held[at(p)]);
 }
 
 void BodyDoubts::look(std::span<const double> q, double time, ToldDoubts& told,
@@ -55,7 +63,8 @@ void BodyDoubts::look(std::span<const double> q, double time, ToldDoubts& told,
   look_at_turns(q, time, told, messages);
 }
 
-/// Nodes that stand at an edge at the start, held there or not, are as the deck wants them.
+/// Nodes that stand at an edge at the start, held there or not, are as the deck wants them; bodies that something holds
+/// go no further than it lets them.
 void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubts& told,
                                std::vector<std::string>& messages) const {
   if (told.left_grid != 0) return;
@@ -67,7 +76,7 @@ void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubt
     if (i > 1) continue;
     const double x0 = solids_.mesh.x[k], far = grazing * (high[i] - low[i]);
     const bool out = q[k] < low[i] - far || q[k] > high[i] + far;
-    if (!out || !(x0 > low[i] && x0 < high[i])) continue;
+    if (!out || !(x0 > low[i] && x0 < high[i]) || !free_[k / dim]) continue;
     const bool up = q[k] > high[i];
     const std::size_t first = k - i;
     messages.push_back(fmt::format(
@@ -84,18 +93,18 @@ void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubt
 void BodyDoubts::look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
                                std::vector<std::string>& messages) const {
   if (told.turned != 0) return;
+  double most = 0;
+  std::size_t worst = 0;
   for (const std::size_t e : linear_) {
-    const double strain = left_out(e, q);
-    if (!(strain > most_left_out)) continue;
-    messages.push_back(
-        fmt::format("t = {:.6g}: law='linear' leaves out strains of {:.2g} in element {} of {}, as much as a turn by "
-                    "{:.0f} degrees "
-                    "makes: it holds for small turns alone, law='svk' for any",
-                    time, strain, e + 1, solids_.regions[at(solids_.mesh.region[e])].name,
-                    std::acos(std::max(1 - strain, -1.0)) * 180 / M_PI));
-    told.turned = 1;
-    return;
+    if (const double strain = left_out(e, q); strain > most) most = strain, worst = e;
   }
+  if (!(most > most_left_out)) return;
+  messages.push_back(fmt::format(
+      "t = {:.6g}: law='linear' leaves out strains of {:.2g} in element {} of {}, as much as a turn by {:.0f} degrees "
+      "makes: it holds for small turns alone, law='svk' for any",
+      time, most, worst + 1, solids_.regions[at(solids_.mesh.region[worst])].name,
+      std::acos(std::max(1 - most, -1.0)) * 180 / M_PI));
+  told.turned = 1;
 }
 
 /// A vibration of n steps a period turns back in 2 of n; steps longer than its period turn it back every time.

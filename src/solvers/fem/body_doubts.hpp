@@ -35,6 +35,7 @@ class BodyDoubts {
   const Solids& solids_;
   const BackgroundGrid& grid_;
   std::vector<std::size_t> linear_;  // elements of linear laws
+  std::vector<bool> free_;           // of each node, whether nothing holds its body
 };
 
 }  // namespace tether::fem
