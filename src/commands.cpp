@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "deck/document.hpp"
 #include "progress.hpp"
+#include "scene/region_checks.hpp"
 #include "solvers/coupled/splitting_limit.hpp"
 #include "solvers/coupled/thin_bodies.hpp"
 #include "solvers/rehearsal.hpp"
@@ -99,7 +100,10 @@ void print_outcome(const std::string& name, const std::filesystem::path& folder,
 }
 
 /// With its own warnings, its cost as the first steps show it, and whether splitting would hold.
-void print_plan(const Plan& plan) { fmt::print("{}{}", to_text(rehearsed(plan)), coupled::splitting_text(plan)); }
+void print_plan(const Loaded& loaded) {
+  const Plan& plan = loaded.plan;
+  fmt::print("{}{}{}", to_text(rehearsed(plan)), regions_text(loaded.deck, plan.scene), coupled::splitting_text(plan));
+}
 
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
   const Clocks clocks;
@@ -111,7 +115,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
                             run_options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string());
   }
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
-  if (run_options.dry_run) return print_plan(loaded.plan);
+  if (run_options.dry_run) return print_plan(loaded);
   ProgressLine progress(name, run_options.quiet);
   const auto warn = [&](const std::string& text) {
     progress.clear();
@@ -122,6 +126,9 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   request.clocks = clocks;
   request.progress = std::ref(progress);
   request.warn = warn;
+  request.remark = [&](const std::string& text) {
+    if (!run_options.quiet) fmt::print(stderr, "{}: remark: {}\n", name, text);
+  };
   SignalWatch signals;  // from here on there is something to be kept
   request.interrupted = [&signals] { return signals.take(); };
   request.restart = run_options.restart;
@@ -201,6 +208,8 @@ int check_command(const std::string& name, const DeckOptions& options) {
     fmt::print("{}", check_listing(deck));
     std::fflush(stdout);  // the values first, then what is to be said of them
     const Loaded loaded = load_scene(deck, options, diagnostics);
+    fmt::print("{}", regions_text(loaded.deck, loaded.plan.scene));
+    std::fflush(stdout);
     for (const auto& remark : loaded.remarks) fmt::print(stderr, "{}", remark);
     print_warnings(name, loaded);
     print_thin_bodies(name, loaded.plan.scene);
@@ -214,7 +223,7 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
     print_thin_bodies(deck, loaded.plan.scene);
     print_number_of_remarks(deck, loaded, shown_by_check);
-    print_plan(loaded.plan);
+    print_plan(loaded);
   });
 }
 

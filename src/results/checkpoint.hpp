@@ -48,6 +48,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 /// The files checkpoint-N.nc of a folder, the newest (largest N) first.
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& folder);
 
+/// Throws FileError where it stays.
+void remove_checkpoint(const std::filesystem::path& path);
+
 /// Writes checkpoint-N.nc with the next N, then removes all but the two newest. Returns its path. Throws FileError.
 std::filesystem::path add_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
 

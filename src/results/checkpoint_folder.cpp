@@ -25,14 +25,16 @@ unsigned long long number_of(const std::string& name) {
 unsigned long long number_of(const std::filesystem::path& path) { return number_of(path.filename().string()); }
 
 void remove_older(const std::vector<std::filesystem::path>& newest_first) {
-  for (std::size_t k = kept; k < newest_first.size(); ++k) {
-    std::error_code reason;
-    std::filesystem::remove(newest_first[k], reason);
-    if (reason) throw FileError(fmt::format("{}: cannot be removed: {}", newest_first[k].string(), reason.message()));
-  }
+  for (std::size_t k = kept; k < newest_first.size(); ++k) remove_checkpoint(newest_first[k]);
 }
 
 }  // namespace
+
+void remove_checkpoint(const std::filesystem::path& path) {
+  std::error_code reason;
+  std::filesystem::remove(path, reason);
+  if (reason) throw FileError(fmt::format("{}: cannot be removed: {}", path.string(), reason.message()));
+}
 
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;

@@ -104,10 +104,14 @@ double energy_lost(const History& history) {
 }
 
 double energy_growth(const History& history) {
-  double largest = 0;
+  double largest = 0, gained = 0;
   const auto total = history.column("energy_total");
   for (const double value : total) largest = std::max(largest, std::abs(value));
-  return total.front() == 0 ? std::numeric_limits<double>::quiet_NaN() : largest / std::abs(total.front());
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.book == Book::gained) gained = std::max(gained, largest_change(history.column(quantity.name)));
+  }
+  const double start = std::abs(total.front());
+  return start > rounding * gained ? largest / start : std::numeric_limits<double>::quiet_NaN();
 }
 
 double mass_drift(const History& history) {

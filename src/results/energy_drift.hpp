@@ -25,7 +25,7 @@ double energy_lost(const History& history);
 double energy_rise(const History& history);
 
 /// Largest size of the total energy over its size at the start: how far an unstable run grew. Not a number where the
-/// start has none.
+/// start has none, or only rounding of what then came from outside.
 double energy_growth(const History& history);
 
 /// Largest change of the mass over the mass at the start.

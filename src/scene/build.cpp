@@ -17,6 +17,7 @@
 #include "scene/memory.hpp"
 #include "scene/outputs.hpp"
 #include "scene/reference.hpp"
+#include "scene/region_checks.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -93,7 +94,8 @@ void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, 
   if (particles) add_file_body(deck, *particles, scene, diagnostics);
   const std::size_t file_rows = scene.points.size() - file_first;
   add_membranes(deck, scene, diagnostics);
-  if (igen != 1 && !particles && diagnostics.has_errors()) return;  // rows of a file that could not be read
+  check_regions(deck, scene, diagnostics);
+  if (igen != 1 && file_rows == 0 && diagnostics.has_errors()) return;  // rows of a file that could not be read
   apply_points_group(deck, file_first, file_rows, scene, diagnostics);
   if (file_rows > 0 && !diagnostics.has_errors() &&
       std::holds_alternative<Membrane>(scene.bodies[file_body].material)) {

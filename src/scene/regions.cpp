@@ -151,6 +151,11 @@ void check_region(const Deck& deck, int r, Diagnostics& diagnostics) {
   read_region(RegionReader(deck, r, diagnostics), deck, r, diagnostics);
 }
 
+std::optional<RegionShape> region_shape(const Deck& deck, int r) {
+  Diagnostics reported_before;
+  return RegionReader(deck, r, reported_before).shape();
+}
+
 void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics) {
   const RegionReader reader(deck, r, diagnostics);
   const auto values = read_region(reader, deck, r, diagnostics);

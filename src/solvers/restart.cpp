@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <system_error>
 
 #include "base/diagnostics.hpp"
 #include "base/errors.hpp"
+#include "base/file.hpp"
 #include "deck/elements.hpp"
 #include "deck/reader.hpp"
 #include "deck/spelling.hpp"
@@ -104,7 +106,44 @@ Checkpoint read_or_offer(const std::filesystem::path& path, const std::string& d
   }
 }
 
+bool there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+/// Whether it is whole, and no run of this deck goes on from it.
+bool is_foreign(const std::filesystem::path& checkpoint, const std::string& deck_effective) {
+  try {
+    check_same_run(read_checkpoint(checkpoint).deck_effective, deck_effective);
+    return false;
+  } catch (const FileError&) {
+    return false;
+  } catch (const InputError&) {
+    return true;
+  }
+}
+
 }  // namespace
+
+EarlierRun earlier_run(const std::filesystem::path& folder, const std::string& deck_effective) {
+  EarlierRun earlier;
+  for (const auto& checkpoint : checkpoints_in(folder)) {
+    if (is_foreign(checkpoint, deck_effective)) earlier.foreign_checkpoints.push_back(checkpoint);
+  }
+  const auto deck = folder / "deck.effective";
+  if (there(deck) || there(folder / "summary.txt")) {
+    const bool same = there(deck) && read_file(deck) == deck_effective;
+    earlier.text = fmt::format("the results of an earlier run in {} are replaced: a run of {}, which {} to its end",
+                               folder.string(), same ? "this deck" : "another deck, or with other values",
+                               there(folder / "summary.txt") ? "came" : "did not come");
+  }
+  if (!earlier.foreign_checkpoints.empty()) {
+    earlier.text += fmt::format("{}checkpoints of another deck are removed from {}:", earlier.text.empty() ? "" : "; ",
+                                folder.string());
+    for (const auto& checkpoint : earlier.foreign_checkpoints) earlier.text += " " + checkpoint.filename().string();
+  }
+  return earlier;
+}
 
 Checkpoint checkpoint_for(const std::filesystem::path& path, const std::string& deck_effective) {
   Checkpoint checkpoint = read_or_offer(path, deck_effective);

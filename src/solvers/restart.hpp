@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "results/checkpoint.hpp"
 
@@ -13,5 +14,13 @@ namespace tether {
 /// one differ; in.tmax, in.iout but for 38 (which adds a column to the history) and in.tiout may: a run may be made
 /// longer.
 Checkpoint checkpoint_for(const std::filesystem::path& path, const std::string& deck_effective);
+
+/// What a run from the start finds in its folder.
+struct EarlierRun {
+  std::string text;  ///< what of it the run replaces or removes; empty where there is nothing
+  std::vector<std::filesystem::path> foreign_checkpoints;  ///< whole ones from which no run of this deck goes on
+};
+
+EarlierRun earlier_run(const std::filesystem::path& folder, const std::string& deck_effective);
 
 }  // namespace tether

@@ -45,7 +45,8 @@ class Runner {
           fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));
   }
 
-  void from_the_start() {
+  void from_the_start(const EarlierRun& earlier) {
+    clear_away(earlier);
     outputs_.write_the_start();
     look(outputs_.history().records.back());
     clocks_.end_of_setup();
@@ -88,6 +89,12 @@ class Runner {
   }
 
  private:
+  void clear_away(const EarlierRun& earlier) {
+    if (earlier.text.empty()) return;
+    for (const auto& checkpoint : earlier.foreign_checkpoints) remove_checkpoint(checkpoint);
+    outputs_.note("remark: " + earlier.text);
+    if (request_.remark) request_.remark(earlier.text);
+  }
   /// Where a record costs next to nothing, every step is looked at, else some: a run that goes wrong between records is
   /// to end by its limits, too.
   void advance(double until) {
@@ -145,6 +152,8 @@ class Runner {
     for (auto& line : watch_.summary()) summary.push_back(std::move(line));
     if (!balances_energy(plan_.scene, outputs_.history().layout))
       std::erase_if(summary, [](const auto& line) { return line.first.starts_with("energy_"); });
+    if (std::isnan(energy_growth(outputs_.history())))
+      std::erase_if(summary, [](const auto& line) { return line.first == "energy_growth"; });
     for (auto& line : scene_summary(plan_, outputs_.history())) summary.push_back(std::move(line));
     for (auto& line : solver_->more_summary()) summary.push_back(std::move(line));
     for (const auto& [name, taken] : clocks_.with_earlier(solver_->cost_parts())) {
@@ -235,6 +244,7 @@ RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder,
           {},
           loaded.deck.mesh_text(),
           loaded.deck.file(),
+          {},
           {}};
 }
 
@@ -243,11 +253,12 @@ RunOutcome run(const Plan& plan, const RunRequest& request) {
   if (!request.restart.empty()) {
     checkpoint = checkpoint_for(request.restart, request.deck_effective);
   }
+  const EarlierRun earlier = checkpoint ? EarlierRun{} : earlier_run(request.folder, request.deck_effective);
   Runner runner(plan, request);
   if (checkpoint)
     runner.from(*checkpoint);
   else
-    runner.from_the_start();
+    runner.from_the_start(earlier);
   try {
     return runner.to_the_end();
   } catch (const RunError& error) {

@@ -219,6 +219,14 @@ class Conserved(ProgramTest):
                 self.assertEqual(summary(out)["mass_drift"], "0")
 
 
+class AtRest(ProgramTest):
+    def test_what_starts_without_energy_has_no_growth(self):
+        """It was 2e23 of this: the largest energy over rounding."""
+        folder = self.run_ok(DECKS / "l-block.in", *sets(in__tmax=0.05, in__tstep=0.01))
+        self.assertNotIn("energy_growth", summary(folder))
+        self.assertIn("energy_growth", summary(self.run_ok(DECKS / "spring-mass.in", *sets(in__tmax=0.05), out="falls")))
+
+
 class WhileItRuns(ProgramTest):
     def test_another_process_reads_a_growing_history(self):
         out = self.folder / "out"

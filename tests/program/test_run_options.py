@@ -40,18 +40,19 @@ class Options(ProgramTest):
         out = self.folder / "out"
         result = self.expect(0, deck, "--out", out, *options)
         lines = result.stderr.splitlines()
-        self.assertEqual([line for line in lines if "remark" in line], [f"{deck}: 3 remarks in {out}/messages.txt"])
+        self.assertEqual([line for line in lines if "remark" in line], [f"{deck}: 4 remarks in {out}/messages.txt"])
         self.assertEqual([line for line in lines if "tiout" in line or "vrx" in line or "$regrig" in line], [])
         self.assertTrue(any("warning: the deck's step" in line for line in lines), result.stderr)
         messages = (out / "messages.txt").read_text()
-        for remark in ("remark: tiout is set", "remark: vrx(2) is set but nreg = 1", "remark: vry(2) is set"):
+        for remark in ("remark: tiout is set", "remark: vrx(2) is set but nreg = 1", "remark: vry(2) is set",
+                       "remark: region 1: its points hold an area of 20 where 6 is drawn"):
             self.assertRegex(messages, rf"slips\.in:\d+:\d+: {re.escape(remark)}")
         self.assertIn("warning: the deck's step", messages)
         shown = self.expect(0, "check", deck, *options).stderr
-        self.assertEqual(shown.count(": remark: "), 3)
+        self.assertEqual(shown.count(": remark: "), 4)
         for words in (["plan", deck], [deck, "--dry-run"]):
             told = self.expect(0, *words, *options).stderr
-            self.assertIn(f"{deck}: 3 remarks shown by tether check\n", told)
+            self.assertIn(f"{deck}: 4 remarks shown by tether check\n", told)
             self.assertNotIn("tiout", told)
 
     def test_a_region_that_nreg_forgets_is_a_warning(self):

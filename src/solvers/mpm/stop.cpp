@@ -44,7 +44,10 @@ std::string beyond(const BackgroundGrid& grid, const Walls& walls, double x, dou
                             : x > grid.x1 ? std::pair("right", walls.right)
                             : y < grid.y0 ? std::pair("bottom", walls.bottom)
                                           : std::pair("top", walls.top);
-  const char* cause = wall == Wall::open ? "an open edge too near, or a run that diverged" : "a run that diverged";
+  const char* cause = wall == Wall::open
+                          ? "an open edge too near, which holds nothing that comes to it, as gas outside a "
+                            "membrane does (walls of 4 or 6 hold it); or a run that diverged"
+                          : "a run that diverged";
   return fmt::format("left the grid by the {} edge (wall {}): likely cause, {}", name, static_cast<int>(wall), cause);
 }
 

@@ -134,6 +134,13 @@ TEST(EnergyGrowth, IsNoNumberWithoutEnergyAtTheStart) {
   EXPECT_TRUE(std::isnan(energy_growth(history_of({{2, 0, 0, -2}, {4, 0, 0, 0}}))));
 }
 
+/// At rest but for rounding, then 3 came from outside; a run that grows by itself has a growth, however large it is.
+TEST(EnergyGrowth, IsNoNumberOfWhatCameFromOutside) {
+  const History moved = history_of({{1e-28, 0, 0, 0}, {1, 0, 0, 0}});
+  EXPECT_TRUE(std::isnan(energy_growth(with_column(moved, Book::gained, {0, 3}))));
+  EXPECT_GT(energy_growth(with_column(moved, Book::given, {0, 3})), 1e27);
+}
+
 History masses(const std::vector<double>& values) {
   History history;
   history.layout.quantities = {{"time", Dimension::time, ""}, {"mass", Dimension::mass, ""}};

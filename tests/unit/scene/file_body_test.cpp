@@ -32,6 +32,15 @@ TEST(FileBody, SharesTheVolumeOfACell) {
   EXPECT_EQ(scene.bodies[0].count, 3u);
 }
 
+/// What is said of rows that are not there has no ground where the file could not be used.
+TEST(FileBody, ThatIsNoneHasOneError) {
+  std::string deck = string_deck("$points heavy(2)=3.3,tracked(3)=.true. $\n");
+  deck.replace(deck.find("3,3,3,8"), 7, "3,3,3,5");
+  const Texts errors = build(deck).errors();
+  ASSERT_EQ(errors.size(), 1u) << errors.back();
+  EXPECT_NE(errors.front().find("names no law"), std::string::npos);
+}
+
 TEST(FileBody, AHeavyPointKeepsItsVolumeAndTheDensityOfTheBody) {
   const Scene scene = build(string_deck("$points heavy(2)=3.3,heavy(3)=.1 $\n")).scene;
   EXPECT_EQ(scene.points.mass, (std::vector<double>{0.015625, 3.3, 0.1}));
