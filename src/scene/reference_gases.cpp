@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -92,6 +94,13 @@ struct Slab {
 std::string lacks_of_slabs(const Scene& scene) {
   Slab left(scene, scene.bodies[0]), right(scene, scene.bodies[1]);
   if (left.low > right.low) std::swap(left, right);
+  const double both = std::min(left.high, right.high) - right.low;
+  const double narrower = std::min(left.high - left.low, right.high - right.low);
+  if (both > std::min(scene.grid.dx, 0.5 * narrower)) {
+    return fmt::format(
+        "regions that lie side by side in x, one left of the other: here both are from x = {:.6g} to {:.6g}", right.low,
+        right.low + both);
+  }
   if (!left.uniform || !right.uniform) return "regions that move along the tube alone (vry = 0)";
   if (!left.whole || !right.whole) return "regions that fill the tube from the bottom wall to the top wall";
   if (std::abs(right.low - left.high) > scene.grid.dx) return "regions that meet: here they are a cell or more apart";
