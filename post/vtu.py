@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run's mesh.nc as VTK files, for programs that read no XDMF: python3 post/vtu.py DIR [--out FOLDER].
 
-Writes mesh-0000.vtu and so on, one a snapshot, and mesh.pvd, which names them with their times.
+Writes mesh-0000.vtu and so on, one a snapshot, and mesh.pvd, which names them with their times; of bodies in a fluid, which
+are in solids.nc, solids-0000.vtu and so on and solids.pvd.
 Exit codes: 0 done, 2 DIR has no mesh of finite elements, 4 a file could not be written.
 """
 import argparse
@@ -100,27 +101,30 @@ def pvd_text(times, names):
     return text + "</Collection>\n</VTKFile>\n"
 
 
-def write_all(mesh, folder):
-    """Writes the files, each told by its path."""
+def write_all(mesh, name, folder):
+    """Writes the files, whose names begin with this one, and yields their paths."""
     folder.mkdir(parents=True, exist_ok=True)
-    names = [f"mesh-{record:04d}.vtu" for record in range(len(mesh.times))]
-    for record, name in enumerate(names):
-        (folder / name).write_text(vtu_text(mesh, record))
-        yield folder / name
-    (folder / "mesh.pvd").write_text(pvd_text(mesh.times, names))
-    yield folder / "mesh.pvd"
+    names = [f"{name}-{record:04d}.vtu" for record in range(len(mesh.times))]
+    for record, file in enumerate(names):
+        (folder / file).write_text(vtu_text(mesh, record))
+        yield folder / file
+    (folder / f"{name}.pvd").write_text(pvd_text(mesh.times, names))
+    yield folder / f"{name}.pvd"
 
 
 def main(words=None):
     chosen = arguments(words)
     try:
-        mesh = Mesh(chosen.folder / "mesh.nc")
+        meshes = {"mesh": Mesh(chosen.folder / "mesh.nc")}
+        if (chosen.folder / "solids.nc").is_file():
+            meshes["solids"] = Mesh(chosen.folder / "solids.nc")
     except run_folder.NotARun as mistake:
         print(f"vtu: {mistake}", file=sys.stderr)
         return 2
     try:
-        for path in write_all(mesh, chosen.out or chosen.folder):
-            print(path)
+        for name, mesh in meshes.items():
+            for path in write_all(mesh, name, chosen.out or chosen.folder):
+                print(path)
     except OSError as reason:
         print(f"vtu: {reason}", file=sys.stderr)
         return 4

@@ -43,6 +43,14 @@ bool takes_next_word(const CLI::App& app, const std::string& word) {
   return wants(app) || std::any_of(all.begin(), all.end(), [&](const CLI::App* command) { return wants(*command); });
 }
 
+/// The deck that follows an option without its value must not be taken for that.
+[[noreturn]] void refuse_without_value(const std::string& option) {
+  throw InputError(fmt::format("{} is not followed by a value; nothing was run", option),
+                   option == "--restart" ? "--restart FILE goes on from a checkpoint, a file checkpoint-N.nc in the "
+                                           "run's folder"
+                                         : "tether --help says what each option takes");
+}
+
 /// A command line taken apart: options with their values as they stand, and the words between them.
 struct Words {
   std::vector<std::string> options, names, others;
@@ -58,7 +66,9 @@ Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
     } else if (options && word.size() > 1 && word[0] == '-') {
       parts.options.push_back(option_name(word));
       parts.others.push_back(word);
-      if (takes_next_word(app, word) && k + 1 < words.size()) parts.others.push_back(words[++k]);
+      if (!takes_next_word(app, word)) continue;
+      if (k + 1 == words.size() || words[k + 1].starts_with("--")) refuse_without_value(word);
+      parts.others.push_back(words[++k]);
     } else {
       parts.names.push_back(word);
     }
@@ -70,6 +80,18 @@ Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
 bool is_lost(const std::string& word) {
   std::error_code ignored;  // of names that no file can have
   return word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
+}
+
+/// A deck's value that stands there without its option, as the second one after one --set.
+void refuse_values(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const auto equals = name.find('='), dot = name.find('.');
+    std::error_code ignored;  // of names that no file can have
+    if (equals == std::string::npos || dot > equals || std::filesystem::exists(name, ignored)) continue;
+    throw InputError(
+        fmt::format("{} is no file, and a deck's value stands after --set; nothing was run", in_quotes(name)),
+        fmt::format("Repeat --set for each value: --set {}", name));
+  }
 }
 
 [[noreturn]] void refuse_word(const CLI::App& app, const std::string& word, bool first) {
@@ -144,12 +166,14 @@ std::vector<std::string> ordered_words(const CLI::App& app, const std::vector<st
   if (const CLI::App* command = find_command(app, first)) {
     names.erase(names.begin());
     check_options(*command, "tether " + first, options);
+    if (command->get_option_no_throw("--set") != nullptr) refuse_values(names);
     if (std::find(options.begin(), options.end(), "--help") == options.end()) check_count(*command, names);
     others.insert(others.begin(), first);
     return joined(std::move(others), names);
   }
   if (is_lost(first) && !names.empty()) refuse_word(app, first, true);
   check_options(app, "tether", options);
+  refuse_values(names);
   const auto lost = std::find_if(names.begin(), names.end(), is_lost);
   if (lost != names.end()) refuse_word(app, *lost, false);
   return joined(std::move(others), names);

@@ -24,8 +24,18 @@ namespace {
 
 using namespace tether;
 
+/// Of an option whose value must not be empty.
+std::string refuse_empty(const std::string& value, const char* wanted) {
+  return value.empty() ? fmt::format("{} is wanted", wanted) : std::string();
+}
+
+std::string refuse_no_folder(const std::string& folder) { return refuse_empty(folder, "a folder"); }
+std::string refuse_no_file(const std::string& file) { return refuse_empty(file, "a file"); }
+
 void add_deck_options(CLI::App& app, DeckOptions& options) {
-  app.add_option("--set", options.overrides, "group.name=value: takes the place of a deck's value; repeatable")
+  app.add_option("--set", options.overrides,
+                 "takes the place of a deck's value, --set in.tmax=0.1 for example; --set is repeated for each value")
+      ->option_text("GROUP.NAME=VALUE")
       ->allow_extra_args(false);
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
   app.add_option("--path", options.path, "solver path: mpm, fem or coupled (default: what the deck's groups say)")
@@ -48,7 +58,8 @@ void add_many_runs(CLI::App& app, RunOptions& options) {
 CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
   auto* sweep = app.add_subcommand("sweep", "run a study deck: many runs, one table");
   sweep->add_option("study", study, "the study deck")->required();
-  sweep->add_option("--out", options.out, "folder for the tables and the runs (default out/<study name>)");
+  sweep->add_option("--out", options.out, "folder for the tables and the runs (default out/<study name>)")
+      ->check(refuse_no_folder);
   add_many_runs(*sweep, options);
   return sweep;
 }
@@ -58,7 +69,7 @@ CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& 
   reproduce->add_option("name", published.names, "problems, or decks of your own that end with .in (default: all problems)");
   reproduce->add_option("--decks", published.decks, "folder of their decks (default decks)");
   reproduce->add_option("--write", published.write, "file for the table, as Markdown");
-  reproduce->add_option("--out", options.out, "folder for the runs (default out/reproduce)");
+  reproduce->add_option("--out", options.out, "folder for the runs (default out/reproduce)")->check(refuse_no_folder);
   add_many_runs(*reproduce, options);
   return reproduce;
 }
@@ -138,11 +149,11 @@ int main(int argc, char** argv) {
   std::vector<std::string> decks;
   auto* deck_names = app.add_option("deck", decks, "decks to run");
   add_deck_options(app, options);
-  app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)");
+  app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)")->check(refuse_no_folder);
   add_threads(app, run_options.threads);
   app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
       ->needs(deck_names)
-      ->check([](const std::string& file) { return std::string(file.empty() ? "a file is wanted" : ""); });
+      ->check(refuse_no_file);
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 

@@ -40,7 +40,7 @@ class Filling {
  public:
   Filling(const Variable& variable, const Elements& elements, std::map<Subscript, DeckValue>& slots, bool replaces,
           Remarks& remarks)
-      : variable_(variable), elements_(elements), slots_(slots), told_twice_(replaces), remarks_(remarks) {}
+      : variable_(variable), elements_(elements), slots_(slots), replaces_(replaces), remarks_(remarks) {}
 
   /// Takes one value (repeated or null); false where the item has to be given up.
   bool take(const ItemValue& value, long long& budget);
@@ -54,7 +54,8 @@ class Filling {
   const Variable& variable_;
   const Elements& elements_;
   std::map<Subscript, DeckValue>& slots_;
-  bool told_twice_;
+  bool replaces_;
+  bool told_twice_ = false;
   Remarks& remarks_;
   long long next_ = 0;    ///< the element the next value goes to
   long long filled_ = 0;  ///< behind the last element that got a value
@@ -97,8 +98,13 @@ bool Filling::too_many(const ItemValue& value) {
 void Filling::store(Subscript at, const DeckValue& value) {
   const auto [slot, fresh] = slots_.try_emplace(at, value);
   if (fresh) return;
-  if (!told_twice_) {
-    const auto& first = slot->second.place;
+  const auto& first = slot->second.place;
+  if (first.file == override_file && !told_twice_) {
+    remarks_.warn(value.place.line, value.place.column,
+                  fmt::format("{} is set twice by --set; the later value holds", element_name(variable_, at)),
+                  "Leave the earlier one away.");
+    told_twice_ = true;
+  } else if (!replaces_ && !told_twice_) {
     remarks_.warn(value.place.line, value.place.column,
                   fmt::format("{} is set twice, first at {}:{}; the later value holds", element_name(variable_, at),
                               first.line, first.column),

@@ -31,6 +31,7 @@ class Conversion {
     return std::nullopt;
   }
   std::nullopt_t wrong_type();
+  std::string text_hint() const;
   std::optional<Data> integer();
   std::optional<Data> whole_real();
   std::optional<Data> real();
@@ -65,11 +66,21 @@ std::nullopt_t Conversion::wrong_type() {
   if (find_variable(variable_.group, lower(value_.text)) != nullptr) {
     return fail(fmt::format("'=' is missing behind {}", in_quotes(value_.text)), "An item is: name = value.");
   }
-  const std::string hint = type == ValueType::text      ? fmt::format("Write {}.", in_quotes(value_.text))
+  const std::string hint = type == ValueType::text      ? text_hint()
                            : type == ValueType::real    ? "Numbers are written as 1.5, 1.5e-3 or 1.5d-3."
                            : type == ValueType::integer ? "Integers are digits with or without a sign."
                                                         : "";
   return fail(fmt::format("{} must be {}, not {}", name_, type_text(type), in_quotes(value_.text)), hint);
+}
+
+/// What a word without quotes was to be: itself in quotes, where that is a choice.
+std::string Conversion::text_hint() const {
+  const auto choices = split_choices(variable_);
+  const bool any = choices.empty() || std::find(choices.begin(), choices.end(), lower(value_.text)) != choices.end();
+  if (any) return fmt::format("Write {}.", in_quotes(value_.text));
+  const auto near = nearest_name(lower(value_.text), choices);
+  return fmt::format("Allowed, in quotes: {}.{}", range_text(variable_),
+                     near.empty() ? "" : fmt::format(" Did you mean '{}'?", near));
 }
 
 std::optional<Data> Conversion::integer() {

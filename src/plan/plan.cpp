@@ -113,7 +113,9 @@ std::string step_warning(const StepRule& rule) {
                                         ratio, rule.limit_name, rule.first_limit);
   if (rule.cfl == 0) return ratio > 1 + 1e-9 ? above + " and taken as it is (cfl = 0)" : "";
   const double limited = rule.cfl * rule.first_limit;
-  return rule.deck_step > limited * (1 + 1e-9) ? fmt::format("{}: steps are limited to {:.4g}", above, limited) : "";
+  if (rule.deck_step <= limited * (1 + 1e-9)) return "";
+  const std::string factor = rule.cfl == 1 ? "" : fmt::format(", which is cfl = {:.3g} times that", rule.cfl);
+  return fmt::format("{}: steps are limited to {:.4g}{}", above, limited, factor);
 }
 
 std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {

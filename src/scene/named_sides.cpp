@@ -41,9 +41,11 @@ void check_all_act(const Deck& deck, const std::string& group, const std::string
     for (const Subscript at : deck.given_elements(group, name)) {
       const int k = at[listed ? 0 : 1];
       if (deck.given(group, on, k) || !told.insert(k).second) continue;
-      diagnostics.add(deck.remark(Severity::error, group, name, at,
-                                  fmt::format("{} {} acts on nothing: {}({}) is not given", what, k, on, k),
-                                  fmt::format("{}({}) names a side", on, k)));
+      Diagnostic nothing = deck.remark(Severity::error, group, name, at,
+                                       fmt::format("{} {} acts on nothing: {}({}) is not given", what, k, on, k),
+                                       fmt::format("{}({}) names a side", on, k));
+      nothing.moot = deck.remark(Severity::error, group, on, {k, 1}, "").moot;  // it was given in vain
+      diagnostics.add(std::move(nothing));
     }
   }
 }

@@ -97,16 +97,17 @@ void check_criterion(const Study& study, std::vector<std::string> known, StudyRe
   remarks.error("criterion", 1, fmt::format("no run writes {} into its summary", key), meant_key(key, known));
 }
 
-void check_order(const Study& study, StudyRemarks& remarks) {
+void check_order(const Study& study, const std::vector<std::string>& known, StudyRemarks& remarks) {
   if (study.order.empty()) return;
   std::vector<std::string> columns = study.quantities;
   for (const Axis& axis : study.axes) {
     if (std::holds_alternative<double>(axis.cells.front())) columns.push_back(axis.variable);
   }
   if (study.axes.empty()) remarks.error("order", 1, "an order is told along axis 1, and there is none");
-  if (!contains(columns, study.order))
-    remarks.error("order", 1, fmt::format("the table has no column {} of numbers", study.order),
-                  meant(study.order, columns));
+  if (contains(columns, study.order)) return;
+  const bool could_be = contains(known, study.order);
+  remarks.error("order", 1, fmt::format("the table has no column {} of numbers", study.order),
+                could_be ? fmt::format("Add '{}' to quantities.", study.order) : meant(study.order, columns));
 }
 
 /// Reads a base deck with the values of its first combination.
@@ -156,7 +157,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
   if (study.decks.empty()) return;  // told; nothing can be known of keys
   check_quantities(deck, study, keys.known(), remarks);
   if (study.mode == Mode::bisect) check_criterion(study, keys.known(), remarks);
-  check_order(study, remarks);
+  check_order(study, keys.known(), remarks);
 }
 
 }  // namespace tether

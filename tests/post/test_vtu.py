@@ -92,6 +92,19 @@ class VtuTest(unittest.TestCase):
             numpy.testing.assert_array_equal(found["Cells"]["offsets"], [4, 8])
             numpy.testing.assert_array_equal(found["Cells"]["types"], [9, 9])
 
+    def test_bodies_in_a_fluid_have_files_of_their_own(self):
+        """They were left out without a word."""
+        write_mesh(self.folder, 2, [[0, 1, 2]], numpy.eye(3)[:, :2], numpy.array([0.0, 0.5]))
+        (self.folder / "mesh.nc").rename(self.folder / "solids.nc")
+        write_mesh(self.folder, 2, [[0, 1, 3, 2]], numpy.array([[0, 0], [2, 0], [0, 2], [2, 2]]), numpy.array([0.0, 0.5]))
+        result = vtu(self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        names = [f"{name}-000{k}.vtu" for name in ("mesh", "solids") for k in (0, 1)]
+        names[2:2], names[5:] = ["mesh.pvd"], ["solids.pvd"]
+        self.assertEqual(result.stdout.split(), [str(self.folder / name) for name in names])
+        self.assertEqual([arrays(self.folder / name)[1] for name in (names[1], names[4])], [4, 3])
+        self.assertIn("solids-0001.vtu", (self.folder / "solids.pvd").read_text())
+
     def test_names_the_files_with_their_times(self):
         write_mesh(self.folder, 2, [[0, 1, 2]], numpy.eye(3)[:, :2], numpy.array([0, 1 / 3, 1e-9]))
         self.assertEqual(vtu(self.folder, "--out", self.folder / "deep" / "vtk").returncode, 0)

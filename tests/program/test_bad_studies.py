@@ -104,6 +104,12 @@ class BadStudies(SweepTest):
         self.assertIn("Did you mean 'point_vx_1'?", told[0][1][-1])
         self.assertIn("There are time, dt, energy_kinetic,", told[1][1][-1])
 
+    def test_an_order_along_what_could_be_a_quantity_says_how(self):
+        study = self.study(self.GOOD + "axis='in.nx=3,5'\norder='dx'")
+        told = diagnostics(self.expect(2, "sweep", study, "--out", self.out).stderr)
+        self.assertEqual([head["text"] for head, _ in told], ["the table has no column dx of numbers"])
+        self.assertIn("Add 'dx' to quantities.", told[0][1][-1])
+
     def test_thousands_of_wrong_values_do_not_drown_the_reader(self):
         study = self.study(self.GOOD + "axis='in.nx=" + ",".join(f"x{k}" for k in range(5000)) + "'")
         told = self.expect(2, "sweep", study, "--out", self.out).stderr

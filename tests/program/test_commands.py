@@ -95,7 +95,14 @@ class Talk(ProgramTest):
                             (("check", deck, "--treads", "2"), "tether check has no option '--treads'"),
                             (("--out", "x", "plan", deck), "tether plan has no option '--out'"),
                             ((deck, "--pat", "fem"), "Did you mean '--path'?"),
-                            ((deck, "--threads", "0"), "--threads: Value 0 not in range 1 to 1024")):
+                            ((deck, "--threads", "0"), "--threads: Value 0 not in range 1 to 1024"),
+                            ((deck, "--set", "in.tmax=.01", "mpm.cfl=.5"), "Repeat --set for each value: --set mpm.cfl=.5"),
+                            (("check", deck, "mpm.cfl=.5"), "Repeat --set for each value: --set mpm.cfl=.5"),
+                            ((deck, "--restart"), "--restart is not followed by a value; nothing was run"),
+                            ((deck, "--restart", "--quiet"), "--restart is not followed by a value; nothing was run"),
+                            ((deck, "--out"), "--out is not followed by a value; nothing was run"),
+                            ((deck, "--out", ""), "--out: a folder is wanted"),
+                            (("sweep", DECKS / "studies/stability.in", "--out", ""), "--out: a folder is wanted")):
             with self.subTest(words=words):
                 self.assertIn(told, self.expect(2, *words, folder=self.folder).stderr)
                 self.assertEqual(list(self.folder.iterdir()), [])
@@ -240,7 +247,7 @@ class Plan(ProgramTest):
         text, _, _ = self.parts(*words)
         self.assertIn("warning: the deck's step 0.003 is 3.00 times the limit dx/c = 0.001 and taken as it is", text)
         text, _, _ = self.parts(*words, "--set", "mpm.cfl=0.5")
-        self.assertIn("is 3.00 times the limit dx/c = 0.001: steps are limited to 0.0005", text)
+        self.assertIn("is 3.00 times the limit dx/c = 0.001: steps are limited to 0.0005, which is cfl = 0.5 times that", text)
 
 
 if __name__ == "__main__":

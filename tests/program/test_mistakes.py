@@ -54,6 +54,16 @@ class Mistakes(ProgramTest):
         return "\n".join(errors[0])
 
 
+class OneMistake(Mistakes):
+    def test_what_follows_from_a_wrong_choice_is_not_reported(self):
+        """That jet_on(1) is not given once followed the error that says what is wrong with it."""
+        text = (DECKS / "coupled-paddle.in").read_text()
+        wrong = text.replace("jet_on(1)='left'", "jet_on(1)='1.left'")
+        self.assertNotEqual(wrong, text)
+        told = self.errors(wrong)
+        self.assertEqual([message for message, _ in told], ["jet_on(1) = '1.left' is none of its choices"])
+
+
 class NoText(Mistakes):
     def test_what_is_no_text_is_told_by_its_kind(self):
         run = self.run_ok(self.write("block.in", SOUND))

@@ -19,6 +19,20 @@ TEST(Overrides, ReplaceSilently) {
   EXPECT_EQ(reading.deck.integer("reg", "ipath", 4, 2), 7);
 }
 
+/// Once the last of them held without a word, where a deck that sets a value twice is warned of.
+TEST(Overrides, OfOneValueTwiceAreWarnedOf) {
+  const auto reading = read(deck_text, {"in.tmax=.5", "in.wl=4", "in.tmax=.25", "reg.nprg=9", "reg.nprg(2)=9"});
+  EXPECT_EQ(reading.warnings(), (Texts{"3:9: tmax is set twice by --set; the later value holds"}));
+  EXPECT_EQ(reading.deck.real("in", "tmax"), 0.25);
+}
+
+TEST(Overrides, OfAWordOfferNoQuotesAroundWhatIsNoChoice) {
+  const auto hint = [](const char* text) { return read(deck_text, {text}).diagnostics.errors().front().hint; };
+  EXPECT_EQ(hint("flow.element=q1"), "Allowed, in quotes: q1q1 or q2q1. Did you mean 'q1q1'?");
+  EXPECT_EQ(hint("flow.element=q1q1"), "Write 'q1q1'.");
+  EXPECT_EQ(hint("in.particles=a"), "Write 'a'.");
+}
+
 TEST(Overrides, HavePlacesOfTheirOwn) {
   const auto reading = read(deck_text, {"in.wl=4", "in.tmax=0.5"});
   const auto place = reading.deck.place("in", "tmax");

@@ -20,9 +20,8 @@ TEST(BarPlan, TheStepIsLimitedByTheHighestFrequency) {
   const Plan plan = make_plan(string_scene());
   EXPECT_DOUBLE_EQ(plan.step.first_limit, 0.05);
   EXPECT_DOUBLE_EQ(plan.step.first_step(), 0.025);
-  EXPECT_EQ(plan.warnings,
-            std::vector<std::string>{
-                "the deck's step 0.1 is 2.00 times the limit 2/omega = 0.05: steps are limited to 0.025"});
+  EXPECT_EQ(plan.warnings, std::vector<std::string>{"the deck's step 0.1 is 2.00 times the limit 2/omega = 0.05: steps "
+                                                    "are limited to 0.025, which is cfl = 0.5 times that"});
   EXPECT_EQ(plan.cost.steps, 40);
   EXPECT_EQ(plan.cost.point_steps, 160);
 }

@@ -108,7 +108,8 @@ TEST(StepWarning, WithAFactor) {
   Scene scene = piston_scene();
   scene.clock.cfl = 2;
   EXPECT_EQ(make_plan(scene).warnings,
-            (Texts{"the deck's step 5e-05 is 6.28 times the limit dx/c = 7.956e-06: steps are limited to 1.591e-05"}));
+            (Texts{"the deck's step 5e-05 is 6.28 times the limit dx/c = 7.956e-06: steps are limited to 1.591e-05, "
+                   "which is cfl = 2 times that"}));
   scene.clock.cfl = 7;  // the deck's step is below 7 dx/c
   EXPECT_EQ(make_plan(scene).warnings, Texts{});
 }
