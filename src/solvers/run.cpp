@@ -38,6 +38,7 @@ class Runner {
         clocks_(request.clocks),
         solver_(make_solver(plan)),
         lock_(request.folder, request.deck),
+        earlier_(request.restart.empty() ? earlier_run(request.folder, request.deck_effective) : EarlierRun{}),
         outputs_(plan, request, *solver_),
         watch_(plan.scene, solver_->history_layout()) {
     if (!lock_.weakness().empty())
@@ -45,8 +46,8 @@ class Runner {
           fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));
   }
 
-  void from_the_start(const EarlierRun& earlier) {
-    clear_away(earlier);
+  void from_the_start() {
+    clear_away();
     outputs_.write_the_start();
     look(outputs_.history().records.back());
     clocks_.end_of_setup();
@@ -89,11 +90,11 @@ class Runner {
   }
 
  private:
-  void clear_away(const EarlierRun& earlier) {
-    if (earlier.text.empty()) return;
-    for (const auto& checkpoint : earlier.foreign_checkpoints) remove_checkpoint(checkpoint);
-    outputs_.note("remark: " + earlier.text);
-    if (request_.remark) request_.remark(earlier.text);
+  void clear_away() {
+    if (earlier_.text.empty()) return;
+    for (const auto& checkpoint : earlier_.foreign_checkpoints) remove_checkpoint(checkpoint);
+    outputs_.note("remark: " + earlier_.text);
+    if (request_.remark) request_.remark(earlier_.text);
   }
   /// Where a record costs next to nothing, every step is looked at, else some: a run that goes wrong between records is
   /// to end by its limits, too.
@@ -219,7 +220,8 @@ class Runner {
   const RunRequest& request_;
   Clocks clocks_;
   std::unique_ptr<Solver> solver_;
-  FolderLock lock_;  // before the outputs, which it outlives
+  FolderLock lock_;     // before the outputs, which it outlives
+  EarlierRun earlier_;  // before the outputs, which take the place of its
   RunOutputs outputs_;
   Watch watch_;
   Pace pace_;
@@ -253,12 +255,11 @@ RunOutcome run(const Plan& plan, const RunRequest& request) {
   if (!request.restart.empty()) {
     checkpoint = checkpoint_for(request.restart, request.deck_effective);
   }
-  const EarlierRun earlier = checkpoint ? EarlierRun{} : earlier_run(request.folder, request.deck_effective);
   Runner runner(plan, request);
   if (checkpoint)
     runner.from(*checkpoint);
   else
-    runner.from_the_start(earlier);
+    runner.from_the_start();
   try {
     return runner.to_the_end();
   } catch (const RunError& error) {

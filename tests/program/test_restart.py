@@ -157,27 +157,6 @@ class Restart(ProgramTest):
         self.same_numbers(whole, self.folder / "elsewhere")
         self.assertEqual((folder / "history.txt").read_bytes(), before)
 
-    def test_a_second_run_into_a_folder_says_what_it_replaces(self):
-        """Without a word it once took away the first one's results, and left another deck's checkpoints."""
-        sparse = sets(**{"in__iout(41)": 1, "in__tiout(41)": 0.1})
-        first, second = (DECKS / "spring-mass.in", *sparse), (DECKS / "stability-side.in", *sets(in__tmax=0.01))
-        folder = self.folder / "out"
-        told = [self.expect(0, *first, "--out", folder).stderr for _ in range(2)]
-        self.assertNotIn("earlier run", told[0])
-        self.assertIn(f"remark: the results of an earlier run in {folder} are replaced: a run of this deck, which came to its "
-                      "end\n", told[1])
-        there = checkpoints(folder)
-        self.assertEqual(len(there), 2)
-        (folder / "summary.txt").unlink()
-        text = self.expect(0, *second, "--out", folder).stderr
-        self.assertIn("a run of another deck, or with other values, which did not come to its end; checkpoints of another "
-                      "deck are removed", text)
-        self.assertEqual(checkpoints(folder), [])
-        for path in there:
-            self.assertIn(path.name, text)
-        self.assertIn("are replaced", (folder / "messages.txt").read_text())
-        self.assertEqual(self.expect(0, *first, "--out", folder, "--quiet").stderr, "")
-
     def test_lost_snapshots_are_told_and_the_run_goes_on(self):
         process, folder = self.start()
         self.wait_for(folder / "history.txt", process)
