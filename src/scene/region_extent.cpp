@@ -12,8 +12,8 @@
 namespace tether {
 namespace {
 
-/// Lines across a region between two heights at which its outline may turn.
-constexpr int lines = 256;
+/// Lines across a region, shared among the parts between heights at which its outline may turn, and those of each part.
+constexpr int lines_in_all = 512, fewest_lines = 16, most_lines = 256;
 
 struct Stretch {
   double from, to;  // in x [length]
@@ -68,18 +68,36 @@ void add_turns(const RegionShape& shape, std::vector<double>& turns) {
     turns.insert(turns.end(), {ellipse.yc - ellipse.b, ellipse.yc + ellipse.b});
 }
 
+/// Those within the box that all shapes and the grid share, in their order, each once; none where there is no such box.
+std::vector<double> common_turns(std::span<const RegionShape* const> shapes, const BackgroundGrid& grid) {
+  double left = grid.x0, right = grid.x1, low = grid.y0, high = grid.y1;
+  std::vector<double> turns;
+  for (const RegionShape* shape : shapes) {
+    const auto [x0, x1] = std::ranges::minmax(shape->polygon.x);
+    const auto [y0, y1] = std::ranges::minmax(shape->polygon.y);
+    const Ellipse& outer = shape->outer;
+    left = std::max({left, x0, outer.xc - outer.a}), right = std::min({right, x1, outer.xc + outer.a});
+    low = std::max({low, y0, outer.yc - outer.b}), high = std::min({high, y1, outer.yc + outer.b});
+    add_turns(*shape, turns);
+  }
+  if (!(left < right) || !(low < high)) return {};
+  turns.insert(turns.end(), {low, high});
+  std::erase_if(turns, [&](double turn) { return turn < low || turn > high; });
+  std::sort(turns.begin(), turns.end());
+  turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
+  return turns;
+}
+
 /// The integral over what all shapes share, by strips between two turns with the width in the middle of each: exact
 /// where that is linear in y. Strips are thin next to both turns, where the width of an ellipse is a square root: their
 /// ends are y = middle - half cos(pi s) for s in equal parts of 0 to 1.
 Extent extent_of(std::span<const RegionShape* const> shapes, const BackgroundGrid& grid, Geometry geometry) {
-  std::vector<double> turns{grid.y0, grid.y1};
-  for (const RegionShape* shape : shapes) add_turns(*shape, turns);
-  for (double& turn : turns) turn = std::clamp(turn, grid.y0, grid.y1);
-  std::sort(turns.begin(), turns.end());
+  const std::vector<double> turns = common_turns(shapes, grid);
+  const int lines =
+      std::clamp(lines_in_all / std::max(1, static_cast<int>(turns.size()) - 1), fewest_lines, most_lines);
   Extent extent;
   for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
     const double middle = 0.5 * (turns[k] + turns[k + 1]), half = 0.5 * (turns[k + 1] - turns[k]);
-    if (!(half > 0)) continue;
     const auto end = [&](int line) { return middle - half * std::cos(std::numbers::pi * line / lines); };
     for (int line = 0; line < lines; ++line) {
       const double y = 0.5 * (end(line) + end(line + 1)), height = end(line + 1) - end(line);
