@@ -65,8 +65,10 @@ CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
 }
 
 CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& options) {
-  auto* reproduce = app.add_subcommand("reproduce", "run published problems, compare their numbers with this program's");
-  reproduce->add_option("name", published.names, "problems, or decks of your own that end with .in (default: all problems)");
+  auto* reproduce =
+      app.add_subcommand("reproduce", "run published problems, compare their numbers with this program's");
+  reproduce->add_option("name", published.names,
+                        "problems, or decks of your own that end with .in (default: all problems)");
   reproduce->add_option("--decks", published.decks, "folder of their decks (default decks)");
   reproduce->add_option("--write", published.write, "file for the table, as Markdown");
   reproduce->add_option("--out", options.out, "folder for the runs (default out/reproduce)")->check(refuse_no_folder);
