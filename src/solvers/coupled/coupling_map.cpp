@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "scene/side_faces.hpp"
 #include "solvers/coupled/film_pressures.hpp"
+#include "solvers/coupled/open_sides_before.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -28,11 +30,20 @@ class MapByPressures {
   CouplingMap map(std::size_t unknowns) {
     std::vector<int> before;
     for (const SurfacePiece& piece : of_.pieces.pieces) before.push_back(sampler_.cell_before(piece));
-    const FilmPressures films({of_.surface, sampler_.places(), of_.pieces, of_.domain, sampler_, before});
+    open_side_ = open_sides_before(of_.pieces, of_.domain, sampler_, before);
+    const FilmPressures films({.surface = of_.surface,
+                               .q = sampler_.places(),
+                               .pieces = of_.pieces,
+                               .domain = of_.domain,
+                               .sampler = sampler_,
+                               .before = before,
+                               .open_side = open_side_});
     outside_.assign(unknowns, 0.0), film_weight_.assign(unknowns, 0.0);
     for (std::size_t k = 0; k < before.size(); ++k) {
       const SurfacePiece& piece = of_.pieces.pieces[k];
-      if (before[k] >= 0) {
+      if (open_side_[k] >= 0) {
+        add_before_side(piece, open_side_[k]);
+      } else if (before[k] >= 0) {
         add(piece, at(before[k]));
       } else {
         const auto pressure = films.on(k);
@@ -63,6 +74,22 @@ class MapByPressures {
     }
   }
 
+  /// The pressure of the side, with parts of cells linear towards it from the cell that the piece is in.
+  void add_before_side(const SurfacePiece& piece, int side) {
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      for (int axis = 0; axis < dim_; ++axis) {
+        const double by_area = -area[at(axis)] * point.part;
+        PressureStencil stencil;
+        double p = cut_ != nullptr ? take_cut(piece.cell, axis, point.x[at(axis)], stencil) : 0;
+        if (stencil.size == 0 && of_.outside != nullptr) p = of_.outside->pressure_beyond(side, point.x[1]);
+        if (p != 0) push(piece.side, point, axis, by_area * p, outside_);
+        add(piece.side, point, stencil, axis, by_area);
+      }
+    }
+  }
+
   /// One pressure all over the piece. Parts of cells say nothing about what is thinner than half a cell.
   void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure) {
     const Vector& area = of_.pieces.area[at(piece.side)];
@@ -88,8 +115,8 @@ class MapByPressures {
                        const std::vector<std::pair<std::size_t, double>>& pressure) {
     if (of_.outside == nullptr) return;
     const auto at_rest = [&](const Vector& x) { return of_.outside->pressure(x[1]); };
-    double whole = films.outside_on(number, [](const Vector&) { return 1.0; });  // parts of rims, and these at rest
-    double rims = films.outside_on(number, at_rest);
+    double whole = films.outside_on(number, [](std::size_t) { return 1.0; });  // parts of rims, and these at rest
+    double rims = films.outside_on(number, [&](std::size_t rim) { return at_rest(of_.pieces.pieces[rim].middle); });
     for (const auto& [cell, weight] : pressure) {
       if (of_.numbers.of_cell[cell] < 0) continue;  // void
       whole += weight, rims += weight * at_rest(of_.domain.grid.middle(of_.domain.grid.place_of_cell(cell)));
@@ -108,8 +135,9 @@ class MapByPressures {
     if (of_.outside == nullptr) return;
     const Vector& area = of_.pieces.area[at(piece.side)];
     const int beyond = side_before(piece.middle);
-    const double in_film = beyond >= 0 ? 0 : films.outside_on(number, [&](const Vector& x) {
-      const int side = side_before(x);
+    const double in_film = beyond >= 0 ? 0 : films.outside_on(number, [&](std::size_t rim) {
+      const Vector& x = of_.pieces.pieces[rim].middle;
+      const int side = open_side_[rim] >= 0 ? open_side_[rim] : side_before(x);
       return side < 0 ? 0 : of_.outside->pressure_beyond(side, x[1]);
     });
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
@@ -160,7 +188,7 @@ class MapByPressures {
     const StaggeredGrid& grid = of_.domain.grid;
     const double box = (x - grid.low[at(axis)]) / grid.d[at(axis)] - 0.5;
     const int low = static_cast<int>(std::floor(box));
-    if (!grid.has_cell(cell)) return 0;
+    for (std::size_t i = 0; i < 3; ++i) cell[i] = std::clamp(cell[i], 0, grid.n[i] - 1);  // of a piece in a side
     std::array<int, 2> beside{};
     for (const int end : {0, 1}) {
       cell[at(axis)] = low + end;
@@ -179,6 +207,9 @@ class MapByPressures {
       linear.add(at(a), 1 - t), linear.add(at(b), t);
     } else if (open) {
       linear.add(at(std::max(a, b)), a < 0 ? 2 * t - 1 : 1 - 2 * t);
+    } else if (holds(std::max(a, b)) && lets_out(axis, cell, a, b)) {
+      stencil = {};  // next to nothing is left of the fluid before the side
+      return pressure_beyond(axis, cell, a);
     } else if (holds(a) || holds(b)) {
       const bool lower = holds(a) && (t < 0.5 || !holds(b));  // both: at the end of a box without fluid
       linear.add(at(lower ? a : b), 1);
@@ -187,9 +218,19 @@ class MapByPressures {
     }
     stencil = linear;
     if (!open || of_.outside == nullptr || (a >= 0 && b >= 0)) return 0;
-    const int side = 2 * axis + (a < 0 ? 0 : 1);
-    const double y = axis == 1 ? grid.face_place(1, cell[1]) : grid.middle(1, cell[1]);
-    return (1 - linear.weight[0]) * of_.outside->pressure_beyond(side, y);
+    return (1 - linear.weight[0]) * pressure_beyond(axis, cell, a);
+  }
+
+  /// Whether the face is one of the box's sides, open but for solids.
+  bool lets_out(int axis, const std::array<int, 3>& face, int low, int high) const {
+    if (low >= 0 && high >= 0) return false;
+    return of_.domain.sides && of_.domain.sides->open(axis, of_.domain.grid.face(axis, face)) > 0;
+  }
+  double pressure_beyond(int axis, const std::array<int, 3>& face, int low) const {
+    if (of_.outside == nullptr) return 0;
+    const StaggeredGrid& grid = of_.domain.grid;
+    const double y = axis == 1 ? grid.face_place(1, face[1]) : grid.middle(1, face[1]);
+    return of_.outside->pressure_beyond(2 * axis + (low < 0 ? 0 : 1), y);
   }
 
   const CoupledSurface& of_;
@@ -199,6 +240,7 @@ class MapByPressures {
   std::vector<Entry> entries_;
   std::vector<double> seen_;
   std::vector<double> outside_, film_weight_;
+  std::vector<int> open_side_;  // of each piece the one straight before it
 };
 
 }  // namespace

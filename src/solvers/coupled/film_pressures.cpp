@@ -41,6 +41,7 @@ FilmPressures::FilmPressures(const FilmsOf& of) : of_(of), kind_(of.before.size(
 }
 
 FilmPressures::Kind FilmPressures::kind_of(std::size_t piece) const {
+  if (of_.open_side[piece] >= 0) return Kind::outlet;
   if (of_.before[piece] >= 0) return Kind::rim;
   const SurfacePiece& of = of_.pieces.pieces[piece];
   const StaggeredGrid& grid = of_.domain.grid;

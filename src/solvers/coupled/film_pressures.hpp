@@ -16,7 +16,8 @@ struct FilmsOf {
   const SurfacePieces& pieces;
   const FlowDomain& domain;
   const PressureSampler& sampler;
-  std::span<const int> before;  ///< of each piece the cell before it, as the sampler finds it
+  std::span<const int> before;     ///< of each piece the cell before it, as the sampler finds it
+  std::span<const int> open_side;  ///< of each piece the open side straight before it, or -1
 };
 
 /// Films of fluid that no cell resolves: between a solid and a wall, or another solid, nearer than half a cell.
@@ -31,14 +32,15 @@ class FilmPressures {
   /// The pressure on a piece without a cell before it, as a sum over cells. Empty where a film has no rims, or rims of
   /// two regions of the fluid, which the solid shuts off from each other; beyond the box; within another solid.
   std::vector<std::pair<std::size_t, double>> on(std::size_t piece) const;
-  /// The share that pieces beyond open sides have in that pressure, by pressure(place) of their middles [stress].
+  /// The share that pieces beyond open sides, or straight before them, have in that pressure, by pressure(piece)
+  /// [stress].
   template <class Pressure>
   double outside_on(std::size_t piece, const Pressure& pressure) const {
     double sum = 0;
     if (number_.empty() || number_[piece] < 0) return sum;
     for (const Share& share : shares_[static_cast<std::size_t>(number_[piece])]) {
       const auto rim = static_cast<std::size_t>(share.rim);
-      if (kind_[rim] == Kind::outlet) sum += share.part * pressure(of_.pieces.pieces[rim].middle);
+      if (kind_[rim] == Kind::outlet) sum += share.part * pressure(rim);
     }
     return sum;
   }

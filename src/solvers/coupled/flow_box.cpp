@@ -40,7 +40,9 @@ void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const 
 }  // namespace
 
 FlowBox::FlowBox(const Coupled& scene)
-    : scene_(scene), kind_(scene.grid.cell_count(), CellKind::fluid), side_faces_(scene) {
+    : scene_(scene),
+      kind_(scene.grid.cell_count(), CellKind::fluid),
+      side_faces_(std::make_shared<const SideFaces>(scene)) {
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
     const Vector middle = scene.grid.middle(scene.grid.place_of_cell(cell));
     for (const AxisBox& box : scene.voids) {
@@ -54,11 +56,11 @@ FlowBox::FlowBox(const Coupled& scene)
 
 FaceKind FlowBox::kind_at_side(int axis, std::size_t face, CellKind cell) const {
   if (cell != CellKind::fluid) return FaceKind::closed;
-  return side_faces_.open(axis, face) > 0 ? FaceKind::open : FaceKind::prescribed;
+  return side_faces_->open(axis, face) > 0 ? FaceKind::open : FaceKind::prescribed;
 }
 
 double FlowBox::open_part(int axis, std::size_t face, FaceKind kind) const {
-  const double part = kind == FaceKind::open ? side_faces_.open(axis, face) : 1;
+  const double part = kind == FaceKind::open ? side_faces_->open(axis, face) : 1;
   return part > 0 ? part : 1;
 }
 
@@ -93,7 +95,7 @@ void FlowBox::open_faces(const Crossings& crossings, FlowDomain& domain) const {
 }
 
 FlowDomain FlowBox::around(const Crossings& crossings) const {
-  FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0};
+  FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0, side_faces_};
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
     if (kind_[cell] == CellKind::wall) continue;
     if (crossings.inside[cell] != 0)
@@ -168,7 +170,7 @@ void FlowBox::prescribe(const FlowDomain& domain, double time, FaceValues& v) co
     for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
       if (domain.face[at(axis)][f] != FaceKind::prescribed) continue;
       double speed = 0;
-      for (const JetShare& share : side_faces_.jets(axis, f))
+      for (const JetShare& share : side_faces_->jets(axis, f))
         speed += (is_low_side(scene_.jets[at(share.jet)].side) ? 1 : -1) * share.part * speeds[at(share.jet)];
       v[at(axis)][f] = speed;
     }
@@ -184,7 +186,7 @@ std::vector<SmokeJet> FlowBox::smoke_of_jets(double time) const {
     for (std::size_t f = 0; f < scene_.grid.face_count(axis); ++f) {
       SmokeJet smoke{axis, f, 0, 0};
       double net = 0;
-      for (const JetShare& share : side_faces_.jets(axis, f)) {
+      for (const JetShare& share : side_faces_->jets(axis, f)) {
         const Jet& jet = scene_.jets[at(share.jet)];
         const double flux = share.part * speeds[at(share.jet)];
         net += flux;

@@ -39,7 +39,7 @@ class FlowBox {
 
   const Coupled& scene_;
   std::vector<CellKind> kind_;
-  SideFaces side_faces_;
+  std::shared_ptr<const SideFaces> side_faces_;
 };
 
 /// Numbers the parts of the fluid that open faces join.

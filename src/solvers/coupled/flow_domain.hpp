@@ -3,9 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "grid/staggered_grid.hpp"
+
+namespace tether {
+class SideFaces;
+}
 
 namespace tether::coupled {
 
@@ -30,6 +35,7 @@ struct FlowDomain {
   FaceValues volume;                          ///< of the fluid that an open face's velocity moves [volume]
   std::vector<int> region;                    ///< of each fluid cell, from 0: cells that open faces join; else -1
   int regions = 0;
+  std::shared_ptr<const SideFaces> sides = nullptr;  ///< what the box's sides are where no solid is; null: no openings
 };
 
 /// Cells on the two sides of a face across the axis, lower first; -1 outside the box.
