@@ -17,6 +17,12 @@ struct Overlap {
   Vector place{};             ///< where it is [length]
 };
 
+/// Two bodies whose sides go through each other, and where.
+struct CrossedSides {
+  int part = -1, other = -1;  ///< -1: none do
+  Vector place{};             ///< [length]
+};
+
 /// Looks for nodes inside other bodies. Bodies whose boxes are apart cost a pass over the nodes; where boxes meet, a
 /// line from each node in both is followed through the sides of the other that stand in its way. Bodies that touch, to
 /// a 1e-6 of their size, do not overlap. Sides of order 2 are taken as straight between their nodes.
@@ -27,6 +33,9 @@ class OverlapFinder {
   int parts() const { return static_cast<int>(parts_.size()); }
   /// With the nodes at q, dim numbers a node.
   Overlap find(std::span<const double> q);
+  /// The first two bodies whose sides cross by more than touching, whether or not a node is inside: coarse bodies that
+  /// lie across each other have none there.
+  CrossedSides find_crossed(std::span<const double> q);
 
  private:
   /// A connected body: its nodes, those of its surface, and the surface as edges or triangles.
@@ -44,6 +53,8 @@ class OverlapFinder {
   };
 
   void find_boxes(std::span<const double> q);
+  std::vector<std::size_t> facets_near(const Part& part, const Part& other, std::span<const double> q) const;
+  bool cross(const Part& part, const Part& other, std::span<const double> q, double near, Vector& place) const;
   void sort_facets(const Part& part, std::span<const double> q);
   int turns(const Part& part, std::span<const double> q, const Vector& x) const;
   bool touches(const Part& part, std::span<const double> q, const Vector& x, double near) const;

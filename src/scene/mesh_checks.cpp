@@ -142,8 +142,10 @@ void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& d
 
 void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
   const Mesh& mesh = solids.mesh;
-  const Overlap found = OverlapFinder(mesh).find(mesh.x);
-  if (found.nodes == 0) return;
+  OverlapFinder finder(mesh);
+  const Overlap found = finder.find(mesh.x);
+  const CrossedSides crossed = found.nodes == 0 ? finder.find_crossed(mesh.x) : CrossedSides{};
+  if (found.nodes == 0 && crossed.part < 0) return;
   const std::vector<int> parts = parts_of(mesh);
   const auto name = [&](int part) {
     std::size_t e = 0;
@@ -151,11 +153,14 @@ void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnos
     return fmt::format("body {} ({})", part + 1, solids.regions[static_cast<std::size_t>(mesh.region[e])].name);
   };
   const bool file = !deck.text("mesh", "file").empty();
-  diagnostics.add(
-      deck.remark(Severity::warning, file ? "mesh" : "reg", file ? "file" : "nreg", {1, 1},
-                  fmt::format("{} and {} overlap at the start: node {} at {} lies inside both", name(found.part),
-                              name(found.other), found.node + 1, place_text(mesh, found.node)),
-                  "nothing stops bodies at one another: what they do where they overlap is wrong; place them apart"));
+  diagnostics.add(deck.remark(
+      Severity::warning, file ? "mesh" : "reg", file ? "file" : "nreg", {1, 1},
+      found.nodes == 0 ? fmt::format("{} and {} overlap at the start: their sides cross at ({:.6g}, {:.6g}{})",
+                                     name(crossed.part), name(crossed.other), crossed.place[0], crossed.place[1],
+                                     mesh.dim() == 3 ? fmt::format(", {:.6g}", crossed.place[2]) : "")
+                       : fmt::format("{} and {} overlap at the start: node {} at {} lies inside both", name(found.part),
+                                     name(found.other), found.node + 1, place_text(mesh, found.node)),
+      "nothing stops bodies at one another: what they do where they overlap is wrong; place them apart"));
 }
 
 }  // namespace tether

@@ -97,6 +97,28 @@ TEST(OverlapFinder, OfAllElements) {
   }
 }
 
+/// Two bars across each other, of one element each: no node lies in the other, and yet their sides cross. Bodies that
+/// touch, lie in each other's boxes or stand in a cavity have no such sides.
+TEST(OverlapFinder, SidesThatCrossWithoutANodeInside) {
+  for (const int dim : {2, 3}) {
+    const double deep = dim == 3 ? 0.2 : 0;
+    const Mesh bars =
+        together(lattice(dim, {1, 1, 1}, all, turned_block({0, 0.01, 0}, {2, 0.1, deep}, 0)),
+                 lattice(dim, {1, 1, 1}, all, turned_block({0.09, 0, 0.013 * (dim - 2)}, {0.08, 2, deep}, 0)));
+    EXPECT_EQ(nodes_inside(bars), 0u);
+    const CrossedSides crossed = OverlapFinder(bars).find_crossed(bars.x);
+    EXPECT_EQ(crossed.part, 0) << dim;
+    EXPECT_EQ(crossed.other, 1);
+    EXPECT_LE(std::abs(crossed.place[0] - 0.09), 0.05);
+    for (const Mesh& apart : {together(block(dim, 3, {}, 1), block(dim, 3, {1, 0, 0}, 1)),
+                              together(block(dim, 3, {}, 1), block(dim, 2, {0.4, 1, 0}, 1)),
+                              together(block(dim, 1, {}, 1), block(dim, 1, {0.99999999, 0.3, 0}, 1)),
+                              together(block(dim, 2, {}, 1, 0.7), block(dim, 2, {0.95, 0.9, 0}, 1, 0.7)),
+                              together(hollow_block(dim, 1, {}, 3, 0.3), block(dim, 3, {}, 1, 0.3))})
+      EXPECT_EQ(OverlapFinder(apart).find_crossed(apart.x).part, -1) << dim;
+  }
+}
+
 /// A strip that is rolled up through itself; one that is open has no such node, notch or not.
 TEST(OverlapFinder, OfABodyWithItself) {
   const auto rolled = [](double turn) {
