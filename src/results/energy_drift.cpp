@@ -103,6 +103,16 @@ double energy_lost(const History& history) {
   return exchanged > 0 ? lost_by_method(history).back() / exchanged : 0;
 }
 
+double energy_lost_on_the_way(const History& history) {
+  const double exchanged = exchanged_energy(history);
+  double lost = 0;
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (quantity.name == "energy_advected" || quantity.name == "energy_remeshed")
+      lost += history.column(quantity.name).back();
+  }
+  return exchanged > 0 ? lost / exchanged : 0;
+}
+
 double energy_growth(const History& history) {
   double largest = 0, gained = 0;
   const auto total = history.column("energy_total");

@@ -106,8 +106,9 @@ std::vector<std::string> coefficient_summary_keys() {
 }
 
 std::vector<std::string> coupled_summary_keys() {
-  return {"krylov_iterations", "lu_solutions",       "contact_solutions", "contact_unsettled", "cfl_largest",
-          "thin_cells",        "interface_mismatch", "added_mass_ratio",  "obstacle_volume",   "void_volume"};
+  return {"krylov_iterations",  "lu_solutions",     "contact_solutions", "contact_unsettled",
+          "cfl_largest",        "thin_cells",       "bodies_left",       "bodies_slip",
+          "interface_mismatch", "added_mass_ratio", "obstacle_volume",   "void_volume"};
 }
 
 Summary read_summary(const std::filesystem::path& path) {

@@ -71,6 +71,17 @@ class CoupledChecks {
             fmt::format("viscosity takes {:.3g} steps of its own in each step, more than {:.0e}", steps, most),
             "shorter steps, larger cells or less viscosity");
   }
+  /// Walls and obstacles hold a viscous fluid; bodies do not.
+  void friction_of_bodies() {
+    if (coupled_.viscosity == 0 || !deck_.has_group("mesh")) return;
+    diagnostics_.add(deck_.remark(
+        Severity::warning, "coupled", "viscosity", {1, 1},
+        "a viscous fluid slips along bodies: it rubs at walls and obstacles alone, bodies feel its pressure and no "
+        "drag "
+        "of friction",
+        "what stands still may be an obstacle, which holds the fluid; bodies immersed in a fluid of finite elements "
+        "($reg, without $coupled) move with it"));
+  }
   /// What the deck says of bodies, which it has none of.
   void no_bodies() {
     if (deck_.has_group("mesh")) return;
@@ -154,6 +165,7 @@ void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& d
   checks.plane();
   checks.method();
   checks.viscous_steps();
+  checks.friction_of_bodies();
   checks.no_bodies();
 }
 

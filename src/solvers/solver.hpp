@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ class Solver {
   virtual double time() const = 0;
   /// Steps until time() >= `until` (at least the last step lands on the scene's tmax). Throws RunError.
   virtual void advance(double until) = 0;
+  /// What a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
+  /// before.
+  virtual void stop_when(std::function<bool()>) {}
   virtual RunCounts counts() const = 0;
 
   virtual HistoryLayout history_layout() const = 0;

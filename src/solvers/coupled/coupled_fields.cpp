@@ -85,17 +85,21 @@ Record CoupledFields::booked(const EnergyBooks& books) {
           books.projected, books.sources,    books.coupling, books.solid_step};
 }
 
-/// Density times gravity times depth below or height above the level outside, times volume: what rounding makes of a
-/// fluid at rest is small against it.
-double CoupledFields::pressure_energy() const {
+/// Density times gravity, with what smoke and warmth do, times depth below or height above the level outside, times
+/// volume: what rounding makes of a fluid at rest is small against it.
+double CoupledFields::pressure_energy(const CoupledState& state) const {
   const FlowDomain& domain = step_.domain();
   const Coupled& coupled = *scene_.coupled;
   double sum = 0;
   for (std::size_t c = 0; c < domain.kind.size(); ++c) {
-    if (domain.kind[c] == CellKind::fluid)
-      sum += std::abs(domain.grid.middle(1, domain.grid.place_of_cell(c)[1]) - coupled.level);
+    if (domain.kind[c] != CellKind::fluid) continue;
+    double pull = std::abs(scene_.gravity);
+    if (coupled.smoke)
+      pull += std::abs(coupled.smoke_lift * state.smoke.temperature(c)) +
+              std::abs(coupled.smoke_weight * state.smoke.density(c));
+    sum += pull * std::abs(domain.grid.middle(1, domain.grid.place_of_cell(c)[1]) - coupled.level);
   }
-  return coupled.density * std::abs(scene_.gravity) * domain.grid.volume() * sum;
+  return coupled.density * domain.grid.volume() * sum;
 }
 
 HistoryLayout CoupledFields::history_layout() const {
@@ -177,7 +181,7 @@ Record CoupledFields::record(const CoupledState& state) const {
   values.insert(values.end(), {volume, state.last.interface_power, state.work, state.last.mismatch});
   const Record books = booked(state.books);
   values.insert(values.end(), books.begin(), books.end());
-  values.insert(values.end(), {pressure_energy(), state.last.cfl, static_cast<double>(domain.regions),
+  values.insert(values.end(), {pressure_energy(state), state.last.cfl, static_cast<double>(domain.regions),
                                static_cast<double>(state.iterations)});
   if (coupled.smoke) add_smoke(state, values);
   if (scene_.solids) add_bodies(state, values);

@@ -23,7 +23,7 @@ class CoupledFields {
  private:
   void add_books(HistoryLayout& layout) const;
   static Record booked(const EnergyBooks& books);
-  double pressure_energy() const;
+  double pressure_energy(const CoupledState& state) const;
   void add_bodies(const CoupledState& state, Record& record) const;
   void add_smoke(const CoupledState& state, Record& record) const;
   void add_forces(std::span<const double> forces, Record& record) const;

@@ -45,7 +45,11 @@ void CoupledSolver::advance(double until) {
   while (state_.time < until && state_.time < tmax) {
     const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
     const bool last = tmax - state_.time <= h;
-    step_.advance(state_, h);
+    const CoupledState before = step_.may_stop(h) ? state_ : CoupledState{};
+    if (!step_.advance(state_, h)) {
+      state_ = before;
+      return;
+    }
     add_compensated(state_.time, state_.time_lost, h);
     if (last) state_.time = tmax, state_.time_lost = 0;
     look_for_overlaps();
@@ -109,6 +113,8 @@ Summary CoupledSolver::more_summary() const {
                   {"thin_cells", number(state_.thin_cells)},
                   {"cfl_largest", number(state_.cfl_largest)},
                   {"nodes_inside", number(state_.overlap.most)},
+                  {"bodies_left", number(std::count(state_.left.begin(), state_.left.end(), 1))},
+                  {"bodies_slip", number(plan_.scene.coupled->viscosity > 0 ? state_.left.size() : 0)},
                   {"interface_mismatch", number(state_.worst_mismatch)}};
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;

@@ -21,6 +21,7 @@ class CoupledSolver final : public Solver {
 
   double time() const override { return state_.time; }
   void advance(double until) override;
+  void stop_when(std::function<bool()> stop) override { step_.stop_when(std::move(stop)); }
   RunCounts counts() const override;
   HistoryLayout history_layout() const override { return fields_.history_layout(); }
   Record record() const override { return fields_.record(state_); }

@@ -24,9 +24,10 @@ struct CoupledState {
   double time = 0, time_lost = 0;  // [time]
   long long steps = 0;
   double dt_last = 0, dt_min = 0;
-  FaceValues v;                ///< of the fluid, extended into the solids [velocity]
-  std::vector<double> p;       ///< of each cell, extended into the solids [stress]
-  std::vector<double> q, u;    ///< places and velocities of the solids' nodes, dim numbers a node
+  FaceValues v;              ///< of the fluid, extended into the solids [velocity]
+  FaceValues driven;         ///< of a viscous one's open faces, by pressures and forces in the last step [acceleration]
+  std::vector<double> p;     ///< of each cell, extended into the solids [stress]
+  std::vector<double> q, u;  ///< places and velocities of the solids' nodes, dim numbers a node
   std::vector<Touch> touches;  ///< of the nodes, a number a velocity
   std::vector<double> fluid_force,
       wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
@@ -43,6 +44,7 @@ struct CoupledState {
   long long contact_solutions = 0;  ///< solutions found again because of contact
   long long unmeasured = 0;         ///< 1 once it was told that a closed volume is not held
   fem::OverlapCount overlap;        ///< of the solids
+  std::vector<int> left;            ///< of each body, 1 once it was found to be wholly beyond a side of the box
   long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
   long long thin_cells = 0;         ///< most in any step at which bodies are thinner than a cell, by cut-cell
 };
@@ -53,6 +55,7 @@ void exchange(Exchange& with, CoupledState& state) {
   with("time", state.time), with("time_lost", state.time_lost), with("steps", state.steps);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
+  with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
   with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
@@ -70,6 +73,7 @@ void exchange(Exchange& with, CoupledState& state) {
   with("work", state.work), with("contact_solutions", state.contact_solutions),
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
   fem::exchange(with, state.overlap);
+  with("left", state.left);
   with("unmeasured", state.unmeasured);
   with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);
   with.list("orders", state.orders);

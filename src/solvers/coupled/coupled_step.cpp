@@ -65,20 +65,28 @@ void CoupledStep::resume(const CoupledState& state) {
 }
 
 /// One step of the paper, 3.1 to 3.3.
-void CoupledStep::advance(CoupledState& state, double h) {
+bool CoupledStep::advance(CoupledState& state, double h) {
   const std::vector<double> q0 = state.q, u0 = state.u;
-  move_fluid_freely(state, h);                        // (1) without pressure: v*
+  if (!move_fluid_freely(state, h)) return false;     // (1) without pressure: v*
   solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
   const Solution solution = solve(state, h);          // (7), (8)
   state.last.cfl = cells_crossed(at_.domain, state.v, h);
   state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
   carry_smoke_along(state, h);
   const double found = energy_of(state.v);
+  const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
   end_velocity(h, state.v);
+  if (coupled_.viscosity > 0) keep_drive(given, h, state);
   move_solids(state, u0, h);  // (5)
   book_solids(q0, u0, solution, state, h);
   place_solids(state.time + h, state);
   state.books.remeshed += found - energy_of(state.v);
+  return true;
+}
+
+bool CoupledStep::may_stop(double h) const {
+  return stop_ != nullptr && h * coupled_.viscosity > 0 &&
+         viscous_steps(coupled_.grid, coupled_.viscosity / coupled_.density, h) > steps_between_questions;
 }
 
 /// What the next step is to find, in cut faces and in the solids.
@@ -87,25 +95,39 @@ void CoupledStep::end_velocity(double h, FaceValues& v) const {
   extend_velocity(at_.domain, v, layers_around_fluid);
 }
 
+/// What pressures and forces gave each open face in this step, and the end of the step after them: the viscosity of the
+/// next one sees it. `unforced_` holds what these changed.
+void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& state) const {
+  for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
+    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
+      const double change = unforced_[axis][f] + (state.v[axis][f] - given[axis][f]);
+      state.driven[axis][f] = at_.domain.face[axis][f] == FaceKind::open ? change / h : 0;
+    }
+  }
+}
+
 /// The fluid's cells change with them, and smoke goes where there is fluid.
 void CoupledStep::place_solids(double time, CoupledState& state) {
   const FlowDomain before = std::move(at_.domain);
   at_ = placer_.at(state.q);
   if (coupled_.smoke) follow_domain(before, at_.domain, state.smoke);
   note_thin_bodies(time, state);
+  note_bodies_that_left(time, state);
 }
 
-void CoupledStep::move_fluid_freely(CoupledState& state, double h) {
-  box_.prescribe(at_.domain, state.time + h, state.v);
+bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
+  box_.prescribe(at_.domain, state.time, h, state.v);
   extend_velocity(at_.domain, state.v, layers_around_fluid);
   carry_along(state, h);
   if (coupled_.viscosity > 0) {
     const double before = energy_of(state.v);
-    add_viscosity(at_.domain, state.v, coupled_.viscosity / coupled_.density, h, true);
+    const double nu = coupled_.viscosity / coupled_.density;
+    if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, may_stop(h) ? stop_ : nullptr) < 0) return false;
     state.books.viscous += before - energy_of(state.v);
   }
   unforced_ = state.v;
   add_forces(state.smoke, h, state.v);
+  return true;
 }
 
 void CoupledStep::carry_along(CoupledState& state, double h) {
@@ -244,8 +266,10 @@ CoupledState CoupledStep::start() {
   state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
+  if (coupled_.viscosity > 0) state.driven = face_values(coupled_.grid);
+  state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
   at_ = placer_.at(state.q);
-  box_.prescribe(at_.domain, 0, state.v);
+  box_.prescribe(at_.domain, 0, 0, state.v);
   solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
   const std::vector<double> r = net_flux(at_.domain, at_.numbers, state.v);
   std::vector<double> p(r.size(), 0.0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "plan/plan.hpp"
@@ -23,7 +25,11 @@ class CoupledStep {
 
   /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
   CoupledState start();
-  void advance(CoupledState& state, double h);
+  /// False where it was stopped in the middle: the state then is neither that before nor that after.
+  bool advance(CoupledState& state, double h);
+  /// What much viscosity asks meanwhile; and whether it may.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+  bool may_stop(double h) const;
 
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
@@ -53,7 +59,7 @@ class CoupledStep {
     std::vector<double> lifts;                              ///< of the nodes that contact halts [length]
   };
 
-  void move_fluid_freely(CoupledState& state, double h);
+  bool move_fluid_freely(CoupledState& state, double h);
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
   Solution solve(CoupledState& state, double h);
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
@@ -65,7 +71,7 @@ class CoupledStep {
                    CoupledState& state, double h);
   double energy_of(const FaceValues& v) const;
   double stored(std::span<const double> q) const;
-  std::vector<SmokeJet> smoke_sources(double time) const;
+  std::vector<SmokeJet> smoke_sources(double time, double h) const;
   void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void carry_along(CoupledState& state, double h);
@@ -73,7 +79,9 @@ class CoupledStep {
   void tell_of_unsettled_contact(CoupledState& state);
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, FaceValues& v) const;
+  void keep_drive(const FaceValues& given, double h, CoupledState& state) const;
   void place_solids(double time, CoupledState& state);
+  void note_bodies_that_left(double time, CoupledState& state);
   void note_thin_bodies(double time, CoupledState& state);
 
   const Scene& scene_;
@@ -86,6 +94,7 @@ class CoupledStep {
   Contact contact_;
   CoupledSystem system_;
   std::vector<std::string> messages_;
+  std::function<bool()> stop_;
   Placement at_;                       // of the solids now
   FaceValues unforced_;                // velocities before forces and pressures act; then what these change
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "solvers/coupled/closed_regions.hpp"
 #include "solvers/coupled/coupled_step.hpp"
+#include "solvers/coupled/leaving_bodies.hpp"
 #include "solvers/coupled/thin_bodies.hpp"
 
 // What a step finds wrong or doubtful.
@@ -80,6 +81,17 @@ void CoupledStep::note_thin_bodies(double time, CoupledState& state) {
   if (thin.cells > 0 && state.thin_cells == 0)
     messages_.push_back(fmt::format("t = {:.6g}: {}", time, thin_text(thin, surface_.dim)));
   state.thin_cells = std::max(state.thin_cells, static_cast<long long>(thin.cells));
+}
+
+/// A warning once for each body.
+void CoupledStep::note_bodies_that_left(double time, CoupledState& state) {
+  const std::vector<int> sides = sides_left_by(surface_, state.q, coupled_.grid);
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    if (sides[b] < 0 || state.left[b] != 0) continue;
+    state.left[b] = 1;
+    messages_.push_back(
+        fmt::format("t = {:.6g}: {}", time, leaving_text(coupled_, surface_, state.q, static_cast<int>(b), sides[b])));
+  }
 }
 
 std::vector<std::string> CoupledStep::take_messages() {

@@ -22,16 +22,16 @@ class FlowBox {
   /// The same with the open parts of faces: cells whose middle lies in a solid hold fluid where a face of theirs is
   /// open.
   FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
-  /// Sets the velocities of prescribed faces at a time [velocity].
-  void prescribe(const FlowDomain& domain, double time, FaceValues& v) const;
-  /// What jets bring in through the faces that they have at a time, by their shares of what comes in there.
-  std::vector<SmokeJet> smoke_of_jets(double time) const;
+  /// Sets the velocities of prescribed faces in a step of length h: jets have their mean speeds [velocity].
+  void prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const;
+  /// What jets bring in through the faces that they have in a step, by their shares of what comes in there.
+  std::vector<SmokeJet> smoke_of_jets(double time, double h) const;
 
  private:
   void open_faces(const Crossings& crossings, FlowDomain& domain) const;
   void fill_cut_cells(const CutCells& cut, FlowDomain& domain) const;
   void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;
-  std::vector<double> jet_speeds(double time) const;
+  std::vector<double> jet_speeds(double time, double h) const;
   /// How much of a face is open: less than 1 of faces in the box's sides alone.
   double open_part(int axis, std::size_t face, FaceKind kind) const;
   FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace tether::coupled {
 namespace {
 
@@ -31,7 +33,8 @@ class Laplacian {
 
   double largest() const { return largest_; }
 
-  void step(std::vector<double>& v, double by) {
+  /// A step of a time h: (nu h) of the Laplacian, and what drives the faces meanwhile [acceleration].
+  void step(std::vector<double>& v, double by, double h, const std::vector<double>* driven) {
     for (std::size_t r = 0; r < row_.size(); ++r) {
       const Row& row = row_[r];
       const double* u = v.data() + row.face;
@@ -43,6 +46,12 @@ class Laplacian {
       change_[r] = by * sum;
     }
     for (std::size_t r = 0; r < row_.size(); ++r) v[row_[r].face] += change_[r];
+    if (driven == nullptr) return;
+    for (const Row& row : row_) v[row.face] += h * (*driven)[row.face];
+  }
+
+  void take_back(std::vector<double>& v, double h, const std::vector<double>& driven) const {
+    for (const Row& row : row_) v[row.face] -= h * driven[row.face];
   }
 
  private:
@@ -110,7 +119,8 @@ class Laplacian {
 };
 
 template <std::size_t dim>
-int add_in(const FlowDomain& domain, FaceValues& v, double nu, double h, bool walls_no_slip) {
+int add_in(const FlowDomain& domain, FaceValues& v, double nu, double h, bool walls_no_slip, const FaceValues* driven,
+           const std::function<bool()>& stop) {
   std::vector<Laplacian<dim>> laplacian;
   double largest = 0;
   for (std::size_t a = 0; a < dim; ++a) {
@@ -119,16 +129,29 @@ int add_in(const FlowDomain& domain, FaceValues& v, double nu, double h, bool wa
   }
   const int steps = std::max(1, static_cast<int>(std::ceil(h * nu * largest / largest_share)));
   for (std::size_t a = 0; a < dim; ++a) {
-    for (int i = 0; i < steps; ++i) laplacian[a].step(v[a], h * nu / steps);
+    const std::vector<double>* along = driven == nullptr ? nullptr : &(*driven)[a];
+    for (int i = 0; i < steps; ++i) {
+      laplacian[a].step(v[a], h * nu / steps, h / steps, along);
+      if (stop && i % steps_between_questions == 0 && stop()) return -1;
+    }
+    if (along != nullptr) laplacian[a].take_back(v[a], h, *along);
   }
   return steps;
 }
 
 }  // namespace
 
-int add_viscosity(const FlowDomain& domain, FaceValues& v, double nu, double h, bool walls_no_slip) {
+int add_viscosity(const FlowDomain& domain, FaceValues& v, double nu, double h, bool walls_no_slip,
+                  const FaceValues* driven, const std::function<bool()>& stop) {
   if (h * nu == 0) return 0;
-  return domain.grid.dim == 2 ? add_in<2>(domain, v, nu, h, walls_no_slip) : add_in<3>(domain, v, nu, h, walls_no_slip);
+  return domain.grid.dim == 2 ? add_in<2>(domain, v, nu, h, walls_no_slip, driven, stop)
+                              : add_in<3>(domain, v, nu, h, walls_no_slip, driven, stop);
+}
+
+double viscous_steps(const StaggeredGrid& grid, double nu, double h) {
+  double around = 0;
+  for (int axis = 0; axis < grid.dim; ++axis) around += 2 / (grid.d[at(axis)] * grid.d[at(axis)]);
+  return h * nu * around / largest_share;
 }
 
 }  // namespace tether::coupled

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/coupled/leaving_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/index.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr double infinity = 1e300;
+
+/// Lowest and highest places of a body's surface.
+struct Extent {
+  Vector low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+};
+
+std::vector<Extent> extents_of(const SolidSurface& surface, std::span<const double> q) {
+  std::vector<Extent> extents(at(surface.parts));
+  for (std::size_t s = 0; s < surface.side_count(); ++s) {
+    Extent& of = extents[at(surface.part[s])];
+    for (const int node : surface.side(s)) {
+      const Vector x = place_of(q, node, surface.dim);
+      for (std::size_t i = 0; i < 3; ++i)
+        of.low[i] = std::min(of.low[i], x[i]), of.high[i] = std::max(of.high[i], x[i]);
+    }
+  }
+  return extents;
+}
+
+const char* hint_of(const Coupled& scene, int side) {
+  if (scene.sides[at(side)] == BoxSide::empty || scene.cavities_only)
+    return "nothing acts on it there but gravity and what holds it";
+  return "there the pressure outside acts on it, of a fluid at rest to whose level it may rise or without end, and no "
+         "fluid has to move with it; a tank open to the air has side='void' and level of $coupled says how high the "
+         "water outside stands";
+}
+
+}  // namespace
+
+std::vector<int> sides_left_by(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid) {
+  std::vector<int> sides;
+  for (const Extent& of : extents_of(surface, q)) {
+    int beyond = -1;
+    for (int axis = 0; axis < grid.dim; ++axis) {
+      if (of.high[at(axis)] < grid.low[at(axis)]) beyond = 2 * axis;
+      if (of.low[at(axis)] > grid.high(axis)) beyond = 2 * axis + 1;
+    }
+    sides.push_back(beyond);
+  }
+  return sides;
+}
+
+std::string leaving_text(const Coupled& scene, const SolidSurface& surface, std::span<const double> q, int body,
+                         int side) {
+  const Extent of = extents_of(surface, q)[at(body)];
+  const auto middle = [&](std::size_t i) { return 0.5 * (of.low[i] + of.high[i]); };
+  return fmt::format("body {} has left the box by its {} and is about ({:.6g}, {:.6g}{}): {}", body + 1,
+                     box_side_names[at(side)], middle(0), middle(1),
+                     surface.dim == 3 ? fmt::format(", {:.6g}", middle(2)) : "", hint_of(scene, side));
+}
+
+}  // namespace tether::coupled
