@@ -33,9 +33,8 @@ std::vector<Extent> extents_of(const SolidSurface& surface, std::span<const doub
 const char* hint_of(const Coupled& scene, int side) {
   if (scene.sides[at(side)] == BoxSide::empty || scene.cavities_only)
     return "nothing acts on it there but gravity and what holds it";
-  return "there the pressure outside acts on it, of a fluid at rest to whose level it may rise or without end, and no "
-         "fluid has to move with it; a tank open to the air has side='void' and level of $coupled says how high the "
-         "water outside stands";
+  return "there the pressure outside acts on it, but no fluid has to move with it; a tank open to the air has "
+         "side='void', and where there is gravity level of $coupled says how high the fluid outside stands";
 }
 
 }  // namespace
