@@ -109,6 +109,33 @@ DeckRun open_to_a_room(const std::string& energy, const std::vector<std::string>
   return run_text("room", deck, more);
 }
 
+/// A tube of 20 cells by the thesis' method, whose gas all but rests. [velocity]
+DeckRun all_but_at_rest(const std::string& mpm) {
+  constexpr double speed = 1e-9;
+  return run_text("rest", fmt::format("gas at rest in a tube\n$in\nnx=21, ny=2, igen=1, xleft=0., xright=1., ybot=0., "
+                                      "ytop=.05, tmax=8., tstep=2.d-3\n$\n$fluid\ngm1=.4, siep(1)=2.5\n$\n"
+                                      "$reg\nnreg=1, nvi=4, xvi(1,1)=0.,1.,1.,0., yvi(1,1)=0.,0.,.05,.05,\n"
+                                      "rex=100., rey=100., nprg=9, densir=1., ipath(1,1)=3,3,3,9, vrx={}\n$\n"
+                                      "$mpm method='thesis', {}\n$\n",
+                                      speed, mpm));
+}
+
+TEST(OpenEdge, GasAtRestByLinearShapeFunctionsStaysAtRest) {
+  const std::string outside = ", edge_density=2*1., edge_energy=2*2.5";
+  for (const std::string& mpm :
+       {std::string("edge='wall','outflow'"), std::string("edge='outflow','outflow'"),
+        "edge='wall','outflow'" + outside, "edge='inflow','outflow', edge_u=2*0." + outside,
+        std::string("edge='wall','outflow', density='continuity'"),
+        std::string("edge='wall','outflow', density='grid'"), std::string("edge='wall','outflow', order='usf'"),
+        std::string("edge='wall','outflow', transfer='apic'"),
+        std::string("edge='wall','outflow', kernel='bspline'")}) {
+    const DeckRun run = all_but_at_rest(mpm);
+    EXPECT_LE(unevenness(run, 0, 0), 1e-8) << mpm;
+    EXPECT_EQ(run.last("edge_mass_out"), 0) << mpm;
+    expect_booked(run);
+  }
+}
+
 std::string messages(const DeckRun& run) { return read_file(run.folder + "/messages.txt"); }
 
 double total_with_what_passed(const History& history, std::size_t k) {

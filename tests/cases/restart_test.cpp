@@ -167,6 +167,7 @@ std::vector<Case> all_cases() {
   cases.push_back({"two-bar", "gap", {"mpm.method='robust'", "mpm.contact='gap'"}});
   cases.push_back({"two-bar", "jaumann", {"mpm.jaumann=.true."}});
   cases.push_back({"cylinder-expansion", "mass_matrix", {"membrane.normals='mass-quadratic'"}});
+  cases.push_back({"pendulum-20", "ambient_that_acts_on_nothing", {"fluid.pambient=1."}});
   cases.push_back({"pendulum-20", "pinned", {"mpm.method='robust'", "points.pinned(1)=.true."}});
   cases.push_back({"rigid-torque", "pinned_with_multipliers", {"rigid.form='constrained'", "rigid.pin=.5,.2,-.4"}});
   // Of the second, whose steps are steady flows, GMRES solves the first and fails in most of the others.

@@ -32,7 +32,10 @@ class MpmSolver final : public Solver {
   Summary more_summary() const override;
   std::vector<std::string> take_messages() override;
   SavedState save() const override { return mpm::save(state_); }
-  void restore(const SavedState& saved) override { mpm::restore(state_, plan_.scene, saved); }
+  void restore(const SavedState& saved) override {
+    mpm::restore(state_, plan_.scene, saved);
+    messages_.clear();  // of the start: the run has them
+  }
 
  private:
   double next_step();
