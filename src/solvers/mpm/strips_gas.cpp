@@ -82,13 +82,14 @@ EdgeGas Strips::on_edge(std::size_t k, double along) const {
   return {mean(a.density, b.density), mean(a.across, b.across), mean(a.along, b.along), mean(a.pressure, b.pressure)};
 }
 
-/// A point's energy makes the pressure on the edge. Where splines find the density at the nodes it does so with that
-/// density; else it is the energy on the edge itself. For by linear shape functions nodes feel
-/// V_p p = m_p (gamma - 1) i, in which the density drops out: a strip whose V_p p followed the pressure on the edge
-/// would be gamma / (gamma - 1) times as stiff as the gas before it, and pump. Motions would grow by 0.3 to 0.5 c / dx,
-/// out of rounding.
+/// A point's energy makes the pressure on the edge. Where splines find the density at the nodes and the stress comes
+/// first, as in the robust set, it does so with that density; else it is the energy on the edge itself. For by linear
+/// shape functions nodes feel V_p p = m_p (gamma - 1) i, in which the density drops out: a strip whose V_p p followed
+/// the pressure on the edge would be gamma / (gamma - 1) times as stiff as the gas before it, and pump. Motions would
+/// grow by 0.3 to 0.5 c / dx, out of rounding.
 void Strips::set_strips(State& state, const Scene& scene, StepFindings& found) const {
   Points& P = state.points;
+  const bool robust = scene.method.kernel == Kernel::bspline && scene.method.order == StressOrder::usf;
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const auto* law = std::get_if<IdealGas>(&scene.bodies[b].material);
     for (std::size_t p = state.ranges[b].begin; law && p < state.ranges[b].end; ++p) {
@@ -99,7 +100,7 @@ void Strips::set_strips(State& state, const Scene& scene, StepFindings& found) c
       const double across = low(k) ? gas.across : -gas.across;
       P.vx[p] = k < 2 ? across : gas.along, P.vy[p] = k < 2 ? gas.along : across;
       P.vxx[p] = P.vyx[p] = P.vxy[p] = P.vyy[p] = 0;
-      const bool by_nodes = law->rule == DensityRule::grid && scene.method.kernel == Kernel::bspline;
+      const bool by_nodes = law->rule == DensityRule::grid && robust;
       const bool fresh = edges_.of[k].kind == EdgeKind::inflow && gas.across > 0;
       const bool whole = -inward(k, P.x[p], P.y[p]) < whole_cells * cell_across(k);
       const double density = by_nodes && whole && !fresh ? P.rho[p] : gas.density;
