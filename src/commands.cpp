@@ -22,6 +22,7 @@
 #include "solvers/rehearsal.hpp"
 #include "solvers/restart.hpp"
 #include "solvers/run.hpp"
+#include "studies/read_study.hpp"
 #include "studies/reproduce/reproduce.hpp"
 #include "studies/sweep.hpp"
 

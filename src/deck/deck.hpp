@@ -8,22 +8,16 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "base/diagnostics.hpp"
+#include "deck/value.hpp"
 #include "deck/variables.hpp"
 
 namespace tether {
 
 /// The "file" of values that the command line sets.
 constexpr std::string_view override_file = "--set";
-
-/// One value of the deck and where it was written.
-struct DeckValue {
-  std::variant<long long, double, bool, std::string> data;
-  Place place;
-};
 
 /// Subscripts from 1; (i) is {i, 1}, a scalar is {1, 1}.
 using Subscript = std::array<int, 2>;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "deck/deck.hpp"
-#include "deck/variables.hpp"
+#include "deck/value.hpp"
+#include "deck/variable.hpp"
 
 namespace tether {
 

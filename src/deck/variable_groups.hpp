@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 
 namespace tether {
 

@@ -6,28 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "deck/variable.hpp"
+
 namespace tether {
-
-enum class ValueType { integer, real, logical, text };
-
-/// What a value does: it is used, or it is read for the sake of old decks and has no effect.
-enum class Effect { used, none };
-
-/// A row of THE table of deck variables, from which the reader, `tether vars`, `tether check`, `deck.effective` and
-/// decks/README.md are all made.
-struct Variable {
-  std::string_view group, name;
-  ValueType type;
-  int rank;                   ///< 0 a scalar, 1 name(n1), 2 name(n1, n2)
-  int n1, n2;                 ///< declared shape, column-major; 1 where the rank does not reach
-  std::string_view unit;      ///< dimension in words: "length", "mass/length3", "" for a pure number
-  double low, high;           ///< range of numbers, both ends allowed
-  std::string_view choices;   ///< texts: "musl|usf|usl", empty for any; integers: the allowed ones "0|1|4|5|6"
-  std::string_view fallback;  ///< the default, as a deck would write it ("0.0", ".true.", "'musl'"); "" : none
-  std::string_view meaning;   ///< one sentence
-  Effect effect = Effect::used;
-  bool required = false;  ///< a deck must give it
-};
 
 /// All rows, those of a group together, in the order in which decks and documents show them.
 std::span<const Variable> variables();
@@ -39,22 +20,5 @@ bool is_group(std::string_view name);
 
 /// Whether a group chooses the path of a deck by being there.
 bool chooses_path(std::string_view group);
-
-/// The group of study decks, which have no other.
-constexpr std::string_view study_group = "study";
-/// The group of published numbers, which says nothing to the run itself.
-constexpr std::string_view published_group = "published";
-
-// Sizes of the old code's arrays.
-constexpr int region_count = 20;       ///< regions
-constexpr int vertex_count = 20;       ///< vertices of a region
-constexpr int output_count = 60;       ///< switches iout, tiout
-constexpr int point_count = 100000;    ///< rows of a particle file that can be singled out
-constexpr int tracked_at_count = 100;  ///< places in tracked_at
-constexpr int membrane_count = 10;     ///< membranes
-constexpr int curve_count = 40;        ///< curves of all membranes
-constexpr int curve_vertex_count = 100;
-constexpr int load_count = 40;   ///< loads, and supports, of a mesh
-constexpr int table_count = 50;  ///< times of one of them
 
 }  // namespace tether

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "grid/mesh.hpp"
+#include "grid/element_kind.hpp"
 
 namespace tether {
 

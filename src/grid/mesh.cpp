@@ -39,8 +39,6 @@ Sides sides_of_all(const Mesh& mesh) {
 
 }  // namespace
 
-const char* element_name(ElementKind kind) { return is_simplex(kind) ? "p1" : order_of(kind) == 1 ? "q1" : "q2"; }
-
 Sides boundary_of(const Mesh& mesh) {
   const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
   const Sides all = sides_of_all(mesh);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "results/compare.hpp"
+#include <string>
+#include <vector>
+
+#include "results/comparison.hpp"
+#include "scene/scene.hpp"
 
 namespace tether {
 

@@ -238,25 +238,6 @@ class Runner {
 
 }  // namespace
 
-RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder, const std::string& command) {
-  const std::string& text = loaded.deck.text();
-  const Scene& scene = loaded.plan.scene;
-  std::vector<std::string> messages = loaded.warnings;
-  messages.insert(messages.end(), loaded.remarks.begin(), loaded.remarks.end());
-  return {folder,
-          {scene.title, command, text, sha256(text), scene.units, sha256(loaded.effective)},
-          loaded.effective,
-          std::move(messages),
-          {},
-          {},
-          {},
-          {},
-          loaded.deck.mesh_text(),
-          loaded.deck.file(),
-          {},
-          {}};
-}
-
 RunOutcome run(const Plan& plan, const RunRequest& request) {
   std::optional<Checkpoint> checkpoint;  // read before the run makes its folder anew
   if (!request.restart.empty()) {

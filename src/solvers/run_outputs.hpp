@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "grid/mesh.hpp"
+#include "plan/plan.hpp"
 #include "results/checkpoint.hpp"
 #include "results/earlier_snapshots.hpp"
 #include "results/result_folder.hpp"
 #include "solvers/due.hpp"
-#include "solvers/run.hpp"
+#include "solvers/run_request.hpp"
 #include "solvers/solver.hpp"
 
 namespace tether {

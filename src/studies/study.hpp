@@ -60,8 +60,4 @@ struct Study {
   Criterion criterion;
 };
 
-/// Reads a study deck and the decks that it names. Throws InputError with every mistake, FileError where the study deck
-/// cannot be read.
-Study read_study(const std::string& file);
-
 }  // namespace tether

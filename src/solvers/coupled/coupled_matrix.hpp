@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solvers/coupled/coupled_system.hpp"
+#include "solvers/coupled/coupled_equations.hpp"
 
 namespace tether::coupled {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solvers/coupled/flow_domain.hpp"
+#include "solvers/coupled/smoke_passages.hpp"
 
 namespace tether::coupled {
 
@@ -21,13 +22,6 @@ struct Smoke {
 
  private:
   double of_volume(double content, std::size_t cell) const { return volume[cell] > 0 ? content / volume[cell] : 0; }
-};
-
-/// What comes in through a face that a jet or the fluid outside is at.
-struct SmokeJet {
-  int axis = 0;
-  std::size_t face = 0;
-  double density = 0, temperature = 0;
 };
 
 /// What came in and went out, of smoke and of heat.

@@ -4,9 +4,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "solvers/coupled/smoke.hpp"
+#include "solvers/coupled/flow_domain.hpp"
 
 namespace tether::coupled {
+
+/// What comes in through a face that a jet or the fluid outside is at.
+struct SmokeJet {
+  int axis = 0;
+  std::size_t face = 0;
+  double density = 0, temperature = 0;
+};
 
 /// What goes through the faces across an axis, seen from the cells beside: cell c has its next ones at c + stride and
 /// c - stride.

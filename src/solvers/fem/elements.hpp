@@ -62,10 +62,4 @@ class Elements {
   virtual double frequency_bound(std::span<const double> q, std::span<const double> lumped) const = 0;
 };
 
-/// The elements of the solids' mesh, which must outlive them.
-std::unique_ptr<Elements> make_elements(const Solids& solids);
-
-/// <N_A> over sides of the reference shape: a load's part of each node [area].
-std::vector<double> side_areas(const Mesh& mesh, const Sides& sides);
-
 }  // namespace tether::fem

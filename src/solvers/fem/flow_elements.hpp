@@ -83,12 +83,6 @@ class FlowElements {
   virtual std::vector<double> pressure_at_nodes(std::span<const double> p) const = 0;
 };
 
-/// The unknowns' flow and they must outlive the elements.
-std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns);
-
-/// The clusters of unknowns that elements couple, for ClusterPattern: the nodes of each, twins as one.
-Lists clusters_of(const Flow& flow);
-
 /// Calls f with the functions of a fluid's element (quad4 or quad9) at a place s of the reference element.
 template <class Function>
 void with_values_at(ElementKind kind, const std::array<double, 2>& s, const Function& f) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solvers/fem/flow_clusters.hpp"
 #include "solvers/fem/flow_elements_of_shape.hpp"
 
 // What the elements of a flow tell of it beside their residual: integrals over the mesh, fields at its nodes, and

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/fem/flow_clusters.hpp"
+
 namespace tether::fem {
 namespace {
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/flow_step.hpp"
+#include "solvers/fem/flow_clusters.hpp"
+#include "solvers/fem/make_flow_elements.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "solvers/fem/make_elements.hpp"
 #include "solvers/fem/solid_step.hpp"
 
 namespace tether::fem {

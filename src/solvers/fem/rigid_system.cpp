@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "solvers/fem/elements.hpp"
+#include "solvers/fem/make_elements.hpp"
 
 namespace tether::fem {
 namespace {

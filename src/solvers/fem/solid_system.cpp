@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/solid_system.hpp"
+#include "solvers/fem/make_elements.hpp"
 
 #include <algorithm>
 

@@ -2,22 +2,38 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "base/expression.hpp"
-#include "studies/assignment.hpp"
 #include "studies/reproduce/files.hpp"
 
 namespace tether::published {
 
 using Numbers = std::vector<double>;
-struct ReadingFunction;
 class Formula;
 
 /// What stands between the brackets of a function, as its kind has it: a word, or a formula.
 using Argument = std::variant<std::string, std::shared_ptr<const Formula>>;
+
+/// What an argument of a function is.
+enum class ArgumentKind {
+  word,      ///< a name: a column of the history, a field, a key, a value of the deck
+  number,    ///< a formula of keys and functions
+  of_each,   ///< a formula of the fields of points or nodes
+  snapshot,  ///< first, last, or a number from 0
+};
+
+/// A function that a reading may have.
+struct ReadingFunction {
+  std::string name;
+  std::vector<ArgumentKind> arguments;
+  bool of_deck;         ///< it needs the deck that ran and nothing else
+  std::string meaning;  ///< for the guide, a sentence
+  double (*value)(const RunFiles& run, const std::vector<Argument>& arguments);
+};
 
 /// A function of a reading with its arguments.
 struct Call {
@@ -29,11 +45,14 @@ struct Call {
 /// nodes: whoever evaluates it says which. Where a function does not find what it reads, it throws FileError.
 class Formula {
  public:
-  /// Notes mistakes at their columns of the whole text, in which this formula begins at byte `begin`; a formula with a
-  /// mistake must not be evaluated.
-  Formula(const std::string& text, std::size_t begin, std::vector<Mistake>& mistakes);
+  struct Parts {
+    std::vector<std::string> names;
+    std::vector<Call> calls;                       ///< their values are the expression's variables after the names
+    std::unique_ptr<const Expression> expression;  ///< null where the text is a mistake: it must not be evaluated
+  };
+  explicit Formula(Parts parts);
 
-  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& names() const { return parts_.names; }
   /// Whether the deck that ran is all that it needs: it has no names, and no function of what the run wrote.
   bool of_deck() const { return of_deck_; }
 
@@ -43,12 +62,9 @@ class Formula {
   Numbers of_each(const RunFiles& run, const std::vector<Numbers>& fields, std::size_t count) const;
 
  private:
-  friend class FormulaReader;
   Numbers of_calls(const RunFiles& run) const;
 
-  std::vector<std::string> names_;
-  std::vector<Call> calls_;                       // their values are variables after the names
-  std::unique_ptr<const Expression> expression_;  // null where the text is a mistake
+  Parts parts_;
   bool of_deck_ = true;
 };
 

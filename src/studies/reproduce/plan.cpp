@@ -10,6 +10,7 @@
 #include "deck/reader.hpp"
 #include "scene/method.hpp"
 #include "studies/combinations.hpp"
+#include "studies/read_study.hpp"
 #include "studies/reproduce/runs.hpp"
 
 namespace tether::published {

@@ -3,13 +3,13 @@
 
 #include <memory>
 
-#include "studies/reproduce/formula.hpp"
+#include "studies/reproduce/read_formula.hpp"
 
 namespace tether::published {
 
 ReadReading read_reading(const std::string& text) {
   ReadReading read;
-  const auto formula = std::make_shared<const Formula>(text, 0, read.mistakes);
+  const auto formula = read_formula(text, 0, read.mistakes);
   if (!read.mistakes.empty()) return read;
   read.reading = [formula](const RunFiles& run) { return formula->of_run(run); };
   read.of_deck = formula->of_deck();

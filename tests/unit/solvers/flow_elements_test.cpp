@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "solvers/fem/flow_clusters.hpp"
+#include "solvers/fem/make_flow_elements.hpp"
 #include "unit/solvers/flow_support.hpp"
 
 // The elements of a flow: derivatives against differences, forces in balance.

@@ -7,7 +7,9 @@
 
 #include "algebra/gmres.hpp"
 #include "plan/load.hpp"
+#include "solvers/fem/flow_clusters.hpp"
 #include "solvers/fem/flow_solver.hpp"
+#include "solvers/fem/make_flow_elements.hpp"
 #include "unit/solvers/flow_support.hpp"
 
 // The same flows by factors and by GMRES, and what GMRES is made of.

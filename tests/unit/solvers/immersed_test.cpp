@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "solvers/fem/flow_clusters.hpp"
 #include "unit/solvers/flow_support.hpp"
 
 // Solids immersed in a flow: derivatives against differences, and what their forces do.

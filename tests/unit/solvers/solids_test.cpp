@@ -9,6 +9,7 @@
 #include <random>
 
 #include "grid/block_mesh.hpp"
+#include "solvers/fem/make_elements.hpp"
 #include "solvers/fem/solid_step.hpp"
 
 namespace tether::fem {

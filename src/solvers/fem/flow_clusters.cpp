@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/fem/flow_elements.hpp"
+#include "solvers/fem/flow_clusters.hpp"
 
-#include "solvers/fem/flow_elements_fields.hpp"
+#include <cstddef>
+#include <vector>
 
 namespace tether::fem {
-
-std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns) {
-  using Q1 = ShapesOf<ElementKind::quad4>;
-  using Q2 = ShapesOf<ElementKind::quad9>;
-  if (unknowns.flow.element == FlowElement::q1q1) return std::make_unique<FlowElementsOf<Q1, Q1>>(unknowns);
-  return std::make_unique<FlowElementsOf<Q2, Q1>>(unknowns);
-}
 
 Lists clusters_of(const Flow& flow) {
   Lists clusters;

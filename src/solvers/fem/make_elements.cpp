@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/fem/elements.hpp"
+#include "solvers/fem/make_elements.hpp"
 
 #include "solvers/fem/elements_fields.hpp"
 

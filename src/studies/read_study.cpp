@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/study.hpp"
+#include "studies/read_study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

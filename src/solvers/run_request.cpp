@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/run_request.hpp"
+
+#include "base/text.hpp"
+
+namespace tether {
+
+RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder, const std::string& command) {
+  const std::string& text = loaded.deck.text();
+  const Scene& scene = loaded.plan.scene;
+  std::vector<std::string> messages = loaded.warnings;
+  messages.insert(messages.end(), loaded.remarks.begin(), loaded.remarks.end());
+  return {folder,
+          {scene.title, command, text, sha256(text), scene.units, sha256(loaded.effective)},
+          loaded.effective,
+          std::move(messages),
+          {},
+          {},
+          {},
+          {},
+          loaded.deck.mesh_text(),
+          loaded.deck.file(),
+          {},
+          {}};
+}
+
+}  // namespace tether
