@@ -15,6 +15,7 @@
 #include "base/signals.hpp"
 #include "base/text.hpp"
 #include "deck/document.hpp"
+#include "plan/plan_text.hpp"
 #include "progress.hpp"
 #include "scene/region_checks.hpp"
 #include "solvers/coupled/splitting_limit.hpp"

@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "deck/document.hpp"
 #include "deck/reader.hpp"
+#include "plan/make_plan.hpp"
 #include "scene/build.hpp"
 #include "scene/load_mesh.hpp"
 #include "scene/load_particles.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -24,12 +25,15 @@ struct StepRule {
   double sharp_limit = 0;  // what pressure waves and viscosity allow; not part of the rule [time]
 
   /// The limit while the fastest wave of the gas has this speed (0 without gas); infinite where nothing has a speed.
-  double limit(double gas_wave) const;
+  double limit(double gas_wave) const {
+    const double fastest = std::max(solid_speed, gas_wave);
+    return fastest > 0 ? std::min(element_limit, h / fastest) : element_limit;
+  }
   double step(double gas_wave) const { return within(limit(gas_wave)); }
   double first_step() const { return within(first_limit); }
 
  private:
-  double within(double limit) const;
+  double within(double limit) const { return cfl == 0 ? deck_step : std::min(deck_step, cfl * limit); }
 };
 
 /// A part of the model: whether it is there, and why.
@@ -54,11 +58,5 @@ struct Plan {
   std::vector<Locking> locking;  ///< of bodies on a mesh
   std::vector<std::string> warnings;
 };
-
-/// Throws InputError where the steps would be too short to get on.
-Plan make_plan(Scene scene);
-
-/// The plan for people: terms, step, cost (`tether plan`).
-std::string to_text(const Plan& plan);
 
 }  // namespace tether

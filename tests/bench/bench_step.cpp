@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
 #include "solvers/make.hpp"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cases/run_deck.hpp"
+#include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
 #include "solvers/make.hpp"
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostics.hpp"
+#include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
+#include "plan/plan_text.hpp"
 #include "unit/scene/bars_support.hpp"
 
 namespace tether {

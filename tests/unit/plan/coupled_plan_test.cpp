@@ -10,6 +10,8 @@
 
 #include "deck/reader.hpp"
 #include "plan/added_mass.hpp"
+#include "plan/make_plan.hpp"
+#include "plan/plan_text.hpp"
 #include "scene/build.hpp"
 
 namespace tether {

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "plan/make_plan.hpp"
+#include "plan/plan_text.hpp"
 #include "plan/terms.hpp"
 #include "scene/size.hpp"
 #include "unit/plan/plan_support.hpp"

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/diagnostics.hpp"
+#include "plan/make_plan.hpp"
 #include "unit/plan/plan_support.hpp"
 
 namespace tether::test {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "plan/make_plan.hpp"
 #include "solvers/mpm/fields.hpp"
 #include "unit/solvers/bars_support.hpp"
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/make_plan.hpp"
 #include "solvers/make.hpp"
 #include "unit/scene/bars_support.hpp"
 

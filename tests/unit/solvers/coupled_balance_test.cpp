@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "deck/reader.hpp"
+#include "plan/make_plan.hpp"
 #include "results/energy_drift.hpp"
 #include "scene/build.hpp"
 #include "solvers/coupled/coupled_solver.hpp"

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "deck/reader.hpp"
+#include "plan/make_plan.hpp"
 #include "scene/build.hpp"
 
 namespace tether::coupled {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "deck/reader.hpp"
+#include "plan/make_plan.hpp"
 #include "scene/build.hpp"
 #include "solvers/coupled/projection.hpp"
 #include "solvers/coupled/splitting_limit.hpp"

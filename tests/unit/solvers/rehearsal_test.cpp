@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plan/make_plan.hpp"
 #include "solvers/make.hpp"
 #include "unit/solvers/scenes.hpp"
 

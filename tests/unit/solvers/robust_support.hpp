@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/make_plan.hpp"
 #include "solvers/make.hpp"
 #include "unit/solvers/scenes.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "plan/make_plan.hpp"
 #include "solvers/make.hpp"
 #include "unit/solvers/scenes.hpp"
 

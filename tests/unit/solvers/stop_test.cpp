@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "plan/make_plan.hpp"
 #include "solvers/make.hpp"
 #include "unit/solvers/scenes.hpp"
 

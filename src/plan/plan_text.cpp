@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/plan_text.hpp"
+
+#include <fmt/format.h>
+
+#include "plan/coupled_plan.hpp"
+#include "plan/flow_plan.hpp"
+#include "plan/rigid_plan.hpp"
+#include "plan/solid_plan.hpp"
+#include "plan/terms.hpp"
+#include "scene/bars.hpp"
+#include "scene/solids.hpp"
+
+namespace tether {
+namespace {
+
+/// What the scene is made of on its path, and on which grid.
+std::string head(const Scene& scene) {
+  if (scene.coupled) return coupled_head(scene);
+  if (scene.flow) return flow_head(scene);
+  if (scene.rigid) return rigid_head(scene);
+  if (scene.solids) return solid_head(*scene.solids);
+  if (runs_as_bars(scene)) return "path: fem (bars)\n";
+  return fmt::format("path: mpm (material points, {})\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
+                     scene.geometry == Geometry::plane ? "plane" : "axisymmetric", scene.grid.nx, scene.grid.ny,
+                     scene.grid.dx, scene.grid.dy);
+}
+
+}  // namespace
+
+std::string to_text(const Plan& plan) {
+  const Scene& scene = plan.scene;
+  std::string text = head(scene);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count, material_name(body.material));
+  }
+  text += "modelled:\n";
+  for (const Term& term : plan.terms) {
+    if (term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
+  }
+  text += "left out:\n";
+  for (const Term& term : plan.terms) {
+    if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
+  }
+  const bool fluid = scene.flow || scene.coupled;
+  if (scene.solids || fluid)
+    text += fmt::format(
+        "step: {:.6g}, the deck's{}\n", plan.step.deck_step,
+        !fluid && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
+  else
+    text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
+                        runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
+                        plan.step.first_limit, plan.step.cfl);
+  text +=
+      fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} CPU s on one core ({})\n",
+                  plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds,
+                  plan.cost.rehearsed > 0 ? fmt::format("carried on from {} steps made on trial", plan.cost.rehearsed)
+                                          : "an estimate by formulas: no steps were made on trial");
+  for (const auto& warning : plan.warnings) text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+}  // namespace tether
