@@ -14,10 +14,10 @@ namespace tether::published {
 /// The files of a finished run. Each call reads what it gives, and throws FileError where the run did not write it.
 class RunFiles {
  public:
-  /// `beside` is the folder of the run that a problem compares this one with; empty where there is none.
-  explicit RunFiles(std::filesystem::path folder, std::filesystem::path beside = {})
-      : folder_(std::move(folder)), beside_(std::move(beside)) {}
-  RunFiles beside() const { return RunFiles(beside_); }
+  /// `reference` is the folder of the run that a problem compares this one with; empty where there is none.
+  explicit RunFiles(std::filesystem::path folder, std::filesystem::path reference = {})
+      : folder_(std::move(folder)), reference_(std::move(reference)) {}
+  RunFiles reference() const { return RunFiles(reference_); }
 
   /// A number of summary.txt; not a number where the run wrote that.
   double summary(const std::string& key) const;
@@ -49,7 +49,7 @@ class RunFiles {
   double outcome(const std::string& name) const;
 
  private:
-  std::filesystem::path folder_, beside_;
+  std::filesystem::path folder_, reference_;
   const Loaded& loaded() const;
   mutable std::shared_ptr<const Loaded> loaded_;  // read when it is first asked for
 };

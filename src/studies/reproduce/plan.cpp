@@ -43,9 +43,9 @@ class Planner {
       add_run(role, problem_->deck, method.overrides, name);
     else
       add_varied(role, method, name);
-    if (problem_->beside.empty()) return;
-    const Role beside = role == Role::thesis ? Role::thesis_beside : Role::robust_beside;
-    add_run(beside, problem_->beside, method.overrides, name + "-beside");
+    if (problem_->compared_with.empty()) return;
+    const Role reference = role == Role::thesis ? Role::thesis_reference : Role::robust_reference;
+    add_run(reference, problem_->compared_with, method.overrides, name + "-reference");
   }
 
   void add_run(Role role, const std::string& deck, const std::vector<std::string>& overrides, const std::string& name) {

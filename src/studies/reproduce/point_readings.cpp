@@ -148,7 +148,7 @@ double columns_apart(const RunFiles& run, const Arguments& a) {
   const auto columns = [&](const RunFiles& of) {
     return Columns(of, std::get<std::string>(a[0]), of.snapshots() - 1).mean_of_points;
   };
-  const Numbers here = columns(run), there = columns(run.beside());
+  const Numbers here = columns(run), there = columns(run.reference());
   double largest = 0;
   for (std::size_t c = 0; c < std::min(here.size(), there.size()); ++c)
     largest = std::max(largest, std::abs(here[c] - there[c]));

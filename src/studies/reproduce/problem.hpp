@@ -9,7 +9,7 @@
 #include "studies/reproduce/files.hpp"
 
 // The published problems of the thesis as a table: a deck each, how either method runs it, and what of the finished run
-// stands beside what the thesis prints.
+// stands next to what is printed.
 namespace tether::published {
 
 /// Reads one number off a finished run and nothing else; not a number where the run does not show it. Throws FileError
@@ -70,8 +70,8 @@ struct Problem {
   bool by_points = true;    ///< material points, which have the methods; else a path of the deck's own
   MethodRuns thesis = {};   ///< the method of the source, which is the only one of a deck with a path of its own
   std::optional<MethodRuns> robust = MethodRuns{};  ///< none: has no meaning there
-  std::string study = {};   ///< path of a bisection that is run on the deck, in place of a single run
-  std::string beside = {};  ///< path of a deck that the same method runs as well, for what compares two runs
+  std::string study = {};          ///< path of a bisection that is run on the deck, in place of a single run
+  std::string compared_with = {};  ///< path of a deck that the same method runs as well, for what compares two runs
   std::vector<Quantity> quantities = {};
 };
 

@@ -56,7 +56,7 @@ class ProblemReader {
     if (is_given("deck")) run = other("deck");
     if (!run) return problem;
     problem.deck = run->file();
-    if (const auto beside = other("beside")) problem.beside = beside->file();
+    if (const auto reference = other("compared_with")) problem.compared_with = reference->file();
     if (const auto study = other("study")) problem.study = study->file();
     read_methods(problem, is_by_points(*run));
     for (const int k : rows()) problem.quantities.push_back(row(k));

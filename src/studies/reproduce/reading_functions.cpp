@@ -87,7 +87,7 @@ double modulus(const RunFiles& run, const Arguments& a) {
 }
 double summary(const RunFiles& run, const Arguments& a) { return run.summary(word_of(a[0])); }
 double outcome(const RunFiles& run, const Arguments& a) { return run.outcome(word_of(a[0])); }
-double beside(const RunFiles& run, const Arguments& a) { return number_of(run.beside(), a[0]); }
+double of_reference(const RunFiles& run, const Arguments& a) { return number_of(run.reference(), a[0]); }
 
 const std::vector<ReadingFunction> functions{
     {"first", {word}, false, "first(column) is the first record of a column of the history.", first_of},
@@ -164,7 +164,8 @@ const std::vector<ReadingFunction> functions{
     {"columns_apart",
      {word},
      false,
-     "columns_apart(field) is the largest difference of the columns' means, at the end, from the run beside.",
+     "columns_apart(field) is the largest difference of the columns' means, at the end, from the run that it is "
+     "compared with.",
      columns_apart},
     {"thickness",
      {number},
@@ -186,7 +187,7 @@ const std::vector<ReadingFunction> functions{
      modulus},
     {"summary", {word}, false, "summary(key) is the key of summary.txt where names are fields.", summary},
     {"outcome", {word}, false, "outcome(name) is what a bisection found: outcome(largest_holding).", outcome},
-    {"beside", {number}, false, "beside(f) is f of the run beside this one.", beside},
+    {"reference", {number}, false, "reference(f) is f of the run that this one is compared with.", of_reference},
 };
 
 }  // namespace

@@ -68,11 +68,12 @@ std::string file_name(const std::string& path) { return std::filesystem::path(pa
 std::string runs_of(const Problem& problem) {
   const std::string run = file_name(problem.deck);
   const std::string deck = problem.study.empty() ? run : fmt::format("{} on {}", file_name(problem.study), run);
-  const std::string beside = problem.beside.empty() ? "" : fmt::format(", compared with {}", file_name(problem.beside));
+  const std::string reference =
+      problem.compared_with.empty() ? "" : fmt::format(", compared with {}", file_name(problem.compared_with));
   const std::string robust = problem.robust ? overrides_text(*problem.robust) : "not run";
   const std::string place =
       problem.source.empty() ? problem.place : fmt::format("{} {}", problem.source, problem.place);
-  return fmt::format("| {} | {} | {}{} | {} | {} |\n", problem.name, place, deck, beside,
+  return fmt::format("| {} | {} | {}{} | {} | {} |\n", problem.name, place, deck, reference,
                      cell(overrides_text(problem.thesis)), cell(robust));
 }
 

@@ -21,7 +21,7 @@ std::string value_text(const Measured& measured);
 /// What the thesis prints, with its places, "or" between what contradicts itself; "-" where it prints nothing.
 std::string published_text(const Quantity& quantity);
 
-/// A quantity beside what both methods' runs show. A method that has no runs stands as "-" and is not judged.
+/// A quantity next to what both methods' runs show. A method that has no runs stands as "-" and is not judged.
 ReportRow report_row(const Problem& problem, const Quantity& quantity, const MethodResult& thesis,
                      const MethodResult& robust);
 

@@ -18,23 +18,24 @@ namespace {
 namespace fs = std::filesystem;
 using namespace published;
 
-/// Of a problem by one method. A run beside stands beside all of the method's runs.
+/// Of a problem by one method. The run that it is compared with belongs to all of the method's runs.
 MethodResult result_of(const std::vector<PlannedRun>& runs, const std::vector<RunEnd>& ends, std::size_t problem,
-                       Role role, Role beside_role) {
+                       Role role, Role reference_role) {
   MethodResult result;
-  fs::path beside;
+  fs::path reference;
   const auto note = [&result](const Ending& ending) {
     if (ending.exit_code != exit_done && result.failure.empty()) result.failure = ending.message;
     return ending.exit_code == exit_done;
   };
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (runs[k].problem == problem && runs[k].role == beside_role && note(ends[k].ending)) beside = ends[k].folder;
+    if (runs[k].problem == problem && runs[k].role == reference_role && note(ends[k].ending))
+      reference = ends[k].folder;
   }
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (runs[k].problem != problem || runs[k].role != role) continue;
     ++result.runs;
-    if (fs::exists(ends[k].folder / "deck.effective")) result.begun.emplace_back(ends[k].folder, beside);
-    if (note(ends[k].ending)) result.files.emplace_back(ends[k].folder, beside);
+    if (fs::exists(ends[k].folder / "deck.effective")) result.begun.emplace_back(ends[k].folder, reference);
+    if (note(ends[k].ending)) result.files.emplace_back(ends[k].folder, reference);
   }
   return result;
 }
@@ -43,8 +44,8 @@ std::vector<ReportRow> rows_of(const std::vector<Problem>& problems, const std::
                                const std::vector<RunEnd>& ends) {
   std::vector<ReportRow> rows;
   for (std::size_t k = 0; k < problems.size(); ++k) {
-    const auto thesis = result_of(runs, ends, k, Role::thesis, Role::thesis_beside);
-    const auto robust = result_of(runs, ends, k, Role::robust, Role::robust_beside);
+    const auto thesis = result_of(runs, ends, k, Role::thesis, Role::thesis_reference);
+    const auto robust = result_of(runs, ends, k, Role::robust, Role::robust_reference);
     std::transform(problems[k].quantities.begin(), problems[k].quantities.end(), std::back_inserter(rows),
                    [&](const Quantity& quantity) { return report_row(problems[k], quantity, thesis, robust); });
   }

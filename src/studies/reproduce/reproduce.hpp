@@ -28,7 +28,7 @@ struct ReproduceResult {
 };
 
 /// Runs the published problems of these names (none: all), by the thesis' method and by the robust one, and sets what
-/// the runs show beside what the thesis prints and what is exact. Throws InputError for names that there are not and
+/// the runs show next to what is published and what is exact. Throws InputError for names that there are not and
 /// decks that cannot be understood, FileError, Interrupted.
 ReproduceResult reproduce(const std::vector<std::string>& names, const ReproduceOptions& options);
 

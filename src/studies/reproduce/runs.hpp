@@ -13,7 +13,7 @@
 namespace tether::published {
 
 /// What a run is for.
-enum class Role { thesis, robust, thesis_beside, robust_beside };
+enum class Role { thesis, robust, thesis_reference, robust_reference };
 
 /// A run of a problem, or a bisection, as a study of its own: so what runs it, knows it again and tells how it ended is
 /// what does that for sweeps.

@@ -189,7 +189,7 @@ TEST_F(Plans, AStepThatIsTakenAsItIsKeepsItsCfl) {
 
 TEST_F(Plans, TellOfAllDecksThatAreMissing) {
   Problem other = problem(true);
-  other.deck = "none.in", other.beside = "neither.in";
+  other.deck = "none.in", other.compared_with = "neither.in";
   try {
     plan_runs({problem(false), other}, "out");
     FAIL();

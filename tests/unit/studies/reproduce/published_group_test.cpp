@@ -53,7 +53,7 @@ TEST(ToleranceText, IsAPartOrASize) {
 TEST(ReadingText, OfTheDeckAloneIsKnown) {
   EXPECT_TRUE(read_reading("deck(fluid.gm1)*scene(shock_speed) + modulus(1)").of_deck);
   EXPECT_FALSE(read_reading("modulus(1) + period").of_deck);
-  EXPECT_FALSE(read_reading("beside(modulus(1))").of_deck);
+  EXPECT_FALSE(read_reading("reference(modulus(1))").of_deck);
   EXPECT_FALSE(read_reading("modulus(last(time))").of_deck);
 }
 

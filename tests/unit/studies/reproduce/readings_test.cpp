@@ -91,7 +91,7 @@ MadeUpRun sod_tube(double shift) {
   return {.snapshots = {end}, .summary = {{"dx", "0.01"}}};
 }
 
-/// Written beside the deck that it would have run.
+/// Written next to the deck that it would have run.
 RunFiles tube_run(const MadeUpRun& run, const std::filesystem::path& folder) {
   const RunFiles files = run.write(folder);
   const auto deck = std::filesystem::path(TETHER_SOURCE_DIR) / "decks/sod.in";

@@ -19,7 +19,7 @@ enum class Raised { nothing, E, siep };
 /// the Courant number: neither depends on a modulus.
 const std::set<std::string> without_modulus{"noise", "stability-centre", "stability-side"};
 
-/// A problem's deck, written beside no run: what it makes exact and states is judged by itself.
+/// A problem's deck, written without a run: what it makes exact and states is judged by itself.
 class Stiffer : public test::TemporaryFolder {
  protected:
   RunFiles posed(const Problem& problem, Raised raised) {
