@@ -117,6 +117,26 @@ double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics
   return pressure;
 }
 
+/// By linear shape functions gas over several cells both ways does not stay at rest: what rounding leaves grows by
+/// about .6 c/dx, to some per cent of the pressure after 60 dx/c (measured in a closed box).
+void note_restless_gas(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.method.kernel != Kernel::linear || scene.grid.cells_x() < 2 || scene.grid.cells_y() < 2) return;
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    if (const auto* gas = std::get_if<IdealGas>(&body.material))
+      fastest = std::max(fastest, std::sqrt(gas->sound_speed_squared(body.specific_energy)));
+  }
+  const double restless = 60 * std::min(scene.grid.dx, scene.grid.dy) / fastest;
+  if (!(restless < scene.clock.tmax) || diagnostics.has_errors()) return;
+  diagnostics.add(deck.remark(
+      Severity::remark, "mpm", "kernel", {1, 1},
+      fmt::format(
+          "gas by linear shape functions does not stay at rest over several cells both ways: from about t = {:.3g}, "
+          "60 dx/c, on its pressures may be off by some per cent of themselves",
+          restless),
+      "kernel='bspline' or method='robust' of $mpm keeps gas at rest"));
+}
+
 /// Of membranes by curves, in a grid so large that no place in it is wrong; what that grid makes doubtful does not
 /// count.
 void check_curves(const Deck& deck, const Method& method, Diagnostics& diagnostics) {
@@ -189,6 +209,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   } else {
     add_bodies(deck, particles, scene, diagnostics);
     check_edges(deck, scene, diagnostics);
+    if (path == Path::mpm) note_restless_gas(deck, scene, diagnostics);
     if (path == Path::fem) check_fem(deck, particles, scene, diagnostics);
   }
   scene.ambient = ambient_of(deck, scene, diagnostics);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "deck/reader.hpp"
+#include "plan/make_plan.hpp"
 #include "scene/build.hpp"
 #include "solvers/coupled/coupled_solver.hpp"
 
