@@ -48,7 +48,9 @@ TEST(CoupledScene, ReadsTheMethod) {
           "convex=.false.,u0=1.,v0=2.,side(2)='open',side(4)='open'",
           square_body());
   ASSERT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(warnings_of(built), Texts{});
+  EXPECT_EQ(warnings_of(built),
+            Texts{"a viscous fluid slips along bodies: it rubs at walls and obstacles alone, bodies "
+                  "feel its pressure and no drag of friction"});
   const Coupled& c = *built.scene.coupled;
   EXPECT_EQ(c.mode, CouplingMode::splitting);
   EXPECT_EQ(c.integrator, CoupledIntegrator::trapezoid);
