@@ -120,7 +120,7 @@ bool Lexer::rest_of_line() {
   return false;
 }
 
-/// A line that is a comment elsewhere is told of, and nothing of it read.
+/// A line that is a comment elsewhere is reported, and nothing of it read.
 void Lexer::pass_foreign_comment() {
   const std::string_view mark = foreign_comment(line());
   if (mark.empty()) return;

@@ -28,7 +28,7 @@ struct LexedDeck {
 };
 
 /// Cuts a deck into tokens. A line that begins with $NAME or &NAME opens a group; '/', $end, &end, or a '$' or '&' with
-/// nothing behind it closes one. Semicolons are taken for commas, with a remark.
+/// nothing after it closes one. Semicolons are taken for commas, with a remark.
 LexedDeck lex_deck(const std::vector<std::string>& lines, Remarks& remarks);
 
 /// The tokens of lines[index], a text in which no group opens (an override of the command line).

@@ -13,8 +13,8 @@
 namespace tether {
 namespace {
 
-/// Distance of nodes over the fluid's from which it is told. Of a flap of one biquadratic element across the tip's way,
-/// over that at 1.0, is .99 at 1.5, .77 at 1.74, .63 at 1.78, .30 at 2.05.
+/// Distance of nodes over the fluid's from which it is reported. Of a flap of one biquadratic element across the tip's
+/// way, over that at 1.0, is .99 at 1.5, .77 at 1.74, .63 at 1.78, .30 at 2.05.
 constexpr double told_ratio = 1.7;
 
 std::array<double, 2> place(const Mesh& mesh, int n) { return {mesh.x[2 * at(n)], mesh.x[2 * at(n) + 1]}; }

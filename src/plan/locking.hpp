@@ -21,7 +21,7 @@ struct Locking {
   int enough = 0;        ///< elements across that would leave it too stiff by told_stiffness
 };
 
-/// From this on it is told.
+/// From this on it is reported.
 constexpr double told_stiffness = 0.05;
 
 /// Of a body divided like this, with Lame's constants as they act in the plane.

@@ -15,7 +15,7 @@ namespace {
 
 /// Part of a period by which what a solution leaves out may change it without a word.
 constexpr double told_part = 1e-3;
-/// Strain from which a pendulum's string is told to be too soft: the square of it is left out.
+/// Strain from which a pendulum's string is said to be too soft: the square of it is left out.
 constexpr double told_stretch = 0.02;
 
 std::string arrival(const char* end, double begin) {

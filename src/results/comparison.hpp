@@ -10,8 +10,8 @@
 
 namespace tether {
 
-/// A quantity of the run beside its exact value. For a profile `here` and `exact` have no meaning and `error` is the L1
-/// norm; else `error` is relative.
+/// A quantity of the run next to its exact value. For a profile `here` and `exact` have no meaning and `error` is the
+/// L1 norm; else `error` is relative.
 struct Merit {
   std::string name;
   double here = 0, exact = 0, error = 0;

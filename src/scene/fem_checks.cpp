@@ -74,7 +74,7 @@ void check_lengths(const Deck& deck, const std::optional<ParticleFile>& particle
       const std::size_t p = body.first + k, before = k == 0 ? body.first + body.count - 1 : p - 1;
       const double length = std::hypot(P.x[p] - P.x[before], P.y[p] - P.y[before]);
       if (length > shortest || (length == 0 && body.name == "particle file"))
-        continue;  // of rows in one place it is told
+        continue;  // of rows in one place it is reported
       tell_at_point(deck, particles, body, p,
                     fmt::format("points {} and {} of the string stand in one place, ({:.6g}, {:.6g})",
                                 before - body.first + 1, k + 1, P.x[p], P.y[p]),

@@ -132,7 +132,7 @@ struct RegionValues {
   double density, energy;
 };
 
-/// Nothing where there are mistakes, which are told.
+/// Nothing where there are mistakes, which are reported.
 std::optional<RegionValues> read_region(const RegionReader& reader, const Deck& deck, int r, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.errors().size();
   RegionValues values{.shape = reader.shape(),

@@ -23,8 +23,8 @@ constexpr double rehearsal_seconds = 0.1;                    ///< that the steps
 constexpr long long least_steps = 6;                         ///< of them
 constexpr double longest_step = 0.7, most_megabytes = 3000;  ///< by the estimate, for which a rehearsal is made [s, MB]
 
-/// What the writing costs beside the forming of what is written: of a run's files, a record, a field of a snapshot and
-/// a number of it; measured [s].
+/// What writing costs in addition to the forming of what is written: of a run's files, a record, a field of a snapshot
+/// and a number of it; measured [s].
 constexpr double seconds_per_run = 3e-3, seconds_per_record = 25e-6, seconds_per_field = 2.2e-4,
                  seconds_per_number = 20e-9;
 /// What the library that writes holds, with snapshots more, and for each field of each snapshot; measured [MB].

@@ -31,7 +31,7 @@ struct RunRequest {
   std::function<void(const std::string&)> warn;    ///< called with every warning of the run
   std::function<int()> interrupted;                ///< asked several times a second: the signal to stop for, or 0
   std::filesystem::path restart;                   ///< checkpoint to go on from; empty: from the start
-  std::shared_ptr<const std::string> mesh_text;    ///< of the file beside deck.effective; null without one
+  std::shared_ptr<const std::string> mesh_text;    ///< of the file next to deck.effective; null without one
   std::string deck;                                ///< its file, for others that want the folder
   Clocks clocks;                                   ///< from when on the run's time counts
   std::function<void(const std::string&)> remark;  ///< called with what the run replaces in its folder

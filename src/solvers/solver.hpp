@@ -49,7 +49,8 @@ class Solver {
   virtual std::vector<CostPart> cost_parts() const { return {}; }
   /// What the path tells in summary.txt beside what all paths do.
   virtual Summary more_summary() const { return {}; }
-  /// Whether a record costs next to nothing beside a step, so that what goes wrong can be looked for after every step.
+  /// Whether a record costs hardly anything compared with a step, so that what goes wrong can be looked for after every
+  /// step.
   virtual bool watched_each_step() const { return false; }
   /// Where the most distorted element of bodies on a mesh is, for a message.
   virtual std::string worst_element() const { return {}; }

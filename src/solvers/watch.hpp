@@ -12,7 +12,8 @@
 namespace tether {
 
 /// Looks after each record, or each step, at the numbers by which a run that goes wrong is known: those of the scene's
-/// limits that the history has columns for. The first time that one is passed is told, and beyond reason the run ends.
+/// limits that the history has columns for. The first time that one is passed is reported, and beyond reason the run
+/// ends.
 class Watch {
  public:
   Watch(const Scene& scene, const HistoryLayout& layout);

@@ -61,7 +61,7 @@ TEST(BodyDoubts, ALinearLawThatIsTurnedTooFarIsTold) {
   EXPECT_EQ(told(cantilever("svk", 2e7), turned), 0);
 }
 
-/// A cantilever of period .023 that falls into its vibration: steps of twice that are told, of a tenth not.
+/// A cantilever of period .023 that falls into its vibration: steps of twice that are reported, of a tenth not.
 TEST(BodyDoubts, StepsLongerThanAPeriodAreTold) {
   const auto swings = [](double step) {
     const DeckRun run = run_text(

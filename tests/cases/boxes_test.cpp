@@ -67,7 +67,7 @@ TEST(Boxes, OpeningsGoByPartsOfFaces) {
   EXPECT_GT(half / aligned, 1.01);
 }
 
-/// The key and the warning go by the velocities of the run, the plan's by those of the deck.
+/// The key and the warning use the velocities of the run, the plan's by those of the deck.
 TEST(Boxes, FarStepsAreTold) {
   const std::string deck = "side(2)='open',jet_on(1)='left',jet_speed(1)=1.5";
   const DeckRun shorter = run_text("short", channel(33, 17, deck, ".02"));

@@ -34,7 +34,7 @@ class Options(ProgramTest):
         self.assertEqual(messages, (self.folder / "loud/messages.txt").read_text())
 
     def test_known_slips_are_one_line_and_hide_no_warning(self):
-        """The slips of the printed decks do no harm; what may do is told in full, and messages.txt has both."""
+        """The slips of the printed decks do no harm; what may do is reported in full, and messages.txt has both."""
         deck = self.write("slips.in", (DECKS / "piston-m1.in").read_text())
         options = ("--particles", DECKS.parent / "particles/piston.par", "--set", "in.tmax=1e-4")
         out = self.folder / "out"

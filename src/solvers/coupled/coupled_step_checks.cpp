@@ -58,7 +58,7 @@ void CoupledStep::tell_of_unsettled_contact(CoupledState& state) {
       state.time, state.steps + 1, most_contact_solutions));
 }
 
-/// Once: the volume term has nothing to go by there.
+/// Once: the volume term has nothing to act on there.
 void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState& state) {
   if (!coupled_.volume_term || coupled_.mode == CouplingMode::splitting || state.unmeasured != 0) return;
   const int region = unmeasured_region(at_.domain, at_.map, regions, surface_.cavity, state.v);

@@ -26,11 +26,11 @@ struct CouplingMap {
   CouplingMatrix B;
   /// Of each sheet of the surface the area that each region of the fluid sees: region r of sheet s at s regions + r.
   std::vector<double> area_seen;
-  /// What the fluid beyond open sides does to the solids, beside B^T p: to what of them is beyond, and where pressures
-  /// between the last cells and an open side, or in a film that ends beyond it, are its own in part [force].
+  /// What the fluid beyond open sides does to the solids, in addition to B^T p: to what of them is beyond, and where
+  /// pressures between the last cells and an open side, or in a film that ends beyond it, are its own in part [force].
   std::vector<double> outside;
-  /// What the weight of the fluid in films does to the solids, beside B^T p, which has the pressures of their rims at
-  /// the heights of these: in a film at rest it grows downwards [force].
+  /// What the weight of the fluid in films does to the solids, in addition to B^T p, which has the pressures of their
+  /// rims at the heights of these: in a film at rest it grows downwards [force].
   std::vector<double> film_weight;
 };
 

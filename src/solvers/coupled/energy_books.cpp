@@ -23,7 +23,7 @@ double square_at(const StaggeredGrid& grid, const FaceValues& v, int axis, std::
 
 bool is_fluid(const FlowDomain& domain, int cell) { return cell >= 0 && domain.kind[at(cell)] == CellKind::fluid; }
 
-/// Through one face, into the one fluid cell beside it; zero where there are two.
+/// Through one face, into the one fluid cell next to it; zero where there are two.
 double through(const Coupled& scene, const FlowDomain& domain, const FaceValues& v, int axis, std::size_t face) {
   const auto [low, high] = cells_beside(domain.grid, axis, face);
   if (is_fluid(domain, low) == is_fluid(domain, high)) return 0;

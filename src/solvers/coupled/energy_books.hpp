@@ -22,8 +22,8 @@ struct EnergyBooks {
   double damped = 0;   ///< what the solids' damping took
   double contact = 0;  ///< what walls, obstacles and friction took of the solids
   // What the method lost.
-  double advected = 0;  ///< as the fluid carried its velocity along
-  double remeshed = 0;  ///< as faces opened and closed beside moving solids, and small ones took over their neighbours'
+  double advected = 0;    ///< as the fluid carried its velocity along
+  double remeshed = 0;    ///< as faces opened and closed at moving solids, and small ones took over their neighbours'
   double projected = 0;   ///< by pressures that act a whole step at its end's velocity
   double sources = 0;     ///< by the volume term
   double coupling = 0;    ///< what the fluid gave less what the solids took

@@ -181,7 +181,7 @@ SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, c
 
 namespace {
 
-/// Calls f(face, acceleration) for the open faces across y that fluid is beside.
+/// Calls f(face, acceleration) for the open faces across y that fluid is next to.
 template <class Function>
 void each_buoyant_face(const FlowDomain& domain, const Smoke& smoke, double lift, double weight, const Function& f) {
   for (std::size_t face = 0; face < domain.face[1].size(); ++face) {

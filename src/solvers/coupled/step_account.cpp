@@ -79,7 +79,7 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
   books.coupling += h * given;
 }
 
-/// The equations (4), multiplied by the way h (u0 + u1)/2: what each force does on it. Supports move as they are told;
+/// The equations (4), multiplied by the way h (u0 + u1)/2: what each force does on it. Supports move as the deck says;
 /// what else is held, contact holds. What the solids' own forces take and what is then stored of it differ by the
 /// step's own error, as do ways that contact and supports end otherwise than by (5).
 void CoupledStep::book_solids(std::span<const double> q0, std::span<const double> u0, const Solution& solution,

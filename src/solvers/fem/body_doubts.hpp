@@ -13,7 +13,7 @@
 namespace tether::fem {
 
 /// Looks whether bodies go on where the model does not hold any more: beyond the grid, where nothing stops them, or
-/// turned further than a linear law follows. Each is told once. The solids and the grid must outlive it.
+/// turned further than a linear law follows. Each is reported once. The solids and the grid must outlive it.
 class BodyDoubts {
  public:
   BodyDoubts(const Solids& solids, const BackgroundGrid& grid);

@@ -12,7 +12,7 @@
 // impulses of contact, whose -J . w the contact books. The potential energy changes by -g sum_p m_p dt u_p,y, and what
 // the points stored of -P shows in their strain and internal energy dU. Then
 //   -dE = T + (-J . w) + (-P - dU) + g dt (sum_p m_p u_p,y - sum_i m_i w_i,y).
-// The last is w's half step, and what pins keep from falling and images behind walls have too much.
+// The last is w's half step, and what pins keep from falling and images beyond walls have too much.
 //
 // A point on a line of the grid gives the nodes across the cell next to nothing of its mass (Locator::edge), but by
 // bilinear functions its whole force: a of such a node is 1e12 times too large, and dt^2 / 2 m |a|^2 in T and in P,

@@ -22,7 +22,7 @@ struct Ghost {
 };
 
 /// The nodes that a run computes with: the deck's grid, and around it what the kernel reaches to. Behind a wall that is
-/// a row of ghosts; behind an open wall there is room, padding of six cells into which points may move; beyond an edge
+/// a row of ghosts; beyond an open wall there is room, padding of six cells into which points may move; beyond an edge
 /// through which gas passes, by any kernel, there are the cells of its strip, and two more.
 struct Frame {
   BackgroundGrid shape;      // with what is around it

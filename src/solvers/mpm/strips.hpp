@@ -137,7 +137,7 @@ class Strips {
   std::array<double, 4> energy_of_step_{};  // that came in by each edge [energy]
   std::vector<Note> notes_;
   std::vector<char> noted_, gone_;  // of each slot
-  std::vector<int> made_;           // body of each point made, which stand behind all others
+  std::vector<int> made_;           // body of each point made, which stand after all others
   std::vector<std::size_t> order_;  // scratch of regroup()
   std::vector<double> doubles_;
   struct Sums {

@@ -112,7 +112,7 @@ void Strips::fill_corners(std::size_t k, State& state, const Scene& scene) {
   }
 }
 
-/// A point behind all others, for regroup() to take to its body. Beyond an edge of constant radius it has the mass that
+/// A point after all others, for regroup() to take to its body. Beyond an edge of constant radius it has the mass that
 /// it would have on the edge, since as it moves the ring's width does not change.
 void Strips::make(State& state, const Scene& scene, std::size_t body, double x, double y, double density, double area) {
   Points& P = state.points;

@@ -48,7 +48,7 @@ TEST(Loads, GrowInProportionToTimeWhereNothingIsGiven) {
   EXPECT_DOUBLE_EQ(first_load(square("load_on(1)='1.top',load(1,1)=1.")).at(0.5), 1);
 }
 
-/// What only motions have is told where there are none.
+/// What only motions have is reported where there are none.
 TEST(Loads, EquilibriaHaveNoMotion) {
   const auto told = [](const std::string& fem) {
     Texts texts;

@@ -34,7 +34,7 @@ History history_of(const std::string& text, const Overrides& overrides = {}) {
 
 double last(const History& history, const char* column) { return history.column(column).back(); }
 
-/// A warm plume from a jet through layers of smoke, out of two open sides, round an obstacle and beside a void.
+/// A warm plume from a jet through layers of smoke, out of two open sides, round an obstacle and next to a void.
 const std::string plume =
     "$in nx=25,ny=21,xleft=0.,xright=1.2,ybot=0.,ytop=1.,tmax=.5,tstep=.01,gravc=-9.81 $\n"
     "$coupled density=1.2,side(2)='open',side(4)='open',jet_on(1)='bottom',jet(1:2,1)=.4,.6,jet_speed(1)=.8,\n"
@@ -65,7 +65,7 @@ TEST(CoupledBalance, OfAPlumeInSpace) {
   EXPECT_LE(energy_drift(history_of(plume, space)), 1e-10);
 }
 
-/// A bag of fluid that falls on a floor with friction, beside a bar that a support shakes; a spring, a load, damping.
+/// A bag of fluid that falls on a floor with friction, next to a bar that a support shakes; a spring, a load, damping.
 const std::string bag =
     "$in nx=25,ny=21,xleft=0.,xright=1.2,ybot=0.,ytop=1.,tmax=.3,tstep=.01,gravc=-4. $\n"
     "$reg nreg=4,nvi=4,4,4,4,densir(1)=4*1500.,matr(1,1)=1e6,.3,matr(1,2)=1e6,.3,matr(1,3)=1e6,.3,matr(1,4)=1e6,.3,\n"

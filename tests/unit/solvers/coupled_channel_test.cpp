@@ -72,7 +72,7 @@ TEST(SwellingJet, BringsItsIntegralInStepsOfAnyLength) {
   }
 }
 
-/// A block that a stream takes along is told of once, as it is wholly out of the box.
+/// A block that a stream takes along is reported once, as it is wholly out of the box.
 TEST(LeavingBody, IsToldOfOnceWithItsPlaceAndTime) {
   const Plan plan = plan_of(
       "$in nx=11,ny=11,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax=.8,tstep=.02 $\n"

@@ -88,7 +88,7 @@ TEST_P(Rest, OfAViscousFluidAtAnyLevel) {
     EXPECT_LE(speed_after(plane, with(mode, with(sides, {level}))), 1e-10) << level;
 }
 
-/// Heavy smoke below warm smoke, which end within cells; beside a wall, and where the layers reach open sides.
+/// Heavy smoke below warm smoke, which end within cells; next to a wall, and where the layers reach open sides.
 const Overrides layers{
     "coupled.smoke_box(1:4,1)=0.,2.,-.4,.03", "coupled.box_smoke(1)=1.5", "coupled.smoke_box(1:4,2)=0.,2.,.62,1.1",
     "coupled.box_temperature(2)=30.",         "coupled.smoke_weight=.7",  "coupled.smoke_lift=.03"};

@@ -48,7 +48,7 @@ TEST_P(Thin, BodiesOfThreeCellsAreNot) {
   for (const double angle : {0.0, 0.3, 0.7}) EXPECT_EQ(found(dim, plate(dim, 4, angle)).cells, 0u) << angle;
 }
 
-/// The thick body is the first; the number that is told is the thin one's.
+/// The thick body is the first; the number that is reported is the thin one's.
 TEST_P(Thin, TheBodyIsNamed) {
   const int dim = GetParam();
   const Mesh both = together(plate(dim, 4, 0, 0.75), plate(dim, 0.3, 0, 0.253));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A fluid at rest under gravity stays at rest beside open sides.
+// A fluid at rest under gravity stays at rest next to open sides.
 
 #include <gtest/gtest.h>
 
