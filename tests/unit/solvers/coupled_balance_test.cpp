@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/reader.hpp"
-#include "plan/make_plan.hpp"
 #include "results/energy_drift.hpp"
-#include "scene/build.hpp"
 #include "solvers/coupled/coupled_solver.hpp"
+#include "unit/solvers/coupled_plan.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -18,11 +16,7 @@ namespace {
 using Overrides = std::vector<std::string>;
 
 History history_of(const std::string& text, const Overrides& overrides = {}) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(text, "a.in", overrides, diagnostics);
-  Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
-  diagnostics.throw_if_errors();
-  const Plan plan = make_plan(std::move(scene));
+  const Plan plan = plan_of(text, overrides);
   CoupledSolver solver(plan);
   History history{solver.history_layout(), {solver.record()}};
   while (solver.time() < plan.scene.clock.tmax) {

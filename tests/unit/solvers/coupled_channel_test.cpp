@@ -7,21 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "deck/reader.hpp"
-#include "plan/make_plan.hpp"
-#include "scene/build.hpp"
 #include "solvers/coupled/coupled_solver.hpp"
+#include "unit/solvers/coupled_plan.hpp"
 
 namespace tether::coupled {
 namespace {
-
-Plan plan_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(text, "a.in", overrides, diagnostics);
-  Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
-  diagnostics.throw_if_errors();
-  return make_plan(std::move(scene));
-}
 
 double column(const CoupledSolver& solver, const std::string& name) {
   const auto names = solver.history_layout().column_names();

@@ -6,24 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/reader.hpp"
-#include "plan/make_plan.hpp"
-#include "scene/build.hpp"
 #include "solvers/coupled/coupled_matrix.hpp"
 #include "solvers/coupled/coupled_solver.hpp"
+#include "unit/solvers/coupled_plan.hpp"
 
 namespace tether::coupled {
 namespace {
 
 using Overrides = std::vector<std::string>;
-
-Plan plan_of(const std::string& text, const Overrides& overrides = {}) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(text, "a.in", overrides, diagnostics);
-  Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
-  diagnostics.throw_if_errors();
-  return make_plan(std::move(scene));
-}
 
 Overrides with(Overrides all, const Overrides& more) {
   all.insert(all.end(), more.begin(), more.end());

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The coupled solver: runs are the same bit by bit, whole or taken up in the middle; what its columns say.
 #include "solvers/coupled/coupled_solver.hpp"
+#include "unit/solvers/coupled_plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "deck/reader.hpp"
-#include "plan/make_plan.hpp"
-#include "scene/build.hpp"
-
 namespace tether::coupled {
 namespace {
-
-Plan plan_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(text, "a.in", overrides, diagnostics);
-  Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
-  diagnostics.throw_if_errors();
-  return make_plan(std::move(scene));
-}
 
 /// A bag of fluid that falls on a floor with friction, in a fluid with a jet of smoke, and a bar that is held.
 const char* const bag =
