@@ -38,9 +38,9 @@ bool goes_through(const Vector& from, const Vector& to, const Corners& triangle,
   const double twice = size_of(normal);
   if (twice == 0) return false;
   for (double& n : normal) n /= twice;
-  const double before = dot(normal, minus(from, triangle[0])), behind = dot(normal, minus(to, triangle[0]));
-  if (!opposite(before, behind, near)) return false;
-  const double part = before / (before - behind);
+  const double before = dot(normal, minus(from, triangle[0])), after = dot(normal, minus(to, triangle[0]));
+  if (!opposite(before, after, near)) return false;
+  const double part = before / (before - after);
   for (std::size_t i = 0; i < 3; ++i) place[i] = from[i] + part * (to[i] - from[i]);
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector edge = minus(triangle[(k + 1) % 3], triangle[k]);

@@ -163,28 +163,12 @@ void plan_points(const Scene& scene, Plan& plan) {
   plan.cost = cost_of(scene, plan.step);
 }
 
-void plan_solids(const Scene& scene, Plan& plan) {
+/// What runs on a mesh or in a box takes the deck's step.
+void plan_by_deck_step(const Scene& scene, Plan& plan, std::vector<Term> terms,
+                       Cost (*cost)(const Scene& scene, const StepRule& rule)) {
   plan.step = solid_step_rule(scene);
-  plan.terms = solid_terms(*scene.solids, scene.gravity);
-  plan.cost = solid_cost(scene, plan.step);
-}
-
-void plan_flow(const Scene& scene, Plan& plan) {
-  plan.step = solid_step_rule(scene);
-  plan.terms = flow_terms(scene);
-  plan.cost = flow_cost(scene, plan.step);
-}
-
-void plan_coupled(const Scene& scene, Plan& plan) {
-  plan.step = solid_step_rule(scene);
-  plan.terms = coupled_terms(scene);
-  plan.cost = coupled_cost(scene, plan.step);
-}
-
-void plan_rigid(const Scene& scene, Plan& plan) {
-  plan.step = solid_step_rule(scene);
-  plan.terms = rigid_terms(scene);
-  plan.cost = rigid_cost(scene, plan.step);
+  plan.terms = std::move(terms);
+  plan.cost = cost(scene, plan.step);
 }
 
 void plan_bars(const Scene& scene, Plan& plan) {
@@ -199,13 +183,13 @@ void plan_bars(const Scene& scene, Plan& plan) {
 Plan make_plan(Scene scene) {
   Plan plan;
   if (scene.coupled) {
-    plan_coupled(scene, plan);
+    plan_by_deck_step(scene, plan, coupled_terms(scene), coupled_cost);
   } else if (scene.flow) {
-    plan_flow(scene, plan);
+    plan_by_deck_step(scene, plan, flow_terms(scene), flow_cost);
   } else if (scene.rigid) {
-    plan_rigid(scene, plan);
+    plan_by_deck_step(scene, plan, rigid_terms(scene), rigid_cost);
   } else if (scene.solids) {
-    plan_solids(scene, plan);
+    plan_by_deck_step(scene, plan, solid_terms(*scene.solids, scene.gravity), solid_cost);
   } else if (runs_as_bars(scene)) {
     plan_bars(scene, plan);
   } else {

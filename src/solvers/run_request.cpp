@@ -10,18 +10,18 @@ RunRequest request_of(const Loaded& loaded, const std::filesystem::path& folder,
   const Scene& scene = loaded.plan.scene;
   std::vector<std::string> messages = loaded.warnings;
   messages.insert(messages.end(), loaded.remarks.begin(), loaded.remarks.end());
-  return {folder,
-          {scene.title, command, text, sha256(text), scene.units, sha256(loaded.effective)},
-          loaded.effective,
-          std::move(messages),
-          {},
-          {},
-          {},
-          {},
-          loaded.deck.mesh_text(),
-          loaded.deck.file(),
-          {},
-          {}};
+  return {.folder = folder,
+          .provenance = {scene.title, command, text, sha256(text), scene.units, sha256(loaded.effective)},
+          .deck_effective = loaded.effective,
+          .messages = std::move(messages),
+          .progress = {},
+          .warn = {},
+          .interrupted = {},
+          .restart = {},
+          .mesh_text = loaded.deck.mesh_text(),
+          .deck = loaded.deck.file(),
+          .clocks = {},
+          .remark = {}};
 }
 
 }  // namespace tether

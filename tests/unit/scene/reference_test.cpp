@@ -119,11 +119,11 @@ TEST(RiemannReference, NeedsWhatTheSolutionDescribes) {
     EXPECT_EQ(said({wall}), "a bottom and a top wall along which gas slips (wb and wt of 4 or 6)") << wall;
   }
   EXPECT_EQ(said({"in.ytop=4."}), "regions that fill the tube from the bottom wall to the top wall");
-  const std::string beside = "regions that lie side by side in x, one left of the other: here both are from x = ";
+  const std::string wanted = "regions that lie side by side in x, one left of the other: here both are from x = ";
   EXPECT_EQ(said({"in.nx=2", "reg.xvi(1,1)=0.,1.,1.,0.", "reg.yvi(1,1)=0.,0.,.5,.5", "reg.xvi(1,2)=0.,1.,1.,0.",
                   "reg.yvi(1,2)=.5,.5,1.,1."}),
-            beside + "0 to 1");
-  EXPECT_EQ(said({"in.nx=41", "reg.xvi(1,2)=.25,1.,1.,.25"}), beside + "0.25 to 0.5");
+            wanted + "0 to 1");
+  EXPECT_EQ(said({"in.nx=41", "reg.xvi(1,2)=.25,1.,1.,.25"}), wanted + "0.25 to 0.5");
   EXPECT_EQ(said({"in.nx=41", "reg.xvi(1,2)=.6,1.,1.,.6"}), "regions that meet: here they are a cell or more apart");
 }
 
