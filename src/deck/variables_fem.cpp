@@ -13,9 +13,9 @@ constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{
-        "mesh", "element", text, 0, 1, 1, "", -none, none, "q1|q2|p1", "'q1'",
-        "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or tetrahedra."},
+    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, "q1|q2|p1", "",
+             "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or "
+             "tetrahedra; q2 of bodies in a flow and q1 of others where it is not given."},
     Variable{
         "mesh", "file", text, 0, 1, 1, "", -none, none, "", "''",
         "ASCII mesh file of Gmsh (version 2.2 or 4.1), as a path from the deck's folder, at most one folder up; in "

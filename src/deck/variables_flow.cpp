@@ -73,6 +73,10 @@ constexpr std::array rows{
              "Numbers of tracers along x and y, at the middles of equal parts of a box, which go with the fluid."},
     Variable{"flow", "tracer_box", real, 1, 4, 1, "length", -none, none, "", "",
              "That box, xleft, xright, ybot, ytop; the fluid's extent where it is not given."},
+    Variable{
+        "flow", "volume", text, 1, nr, 1, "", -none, none, "own|fluid", "'own'",
+        "What holds the volume of the immersed region r: its own law, or the fluid's pressure, as of bodies that do "
+        "not change it; that of fibres always."},
     Variable{"flow", "penalty", real, 1, nr, 1, "stress", 0, none, "", "0.0",
              "Volumetric penalty of the immersed region r, which holds its area together."},
 };

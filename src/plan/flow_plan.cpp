@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/carried_nodes.hpp"
 #include "scene/solids.hpp"
 
 namespace tether {
@@ -61,9 +62,36 @@ std::string outside_text(const Scene& scene) {
   return fmt::format("fluid at rest is beyond open sides, of pressure zero at y = {:.6g}", flow.level);
 }
 
+std::string closed_text(const Flow& flow) {
+  return any_own_volume(flow) ? "no side is open: its level is that at which the bodies together keep their volume"
+                              : "to zero at one node, since no side is open";
+}
+
+/// How many nodes the fluid carries at the start.
+std::string solids_text(const Scene& scene) {
+  const Mesh& mesh = scene.solids->mesh;
+  CarriedNodes carried(scene.flow->mesh, mesh, lighter_regions(*scene.flow, *scene.solids));
+  carried.choose(mesh.x);
+  const std::string text =
+      fmt::format("{} regions, a source of the fluid's momentum; its velocity moves ", scene.solids->regions.size());
+  if (carried.all()) return text + fmt::format("all of their {} nodes", mesh.node_count());
+  return text + fmt::format("{} of their {} nodes, as many as it has there, and the others follow these",
+                            carried.nodes().size(), mesh.node_count());
+}
+
+bool all_own_volume(const Flow& flow) {
+  return std::ranges::none_of(flow.volume_by_fluid, [](bool by_fluid) { return by_fluid; });
+}
+
+std::string volume_text(const Flow& flow) {
+  if (all_own_volume(flow)) return "the bodies' own laws hold their volumes";
+  return any_own_volume(flow) ? "holds the volume of some; the others have a law of their own for it"
+                              : "holds their volumes";
+}
+
 std::vector<Term> flow_terms(const Scene& scene) {
   const Flow& flow = *scene.flow;
-  const bool stabilised = flow.element == FlowElement::q1q1, pinned = !has(flow, Boundary::open);
+  const bool stabilised = flow.element == FlowElement::q1q1, closed = !has(flow, Boundary::open);
   const bool driven = !flow.acceleration.absent(), solids = scene.solids != nullptr;
   return {
       {"inertia", true,
@@ -75,14 +103,12 @@ std::vector<Term> flow_terms(const Scene& scene) {
        stabilised ? "SUPG, PSPG and LSIC, which equal orders of velocity and pressure need"
                   : "a pressure of lower order than the velocity needs none"},
       {"boundary", true, sides_text(flow)},
-      {"pressure pinned", pinned, pinned ? "to zero at one node, since no side is open" : outside_text(scene)},
+      {"pressure pinned", closed && !any_own_volume(flow), closed ? closed_text(flow) : outside_text(scene)},
       {"gravity", scene.gravity != 0,
        scene.gravity != 0 ? fmt::format("gravc = {:.6g} in y", scene.gravity) : "gravc = 0"},
       {"body force", driven, driven ? "by bx, by" : "bx and by not given"},
-      {"immersed solids", solids,
-       solids ? fmt::format("{} regions, moved by the fluid's velocity, as a source of its momentum",
-                            scene.solids->regions.size())
-              : "every region is fluid"},
+      {"immersed solids", solids, solids ? solids_text(scene) : "every region is fluid"},
+      {"pressure in bodies", solids && !all_own_volume(flow), solids ? volume_text(flow) : "there are none"},
       {"linear systems", true, systems_text(flow, solids)},
       {"third dimension", false, "the mesh is plane, one unit deep"},
   };

@@ -2,6 +2,7 @@
 #include "scene/flow.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <cmath>
 
@@ -35,6 +36,16 @@ std::array<double, 2> FlowVector::at(double x, double y, double t) const {
 double unknowns_of(const Flow& flow) {
   const auto nodes = static_cast<double>(flow.mesh.node_count());
   return flow.element == FlowElement::q1q1 ? 3 * nodes : 2.25 * nodes;
+}
+
+bool any_own_volume(const Flow& flow) {
+  return std::any_of(flow.volume_by_fluid.begin(), flow.volume_by_fluid.end(), [](bool by_fluid) { return !by_fluid; });
+}
+
+std::vector<bool> lighter_regions(const Flow& flow, const Solids& solids) {
+  std::vector<bool> lighter;
+  for (const SolidRegion& region : solids.regions) lighter.push_back(region.density < flow.density);
+  return lighter;
 }
 
 FlowSystems systems_of(const Flow& flow, bool with_solids) {

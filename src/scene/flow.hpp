@@ -9,6 +9,7 @@
 #include "base/expression.hpp"
 #include "grid/mesh.hpp"
 #include "scene/amplitude.hpp"
+#include "scene/solids.hpp"
 
 namespace tether {
 
@@ -86,10 +87,20 @@ struct Flow {
   std::vector<std::array<int, 2>> differences;  ///< of the pressures at two of them, from 0
   TracerBox tracers;
   std::vector<double> volume_penalty;  ///< of each region of the solids, 0 for none [stress]
+  std::vector<bool> volume_by_fluid;   ///< of each, whether the fluid's pressure holds its volume, or its own law
 };
 
 /// Unknowns: two velocities a node, a pressure a corner, as if no side held any.
 double unknowns_of(const Flow& flow);
+
+/// Whether any immersed body has a law of its own for its volume: the fluid's pressure is outside of it alone, and
+/// where no side is open, its level is that at which such bodies together keep their volume.
+bool any_own_volume(const Flow& flow);
+
+/// Of each region of the solids, whether it is lighter than the fluid. The fluid carries all of its nodes: what it
+/// takes of the fluid's mass is then no more than the velocities there have, which nodes that follow others would
+/// exceed.
+std::vector<bool> lighter_regions(const Flow& flow, const Solids& solids);
 
 /// More unknowns than these go by GMRES where the deck leaves it open.
 constexpr double most_unknowns_of_factors = 2e5;

@@ -76,7 +76,7 @@ class FlowChecks {
         error("points", "tracked_at", at, "there is no node to track: all regions are a fluid, whose nodes stay",
               "probe(1,k)=x,y of $flow records the flow at a place");
     }
-    if (deck_.text("mesh", "element") != "q1")
+    if (deck_.given("mesh", "element"))
       warn("mesh", "element", {1, 1}, "element of $mesh has no effect: all regions are a fluid",
            "element of $flow is the fluid's");
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "scene/expression_of_deck.hpp"
 #include "scene/flow_checks.hpp"
 #include "scene/solids_of_deck.hpp"
@@ -84,6 +85,28 @@ std::vector<double> penalties_of(const Deck& deck) {
   return penalties;
 }
 
+/// Of the same, whether the fluid's pressure holds the volume: of fibres, which have no law for it, always.
+std::vector<bool> volumes_by_fluid_of(const Deck& deck) {
+  std::vector<bool> by_fluid;
+  for (const int r : regions_of(deck, false))
+    by_fluid.push_back(deck.text("fem", "law", r) == "fibre" || deck.text("flow", "volume", r) == "fluid");
+  return by_fluid;
+}
+
+/// Where supports hold all nodes of a region, nothing of it answers to the pressure.
+void leave_held_volumes_to_fluid(const Solids& solids, Flow& flow) {
+  std::vector<bool> held(solids.mesh.node_count(), false), free(solids.regions.size(), false);
+  for (const Support& support : solids.supports) {
+    for (const int n : support.nodes) held[at(n)] = held[at(n)] || (support.fixed[0] && support.fixed[1]);
+  }
+  for (std::size_t e = 0; e < solids.mesh.element_count(); ++e) {
+    const int* nodes = solids.mesh.element(e);
+    if (!std::all_of(nodes, nodes + node_count_of(solids.mesh.kind), [&](int n) { return held[at(n)]; }))
+      free[at(solids.mesh.region[e])] = true;
+  }
+  for (std::size_t r = 0; r < free.size(); ++r) flow.volume_by_fluid[r] = flow.volume_by_fluid[r] || !free[r];
+}
+
 /// A pressure and a balance of what goes in and out are of one fluid, which hangs together by sides.
 void check_one_fluid(const Deck& deck, const Flow& flow, Diagnostics& diagnostics) {
   const Mesh& mesh = flow.mesh;
@@ -122,6 +145,7 @@ Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
   flow.forces = force_sides_of(deck, flow.mesh, diagnostics);
   add_probes(deck, flow, diagnostics);
   flow.volume_penalty = penalties_of(deck);
+  flow.volume_by_fluid = volumes_by_fluid_of(deck);
   return flow;
 }
 
@@ -160,6 +184,7 @@ void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (!mesh) return;
   const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*mesh), diagnostics));
   place_in_flow(deck, scene, *flow, diagnostics);
+  if (scene.solids) leave_held_volumes_to_fluid(*scene.solids, *flow);
   check_flow_velocities(deck, scene.clock, *flow, diagnostics);
   scene.flow = flow;
 }

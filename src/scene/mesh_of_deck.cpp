@@ -96,9 +96,13 @@ class BlockReader {
   Diagnostics& diagnostics_;
 };
 
+/// Bilinear elements lock in bodies as thin as those that flows bend; a body in a fluid is of order 2 unless the deck
+/// says otherwise.
 ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
   if (fluid) return deck.text("flow", "element") == "q1q1" ? ElementKind::quad4 : ElementKind::quad9;
-  const std::string element = deck.text("mesh", "element");
+  const std::string element = deck.given("mesh", "element") ? deck.text("mesh", "element")
+                              : deck.has_group("flow")      ? "q2"
+                                                            : "q1";
   if (element == "q1") return solid ? ElementKind::hex8 : ElementKind::quad4;
   if (element == "q2") return solid ? ElementKind::hex27 : ElementKind::quad9;
   return solid ? ElementKind::tet4 : ElementKind::tri3;

@@ -39,6 +39,7 @@ struct FlowPower {
   double open_traction = 0;       ///< of the stress that open sides leave, and of the pressure outside
   double dissipated = 0;          ///< 2 mu e : e
   double stabilised = 0;          ///< what SUPG, PSPG and LSIC take, which vanishes with the size of the elements
+  double expansion = 0;           ///< -p div v_t of elements that nothing stabilises
   double body = 0;                ///< of body forces
 };
 

@@ -65,6 +65,8 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
       if constexpr (Point::stabilised)
         power.stabilised +=
             at.weight * (at.tau * at.convection.dot(at.residual) + (at.tau_L * at.divergence - at.p) * at.L.trace());
+      else
+        power.expansion -= at.weight * at.p * at.L.trace();
     });
   }
   const auto velocity = [&](const SidePoint<V>& at) {

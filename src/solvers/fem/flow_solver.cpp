@@ -40,6 +40,7 @@ FlowSolver::FlowSolver(const Plan& plan)
   tracers_.start(plan.scene.solids.get(), state_);
   if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
   if (step_.immersed()) doubts_.emplace(step_.immersed()->solids(), plan.scene.grid);
+  if (step_.immersed()) state_.told.spacing = step_.immersed()->carried().coarsest();
   std::vector<std::string> told_by_the_deck;
   if (overlaps_) overlaps_->look(state_.q, 0, state_.overlap, told_by_the_deck);
 }
@@ -48,6 +49,19 @@ void FlowSolver::look_at_bodies() {
   if (!overlaps_) return;
   overlaps_->look(state_.q, state_.time, state_.overlap, messages_);
   doubts_->look_at_turns(state_.q, state_.time, state_.told, messages_);
+  look_at_spacing();
+}
+
+/// What the plan says of the start, as the bodies move over other cells: reported once.
+void FlowSolver::look_at_spacing() {
+  const double now = step_.immersed()->carried().coarsest();
+  if (now > coarse_spacing && state_.told.spacing <= coarse_spacing)
+    messages_.push_back(fmt::format(
+        "t = {:.6g}: the bodies have come where their nodes stand {:.3g} times as far apart as the fluid's: "
+        "the fluid goes through between them and they move too little; elements half as long, or less, "
+        "stop it",
+        state_.time, now));
+  state_.told.spacing = std::max(state_.told.spacing, now);
 }
 
 void FlowSolver::advance(double until) {
@@ -177,7 +191,10 @@ std::vector<CostPart> FlowSolver::cost_parts() const {
 
 Summary FlowSolver::more_summary() const {
   Summary summary = cost_summary();
-  if (overlaps_) summary.emplace_back("nodes_inside", fmt::format("{}", state_.overlap.most));
+  if (!step_.immersed()) return summary;
+  summary.emplace_back("nodes_inside", fmt::format("{}", state_.overlap.most));
+  summary.emplace_back("nodes_carried", fmt::format("{}", step_.immersed()->carried().nodes().size()));
+  summary.emplace_back("node_spacing", fmt::format("{:.6g}", state_.told.spacing));
   return summary;
 }
 

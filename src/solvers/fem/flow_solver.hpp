@@ -40,6 +40,7 @@ class FlowSolver final : public Solver {
  private:
   Summary cost_summary() const;
   void look_at_bodies();
+  void look_at_spacing();
   void tell_of_failures(long long before);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
   bool has_light_bodies() const;

@@ -89,7 +89,7 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   unknowns_.copy_to_twins(v1_, 2);
   acceleration_ = elements_->accelerations(gravity_, steady ? at.tmax : at.start + theta_ * at.dt);
   if (!immersed_) return;
-  immersed_->begin(state, at.dt, theta_, at.sudden);
+  immersed_->begin(state, {at.dt, theta_, rate_, viscosity_, at.sudden});
   immersed_->move(state.v, v1_);
   immersed_->end_correction();
 }
@@ -113,7 +113,12 @@ double FlowStep::find_residual(const FlowState& state) {
   std::fill(f_.begin(), f_.end(), 0.0);
   std::fill(g_.begin(), g_.end(), 0.0);
   FlowScale scale = elements_->add_residual(moment(state.v), f_, g_);
-  if (immersed_) scale.force = std::max(scale.force, immersed_->add_forces(f_));
+  if (immersed_) {
+    const FlowScale of_bodies = immersed_->add_forces(p_, f_, g_);
+    scale.force = std::max(scale.force, of_bodies.force);
+    scale.force_rounding = std::max(scale.force_rounding, of_bodies.force_rounding);
+    scale.flux_rounding = std::max(scale.flux_rounding, of_bodies.flux_rounding);
+  }
   double force = 0, flux = 0;
   for (std::size_t n = 0; n < p_.size(); ++n) {
     if (static_cast<std::size_t>(unknowns_.flow.twin[n]) != n) continue;
@@ -154,7 +159,7 @@ void FlowStep::take_back_correction(const FlowState& state) {
 
 bool FlowStep::factorise(FlowState& state) {
   const Seconds from = seconds_now();
-  if (immersed_) update_pattern();
+  if (immersed_) immersed_->linearise(), update_pattern();
   K_.set_zero();
   elements_->add_tangent(moment(state.v), pattern_, K_);
   if (immersed_) immersed_->add_tangent(unknowns_.flow.mesh.element_count(), pattern_, K_);
@@ -272,6 +277,7 @@ void FlowStep::add_exchange(FlowState& state) {
   all.body_forces += dt * power.body;
   all.viscosity += dt * power.dissipated;
   all.stabilised += dt * power.stabilised;
+  if (immersed_) all.immersed += dt * power.expansion;  // which the bodies' own, in accept(), all but undoes
   all.advected += dt * (power.convected - power.carried_by_open - power.carried_by_inflows);
   if (theta_ == 0.5) return;
   std::vector<double> change(v1_.size());

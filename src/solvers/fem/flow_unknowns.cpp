@@ -44,7 +44,7 @@ FlowUnknowns::FlowUnknowns(const Flow& of) : flow(of), holders(holders_of(of)) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (const int a : with_pressure) has_pressure[twin(mesh.element(e)[a])] = 1;
   }
-  pinned = !open;
+  pinned = !open && !any_own_volume(flow);
   bool to_pin = pinned;
   velocity.assign(2 * nodes, -1), pressure.assign(nodes, -1), first.push_back(0);
   for (std::size_t n = 0; n < nodes; ++n) {

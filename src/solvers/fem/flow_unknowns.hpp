@@ -12,7 +12,8 @@
 namespace tether::fem {
 
 /// Which numbers of a flow's nodes are unknown: velocities that no side prescribes, pressures at the corners of the
-/// elements. Nodes on periodic sides share those of their twins. Where no side is open, one pressure is pinned to zero.
+/// elements. Nodes on periodic sides share those of their twins. Where no side is open and no body
+/// has a law for its volume, one pressure is pinned to zero.
 class FlowUnknowns {
  public:
   /// The flow must outlive it.

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "base/errors.hpp"
+#include "base/index.hpp"
 #include "solvers/fem/make_elements.hpp"
 #include "solvers/fem/solid_step.hpp"
 
@@ -50,22 +51,30 @@ ImmersedSolids::ImmersedSolids(const Solids& solids, const FlowUnknowns& unknown
       system_(excess_, gravity),
       inertia_(make_excess_inertia(excess_)),
       rule_(rule_of(unknowns.flow, solids)),
+      carried_(unknowns.flow.mesh, solids.mesh, lighter_regions(unknowns.flow, solids)),
       map_(unknowns.flow),
       S_(system_.pattern.matrix()) {
   const std::size_t n = system_.unknowns();
   for (auto* numbers :
-       {&q0_, &middle_, &q1_, &supported_, &led_, &led_rate_, &V_, &rate_, &F_, &free_, &outer_, &change_})
+       {&q0_, &middle_, &q1_, &supported_, &led_, &led_rate_, &V_, &V1_, &rate_, &F_, &free_, &outer_, &change_})
     numbers->resize(n);
   difference_.resize(unknowns.velocity.size());
+  if (any_own_volume(unknowns.flow)) pressure_.emplace(unknowns.flow, solids, gravity);
   if (!any(unknowns.flow.volume_penalty)) return;
   penalised_ = with_penalty(solids, unknowns.flow.volume_penalty);
   penalty_ = make_elements(penalised_);
 }
 
+/// Chooses the nodes that the fluid carries and finds where these are in it.
 void ImmersedSolids::place(std::span<const double> x, double time) {
-  const auto outside = map_.place(x);
+  carried_.choose(x);
+  const std::vector<int>& nodes = carried_.nodes();
+  std::vector<double> places;
+  for (const int n : nodes) places.insert(places.end(), {x[2 * at(n)], x[2 * at(n) + 1]});
+  at_carried_.resize(places.size());
+  const auto outside = map_.place(places);
   if (!outside) return;
-  const std::size_t n = *outside;
+  const std::size_t n = at(nodes[*outside]);
   throw RunError(
       fmt::format("t = {:.9g}: node {} of the solids, at the start at ({:.6g}, {:.6g}), leaves the fluid's mesh at "
                   "({:.6g}, {:.6g}): likely cause, a body that the flow carries out, or steps too long",
@@ -77,38 +86,53 @@ void ImmersedSolids::start(FlowState& state, double dt) {
   state.w.assign(state.q.size(), 0.0);
   system_.place_supports(0, state.q);
   place(state.q, 0);
-  map_.velocities(state.v, state.w);
   system_.move_supports(0, slope_width * dt, state.w);
+  velocities(state.v, state.w, state.w);
   q0_ = q1_ = state.q;
   state.drift = state.w;
 }
 
 /// The middle is predicted by the mean velocities of the step before, without what alternates from step to step.
-void ImmersedSolids::begin(const FlowState& state, double dt, double theta, bool sudden) {
-  time_ = state.time, dt_ = dt, theta_ = theta;
+void ImmersedSolids::begin(const FlowState& state, const ImmersedMoment& moment) {
+  const double dt = moment.dt, theta = moment.theta;
+  time_ = state.time, moment_ = moment;
   q0_ = state.q, supported_ = state.q, led_ = state.w;
   system_.place_supports(state.time + dt, supported_);
-  if (!sudden) system_.move_supports(state.time + dt, slope_width * dt, led_);
+  if (!moment.sudden) system_.move_supports(state.time + dt, slope_width * dt, led_);
   for (std::size_t k = 0; k < led_.size(); ++k) led_rate_[k] = (led_[k] - state.w[k]) / dt;
   for (std::size_t k = 0; k < q0_.size(); ++k)
     middle_[k] = system_.held[k] ? q0_[k] + theta * (supported_[k] - q0_[k]) : q0_[k] + theta * dt * state.drift[k];
   place(middle_, state.time);
+  if (pressure_) pressure_->place(middle_, state.time + theta * dt, moment.rate, moment.viscosity);
   system_.external_forces(state.time + theta * dt, outer_);
   std::fill(change_.begin(), change_.end(), 0.0);
   system_.elements->predict_stress(StressAt::end, q0_, q0_, change_, stresses_);
   corrected_ = q0_;
 }
 
-/// (51): v_t and dv/dt at the nodes; of supported ones what they are given (52), whose inertia their neighbours feel.
-void ImmersedSolids::move(std::span<const double> v0, std::span<const double> v1) {
-  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] = (v1[k] - v0[k]) / dt_;
-  map_.velocities(difference_, rate_);
-  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] = (1 - theta_) * v0[k] + theta_ * v1[k];
-  map_.velocities(difference_, V_);
-  for (std::size_t k = 0; k < q1_.size(); ++k) {
-    if (system_.held[k]) V_[k] = (supported_[k] - q0_[k]) / dt_, rate_[k] = led_rate_[k];
-    q1_[k] = q0_[k] + dt_ * V_[k];
+/// (51): of carried nodes the fluid's velocity v there, of supported ones what they are given (52), of others by the
+/// carried ones. `given` may be V itself.
+void ImmersedSolids::velocities(std::span<const double> v, std::span<const double> given, std::span<double> V) {
+  const std::vector<int>& nodes = carried_.nodes();
+  map_.velocities(v, at_carried_);
+  for (std::size_t k = 0; k < at_carried_.size(); ++k) {
+    const std::size_t of = 2 * at(nodes[k / 2]) + k % 2;
+    if (system_.held[of]) at_carried_[k] = given[of];
   }
+  carried_.follow(at_carried_, change_);
+  for (std::size_t k = 0; k < V.size(); ++k) V[k] = system_.held[k] ? given[k] : change_[k];
+}
+
+/// v_t, dv/dt and v1 at the nodes, for supports' neighbours feel their inertia.
+void ImmersedSolids::move(std::span<const double> v0, std::span<const double> v1) {
+  const double dt = moment_.dt, theta = moment_.theta;
+  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] = (v1[k] - v0[k]) / dt;
+  velocities(difference_, led_rate_, rate_);
+  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] = (1 - theta) * v0[k] + theta * v1[k];
+  for (std::size_t k = 0; k < V_.size(); ++k) V_[k] = (supported_[k] - q0_[k]) / dt;
+  velocities(difference_, V_, V_);
+  if (pressure_) velocities(v1, led_, V1_);
+  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = q0_[k] + dt * V_[k];
 }
 
 void ImmersedSolids::end_correction() {
@@ -126,109 +150,86 @@ double ImmersedSolids::least_change_of_volume() const {
   return std::min(least, system_.elements->shape(middle).least);
 }
 
-/// (55): I^T of stress, penalty, excess inertia and weight. What acts on supported nodes their supports take.
-double ImmersedSolids::add_forces(std::span<double> f) {
+/// (55): I^T of stress, penalty, excess inertia and weight, and of the pressure that is not inside. What acts on
+/// supported nodes their supports take.
+FlowScale ImmersedSolids::add_forces(std::span<const double> p, std::span<double> f, std::span<double> g) {
   std::fill(F_.begin(), F_.end(), 0.0);
   system_.elements->add_forces(rule_, q0_, q1_, F_);
   if (penalty_) penalty_->add_forces(rule_, q0_, q1_, F_);
   const double elastic = norm(F_);
   if (inertia_) inertia_->add_forces(middle_, V_, rate_, F_);
+  FlowScale scale;
+  if (pressure_) {
+    pressure_->add_forces(p, F_);
+    scale.flux_rounding = 16 * std::numeric_limits<double>::epsilon() * pressure_->add_fluxes(V1_, p, g);
+  }
   for (std::size_t k = 0; k < F_.size(); ++k) F_[k] -= outer_[k];
   for (std::size_t k = 0; k < F_.size(); ++k) free_[k] = system_.held[k] ? 0 : F_[k];
-  map_.add_forces(free_, f);
-  return std::max(elastic, norm(outer_));
+  carried_.gather(free_, at_carried_);
+  for (std::size_t k = 0; k < at_carried_.size(); ++k) {
+    if (system_.held[2 * at(carried_.nodes()[k / 2]) + k % 2]) at_carried_[k] = 0;
+  }
+  map_.add_forces(at_carried_, f);
+  scale.force = std::max(elastic, norm(outer_)), scale.force_rounding = rounding_;
+  return scale;
 }
 
-/// By v1 of solid nodes: of the stress, which sees q1 = q0 + dt V, and of the inertia.
-void ImmersedSolids::find_tangent() {
+/// Of nodes that supports hold nothing is unknown.
+void ImmersedSolids::release_carried(EigenSparse& A, bool rows) const {
+  const auto held = [&](Eigen::Index k) {
+    return system_.held[2 * at(carried_.nodes()[static_cast<std::size_t>(k / 2)]) + static_cast<std::size_t>(k % 2)] !=
+           0;
+  };
+  for (Eigen::Index column = 0; column < A.outerSize(); ++column) {
+    for (EigenSparse::InnerIterator at(A, column); at; ++at) {
+      if (held(column) || (rows && held(at.row()))) at.valueRef() = 0;
+    }
+  }
+}
+
+/// What the places' last digits leave of the stress: of each force the diagonal of the tangent times the place.
+void ImmersedSolids::find_rounding() {
+  double sum = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    for (auto at = S_.start[k]; at < S_.start[k + 1]; ++at) {
+      const auto n = static_cast<std::size_t>(at);
+      if (S_.row[n] == static_cast<std::int64_t>(k)) sum += std::pow(S_.value[n] * q1_[k], 2);
+    }
+  }
+  rounding_ = std::numeric_limits<double>::epsilon() * std::sqrt(sum);
+}
+
+/// By v1 of carried nodes: of the stress, which sees q1 = q0 + dt V, and of the inertia.
+EigenSparse ImmersedSolids::find_tangent() {
   S_.set_zero();
   system_.elements->add_tangent(rule_, q0_, q1_, 0, system_.pattern, S_, stresses_);
   if (penalty_) penalty_->add_tangent(rule_, q0_, q1_, 0, system_.pattern, S_);
-  for (double& value : S_.value) value *= theta_ * dt_;
-  if (inertia_) inertia_->add_tangent(middle_, V_, 1 / dt_, theta_, system_.pattern, S_);
+  find_rounding();
+  for (double& value : S_.value) value *= moment_.theta * moment_.dt;
+  if (inertia_) inertia_->add_tangent(middle_, V_, 1 / moment_.dt, moment_.theta, system_.pattern, S_);
   hold(S_, system_.held, 0);
+  EigenSparse S = eigen_of(S_);
+  if (!carried_.all()) S = EigenSparse(carried_.following().transpose() * EigenSparse(S * carried_.following()));
+  release_carried(S, true);
+  return S;
 }
 
-/// Pairs of cells, the lower one first, whose solid nodes an element joins.
-std::vector<std::pair<std::size_t, std::size_t>> ImmersedSolids::cell_pairs() const {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t d = 0; d < q0_.size() / 2; ++d) {
-    const std::size_t column = 2 * d;
-    for (auto k = S_.start[column]; k < S_.start[column + 1]; k += 2) {
-      const auto c = static_cast<std::size_t>(S_.row[static_cast<std::size_t>(k)]) / 2;
-      pairs.push_back(std::minmax({map_.cell_of(c), map_.cell_of(d)}));
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
-Lists ImmersedSolids::clusters() const {
-  Lists clusters;
-  for (const auto& [c, d] : cell_pairs()) {
-    std::vector<int> nodes(map_.nodes(c).begin(), map_.nodes(c).end());
-    if (c != d) nodes.insert(nodes.end(), map_.nodes(d).begin(), map_.nodes(d).end());
-    clusters.add(nodes);
-  }
-  return clusters;
-}
-
-/// The 2 x 2 numbers s of solid nodes whose functions of the fluid are of_c, of_d, spread over a block of `size` rows.
-void ImmersedSolids::spread(const double (&s)[2][2], std::span<const double> of_c, std::span<const double> of_d,
-                            double* block, std::size_t size) {
-  for (std::size_t m = 0; m < of_c.size(); ++m) {
-    for (std::size_t n = 0; n < of_d.size(); ++n) {
-      double* to = block + 2 * m * size + 2 * n;
-      const double part = of_c[m] * of_d[n];
-      to[0] += part * s[0][0], to[1] += part * s[0][1];
-      to[size] += part * s[1][0], to[size + 1] += part * s[1][1];
-    }
-  }
-}
-
-/// I^T S I as dense blocks, one for each pair of cells.
-std::vector<std::vector<double>> ImmersedSolids::blocks_of(
-    const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
-  const auto per_cell = static_cast<std::size_t>(map_.nodes_per_cell());
-  const auto size_of = [&](const auto& pair) { return (pair.first == pair.second ? 2 : 4) * per_cell; };
-  std::vector<std::vector<double>> blocks;
-  blocks.reserve(pairs.size());
-  for (const auto& pair : pairs) blocks.emplace_back(size_of(pair) * size_of(pair), 0.0);
-  for (std::size_t d = 0; d < q0_.size() / 2; ++d) {
-    const auto rows = static_cast<std::size_t>(S_.start[2 * d + 1] - S_.start[2 * d]);
-    for (auto at = static_cast<std::size_t>(S_.start[2 * d]); at < static_cast<std::size_t>(S_.start[2 * d + 1]);
-         at += 2) {
-      const auto c = static_cast<std::size_t>(S_.row[at]) / 2;
-      const std::size_t row = map_.cell_of(c), column = map_.cell_of(d);
-      const std::pair<std::size_t, std::size_t> pair = std::minmax({row, column});
-      const auto b = static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin());
-      const double s[2][2] = {{S_.value[at], S_.value[at + rows]}, {S_.value[at + 1], S_.value[at + rows + 1]}};
-      const std::size_t size = size_of(pair), half = 2 * per_cell;
-      double* block = &blocks[b][(row == pair.first ? 0 : half) * size + (column == pair.first ? 0 : half)];
-      spread(s, map_.parts(c), map_.parts(d), block, size);
-    }
-  }
-  return blocks;
-}
-
-/// K += I^T S I, pair of cells by pair of cells.
-void ImmersedSolids::add_tangent(std::size_t first, const ClusterPattern& pattern, SparseMatrix& K) {
-  find_tangent();
-  const auto pairs = cell_pairs();
-  const auto blocks = blocks_of(pairs);
-  std::vector<int> nodes, number;
-  for (std::size_t b = 0; b < pairs.size(); ++b) {
-    const auto members = pattern.clusters()[first + b];
-    nodes.clear(), number.clear();
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        nodes.push_back(static_cast<int>(m));
-        number.push_back(unknowns_.velocity[2 * static_cast<std::size_t>(members[m]) + i]);
+void ImmersedSolids::linearise() {
+  const EigenSparse S = find_tangent();
+  EigenSparse D;
+  if (pressure_) {
+    D = pressure_->divergence();
+    for (Eigen::Index column = 0; column < D.outerSize(); ++column) {
+      for (EigenSparse::InnerIterator at(D, column); at; ++at) {
+        if (system_.held[static_cast<std::size_t>(column)]) at.valueRef() = 0;
       }
     }
-    pattern.add(first + b, nodes, number, blocks[b], K);
+    D = EigenSparse(D * carried_.following());
+    release_carried(D, false);
   }
+  blocks_.emplace(unknowns_, map_, pressure_ ? &*pressure_ : nullptr, S, D);
+  blocks_->add_velocities(S);
+  if (pressure_) blocks_->add_pressures(D);
 }
 
 /// Loads do work on the way of their nodes, supports what holds theirs. Stress and inertia work on all of them: what of
@@ -243,11 +244,8 @@ void ImmersedSolids::accept(FlowState& state) {
     if (system_.held[k]) supports += F_[k] * way;
   }
   state.q = q1_, state.drift = V_;
-  place(state.q, state.time + dt_);
-  map_.velocities(state.v, state.w);
-  for (std::size_t k = 0; k < state.w.size(); ++k) {
-    if (system_.held[k]) state.w[k] = led_[k];
-  }
+  place(state.q, state.time + moment_.dt);
+  velocities(state.v, led_, state.w);
   lost -= kinetic_energy(state);
   state.exchanged.loads += loads, state.exchanged.supports += supports, state.exchanged.immersed += lost;
 }
@@ -262,14 +260,6 @@ double ImmersedSolids::kinetic_energy(const FlowState& state) const {
 
 double ImmersedSolids::strain_energy(std::span<const double> q) const {
   return system_.elements->strain_energy(q) + (penalty_ ? penalty_->strain_energy(q) : 0);
-}
-
-std::string ImmersedSolids::worst_element() const {
-  const ShapeVolumes shape = system_.elements->shape(q1_);
-  const int node = solids_.mesh.element(shape.worst)[0];
-  const double* at = &q1_[2 * static_cast<std::size_t>(node)];
-  return fmt::format("element {} of the solids near ({:.6g}, {:.6g}) has {:.3g} of its volume", shape.worst + 1, at[0],
-                     at[1], shape.least);
 }
 
 }  // namespace tether::fem

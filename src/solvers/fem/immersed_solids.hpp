@@ -4,23 +4,33 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
+#include "grid/carried_nodes.hpp"
 #include "scene/flow.hpp"
+#include "solvers/fem/flow_elements.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
+#include "solvers/fem/immersed_blocks.hpp"
 #include "solvers/fem/immersed_inertia.hpp"
 #include "solvers/fem/immersed_map.hpp"
+#include "solvers/fem/immersed_pressure.hpp"
 #include "solvers/fem/solid_system.hpp"
 
 namespace tether::fem {
 
-/// Elastic bodies immersed in a flow (3): what a step asks of them. Their nodes go with the fluid's interpolated
-/// velocity (51), and their stress, their excess inertia and weight act on the fluid through the transpose of the same
-/// map, taken once a step at the predicted middle (49), (55). The fluid's pressure and viscosity stay in their place:
-/// with the pressure subtracted, too, as (55) prints, it would have no equation inside of them.
+/// What a step of a flow tells its bodies: its length [time], where in it stress and velocity are taken (theta), 1/dt
+/// or 0 for a steady flow [1/time], the fluid's viscosity [stress time]; in a sudden one supports keep their velocity.
+struct ImmersedMoment {
+  double dt = 0, theta = 0.5, rate = 0, viscosity = 0;
+  bool sudden = false;
+};
+
+/// Elastic bodies immersed in a flow (3): what a step asks of them. Nodes that the fluid carries go with its
+/// interpolated velocity (51), the others follow these; the bodies' stress, excess inertia and weight act on the fluid
+/// through the transpose of the same map, taken once a step at the predicted middle (49), (55). The fluid's viscosity
+/// stays in its place; its pressure is taken out of bodies that have a law for their volume, where (55) has it taken
+/// out of all, and goes on smoothly in them, for else it would have no equation there.
 class ImmersedSolids {
  public:
   /// Flow, unknowns and solids must outlive it.
@@ -28,9 +38,8 @@ class ImmersedSolids {
 
   /// Places and velocities of the nodes at the start; those of supported ones over a part of a step of dt.
   void start(FlowState& state, double dt);
-  /// A step of dt from the state, whose stress and velocity are taken at theta of it; in a sudden one
-  /// supports keep their velocity. Throws RunError where a node is outside of the fluid.
-  void begin(const FlowState& state, double dt, double theta, bool sudden);
+  /// A step from the state. Throws RunError where a node is outside of the fluid.
+  void begin(const FlowState& state, const ImmersedMoment& moment);
   /// Moves the nodes by fluid velocities v0, v1 at its ends.
   void move(std::span<const double> v0, std::span<const double> v1);
   /// Ends a correction of v1 that move() has followed.
@@ -39,12 +48,17 @@ class ImmersedSolids {
   void take_back_correction() { stresses_.swap(stresses_before_), corrected_ = q1_; }
   /// The least det F at the step's end, and at the middle where the stress is taken there.
   double least_change_of_volume() const;
-  /// Adds the forces on the fluid's momentum equations to f; their size before they balance each other [force].
-  double add_forces(std::span<double> f);
-  /// The clusters of fluid nodes that the solids couple, pairs of cells.
-  Lists clusters() const;
-  /// Adds their derivative by v1; `first` is the number of the first of the clusters in the pattern.
-  void add_tangent(std::size_t first, const ClusterPattern& pattern, SparseMatrix& K);
+  /// Adds the forces on the fluid's momentum equations to f, and to g what they change in those of continuity, with the
+  /// pressures p; the sizes of both before they balance each other.
+  FlowScale add_forces(std::span<const double> p, std::span<double> f, std::span<double> g);
+  /// Finds their derivatives by v1 and p.
+  void linearise();
+  /// The clusters of fluid nodes that the solids couple, pairs of cells; since linearise().
+  Lists clusters() const { return blocks_->clusters(); }
+  /// Adds the derivatives; `first` is the number of the first of the clusters in the pattern.
+  void add_tangent(std::size_t first, const ClusterPattern& pattern, SparseMatrix& K) const {
+    blocks_->add_to(first, pattern, K);
+  }
   /// Takes the step over into the state, whose v is that of the end; its work from outside is added there.
   void accept(FlowState& state);
 
@@ -52,20 +66,17 @@ class ImmersedSolids {
   double kinetic_energy(const FlowState& state) const;
   double strain_energy(const FlowState& state) const { return strain_energy(state.q); }
   double potential_energy(const FlowState& state) const { return system_.gravity_energy(state.q); }
-  /// The element that is nearest to being turned inside out, for messages.
-  std::string worst_element() const;
-
   const Solids& solids() const { return solids_; }
   const SolidSystem& system() const { return system_; }
+  const CarriedNodes& carried() const { return carried_; }
 
  private:
   double strain_energy(std::span<const double> q) const;
   void place(std::span<const double> x, double time);
-  void find_tangent();
-  std::vector<std::pair<std::size_t, std::size_t>> cell_pairs() const;
-  static void spread(const double (&s)[2][2], std::span<const double> of_c, std::span<const double> of_d, double* block,
-                     std::size_t size);
-  std::vector<std::vector<double>> blocks_of(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
+  void velocities(std::span<const double> v, std::span<const double> given, std::span<double> V);
+  EigenSparse find_tangent();
+  void find_rounding();
+  void release_carried(EigenSparse& A, bool rows) const;
 
   const Solids& solids_;
   const FlowUnknowns& unknowns_;
@@ -75,14 +86,18 @@ class ImmersedSolids {
   Solids penalised_;                        // with laws that cost volume alone
   std::unique_ptr<Elements> penalty_;       // null where nothing is penalised
   StressAt rule_ = StressAt::gradient;
-  ImmersedMap map_;
+  CarriedNodes carried_;
+  ImmersedMap map_;                           // of the carried nodes
+  std::optional<ImmersedPressure> pressure_;  // of bodies with a law for their volume
   SparseMatrix S_;
+  std::optional<ImmersedBlocks> blocks_;
   // The step: solid nodes' places at its start, middle and end, and there behind the last correction; the stress that
   // the tangent takes; what supports prescribe, their places and velocities at its end and accelerations; velocity,
-  // acceleration and forces.
-  double time_ = 0, dt_ = 0, theta_ = 0.5;
-  std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, led_, led_rate_, V_,
-      rate_, F_, free_, outer_, change_, difference_;
+  // that at its end, acceleration and forces; numbers of carried nodes.
+  double time_ = 0, rounding_ = 0;
+  ImmersedMoment moment_;
+  std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, led_, led_rate_, V_, V1_,
+      rate_, F_, free_, outer_, change_, difference_, at_carried_;
 };
 
 }  // namespace tether::fem

@@ -26,70 +26,102 @@ Solids block(double x0, double y0, double x1, double y1, int nx, int ny, double 
 
 Flow box(FlowElement element, double penalty = 0) {
   Flow flow = rectangle_flow(element, 8, 8, 1, 1, {});
-  flow.viscosity = 0.1, flow.volume_penalty = {penalty};
+  flow.viscosity = 0.1, flow.volume_penalty = {penalty}, flow.volume_by_fluid = {true};
   return flow;
 }
 
-/// Largest difference between the tangent's columns and central differences, over its largest number; of the solids
-/// alone, in a flow that is neither smooth nor symmetric.
-double tangent_error(FlowElement element, Integrator integrator, FlowIntegrator flow_integrator) {
-  Flow flow = box(element, 7);
-  flow.integrator = flow_integrator;
-  const FlowUnknowns unknowns(flow);
-  Solids solids = block(0.22, 0.31, 0.55, 0.62, 3, 2, 3, 40);
-  solids.integrator = integrator;
-  solids.supports.push_back({{0}, {true, true, false}, {}, {}, 1});
-  ImmersedSolids immersed(solids, unknowns, -1);
-  FlowState state;
-  state.v.resize(unknowns.velocity.size());
-  for (std::size_t k = 0; k < state.v.size(); ++k) state.v[k] = 0.1 * std::sin(3.0 * static_cast<double>(k));
-  immersed.start(state, 0.1);
-  const double dt = 0.1, theta = flow_integrator == FlowIntegrator::midpoint ? 0.5 : 1;
-  immersed.begin(state, dt, theta, false);
-  std::vector<double> v1 = state.v;
-  for (std::size_t k = 0; k < v1.size(); ++k) v1[k] += 0.05 * std::cos(2.0 * static_cast<double>(k));
+/// What a tangent is checked of: how flow and solids go, and how fine the solids are, whose volume is their own or the
+/// fluid's.
+struct TangentCase {
+  FlowElement element = FlowElement::q2q1;
+  Integrator integrator = Integrator::energy;
+  FlowIntegrator flow_integrator = FlowIntegrator::midpoint;
+  int nx = 3, ny = 2;
+  bool own_volume = true;
+};
+
+/// The residuals at all unknowns that solids add for velocities v1 and pressures p.
+std::vector<double> residuals(ImmersedSolids& immersed, const FlowUnknowns& unknowns, const FlowState& state,
+                              const std::vector<double>& v1, const std::vector<double>& p) {
+  std::vector<double> f(v1.size(), 0.0), g(p.size(), 0.0), all(unknowns.count(), 0.0);
   immersed.move(state.v, v1);
+  immersed.add_forces(p, f, g);
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    if (unknowns.velocity[k] >= 0) all[static_cast<std::size_t>(unknowns.velocity[k])] = f[k];
+  }
+  for (std::size_t n = 0; n < g.size(); ++n) {
+    if (unknowns.pressure[n] >= 0) all[static_cast<std::size_t>(unknowns.pressure[n])] = g[n];
+  }
+  return all;
+}
+
+/// The tangent of the solids alone.
+SparseMatrix tangent_of(ImmersedSolids& immersed, const FlowUnknowns& unknowns) {
   immersed.end_correction();  // the predicted stress ...
   immersed.end_correction();  // ... and from there without a change that of the places themselves
-  Lists clusters = clusters_of(flow);
+  immersed.linearise();
+  Lists clusters = clusters_of(unknowns.flow);
   const std::size_t first = clusters.size();
   const Lists of_solids = immersed.clusters();
   for (std::size_t c = 0; c < of_solids.size(); ++c) clusters.add(of_solids[c]);
   const ClusterPattern pattern(unknowns.first, clusters);
   SparseMatrix K = pattern.matrix();
   immersed.add_tangent(first, pattern, K);
-  const auto forces = [&] {
-    std::vector<double> f(v1.size(), 0.0);
-    immersed.move(state.v, v1);
-    immersed.add_forces(f);
-    return f;
-  };
+  return K;
+}
+
+/// Largest difference between the tangent's columns and central differences, over its largest number; of the solids
+/// alone, in a flow that is neither smooth nor symmetric.
+double tangent_error(const TangentCase& of) {
+  Flow flow = box(of.element, 7);
+  flow.integrator = of.flow_integrator, flow.volume_by_fluid = {!of.own_volume};
+  const FlowUnknowns unknowns(flow);
+  Solids solids = block(0.22, 0.31, 0.55, 0.62, of.nx, of.ny, 3, 40);
+  solids.integrator = of.integrator;
+  solids.supports.push_back({{0}, {true, true, false}, {}, {}, 1});
+  ImmersedSolids immersed(solids, unknowns, -1);
+  FlowState state;
+  state.v.resize(unknowns.velocity.size());
+  for (std::size_t k = 0; k < state.v.size(); ++k) state.v[k] = 0.1 * std::sin(3.0 * static_cast<double>(k));
+  immersed.start(state, 0.1);
+  immersed.begin(state, {0.1, of.flow_integrator == FlowIntegrator::midpoint ? 0.5 : 1, 10, flow.viscosity, false});
+  std::vector<double> v1 = state.v, p(flow.twin.size());
+  for (std::size_t k = 0; k < v1.size(); ++k) v1[k] += 0.05 * std::cos(2.0 * static_cast<double>(k));
+  for (std::size_t n = 0; n < p.size(); ++n) p[n] = std::cos(3.0 * static_cast<double>(n));
+  immersed.move(state.v, v1);
+  const SparseMatrix K = tangent_of(immersed, unknowns);
   double worst = 0, largest = 0;
-  for (std::size_t k = 0; k < v1.size(); ++k) {
-    if (unknowns.velocity[k] < 0) continue;
-    const double there = v1[k], h = 1e-6;
-    v1[k] = there + h;
-    const auto up = forces();
-    v1[k] = there - h;
-    const auto down = forces();
-    v1[k] = there;
+  const auto check = [&](int unknown, double& value) {
+    if (unknown < 0) return;
+    const double there = value, h = 1e-6;
+    value = there + h;
+    const auto up = residuals(immersed, unknowns, state, v1, p);
+    value = there - h;
+    const auto down = residuals(immersed, unknowns, state, v1, p);
+    value = there;
     std::vector<double> unit(unknowns.count(), 0.0), column(unknowns.count());
-    unit[static_cast<std::size_t>(unknowns.velocity[k])] = 1;
+    unit[static_cast<std::size_t>(unknown)] = 1;
     K.multiply(unit, column);
-    for (std::size_t row = 0; row < v1.size(); ++row) {
-      if (unknowns.velocity[row] < 0) continue;
-      const double number = column[static_cast<std::size_t>(unknowns.velocity[row])];
-      worst = std::max(worst, std::abs(number - (up[row] - down[row]) / (2 * h)));
-      largest = std::max(largest, std::abs(number));
+    for (std::size_t row = 0; row < column.size(); ++row) {
+      worst = std::max(worst, std::abs(column[row] - (up[row] - down[row]) / (2 * h)));
+      largest = std::max(largest, std::abs(column[row]));
     }
-  }
+  };
+  for (std::size_t k = 0; k < v1.size(); ++k) check(unknowns.velocity[k], v1[k]);
+  for (std::size_t n = 0; n < p.size(); ++n) check(unknowns.pressure[n], p[n]);
   return worst / largest;
 }
 
 TEST(Immersed, TangentIsTheForcesDerivative) {
-  EXPECT_LT(tangent_error(FlowElement::q1q1, Integrator::energy, FlowIntegrator::midpoint), 1e-7);
-  EXPECT_LT(tangent_error(FlowElement::q2q1, Integrator::midpoint, FlowIntegrator::midpoint), 1e-7);
-  EXPECT_LT(tangent_error(FlowElement::q2q1, Integrator::energy, FlowIntegrator::euler), 1e-7);
+  EXPECT_LT(tangent_error({.element = FlowElement::q1q1}), 1e-7);
+  EXPECT_LT(tangent_error({.integrator = Integrator::midpoint, .own_volume = false}), 1e-7);
+  EXPECT_LT(tangent_error({.flow_integrator = FlowIntegrator::euler}), 1e-7);
+}
+
+/// Bodies finer than the fluid, whose nodes follow those that it carries.
+TEST(Immersed, TangentIsThatOfCarriedNodes) {
+  EXPECT_LT(tangent_error({.nx = 15, .ny = 12}), 1e-7);
+  EXPECT_LT(tangent_error({.element = FlowElement::q1q1, .nx = 9, .ny = 11, .own_volume = false}), 1e-7);
 }
 
 /// What the solids do to the fluid and the fluid's velocity at their nodes are of one map: powers agree.
@@ -158,7 +190,7 @@ TEST(Immersed, BodiesThatLeaveTheMeshAreNamed) {
   const RectangleSide slip{Boundary::slip, {}}, open{Boundary::open, {}};
   const RectangleSide inflow{Boundary::inflow, flow_vector("1", "0")};
   Flow flow = rectangle_flow(FlowElement::q1q1, 8, 4, 1, 0.5, {slip, open, slip, inflow});
-  flow.volume_penalty = {0}, flow.tolerance = 1e-6, flow.start = flow_vector("1", "0");
+  flow.volume_penalty = {0}, flow.volume_by_fluid = {false}, flow.tolerance = 1e-6, flow.start = flow_vector("1", "0");
   const Solids solids = block(0.7, 0.2, 0.9, 0.3, 4, 2, 1, 10);
   RunningFlow run(flow, 0, &solids);
   try {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+
+#include "algebra/sparse_matrix.hpp"
+
+namespace tether {
+
+/// Eigen's matrix by compressed columns with the indices that SparseMatrix has.
+using EigenSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+
+/// The same numbers, for Eigen's products.
+inline Eigen::Map<const EigenSparse> eigen_of(const SparseMatrix& A) {
+  return {A.n, A.n, static_cast<Eigen::Index>(A.value.size()), A.start.data(), A.row.data(), A.value.data()};
+}
+
+}  // namespace tether
