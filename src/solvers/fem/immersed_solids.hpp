@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/flow.hpp"
+#include "solvers/fem/body_rates.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
 #include "solvers/fem/immersed_inertia.hpp"
@@ -52,6 +53,18 @@ class ImmersedSolids {
   double kinetic_energy(const FlowState& state) const;
   double strain_energy(const FlowState& state) const { return strain_energy(state.q); }
   double potential_energy(const FlowState& state) const { return system_.gravity_energy(state.q); }
+  /// Of the last step, before accept(): the forces that the nodes' equations leave, of stress, excess inertia, excess
+  /// weight and loads, which the fluid takes of free ones and supports of held ones; and where the nodes are, how they
+  /// move and are accelerated.
+  struct LastStep {
+    std::span<const double> forces;
+    BodyMotion motion;
+  };
+  LastStep last_step() const { return {F_, {middle_, V_, rate_}}; }
+  /// Adds what the fluid's nodes get of forces at free solid nodes to f.
+  void spread(std::span<const double> forces, std::span<double> f) const { map_.add_forces(forces, f); }
+  const ImmersedMap& map() const { return map_; }
+
   /// The element that is nearest to being turned inside out, for messages.
   std::string worst_element() const;
 
