@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -152,6 +153,39 @@ TEST(ImmersedForces, BodyHeldInMidFluidLoadsNoWall) {
   EXPECT_NEAR(walls, -fluid * g, 1e-8 * weight);
   EXPECT_NEAR(run.last("body_hold_y_1"), weight, 1e-8 * weight);
   EXPECT_NEAR(run.last("body_force_y_1"), 2 * weight, 1e-8 * weight);
+  EXPECT_NEAR(run.last("body_torque_z_1"), 0, 1e-3 * weight);
+}
+
+/// A stiff flap on the floor of a channel: forces on it, on floor and ceiling settle by orders of 1.2, and those on its
+/// sides come to be that on all of it.
+TEST(ImmersedForces, OfAFlapInAStreamSettle) {
+  const std::vector<std::string> names{"body_force_x_1", "side_force_x_1", "side_force_x_2"};
+  constexpr double any = std::numeric_limits<double>::infinity();
+  std::vector<double> before(3, 0.0), change(3, any), apart;
+  for (const int n : {8, 16, 32}) {
+    const DeckRun run = run_text(
+        "stream",
+        "a flap in a stream\n$in nx=2,ny=2,xleft=0.,xright=2.,ybot=0.,ytop=1.,tmax=1.,tstep=.2,iout(33)=1,tiout(33)=1. "
+        "$\n"
+        "$reg nreg=2,nvi=2*4,xvi(1,1)=0.,2.,2.,0.,yvi(1,1)=0.,0.,1.,1.,densir=1.,1.,matr(1,1)=.1,matr(1,2)=2.e3,.3,"
+        "xvi(1,2)=.73,.92,.92,.73,yvi(1,2)=0.,0.,.41,.41 $\n" +
+            fmt::format("$mesh cells(1,1)={},{},cells(1,2)={},{},element='q2' $\n", 2 * n, n, n / 8, n * 3 / 8) + laws +
+            "fix_on='2.bottom',fix(1:2,1)=0.,0. $\n$flow integrator='euler',tolerance=1e-9,boundary_on='1.left',"
+            "'1.right',boundary='inflow','open',boundary_u='4*y*(1-y)',force_on='1.bottom','1.top',"
+            "'2.left+2.top+2.right' $\n");
+    std::vector<double> now;
+    for (const std::string& name : names) now.push_back(run.last(name));
+    apart.push_back(std::abs(run.last("side_force_x_3") / now[0] - 1));
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const double by = std::abs(now[k] - before[k]);
+      EXPECT_LT(by, 0.5 * change[k]) << names[k] << n;
+      change[k] = by;
+    }
+    before = now;
+  }
+  EXPECT_LT(apart[2], 0.025);
+  EXPECT_LT(apart[2], 0.7 * apart[1]);
+  EXPECT_LT(apart[1], 0.7 * apart[0]);
 }
 
 /// Two plates whose ends are one: the nodes there count once.
