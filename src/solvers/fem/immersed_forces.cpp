@@ -71,6 +71,7 @@ void ImmersedForces::record(const FlowMoment& m, FlowState& state) {
   const auto step = immersed_.last_step();
   const auto rates = body_rates(mesh, step.motion);
   find_stress(m);
+  start(state);
   for (std::size_t r = 0; r < shares_.size(); ++r) {
     split_forces(r);
     record_body(r, rates[r], std::span(state.body_forces).subspan(BodyForce::size * r, BodyForce::size));

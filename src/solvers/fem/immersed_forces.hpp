@@ -55,7 +55,7 @@ class ImmersedForces {
   ImmersedForces(const ImmersedSolids& immersed, const FlowUnknowns& unknowns, const FlowElements& elements,
                  double gravity);
 
-  /// No forces so far.
+  /// No forces.
   void start(FlowState& state) const;
   /// Those of the step that ends, which `m` is about, before its places are left.
   void record(const FlowMoment& m, FlowState& state);
