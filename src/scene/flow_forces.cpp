@@ -42,7 +42,7 @@ class ForceReader {
   ForceSide read() {
     force_.name = deck_.text("flow", "force_on", k_);
     force_.centre = {deck_.real("flow", "force_x", k_), deck_.real("flow", "force_y", k_)};
-    if (mesh_.sides.contains(force_.name)) {
+    if (mesh_.sides.contains(force_.name) || body_sides(force_.name)) {
       add(force_.name);
       return force_;
     }
@@ -57,8 +57,10 @@ class ForceReader {
   void refuse(const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, "flow", "force_on", {k_, 1}, message, hint));
   }
+  /// A name that both meshes have is the fluid's where it is on the boundary of the fluid.
   void add(const std::string& name) {
-    if (const auto found = mesh_.sides.find(name); found != mesh_.sides.end()) {
+    const auto found = mesh_.sides.find(name);
+    if (found != mesh_.sides.end() && (!body_sides(name) || on_boundary(mesh_, found->second))) {
       add_sides_of(mesh_, name, found->second, "the fluid's boundary", force_.sides);
     } else if (const auto body = body_named(name)) {
       add_body(name, *body);
