@@ -60,8 +60,10 @@ constexpr std::array rows{
     Variable{"flow", "bx", text, 0, 1, 1, "acceleration", -none, none, "", "",
              "Acceleration in x by a body force as an expression in x, y, t, beside gravc of $in."},
     Variable{"flow", "by", text, 0, 1, 1, "acceleration", -none, none, "", "", "The same in y."},
-    Variable{"flow", "force_on", text, 1, 10, 1, "", -none, none, "", "",
-             "Side of the fluid's boundary on which the fluid's force k is recorded."},
+    Variable{
+        "flow", "force_on", text, 1, 10, 1, "", -none, none, "", "",
+        "What force k is recorded on: a side of the fluid's boundary, with what bodies' clamps give it, 'body 1' or a "
+        "side of a body, or several of these joined by +, taken as one."},
     Variable{"flow", "force_x", real, 1, 10, 1, "length", -none, none, "", "0.0",
              "x of the place about which its torque is taken."},
     Variable{"flow", "force_y", real, 1, 10, 1, "length", -none, none, "", "0.0", "y of that place."},

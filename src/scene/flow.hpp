@@ -49,11 +49,14 @@ struct FlowSide {
   int number = 0;       ///< of the deck's boundary_on, from 1; 0 of the sides that the deck does not name
 };
 
-/// Part of the boundary on which the fluid's force is recorded, and its torque about a centre.
+/// What a force is recorded of, and its torque about a centre: sides of the fluid's boundary, immersed bodies and sides
+/// of these, together.
 struct ForceSide {
   std::string name;
   Sides sides;
   std::array<double, 2> centre{};  // [length]
+  std::vector<int> bodies = {};    ///< regions of the solids, from 0
+  Sides body_sides = {};           ///< of the solids' mesh
 };
 
 /// A rectangle of tracers, nx x ny of them at the middles of its equal parts, that go with the fluid from the start.

@@ -130,7 +130,7 @@ double highest(const Mesh& mesh) {
   return y;
 }
 
-Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
+Flow flow_on(const Deck& deck, Mesh mesh, const Solids* solids, Diagnostics& diagnostics) {
   Flow flow;
   flow.mesh = std::move(mesh);
   read_material(deck, flow, diagnostics);
@@ -142,7 +142,7 @@ Flow flow_on(const Deck& deck, Mesh mesh, Diagnostics& diagnostics) {
   flow.level = deck.given("flow", "level") ? deck.real("flow", "level") : highest(flow.mesh);
   flow.acceleration = flow_vector_of(deck, {"bx", "by"}, 1, "bx, by of $flow", diagnostics);
   flow.start = start_of(deck, diagnostics);
-  flow.forces = force_sides_of(deck, flow.mesh, diagnostics);
+  flow.forces = force_sides_of(deck, flow.mesh, solids, diagnostics);
   add_probes(deck, flow, diagnostics);
   flow.volume_penalty = penalties_of(deck);
   flow.volume_by_fluid = volumes_by_fluid_of(deck);
@@ -182,7 +182,7 @@ void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   }
   check_flow_deck(deck, diagnostics);
   if (!mesh) return;
-  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*mesh), diagnostics));
+  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*mesh), scene.solids.get(), diagnostics));
   place_in_flow(deck, scene, *flow, diagnostics);
   if (scene.solids) leave_held_volumes_to_fluid(*scene.solids, *flow);
   check_flow_velocities(deck, scene.clock, *flow, diagnostics);

@@ -10,6 +10,7 @@
 #include "deck/deck.hpp"
 #include "scene/flow.hpp"
 #include "scene/scene.hpp"
+#include "scene/solids.hpp"
 
 namespace tether {
 
@@ -28,8 +29,10 @@ FlowVector flow_vector_of(const Deck& deck, const std::array<const char*, 2>& na
 
 /// All of the boundary, by boundary_on; of a periodic pair both sides, one behind the other.
 std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics);
-/// Where forces are recorded.
-std::vector<ForceSide> force_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics);
+/// What forces are recorded of: sides of the fluid's mesh, bodies and sides of these; `solids` is null where there are
+/// none.
+std::vector<ForceSide> force_sides_of(const Deck& deck, const Mesh& mesh, const Solids* solids,
+                                      Diagnostics& diagnostics);
 /// Flow::twin of periodic pairs among these sides.
 std::vector<int> twins_of(const Deck& deck, const Mesh& mesh, const std::vector<FlowSide>& sides,
                           Diagnostics& diagnostics);

@@ -183,24 +183,4 @@ std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnost
   return SideReader(deck, mesh, diagnostics).read();
 }
 
-std::vector<ForceSide> force_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics) {
-  check_all_act(deck, "flow", "force", "force_on", {"force_x", "force_y"}, diagnostics);
-  const BoundaryParts parts(mesh);
-  std::vector<ForceSide> forces;
-  for (const Subscript at : deck.given_elements("flow", "force_on")) {
-    const int k = at[0];
-    const Sides* sides = named_sides(deck, "flow", "force_on", k, mesh, diagnostics);
-    if (!sides) continue;
-    const std::string name = deck.text("flow", "force_on", k);
-    bool inside = false;
-    for (std::size_t s = 0; s < sides->size() && !inside; s += parts.per_side()) inside = !parts.find(&(*sides)[s]);
-    if (inside)
-      diagnostics.add(deck.remark(Severity::error, "flow", "force_on", at,
-                                  fmt::format("'{}' is no side of the fluid's boundary: elements join there", name),
-                                  "forces are those on the boundary"));
-    forces.push_back({name, *sides, {deck.real("flow", "force_x", k), deck.real("flow", "force_y", k)}});
-  }
-  return forces;
-}
-
 }  // namespace tether

@@ -67,8 +67,11 @@ class FlowElements {
   /// Mass, and momentum in x and y.
   virtual std::array<double, 3> momentum(std::span<const double> v) const = 0;
   virtual FlowPower power(const FlowMoment& m) const = 0;
-  /// What the fluid's stress on the sides next to the ends of the flow's force side k gives to that side's nodes.
+  /// At nodes where the flow's force side k meets other walls: half of what the stress on these gives to the nodes less
+  /// half of what that on the side itself gives.
   virtual std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const = 0;
+  /// The fluid's stress at a place s of the reference element of element e: xx, yy, xy [stress].
+  virtual std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const std::array<double, 2>& s) const = 0;
   /// dv/dx - du/dy, the mean around each node [1/time].
   virtual std::vector<double> vorticity(std::span<const double> v) const = 0;
   /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations.

@@ -86,7 +86,8 @@ FlowPower FlowElementsOf<V, P>::power(const FlowMoment& m) const {
   return power;
 }
 
-/// <N_A, sigma n> over the neighbours; where they slip, what acts along them is known to be nothing.
+/// <N_A, sigma n> over the element sides at the ends: half of it, of the side's own with the other sign. Where they
+/// slip, what acts along them is known to be nothing.
 template <class V, class P>
 std::vector<NodeForce> FlowElementsOf<V, P>::corner_forces(const FlowMoment& m, std::size_t k) const {
   const FlowConstants c = constants(m);
@@ -102,11 +103,23 @@ std::vector<NodeForce> FlowElementsOf<V, P>::corner_forces(const FlowMoment& m, 
         const int n = corner.side.nodes[static_cast<std::size_t>(a)];
         const int* nodes = mesh_.element(at.element);
         const double N = at.N[std::find(nodes, nodes + NV, n) - nodes];
-        forces.push_back({static_cast<std::size_t>(n), {N * traction[0], N * traction[1]}});
+        const double part = corner.side.own ? -0.5 * N : 0.5 * N;
+        forces.push_back({static_cast<std::size_t>(n), {part * traction[0], part * traction[1]}});
       }
     }
   }
   return forces;
+}
+
+/// sigma of (38): xx, yy, xy.
+template <class V, class P>
+std::array<double, 3> FlowElementsOf<V, P>::stress_at(const FlowMoment& m, std::size_t e,
+                                                      const std::array<double, 2>& s) const {
+  const auto map = jacobian_at<V>(mesh_, e, s);
+  const Velocities vt = (1 - m.theta) * gathered(e, m.v0) + m.theta * gathered(e, m.v1);
+  const Eigen::Matrix2d L = vt * Eigen::Map<const Velocities>(map.gradients.data()).transpose();
+  const double p = pressures(e, m.p).dot(Eigen::Map<const Pressures>(P::values(s).data()));
+  return {2 * m.viscosity * L(0, 0) - p, 2 * m.viscosity * L(1, 1) - p, m.viscosity * (L(0, 1) + L(1, 0))};
 }
 
 template <class V, class P>

@@ -97,6 +97,7 @@ class FlowElementsOf final : public FlowElements {
   std::array<double, 3> momentum(std::span<const double> v) const override;
   FlowPower power(const FlowMoment& m) const override;
   std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const override;
+  std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const std::array<double, 2>& s) const override;
   std::vector<double> vorticity(std::span<const double> v) const override;
   SparseMatrix laplacian() const override;
   std::vector<double> stream_source(std::span<const double> v) const override;
@@ -255,7 +256,7 @@ class FlowElementsOf final : public FlowElements {
   std::vector<double> weights_;
   std::vector<Eigen::Matrix2d> metrics_;
   std::vector<SidePoint<V>> open_, inflow_;
-  /// A neighbour of a force side, and its points of quadrature.
+  /// An element side at the end of a force side, and its points of quadrature.
   struct Corner {
     CornerSide side;
     std::vector<SidePoint<V>> points;

@@ -62,15 +62,10 @@ FlowFields::FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers
       step_(step),
       tracers_(tracers),
       stream_(step.elements()),
+      forces_(flow, step),
       exchanges_(exchanges_of(flow, step.immersed() != nullptr)) {
   const PointFinder finder(flow.mesh);
   for (const auto& probe : flow.probes) probes_.push_back(place_of(flow.mesh, finder.find(probe).value()));
-  for (const ForceSide& side : flow.forces) {
-    std::vector<int> nodes(side.sides.begin(), side.sides.end());
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    force_nodes_.push_back(std::move(nodes));
-  }
   if (!step.immersed()) return;
   for (std::size_t r = 0; r < step.immersed()->solids().regions.size(); ++r)
     body_volumes_.push_back(step.immersed()->system().elements->volumes(static_cast<int>(r)));
@@ -92,16 +87,7 @@ HistoryLayout FlowFields::history_layout() const {
   add("stream_min", Dimension::flux, "least value of the stream function at a node");
   add("stream_max", Dimension::flux, "largest value of the stream function at a node");
   if (has_coefficients(flow_)) add("reynolds", Dimension::number, "Reynolds number by speed and length of the deck");
-  for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
-    const std::string& side = flow_.forces[k].name;
-    const std::string number = fmt::format("_{}", k + 1);
-    add("side_force_x" + number, Dimension::force, "force in x of the fluid on " + side + ", mean of the last step");
-    add("side_force_y" + number, Dimension::force, "force in y of the fluid on " + side + ", mean of the last step");
-    add("side_torque_z" + number, Dimension::torque, "its torque about the deck's place");
-    if (!has_coefficients(flow_)) continue;
-    add("drag" + number, Dimension::number, "force in x over speed^2 length density/2");
-    add("lift" + number, Dimension::number, "force in y over the same");
-  }
+  forces_.add_columns(layout);
   for (std::size_t k = 0; k < flow_.probes.size(); ++k) {
     const std::string number = fmt::format("_{}", k + 1);
     add("probe_p" + number, Dimension::stress, "pressure at the probe, of the last step");
@@ -116,6 +102,7 @@ HistoryLayout FlowFields::history_layout() const {
   if (!step_.immersed()) return layout;
   std::vector<std::string> names;
   for (const SolidRegion& region : step_.immersed()->solids().regions) names.push_back(region.name);
+  FlowForces::add_body_columns(layout);
   add_bodies_and_nodes(layout, step_.immersed()->solids(), names);
   if (flow_.tracers.count[0] > 0)
     add("tracers_in_solids", Dimension::number, "tracers inside of solids, which start outside");
@@ -134,28 +121,6 @@ FlowMoment FlowFields::last_moment(const FlowState& state) const {
           .acceleration = {}};
 }
 
-void FlowFields::append_forces(const FlowState& state, Record& record) const {
-  for (std::size_t k = 0; k < flow_.forces.size(); ++k) {
-    double x = 0, y = 0, torque = 0;
-    const auto add = [&](std::size_t n, double fx, double fy) {
-      x += fx, y += fy;
-      torque += (flow_.mesh.x[2 * n] - flow_.forces[k].centre[0]) * fy -
-                (flow_.mesh.x[2 * n + 1] - flow_.forces[k].centre[1]) * fx;
-    };
-    for (const int node : force_nodes_[k]) {
-      const std::size_t n = static_cast<std::size_t>(node);
-      add(n, -state.force[2 * n], -state.force[2 * n + 1]);
-    }
-    if (state.steps > 0) {
-      for (const auto& [node, force] : step_.elements().corner_forces(last_moment(state), k))
-        add(node, force[0], force[1]);
-    }
-    record.insert(record.end(), {x, y, torque});
-    const double unit = 0.5 * flow_.density * flow_.speed * flow_.speed * flow_.length;
-    if (has_coefficients(flow_)) record.insert(record.end(), {x / unit, y / unit});
-  }
-}
-
 void FlowFields::append_probes(const FlowState& state, const std::vector<double>& pressure,
                                const std::vector<double>& psi, Record& record) const {
   for (const MeshPlace& at : probes_)
@@ -165,10 +130,11 @@ void FlowFields::append_probes(const FlowState& state, const std::vector<double>
                      probes_[static_cast<std::size_t>(second)].of(pressure, 1, 0));
 }
 
-/// As add_bodies_and_nodes() and the volume list them.
+/// As add_body_columns(), add_bodies_and_nodes() and the volume list them.
 void FlowFields::append_bodies(const FlowState& state, Record& record) const {
   const ImmersedSolids& immersed = *step_.immersed();
   const auto& regions = immersed.solids().regions;
+  forces_.append_bodies(state, record);
   std::vector<double> sizes;
   for (const auto& volumes : body_volumes_) sizes.push_back(std::accumulate(volumes.begin(), volumes.end(), 0.0));
   for (const auto* values : {&state.q, &state.w}) {
@@ -211,7 +177,7 @@ Record FlowFields::record(const FlowState& state) const {
   values.insert(values.end(),
                 {elements.pressure_energy(state.p), momentum[0], momentum[1], momentum[2], *least, *largest});
   if (has_coefficients(flow_)) values.push_back(flow_.density * flow_.speed * flow_.length / step_.viscosity());
-  append_forces(state, values);
+  forces_.append(state, last_moment(state), values);
   append_probes(state, pressure, psi, values);
   if (immersed) append_bodies(state, values);
   return values;

@@ -6,6 +6,7 @@
 #include "grid/mesh_place.hpp"
 #include "results/results.hpp"
 #include "scene/flow.hpp"
+#include "solvers/fem/flow_forces.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_step.hpp"
 #include "solvers/fem/flow_stream.hpp"
@@ -38,7 +39,6 @@ class FlowFields {
  private:
   FlowMoment last_moment(const FlowState& state) const;
   void append_bodies(const FlowState& state, Record& record) const;
-  void append_forces(const FlowState& state, Record& record) const;
   void append_probes(const FlowState& state, const std::vector<double>& pressure, const std::vector<double>& psi,
                      Record& record) const;
 
@@ -46,9 +46,9 @@ class FlowFields {
   const FlowStep& step_;
   const FlowTracers& tracers_;
   StreamFunction stream_;
+  FlowForces forces_;
   std::vector<ExchangeColumn> exchanges_;
   std::vector<MeshPlace> probes_;
-  std::vector<std::vector<int>> force_nodes_;      // of each side whose force is recorded
   std::vector<std::vector<double>> body_volumes_;  // of each region of the solids, its nodes' parts at the start
 };
 

@@ -34,18 +34,19 @@ struct FlowExchange {
 
 /// Of a flow: 2 numbers a node of velocities, 1 of pressures; of immersed solids 2 a node of places.
 struct FlowState {
-  double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
-  std::vector<double> v;           ///< velocities at `time`
-  std::vector<double> v_before;    ///< velocities at the start of the step that ended there
-  std::vector<double> p;           ///< pressures of the step that ended there
-  std::vector<double> force;       ///< of walls on the fluid in that step, at prescribed nodes [force]
-  std::vector<double> q, w;        ///< places and velocities of immersed solids' nodes
-  std::vector<double> drift;       ///< their mean velocities over that step
-  std::vector<double> tracers;     ///< their places, 2 numbers each
-  std::vector<int> tracer_left;    ///< 1 of those that left the mesh
-  FlowExchange exchanged;          ///< so far
-  double residual = 0;             ///< that the last step ended with, over the largest force or flux
-  double dt_last = 0, dt_min = 0;  ///< [time]
+  double time = 0, time_lost = 0;           ///< time_lost: what compensated summation owes [time]
+  std::vector<double> v;                    ///< velocities at `time`
+  std::vector<double> v_before;             ///< velocities at the start of the step that ended there
+  std::vector<double> p;                    ///< pressures of the step that ended there
+  std::vector<double> force;                ///< of walls on the fluid in that step, at prescribed nodes [force]
+  std::vector<double> body_forces, clamps;  ///< of immersed solids in that step: ImmersedForces lists them
+  std::vector<double> q, w;                 ///< places and velocities of immersed solids' nodes
+  std::vector<double> drift;                ///< their mean velocities over that step
+  std::vector<double> tracers;              ///< their places, 2 numbers each
+  std::vector<int> tracer_left;             ///< 1 of those that left the mesh
+  FlowExchange exchanged;                   ///< so far
+  double residual = 0;                      ///< that the last step ended with, over the largest force or flux
+  double dt_last = 0, dt_min = 0;           ///< [time]
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
   OverlapCount overlap;  ///< of immersed solids
@@ -58,7 +59,8 @@ template <class Exchange>
 void exchange(Exchange& with, FlowState& state) {
   with("time", state.time), with("time_lost", state.time_lost);
   with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
-      with("q", state.q), with("w", state.w), with("drift", state.drift);
+      with("body_forces", state.body_forces), with("clamps", state.clamps), with("q", state.q), with("w", state.w),
+      with("drift", state.drift);
   with("tracers", state.tracers), with("tracer_left", state.tracer_left);
   FlowExchange& all = state.exchanged;
   with("walls", all.walls), with("inflows", all.inflows), with("open", all.open);

@@ -24,6 +24,7 @@ FlowStep::FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gr
     : unknowns_(unknowns),
       elements_(make_flow_elements(unknowns)),
       immersed_(solids ? std::make_unique<ImmersedSolids>(*solids, unknowns, gravity) : nullptr),
+      forces_(immersed_ ? std::make_unique<ImmersedForces>(*immersed_, unknowns, *elements_, gravity) : nullptr),
       gravity_(gravity),
       pattern_(unknowns.first, clusters_of(unknowns.flow)),
       K_(pattern_.matrix()),
@@ -60,7 +61,7 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
 FlowReport FlowStep::start(FlowState& state, double dt) {
   constexpr double part = 1e-6;
   state.v_before = state.v;
-  if (immersed_) immersed_->start(state, dt);
+  if (immersed_) immersed_->start(state, dt), forces_->start(state);
   if (unknowns_.flow.integrator == FlowIntegrator::steady) return {true, {}};
   FlowState after = state;
   FlowReport report = advance(after, {0, part * dt, 0, true});
@@ -254,6 +255,7 @@ void FlowStep::update_pattern() {
 void FlowStep::accept(FlowState& state) {
   for (std::size_t k = 0; k < v1_.size(); ++k) state.force[k] = unknowns_.velocity[k] < 0 ? f_[k] : 0;
   if (rate_ > 0) add_exchange(state);
+  if (forces_) forces_->record(moment(state.v), state);
   state.v_before = state.v;
   state.v = v1_, state.p = p_;
   if (immersed_) immersed_->accept(state);

@@ -10,6 +10,7 @@
 #include "solvers/fem/flow_linear.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
+#include "solvers/fem/immersed_forces.hpp"
 #include "solvers/fem/immersed_solids.hpp"
 
 namespace tether::fem {
@@ -75,6 +76,7 @@ class FlowStep {
   const FlowUnknowns& unknowns_;
   std::unique_ptr<FlowElements> elements_;
   std::unique_ptr<ImmersedSolids> immersed_;
+  std::unique_ptr<ImmersedForces> forces_;  // of these
   double gravity_;
   std::vector<bool> inflow_;  // of each node, whether an inflow prescribes its velocity
   ClusterPattern pattern_;

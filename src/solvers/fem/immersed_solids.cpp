@@ -174,6 +174,23 @@ FlowScale ImmersedSolids::add_forces(std::span<const double> p, std::span<double
   return scale;
 }
 
+void ImmersedSolids::lead_to_carried(std::span<double> free, std::span<double> held) const {
+  std::vector<double> of_free(at_carried_.size()), of_held(at_carried_.size());
+  carried_.gather(free, of_free), carried_.gather(held, of_held);
+  std::ranges::fill(free, 0.0), std::ranges::fill(held, 0.0);
+  for (std::size_t k = 0; k < of_free.size(); ++k) {
+    const std::size_t n = 2 * at(carried_.nodes()[k / 2]) + k % 2;
+    (system_.held[n] ? held : free)[n] += of_free[k];
+    held[n] += of_held[k];
+  }
+}
+
+void ImmersedSolids::spread(std::span<const double> forces, std::span<double> f) const {
+  std::vector<double> at_carried(at_carried_.size());
+  carried_.gather(forces, at_carried);
+  map_.add_forces(at_carried, f);
+}
+
 /// Of nodes that supports hold nothing is unknown.
 void ImmersedSolids::release_carried(EigenSparse& A, bool rows) const {
   const auto held = [&](Eigen::Index k) {

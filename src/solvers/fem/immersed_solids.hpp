@@ -8,6 +8,7 @@
 
 #include "grid/carried_nodes.hpp"
 #include "scene/flow.hpp"
+#include "solvers/fem/body_rates.hpp"
 #include "solvers/fem/flow_elements.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
@@ -66,6 +67,22 @@ class ImmersedSolids {
   double kinetic_energy(const FlowState& state) const;
   double strain_energy(const FlowState& state) const { return strain_energy(state.q); }
   double potential_energy(const FlowState& state) const { return system_.gravity_energy(state.q); }
+  /// Of the last step, before accept(): the forces that the nodes' equations leave, of stress, excess inertia, excess
+  /// weight, loads and the pressure that is not inside, which the fluid takes of free ones and supports of held ones;
+  /// and where the nodes are, how they move and are accelerated.
+  struct LastStep {
+    std::span<const double> forces;
+    BodyMotion motion;
+  };
+  LastStep last_step() const { return {F_, {middle_, V_, rate_}}; }
+  /// Moves forces at nodes that follow to those that are carried, of free and of held nodes; what comes to held ones
+  /// of the free ones their supports take.
+  void lead_to_carried(std::span<double> free, std::span<double> held) const;
+  /// Adds what the fluid's nodes get of forces at solid nodes to f.
+  void spread(std::span<const double> forces, std::span<double> f) const;
+  /// Of the carried nodes, in their order.
+  const ImmersedMap& map() const { return map_; }
+
   const Solids& solids() const { return solids_; }
   const SolidSystem& system() const { return system_; }
   const CarriedNodes& carried() const { return carried_; }
