@@ -59,7 +59,7 @@ template <class Exchange>
 void exchange(Exchange& with, FlowState& state) {
   with("time", state.time), with("time_lost", state.time_lost);
   with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
-      with("body_forces", state.body_forces), with("clamps", state.clamps), with("q", state.q), with("w", state.w),
+      with("forces_on_bodies", state.body_forces), with("clamps", state.clamps), with("q", state.q), with("w", state.w),
       with("drift", state.drift);
   with("tracers", state.tracers), with("tracer_left", state.tracer_left);
   FlowExchange& all = state.exchanged;

@@ -73,7 +73,7 @@ void ImmersedForces::record(const FlowMoment& m, FlowState& state) {
     split_forces(r);
     record_body(r, rates[r], std::span(state.body_forces).subspan(BodyForce::size * r, BodyForce::size));
     for (std::size_t k = 0; k < nodes_.size(); ++k)
-      record_clamp(r, k, std::span(state.clamps).subspan(Clamp::size * (k * shares_.size() + r), Clamp::size));
+      record_clamp(k, std::span(state.clamps).subspan(Clamp::size * (k * shares_.size() + r), Clamp::size));
   }
 }
 
@@ -135,7 +135,7 @@ double ImmersedForces::part_on_walls(std::size_t carried) const {
 }
 
 /// What the force's nodes have of the body, with their shares. A wall's load is the other way round.
-void ImmersedForces::record_clamp(std::size_t body, std::size_t force, std::span<double> to) const {
+void ImmersedForces::record_clamp(std::size_t force, std::span<double> to) const {
   const Flow& flow = unknowns_.flow;
   const auto& centre = flow.forces[force].centre;
   std::vector<double> share(flow.twin.size(), 0.0);

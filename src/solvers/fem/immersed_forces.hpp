@@ -64,7 +64,7 @@ class ImmersedForces {
   void find_stress(const FlowMoment& m);
   void split_forces(std::size_t body);
   void record_body(std::size_t body, const BodyRates& rates, std::span<double> to) const;
-  void record_clamp(std::size_t body, std::size_t force, std::span<double> to) const;
+  void record_clamp(std::size_t force, std::span<double> to) const;
   double part_on_walls(std::size_t carried) const;
 
   const ImmersedSolids& immersed_;

@@ -204,7 +204,8 @@ void ImmersedSolids::release_carried(EigenSparse& A, bool rows) const {
   }
 }
 
-/// What the places' last digits leave of the stress: of each force the diagonal of the tangent times the place.
+/// What the places' last digits leave of the stress: of each force the diagonal of the tangent times
+/// the place.
 void ImmersedSolids::find_rounding() {
   double sum = 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) {
