@@ -37,8 +37,8 @@ void check_inverted(const NamedMesh& named, Remarks& remarks) {
                               named.numbers[static_cast<std::size_t>(named.mesh.region[e])],
                               place_text(named.mesh, named.mesh.element(e)[0]), others(k, inverted.size())),
                   named.mesh.dim() == 2
-                      ? "Plane elements go counter-clockwise: in Gmsh, 'ReverseMesh Surface{...};' "
-                        "turns a surface's elements."
+                      ? "Plane elements go counter-clockwise, as the outer Curve Loop of their surface does: turn "
+                        "that, or write 'ReverseMesh Surface{...};' in the .geo."
                       : "Gmsh's 'Tools, Statistics' shows such elements; a finer mesh may have none.");
   }
 }
