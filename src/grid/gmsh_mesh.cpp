@@ -9,7 +9,7 @@
 namespace tether::gmsh {
 namespace {
 
-/// Of all of the file's nodes; numbers that are there twice are told.
+/// Of all of the file's nodes; numbers that are there twice are reported.
 NodeIndex numbered(const Content& content, Remarks& remarks) {
   NodeIndex index;
   for (std::size_t n = 0; n < content.nodes.size(); ++n) {

@@ -39,11 +39,11 @@ std::vector<NamedMesh> split(const NamedMesh& whole, const std::vector<FileRegio
 /// The sides that groups of one dimension less make.
 void add_named_sides(const Content& content, const std::vector<NodeIndex>& indices, std::vector<NamedMesh>& meshes,
                      Remarks& remarks);
-/// Tells of nodes of no element.
+/// Reports nodes of no element.
 void check_used(const NamedMesh& whole, Remarks& remarks);
-/// Tells of elements with the same nodes, and returns whether there are none.
+/// Reports elements with the same nodes, and returns whether there are none.
 bool check_once(const NamedMesh& named, Remarks& remarks);
-/// Tells of nodes in one place, elements turned inside out and hanging nodes.
+/// Reports nodes in one place, elements turned inside out and hanging nodes.
 void check_shape(const NamedMesh& named, Remarks& remarks);
 
 }  // namespace tether::gmsh

@@ -50,7 +50,7 @@ class BodyChecks {
       const int r = mesh_.region[e];
       for (int a = 0; a < node_count_of(mesh_.kind); ++a) {
         const int node = mesh_.element(e)[a];
-        if (!told_.contains(r) && seen.emplace(r, node).second) place_node(r, node, moved[r]);
+        if (!reported_.contains(r) && seen.emplace(r, node).second) place_node(r, node, moved[r]);
       }
     }
     bool any = false;
@@ -60,7 +60,7 @@ class BodyChecks {
   /// Of each region the first element that is outside of the fluid between its nodes: along a side or in its middle.
   void sides() {
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      if (told_.contains(mesh_.region[e])) continue;
+      if (reported_.contains(mesh_.region[e])) continue;
       Sides sides;
       add_sides(mesh_.kind, mesh_.element(e), sides);
       for (std::size_t s = 0; s < sides.size(); s += per_side()) check_side(mesh_.region[e], &sides[s]);
@@ -96,7 +96,7 @@ class BodyChecks {
   std::size_t per_side() const { return static_cast<std::size_t>(side_node_count_of(mesh_.kind)); }
   int number(int r) const { return regions_[static_cast<std::size_t>(r)]; }
   void refuse(int r, const std::string& message, const char* hint) {
-    if (!told_.insert(r).second) return;
+    if (!reported_.insert(r).second) return;
     diagnostics_.add(
         remark_on_region(deck_, Severity::error, number(r), fmt::format("region {}: {}", number(r), message), hint));
   }
@@ -171,7 +171,7 @@ class BodyChecks {
   PointFinder finder_;
   std::vector<int> regions_;
   Diagnostics& diagnostics_;
-  std::set<int> told_;  // regions that something has been said of
+  std::set<int> reported_;  // regions that something has been said of
 };
 
 }  // namespace

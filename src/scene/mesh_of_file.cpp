@@ -107,7 +107,7 @@ bool check_sources(const Deck& deck, Diagnostics& diagnostics) {
 DeckMeshes meshes_of_file(const Deck& deck, Diagnostics& diagnostics) {
   warn_of_blocks(deck, diagnostics);
   DeckMeshes meshes;
-  if (!deck.mesh_text()) return meshes;  // why, has been told
+  if (!deck.mesh_text()) return meshes;  // why, has been reported
   std::vector<FileRegion> regions;
   std::vector<bool> is_fluid;  // of each mesh
   for (const bool fluid : {true, false}) {

@@ -11,11 +11,11 @@ namespace tether {
 /// is a block all the same.
 bool is_of_file(const Deck& deck, int r);
 
-/// Tells of a fluid, or of bodies in it, that are of the file in part and blocks in part, and of a file that no region
+/// Reports a fluid, or bodies in it, that are of the file in part and blocks in part, and of a file that no region
 /// is of. Returns whether there is none of that.
 bool check_sources(const Deck& deck, Diagnostics& diagnostics);
 
-/// The meshes of those regions that are of the file. Mistakes are told at their places in the file or in the deck.
+/// The meshes of those regions that are of the file. Mistakes are reported at their places in the file or in the deck.
 DeckMeshes meshes_of_file(const Deck& deck, Diagnostics& diagnostics);
 
 /// An error or a warning at the place where the deck says what region r is: its group, its vertices, or nreg.

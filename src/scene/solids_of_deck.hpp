@@ -15,8 +15,8 @@ namespace tether {
 
 /// The meshes that $reg and $mesh describe by blocks or by the file that $mesh names, whose text the deck must have by
 /// then (load_mesh): of the regions that are a fluid, and of the others. Nothing where there are none of them, or where
-/// they are wrong. Mistakes are told at their places: regions that are no quadrilaterals, elements turned inside out,
-/// blocks that touch without being joined; and those of a mesh file.
+/// they are wrong. Mistakes are reported at their places: regions that are no quadrilaterals, elements turned inside
+/// out, blocks that touch without being joined; and those of a mesh file.
 struct DeckMeshes {
   std::optional<Mesh> fluid, bodies;
 };
@@ -26,7 +26,7 @@ DeckMeshes meshes_of(const Deck& deck, Diagnostics& diagnostics);
 /// they are one rigid body, without laws and supports. A static problem that supports leave free to move as a whole is
 /// a mistake of its own.
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
-/// The same on a mesh that has been made; nothing where it is wrong, which has been told.
+/// The same on a mesh that has been made; nothing where it is wrong, which has been reported.
 void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// Loads of $fem on a mesh, and supports of $fem and of the walls that its nodes stand on at the start.
