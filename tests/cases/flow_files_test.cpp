@@ -226,7 +226,6 @@ TEST_F(FlowFilesIn, CurvedSidesAreCurved) {
   const auto order = [&](const char* element, bool straight) {
     const double coarse = torque_error(folder, element, 16, straight),
                  fine = torque_error(folder, element, 32, straight);
-    RecordProperty(element, std::to_string(fine));
     return std::pair(std::log2(coarse / fine), fine);
   };
   const auto [curved, of_curved] = order("q2q1", false);
