@@ -28,6 +28,10 @@ constexpr std::array rows{
              "Cells of region r along its first edge (vertex 1 to 2), its second (2 to 3) and z."},
     Variable{"mesh", "grading", real, 2, 3, nr, "", above_zero, none, "", "1.0",
              "Last cell over first along the same; sizes grow by a constant ratio."},
+    Variable{
+        "mesh", "grading_middle", real, 2, 3, nr, "", above_zero, none, "", "1.0",
+        "Middle cells over those at both ends along the same, in place of grading: above 1 cells are finest at both "
+        "ends, below 1 in the middle; sizes are symmetric and grow by a constant ratio."},
     Variable{"mesh", "z", real, 2, 2, nr, "length", -none, none, "", "",
              "Lowest and highest z of region r; with them the mesh is three-dimensional."},
     Variable{"mesh", "edge", text, 2, 4, nr, "", -none, none, "line|arc|ellipse", "'line'",

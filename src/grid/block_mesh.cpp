@@ -25,6 +25,17 @@ double graded(double k, int n, double grading) {
   return (1 - part) * up_to(whole) + part * up_to(whole + 1);
 }
 
+/// The same of sizes that are symmetric about the middle and grow by a constant ratio from both ends to it, where the
+/// cell, or the two, are `middle` times as long as those at the ends.
+double graded_from_both(double k, int n, double middle) {
+  if (n < 3 || middle == 1) return k / n;
+  if (k > 0.5 * n) return 1 - graded_from_both(n - k, n, middle);
+  const double rate = std::log(middle) / ((n - 1) / 2), whole = std::floor(k);
+  const auto up_to = [&](double cells) { return std::expm1(rate * cells) / std::expm1(rate); };
+  const double half = up_to(n / 2) + (n % 2 == 1 ? 0.5 * middle : 0);
+  return (up_to(whole) + (k - whole) * std::exp(rate * whole)) / (2 * half);
+}
+
 /// Transfinite interpolation (W. J. Gordon and C. A. Hall, Int. J. Numer. Meth. Engng 7 (1973) 461-477).
 Place mapped(const Block& block, double s, double t) {
   const Place bottom = block.edges[0](s), right = block.edges[1](t), top = block.edges[2](1 - s),
@@ -73,7 +84,10 @@ class Lattice {
 
  private:
   double part(int line, std::size_t axis) const {
-    return graded(static_cast<double>(line) / p_, block_.cells[axis], block_.grading[axis]);
+    const double k = static_cast<double>(line) / p_;
+    const int n = block_.cells[axis];
+    return block_.grading_middle[axis] == 1 ? graded(k, n, block_.grading[axis])
+                                            : graded_from_both(k, n, block_.grading_middle[axis]);
   }
   const Block& block_;
   int p_, dim_;

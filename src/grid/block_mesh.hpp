@@ -20,6 +20,8 @@ struct Block {
   std::array<EdgeCurve, 4> edges;
   std::array<int, 3> cells{1, 1, 1};
   std::array<double, 3> grading{1, 1, 1};  ///< last cell over first along edge 0, edge 1 and z
+  /// Middle cells over those at both ends along the same, in place of `grading` where it is not 1.
+  std::array<double, 3> grading_middle{1, 1, 1};
   double z_low = 0, z_high = 0;
   /// Names of the sides on edges 0 to 3 and at z_low and z_high; none is "".
   std::array<std::string, 6> names;

@@ -88,9 +88,9 @@ bool is_binary(const std::vector<std::string>& lines, Remarks& remarks) {
   return true;
 }
 
-std::optional<Mesh> mesh_of_lines(const std::vector<std::string>& lines, const std::vector<std::string>& regions,
+std::vector<Mesh> meshes_of_lines(const std::vector<std::string>& lines, const std::vector<FileRegion>& regions,
                                   std::vector<MeshFlaw>& flaws, Remarks& remarks) {
-  if (is_binary(lines, remarks)) return std::nullopt;
+  if (is_binary(lines, remarks)) return {};
   std::map<std::string, Section> sections;
   {
     // Of a file in another format, only that is told.
@@ -100,27 +100,36 @@ std::optional<Mesh> mesh_of_lines(const std::vector<std::string>& lines, const s
   }
   const File file{lines, sections, remarks};
   const auto version = version_of(file);
-  if (!version) return std::nullopt;
+  if (!version) return {};
   check_sections(file);
   Content content;
   read_groups(file, content);
   *version == 22 ? read_version_22(file, content) : read_version_41(file, content);
-  if (remarks.has_errors()) return std::nullopt;
+  if (remarks.has_errors()) return {};
   content.first_line = sections.at("Elements").line;
-  return mesh_of_content(content, regions, flaws, remarks);
+  return meshes_of_content(content, regions, flaws, remarks);
 }
 
 }  // namespace
 
-std::optional<Mesh> read_gmsh(std::string_view text, const std::string& file, const std::vector<std::string>& regions,
-                              std::vector<MeshFlaw>& flaws, Diagnostics& diagnostics) {
+std::vector<Mesh> read_gmsh_meshes(std::string_view text, const std::string& file,
+                                   const std::vector<FileRegion>& regions, std::vector<MeshFlaw>& flaws,
+                                   Diagnostics& diagnostics) {
   const std::vector<std::string> lines = split_lines(text);
   Remarks remarks(file, lines, 1, diagnostics);
   if (auto [message, hint] = no_text(text); !message.empty() && text.find("$MeshFormat") == std::string_view::npos) {
     remarks.error(0, 0, std::move(message), how_to_save);
-    return std::nullopt;
+    return {};
   }
-  return mesh_of_lines(lines, regions, flaws, remarks);
+  return meshes_of_lines(lines, regions, flaws, remarks);
+}
+
+std::optional<Mesh> read_gmsh(std::string_view text, const std::string& file, const std::vector<std::string>& groups,
+                              std::vector<MeshFlaw>& flaws, Diagnostics& diagnostics) {
+  std::vector<FileRegion> regions;
+  for (const std::string& group : groups) regions.push_back({static_cast<int>(regions.size()) + 1, group, 0});
+  std::vector<Mesh> meshes = read_gmsh_meshes(text, file, regions, flaws, diagnostics);
+  return meshes.empty() ? std::nullopt : std::optional(std::move(meshes.front()));
 }
 
 }  // namespace tether

@@ -38,9 +38,10 @@ std::string listed(const Content& content, int dim, const std::set<int>& tags) {
 }
 
 /// The tag that a region's name stands for; nothing where there is none, which is told.
-std::optional<int> tag_of(const Content& content, int dim, const std::set<int>& there, const std::string& name,
-                          std::size_t r, std::vector<MeshFlaw>& flaws) {
-  int tag = static_cast<int>(r) + 1;
+std::optional<int> tag_of(const Content& content, int dim, const std::set<int>& there,
+                          const std::vector<FileRegion>& regions, std::size_t r, std::vector<MeshFlaw>& flaws) {
+  const std::string& name = regions[r].group;
+  int tag = regions[r].number;
   std::vector<std::string> names;
   bool known = name.empty();
   for (const Group& group : content.groups) {
@@ -57,17 +58,17 @@ std::optional<int> tag_of(const Content& content, int dim, const std::set<int>& 
   return std::nullopt;
 }
 
-/// The region of each tag.
-std::map<int, int> regions_of_tags(const Content& content, int dim, const std::set<int>& there,
-                                   const std::vector<std::string>& regions, std::vector<MeshFlaw>& flaws) {
-  std::map<int, int> region;
+/// The region of each tag, by its place in the list.
+std::map<int, std::size_t> regions_of_tags(const Content& content, int dim, const std::set<int>& there,
+                                           const std::vector<FileRegion>& regions, std::vector<MeshFlaw>& flaws) {
+  std::map<int, std::size_t> region;
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    const auto tag = tag_of(content, dim, there, regions[r], r, flaws);
+    const auto tag = tag_of(content, dim, there, regions, r, flaws);
     if (!tag) continue;
-    const auto [first, fresh] = region.emplace(*tag, static_cast<int>(r));
+    const auto [first, fresh] = region.emplace(*tag, r);
     if (!fresh)
       flaws.push_back({r, fmt::format("the physical group {} is region {} already", group_text(content, dim, *tag),
-                                      first->second + 1)});
+                                      regions[first->second].number)});
   }
   return region;
 }
@@ -87,6 +88,17 @@ std::map<std::vector<int>, std::vector<int>> sides_by_nodes(const Mesh& mesh) {
     }
   }
   return sides;
+}
+
+/// Nodes of an element that a mesh has, ascending.
+std::vector<int> nodes_of(const Content& content, const Element& element, const NodeIndex& index) {
+  std::vector<int> nodes;
+  for (int a = 0; a < find_type(element.type)->nodes; ++a) {
+    const auto found = index.find(content.element_nodes[element.first + static_cast<std::size_t>(a)]);
+    if (found != index.end()) nodes.push_back(found->second);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
 }
 
 std::string side_name(const Content& content, int dim, int tag) {
@@ -111,72 +123,77 @@ void check_empty_groups(const Content& content, Remarks& remarks) {
 
 }  // namespace
 
-void assign_regions(const Content& content, const std::vector<std::string>& regions, NamedMesh& named,
-                    std::vector<MeshFlaw>& flaws, Remarks& remarks) {
-  const int dim = named.mesh.dim();
-  const std::set<int> there = tags_there(content, named);
+std::vector<std::vector<std::size_t>> regions_of_elements(const Content& content,
+                                                          const std::vector<FileRegion>& regions,
+                                                          const NamedMesh& whole, std::vector<MeshFlaw>& flaws,
+                                                          Remarks& remarks) {
+  const int dim = whole.mesh.dim();
+  const std::set<int> there = tags_there(content, whole);
   if (there.empty()) {
     for (std::size_t r = 0; r < regions.size(); ++r) {
-      if (r > 0 || !regions[r].empty())
-        flaws.push_back({r, "the file has no physical groups of its elements, so that all is region 1"});
+      if (r > 0 || !regions[r].group.empty())
+        flaws.push_back({r, fmt::format("the file has no physical groups of its elements, so that all is region {}",
+                                        regions[0].number)});
     }
-    return;
+    return std::vector<std::vector<std::size_t>>(whole.elements.size(), {0});
   }
-  const std::map<int, int> region = regions_of_tags(content, dim, there, regions, flaws);
-  std::map<std::size_t, int> told;  // sets of tags that are no one region, with the first such element's line
-  for (std::size_t e = 0; e < named.elements.size(); ++e) {
-    const Element& element = *named.elements[e];
+  const std::map<int, std::size_t> region = regions_of_tags(content, dim, there, regions, flaws);
+  std::vector<std::vector<std::size_t>> meant(whole.elements.size());
+  std::map<std::size_t, int> told;  // sets of tags that are no one region of a mesh, with the first such element's line
+  for (std::size_t e = 0; e < whole.elements.size(); ++e) {
+    const Element& element = *whole.elements[e];
     const auto& tags = content.tag_sets[element.tags];
-    std::vector<int> meant;
+    std::set<std::size_t> meshes;
     for (const int tag : tags) {
-      if (region.count(tag) > 0) meant.push_back(tag);
+      if (region.count(tag) == 0) continue;
+      meant[e].push_back(region.at(tag)), meshes.insert(regions[meant[e].back()].mesh);
     }
-    if (meant.size() == 1) {
-      named.mesh.region[e] = region.at(meant.front());
-    } else if (flaws.empty() && told.emplace(element.tags, element.line).second) {
-      remarks.error(element.line, 1,
-                    tags.empty()
-                        ? fmt::format("element {} belongs to no physical group, while others do", element.number)
-                    : meant.empty() ? fmt::format("element {} belongs to no region: its physical group is {}",
-                                                  element.number, listed(content, dim, {tags.begin(), tags.end()}))
-                                    : fmt::format("element {} belongs to two regions: {}", element.number,
-                                                  listed(content, dim, {meant.begin(), meant.end()})),
-                    "nreg counts the regions; region r is the physical group of tag r, or the one that physical(r) of "
-                    "$mesh names.");
+    std::sort(meant[e].begin(), meant[e].end());
+    const bool none = meant[e].empty();
+    if (!none && meshes.size() == meant[e].size()) continue;
+    meant[e].assign(1, none ? 0 : meant[e].front());
+    if (flaws.empty() && told.emplace(element.tags, element.line).second) {
+      const std::string groups = listed(content, dim, {tags.begin(), tags.end()});
+      remarks.error(
+          element.line, 1,
+          tags.empty() ? fmt::format("element {} belongs to no physical group, while others do", element.number)
+          : none ? fmt::format("element {} belongs to no region: its physical group is {}", element.number, groups)
+                 : fmt::format("element {} belongs to two regions: {}", element.number, groups),
+          "nreg counts the regions; region r is the physical group of tag r, or the one that physical(r) of "
+          "$mesh names.");
     }
   }
+  return meant;
 }
 
-void add_named_sides(const Content& content, const std::map<long long, int>& index, NamedMesh& named,
+void add_named_sides(const Content& content, const std::vector<NodeIndex>& indices, std::vector<NamedMesh>& meshes,
                      Remarks& remarks) {
-  const int dim = named.mesh.dim();
+  if (meshes.empty()) return;
+  const int dim = meshes.front().mesh.dim();
   check_empty_groups(content, remarks);
-  std::map<std::vector<int>, std::vector<int>> sides;
+  std::vector<std::map<std::vector<int>, std::vector<int>>> sides;
   for (const Element& element : content.elements) {
     const ElementType& type = *find_type(element.type);
     const auto& tags = content.tag_sets[element.tags];
     if (type.dim != dim - 1 || tags.empty()) continue;
-    if (sides.empty()) sides = sides_by_nodes(named.mesh);
-    std::vector<int> nodes;
-    for (int a = 0; a < type.nodes; ++a) {
-      const auto found = index.find(content.element_nodes[element.first + static_cast<std::size_t>(a)]);
-      if (found != index.end()) nodes.push_back(found->second);
+    for (std::size_t m = sides.size(); m < meshes.size(); ++m) sides.push_back(sides_by_nodes(meshes[m].mesh));
+    bool found = false;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      const auto side = sides[m].find(nodes_of(content, element, indices[m]));
+      if (side == sides[m].end()) continue;
+      found = true;
+      for (const int tag : tags) {
+        Sides& of_name = meshes[m].mesh.sides[side_name(content, dim - 1, tag)];
+        of_name.insert(of_name.end(), side->second.begin(), side->second.end());
+      }
     }
-    std::sort(nodes.begin(), nodes.end());
-    const auto side = sides.find(nodes);
-    if (side == sides.end()) {
+    if (!found)
       remarks.error(element.line, 1,
                     fmt::format("the {} {} of the physical group {} is no side of an element", type.name,
                                 element.number, group_text(content, dim - 1, tags.front())),
                     "A group of one dimension less names sides of the mesh's elements.");
-      continue;
-    }
-    for (const int tag : tags) {
-      Sides& of_name = named.mesh.sides[side_name(content, dim - 1, tag)];
-      of_name.insert(of_name.end(), side->second.begin(), side->second.end());
-    }
   }
-  drop_twins(named.mesh);
+  for (NamedMesh& named : meshes) drop_twins(named.mesh);
 }
 
 }  // namespace tether::gmsh

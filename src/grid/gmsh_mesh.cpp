@@ -9,9 +9,9 @@
 namespace tether::gmsh {
 namespace {
 
-/// Which node of the mesh each of the file's numbers is; numbers that are there twice are told.
-std::map<long long, int> numbered(const Content& content, Remarks& remarks) {
-  std::map<long long, int> index;
+/// Of all of the file's nodes; numbers that are there twice are reported.
+NodeIndex numbered(const Content& content, Remarks& remarks) {
+  NodeIndex index;
   for (std::size_t n = 0; n < content.nodes.size(); ++n) {
     const Node& node = content.nodes[n];
     const auto [first, fresh] = index.emplace(node.number, static_cast<int>(n));
@@ -48,7 +48,8 @@ std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& rem
       remarks.error(line, 1,
                     fmt::format("elements of two kinds: {} of the type {}, and {} of the type {}, the first here",
                                 found[one->number].first, one->name, count, type->name),
-                    dim == 2 ? "A mesh is of one kind. In Gmsh 'Recombine Surface' makes all quadrangles."
+                    dim == 2 ? "A mesh is of one kind. In Gmsh 'Recombine Surface{:};' makes quadrangles of "
+                               "triangles, and 'Mesh.SubdivisionAlgorithm = 1;' of all of them."
                              : "A mesh is of one kind. Tetrahedra always fit.");
     } else {
       one = type;
@@ -58,8 +59,8 @@ std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& rem
 }
 
 /// The nodes of an element as nodes of the mesh, in the file's order; what is wrong with them is told.
-bool nodes_of(const Content& content, const Element& element, const std::map<long long, int>& index,
-              std::vector<int>& nodes, Remarks& remarks) {
+bool nodes_of(const Content& content, const Element& element, const NodeIndex& index, std::vector<int>& nodes,
+              Remarks& remarks) {
   const int count = find_type(element.type)->nodes;
   nodes.clear();
   for (int a = 0; a < count; ++a) {
@@ -81,22 +82,15 @@ bool nodes_of(const Content& content, const Element& element, const std::map<lon
   return true;
 }
 
-void add_elements(const Content& content, const std::map<long long, int>& index, NamedMesh& named, Remarks& remarks) {
+void add_elements(const Content& content, const NodeIndex& index, NamedMesh& named, Remarks& remarks) {
   const std::vector<int> order = gmsh_order(named.mesh.kind);
   std::vector<int> nodes;
-  std::map<std::vector<int>, const Element*> seen;
   for (const Element& element : content.elements) {
     if (find_type(element.type)->kind != named.mesh.kind) continue;
     if (!nodes_of(content, element, index, nodes, remarks)) continue;
     for (const int a : order) named.mesh.nodes.push_back(nodes[static_cast<std::size_t>(a)]);
     named.mesh.region.push_back(0);
     named.elements.push_back(&element);
-    std::sort(nodes.begin(), nodes.end());
-    const auto [first, fresh] = seen.emplace(nodes, &element);
-    if (fresh) continue;
-    remarks.error(element.line, 1,
-                  fmt::format("elements {} and {} have the same nodes", first->second->number, element.number),
-                  "Does a surface or volume belong to two physical groups? Each element has one region.");
   }
 }
 
@@ -127,27 +121,77 @@ void add_places(const Content& content, NamedMesh& named, Remarks& remarks) {
 
 }  // namespace
 
-std::optional<Mesh> mesh_of_content(const Content& content, const std::vector<std::string>& regions,
+std::vector<NamedMesh> split(const NamedMesh& whole, const std::vector<FileRegion>& regions,
+                             const std::vector<std::vector<std::size_t>>& regions_of, std::vector<NodeIndex>& indices) {
+  const auto per_element = static_cast<std::size_t>(node_count_of(whole.mesh.kind));
+  const auto dim = static_cast<std::size_t>(whole.mesh.dim());
+  std::vector<NamedMesh> meshes;
+  std::vector<int> in_its_mesh;  // the number that each region has there
+  for (const FileRegion& region : regions) {
+    meshes.resize(std::max(meshes.size(), region.mesh + 1));
+    in_its_mesh.push_back(static_cast<int>(meshes[region.mesh].numbers.size()));
+    meshes[region.mesh].numbers.push_back(region.number);
+  }
+  std::vector<std::vector<int>> number(meshes.size(), std::vector<int>(whole.nodes.size(), -1));
+  for (std::size_t e = 0; e < whole.elements.size(); ++e) {
+    for (const std::size_t r : regions_of[e]) {
+      NamedMesh& to = meshes[regions[r].mesh];
+      to.elements.push_back(whole.elements[e]), to.mesh.region.push_back(in_its_mesh[r]);
+      for (std::size_t a = 0; a < per_element; ++a) {
+        to.mesh.nodes.push_back(whole.mesh.element(e)[a]);
+        number[regions[r].mesh][static_cast<std::size_t>(to.mesh.nodes.back())] = 0;
+      }
+    }
+  }
+  indices.assign(meshes.size(), {});
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    NamedMesh& to = meshes[m];
+    to.mesh.kind = whole.mesh.kind;
+    for (std::size_t n = 0; n < whole.nodes.size(); ++n) {
+      if (number[m][n] < 0) continue;
+      number[m][n] = static_cast<int>(to.nodes.size());
+      indices[m].emplace(whole.nodes[n]->number, number[m][n]);
+      to.nodes.push_back(whole.nodes[n]);
+      to.mesh.x.insert(to.mesh.x.end(), &whole.mesh.x[n * dim], &whole.mesh.x[n * dim] + dim);
+    }
+    for (int& node : to.mesh.nodes) node = number[m][static_cast<std::size_t>(node)];
+  }
+  return meshes;
+}
+
+std::vector<Mesh> meshes_of_content(const Content& content, const std::vector<FileRegion>& regions,
                                     std::vector<MeshFlaw>& flaws, Remarks& remarks) {
   const int dim = dimension_of(content);
   if (dim < 2) {
     remarks.error(content.first_line, 1, "there are no elements of a surface or a volume",
                   "In Gmsh, mesh in 2D or 3D and give physical groups of surfaces or volumes, too.");
-    return std::nullopt;
+    return {};
   }
   const auto kind = kind_of(content, dim, remarks);
-  const std::map<long long, int> index = numbered(content, remarks);
-  if (!kind || remarks.has_errors()) return std::nullopt;
-  NamedMesh named;
-  named.mesh.kind = *kind;
-  add_places(content, named, remarks);
-  add_elements(content, index, named, remarks);
-  if (remarks.has_errors()) return std::nullopt;
-  assign_regions(content, regions, named, flaws, remarks);
-  add_named_sides(content, index, named, remarks);
-  check_shape(named, remarks);
-  if (remarks.has_errors() || !flaws.empty()) return std::nullopt;
-  return std::move(named.mesh);
+  const NodeIndex index = numbered(content, remarks);
+  if (!kind || remarks.has_errors()) return {};
+  NamedMesh whole;
+  whole.mesh.kind = *kind;
+  add_places(content, whole, remarks);
+  add_elements(content, index, whole, remarks);
+  if (remarks.has_errors()) return {};
+  const auto regions_of = regions_of_elements(content, regions, whole, flaws, remarks);
+  const bool several = std::any_of(regions.begin(), regions.end(), [](const FileRegion& r) { return r.mesh > 0; });
+  if (several && (remarks.has_errors() || !flaws.empty())) return {};  // elements would be looked at in a wrong mesh
+  std::vector<NodeIndex> indices;
+  std::vector<NamedMesh> named = split(whole, regions, regions_of, indices);
+  bool once = true;
+  for (const NamedMesh& mesh : named) once &= check_once(mesh, remarks);
+  if (!once) return {};
+  check_used(whole, remarks);
+  add_named_sides(content, indices, named, remarks);
+  std::vector<Mesh> meshes;
+  for (NamedMesh& mesh : named) {
+    check_shape(mesh, remarks);
+    meshes.push_back(std::move(mesh.mesh));
+  }
+  if (remarks.has_errors() || !flaws.empty()) meshes.clear();
+  return meshes;
 }
 
 }  // namespace tether::gmsh

@@ -8,6 +8,7 @@
 
 #include "base/remarks.hpp"
 #include "grid/gmsh_content.hpp"
+#include "grid/gmsh_file.hpp"
 #include "grid/mesh_flaws.hpp"
 
 namespace tether::gmsh {
@@ -17,18 +18,32 @@ struct NamedMesh {
   Mesh mesh;
   std::vector<const Node*> nodes;        ///< of mesh
   std::vector<const Element*> elements;  ///< of mesh
+  std::vector<int> numbers;              ///< of its regions in the deck
 };
 
-/// Makes the mesh that a file's content describes; arguments and mistakes as of read_gmsh.
-std::optional<Mesh> mesh_of_content(const Content& content, const std::vector<std::string>& regions,
+/// Which node of a mesh each of the file's numbers is.
+using NodeIndex = std::map<long long, int>;
+
+/// Makes the meshes that a file's content describes; arguments and mistakes as of read_gmsh_meshes.
+std::vector<Mesh> meshes_of_content(const Content& content, const std::vector<FileRegion>& regions,
                                     std::vector<MeshFlaw>& flaws, Remarks& remarks);
 
-/// The regions of the elements, whose groups `regions` names.
-void assign_regions(const Content& content, const std::vector<std::string>& regions, NamedMesh& named,
-                    std::vector<MeshFlaw>& flaws, Remarks& remarks);
-/// The sides that groups of one dimension less make; `index` says which node of the mesh each number is.
-void add_named_sides(const Content& content, const std::map<long long, int>& index, NamedMesh& named, Remarks& remarks);
-/// Tells of unused nodes, nodes in one place, elements turned inside out and hanging nodes.
+/// For each element of `whole`, which are all of the file, the places in `regions` that its groups mean, ascending.
+std::vector<std::vector<std::size_t>> regions_of_elements(const Content& content,
+                                                          const std::vector<FileRegion>& regions,
+                                                          const NamedMesh& whole, std::vector<MeshFlaw>& flaws,
+                                                          Remarks& remarks);
+/// The meshes of the regions, their nodes in the order of the file, and what the numbers of their nodes are.
+std::vector<NamedMesh> split(const NamedMesh& whole, const std::vector<FileRegion>& regions,
+                             const std::vector<std::vector<std::size_t>>& regions_of, std::vector<NodeIndex>& indices);
+/// The sides that groups of one dimension less make.
+void add_named_sides(const Content& content, const std::vector<NodeIndex>& indices, std::vector<NamedMesh>& meshes,
+                     Remarks& remarks);
+/// Reports nodes of no element.
+void check_used(const NamedMesh& whole, Remarks& remarks);
+/// Reports elements with the same nodes, and returns whether there are none.
+bool check_once(const NamedMesh& named, Remarks& remarks);
+/// Reports nodes in one place, elements turned inside out and hanging nodes.
 void check_shape(const NamedMesh& named, Remarks& remarks);
 
 }  // namespace tether::gmsh

@@ -7,7 +7,8 @@
 namespace tether::gmsh {
 namespace {
 
-constexpr const char* triangles = "Mesh.ElementOrder = 1 makes 3-node triangles.";
+constexpr const char* triangles =
+    "Mesh.ElementOrder = 1 makes 3-node triangles; a fluid takes quadrangles, by 'Recombine Surface{:};'.";
 constexpr const char* tetrahedra = "Mesh.ElementOrder = 1 makes 4-node tetrahedra.";
 constexpr const char* complete = "Mesh.SecondOrderIncomplete = 0 makes 9-node quadrangles and 27-node hexahedra.";
 constexpr const char* only_boxes = "Bodies in space are of tetrahedra or of hexahedra alone: tetrahedra always fit.";

@@ -125,13 +125,13 @@ MeshPlace place_at(const Mesh& mesh, std::size_t e, const Point<Shapes>& s) {
 
 template <class Shapes>
 NearestPlace nearest_of(const Mesh& mesh, const std::array<double, 3>& x) {
-  NearestPlace best{{}, std::numeric_limits<double>::infinity(), 0};
+  NearestPlace best{{}, 0, std::numeric_limits<double>::infinity(), 0};
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const Outline<Shapes> outline(mesh, e);
     if (outline.away(x) >= best.away) continue;
     const Point<Shapes> s = reference_place<Shapes>(mesh, e, x);
     const double away = length<Shapes>(remainder<Shapes>(mesh, e, x, s));
-    if (away < best.away) best = {place_at<Shapes>(mesh, e, s), away, outline.size};
+    if (away < best.away) best = {place_at<Shapes>(mesh, e, s), e, away, outline.size};
     if (best.away <= rounding * outline.size) break;
   }
   return best;

@@ -21,6 +21,7 @@ struct MeshPlace {
 /// The place of a mesh that is nearest to one that was asked for.
 struct NearestPlace {
   MeshPlace place;
+  std::size_t element = 0;  ///< of the place
   double away = 0;          ///< how far the place that was asked for lies outside of all elements [length]
   double element_size = 0;  ///< the longest extent of the element along an axis [length]
 };

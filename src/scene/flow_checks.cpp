@@ -9,6 +9,7 @@
 #include "deck/elements.hpp"
 #include "deck/spelling.hpp"
 #include "scene/flow_of_deck.hpp"
+#include "scene/mesh_of_file.hpp"
 
 namespace tether {
 namespace {
@@ -33,12 +34,9 @@ class FlowChecks {
       no("rigid", "", {1, 1}, "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are");
     if (!deck_.has_group("mesh"))
       no("fem", "law", {fluids[0], 1}, "a fluid has no mesh", "add $mesh, whose cells(1,r) divide the regions of $reg");
-    if (!deck_.text("mesh", "file").empty())
-      no("mesh", "file", {1, 1}, "a fluid's mesh is made of blocks, not of a file",
-         "describe the fluid by regions of $reg with four vertices");
     if (const auto z = deck_.given_elements("mesh", "z"); !z.empty())
       no("mesh", "z", z[0], "a fluid is plane: its mesh has no z", "leave z away");
-    return good;
+    return check_sources(deck_, diagnostics_) && good;
   }
   void steps() {
     const std::string name = deck_.text("fem", "integrator");

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/index.hpp"
+#include "grid/mesh_flaws.hpp"
 #include "scene/expression_of_deck.hpp"
 #include "scene/flow_checks.hpp"
 #include "scene/solids_of_deck.hpp"
@@ -116,12 +117,16 @@ void check_one_fluid(const Deck& deck, const Flow& flow, Diagnostics& diagnostic
   const std::vector<int> parts = blocks_by_sides(mesh);
   const auto other = std::find_if(parts.begin(), parts.end(), [](int part) { return part > 0; });
   if (other == parts.end()) return;
-  const int r =
-      regions_of(deck, true)[static_cast<std::size_t>(mesh.region[static_cast<std::size_t>(other - parts.begin())])];
+  const auto e = static_cast<std::size_t>(other - parts.begin());
+  const std::vector<int> regions = regions_of(deck, true);
+  const int r = regions[static_cast<std::size_t>(mesh.region[e])];
+  const int first = regions[static_cast<std::size_t>(mesh.region[0])];
+  const std::string at = place_text(mesh, mesh.element(e)[0]);
   refuse(deck, "fem", "law", {r, 1},
-         fmt::format("the fluid of region {} does not hang together with that of region {}", r,
-                     regions_of(deck, true).front()),
-         "blocks are joined by whole sides; fluids that nothing joins take a deck each", diagnostics);
+         r == first ? fmt::format("the fluid of region {} does not hang together: a part of it is at {}", r, at)
+                    : fmt::format("the fluid of region {} does not hang together with that of region {}", r, first),
+         "parts are joined by whole sides, in Gmsh by 'Coherence'; fluids that nothing joins take a deck each",
+         diagnostics);
 }
 
 double highest(const Mesh& mesh) {
@@ -174,16 +179,14 @@ FlowVector flow_vector_of(const Deck& deck, const std::array<const char*, 2>& na
 
 void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (!check_flow_frame(deck, diagnostics)) return;
-  auto mesh = fluid_mesh_of(deck, diagnostics);
-  if (!regions_of(deck, false).empty()) {
-    add_solids(deck, scene, diagnostics);
-  } else {
-    check_mesh_deck(deck, diagnostics);
-  }
+  check_mesh_deck(deck, diagnostics);
+  DeckMeshes meshes = meshes_of(deck, diagnostics);
+  if (!regions_of(deck, false).empty()) add_solids_on(std::move(meshes.bodies), deck, scene, diagnostics);
   check_flow_deck(deck, diagnostics);
-  if (!mesh) return;
-  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*mesh), scene.solids.get(), diagnostics));
-  place_in_flow(deck, scene, *flow, diagnostics);
+  if (!meshes.fluid) return;
+  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*meshes.fluid), scene.solids.get(), diagnostics));
+  place_probes(deck, *flow, diagnostics);
+  place_bodies(deck, scene, *flow, diagnostics);
   if (scene.solids) leave_held_volumes_to_fluid(*scene.solids, *flow);
   check_flow_velocities(deck, scene.clock, *flow, diagnostics);
   scene.flow = flow;

@@ -49,7 +49,7 @@ class Twins {
             fmt::format("the nodes of '{}' and '{}' do not match: {} and {}, and that at {} has {} at ({:.6g}, {:.6g})",
                         side.name, partner.name, from.size(), to.size(), place_text(mesh_, node),
                         twin == to.end() ? "none" : "one", at(node, 0) + move[0], at(node, 1) + move[1]),
-            "one shape, and equally many cells with the same grading on both"};
+            "one shape, and equally many cells with the same grading on both, in Gmsh by 'Periodic Curve'"};
       unite(node, *twin);
     }
     return {};

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include "grid/block_mesh.hpp"
-#include "grid/gmsh_file.hpp"
 #include "scene/flow_of_deck.hpp"
-#include "scene/named_file.hpp"
+#include "scene/mesh_of_file.hpp"
 #include "scene/solids_of_deck.hpp"
 
 namespace tether {
@@ -41,7 +40,9 @@ class BlockReader {
     for (int k = 1; k <= 3; ++k) {
       block.cells[static_cast<std::size_t>(k - 1)] = deck_.integer("mesh", "cells", k, r_);
       block.grading[static_cast<std::size_t>(k - 1)] = deck_.real("mesh", "grading", k, r_);
+      block.grading_middle[static_cast<std::size_t>(k - 1)] = deck_.real("mesh", "grading_middle", k, r_);
     }
+    check_gradings(block);
     block.number = r_;
     for (int k = 1; k <= 6; ++k) block.names[static_cast<std::size_t>(k - 1)] = deck_.text("mesh", "side", k, r_);
     if (solid_) read_depth(block);
@@ -75,6 +76,15 @@ class BlockReader {
       return straight(from, to);
     }
     return elliptic(from, to, centre, a, b);
+  }
+  void check_gradings(const Block& block) {
+    for (int k = 1; k <= 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k - 1);
+      if (block.grading[axis] == 1 || block.grading_middle[axis] == 1) continue;
+      error("mesh", "grading_middle", {k, r_},
+            fmt::format("grading({0},{1}) and grading_middle({0},{1}) are both given", k, r_),
+            "cells grow from the first to the last, or from both ends to the middle: leave one away");
+    }
   }
   void read_depth(Block& block) {
     for (const int k : {1, 2}) {
@@ -126,58 +136,22 @@ std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>
   return flaws.empty() ? std::optional(std::move(mesh)) : std::nullopt;
 }
 
-/// What the deck says of blocks, which a mesh file has in their place; deck.effective, which shows defaults, too, means
-/// nothing by them.
-void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
-  if (deck.given("mesh", "file_sha256")) return;
-  for (const char* name : {"element", "cells", "grading", "z", "edge", "side"}) {
-    const auto given = deck.given_elements("mesh", name);
-    if (given.empty()) continue;
-    diagnostics.add(deck.remark(Severity::warning, "mesh", name, given.front(),
-                                fmt::format("{} has no effect: the mesh is that of the file", name)));
-  }
-  for (const char* name : {"nvi", "xvi", "yvi"}) {
-    const auto given = deck.given_elements("reg", name);
-    if (given.empty()) continue;
-    diagnostics.add(deck.remark(Severity::warning, "reg", name, given.front(),
-                                fmt::format("{} of $reg has no effect: the mesh is that of the file", name)));
-    break;
-  }
-}
-
-std::optional<Mesh> mesh_of_deck_file(const Deck& deck, int regions, Diagnostics& diagnostics) {
-  warn_of_blocks(deck, diagnostics);
-  if (!deck.mesh_text()) return std::nullopt;  // why, has been told
-  std::vector<std::string> groups;
-  for (int r = 1; r <= regions; ++r) groups.push_back(deck.text("mesh", "physical", r));
-  std::vector<MeshFlaw> flaws;
-  auto mesh =
-      read_gmsh(*deck.mesh_text(), path_beside(deck, deck.text("mesh", "file")).string(), groups, flaws, diagnostics);
-  for (const MeshFlaw& flaw : flaws) {
-    const int r = static_cast<int>(flaw.region) + 1;
-    const bool named = deck.given("mesh", "physical", r);
-    diagnostics.add(deck.remark(Severity::error, named ? "mesh" : "reg", named ? "physical" : "nreg",
-                                {named ? r : 1, 1}, fmt::format("region {}: {}", r, flaw.message),
-                                "region r is the physical group of tag r, or the one that physical(r) of $mesh names"));
-  }
-  return mesh;
-}
-
 }  // namespace
 
-std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics) {
-  const int regions = deck.integer("reg", "nreg");
-  if (regions == 0) {
+DeckMeshes meshes_of(const Deck& deck, Diagnostics& diagnostics) {
+  DeckMeshes meshes;
+  if (deck.integer("reg", "nreg") == 0) {
     diagnostics.add(deck.remark(Severity::error, "reg", "nreg", {1, 1}, "a mesh needs a region at least",
                                 "nreg counts the blocks that the mesh is made of, or the physical groups of its file"));
-    return std::nullopt;
+    return meshes;
   }
-  if (!deck.text("mesh", "file").empty()) return mesh_of_deck_file(deck, regions, diagnostics);
-  return mesh_of_deck_blocks(deck, regions_of(deck, false), false, diagnostics);
-}
-
-std::optional<Mesh> fluid_mesh_of(const Deck& deck, Diagnostics& diagnostics) {
-  return mesh_of_deck_blocks(deck, regions_of(deck, true), true, diagnostics);
+  if (!deck.text("mesh", "file").empty()) meshes = meshes_of_file(deck, diagnostics);
+  for (const bool fluid : {true, false}) {
+    const std::vector<int> regions = regions_of(deck, fluid);
+    if (regions.empty() || is_of_file(deck, regions.front())) continue;
+    (fluid ? meshes.fluid : meshes.bodies) = mesh_of_deck_blocks(deck, regions, fluid, diagnostics);
+  }
+  return meshes;
 }
 
 }  // namespace tether

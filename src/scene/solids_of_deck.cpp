@@ -156,7 +156,10 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
     if (!deck.has_group("mesh")) return;
   }
   check_mesh_deck(deck, diagnostics);
-  auto mesh = mesh_of(deck, diagnostics);
+  add_solids_on(meshes_of(deck, diagnostics).bodies, deck, scene, diagnostics);
+}
+
+void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;
   Solids solids;
   for (const int r : regions_of(deck, false)) solids.regions.push_back(region_of(deck, r, dim, diagnostics));

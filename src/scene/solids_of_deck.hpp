@@ -13,18 +13,21 @@
 
 namespace tether {
 
-/// The mesh that $reg and $mesh describe by blocks, or the one of the file that $mesh names, whose text the deck must
-/// have by then (load_mesh). Mistakes are told at their places: regions that are no quadrilaterals, elements turned
-/// inside out, blocks that touch without being joined; and those of a mesh file.
-std::optional<Mesh> mesh_of(const Deck& deck, Diagnostics& diagnostics);
-
-/// The mesh of the blocks that are a fluid's, likewise; mesh_of is that of the others.
-std::optional<Mesh> fluid_mesh_of(const Deck& deck, Diagnostics& diagnostics);
+/// The meshes that $reg and $mesh describe by blocks or by the file that $mesh names, whose text the deck must have by
+/// then (load_mesh): of the regions that are a fluid, and of the others. Nothing where there are none of them, or where
+/// they are wrong. Mistakes are reported at their places: regions that are no quadrilaterals, elements turned inside
+/// out, blocks that touch without being joined; and those of a mesh file.
+struct DeckMeshes {
+  std::optional<Mesh> fluid, bodies;
+};
+DeckMeshes meshes_of(const Deck& deck, Diagnostics& diagnostics);
 
 /// Adds the bodies on a mesh that $reg, $mesh and $fem describe, with loads, supports and tracked places; with $rigid
 /// they are one rigid body, without laws and supports. A static problem that supports leave free to move as a whole is
 /// a mistake of its own.
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
+/// The same on a mesh that has been made; nothing where it is wrong, which has been reported.
+void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// Loads of $fem on a mesh, and supports of $fem and of the walls that its nodes stand on at the start.
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics);

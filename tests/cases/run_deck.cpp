@@ -39,6 +39,10 @@ DeckRun run_deck(const std::string& name, const std::vector<std::string>& overri
   return run_loaded(name, load(std::string(TETHER_SOURCE_DIR) + "/decks/" + name + ".in", {overrides, "", ""}));
 }
 
+DeckRun run_file(const std::string& path, const std::vector<std::string>& overrides) {
+  return run_loaded(std::filesystem::path(path).stem().string(), load(path, {overrides, "", ""}));
+}
+
 DeckRun run_text(const std::string& name, const std::string& text, const std::vector<std::string>& overrides) {
   Diagnostics diagnostics;
   const Deck deck = read_deck(text, name + ".in", overrides, diagnostics);

@@ -29,6 +29,9 @@ DeckRun run_deck(const std::string& name, const std::vector<std::string>& overri
 /// The same with a deck's text; `name` is what the folder is called after.
 DeckRun run_text(const std::string& name, const std::string& text, const std::vector<std::string>& overrides = {});
 
+/// The same with a deck's file, anywhere.
+DeckRun run_file(const std::string& path, const std::vector<std::string>& overrides = {});
+
 /// A variable of a NetCDF file, all of it.
 std::vector<double> read_variable(const std::string& file, const std::string& name);
 

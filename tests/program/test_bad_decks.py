@@ -70,7 +70,10 @@ REQUIRED = {
     "flow_tracers_outside", "flow_tracked_without_body", "flow_unbalanced", "flow_unbalanced_later",
     "flow_unknown_kind", "flow_unknown_side", "flow_velocity_on_a_periodic_side", "flow_velocity_on_a_slip_wall",
     "flow_velocity_on_a_wall", "flow_velocity_on_an_open_side", "flow_with_a_rigid_body", "flow_without_a_fluid",
-    "flow_without_a_mesh", "flow_without_density", "flow_without_viscosity",
+    "flow_without_a_mesh", "flow_without_density", "flow_without_viscosity", "flow_of_triangles", "flow_of_four_nodes",
+    "flow_of_both", "flow_of_a_file_in_two_parts", "flow_file_without_the_group", "flow_file_without_the_side",
+    "flow_body_without_fluid", "flow_of_curved_triangles", "flow_body_across_a_hole", "flow_body_around_a_hole",
+    "mesh_two_gradings",
 }
 
 

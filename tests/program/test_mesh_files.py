@@ -17,6 +17,20 @@ $points tracked_at(1,1)=2.,1. $
 """
 
 
+FLAG = """a flag that is a block, at a cylinder of a mesh file
+$in
+nx=2, ny=2, xleft=0., xright=2.2, ybot=0., ytop=.41, wl=1, wr=1, wb=1, wt=1,
+tmax=.03, tstep=.005, iout(33)=1, tiout(33)=.005, iout(41)=1, tiout(41)=.015
+$
+$reg nreg=2, densir=1000.,1000., matr(1,1)=1., matr(1,2)=1.4e6,.4, nvi(2)=4,
+xvi(1,2)=.24899,.4,.4,.24899, yvi(1,2)=.19,.19,.21,.21 $
+$mesh file='plate.msh', physical(1)='fluid', element='q2', cells(1,2)=20,4, edge(4,2)='arc', edge_xc(4,2)=.2,
+edge_yc(4,2)=.2 $
+$fem law='fluid','svk', fix_on='2.left', fix(1,1)=0.,0. $
+$flow boundary_on='inflow','outflow', boundary='inflow','open', boundary_u='1.2*y*(.41-y)/.41^2', force_on='cylinder' $
+"""
+
+
 class MeshFiles(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -35,6 +49,19 @@ class MeshFiles(ProgramTest):
         # Into the folder that it stands in, too.
         self.assertEqual(run(first / "deck.effective", "--quiet", "--out", first).returncode, 0)
         self.assertEqual((second / "history.txt").read_bytes(), (first / "history.txt").read_bytes())
+
+    def test_a_fluid_of_a_file_and_a_body_of_the_deck_run_again_and_go_on(self):
+        deck = self.write("flag.in", FLAG)
+        shutil.copy(DECKS / "cylinder.msh", self.mesh)
+        first = self.run_ok(deck)
+        self.assertGreater(abs(history(first)["side_force_x_1"]).max(), 0)
+        second = self.run_ok(first / "deck.effective", out="again")
+        self.assertEqual((second / "history.txt").read_bytes(), (first / "history.txt").read_bytes())
+        self.assertEqual((second / "messages.txt").read_bytes(), (first / "messages.txt").read_bytes())
+        on = self.folder / "on"
+        self.expect(0, deck, "--restart", first / "checkpoint-1.nc", "--out", on)
+        self.assertEqual((on / "history.txt").read_text().splitlines()[-1],
+                         (first / "history.txt").read_text().splitlines()[-1])
 
     def test_another_mesh_is_told(self):
         out = self.run_ok(self.deck)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "grid/element_sides.hpp"
 #include "grid/jacobian.hpp"
@@ -164,6 +165,46 @@ TEST(BlockMesh, GradingIsTheRatioOfTheLastCellToTheFirst) {
   EXPECT_NEAR((x(5) - x(4)) / (x(1) - x(0)), 4, 1e-12);
   EXPECT_NEAR((x(3) - x(2)) / (x(2) - x(1)), (x(2) - x(1)) / (x(1) - x(0)), 1e-12);
   EXPECT_DOUBLE_EQ(x(5), 1);
+}
+
+/// Of odd and even numbers of cells, finest at both ends and in the middle: 1 2 4 8 4 2 1, 1 2 4 4 2 1, 9 3 1 3 9.
+TEST(BlockMesh, GradingOfTheMiddleIsSymmetricAndGeometric) {
+  const std::vector<std::pair<double, std::vector<double>>> lines{
+      {8, {1, 2, 4, 8, 4, 2, 1}}, {4, {1, 2, 4, 4, 2, 1}}, {1.0 / 9, {9, 3, 1, 3, 9}}, {5, {1, 1}}, {5, {1}}};
+  for (const auto& [middle, sizes] : lines) {
+    const double whole = std::accumulate(sizes.begin(), sizes.end(), 0.0);
+    for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9}) {
+      Block block = rectangle({0, 0}, {whole, 1}, {static_cast<int>(sizes.size()), 1, 1});
+      block.grading_middle = {middle, 1, 1};
+      std::vector<MeshFlaw> flaws;
+      const Mesh mesh = mesh_of_blocks({block}, kind, flaws);
+      const auto p = static_cast<std::size_t>(order_of(kind));
+      const auto x = [&](std::size_t k) { return mesh.x[2 * k]; };
+      for (std::size_t k = 0; k < sizes.size(); ++k) {
+        EXPECT_NEAR(x(p * (k + 1)) - x(p * k), sizes[k], 1e-13 * whole) << middle << " " << k;
+        if (p == 2) {
+          EXPECT_NEAR(x(2 * k + 1), 0.5 * (x(2 * k) + x(2 * k + 2)), 1e-14 * whole);
+        }
+      }
+    }
+  }
+}
+
+/// The second block goes the other way along the edge that they share.
+TEST(BlockMesh, NeighboursOfOneGradingOfTheMiddleAreJoined) {
+  Block left = rectangle({0, 0}, {1, 3}, {2, 9, 1});
+  Block right = quadrilateral({{{2, 3}, {1, 3}, {1, 0}, {2, 0}}}, {3, 9, 1});
+  left.grading_middle[1] = right.grading_middle[1] = 1e3;
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9}) {
+    const auto p = static_cast<std::size_t>(order_of(kind));
+    std::vector<MeshFlaw> flaws;
+    EXPECT_EQ(mesh_of_blocks({left, right}, kind, flaws).node_count(), (5 * p + 1) * (9 * p + 1));
+    EXPECT_TRUE(flaws.empty());
+    Block other = right;
+    other.grading_middle[1] = 1e3 * 1.01;
+    mesh_of_blocks({left, other}, kind, flaws);
+    EXPECT_FALSE(flaws.empty());
+  }
 }
 
 TEST(BlockMesh, SidesHaveNamesAndTheirWholeArea) {

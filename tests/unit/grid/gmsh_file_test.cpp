@@ -214,5 +214,30 @@ TEST(GmshFile, PassesOverParameters) {
   EXPECT_NEAR(volume(mesh_of(replaced(text, "1 0 0\n2 0 0\n", "1 0 0 .5\n2 0 0 .1 .2\n"))), 2, 1e-12);
 }
 
+/// One surface in two groups, as both versions write it: an element twice, or with two tags.
+TEST(GmshFile, MeshesMayShareElements) {
+  MadeFile file = two_squares();
+  file.elements.push_back({2, 3, 2, {2, 3, 6, 5}});
+  file.groups.push_back("2 2 \"flag\"");
+  const std::string both = replaced(two_squares().version_41(), "2 0 0 0 1 1 1 1 1 0\n", "2 0 0 0 1 1 1 2 1 2 0\n");
+  const std::string named = replaced(both, "2 1 \"plate\"", "2 1 \"plate\"\n2 2 \"flag\"");
+  for (const auto& text : {file.version_22(), replaced(named, "$PhysicalNames\n2\n", "$PhysicalNames\n3\n")}) {
+    std::vector<MeshFlaw> flaws;
+    Diagnostics diagnostics;
+    const auto meshes = read_gmsh_meshes(text, "a.msh", {{4, "flag", 1}, {9, "plate", 0}}, flaws, diagnostics);
+    for (const auto& d : diagnostics.errors()) ADD_FAILURE() << d.message;
+    ASSERT_EQ(meshes.size(), 2u);
+    EXPECT_EQ(meshes[0].element_count(), 2u);
+    EXPECT_EQ(meshes[0].node_count(), 6u);
+    EXPECT_EQ(meshes[1].element_count(), 1u);
+    EXPECT_EQ(meshes[1].x, (std::vector<double>{1, 0, 2, 0, 1, 1, 2, 1}));
+    EXPECT_EQ(meshes[1].region, (std::vector<int>{0}));
+    EXPECT_EQ(meshes[1].sides.count("left"), 0u);
+    ASSERT_EQ(meshes[1].sides.count("physical 9"), 1u);
+    EXPECT_EQ(meshes[1].sides.at("physical 9"), (Sides{1, 3}));
+    EXPECT_EQ(meshes[0].sides.at("physical 9"), (Sides{2, 5}));
+  }
+}
+
 }  // namespace
 }  // namespace tether::test

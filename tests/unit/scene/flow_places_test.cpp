@@ -71,6 +71,34 @@ TEST(FlowPlaces, TheBulgeOfAnEdgeIsInTheFluid) {
   EXPECT_EQ(warnings_of(ring("q2q1", 2, "probe(1,1)=2.01,0.", "", graded)).size(), 1u);
 }
 
+/// A body from radius 1.5 to the rim, whose nodes lie on a circle and the fluid's sides within it.
+Built body_at_the_rim(const char* element, int cells) {
+  std::string x = "xvi(1,5)=", y = ",\nyvi(1,5)=";
+  for (const auto& [r, angle] : {std::pair{1.5, .1}, {2., .1}, {2., .6}, {1.5, .6}})
+    x += fmt::format("{:.17g},", r * std::cos(angle)), y += fmt::format("{:.17g},", r * std::sin(angle));
+  return ring(element, cells, "", x + y.substr(1) + "matr(1,5)=10.,.3 ",
+              {"mesh.edge(2,5)='arc'", "mesh.edge(4,5)='arc'", "mesh.cells(1:2,5)=4,8"});
+}
+
+TEST(FlowPlaces, NodesOfBodiesOnRoundWallsAreMovedToThem) {
+  for (const auto& [element, cells] : {std::pair{"q1q1", 4}, {"q1q1", 9}, {"q2q1", 2}}) {
+    const Built built = body_at_the_rim(element, cells);
+    ASSERT_EQ(built.errors(), Texts{}) << element << cells;
+    EXPECT_EQ(warnings_of(built)[0].substr(0, 10), "region 5: ") << warnings_of(built)[0];
+    const PointFinder finder(built.scene.flow->mesh);
+    const Mesh& mesh = built.scene.solids->mesh;
+    double farthest = 0;
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      EXPECT_TRUE(finder.find({mesh.x[2 * n], mesh.x[2 * n + 1]}));
+      farthest = std::max(farthest, std::hypot(mesh.x[2 * n], mesh.x[2 * n + 1]));
+    }
+    EXPECT_GT(farthest, 1.95);
+  }
+  const Texts errors = body_at_the_rim("q1q1", 1).errors();
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].find("lies outside the fluid"), std::string::npos) << errors[0];
+}
+
 TEST(FlowPlaces, BodiesLieWithinTheFluid) {
   const auto errors = [](const std::string& x, const std::string& y) {
     return ring("q2q1", 4, "", "xvi(1,5)=" + x + ",\nyvi(1,5)=" + y + ",matr(1,5)=10.,.3 ").errors();
