@@ -11,11 +11,14 @@
 namespace tether {
 namespace {
 
+/// How far apart carried nodes are to stand at the most, over the distance of the fluid's: further apart, fluid goes
+/// through.
+constexpr double furthest = 1.4;
+
 /// How long the intervals of a way count over the fluid's nodes: as in the mean across it, but none is to leave nodes
-/// further apart than 1.4 times the fluid's anywhere: fluid would go through.
+/// too far apart anywhere.
 std::vector<double> lengths_of(const std::vector<double>& sum, const std::vector<double>& count,
                                const std::vector<double>& most) {
-  constexpr double furthest = 1.4;
   std::vector<double> lengths(sum.size());
   for (std::size_t i = 0; i < lengths.size(); ++i)
     lengths[i] = count[i] > 0 ? std::max(sum[i] / count[i], most[i] / furthest) : 0;
@@ -25,30 +28,46 @@ std::vector<double> lengths_of(const std::vector<double>& sum, const std::vector
 /// Of elements of thin bodies.
 constexpr double longest_over_thickness = 4;
 
-/// Lines that divide a way, whose intervals are so many of the fluid's nodes long, into equal parts for biquadratic
-/// elements of about a cell of the fluid, as many as there are to be or more; all lines where it has no more than these
-/// need.
-std::vector<std::size_t> lines_of(const std::vector<double>& fluid_nodes, double least_elements) {
-  const std::size_t intervals = fluid_nodes.size();
-  const double length = std::accumulate(fluid_nodes.begin(), fluid_nodes.end(), 0.0);
-  const auto parts = 2 * static_cast<std::size_t>(std::max(std::round(0.5 * length), std::ceil(least_elements)));
-  std::vector<std::size_t> lines;
-  if (parts >= intervals || !(length > 0)) {
-    lines.resize(intervals + 1);
-    std::iota(lines.begin(), lines.end(), std::size_t{0});
-    return lines;
-  }
-  lines.push_back(0);
+/// Lines that divide a way into so many parts, as equal as its intervals of these lengths let them be.
+std::vector<std::size_t> lines_of_parts(const std::vector<double>& lengths, double length, std::size_t parts) {
+  const std::size_t intervals = lengths.size();
+  std::vector<std::size_t> lines{0};
   std::size_t line = 0;
   double reached = 0;
   for (std::size_t k = 1; k <= parts; ++k) {
     const double due = length * static_cast<double>(k) / static_cast<double>(parts);
     const std::size_t first = lines.back() + 1, last = k == parts ? intervals : intervals - (parts - k);
-    while (line < last && (line < first || k == parts || reached + 0.5 * fluid_nodes[line] < due))
-      reached += fluid_nodes[line++];
+    while (line < last && (line < first || k == parts || reached + 0.5 * lengths[line] < due))
+      reached += lengths[line++];
     lines.push_back(line);
   }
   return lines;
+}
+
+double longest_part(const std::vector<double>& lengths, const std::vector<std::size_t>& lines) {
+  double longest = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const auto from = lengths.begin() + static_cast<std::ptrdiff_t>(lines[k - 1]);
+    longest =
+        std::max(longest, std::accumulate(from, from + static_cast<std::ptrdiff_t>(lines[k] - lines[k - 1]), 0.0));
+  }
+  return longest;
+}
+
+/// The lines of a way whose intervals are so many of the fluid's nodes long: of biquadratic elements of about a cell of
+/// the fluid, as many as there are to be, or more where one would be too long; all lines where there are no more.
+std::vector<std::size_t> lines_of(const std::vector<double>& lengths, double least_elements) {
+  const std::size_t intervals = lengths.size();
+  const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const double most = std::max(furthest, 1.001 * *std::ranges::max_element(lengths));
+  auto parts = 2 * static_cast<std::size_t>(std::max(std::round(0.5 * length), std::ceil(least_elements)));
+  for (; parts < intervals && length > 0; parts += 2) {
+    std::vector<std::size_t> lines = lines_of_parts(lengths, length, parts);
+    if (longest_part(lengths, lines) <= most) return lines;
+  }
+  std::vector<std::size_t> all(intervals + 1);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 /// Values at t of the functions of three places.

@@ -44,8 +44,8 @@ ImmersedPressure::ImmersedPressure(const Flow& flow, const Solids& solids, doubl
   below_.assign(weights_.size(), -1);
 }
 
-void ImmersedPressure::place(std::span<const double> x, double time, double rate, double viscosity) {
-  rate_ = rate, viscosity_ = viscosity;
+void ImmersedPressure::place(std::span<const double> x, double time, double rate, double viscosity, bool sudden) {
+  rate_ = rate, viscosity_ = viscosity, part_ = sudden ? 1e-6 : 1;
   at_.clear(), slopes_.clear();
   for (std::size_t e = 0; e < solids_.mesh.element_count(); ++e) {
     if (flow_.volume_by_fluid[at(solids_.mesh.region[e])]) continue;
@@ -70,7 +70,8 @@ void ImmersedPressure::add_point(std::span<const double> x, std::size_t e, std::
   const auto found = finder_.find({place[0], place[1]}, below);
   if (!found) return;
   below = found->element;
-  Point point{.element = e, .of_fluid = at(found->element), .volume = F.determinant() * weights_[points_ * e + k]};
+  Point point{
+      .element = e, .of_fluid = at(found->element), .volume = part_ * F.determinant() * weights_[points_ * e + k]};
   double area = 0;
   set_pressure(point, *found, area);
   point.tau = extension_part / std::hypot(viscosity_ / area, flow_.density * rate_);

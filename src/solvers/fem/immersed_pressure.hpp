@@ -26,8 +26,11 @@ class ImmersedPressure {
   /// Flow and solids must outlive it. `gravity` acts along y [length/time2].
   ImmersedPressure(const Flow& flow, const Solids& solids, double gravity);
 
-  /// Bodies whose nodes stand at x, at a time, in steps of 1/rate (0: steady) of a fluid of that viscosity.
-  void place(std::span<const double> x, double time, double rate, double viscosity);
+  /// Bodies whose nodes stand at x, at a time, in steps of 1/rate (0: steady) of a fluid of that viscosity. In a sudden
+  /// step, so short that no law answers, bodies keep their volume as the fluid does: else what sets in at once would
+  /// crush their surfaces. What is taken out then is a millionth, from which the pressure in a closed box has its
+  /// level.
+  void place(std::span<const double> x, double time, double rate, double viscosity, bool sudden);
   /// F += int p div W, the forces on the fluid's momentum equations that undo the pressure inside, of solid nodes.
   void add_forces(std::span<const double> p, std::span<double> F) const;
   /// g += -int q div V + int eps tau (grad p - rho b) . grad q, 1 number a node of the fluid; the size of the fluxes
@@ -72,6 +75,7 @@ class ImmersedPressure {
   std::vector<double> slopes_;     // gradients of the body's functions in the present shape
   std::vector<Point> at_;
   double rate_ = 0, viscosity_ = 0;  // of the step
+  double part_ = 1;                  // of the pressure that is taken out
   std::vector<int> elements_;
   std::vector<double> extension_;
 };

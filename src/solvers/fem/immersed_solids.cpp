@@ -103,7 +103,7 @@ void ImmersedSolids::begin(const FlowState& state, const ImmersedMoment& moment)
   for (std::size_t k = 0; k < q0_.size(); ++k)
     middle_[k] = system_.held[k] ? q0_[k] + theta * (supported_[k] - q0_[k]) : q0_[k] + theta * dt * state.drift[k];
   place(middle_, state.time);
-  if (pressure_) pressure_->place(middle_, state.time + theta * dt, moment.rate, moment.viscosity);
+  if (pressure_) pressure_->place(middle_, state.time + theta * dt, moment.rate, moment.viscosity, moment.sudden);
   system_.external_forces(state.time + theta * dt, outer_);
   std::fill(change_.begin(), change_.end(), 0.0);
   system_.elements->predict_stress(StressAt::end, q0_, q0_, change_, stresses_);
