@@ -6,27 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/errors.hpp"
+#include "solvers/fem/mixed_rounds.hpp"
 
 namespace tether::fem {
 namespace {
 
-constexpr int most_rounds = 60;
+constexpr int most_rounds = 40;
 
-/// Ways of successive rounds with one T fall by a ratio r, so that r/(1 - r) of the last is still to come. A ratio near
-/// 1, which rounding makes as well, counts as .9.
-double way_to_come(double way, double before) {
-  const double ratio = std::min(before > 0 ? way / before : 1, 0.9);
-  return way * ratio / (1 - ratio);
-}
-
-/// Rounds that fall slowly or grow, as the fluid's load changes with the bodies' places, are made shorter: the fluid
-/// then resists the way.
-double next_settling(double settling, double ratio, double longest) {
-  constexpr double slow = 0.7, fast = 0.05;
-  return ratio > slow ? 0.1 * settling : ratio < fast ? std::min(longest, 10 * settling) : settling;
-}
+/// Of the displacements' tolerance what a round's way is to be: where a round leaves .9 of the way to the solution, 9
+/// ways are still to come.
+constexpr double part_of_tolerance = 0.1;
 
 void keep_counts(FlowState& state, const FlowState& of) {
   state.newton_steps = of.newton_steps, state.factorisations = of.factorisations, state.rounds = of.rounds;
@@ -35,26 +27,23 @@ void keep_counts(FlowState& state, const FlowState& of) {
 }  // namespace
 
 FlowReport SteadyBodies::advance(FlowState& state, const FlowStepTime& at) {
-  const double longest = step_.immersed()->settling_time(flow_.viscosity);
   FlowState trial = state;
   FlowStepTime round = at;
-  round.settling = longest;
+  round.settling = step_.immersed()->settling_time(flow_.viscosity);
   FlowReport report;
-  Way way;
-  double before = 0;
+  std::string last;
+  MixedRounds mixed;
   for (int k = 1; k <= most_rounds; ++k) {
-    const FlowState start = trial;
+    const std::vector<double> q0 = trial.q;
     report = advance_round(trial, round);
     if (!report.converged) break;
-    way = this->way(start, trial);
-    report.converged =
-        before > 0 && way_to_come(way.round, before) <= std::max(flow_.tolerance * way.all, rounding(round.settling));
+    const Way way = this->way(q0, trial.q);
+    report.converged = way.round <= std::max(part_of_tolerance * flow_.tolerance * way.all, rounding(round.settling));
     if (report.converged) break;
-    const double next = before > 0 ? next_settling(round.settling, way.round / before, longest) : round.settling;
-    before = next == round.settling ? way.round : 0;
-    round.settling = next;
-    report.cause = cause(trial, way, k);
+    report.cause = last = cause(trial, way, k);
+    trial.q = mixed.next(q0, trial.q);
   }
+  if (report.cause.empty()) report.cause = last;
   if (report.converged)
     state = std::move(trial);
   else
@@ -81,13 +70,13 @@ double SteadyBodies::rounding(double settling) const {
   return 16 * std::numeric_limits<double>::epsilon() * (farthest + settling * step_.immersed()->speed_beside());
 }
 
-SteadyBodies::Way SteadyBodies::way(const FlowState& before, const FlowState& after) const {
+SteadyBodies::Way SteadyBodies::way(std::span<const double> before, std::span<const double> after) const {
   const std::vector<double>& x = step_.immersed()->solids().mesh.x;
   Way way;
   for (std::size_t n = 0; 2 * n < x.size(); ++n) {
-    const double of_node = std::hypot(after.q[2 * n] - before.q[2 * n], after.q[2 * n + 1] - before.q[2 * n + 1]);
+    const double of_node = std::hypot(after[2 * n] - before[2 * n], after[2 * n + 1] - before[2 * n + 1]);
     if (of_node > way.round) way.round = of_node, way.node = n;
-    way.all = std::max(way.all, std::hypot(after.q[2 * n] - x[2 * n], after.q[2 * n + 1] - x[2 * n + 1]));
+    way.all = std::max(way.all, std::hypot(after[2 * n] - x[2 * n], after[2 * n + 1] - x[2 * n + 1]));
   }
   return way;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "solvers/fem/flow_state.hpp"
@@ -13,8 +14,8 @@ namespace tether::fem {
 /// inertia.
 ///
 /// A round is a step q1 = q0 + T I(q0) v so long that I v all but vanishes, by Newton's method in v and p. The map
-/// I and the pressure's points are those of its start q0, so that rounds go on until q stays: then they are taken where
-/// the bodies are, and neither T nor the way there counts.
+/// I and the pressure's points are those of its start q0, so that rounds go on, mixed, until q stays: then they are
+/// taken where the bodies are, and neither T nor the way there counts.
 class SteadyBodies {
  public:
   /// The step, which has bodies, and the flow must outlive it.
@@ -33,7 +34,7 @@ class SteadyBodies {
   };
   FlowReport advance_round(FlowState& state, const FlowStepTime& at);
   double rounding(double settling) const;
-  Way way(const FlowState& before, const FlowState& after) const;
+  Way way(std::span<const double> before, std::span<const double> after) const;
   std::string cause(const FlowState& state, const Way& way, int rounds) const;
 
   FlowStep& step_;
