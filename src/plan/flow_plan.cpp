@@ -22,7 +22,9 @@ bool has(const Flow& flow, Boundary boundary) {
                      [&](const FlowSide& side) { return side.boundary == boundary; });
 }
 
-const char* integrator_text(FlowIntegrator integrator) {
+const char* integrator_text(FlowIntegrator integrator, bool solids) {
+  if (solids && integrator == FlowIntegrator::steady)
+    return "none: each step is a steady solution with the bodies at rest, whose loads and prescribed velocities grow";
   return integrator == FlowIntegrator::midpoint ? "mid-point rule: of order 2, pressures belong to the steps' middles"
          : integrator == FlowIntegrator::euler  ? "backward Euler: of order 1, damps"
                                                 : "none: each step is a steady flow, of a Reynolds number that grows";
@@ -97,7 +99,7 @@ std::vector<Term> flow_terms(const Scene& scene) {
       {"inertia", true,
        fmt::format("convection by {}",
                    flow.linearisation == Linearisation::newton ? "Newton's method" : "Picard's iteration")},
-      {"time", flow.integrator != FlowIntegrator::steady, integrator_text(flow.integrator)},
+      {"time", flow.integrator != FlowIntegrator::steady, integrator_text(flow.integrator, solids)},
       {"viscosity", true, size_text(flow)},
       {"stabilisation", stabilised,
        stabilised ? "SUPG, PSPG and LSIC, which equal orders of velocity and pressure need"

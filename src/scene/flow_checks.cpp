@@ -56,11 +56,17 @@ class FlowChecks {
       warn("flow", "tracers", {1, 1},
            "tracers of a steady flow go through the steps that lead up to it, which take no time",
            "leave them away, or steady");
-    if (!regions_of(deck_, false).empty())
-      error("flow", "steady", {1, 1}, "a flow with immersed solids is not steady: they go with the fluid",
-            "leave it away, or the regions that are no fluid");
+    if (!regions_of(deck_, false).empty()) resting_bodies();
     if (deck_.text("flow", "integrator") != "midpoint")
       warn("flow", "integrator", {1, 1}, "integrator has no effect: the flow is steady", "");
+  }
+  void resting_bodies() {
+    for (const Subscript at : deck_.given_elements("fem", "fix")) {
+      if (deck_.real("fem", "fix", at[0], at[1]) != 0)
+        error("fem", "fix", at,
+              "a support that moves has no steady flow about it: the bodies' places are found at rest",
+              "write 0, or leave steady of $flow away");
+    }
   }
   void solids() {
     if (!regions_of(deck_, false).empty()) return;

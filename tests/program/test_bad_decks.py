@@ -66,7 +66,7 @@ REQUIRED = {
     "flow_of_a_mesh_file", "flow_of_two_densities", "flow_partner_of_an_open_side", "flow_periodic_not_parallel",
     "flow_periodic_of_other_nodes", "flow_periodic_without_partner", "flow_probe_outside", "flow_probe_without_y",
     "flow_side_between_blocks", "flow_side_named_twice", "flow_side_without_kind", "flow_slip_on_a_slope",
-    "flow_solids_by_trapezoid", "flow_speed_without_length", "flow_static", "flow_steady_with_bodies",
+    "flow_solids_by_trapezoid", "flow_speed_without_length", "flow_static", "flow_steady_moves",
     "flow_tracers_outside", "flow_tracked_without_body", "flow_unbalanced", "flow_unbalanced_later",
     "flow_unknown_kind", "flow_unknown_side", "flow_velocity_on_a_periodic_side", "flow_velocity_on_a_slip_wall",
     "flow_velocity_on_a_wall", "flow_velocity_on_an_open_side", "flow_with_a_rigid_body", "flow_without_a_fluid",

@@ -38,6 +38,7 @@ FlowSolver::FlowSolver(const Plan& plan)
                     "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
                     residuals_text(report.residuals)));
   tracers_.start(plan.scene.solids.get(), state_);
+  if (step_.immersed() && flow_.integrator == FlowIntegrator::steady) steady_bodies_.emplace(step_, flow_);
   if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
   if (step_.immersed()) doubts_.emplace(step_.immersed()->solids(), plan.scene.grid);
   if (step_.immersed()) state_.told.spacing = step_.immersed()->carried().coarsest();
@@ -64,18 +65,21 @@ void FlowSolver::look_at_spacing() {
   state_.told.spacing = std::max(state_.told.spacing, now);
 }
 
+FlowReport FlowSolver::advance_by(double part) {
+  const FlowStepTime at{.start = state_.time, .dt = part, .tmax = plan_.scene.clock.tmax};
+  FlowReport report = steady_bodies_ ? steady_bodies_->advance(state_, at) : step_.advance(state_, at);
+  if (!report.residuals.empty()) state_.residual = flow_.tolerance * report.residuals.back();
+  if (report.converged) tracers_.advance(state_, part);
+  return report;
+}
+
 void FlowSolver::advance(double until) {
   const double tmax = plan_.scene.clock.tmax;
   while (state_.time < until && state_.time < tmax) {
     const long long failures = state_.krylov_failures;
     clock_step(
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
-        [&](double part) {
-          FlowReport report = step_.advance(state_, {state_.time, part, tmax});
-          state_.residual = flow_.tolerance * report.residuals.back();
-          if (report.converged) tracers_.advance(state_, part);
-          return report;
-        },
+        [&](double part) { return advance_by(part); },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
     tell_of_failures(failures);
     look_at_bodies();
@@ -114,7 +118,6 @@ void FlowSolver::check_kinetic_energy() const {
                   state_.time, state_.steps, both));
 }
 
-/// Of steady flows the last Reynolds number that was reached is told.
 void FlowSolver::stop(double dt, const FlowReport& report) const {
   std::size_t worst = 0;
   double fastest = 0;
@@ -123,29 +126,35 @@ void FlowSolver::stop(double dt, const FlowReport& report) const {
     if (speed > fastest) fastest = speed, worst = n;
   }
   const double* place = &flow_.mesh.x[2 * worst];
+  const std::string there =
+      fmt::format("node {} at ({:.6g}, {:.6g}) with {:.4g}", worst + 1, place[0], place[1], fastest);
   const std::string residuals = residuals_text(report.residuals);
-  if (flow_.integrator != FlowIntegrator::steady)
-    throw RunError(fmt::format(
-        "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; "
-        "residuals over the tolerance's{}; fastest is node {} at ({:.6g}, {:.6g}) with {:.4g}: likely cause, {}steps "
-        "too "
-        "long for the flow",
-        state_.time, state_.steps + 1, dt, most_halvings, residuals, worst + 1, place[0], place[1], fastest,
-        light_bodies_ ? "bodies lighter than the fluid, whose elements are to be no coarser than the fluid's and which "
-                        "are to be stiff enough for the mass that they take from it, or "
-                      : ""));
+  if (flow_.integrator == FlowIntegrator::steady) stop_steady(dt, report, there);
+  throw RunError(fmt::format(
+      "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; "
+      "residuals over the tolerance's{}; fastest is {}: likely cause, {}steps too long for the flow",
+      state_.time, state_.steps + 1, dt, most_halvings, residuals, there,
+      light_bodies_ ? "bodies lighter than the fluid, whose elements are to be no coarser than the fluid's and which "
+                      "are to be stiff enough for the mass that they take from it, or "
+                    : ""));
+}
+
+/// Names the last Reynolds number, or with bodies the last part of the loads, that was reached.
+void FlowSolver::stop_steady(double dt, const FlowReport& report, const std::string& fastest) const {
   const double tmax = plan_.scene.clock.tmax, density = flow_.density;
-  const auto reynolds = [&](double time) {
+  const auto reached = [&](double time) {
+    if (steady_bodies_) return fmt::format("{:.4g} of the deck's loads and prescribed velocities", time / tmax);
     const double mu = flow_.viscosity * tmax / time;
     return flow_.speed > 0 ? fmt::format("a Reynolds number of {:.6g}", density * flow_.speed * flow_.length / mu)
                            : fmt::format("a viscosity of {:.6g}", mu);
   };
   throw RunError(fmt::format(
-      "no steady flow is found at {}: residuals over the tolerance's{}; the last one that converged has {}; "
-      "fastest there is node {} at ({:.6g}, {:.6g}) with {:.4g}: likely cause, a mesh too coarse for it, "
-      "steps of continuation too long, or no steady flow that is stable",
-      reynolds(state_.time + dt), residuals, state_.time > 0 ? reynolds(state_.time) : std::string("none"), worst + 1,
-      place[0], place[1], fastest));
+      "no steady {} is found at {}: residuals over the tolerance's{}{}; the last one that converged has {}; "
+      "fastest there is {}: likely cause, {}a mesh too coarse for it, steps of continuation too long, or no steady "
+      "flow that is stable",
+      steady_bodies_ ? "solution" : "flow", reached(state_.time + dt), residuals_text(report.residuals), report.cause,
+      state_.time > 0 ? reached(state_.time) : std::string("none"), fastest,
+      steady_bodies_ ? "bodies too soft for these loads, " : ""));
 }
 
 RunCounts FlowSolver::counts() const {
@@ -210,6 +219,7 @@ Summary FlowSolver::cost_summary() const {
                   {"krylov_iterations", number(state_.krylov_iterations)},
                   {"krylov_failures", number(state_.krylov_failures)}};
   if (flow_.integrator == FlowIntegrator::steady) summary.emplace_back("steady_residual", number(state_.residual));
+  if (steady_bodies_) summary.emplace_back("steady_rounds", number(state_.rounds));
   return summary;
 }
 

@@ -13,6 +13,7 @@
 #include "solvers/fem/flow_step.hpp"
 #include "solvers/fem/flow_tracers.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
+#include "solvers/fem/steady_bodies.hpp"
 #include "solvers/solver.hpp"
 
 namespace tether::fem {
@@ -42,7 +43,9 @@ class FlowSolver final : public Solver {
   void look_at_bodies();
   void look_at_spacing();
   void tell_of_failures(long long before);
+  FlowReport advance_by(double part);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
+  [[noreturn]] void stop_steady(double dt, const FlowReport& report, const std::string& fastest) const;
   bool has_light_bodies() const;
   void check_kinetic_energy() const;
 
@@ -53,6 +56,7 @@ class FlowSolver final : public Solver {
   FlowTracers tracers_;
   FlowFields fields_;
   FlowState state_;
+  std::optional<SteadyBodies> steady_bodies_;
   std::optional<BodyOverlaps> overlaps_;
   std::optional<BodyDoubts> doubts_;  // of immersed solids
   bool light_bodies_ = false;         // whose kinetic energy is looked at

@@ -49,6 +49,7 @@ struct FlowState {
   double dt_last = 0, dt_min = 0;           ///< [time]
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
+  long long rounds = 0;  ///< of steady solutions with bodies
   OverlapCount overlap;  ///< of immersed solids
   ToldDoubts told;       ///< of them
   LinearisedAt linearised;
@@ -71,7 +72,8 @@ void exchange(Exchange& with, FlowState& state) {
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps);
   with("factorisations", state.factorisations), with("halvings", state.halvings);
-  with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures);
+  with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures),
+      with("rounds", state.rounds);
   exchange(with, state.overlap), exchange(with, state.told);
   LinearisedAt& at = state.linearised;
   with("linearised_time", at.time), with("linearised_dt", at.dt);

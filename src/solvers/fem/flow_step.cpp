@@ -45,7 +45,7 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
   FlowReport report;
   report.residuals.push_back(find_residual(state));
   for (int k = 0; k < most_iterations; ++k) {
-    report.converged = report.residuals.back() <= 1;
+    report.converged = report.residuals.back() <= 1 && !(immersed_ && immersed_->gap_is_open());
     if (report.converged || !std::isfinite(report.residuals.back())) break;
     if ((!factors_ || leads_on_slowly_) && !factorise(state)) break;
     if (!correct(state, report.residuals.back())) break;
@@ -62,7 +62,7 @@ FlowReport FlowStep::start(FlowState& state, double dt) {
   constexpr double part = 1e-6;
   state.v_before = state.v;
   if (immersed_) immersed_->start(state, dt), forces_->start(state);
-  if (unknowns_.flow.integrator == FlowIntegrator::steady) return {true, {}};
+  if (unknowns_.flow.integrator == FlowIntegrator::steady) return {.converged = true, .residuals = {}, .cause = {}};
   FlowState after = state;
   FlowReport report = advance(after, {0, part * dt, 0, true});
   viscosity_ = unknowns_.flow.viscosity;
@@ -79,20 +79,37 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   const bool steady = flow.integrator == FlowIntegrator::steady;
   theta_ = flow.integrator == FlowIntegrator::midpoint && !at.sudden ? 0.5 : 1;
   rate_ = steady ? 0 : 1 / at.dt;
-  viscosity_ = steady ? flow.viscosity * at.tmax / (at.start + at.dt) : at.sudden ? 0 : flow.viscosity;
+  loads_ = settles() ? (at.start + at.dt) / at.tmax : 1;
+  viscosity_ = at.sudden ? 0 : flow.viscosity;
+  if (steady && !immersed_) viscosity_ *= at.tmax / (at.start + at.dt);
   // With solids the step before is too far: the first correction by its factors would go the wrong way.
   if (at.dt != state.linearised.dt || immersed_) factors_ = false;
   leads_on_slowly_ = new_factors_ = false, first_scale_ = {};
   linear_.begin_step();
   at_ = at;
-  v1_ = at.sudden ? state.v : state.v_before, p_ = state.p;
+  v1_ = at.sudden || settles() ? state.v : state.v_before, p_ = state.p;
   unknowns_.prescribe(steady ? at.tmax : at.sudden ? at.start : at.start + at.dt, v1_);
-  unknowns_.copy_to_twins(v1_, 2);
   acceleration_ = elements_->accelerations(gravity_, steady ? at.tmax : at.start + theta_ * at.dt);
-  if (!immersed_) return;
-  immersed_->begin(state, {at.dt, theta_, rate_, viscosity_, at.sudden});
+  if (loads_ != 1) scale_loads();
+  unknowns_.copy_to_twins(v1_, 2);
+  if (immersed_) begin_bodies(state);
+}
+
+void FlowStep::begin_bodies(const FlowState& state) {
+  ImmersedMoment moment{at_.dt, theta_, rate_, viscosity_, at_.sudden, {}};
+  if (settles()) moment.dt = at_.settling, moment.rest = LoadsAtRest{at_.tmax, loads_};
+  immersed_->begin(state, moment);
   immersed_->move(state.v, v1_);
+  if (settles()) immersed_->open_gap();
   immersed_->end_correction();
+}
+
+/// Of a steady flow with bodies that is on the way to the deck's.
+void FlowStep::scale_loads() {
+  for (std::size_t k = 0; k < v1_.size(); ++k) {
+    if (unknowns_.velocity[k] < 0) v1_[k] *= loads_;
+  }
+  for (double& acceleration : acceleration_) acceleration *= loads_;
 }
 
 FlowMoment FlowStep::moment(std::span<const double> v0) const {
@@ -104,7 +121,7 @@ FlowMoment FlowStep::moment(std::span<const double> v0) const {
           viscosity_,
           acceleration_,
           unknowns_.flow.linearisation,
-          unknowns_.flow.fluid_outside ? gravity_ : 0};
+          unknowns_.flow.fluid_outside ? loads_ * gravity_ : 0};
 }
 
 /// (45), (46): the residuals at the unknowns over the largest forces and fluxes and the tolerance; and their size over
@@ -189,15 +206,18 @@ bool FlowStep::correct(FlowState& state, double residual) {
   cost_.solve += seconds_now() - from;
   count(state);
   if (!immersed_ || !possible) return possible;
+  immersed_->close_gap(1);
   immersed_->move(state.v, v1_);
   double part = 1;
   for (int k = 0; k < most_halvings_of_a_correction && !(immersed_->least_change_of_volume() > least_volume); ++k) {
     part *= 0.5;
     apply_correction(-part);
+    immersed_->close_gap(part);
     immersed_->move(state.v, v1_);
   }
   corrected_part_ = part;
   immersed_->end_correction();
+  if (immersed_->gap_is_open()) factors_ = false;
   return immersed_->least_change_of_volume() > least_volume;
 }
 
@@ -251,46 +271,10 @@ void FlowStep::update_pattern() {
   K_ = pattern_.matrix();
 }
 
-/// The new state, and what was exchanged over the step. A steady flow exchanges over no time.
-void FlowStep::accept(FlowState& state) {
-  for (std::size_t k = 0; k < v1_.size(); ++k) state.force[k] = unknowns_.velocity[k] < 0 ? f_[k] : 0;
-  if (rate_ > 0) add_exchange(state);
-  if (forces_) forces_->record(moment(state.v), state);
-  state.v_before = state.v;
-  state.v = v1_, state.p = p_;
-  if (immersed_) immersed_->accept(state);
-}
-
-/// Forces of walls and inflows work on the fluid with the velocity of the middle. The convective term takes what open
-/// sides and inflows carry out; what else it takes, rho/2 |v|^2 div v, the method has lost. Backward Euler loses the
-/// kinetic energy of the change of velocity.
-void FlowStep::add_exchange(FlowState& state) {
-  const FlowPower power = elements_->power(moment(state.v));
-  double of_walls = 0, of_inflows = 0;
-  for (std::size_t k = 0; k < v1_.size(); ++k) {
-    if (unknowns_.velocity[k] >= 0) continue;
-    (inflow_[k / 2] ? of_inflows : of_walls) += f_[k] * ((1 - theta_) * state.v[k] + theta_ * v1_[k]);
-  }
-  const double dt = at_.dt;
-  FlowExchange& all = state.exchanged;
-  all.walls += dt * of_walls;
-  all.inflows += dt * (of_inflows - power.carried_by_inflows);
-  all.open += dt * (power.open_traction - power.carried_by_open);
-  all.body_forces += dt * power.body;
-  all.viscosity += dt * power.dissipated;
-  all.stabilised += dt * power.stabilised;
-  if (immersed_) all.immersed += dt * power.expansion;  // which the bodies' own, in accept(), all but undoes
-  all.advected += dt * (power.convected - power.carried_by_open - power.carried_by_inflows);
-  if (theta_ == 0.5) return;
-  std::vector<double> change(v1_.size());
-  for (std::size_t k = 0; k < change.size(); ++k) change[k] = v1_[k] - state.v[k];
-  all.stepped += (2 * theta_ - 1) * elements_->kinetic_energy(change);
-}
-
 void FlowStep::resume(const FlowState& state, double tmax) {
   const LinearisedAt& at = state.linearised;
   factors_ = false;
-  if (at.dt == 0 || linear_.by_krylov()) return;
+  if (at.dt == 0 || linear_.by_krylov() || settles()) return;
   FlowState then = state;
   then.time = at.time, then.v = then.v_before = at.v0, then.p = at.p, then.q = at.q0, then.w = at.w0;
   then.drift = at.drift;

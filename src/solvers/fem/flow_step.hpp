@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/seconds.hpp"
@@ -20,6 +21,7 @@ namespace tether::fem {
 struct FlowReport {
   bool converged = false;
   std::vector<double> residuals;
+  std::string cause;  ///< what else is known of where it did not converge
 };
 
 /// What the steps have cost; the symbolic analysis is a part of the solution.
@@ -31,8 +33,10 @@ struct FlowCost {
 /// Numbers of a step that the deck's clock decides.
 struct FlowStepTime {
   double start = 0, dt = 0;  ///< [time]
-  double tmax = 0;           ///< of steady flows, whose viscosity is mu tmax/(start + dt) [time]
+  double tmax = 0;           ///< of steady flows, whose viscosity is mu tmax/(start + dt), or with bodies their loads'
+                             ///< part (start + dt)/tmax [time]
   bool sudden = false;       ///< the boundary's velocities are those of the start, which v0 has not followed yet
+  double settling = 0;       ///< of steady flows with bodies: how long these go with the fluid's velocity [time]
 };
 
 /// One step of a flow from v0 at t to v1 at t + dt (47), or one steady flow.
@@ -59,6 +63,9 @@ class FlowStep {
 
  private:
   void begin(const FlowState& state, const FlowStepTime& at);
+  void begin_bodies(const FlowState& state);
+  void scale_loads();
+  bool settles() const { return immersed_ && unknowns_.flow.integrator == FlowIntegrator::steady; }
   FlowMoment moment(std::span<const double> v0) const;
   double find_residual(const FlowState& state);
   bool factorise(FlowState& state);
@@ -89,7 +96,7 @@ class FlowStep {
   FlowScale first_scale_;
   // The step: velocities and pressure at its end, residuals of momentum and incompressibility, right side, correction.
   FlowStepTime at_;
-  double theta_ = 0.5, rate_ = 0, viscosity_ = 0;
+  double theta_ = 0.5, rate_ = 0, viscosity_ = 0, loads_ = 1;  // loads_: the part of them that acts
   std::vector<double> v1_, p_, f_, g_, acceleration_, change_;
   Lists solid_clusters_;  // those of the pattern that are of immersed solids
   FlowCost cost_;

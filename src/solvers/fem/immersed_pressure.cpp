@@ -17,6 +17,9 @@ namespace {
 /// the body; of a plate of two cells across a channel .5, .05, .005, .0005 change the load by -15, -7, -3, -2.4 %.
 constexpr double extension_part = 0.005;
 
+/// Of the pressure in a sudden step: enough for the pressure in a closed box to have a level.
+constexpr double taken_out_suddenly = 1e-6;
+
 using Quad4 = ShapesOf<ElementKind::quad4>;
 
 }  // namespace
@@ -44,19 +47,25 @@ ImmersedPressure::ImmersedPressure(const Flow& flow, const Solids& solids, doubl
   below_.assign(weights_.size(), -1);
 }
 
-void ImmersedPressure::place(std::span<const double> x, double time, double rate, double viscosity, bool sudden) {
-  rate_ = rate, viscosity_ = viscosity, part_ = sudden ? 1e-6 : 1;
+void ImmersedPressure::place(std::span<const double> x, const PressureStep& step) {
+  step_ = step, growth_ = 0;
   at_.clear(), slopes_.clear();
   for (std::size_t e = 0; e < solids_.mesh.element_count(); ++e) {
     if (flow_.volume_by_fluid[at(solids_.mesh.region[e])]) continue;
-    for (std::size_t k = 0; k < points_; ++k) add_point(x, e, k, time);
+    for (std::size_t k = 0; k < points_; ++k) add_point(x, e, k);
   }
   number_elements();
   sum_extension();
 }
 
+void ImmersedPressure::restore_volume(double time) {
+  double volume = 0, reference = 0;
+  for (const Point& point : at_) volume += point.volume, reference += point.reference;
+  if (volume > 0) growth_ = (reference - volume) / (volume * time);
+}
+
 /// A point off the fluid's mesh, as a body's curved edge has some beyond a wall, has no pressure.
-void ImmersedPressure::add_point(std::span<const double> x, std::size_t e, std::size_t k, double time) {
+void ImmersedPressure::add_point(std::span<const double> x, std::size_t e, std::size_t k) {
   const int* element = solids_.mesh.element(e);
   const double* G = &gradients_[2 * nodes() * (points_ * e + k)];
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
@@ -70,14 +79,16 @@ void ImmersedPressure::add_point(std::span<const double> x, std::size_t e, std::
   const auto found = finder_.find({place[0], place[1]}, below);
   if (!found) return;
   below = found->element;
-  Point point{
-      .element = e, .of_fluid = at(found->element), .volume = part_ * F.determinant() * weights_[points_ * e + k]};
+  Point point{.element = e,
+              .of_fluid = at(found->element),
+              .volume = (step_.sudden ? taken_out_suddenly : 1) * F.determinant() * weights_[points_ * e + k],
+              .reference = weights_[points_ * e + k]};
   double area = 0;
   set_pressure(point, *found, area);
-  point.tau = extension_part / std::hypot(viscosity_ / area, flow_.density * rate_);
+  point.tau = extension_part / std::hypot(step_.viscosity / area, flow_.density * step_.rate);
   const auto b =
-      flow_.acceleration.absent() ? std::array<double, 2>{} : flow_.acceleration.at(place[0], place[1], time);
-  point.source = {flow_.density * b[0], flow_.density * (b[1] + gravity_)};
+      flow_.acceleration.absent() ? std::array<double, 2>{} : flow_.acceleration.at(place[0], place[1], step_.time);
+  point.source = {step_.loaded * flow_.density * b[0], step_.loaded * flow_.density * (b[1] + gravity_)};
   at_.push_back(point);
   const Eigen::Matrix2d to_present = F.inverse().transpose();
   for (std::size_t a = 0; a < nodes(); ++a) {
@@ -152,7 +163,7 @@ double ImmersedPressure::add_fluxes(std::span<const double> V, std::span<const d
   for (std::size_t n = 0; n < at_.size(); ++n) {
     const Point& point = at_[n];
     const int* element = solids_.mesh.element(point.element);
-    double divergence = 0;
+    double divergence = -growth_;
     for (std::size_t a = 0; a < nodes(); ++a) {
       for (std::size_t i = 0; i < 2; ++i) divergence += slopes_at(n)[2 * a + i] * V[2 * at(element[a]) + i];
     }

@@ -12,6 +12,14 @@
 
 namespace tether::fem {
 
+/// What bodies have to know of a step: when it is [time], 1 over its length (0: steady) [1/time], the fluid's viscosity
+/// [stress time], and the part of gravity and body forces that acts. In a sudden step, so short that no law answers,
+/// bodies keep their volume as the fluid does: else what sets in at once would crush their surfaces.
+struct PressureStep {
+  double time = 0, rate = 0, viscosity = 0, loaded = 1;
+  bool sudden = false;
+};
+
 /// Takes the fluid's pressure out of immersed bodies that have a law for their volume: -p div W from the momentum and q
 /// div V from the continuity equation, W and V the bodies' own velocities, integrated over the bodies' shape. Such a
 /// body changes its volume by its own law, which with the pressure inside (55) it does on coarse meshes alone: div v =
@@ -26,11 +34,11 @@ class ImmersedPressure {
   /// Flow and solids must outlive it. `gravity` acts along y [length/time2].
   ImmersedPressure(const Flow& flow, const Solids& solids, double gravity);
 
-  /// Bodies whose nodes stand at x, at a time, in steps of 1/rate (0: steady) of a fluid of that viscosity. In a sudden
-  /// step, so short that no law answers, bodies keep their volume as the fluid does: else what sets in at once would
-  /// crush their surfaces. What is taken out then is a millionth, from which the pressure in a closed box has its
-  /// level.
-  void place(std::span<const double> x, double time, double rate, double viscosity, bool sudden);
+  /// Bodies whose nodes stand at x.
+  void place(std::span<const double> x, const PressureStep& step);
+  /// Asks for fluxes, until they are placed anew, that give the bodies together their volume of the reference shape
+  /// again over a time: where no side is open it is what the pressure's level holds, and steps leave it only nearly.
+  void restore_volume(double time);
   /// F += int p div W, the forces on the fluid's momentum equations that undo the pressure inside, of solid nodes.
   void add_forces(std::span<const double> p, std::span<double> F) const;
   /// g += -int q div V + int eps tau (grad p - rho b) . grad q, 1 number a node of the fluid; the size of the fluxes
@@ -49,13 +57,13 @@ class ImmersedPressure {
  private:
   /// A point of quadrature of a body's element, as it lies over one of the fluid's.
   struct Point {
-    std::size_t element = 0, of_fluid = 0;  // the second in elements()
-    double volume = 0, tau = 0;             // tau with eps
-    std::array<double, 4> q{};              // the pressure's functions
-    std::array<double, 8> slope{};          // and their gradients
-    std::array<double, 2> source{};         // rho b
+    std::size_t element = 0, of_fluid = 0;      // the second in elements()
+    double volume = 0, reference = 0, tau = 0;  // volume now and in the reference shape; tau with eps
+    std::array<double, 4> q{};                  // the pressure's functions
+    std::array<double, 8> slope{};              // and their gradients
+    std::array<double, 2> source{};             // rho b
   };
-  void add_point(std::span<const double> x, std::size_t e, std::size_t k, double time);
+  void add_point(std::span<const double> x, std::size_t e, std::size_t k);
   void set_pressure(Point& point, const PointFinder::Found& found, double& area) const;
   void number_elements();
   void sum_extension();
@@ -74,8 +82,8 @@ class ImmersedPressure {
   std::vector<int> below_;         // the fluid's element below each, when last looked for
   std::vector<double> slopes_;     // gradients of the body's functions in the present shape
   std::vector<Point> at_;
-  double rate_ = 0, viscosity_ = 0;  // of the step
-  double part_ = 1;                  // of the pressure that is taken out
+  PressureStep step_;
+  double growth_ = 0;  // of the volume, over it [1/time]
   std::vector<int> elements_;
   std::vector<double> extension_;
 };

@@ -31,15 +31,13 @@ bool any(const std::vector<double>& numbers) {
   return std::any_of(numbers.begin(), numbers.end(), [](double number) { return number > 0; });
 }
 
+bool any_open(const Flow& flow) {
+  return std::ranges::any_of(flow.sides, [](const FlowSide& side) { return side.boundary == Boundary::open; });
+}
+
 StressAt rule_of(const Flow& flow, const Solids& solids) {
   if (flow.integrator != FlowIntegrator::midpoint) return StressAt::end;
   return solids.integrator == Integrator::midpoint ? StressAt::middle : StressAt::gradient;
-}
-
-double norm(const std::vector<double>& f) {
-  double sum = 0;
-  for (const double value : f) sum += value * value;
-  return std::sqrt(sum);
 }
 
 }  // namespace
@@ -95,16 +93,25 @@ void ImmersedSolids::start(FlowState& state, double dt) {
 /// The middle is predicted by the mean velocities of the step before, without what alternates from step to step.
 void ImmersedSolids::begin(const FlowState& state, const ImmersedMoment& moment) {
   const double dt = moment.dt, theta = moment.theta;
-  time_ = state.time, moment_ = moment;
+  time_ = state.time, moment_ = moment, open_ = open_before_ = 0;
+  const double drifting = moment.rest ? 0 : theta * dt, loads_at = moment.rest ? moment.rest->time : time_ + theta * dt;
+  const double part = moment.rest ? moment.rest->part : 1;
   q0_ = state.q, supported_ = state.q, led_ = state.w;
   system_.place_supports(state.time + dt, supported_);
   if (!moment.sudden) system_.move_supports(state.time + dt, slope_width * dt, led_);
   for (std::size_t k = 0; k < led_.size(); ++k) led_rate_[k] = (led_[k] - state.w[k]) / dt;
   for (std::size_t k = 0; k < q0_.size(); ++k)
-    middle_[k] = system_.held[k] ? q0_[k] + theta * (supported_[k] - q0_[k]) : q0_[k] + theta * dt * state.drift[k];
+    middle_[k] = system_.held[k] ? q0_[k] + theta * (supported_[k] - q0_[k]) : q0_[k] + drifting * state.drift[k];
   place(middle_, state.time);
-  if (pressure_) pressure_->place(middle_, state.time + theta * dt, moment.rate, moment.viscosity, moment.sudden);
-  system_.external_forces(state.time + theta * dt, outer_);
+  if (pressure_)
+    pressure_->place(middle_, {.time = loads_at,
+                               .rate = moment.rate,
+                               .viscosity = moment.viscosity,
+                               .loaded = part,
+                               .sudden = moment.sudden});
+  if (pressure_ && moment.rest && !any_open(unknowns_.flow)) pressure_->restore_volume(dt);
+  system_.external_forces(loads_at, outer_);
+  for (double& force : outer_) force *= part;
   std::fill(change_.begin(), change_.end(), 0.0);
   system_.elements->predict_stress(StressAt::end, q0_, q0_, change_, stresses_);
   corrected_ = q0_;
@@ -133,13 +140,20 @@ void ImmersedSolids::move(std::span<const double> v0, std::span<const double> v1
   velocities(difference_, V_, V_);
   if (pressure_) velocities(v1, led_, V1_);
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = q0_[k] + dt * V_[k];
+  for (std::size_t k = 0; open_ > 0 && k < q1_.size(); ++k) q1_[k] -= open_ * gap_[k];
+}
+
+void ImmersedSolids::open_gap() {
+  gap_.resize(V_.size());
+  for (std::size_t k = 0; k < V_.size(); ++k) gap_[k] = moment_.dt * V_[k];
+  open_ = open_before_ = 1, q1_ = q0_;
 }
 
 void ImmersedSolids::end_correction() {
   for (std::size_t k = 0; k < rate_.size(); ++k) change_[k] = q1_[k] - corrected_[k];
   stresses_.swap(stresses_before_);
   system_.elements->predict_stress(rule_, q0_, corrected_, change_, stresses_);
-  corrected_ = q1_;
+  corrected_ = q1_, open_before_ = open_;
 }
 
 double ImmersedSolids::least_change_of_volume() const {
@@ -148,106 +162,6 @@ double ImmersedSolids::least_change_of_volume() const {
   std::vector<double> middle(q0_.size());
   for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (q0_[k] + q1_[k]);
   return std::min(least, system_.elements->shape(middle).least);
-}
-
-/// (55): I^T of stress, penalty, excess inertia and weight, and of the pressure that is not inside. What acts on
-/// supported nodes their supports take.
-FlowScale ImmersedSolids::add_forces(std::span<const double> p, std::span<double> f, std::span<double> g) {
-  std::fill(F_.begin(), F_.end(), 0.0);
-  system_.elements->add_forces(rule_, q0_, q1_, F_);
-  if (penalty_) penalty_->add_forces(rule_, q0_, q1_, F_);
-  const double elastic = norm(F_);
-  if (inertia_) inertia_->add_forces(middle_, V_, rate_, F_);
-  FlowScale scale;
-  if (pressure_) {
-    pressure_->add_forces(p, F_);
-    scale.flux_rounding = 16 * std::numeric_limits<double>::epsilon() * pressure_->add_fluxes(V1_, p, g);
-  }
-  for (std::size_t k = 0; k < F_.size(); ++k) F_[k] -= outer_[k];
-  for (std::size_t k = 0; k < F_.size(); ++k) free_[k] = system_.held[k] ? 0 : F_[k];
-  carried_.gather(free_, at_carried_);
-  for (std::size_t k = 0; k < at_carried_.size(); ++k) {
-    if (system_.held[2 * at(carried_.nodes()[k / 2]) + k % 2]) at_carried_[k] = 0;
-  }
-  map_.add_forces(at_carried_, f);
-  scale.force = std::max(elastic, norm(outer_)), scale.force_rounding = rounding_;
-  return scale;
-}
-
-void ImmersedSolids::lead_to_carried(std::span<double> free, std::span<double> held) const {
-  std::vector<double> of_free(at_carried_.size()), of_held(at_carried_.size());
-  carried_.gather(free, of_free), carried_.gather(held, of_held);
-  std::ranges::fill(free, 0.0), std::ranges::fill(held, 0.0);
-  for (std::size_t k = 0; k < of_free.size(); ++k) {
-    const std::size_t n = 2 * at(carried_.nodes()[k / 2]) + k % 2;
-    (system_.held[n] ? held : free)[n] += of_free[k];
-    held[n] += of_held[k];
-  }
-}
-
-void ImmersedSolids::spread(std::span<const double> forces, std::span<double> f) const {
-  std::vector<double> at_carried(at_carried_.size());
-  carried_.gather(forces, at_carried);
-  map_.add_forces(at_carried, f);
-}
-
-/// Of nodes that supports hold nothing is unknown.
-void ImmersedSolids::release_carried(EigenSparse& A, bool rows) const {
-  const auto held = [&](Eigen::Index k) {
-    return system_.held[2 * at(carried_.nodes()[static_cast<std::size_t>(k / 2)]) + static_cast<std::size_t>(k % 2)] !=
-           0;
-  };
-  for (Eigen::Index column = 0; column < A.outerSize(); ++column) {
-    for (EigenSparse::InnerIterator at(A, column); at; ++at) {
-      if (held(column) || (rows && held(at.row()))) at.valueRef() = 0;
-    }
-  }
-}
-
-/// What the places' last digits leave of the stress: of each force the diagonal of the tangent times
-/// the place.
-void ImmersedSolids::find_rounding() {
-  double sum = 0;
-  for (std::size_t k = 0; k < q1_.size(); ++k) {
-    for (auto at = S_.start[k]; at < S_.start[k + 1]; ++at) {
-      const auto n = static_cast<std::size_t>(at);
-      if (S_.row[n] == static_cast<std::int64_t>(k)) sum += std::pow(S_.value[n] * q1_[k], 2);
-    }
-  }
-  rounding_ = std::numeric_limits<double>::epsilon() * std::sqrt(sum);
-}
-
-/// By v1 of carried nodes: of the stress, which sees q1 = q0 + dt V, and of the inertia.
-EigenSparse ImmersedSolids::find_tangent() {
-  S_.set_zero();
-  system_.elements->add_tangent(rule_, q0_, q1_, 0, system_.pattern, S_, stresses_);
-  if (penalty_) penalty_->add_tangent(rule_, q0_, q1_, 0, system_.pattern, S_);
-  find_rounding();
-  for (double& value : S_.value) value *= moment_.theta * moment_.dt;
-  if (inertia_) inertia_->add_tangent(middle_, V_, 1 / moment_.dt, moment_.theta, system_.pattern, S_);
-  hold(S_, system_.held, 0);
-  EigenSparse S = eigen_of(S_);
-  if (!carried_.all()) S = EigenSparse(carried_.following().transpose() * EigenSparse(S * carried_.following()));
-  release_carried(S, true);
-  return S;
-}
-
-void ImmersedSolids::linearise() {
-  const EigenSparse S = find_tangent();
-  EigenSparse D;
-  if (pressure_) {
-    D = pressure_->divergence();
-    for (Eigen::Index column = 0; column < D.outerSize(); ++column) {
-      for (EigenSparse::InnerIterator at(D, column); at; ++at) {
-        if (system_.held[static_cast<std::size_t>(column)]) at.valueRef() = 0;
-      }
-    }
-    D = EigenSparse(D * carried_.following());
-    release_carried(D, false);
-  }
-  blocks_.emplace(unknowns_, map_, pressure_ ? &*pressure_ : nullptr, S, D);
-  blocks_->add_velocities(S);
-  if (pressure_) blocks_->add_pressures(D);
 }
 
 /// Loads do work on the way of their nodes, supports what holds theirs. Stress and inertia work on all of them: what of
@@ -262,7 +176,7 @@ void ImmersedSolids::accept(FlowState& state) {
     if (system_.held[k]) supports += F_[k] * way;
   }
   state.q = q1_, state.drift = V_;
-  place(state.q, state.time + moment_.dt);
+  place(state.q, moment_.rest ? state.time : state.time + moment_.dt);
   velocities(state.v, led_, state.w);
   lost -= kinetic_energy(state);
   state.exchanged.loads += loads, state.exchanged.supports += supports, state.exchanged.immersed += lost;

@@ -20,11 +20,18 @@
 
 namespace tether::fem {
 
+/// Of a steady solution: when the loads are those that it takes [time], and the part of them that acts.
+struct LoadsAtRest {
+  double time = 0, part = 1;
+};
+
 /// What a step of a flow tells its bodies: its length [time], where in it stress and velocity are taken (theta), 1/dt
 /// or 0 for a steady flow [1/time], the fluid's viscosity [stress time]; in a sudden one supports keep their velocity.
+/// In search of a steady solution bodies have no inertia and the map is taken at the start.
 struct ImmersedMoment {
   double dt = 0, theta = 0.5, rate = 0, viscosity = 0;
   bool sudden = false;
+  std::optional<LoadsAtRest> rest;
 };
 
 /// Elastic bodies immersed in a flow (3): what a step asks of them. Nodes that the fluid carries go with its
@@ -43,6 +50,16 @@ class ImmersedSolids {
   void begin(const FlowState& state, const ImmersedMoment& moment);
   /// Moves the nodes by fluid velocities v0, v1 at its ends.
   void move(std::span<const double> v0, std::span<const double> v1);
+  /// Lets the nodes stay where the step has begun, with a gap to where v1 takes them, which the corrections close: of
+  /// a steady flow, whose velocity was zero at the places of before, not at these. After move().
+  void open_gap();
+  /// A part of the present correction closes as much of the gap; before move().
+  void close_gap(double part) { open_ = open_before_ * (1 - part); }
+  bool gap_is_open() const { return open_ > 0; }
+  /// How long bodies have to go with the fluid until they are at rest in it to 1e-4 and better [time].
+  double settling_time(double viscosity);
+  /// The largest velocity at the fluid's nodes about the bodies, of which theirs is a mean, in the step.
+  double speed_beside() const;
   /// Ends a correction of v1 that move() has followed.
   void end_correction();
   /// Takes the last one back, after v1 and move().
@@ -92,6 +109,8 @@ class ImmersedSolids {
   void place(std::span<const double> x, double time);
   void velocities(std::span<const double> v, std::span<const double> given, std::span<double> V);
   EigenSparse find_tangent();
+  void find_stiffness();
+  void add_forces_of_gap();
   void find_rounding();
   void release_carried(EigenSparse& A, bool rows) const;
 
@@ -115,6 +134,9 @@ class ImmersedSolids {
   ImmersedMoment moment_;
   std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, led_, led_rate_, V_, V1_,
       rate_, F_, free_, outer_, change_, difference_, at_carried_;
+  // The gap at the step's start [length], the part of it that is open, and that before the present correction.
+  std::vector<double> gap_;
+  double open_ = 0, open_before_ = 0;
 };
 
 }  // namespace tether::fem

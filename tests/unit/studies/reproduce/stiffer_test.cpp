@@ -17,7 +17,7 @@ enum class Raised { nothing, E, siep };
 
 /// Of the noise of a point that changes cells all that is printed is the state it begins with, and of the longest step
 /// the Courant number: neither depends on a modulus.
-const std::set<std::string> without_modulus{"noise", "stability-centre", "stability-side"};
+const std::set<std::string> without_modulus{"cylinder-file", "noise", "stability-centre", "stability-side"};
 
 /// A problem's deck, written without a run: what it makes exact and states is judged by itself.
 class Stiffer : public test::TemporaryFolder {
