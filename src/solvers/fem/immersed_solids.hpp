@@ -31,7 +31,7 @@ struct LoadsAtRest {
 struct ImmersedMoment {
   double dt = 0, theta = 0.5, rate = 0, viscosity = 0;
   bool sudden = false;
-  std::optional<LoadsAtRest> rest;
+  std::optional<LoadsAtRest> rest{};
 };
 
 /// Elastic bodies immersed in a flow (3): what a step asks of them. Nodes that the fluid carries go with its

@@ -84,7 +84,10 @@ double tangent_error(const TangentCase& of) {
   state.v.resize(unknowns.velocity.size());
   for (std::size_t k = 0; k < state.v.size(); ++k) state.v[k] = 0.1 * std::sin(3.0 * static_cast<double>(k));
   immersed.start(state, 0.1);
-  immersed.begin(state, {0.1, of.flow_integrator == FlowIntegrator::midpoint ? 0.5 : 1, 10, flow.viscosity, false});
+  immersed.begin(state, {.dt = 0.1,
+                         .theta = of.flow_integrator == FlowIntegrator::midpoint ? 0.5 : 1,
+                         .rate = 10,
+                         .viscosity = flow.viscosity});
   std::vector<double> v1 = state.v, p(flow.twin.size());
   for (std::size_t k = 0; k < v1.size(); ++k) v1[k] += 0.05 * std::cos(2.0 * static_cast<double>(k));
   for (std::size_t n = 0; n < p.size(); ++n) p[n] = std::cos(3.0 * static_cast<double>(n));
