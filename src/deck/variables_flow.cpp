@@ -18,9 +18,10 @@ constexpr std::array rows{
              "pressure. Those of immersed bodies are element of $mesh."},
     Variable{"flow", "integrator", text, 0, 1, 1, "", -none, none, "midpoint|euler", "'midpoint'",
              "Time step of the fluid: the mid-point rule or backward Euler."},
-    Variable{"flow", "steady", logical, 0, 1, 1, "", -none, none, "", ".false.",
-             "Whether each step is a steady flow, of the deck's Reynolds number, or with bodies of its loads and prescribed "
-             "velocities, times t/tmax: tmax/tstep steps lead up to it."},
+    Variable{
+        "flow", "steady", logical, 0, 1, 1, "", -none, none, "", ".false.",
+        "Whether each step is a steady flow, of the deck's Reynolds number, or with bodies of its loads and prescribed "
+        "velocities, times t/tmax: tmax/tstep steps lead up to it."},
     Variable{"flow", "linearisation", text, 0, 1, 1, "", -none, none, "newton|picard", "'newton'",
              "What a correction takes of the convective term's derivative: all of it, or the part that carries the "
              "velocity along."},

@@ -231,7 +231,8 @@ TEST(FlowScene, BodiesBehindAFluidAreCountedFromZero) {
   const Built built = build_flow(
       "$reg nreg=3,nvi=3*4,xvi(1,1)=0.,2.,2.,0.,yvi(1,1)=0.,0.,1.,1.\nxvi(1,2)=.5,.7,.7,.5,yvi(1,2)=.5,.5,.6,.6\n"
       "xvi(1,3)=1.,1.2,1.2,1.,yvi(1,3)=.5,.5,.6,.6,densir=3.,2.,1.,matr(1,1)=.5,matr(1,2)=10.,.3,matr(1,3)=20.,.3 $\n"
-      "$mesh element='q1' $\n$fem law(1)='fluid',load_on(1)='region 3',load(1,1)=1.,\nload_on(2)='region 1',load(1,2)=1. $\n"
+      "$mesh element='q1' $\n$fem law(1)='fluid',load_on(1)='region 3',load(1,1)=1.,\nload_on(2)='region "
+      "1',load(1,2)=1. $\n"
       "$flow penalty(3)=9. $\n$points tracked_at(1,1)=1.2,.6 $\n");
   EXPECT_EQ(built.errors(), Texts{"9:12: there is no region 1"});
   const Solids& solids = *built.scene.solids;
