@@ -59,13 +59,13 @@ double off(const DeckRun& run, const DeckRun& from, const std::string& column, d
 /// step.
 TEST(SteadyBodies, LeaningFlapIsWhatMarchesComeTo) {
   const DeckRun steady = leaning_flap({});
-  const DeckRun coarse = leaning_flap({"integrator='euler'", 20, 200}),
-                fine = leaning_flap({"integrator='euler'", 40, 100});
+  const DeckRun coarse = leaning_flap({"integrator='euler'", 160, 25}),
+                fine = leaning_flap({"integrator='euler'", 320, 12.5});
   for (const auto& [column, start] :
        {std::pair{"point_x_1", .55}, std::pair{"point_y_1", .5}, std::pair{"side_force_x_1", 0.}}) {
     const double error = off(fine, steady, column, start), ratio = off(coarse, steady, column, start) / error;
-    EXPECT_LT(error, 0.01) << column;
-    EXPECT_GT(ratio, 1.4) << column;
+    EXPECT_LT(error, 0.002) << column;
+    EXPECT_GT(ratio, 1.6) << column;
   }
   EXPECT_LT(steady.summary.at("steady_residual"), 1e-9);
 }
