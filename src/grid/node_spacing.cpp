@@ -12,12 +12,9 @@ namespace {
 using Edge = std::array<double, 2>;
 
 std::array<Edge, 4> edges_of(const Mesh& mesh, std::span<const double> x, std::size_t e) {
-  const int order = order_of(mesh.kind), row = order * (order + 1);
-  const std::array<int, 4> box{0, order, row + order, row}, simplex{0, 1, 2, 0};
-  const auto& corners = is_simplex(mesh.kind) ? simplex : box;
   std::array<Edge, 4> edges;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t a = at(mesh.element(e)[corners[k]]), b = at(mesh.element(e)[corners[(k + 1) % 4]]);
+    const auto [a, b] = ends_of_edge(mesh, e, k);
     edges[k] = {x[2 * b] - x[2 * a], x[2 * b + 1] - x[2 * a + 1]};
   }
   return edges;
@@ -45,6 +42,13 @@ std::array<double, 2> middle(const Mesh& mesh, std::span<const double> x, std::s
 }
 
 }  // namespace
+
+std::array<std::size_t, 2> ends_of_edge(const Mesh& mesh, std::size_t e, std::size_t k) {
+  const int order = order_of(mesh.kind), row = order * (order + 1);
+  const std::array<int, 5> box{0, order, row + order, row, 0}, simplex{0, 1, 2, 0, 1};
+  const auto& corners = is_simplex(mesh.kind) ? simplex : box;
+  return {at(mesh.element(e)[corners[k]]), at(mesh.element(e)[corners[k + 1]])};
+}
 
 std::optional<std::array<NodeSpacing, 4>> NodeSpacings::of_element(const Mesh& body, std::span<const double> x,
                                                                    std::size_t e, int& hint) const {

@@ -17,6 +17,10 @@ struct NodeSpacing {
   double ratio() const { return of_mesh > 0 ? of_body / of_mesh : 0; }
 };
 
+/// The corners at the ends of edge k of element e of a plane mesh: 0 to 3 bottom, right, top, left, the element to the
+/// left of it; of triangles the fourth is the first.
+std::array<std::size_t, 2> ends_of_edge(const Mesh& mesh, std::size_t e, std::size_t k);
+
 /// Compares the elements of plane bodies with those of a mesh of quadrilaterals that they lie over.
 class NodeSpacings {
  public:

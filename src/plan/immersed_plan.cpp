@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/index.hpp"
+#include "grid/body_thickness.hpp"
 #include "grid/carried_nodes.hpp"
 #include "grid/node_spacing.hpp"
 
@@ -22,7 +23,9 @@ ImmersedSpacing coarsest_spacing(const Flow& flow, const Solids& solids) {
   return worst;
 }
 
-std::string immersed_warning(const Flow& flow, const Solids& solids) {
+namespace {
+
+std::string warning_of_spacing(const Flow& flow, const Solids& solids) {
   const ImmersedSpacing worst = coarsest_spacing(flow, solids);
   if (worst.ratio() <= coarse_spacing) return "";
   const int of_solid = order_of(solids.mesh.kind), of_fluid = order_of(flow.mesh.kind);
@@ -32,6 +35,22 @@ std::string immersed_warning(const Flow& flow, const Solids& solids) {
       "or less stop it",
       solids.regions[at(worst.region)].name, element_name(solids.mesh.kind), of_solid * worst.of_solid,
       of_fluid * worst.of_fluid, worst.ratio(), of_solid * worst.of_fluid);
+}
+
+std::string warning_of_thickness(const Flow& flow, const Solids& solids) {
+  const ThinBody thin = BodyThickness(flow.mesh, solids.mesh).thinnest(solids.mesh.x);
+  const int order = order_of(flow.mesh.kind);
+  if (thin.region < 0 || thin.cells >= least_cells_across(order)) return "";
+  return fmt::format("{}: it is {:.3g} cells of the fluid thick: {}", solids.regions[at(thin.region)].name, thin.cells,
+                     thin_body_advice(order));
+}
+
+}  // namespace
+
+std::vector<std::string> immersed_warnings(const Flow& flow, const Solids& solids) {
+  std::vector<std::string> warnings{warning_of_spacing(flow, solids), warning_of_thickness(flow, solids)};
+  std::erase(warnings, "");
+  return warnings;
 }
 
 }  // namespace tether

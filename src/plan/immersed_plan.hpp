@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene/flow.hpp"
 #include "scene/solids.hpp"
@@ -17,7 +18,7 @@ struct ImmersedSpacing {
 };
 ImmersedSpacing coarsest_spacing(const Flow& flow, const Solids& solids);
 
-/// What is to be said of it, nothing where the nodes stand as close as the fluid's.
-std::string immersed_warning(const Flow& flow, const Solids& solids);
+/// What is to be said of it and of bodies that are thin in cells of the fluid.
+std::vector<std::string> immersed_warnings(const Flow& flow, const Solids& solids);
 
 }  // namespace tether

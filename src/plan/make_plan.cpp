@@ -205,8 +205,7 @@ Plan make_plan(Scene scene) {
     if (!locks.empty()) plan.warnings.push_back(std::move(locks));
   }
   if (scene.flow && scene.solids) {
-    std::string coarse = immersed_warning(*scene.flow, *scene.solids);
-    if (!coarse.empty()) plan.warnings.push_back(std::move(coarse));
+    for (auto& warning : immersed_warnings(*scene.flow, *scene.solids)) plan.warnings.push_back(std::move(warning));
   }
   plan.scene = std::move(scene);
   return plan;

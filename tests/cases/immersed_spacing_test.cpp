@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "cases/run_deck.hpp"
 
-// Bodies whose nodes stand further apart than the fluid's: the fluid goes through, and the program says so.
+// Bodies whose nodes stand further apart than the fluid's, and those that are thin in its cells: the program says so.
 
 namespace tether::cases {
 namespace {
@@ -28,10 +29,29 @@ DeckRun flap(const std::string& element, const std::string& cells) {
                                       element, cells));
 }
 
-bool told(const DeckRun& run) {
-  return std::ranges::any_of(run.warnings, [](const std::string& text) {
-    return text.find("times as far apart as the fluid's") != std::string::npos;
-  });
+bool any_has(const std::vector<std::string>& texts, const std::string& what) {
+  return std::ranges::any_of(texts, [&](const std::string& text) { return text.find(what) != std::string::npos; });
+}
+
+bool told(const DeckRun& run, const std::string& what = "times as far apart as the fluid's") {
+  return any_has(run.warnings, what);
+}
+
+/// A plate 0.1 thick across a stream in cells of h from x = 0.8 on, of 0.1 before; it goes `speed` in a time of 1.
+DeckRun plate(const std::string& element, double x, int cells_after) {
+  return run_text("plate",
+                  fmt::format("a plate\n$in nx=2,ny=2,xleft=0.,xright=1.6,ybot=0.,ytop=1.,tmax=.4,tstep=.1,iout(33)=1,"
+                              "tiout(33)=.1 $\n"
+                              "$reg nreg=3,nvi=3*4,xvi(1,1)=0.,.8,.8,0.,yvi(1,1)=0.,0.,1.,1.,xvi(1,2)=.8,1.6,1.6,.8,"
+                              "yvi(1,2)=0.,0.,1.,1.,densir=3*1.,matr(1,1)=1.,matr(1,2)=1.,xvi(1,3)={0},{1},{1},{0},"
+                              "yvi(1,3)=.3,.3,.7,.7,matr(1,3)=100.,.3 $\n"
+                              "$mesh element='q2',cells(1,1)=8,10,cells(1,2)={2},10,cells(1,3)=1,4 $\n"
+                              "$fem law='fluid','fluid','neo-hookean' $\n"
+                              "$flow element='{3}',boundary_on(1)='1.left',boundary(1)='inflow',boundary_u(1)='1.',"
+                              "boundary_on(2)='2.right',boundary(2)='open',boundary_on(3)='1.top',boundary(3)='slip',"
+                              "boundary_on(4)='1.bottom',boundary(4)='slip',boundary_on(5)='2.top',boundary(5)='slip',"
+                              "boundary_on(6)='2.bottom',boundary(6)='slip',u0='1.' $\n",
+                              x, x + 0.1, cells_after, element));
 }
 
 /// The fluid's elements are .124 x .104, of order 2: its nodes stand .052 apart along the flap.
@@ -45,6 +65,25 @@ TEST(ImmersedSpacing, OfCoarseBodiesIsTold) {
   EXPECT_TRUE(told(flap("q1", "1,3")));   // .113 apart
   EXPECT_FALSE(told(flap("q2", "1,3")));  // .057 apart
   EXPECT_FALSE(told(flap("q1", "1,6")));
+}
+
+TEST(ImmersedSpacing, OfThinBodiesIsTold) {
+  const std::string thin = "cells of the fluid thick";
+  const DeckRun one = plate("q1q1", 0.25, 8);
+  EXPECT_TRUE(told(one, "region 3: it is 1 cells of the fluid thick"));
+  EXPECT_NEAR(one.summary.at("cells_across"), 1, 1e-6);
+  EXPECT_FALSE(told(plate("q2q1", 0.25, 8), thin));
+}
+
+/// The stream takes the plate from cells of 0.1 to such of 0.4, of which it is a quarter thick, or to such of 0.025,
+/// where its nodes stand four times as far apart as the fluid's.
+TEST(ImmersedSpacing, OfBodiesThatComeToOtherCellsIsTold) {
+  const DeckRun coarse = plate("q2q1", 0.55, 2), fine = plate("q2q1", 0.55, 32);
+  EXPECT_TRUE(coarse.warnings.empty() && fine.warnings.empty());
+  EXPECT_TRUE(any_has(coarse.messages, "region 3 has come where it is"));
+  EXPECT_LT(coarse.summary.at("cells_across"), 0.6);
+  EXPECT_TRUE(any_has(fine.messages, "the bodies have come where their nodes stand"));
+  EXPECT_NEAR(fine.summary.at("node_spacing"), 4, 0.2);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/index.hpp"
 #include "solvers/fem/halved_steps.hpp"
 #include "solvers/fem/solid_fields.hpp"
 #include "solvers/step_time.hpp"
@@ -41,9 +42,16 @@ FlowSolver::FlowSolver(const Plan& plan)
   if (step_.immersed() && flow_.integrator == FlowIntegrator::steady) steady_bodies_.emplace(step_, flow_);
   if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
   if (step_.immersed()) doubts_.emplace(step_.immersed()->solids(), plan.scene.grid);
-  if (step_.immersed()) state_.told.spacing = step_.immersed()->carried().coarsest();
+  if (step_.immersed()) start_looking_at_meshes();
   std::vector<std::string> told_by_the_deck;
   if (overlaps_) overlaps_->look(state_.q, 0, state_.overlap, told_by_the_deck);
+}
+
+/// How the bodies' meshes suit the fluid's at the start, of which the plan reports.
+void FlowSolver::start_looking_at_meshes() {
+  state_.told.spacing = step_.immersed()->carried().coarsest();
+  thickness_.emplace(flow_.mesh, step_.immersed()->solids().mesh);
+  state_.told.thinnest = thickness_->thinnest(state_.q).cells;
 }
 
 void FlowSolver::look_at_bodies() {
@@ -51,6 +59,7 @@ void FlowSolver::look_at_bodies() {
   overlaps_->look(state_.q, state_.time, state_.overlap, messages_);
   doubts_->look_at_turns(state_.q, state_.time, state_.told, messages_);
   look_at_spacing();
+  look_at_thickness();
 }
 
 /// What the plan says of the start, as the bodies move over other cells: reported once.
@@ -63,6 +72,19 @@ void FlowSolver::look_at_spacing() {
         "stop it",
         state_.time, now));
   state_.told.spacing = std::max(state_.told.spacing, now);
+}
+
+/// The same of cells across them.
+void FlowSolver::look_at_thickness() {
+  const ThinBody thin = thickness_->thinnest(state_.q);
+  if (thin.region < 0) return;
+  const int order = order_of(flow_.mesh.kind);
+  const double least = least_cells_across(order);
+  if (thin.cells < least && state_.told.thinnest >= least)
+    messages_.push_back(fmt::format("t = {:.6g}: {} has come where it is {:.3g} cells of the fluid thick: {}",
+                                    state_.time, step_.immersed()->solids().regions[at(thin.region)].name, thin.cells,
+                                    thin_body_advice(order)));
+  state_.told.thinnest = std::min(state_.told.thinnest, thin.cells);
 }
 
 FlowReport FlowSolver::advance_by(double part) {
@@ -204,6 +226,7 @@ Summary FlowSolver::more_summary() const {
   summary.emplace_back("nodes_inside", fmt::format("{}", state_.overlap.most));
   summary.emplace_back("nodes_carried", fmt::format("{}", step_.immersed()->carried().nodes().size()));
   summary.emplace_back("node_spacing", fmt::format("{:.6g}", state_.told.spacing));
+  summary.emplace_back("cells_across", fmt::format("{:.6g}", state_.told.thinnest));
   return summary;
 }
 

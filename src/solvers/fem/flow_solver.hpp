@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/body_thickness.hpp"
 #include "plan/plan.hpp"
 #include "solvers/fem/body_doubts.hpp"
 #include "solvers/fem/body_overlaps.hpp"
@@ -40,8 +41,10 @@ class FlowSolver final : public Solver {
 
  private:
   Summary cost_summary() const;
+  void start_looking_at_meshes();
   void look_at_bodies();
   void look_at_spacing();
+  void look_at_thickness();
   void tell_of_failures(long long before);
   FlowReport advance_by(double part);
   [[noreturn]] void stop(double dt, const FlowReport& report) const;
@@ -59,7 +62,8 @@ class FlowSolver final : public Solver {
   std::optional<SteadyBodies> steady_bodies_;
   std::optional<BodyOverlaps> overlaps_;
   std::optional<BodyDoubts> doubts_;  // of immersed solids
-  bool light_bodies_ = false;         // whose kinetic energy is looked at
+  std::optional<BodyThickness> thickness_;
+  bool light_bodies_ = false;  // whose kinetic energy is looked at
   std::vector<std::string> messages_;
 };
 
