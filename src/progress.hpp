@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solvers/run_request.hpp"
+#include "run/request.hpp"
 #include "studies/scheduler.hpp"
 
 namespace tether {

@@ -8,6 +8,17 @@
 
 #include "grid/mesh.hpp"
 
+namespace tether {
+
+/// A region of a deck that a file's physical group is.
+struct FileRegion {
+  int number = 1;        ///< in the deck, from 1
+  std::string group;     ///< name of the group; where that is empty it is the one whose tag is the region's number
+  std::size_t mesh = 0;  ///< which of the meshes it belongs to, from 0
+};
+
+}  // namespace tether
+
 namespace tether::gmsh {
 
 /// A physical group that the file names.

@@ -8,16 +8,10 @@
 
 #include "base/diagnostics.hpp"
 #include "grid/block_mesh.hpp"
+#include "grid/gmsh_content.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
-
-/// A region of a deck that a file's physical group is.
-struct FileRegion {
-  int number = 1;        ///< in the deck, from 1
-  std::string group;     ///< name of the group; where that is empty it is the one whose tag is the region's number
-  std::size_t mesh = 0;  ///< which of the meshes it belongs to, from 0
-};
 
 /// The meshes of an ASCII file of Gmsh (https://gmsh.info, versions 2.2 and 4.1 of its format), as many as the regions
 /// name. Meshes may lie on top of each other, and an element or a node may belong to several of them; within a mesh an

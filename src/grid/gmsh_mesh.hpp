@@ -8,7 +8,6 @@
 
 #include "base/remarks.hpp"
 #include "grid/gmsh_content.hpp"
-#include "grid/gmsh_file.hpp"
 #include "grid/mesh_flaws.hpp"
 
 namespace tether::gmsh {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/index.hpp"
-#include "scene/coupled.hpp"
-#include "scene/solids.hpp"
+#include "model/coupled.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "model/bars.hpp"
 #include "plan/plan.hpp"
-#include "scene/bars.hpp"
 
 namespace tether {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "scene/coupled.hpp"
-#include "scene/solids.hpp"
+#include "model/coupled.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 
 namespace tether {
 

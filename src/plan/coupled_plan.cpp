@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/size.hpp"
+#include "model/solids.hpp"
 #include "plan/cfl_number.hpp"
 #include "plan/solid_plan.hpp"
-#include "scene/size.hpp"
-#include "scene/solids.hpp"
 
 namespace tether {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/coupled.hpp"
 #include "plan/plan.hpp"
-#include "scene/coupled.hpp"
 
 namespace tether {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "grid/carried_nodes.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 namespace {

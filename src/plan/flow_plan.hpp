@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/flow.hpp"
 #include "plan/plan.hpp"
-#include "scene/flow.hpp"
 
 namespace tether {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/flow.hpp"
-#include "scene/solids.hpp"
+#include "model/flow.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 

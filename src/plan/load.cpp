@@ -7,9 +7,10 @@
 #include "deck/document.hpp"
 #include "deck/reader.hpp"
 #include "plan/make_plan.hpp"
-#include "scene/build.hpp"
-#include "scene/load_mesh.hpp"
-#include "scene/load_particles.hpp"
+#include "read/build.hpp"
+#include "read/mesh/load_mesh.hpp"
+#include "read/path_of_deck.hpp"
+#include "read/points/load_particles.hpp"
 
 namespace tether {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grid/elements_across.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "base/diagnostics.hpp"
+#include "model/rigid.hpp"
+#include "model/size.hpp"
 #include "plan/bar_plan.hpp"
 #include "plan/cfl_number.hpp"
 #include "plan/coupled_plan.hpp"
@@ -17,8 +19,6 @@
 #include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
 #include "plan/terms.hpp"
-#include "scene/rigid.hpp"
-#include "scene/size.hpp"
 
 namespace tether {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "model/scene.hpp"
 #include "plan/locking.hpp"
-#include "scene/scene.hpp"
 
 namespace tether {
 

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "model/bars.hpp"
+#include "model/solids.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
 #include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
 #include "plan/terms.hpp"
-#include "scene/bars.hpp"
-#include "scene/solids.hpp"
 
 namespace tether {
 namespace {

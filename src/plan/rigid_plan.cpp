@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/rigid.hpp"
+#include "model/rigid.hpp"
 
 namespace tether {
 namespace {

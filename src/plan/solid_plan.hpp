@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/solids.hpp"
 #include "plan/plan.hpp"
-#include "scene/solids.hpp"
 
 namespace tether {
 

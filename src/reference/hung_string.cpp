@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "scene/held_end.hpp"
+#include "model/held_end.hpp"
 
 namespace tether {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/scene.hpp"
 #include "reference/pendulum.hpp"
 #include "reference/piston.hpp"
 #include "reference/spring.hpp"
 #include "reference/string_bounce.hpp"
-#include "scene/scene.hpp"
 
 namespace tether {
 

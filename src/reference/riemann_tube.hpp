@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "model/scene.hpp"
 #include "reference/riemann.hpp"
-#include "scene/scene.hpp"
 
 namespace tether {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/scene.hpp"
 #include "results/comparison.hpp"
-#include "scene/scene.hpp"
 
 namespace tether {
 

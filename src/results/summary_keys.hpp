@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/scene.hpp"
 #include "results/results.hpp"
-#include "scene/scene.hpp"
 
 namespace tether {
 

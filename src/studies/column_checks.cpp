@@ -8,7 +8,7 @@
 
 #include "base/ending.hpp"
 #include "plan/load.hpp"
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 #include "studies/combinations.hpp"
 #include "studies/meant.hpp"
 

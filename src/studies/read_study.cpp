@@ -13,7 +13,7 @@
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "deck/reader.hpp"
-#include "scene/named_file.hpp"
+#include "read/named_file.hpp"
 #include "studies/column_checks.hpp"
 #include "studies/combinations.hpp"
 #include "studies/study_checks.hpp"

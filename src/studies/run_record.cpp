@@ -15,10 +15,11 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "plan/load.hpp"
+#include "read/mesh/load_mesh.hpp"
+#include "read/path_of_deck.hpp"
+#include "read/points/load_particles.hpp"
 #include "results/summary_keys.hpp"
 #include "results/text_file.hpp"
-#include "scene/load_mesh.hpp"
-#include "scene/load_particles.hpp"
 
 namespace tether {
 namespace {

@@ -11,7 +11,7 @@
 #include "base/numbers.hpp"
 #include "results/checkpoint.hpp"
 #include "results/summary_keys.hpp"
-#include "solvers/run.hpp"
+#include "run/run.hpp"
 
 namespace tether {
 namespace {

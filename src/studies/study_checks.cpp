@@ -7,8 +7,8 @@
 #include <array>
 
 #include "deck/reader.hpp"
+#include "read/reference/reference.hpp"
 #include "results/summary_keys.hpp"
-#include "scene/reference.hpp"
 #include "studies/combinations.hpp"
 #include "studies/meant.hpp"
 #include "studies/run_table.hpp"

@@ -6,7 +6,7 @@
 
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "plan/load.hpp"
 #include "results/checkpoint.hpp"
-#include "solvers/run.hpp"
+#include "run/run.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether::cases {

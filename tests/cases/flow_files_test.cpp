@@ -13,10 +13,10 @@
 #include "cases/run_deck.hpp"
 #include "deck/reader.hpp"
 #include "grid/block_mesh.hpp"
+#include "model/flow.hpp"
+#include "model/scene.hpp"
+#include "model/solids.hpp"
 #include "plan/load.hpp"
-#include "scene/flow.hpp"
-#include "scene/scene.hpp"
-#include "scene/solids.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether::cases {

@@ -14,7 +14,7 @@
 #include "plan/load.hpp"
 #include "results/checkpoint.hpp"
 #include "results/netcdf_input.hpp"
-#include "solvers/run.hpp"
+#include "run/run.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether::cases {

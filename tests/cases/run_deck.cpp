@@ -9,7 +9,7 @@
 
 #include "deck/reader.hpp"
 #include "plan/load.hpp"
-#include "solvers/run.hpp"
+#include "run/run.hpp"
 
 namespace tether::cases {
 

@@ -9,7 +9,7 @@
 #include "cases/run_deck.hpp"
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 
 namespace tether::cases {
 namespace {

@@ -38,6 +38,18 @@ class OrderCheck(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("circle", text)
 
+    def test_refuses_a_circle_by_way_of_a_source(self):
+        code, text = self.run_on({"grid/a.hpp": '#include "grid/b.hpp"\n', "grid/b.cpp": '#include "grid/a.hpp"\n',
+                                  "grid/b.hpp": "\n"})
+        self.assertEqual(code, 1)
+        self.assertIn("circle: grid/a -> grid/b -> grid/a", text)
+
+    def test_refuses_a_solver_that_sees_the_deck_through_a_header(self):
+        code, text = self.run_on({"solvers/mpm/a.cpp": '#include "plan/p.hpp"\n', "deck/d.hpp": "\n",
+                                  "plan/p.hpp": '#include "deck/d.hpp"\n'})
+        self.assertEqual(code, 1)
+        self.assertIn("solvers/mpm/a.cpp: must not see the deck", text)
+
     def test_refuses_a_mutable_global(self):
         for line in ("int counter = 0;", "static double x;", "std::vector<int> all{1};", "inline int n = 3;"):
             self.assertEqual(self.run_on({"base/b.cpp": line + "\n"})[0], 1, line)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/coupled.hpp"
+#include "model/coupled.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 
 namespace tether::coupled {

@@ -9,7 +9,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "base/seconds.hpp"
-#include "scene/coupled.hpp"
+#include "model/coupled.hpp"
 #include "solvers/coupled/coupled_equations.hpp"
 
 namespace tether::coupled {

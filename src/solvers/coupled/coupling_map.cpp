@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
-#include "scene/side_faces.hpp"
+#include "model/side_faces.hpp"
 #include "solvers/coupled/film_pressures.hpp"
 #include "solvers/coupled/open_sides_before.hpp"
 

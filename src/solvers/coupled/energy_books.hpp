@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/coupled.hpp"
+#include "model/coupled.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 
 namespace tether::coupled {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "grid/crossings.hpp"
-#include "scene/side_faces.hpp"
+#include "model/side_faces.hpp"
 #include "solvers/coupled/cut_cells.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 #include "solvers/coupled/smoke.hpp"

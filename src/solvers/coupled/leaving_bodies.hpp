@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grid/solid_surface.hpp"
-#include "scene/coupled.hpp"
+#include "model/coupled.hpp"
 
 namespace tether::coupled {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
-#include "scene/side_faces.hpp"
+#include "model/side_faces.hpp"
 
 namespace tether::coupled {
 namespace {

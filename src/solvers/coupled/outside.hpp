@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/coupled.hpp"
+#include "model/coupled.hpp"
 #include "solvers/coupled/flow_domain.hpp"
 
 namespace tether::coupled {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/coupled.hpp"
+#include "model/coupled.hpp"
 #include "solvers/fem/solid_system.hpp"
 
 namespace tether::coupled {

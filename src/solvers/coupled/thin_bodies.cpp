@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/index.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 
 namespace tether::coupled {
 

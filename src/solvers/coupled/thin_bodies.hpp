@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/coupled/placement.hpp"
 
 namespace tether::coupled {

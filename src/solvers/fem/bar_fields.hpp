@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/scene.hpp"
 #include "results/results.hpp"
-#include "scene/scene.hpp"
 #include "solvers/fem/bars.hpp"
 
 namespace tether::fem {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/bars.hpp"
 #include "plan/plan.hpp"
-#include "scene/bars.hpp"
 #include "solvers/fem/bars.hpp"
 #include "solvers/solver.hpp"
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/bars.hpp"
+#include "model/scene.hpp"
 #include "results/saved_state.hpp"
-#include "scene/bars.hpp"
-#include "scene/scene.hpp"
 
 namespace tether::fem {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grid/background_grid.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 #include "solvers/fem/told_doubts.hpp"
 
 namespace tether::fem {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grid/overlaps.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 #include "solvers/fem/overlap_count.hpp"
 
 namespace tether::fem {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 
 namespace tether::fem {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "algebra/sparse_matrix.hpp"
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 
 namespace tether::fem {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 
 namespace tether::fem {
 

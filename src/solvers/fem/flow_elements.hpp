@@ -8,7 +8,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "grid/lagrange.hpp"
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 #include "solvers/fem/flow_unknowns.hpp"
 
 namespace tether::fem {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "grid/mesh_place.hpp"
+#include "model/flow.hpp"
 #include "results/results.hpp"
-#include "scene/flow.hpp"
 #include "solvers/fem/flow_forces.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_step.hpp"

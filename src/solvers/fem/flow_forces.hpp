@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "model/flow.hpp"
 #include "results/results.hpp"
-#include "scene/flow.hpp"
 #include "solvers/fem/body_side_forces.hpp"
 #include "solvers/fem/flow_corners.hpp"
 #include "solvers/fem/flow_state.hpp"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "grid/point_finder.hpp"
+#include "model/flow.hpp"
+#include "model/solids.hpp"
 #include "results/results.hpp"
-#include "scene/flow.hpp"
-#include "scene/solids.hpp"
 #include "solvers/fem/flow_state.hpp"
 
 namespace tether::fem {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 
 namespace tether::fem {
 

@@ -9,7 +9,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "grid/point_finder.hpp"
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 
 namespace tether::fem {
 

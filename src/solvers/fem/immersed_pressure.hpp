@@ -7,8 +7,8 @@
 #include "algebra/eigen_sparse.hpp"
 
 #include "grid/point_finder.hpp"
-#include "scene/flow.hpp"
-#include "scene/solids.hpp"
+#include "model/flow.hpp"
+#include "model/solids.hpp"
 
 namespace tether::fem {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grid/carried_nodes.hpp"
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 #include "solvers/fem/body_rates.hpp"
 #include "solvers/fem/flow_elements.hpp"
 #include "solvers/fem/flow_state.hpp"

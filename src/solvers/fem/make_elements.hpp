@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grid/mesh.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 #include "solvers/fem/elements.hpp"
 
 namespace tether::fem {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/solids.hpp"
 #include "results/results.hpp"
-#include "scene/solids.hpp"
 
 // What all solvers of a mesh write alike. Vectors have dim numbers a node.
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/diagnostics.hpp"
-#include "scene/rigid.hpp"
+#include "model/rigid.hpp"
 
 namespace tether::fem {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "model/rigid.hpp"
+#include "model/solids.hpp"
 #include "results/saved_state.hpp"
-#include "scene/rigid.hpp"
-#include "scene/solids.hpp"
 #include "solvers/fem/rigid_step.hpp"
 
 namespace tether::fem {

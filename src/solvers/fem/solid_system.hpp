@@ -9,7 +9,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "algebra/sparse_solver.hpp"
-#include "scene/solids.hpp"
+#include "model/solids.hpp"
 #include "solvers/fem/elements.hpp"
 
 namespace tether::fem {

@@ -6,7 +6,7 @@
 
 #include "grid/background_grid.hpp"
 #include "grid/pair.hpp"
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/frame.hpp"
 
 namespace tether::mpm {

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/balance.hpp"
 #include "solvers/mpm/body_normals.hpp"

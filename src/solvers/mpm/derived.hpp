@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/state.hpp"
 
 namespace tether::mpm {

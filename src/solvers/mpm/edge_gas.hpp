@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/edges.hpp"
+#include "model/edges.hpp"
 
 namespace tether::mpm {
 

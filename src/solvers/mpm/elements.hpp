@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/range.hpp"
 

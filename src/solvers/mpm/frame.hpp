@@ -8,8 +8,8 @@
 #include "grid/geometry.hpp"
 #include "grid/pair.hpp"
 #include "laws/walls/walls.hpp"
-#include "scene/edges.hpp"
-#include "scene/method.hpp"
+#include "model/edges.hpp"
+#include "model/method.hpp"
 
 namespace tether::mpm {
 

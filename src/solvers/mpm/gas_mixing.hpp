@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/state.hpp"
 
 namespace tether::mpm {

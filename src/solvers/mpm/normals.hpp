@@ -5,7 +5,7 @@
 #include <span>
 #include <variant>
 
-#include "scene/method.hpp"
+#include "model/method.hpp"
 #include "solvers/mpm/normals_cells.hpp"
 #include "solvers/mpm/normals_grid.hpp"
 #include "solvers/mpm/normals_membrane.hpp"

@@ -7,7 +7,7 @@
 
 #include "grid/background_grid.hpp"
 #include "laws/walls/walls.hpp"
-#include "scene/method.hpp"
+#include "model/method.hpp"
 #include "solvers/mpm/normals_colors.hpp"
 #include "solvers/mpm/normals_points.hpp"
 #include "solvers/mpm/range.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "scene/size.hpp"
+#include "model/size.hpp"
 #include "solvers/mpm/derived.hpp"
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/sort.hpp"
@@ -21,10 +21,10 @@ constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
 constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) +
                                  2 * sizeof(double) + 4 * sizeof(int) + bytes_of_frame + bytes_of_contact +
                                  bytes_of_saved_node;
-static_assert(bytes_of_node <= bytes_per_node, "scene/size.hpp: a node takes more than it says");
+static_assert(bytes_of_node <= bytes_per_node, "model/size.hpp: a node takes more than it says");
 static_assert(28 * sizeof(double) + 1 + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <=
                   bytes_per_point,
-              "scene/size.hpp: a point takes more than it says");
+              "model/size.hpp: a point takes more than it says");
 
 /// Of the points' mean mass: nodes with less have it from points on a line of the grid, 1e-12 of their masses.
 constexpr double light_part = 1e-9;

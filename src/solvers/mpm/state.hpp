@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/scene.hpp"
 #include "results/saved_state.hpp"
-#include "scene/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/balance.hpp"
 #include "solvers/mpm/contact.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/state.hpp"
 #include "solvers/mpm/trouble.hpp"

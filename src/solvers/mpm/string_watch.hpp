@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
-#include "scene/string_gaps.hpp"
+#include "model/scene.hpp"
+#include "model/string_gaps.hpp"
 #include "solvers/mpm/state.hpp"
 
 namespace tether::mpm {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "model/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/edge_gas.hpp"
 #include "solvers/mpm/point_laws.hpp"

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "deck/reader.hpp"
-#include "scene/method.hpp"
+#include "read/method_of_deck.hpp"
 #include "studies/combinations.hpp"
 #include "studies/read_study.hpp"
 #include "studies/reproduce/runs.hpp"

@@ -11,7 +11,7 @@
 #include "base/errors.hpp"
 #include "base/file.hpp"
 #include "deck/reader.hpp"
-#include "scene/named_file.hpp"
+#include "read/named_file.hpp"
 #include "studies/reproduce/printed.hpp"
 #include "studies/reproduce/reading.hpp"
 #include "studies/study_remarks.hpp"

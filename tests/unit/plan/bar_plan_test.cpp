@@ -5,7 +5,7 @@
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
 #include "plan/plan_text.hpp"
-#include "unit/scene/bars_support.hpp"
+#include "unit/read/points/bars_support.hpp"
 
 namespace tether {
 namespace {

@@ -12,7 +12,7 @@
 #include "plan/added_mass.hpp"
 #include "plan/make_plan.hpp"
 #include "plan/plan_text.hpp"
-#include "scene/build.hpp"
+#include "read/build.hpp"
 
 namespace tether {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <stdexcept>
 
+#include "model/size.hpp"
 #include "plan/make_plan.hpp"
 #include "plan/plan_text.hpp"
 #include "plan/terms.hpp"
-#include "scene/size.hpp"
 #include "unit/plan/plan_support.hpp"
 
 namespace tether::test {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "grid/block_mesh.hpp"
+#include "model/rigid.hpp"
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
 #include "plan/plan_text.hpp"
-#include "scene/rigid.hpp"
 #include "unit/plan/plan_support.hpp"
 
 namespace tether {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "plan/make_plan.hpp"
-#include "solvers/make.hpp"
-#include "unit/scene/bars_support.hpp"
+#include "run/make.hpp"
+#include "unit/read/points/bars_support.hpp"
 
 namespace tether::scenes {
 

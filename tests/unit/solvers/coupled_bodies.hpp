@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "scene/coupled.hpp"
-#include "scene/scene.hpp"
-#include "scene/solids.hpp"
+#include "model/coupled.hpp"
+#include "model/scene.hpp"
+#include "model/solids.hpp"
 #include "solvers/coupled/coupling_map.hpp"
 #include "solvers/coupled/flow_box.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "deck/reader.hpp"
 #include "plan/make_plan.hpp"
-#include "scene/build.hpp"
+#include "read/build.hpp"
 
 namespace tether::coupled {
 

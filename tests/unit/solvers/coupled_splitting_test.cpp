@@ -8,7 +8,7 @@
 
 #include "deck/reader.hpp"
 #include "plan/make_plan.hpp"
-#include "scene/build.hpp"
+#include "read/build.hpp"
 #include "solvers/coupled/projection.hpp"
 #include "solvers/coupled/splitting_limit.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 #include "unit/solvers/scenes.hpp"
 
 namespace tether::mpm {

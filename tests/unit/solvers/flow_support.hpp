@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grid/block_mesh.hpp"
-#include "scene/flow.hpp"
+#include "model/flow.hpp"
 #include "solvers/fem/flow_step.hpp"
 
 // Flows on rectangles for tests.

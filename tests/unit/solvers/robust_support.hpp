@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "plan/make_plan.hpp"
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 #include "unit/solvers/scenes.hpp"
 
 // Scenes of the robust set, of membranes, and about an axis; and a run of one of them.
 
 namespace tether::scenes {
 
-/// The set of method='robust' (src/scene/method.cpp).
+/// The set of method='robust' (src/read/method_of_deck.cpp).
 inline Method robust_method() {
   Method method;
   method.order = StressOrder::usf;

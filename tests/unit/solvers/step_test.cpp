@@ -8,7 +8,7 @@
 #include <random>
 
 #include "plan/make_plan.hpp"
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 #include "unit/solvers/scenes.hpp"
 
 namespace tether::mpm {

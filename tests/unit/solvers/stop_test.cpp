@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 #include "plan/make_plan.hpp"
-#include "solvers/make.hpp"
+#include "run/make.hpp"
 #include "unit/solvers/scenes.hpp"
 
 namespace tether {

@@ -10,7 +10,7 @@
 #include "deck/reader.hpp"
 #include "plan/load.hpp"
 #include "results/summary_keys.hpp"
-#include "solvers/run.hpp"
+#include "run/run.hpp"
 #include "studies/run_record.hpp"
 #include "studies/workers.hpp"
 #include "unit/temporary_folder.hpp"

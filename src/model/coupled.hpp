@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "grid/staggered_grid.hpp"
+#include "model/amplitude.hpp"
+
+namespace tether {
+
+/// How fluid and solids are solved: simultaneously with a symmetric map, whose cells are wholly fluid or not; the same
+/// with the open parts of faces; one after the other; or simultaneously as the paper writes it, with two maps that are
+/// not each other's transpose.
+enum class CouplingMode { symmetric, cut_cell, splitting, paper };
+
+/// The deck's word for it.
+const char* coupling_mode_name(CouplingMode mode);
+
+/// The step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule.
+enum class CoupledIntegrator { paper, trapezoid };
+
+/// How a flow carries its velocity along.
+enum class Advection { semi_lagrangian, maccormack };
+
+/// What a side of the box is: a wall without friction (with, where the fluid is viscous); open to fluid at rest, whose
+/// pressure grows with the depth; or open with nothing beyond, where the pressure is zero.
+enum class BoxSide { wall, open, empty };
+
+/// How the linear systems are solved: as their size asks, by factors, or by conjugate gradients.
+enum class CoupledSystems { automatic, direct, krylov };
+
+/// Numbers of the sides of a box.
+enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, side_front };
+constexpr std::array<const char*, 6> box_side_names{"left", "right", "bottom", "top", "back", "front"};
+
+/// A box with sides along the axes [length]; in the plane its z is that of the grid's layer of cells. Cells belong to
+/// an obstacle or a void when their middles lie in it.
+struct AxisBox {
+  std::array<double, 3> low{}, high{};
+  /// Whether a place lies in it or, as near as rounding tells, on its edge.
+  bool contains(const std::array<double, 3>& place) const;
+};
+
+/// What the cells make of a box whose middles lie in it.
+AxisBox cells_of(const AxisBox& box, const StaggeredGrid& grid);
+
+/// The axis across a side of the box, and whether the side is at its lower end.
+constexpr int axis_of_side(int side) { return side / 2; }
+constexpr bool is_low_side(int side) { return side % 2 == 0; }
+
+/// Part of a side that is open.
+struct Opening {
+  int side = side_left;
+  AxisBox patch;   ///< as a jet's
+  int number = 0;  ///< of the deck's opening, from 1
+};
+
+/// Part of a side that fluid is blown in through.
+struct Jet {
+  int side = side_left;
+  AxisBox patch;           ///< its part of the side; along the side's own axis both ends are the side's place
+  double speed = 0;        ///< into the box [velocity]
+  Amplitude amplitude;     ///< factor of the speed
+  double smoke = 0;        ///< density of what comes in
+  double temperature = 0;  ///< above that of the surroundings
+  int number = 0;          ///< of the deck's jet, from 1
+};
+
+/// Smoke that a box holds at the start; where boxes overlap their smoke adds up, and a cell that lies in one in part
+/// has that part of it.
+struct SmokeBox {
+  AxisBox box;
+  double density = 0, temperature = 0;
+};
+
+/// Nodes that a spring pulls back to where they were at the start: each in proportion to its mass, so that a stiff body
+/// moves as a whole.
+struct Spring {
+  std::vector<int> nodes;
+  std::array<double, 3> stiffness{};  ///< of all together [force/length]
+  int number = 0;
+};
+
+/// An incompressible fluid in a box, with deformable solids in it (the scene's solids, where there are any), as the
+/// deck's groups $in and $coupled describe it.
+struct Coupled {
+  StaggeredGrid grid;
+  CouplingMode mode = CouplingMode::cut_cell;
+  CoupledIntegrator integrator = CoupledIntegrator::paper;
+  Advection advection = Advection::maccormack;
+  CoupledSystems systems = CoupledSystems::automatic;
+  double tolerance = 1e-12;  ///< of conjugate gradients and BiCGSTAB: residual over the right side
+  double density = 1;        ///< of the fluid [mass/volume]
+  double viscosity = 0;      ///< mu [stress time]
+  std::array<BoxSide, 6> sides{};
+  double level = 0;  ///< height at which the fluid beyond open sides has no pressure [length]
+  std::vector<Opening> openings;
+  std::vector<Jet> jets;
+  std::vector<AxisBox> obstacles;  ///< at rest, that fluid and solids do not enter
+  std::vector<AxisBox> voids;      ///< whose cells hold no fluid: pressure zero
+  bool cavities_only = false;      ///< fluid only where solids enclose it, void around them
+  std::array<double, 3> start{};   ///< velocity of the fluid at the start
+  bool smoke = false;              ///< whether density and temperature of smoke are carried along
+  std::vector<SmokeBox> smoke_boxes;
+  double smoke_weight = 0;  ///< acceleration downwards by a density of 1 [acceleration]
+  double smoke_lift = 0;    ///< acceleration upwards by a temperature of 1 [acceleration]
+  bool contact = true;      ///< of solids with walls and obstacles
+  double friction = 0;      ///< Coulomb's coefficient of it
+  bool volume_term = true;  ///< whether volumes of closed regions are held
+  bool area_repair = true;  ///< of splitting: whether wall velocities of closed regions are balanced
+  bool convex = true;       ///< whether K' is made positive semi-definite
+  std::vector<Spring> springs;
+};
+
+/// Whether there is fluid beyond a side: it is open, or a wall with an opening.
+bool has_fluid_beyond(const Coupled& coupled, int side);
+
+/// In space more cells than these go by conjugate gradients where the deck leaves it open.
+constexpr double most_cells_of_factors = 2e3;
+/// Which of direct and krylov is taken.
+CoupledSystems systems_of(const Coupled& coupled);
+
+}  // namespace tether

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/expression.hpp"
+#include "grid/mesh.hpp"
+#include "model/amplitude.hpp"
+#include "model/solids.hpp"
+
+namespace tether {
+
+/// Bilinear velocity and pressure, stabilised; or biquadratic velocity with bilinear pressure (Taylor and Hood).
+enum class FlowElement { q1q1, q2q1 };
+
+/// How a flow goes on in time: the mid-point rule (47), backward Euler, or no dynamics: each step is a steady flow.
+enum class FlowIntegrator { midpoint, euler, steady };
+
+/// What a correction takes of the convective term's derivative: all of it, or the part that carries the velocity along.
+enum class Linearisation { newton, picard };
+
+/// How the linear systems of a flow's corrections are solved: as their number of unknowns asks, by factors, or by
+/// GMRES.
+enum class FlowSystems { automatic, direct, krylov };
+
+/// What a side of the fluid's boundary does.
+enum class Boundary { no_slip, slip, moving, inflow, open, periodic };
+
+/// A plane vector that may change in place and time: an expression in x, y, t for each component, null for 0, times a
+/// factor over time.
+struct FlowVector {
+  std::array<std::shared_ptr<const Expression>, 2> component{};
+  Amplitude factor;
+  /// Throws RunError where an expression has no finite value.
+  std::array<double, 2> at(double x, double y, double t) const;
+  /// Whether it is zero by the deck's word.
+  bool absent() const { return !component[0] && !component[1]; }
+};
+
+/// Part of the boundary with its condition. Of `periodic` the nodes say the rest (Flow::twin).
+struct FlowSide {
+  std::string name;
+  Boundary boundary = Boundary::no_slip;
+  Sides sides;
+  FlowVector velocity;  ///< prescribed on moving walls and inflows
+  int number = 0;       ///< of the deck's boundary_on, from 1; 0 of the sides that the deck does not name
+};
+
+/// What a force is recorded of, and its torque about a centre: sides of the fluid's boundary, immersed bodies and sides
+/// of these, together.
+struct ForceSide {
+  std::string name;
+  Sides sides;
+  std::array<double, 2> centre{};  // [length]
+  std::vector<int> bodies = {};    ///< regions of the solids, from 0
+  Sides body_sides = {};           ///< of the solids' mesh
+};
+
+/// A rectangle of tracers, nx x ny of them at the middles of its equal parts, that go with the fluid from the start.
+struct TracerBox {
+  std::array<int, 2> count{};             // along x and y; 0: none
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [length]
+};
+
+/// An incompressible Newtonian fluid on a plane mesh that stays where it is, as the deck's groups $mesh and $flow
+/// describe it (2.3).
+struct Flow {
+  Mesh mesh;  ///< quad4 for q1q1, quad9 for q2q1
+  FlowElement element = FlowElement::q2q1;
+  double density = 0;    // [mass/volume]
+  double viscosity = 0;  // mu [stress time]
+  /// All of the boundary, each part once. Where sides meet, a node belongs to the wall at rest before the moving wall
+  /// before the inflow; slip holds what these leave.
+  std::vector<FlowSide> sides;
+  std::vector<int> twin;      ///< of each node the one whose unknowns it shares, itself but on periodic sides
+  FlowVector acceleration;    ///< of the deck's body force [length/time2]; gravity is the scene's
+  bool fluid_outside = true;  ///< beyond open sides, at rest, whose pressure grows with the depth; or nothing
+  double level = 0;           ///< height at which that pressure is zero [length]
+  FlowVector start;           ///< velocity at the start
+  FlowIntegrator integrator = FlowIntegrator::midpoint;
+  Linearisation linearisation = Linearisation::newton;
+  FlowSystems systems = FlowSystems::automatic;
+  double tolerance = 1e-6;       ///< of Newton's method: residual over the largest force
+  double speed = 0, length = 0;  ///< of the Reynolds number and of drag and lift coefficients; 0: not given
+  std::vector<ForceSide> forces;
+  std::vector<std::array<double, 2>> probes;    ///< places in the mesh where the flow is recorded [length]
+  std::vector<std::array<int, 2>> differences;  ///< of the pressures at two of them, from 0
+  TracerBox tracers;
+  std::vector<double> volume_penalty;  ///< of each region of the solids, 0 for none [stress]
+  std::vector<bool> volume_by_fluid;   ///< of each, whether the fluid's pressure holds its volume, or its own law
+};
+
+/// Unknowns: two velocities a node, a pressure a corner, as if no side held any.
+double unknowns_of(const Flow& flow);
+
+/// Whether any immersed body has a law of its own for its volume: the fluid's pressure is outside of it alone, and
+/// where no side is open, its level is that at which such bodies together keep their volume.
+bool any_own_volume(const Flow& flow);
+
+/// Of each region of the solids, whether it is lighter than the fluid. The fluid carries all of its nodes: what it
+/// takes of the fluid's mass is then no more than the velocities there have, which nodes that follow others would
+/// exceed.
+std::vector<bool> lighter_regions(const Flow& flow, const Solids& solids);
+
+/// More unknowns than these go by GMRES where the deck leaves it open.
+constexpr double most_unknowns_of_factors = 2e5;
+
+/// Which of direct and krylov is taken. Steady flows and flows with immersed solids are left to factors, as GMRES takes
+/// many iterations for them or does not get there.
+FlowSystems systems_of(const Flow& flow, bool with_solids);
+
+/// For each node the side that prescribes its velocity, walls at rest before moving walls before inflows, and the node
+/// of that side whose place counts, itself but for twins; -1 where none does.
+struct Holder {
+  int side = -1, node = -1;
+};
+std::vector<Holder> holders_of(const Flow& flow);
+
+}  // namespace tether

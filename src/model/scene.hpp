@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/units.hpp"
+#include "grid/background_grid.hpp"
+#include "grid/geometry.hpp"
+#include "laws/materials/material.hpp"
+#include "laws/walls/walls.hpp"
+#include "model/edges.hpp"
+#include "model/limits.hpp"
+#include "model/method.hpp"
+#include "model/path.hpp"
+
+namespace tether {
+
+struct Solids;
+struct Rigid;
+struct Flow;
+struct Coupled;
+
+/// Initial state of material points, one array a property, all of one length.
+struct PointSet {
+  std::vector<double> x, y;           // [length]
+  std::vector<double> vx, vy;         // [velocity]
+  std::vector<double> sxx, syy, sxy;  // initial stress [stress]
+  std::vector<double> volume;         // [volume], per unit depth; the whole ring's about an axis
+  std::vector<double> mass;           // [mass], likewise
+  std::size_t size() const { return x.size(); }
+};
+
+/// Points first .. first + count - 1 of the scene's PointSet, all of one law and density.
+struct Body {
+  std::string name;
+  Material material;
+  double density = 0;          // [mass/volume], of the deck; a heavy point does not change it
+  double specific_energy = 0;  // initial, of a gas [energy/mass]
+  std::size_t first = 0, count = 0;
+  bool closed = false;  // membrane: its last point is next to its first
+  int lattice = 1;      // of a region: points along a side of a cell
+};
+
+struct Clock {
+  double tmax = 0;   // [time]
+  double tstep = 0;  // the deck's step, min(tstep, dtmax) [time]
+  double cfl = 1;    // factor of the step limit; 0 takes the deck's step as it is
+};
+
+/// The exact solution to compare with, of src/reference.
+enum class ReferenceKind { none, riemann, spring, string, pendulum, piston, radial_gas, thin_ring };
+
+/// Intervals between outputs [time]; 0 where an output is off.
+struct OutputIntervals {
+  double history = 0, points = 0, grid = 0, checkpoint = 0;
+  bool tracked_angle = false;
+};
+
+/// What the user asked for, without a word on how it is computed: values only, no files, no deck, no solver.
+struct Scene {
+  std::string title;
+  Path path = Path::mpm;
+  Units units = Units::none;
+  BackgroundGrid grid;
+  Geometry geometry = Geometry::plane;
+  Walls walls;
+  Edges edges;         // gas passes through some of them
+  double gravity = 0;  // acceleration in y [length/time2]
+  PointSet points;
+  std::vector<Body> bodies;
+  std::shared_ptr<const Solids> solids;  ///< bodies on a mesh, which has no points
+  std::shared_ptr<const Rigid> rigid;    ///< that they are one rigid body; null where they are elastic
+  std::shared_ptr<const Flow> flow;      ///< a fluid on a mesh; with it, solids are immersed in it
+  /// A fluid in a box, by the coupled path; with it, solids go through the fluid, and are null where there are none.
+  std::shared_ptr<const Coupled> coupled;
+  std::vector<std::size_t> tracked;       ///< points whose paths are recorded
+  std::vector<std::string> tracked_from;  ///< of each how far it is from the place that was asked for, or nothing
+  std::vector<std::size_t> pinned;        ///< points that a pin holds where they are
+  double ambient = 0;                     ///< pressure outside membranes that enclose gas [stress]
+  Clock clock;
+  Method method;
+  OutputIntervals outputs;
+  Limits limits;
+  ReferenceKind reference = ReferenceKind::none;
+  std::optional<std::array<double, 2>> reference_window;  ///< part of a tube that is compared, from x to x [length]
+};
+
+/// What the history calls tracked point k.
+inline std::string tracked_name(const Scene& scene, std::size_t k) {
+  return "point " + std::to_string(scene.tracked[k] + 1) + (k < scene.tracked_from.size() ? scene.tracked_from[k] : "");
+}
+
+/// The first body of a law, or null.
+template <class Law>
+const Body* find_body(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (std::holds_alternative<Law>(body.material)) return &body;
+  }
+  return nullptr;
+}
+
+}  // namespace tether

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/diagnostics.hpp"
+#include "deck/deck.hpp"
+#include "grid/mesh.hpp"
+#include "model/coupled.hpp"
+#include "model/scene.hpp"
+
+namespace tether {
+
+/// Whether the deck describes a box of cells that the memory holds and, with $mesh, bodies of as many dimensions, so
+/// that a scene can be made; tells what it has instead: $flow, rigid bodies, an axis, a depth without ends.
+bool check_coupled_frame(const Deck& deck, Diagnostics& diagnostics);
+
+/// Tells what the deck asks for and cannot have beside $coupled, and what has no effect there.
+void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics);
+
+/// Tells of nodes of bodies outside the box or in an obstacle, of each region the first, and of jets in bodies or
+/// obstacles and jets that meet no face.
+void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
+
+/// Tells of a box without a cell of fluid, of cavities that there are none of, and of parts of it that nothing but
+/// walls and obstacles close, into which jets bring more than out of them, bodies left aside.
+void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
+
+/// Whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the box's
+/// sides: a step from a cell's middle to the next one's does not go through a body.
+bool encloses_cells(const Coupled& coupled, const Mesh& mesh);
+
+}  // namespace tether

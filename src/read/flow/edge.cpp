@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/flow/edge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/lagrange.hpp"
+
+namespace tether {
+namespace {
+
+using Place = std::array<double, 2>;
+
+constexpr double tolerance = 1e-9;  // of the mesh's size
+
+double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+std::size_t per_side(const Mesh& mesh) { return static_cast<std::size_t>(side_node_count_of(mesh.kind)); }
+
+/// Sum of the nodes' places by weights, values or slopes of the side's functions.
+template <class Weights>
+Place weighted(const Mesh& mesh, const int* side, const Weights& weights) {
+  Place sum{};
+  for (std::size_t a = 0; a < weights.size(); ++a) {
+    const Place x = node_place(mesh, side[a]);
+    sum[0] += weights[a] * x[0], sum[1] += weights[a] * x[1];
+  }
+  return sum;
+}
+
+template <int p>
+Place nearest_place_of(const Mesh& mesh, const int* side, const Place& at) {
+  double s = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Place x = weighted(mesh, side, Line<p>::values(s)), along = weighted(mesh, side, Line<p>::slopes(s));
+    const Place off{at[0] - x[0], at[1] - x[1]};
+    const double step = (off[0] * along[0] + off[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+    const double next = std::clamp(s + step, -1.0, 1.0);
+    if (std::abs(next - s) < 1e-15) break;
+    s = next;
+  }
+  return weighted(mesh, side, Line<p>::values(s));
+}
+
+double size_of(const Mesh& mesh) {
+  const auto [low, high] = std::minmax_element(mesh.x.begin(), mesh.x.end());
+  return *high - *low;
+}
+
+}  // namespace
+
+Place node_place(const Mesh& mesh, int node) {
+  const auto n = 2 * static_cast<std::size_t>(node);
+  return {mesh.x[n], mesh.x[n + 1]};
+}
+
+Place side_place(const Mesh& mesh, const int* side, double s) {
+  return order_of(mesh.kind) == 1 ? weighted(mesh, side, Line<1>::values(s)) : weighted(mesh, side, Line<2>::values(s));
+}
+
+bool PlaneBox::meets(const PlaneBox& other) const {
+  return low[0] <= other.high[0] && high[0] >= other.low[0] && low[1] <= other.high[1] && high[1] >= other.low[1];
+}
+
+/// A parabola goes beyond its three nodes by no more than an eighth of what separates its ends from its vertex, which
+/// is less than the extent of its nodes: half of that is plenty.
+PlaneBox box_of_side(const Mesh& mesh, const int* side) {
+  PlaneBox box{node_place(mesh, side[0]), node_place(mesh, side[0])};
+  for (std::size_t a = 1; a < per_side(mesh); ++a) {
+    const Place x = node_place(mesh, side[a]);
+    for (std::size_t i = 0; i < 2; ++i)
+      box.low[i] = std::min(box.low[i], x[i]), box.high[i] = std::max(box.high[i], x[i]);
+  }
+  const double more = order_of(mesh.kind) == 1 ? 0 : 0.5 * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  for (std::size_t i = 0; i < 2; ++i) box.low[i] -= more, box.high[i] += more;
+  return box;
+}
+
+OnEdge nearest_of_side(const Mesh& mesh, const int* side, const Place& at) {
+  const Place place =
+      order_of(mesh.kind) == 1 ? nearest_place_of<1>(mesh, side, at) : nearest_place_of<2>(mesh, side, at);
+  const double length = apart(node_place(mesh, side[0]), node_place(mesh, side[per_side(mesh) - 1]));
+  return {place, apart(place, at), length, side, nullptr};
+}
+
+OnEdge nearest_of_sides(const Mesh& mesh, const Sides& sides, const Place& at) {
+  OnEdge nearest;
+  for (std::size_t s = 0; s < sides.size(); s += per_side(mesh)) {
+    const OnEdge here = nearest_of_side(mesh, &sides[s], at);
+    if (here.away < nearest.away) nearest = here;
+  }
+  return nearest;
+}
+
+FlowEdge::FlowEdge(const Flow& flow) : flow_(flow) {
+  const std::size_t count = per_side(flow.mesh);
+  for (const FlowSide& side : flow.sides) {
+    for (std::size_t s = 0; s < side.sides.size(); s += count) {
+      const int* nodes = &side.sides[s];
+      boxes_.push_back(box_of_side(flow.mesh, nodes));
+      lengths_.push_back(apart(node_place(flow.mesh, nodes[0]), node_place(flow.mesh, nodes[count - 1])));
+    }
+  }
+}
+
+OnEdge FlowEdge::nearest(const Place& at) const {
+  OnEdge nearest;
+  for (const FlowSide& side : flow_.sides) {
+    OnEdge here = nearest_of_sides(flow_.mesh, side.sides, at);
+    here.of = &side;
+    if (here.away < nearest.away) nearest = here;
+  }
+  return nearest;
+}
+
+const FlowSide* FlowEdge::inflow_at(const Place& at) const {
+  const double within = tolerance * size_of(flow_.mesh);
+  for (const FlowSide& side : flow_.sides) {
+    if (side.boundary != Boundary::inflow) continue;
+    if (nearest_of_sides(flow_.mesh, side.sides, at).away <= within) return &side;
+  }
+  return nullptr;
+}
+
+double FlowEdge::shortest_in(const PlaneBox& box) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < boxes_.size(); ++s) {
+    if (boxes_[s].meets(box)) shortest = std::min(shortest, lengths_[s]);
+  }
+  return shortest;
+}
+
+}  // namespace tether

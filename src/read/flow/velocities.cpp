@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/errors.hpp"
+#include "grid/lagrange.hpp"
+#include "grid/mesh_flaws.hpp"
+#include "read/flow/checks.hpp"
+#include "read/mesh/solids_of_deck.hpp"
+
+namespace tether {
+namespace {
+
+using Vector = std::array<double, 2>;
+
+constexpr double straight = 1e-9;  // part of a wall's velocity that rounding may turn
+constexpr int times = 20;          // at which walls are looked at
+
+/// Of the fluid's vectors as the deck writes them.
+class VelocityChecks {
+ public:
+  VelocityChecks(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics)
+      : deck_(deck), flow_(flow), t_(first_time(flow, clock)), tmax_(clock.tmax), diagnostics_(diagnostics) {}
+
+  /// Whether all have finite values.
+  bool finite() {
+    std::vector<int> all(flow_.mesh.node_count());
+    std::iota(all.begin(), all.end(), 0);
+    bool finite = is_finite(flow_.start, {"u0", "v0"}, 1, all, 0);
+    finite &= is_finite(flow_.acceleration, {"bx", "by"}, 1, all, t_);
+    for (const FlowSide& side : flow_.sides)
+      finite &= is_finite(side.velocity, {"boundary_u", "boundary_v"}, side.number, side.sides, t_);
+    return finite;
+  }
+  void walls() {
+    const std::vector<Holder> holders = holders_of(flow_);
+    for (std::size_t s = 0; s < flow_.sides.size(); ++s) {
+      if (flow_.sides[s].boundary != Boundary::moving) continue;
+      if (flow_.mesh.kind == ElementKind::quad4) {
+        check_wall<1>(static_cast<int>(s), holders);
+      } else {
+        check_wall<2>(static_cast<int>(s), holders);
+      }
+    }
+  }
+
+ private:
+  Vector place(int node) const {
+    const auto n = 2 * static_cast<std::size_t>(node);
+    return {flow_.mesh.x[n], flow_.mesh.x[n + 1]};
+  }
+  bool is_finite(const FlowVector& vector, const std::array<const char*, 2>& names, int k,
+                 const std::vector<int>& nodes, double t) {
+    bool all = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!vector.component[i]) continue;
+      for (const int node : nodes) {
+        const Vector x = place(node);
+        const double value = (*vector.component[i])(std::array{x[0], x[1], t});
+        if (std::isfinite(value)) continue;
+        diagnostics_.add(
+            deck_.remark(Severity::error, "flow", names[i], {k, 1},
+                         fmt::format("'{}' gives {} at {}, t = {:.6g}", vector.component[i]->text(), value,
+                                     place_text(flow_.mesh, node), t),
+                         "it must have a finite value wherever it is asked: at each node of its side, or of the mesh"));
+        all = false;
+        break;
+      }
+    }
+    return all;
+  }
+  /// Unit vectors along an element side at its nodes.
+  template <int p>
+  std::array<Vector, p + 1> tangents(const int* side) const {
+    std::array<Vector, p + 1> tangents{};
+    for (std::size_t b = 0; b <= p; ++b) {
+      const auto slopes = Line<p>::slopes(2.0 * static_cast<double>(b) / p - 1);
+      Vector& t = tangents[b];
+      for (std::size_t a = 0; a <= p; ++a) {
+        const Vector x = place(side[a]);
+        t[0] += slopes[a] * x[0], t[1] += slopes[a] * x[1];
+      }
+      const double length = std::hypot(t[0], t[1]);
+      t = {t[0] / length, t[1] / length};
+    }
+    return tangents;
+  }
+  static double sine(const Vector& a, const Vector& b) { return std::abs(a[0] * b[1] - a[1] * b[0]); }
+
+  /// How much the direction of a wall at each of its nodes is in doubt, as the sine of an angle: a curved wall, or one
+  /// with a corner, turns from element to element, and at its ends as much as at the other nodes of the last one; a
+  /// straight one does not.
+  template <int p>
+  std::vector<double> doubts(const FlowSide& side) const {
+    std::vector<Vector> first(flow_.mesh.node_count(), Vector{});
+    std::vector<double> doubt(flow_.mesh.node_count(), 0);
+    std::vector<int> elements(flow_.mesh.node_count(), 0);
+    const auto at = [&](std::size_t s) { return static_cast<std::size_t>(side.sides[s]); };
+    for (std::size_t s = 0; s < side.sides.size(); s += p + 1) {
+      const auto along = tangents<p>(&side.sides[s]);
+      for (std::size_t a = 0; a <= p; ++a) {
+        if (elements[at(s + a)]++ == 0) first[at(s + a)] = along[a];
+        doubt[at(s + a)] = std::max({doubt[at(s + a)], sine(first[at(s + a)], along[a]), sine(along[0], along[p])});
+      }
+    }
+    for (std::size_t s = 0; s < side.sides.size(); s += p + 1) {
+      const std::size_t low = at(s), high = at(s + p);
+      if (elements[low] == 1) doubt[low] = std::max(doubt[low], doubt[high]);
+      if (elements[high] == 1) doubt[high] = std::max(doubt[high], doubt[low]);
+    }
+    return doubt;
+  }
+  /// At the start and later on: a table often begins at zero, which goes through nothing.
+  template <int p>
+  void check_wall(int number, const std::vector<Holder>& holders) {
+    const std::vector<double> doubt = doubts<p>(flow_.sides[static_cast<std::size_t>(number)]);
+    for (int k = 0; k <= (t_ > 0 ? 0 : times); ++k) {
+      try {
+        if (!is_along<p>(number, holders, doubt, t_ + k * tmax_ / times)) return;
+      } catch (const RunError&) {
+        // An expression without a value at a time that no step may ever ask for: the run tells of it if one does.
+      }
+    }
+  }
+  /// Whether a wall moves along itself at a time; tells where it does not.
+  template <int p>
+  bool is_along(int number, const std::vector<Holder>& holders, const std::vector<double>& doubt, double time) {
+    const FlowSide& side = flow_.sides[static_cast<std::size_t>(number)];
+    for (std::size_t s = 0; s < side.sides.size(); s += p + 1) {
+      const auto along = tangents<p>(&side.sides[s]);
+      for (std::size_t a = 0; a <= p; ++a) {
+        const int node = side.sides[s + a];
+        if (holders[static_cast<std::size_t>(node)].side != number) continue;
+        const Vector x = place(node), v = side.velocity.at(x[0], x[1], time);
+        const double through = sine(v, along[a]);
+        if (through <= (straight + doubt[static_cast<std::size_t>(node)]) * std::hypot(v[0], v[1])) continue;
+        diagnostics_.add(
+            deck_.remark(Severity::error, "flow", "boundary", {side.number, 1},
+                         fmt::format("at t = {:.6g} the velocity ({:.6g}, {:.6g}) of '{}' at {} goes through the wall "
+                                     "by {:.6g}",
+                                     time, v[0], v[1], side.name, place_text(flow_.mesh, node), through),
+                         "a moving wall moves along itself; write 'inflow' where fluid goes through"));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const Deck& deck_;
+  const Flow& flow_;
+  double t_, tmax_;  // the first time that matters and the last one [time]
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_flow_velocities(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics) {
+  VelocityChecks checks(deck, clock, flow, diagnostics);
+  if (!checks.finite()) return;
+  checks.walls();
+  if (!diagnostics.has_errors()) check_flow_balance(deck, clock, flow, diagnostics);
+}
+
+}  // namespace tether

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/mesh/mesh_of_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grid/gmsh_file.hpp"
+#include "read/named_file.hpp"
+#include "read/regions_of_deck.hpp"
+
+namespace tether {
+namespace {
+
+constexpr const char* vertices_make_blocks =
+    "a region with vertices (xvi, yvi) is a block, one without is a group of the file";
+
+bool has_vertices(const Deck& deck, int r) {
+  for (const char* name : {"xvi", "yvi"}) {
+    const auto given = deck.given_elements("reg", name);
+    if (std::any_of(given.begin(), given.end(), [&](const Subscript& at) { return at[1] == r; })) return true;
+  }
+  return false;
+}
+
+/// What the deck says of blocks about regions of the file; deck.effective, which shows defaults, too, means nothing by
+/// them.
+void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.given("mesh", "file_sha256")) return;
+  const auto warn = [&](const char* group, const char* name, const std::string& message) {
+    const bool of_region = find_variable(group, name)->rank > 0, by_second = find_variable(group, name)->rank == 2;
+    const auto given = deck.given_elements(group, name);
+    const auto first = std::find_if(given.begin(), given.end(), [&](const Subscript& at) {
+      return !of_region || is_of_file(deck, by_second ? at[1] : at[0]);
+    });
+    if (first == given.end()) return false;
+    diagnostics.add(deck.remark(Severity::warning, group, name, *first, message));
+    return true;
+  };
+  const std::vector<int> bodies = regions_of(deck, false);
+  for (const char* name : {"element", "cells", "grading", "grading_middle", "z", "edge", "side"}) {
+    const bool of_bodies = name == std::string_view("element");
+    if (of_bodies && (bodies.empty() || !is_of_file(deck, bodies.front()))) continue;
+    warn("mesh", name, fmt::format("{} has no effect: the mesh is that of the file", name));
+  }
+  for (const char* name : {"nvi", "xvi", "yvi"}) {
+    if (warn("reg", name, fmt::format("{} of $reg has no effect: the mesh is that of the file", name))) break;
+  }
+}
+
+/// Whether the fluid's elements are those of $flow; tells what is taken where they are not.
+bool check_fluid(const Deck& deck, ElementKind kind, Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* group, const char* name, const std::string& message, const std::string& hint) {
+    diagnostics.add(deck.remark(Severity::error, group, name, {1, 1}, message, hint));
+    return false;
+  };
+  if (dimension_of(kind) == 3)
+    return refuse("mesh", "file", "a fluid is plane, and the file's elements are those of a body in space",
+                  "save a mesh of quadrangles: gmsh -2");
+  if (kind == ElementKind::tri3)
+    return refuse(
+        "mesh", "file", "a fluid takes quadrangles, and the file's elements are triangles",
+        "'Recombine Surface{:};' and 'Mesh.SubdivisionAlgorithm = 1;' in the .geo make quadrangles: of 4 nodes "
+        "for element='q1q1' of $flow, of 9 by gmsh -2 -order 2 for 'q2q1'");
+  const bool bilinear = deck.text("flow", "element") == "q1q1";
+  if (bilinear == (kind == ElementKind::quad4)) return true;
+  return refuse("flow", "element",
+                bilinear ? "element='q1q1' takes 4-node quadrangles, and those of the file have 9 nodes"
+                         : "element='q2q1' takes 9-node quadrangles, and those of the file have 4 nodes",
+                bilinear ? "save them by gmsh -2 -order 1, or write element='q2q1'"
+                         : "save them by gmsh -2 -order 2, or write element='q1q1'");
+}
+
+}  // namespace
+
+bool is_of_file(const Deck& deck, int r) {
+  return !deck.text("mesh", "file").empty() && r <= deck.integer("reg", "nreg") &&
+         !(has_flow(deck) && has_vertices(deck, r));
+}
+
+bool check_sources(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.text("mesh", "file").empty()) return true;
+  bool good = true, any = false;
+  for (const bool fluid : {true, false}) {
+    const std::vector<int> regions = regions_of(deck, fluid);
+    for (const int r : regions) {
+      const bool file = is_of_file(deck, r);
+      any |= file;
+      if (file == is_of_file(deck, regions.front())) continue;
+      diagnostics.add(remark_on_region(
+          deck, Severity::error, r,
+          fmt::format(
+              "region {} is {}, and region {} is {}: {}", r, file ? "a group of the file" : "a block", regions.front(),
+              file ? "a block" : "a group of the file",
+              fluid ? "a fluid is all of the file or all of blocks" : "bodies are all of the file or all blocks"),
+          vertices_make_blocks));
+      good = false;
+      break;
+    }
+  }
+  if (any) return good;
+  diagnostics.add(deck.remark(Severity::error, "mesh", "file", {1, 1},
+                              "no region is a group of this file: all have vertices", vertices_make_blocks));
+  return false;
+}
+
+DeckMeshes meshes_of_file(const Deck& deck, Diagnostics& diagnostics) {
+  warn_of_blocks(deck, diagnostics);
+  DeckMeshes meshes;
+  if (!deck.mesh_text()) return meshes;  // why, has been reported
+  std::vector<FileRegion> regions;
+  std::vector<bool> is_fluid;  // of each mesh
+  for (const bool fluid : {true, false}) {
+    const std::vector<int> all = regions_of(deck, fluid);
+    if (all.empty() || !is_of_file(deck, all.front())) continue;
+    for (const int r : all) regions.push_back({r, deck.text("mesh", "physical", r), is_fluid.size()});
+    is_fluid.push_back(fluid);
+  }
+  std::vector<MeshFlaw> flaws;
+  std::vector<Mesh> found = read_gmsh_meshes(*deck.mesh_text(), path_beside(deck, deck.text("mesh", "file")).string(),
+                                             regions, flaws, diagnostics);
+  for (const MeshFlaw& flaw : flaws) {
+    const int r = regions[flaw.region].number;
+    diagnostics.add(
+        remark_on_region(deck, Severity::error, r, fmt::format("region {}: {}", r, flaw.message),
+                         "region r is the physical group of tag r, or the one that physical(r) of $mesh names"));
+  }
+  for (std::size_t m = 0; m < found.size(); ++m) {
+    if (is_fluid[m] && !check_fluid(deck, found[m].kind, diagnostics)) continue;
+    (is_fluid[m] ? meshes.fluid : meshes.bodies) = std::move(found[m]);
+  }
+  return meshes;
+}
+
+Diagnostic remark_on_region(const Deck& deck, Severity severity, int r, const std::string& message,
+                            const std::string& hint) {
+  const bool named = deck.given("mesh", "physical", r), file = is_of_file(deck, r);
+  if (!file) return deck.remark(severity, "reg", "xvi", {1, r}, message, hint);
+  return deck.remark(severity, named ? "mesh" : "reg", named ? "physical" : "nreg", {named ? r : 1, 1}, message, hint);
+}
+
+}  // namespace tether

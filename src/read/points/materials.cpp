@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/points/materials.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "read/method_of_deck.hpp"
+#include "read/points/axis.hpp"
+
+namespace tether {
+namespace {
+
+constexpr const char* no_plane_stress = "plane stress has no meaning about an axis, where the hoop carries too";
+constexpr const char* use_three_stresses = "about an axis ipath(4) = 0 is the elastic law";
+
+/// Tells a mistake in one of the law's numbers at its place: which number, what is wrong, what would be right.
+using Refuse = std::function<void(int constant, const std::string& message, const std::string& hint)>;
+
+std::optional<Material> elastic(int ipath, double E, double nu, const Refuse& refuse) {
+  const bool strain = ipath == 0;
+  if (!(E > 0)) refuse(1, fmt::format("an elastic solid needs Young's modulus > 0, not {:.6g}", E), "constant 1 is E");
+  if (!(nu > -1) || !(strain ? nu < 0.5 : nu <= 0.5)) {
+    refuse(2, fmt::format("Poisson's ratio {:.6g} is out of range", nu),
+           strain ? "plane strain takes -1 < nu < 0.5" : "plane stress takes -1 < nu <= 0.5");
+  }
+  return strain ? plane_strain(E, nu) : plane_stress(E, nu);
+}
+
+/// The particle file's string, which is membrane 1.
+Material string(const Deck& deck, double E, double nu, const Refuse& refuse) {
+  if (!(E > 0)) refuse(1, fmt::format("a string needs Young's modulus > 0, not {:.6g}", E), "constant 1 is E");
+  const Membrane law = membrane_law(deck, 1, E, nu);
+  if (law.kind == Membrane::Kind::plane_stress && !(nu > -1 && nu <= 0.5))
+    refuse(2, fmt::format("Poisson's ratio {:.6g} is out of range", nu), "plane stress takes -1 < nu <= 0.5");
+  return law;
+}
+
+std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& diagnostics) {
+  IdealGas law;
+  law.gm1 = deck.real("fluid", "gm1");
+  law.mu = deck.real("fluid", "mu");
+  law.lambda = deck.real("fluid", "lambda");
+  law.coef1 = deck.real("fluid", "coef1");
+  law.coef2 = deck.real("fluid", "coef2");
+  const bool local = deck.given("mpm", "viscosity") ? deck.text("mpm", "viscosity") == "local" : is_robust(deck);
+  if (local) law.lambda = law.coef1 = law.coef2 = 1, law.local_speed = true;
+  law.rule = ipath == 9 ? DensityRule::quadratic : DensityRule::continuity;
+  if (is_robust(deck)) law.rule = DensityRule::grid;
+  const std::string rule = deck.given("mpm", "density") ? deck.text("mpm", "density") : "";
+  if (rule.empty()) return law;
+  law.rule = rule == "cell"         ? DensityRule::cell
+             : rule == "quadratic"  ? DensityRule::quadratic
+             : rule == "continuity" ? DensityRule::continuity
+                                    : DensityRule::grid;
+  if (law.rule != (ipath == 9 ? DensityRule::quadratic : DensityRule::continuity)) {
+    diagnostics.add(
+        deck.remark(Severity::remark, "mpm", "density", {1, 1},
+                    fmt::format("density = '{}' wins over ipath(4,{}) = {} of region {}", rule, r, ipath, r)));
+  }
+  return law;
+}
+
+}  // namespace
+
+Membrane membrane_law(const Deck& deck, int b, double E, double nu) {
+  const bool uniaxial = deck.text("membrane", "law", b) == "uniaxial";
+  return {E, nu, deck.logical("membrane", "wrinkle", b),
+          uniaxial ? Membrane::Kind::uniaxial : Membrane::Kind::plane_stress};
+}
+
+std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& diagnostics) {
+  const int ipath = deck.given("reg", "ipath", 4, r) ? deck.integer("reg", "ipath", 4, r) : -1;
+  const double first = deck.real("reg", "matr", 1, r);
+  const Refuse refuse = [&](int constant, const std::string& message, const std::string& hint) {
+    diagnostics.add(
+        deck.remark(Severity::error, "reg", "matr", {constant, r}, fmt::format("region {}: {}", r, message), hint));
+  };
+  if (ipath == 2 && geometry_of(deck) == Geometry::axisymmetric) {
+    diagnostics.add(deck.remark(Severity::error, "reg", "ipath", {4, r},
+                                fmt::format("region {}: {}", r, no_plane_stress), use_three_stresses));
+  }
+  switch (ipath) {
+    case 0:
+    case 2:
+      return elastic(ipath, first, deck.real("reg", "matr", 2, r), refuse);
+    case 7:
+    case 9:
+      return gas(deck, ipath, r, diagnostics);
+    case 8:
+      if (!(first > 0))
+        refuse(1, fmt::format("a linear fluid needs its bulk modulus > 0, not {:.6g}", first), "matr(1) is beta");
+      return LinearFluid{first};
+    default:
+      break;
+  }
+  diagnostics.add(deck.remark(
+      Severity::error, "reg", "ipath", {4, r},
+      ipath == -1 ? fmt::format("region {}: ipath(4,{}) is not given", r, r)
+                  : fmt::format("region {}: ipath(4) = {} names no law", r, ipath),
+      "0 plane strain, 2 plane stress, 7 gas with continuity density, 9 gas with quadratic density, 8 linear fluid"));
+  return std::nullopt;
+}
+
+std::optional<Material> file_material(const Deck& deck, const ParticleFile& file, Diagnostics& diagnostics) {
+  const auto tell = [&](int line, const std::string& message, const std::string& hint) {
+    diagnostics.error({file.file, line, 1}, line_text(file, line), message, hint);
+  };
+  const Refuse refuse = [&](int, const std::string& message, const std::string& hint) {
+    tell(file.constants_line, message, hint);
+  };
+  const double E = file.constants[0], nu = file.constants[1];
+  if (file.ipath[3] == 2 && geometry_of(deck) == Geometry::axisymmetric)
+    tell(file.ipath_line, no_plane_stress, use_three_stresses);
+  switch (file.ipath[3]) {
+    case 0:
+    case 2:
+      return elastic(file.ipath[3], E, nu, refuse);
+    case 8:
+      return string(deck, E, nu, refuse);
+    default:
+      break;
+  }
+  tell(file.ipath_line, fmt::format("ipath(4) = {} in a particle file names no law", file.ipath[3]),
+       "0 plane strain, 2 plane stress, 8 string or membrane; gas comes from a region, which has its energy in siep");
+  return std::nullopt;
+}
+
+}  // namespace tether

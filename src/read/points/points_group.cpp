@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "read/bodies.hpp"
+
+namespace tether {
+namespace {
+
+/// The scene's number of row i of the particle file; tells where there is no such row.
+std::optional<std::size_t> row_number(const Deck& deck, const char* name, Subscript at, std::size_t file_first,
+                                      std::size_t file_rows, Diagnostics& diagnostics) {
+  const auto row = static_cast<std::size_t>(at[0]);
+  if (row <= file_rows) return file_first + row - 1;
+  diagnostics.add(
+      deck.remark(Severity::error, "points", name, at,
+                  fmt::format("{}({}) counts rows of the particle file, which has {}", name, row, file_rows),
+                  "the first row is 1"));
+  return std::nullopt;
+}
+
+std::size_t nearest_point(const PointSet& points, double x, double y) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double dx = points.x[p] - x, dy = points.y[p] - y, distance = dx * dx + dy * dy;
+    if (distance < least) least = distance, best = p;
+  }
+  return best;
+}
+
+bool is_membrane_point(const Scene& scene, std::size_t p) {
+  for (const Body& body : scene.bodies) {
+    if (p >= body.first && p < body.first + body.count) return std::holds_alternative<Membrane>(body.material);
+  }
+  return false;
+}
+
+void pin_rows(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene, Diagnostics& diagnostics) {
+  std::vector<std::size_t> pinned;
+  Subscript first{};
+  for (const Subscript at : deck.given_elements("points", "pinned")) {
+    if (!deck.logical("points", "pinned", at[0])) continue;
+    const auto p = row_number(deck, "pinned", at, file_first, file_rows, diagnostics);
+    if (!p) break;
+    if (!is_membrane_point(scene, *p)) {
+      if (diagnostics.has_errors()) return;  // the file may have become no body for another reason
+      diagnostics.add(deck.remark(Severity::error, "points", "pinned", at,
+                                  "a pin holds points of strings and membranes, and the particle file is none",
+                                  "a string has ipath(4) = 8"));
+      return;
+    }
+    if (pinned.empty()) first = at;
+    pinned.push_back(*p);
+  }
+  if (!pinned.empty()) pin_points(deck, "points", first, pinned, scene, diagnostics);
+}
+
+/// Part of a cell from which it is said how far the nearest point is.
+constexpr double told_distance = 1e-6;
+
+/// Tracks the point nearest to a place, and says how far away it is.
+void track_nearest(const Deck& deck, int k, Scene& scene, Diagnostics& diagnostics) {
+  const double x = deck.real("points", "tracked_at", 1, k), y = deck.real("points", "tracked_at", 2, k);
+  const std::size_t p = nearest_point(scene.points, x, y);
+  const double away = std::hypot(scene.points.x[p] - x, scene.points.y[p] - y);
+  scene.tracked.push_back(p);
+  scene.tracked_from.resize(scene.tracked.size());
+  scene.tracked_from.back() = fmt::format(", {:.3g} from ({:.6g}, {:.6g})", away, x, y);
+  if (away <= told_distance * std::min(scene.grid.dx, scene.grid.dy)) return;
+  diagnostics.add(deck.remark(Severity::remark, "points", "tracked_at", {1, k},
+                              fmt::format("what is tracked is the nearest point, number {} at ({:.6g}, {:.6g}), {:.3g} "
+                                          "from ({:.6g}, {:.6g})",
+                                          p + 1, scene.points.x[p], scene.points.y[p], away, x, y),
+                              "material points have no values between them"));
+}
+
+}  // namespace
+
+void pin_points(const Deck& deck, const char* group, Subscript at, const std::vector<std::size_t>& points, Scene& scene,
+                Diagnostics& diagnostics) {
+  scene.pinned.insert(scene.pinned.end(), points.begin(), points.end());
+  if (scene.method.membrane_strain == MembraneStrain::element) return;
+  diagnostics.add(deck.remark(Severity::warning, group, "pinned", at,
+                              "where strain is measured at points a pin holds its point alone, not the nodes around "
+                              "it, which carry the load",
+                              "a fixed wall holds them; or write strain='element' in $membrane"));
+}
+
+void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t file_rows, Scene& scene,
+                        Diagnostics& diagnostics) {
+  for (const Subscript at : deck.given_elements("points", "heavy")) {
+    const auto p = row_number(deck, "heavy", at, file_first, file_rows, diagnostics);
+    if (!p) break;  // the rest is not there either
+    scene.points.mass[*p] = deck.real("points", "heavy", at[0]);
+  }
+  for (const Subscript at : deck.given_elements("points", "tracked")) {
+    if (!deck.logical("points", "tracked", at[0])) continue;
+    const auto p = row_number(deck, "tracked", at, file_first, file_rows, diagnostics);
+    if (!p) break;
+    scene.tracked.push_back(*p);
+  }
+  pin_rows(deck, file_first, file_rows, scene, diagnostics);
+  for (const Subscript at : deck.given_elements("points", "tracked_at")) {
+    if (at[0] != 1) continue;
+    if (!deck.given("points", "tracked_at", 2, at[1])) {
+      diagnostics.add(deck.remark(Severity::error, "points", "tracked_at", at, "tracked_at needs x and y",
+                                  fmt::format("write tracked_at(1,{})=x,y", at[1])));
+      continue;
+    }
+    if (scene.points.size() == 0) continue;
+    track_nearest(deck, at[1], scene, diagnostics);
+  }
+}
+
+}  // namespace tether

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "model/coupled.hpp"
+#include "model/flow.hpp"
+#include "model/solids.hpp"
+
+namespace tether {
+namespace {
+
+/// The folder that a checkpoint's run wrote into, whatever links led to it.
+std::filesystem::path folder_of(const std::filesystem::path& checkpoint) {
+  return std::filesystem::canonical(checkpoint).parent_path();
+}
+
+/// A run that goes on may find its snapshots in its folder.
+EarlierSnapshots earlier_snapshots(const RunRequest& request) {
+  return request.restart.empty() ? EarlierSnapshots::removed : EarlierSnapshots::set_aside;
+}
+
+}  // namespace
+
+RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver& solver)
+    : plan_(plan),
+      request_(request),
+      solver_(solver),
+      folder_(request.folder, solver.history_layout(), request.provenance, earlier_snapshots(request),
+              plan.scene.edges.any()),
+      history_{solver.history_layout(), {}},
+      history_due_(plan.scene.outputs.history),
+      points_due_(plan.scene.outputs.points),
+      grid_due_(plan.scene.outputs.grid),
+      checkpoint_due_(plan.scene.outputs.checkpoint) {
+  if (plan.scene.coupled) cell_middles_ = mesh_of_middles(plan.scene.coupled->grid);
+  folder_.deck_effective(request.deck_effective);
+  if (request.mesh_text) folder_.beside_deck(effective_mesh_file, *request.mesh_text);
+  for (const auto& message : request.messages) note(message);
+  for (const auto& warning : plan.warnings) note("warning: " + warning);
+}
+
+void RunOutputs::write_the_start() {
+  write(solver_.record());
+  write_points();
+  write_grid();
+}
+
+double RunOutputs::next() const {
+  return std::min({history_due_.next(), points_due_.next(), grid_due_.next(), checkpoint_due_.next()});
+}
+
+void RunOutputs::write_what_is_due(bool end) {
+  const double time = solver_.time();
+  if (history_due_.passed(time) || end) write(solver_.record());
+  if (points_due_.passed(time) || end) write_points();
+  if (grid_due_.passed(time) || end) write_grid();
+}
+
+bool RunOutputs::takes_checkpoint(bool end) {
+  const bool last = end && plan_.scene.outputs.checkpoint > 0;
+  return checkpoint_due_.passed(solver_.time()) || last;
+}
+
+void RunOutputs::warn(const std::string& text) {
+  keep("warning: " + text);
+  if (request_.warn) request_.warn(text);
+}
+
+void RunOutputs::keep(const std::string& line) {
+  note(line);
+  messages_.push_back(line);
+}
+
+void RunOutputs::save(Checkpoint& checkpoint) const {
+  checkpoint.records = history_.records;
+  for (const Due* due : {&history_due_, &points_due_, &grid_due_, &checkpoint_due_}) {
+    checkpoint.dues.push_back(due->save());
+  }
+  checkpoint.point_snapshots = point_snapshots_, checkpoint.grid_snapshots = grid_snapshots_;
+  checkpoint.messages = messages_;
+}
+
+void RunOutputs::restore(const Checkpoint& checkpoint) {
+  for (const Record& record : checkpoint.records) write(record);
+  for (const auto& message : checkpoint.messages) keep(message);
+  const std::array dues{&history_due_, &points_due_, &grid_due_, &checkpoint_due_};
+  for (std::size_t k = 0; k < dues.size(); ++k) dues[k]->restore(checkpoint.dues.at(k), checkpoint.time);
+  if (checkpoint.written_by != this_program())
+    warn(fmt::format("the checkpoint was written by {}: what follows may differ in last bits", checkpoint.written_by));
+  note(fmt::format("goes on from {} at t = {:.6g}", request_.restart.string(), checkpoint.time));
+  last_points_ = solver_.points();
+  const std::string run = sha256(checkpoint.deck_effective);
+  if (!last_points_.fields.empty())
+    take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run, plan_.scene.edges.any()},
+              [this](const Snapshot& snapshot) { write_points(snapshot); });
+  take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
+            [this](const Snapshot& snapshot) { write_grid(snapshot); });
+  if (const Snapshot solids = solver_.solids(); !solids.fields.empty())
+    take_over("solids.nc", {solids, checkpoint.grid_snapshots, run},
+              [this](const Snapshot& snapshot) { folder_.solids(plan_.scene.solids->mesh, snapshot); });
+}
+
+/// From beside the checkpoint, else from the run's own folder.
+void RunOutputs::take_over(const std::string& name, const WantedSnapshots& wanted,
+                           const std::function<void(const Snapshot&)>& write_one) {
+  std::size_t taken = 0;
+  const auto take = [&](const Snapshot& snapshot) {
+    write_one(snapshot);
+    ++taken;
+    const int signal = request_.interrupted ? request_.interrupted() : 0;
+    if (signal != 0) throw Interrupted(signal, "interrupted before the run went on; the same command does it again");
+  };
+  std::string lost;
+  for (const auto& folder : {folder_of(request_.restart), folder_.path()}) {
+    if (taken == 0) lost = replay_snapshots(ResultFolder::earlier_snapshots(folder, name), wanted, take);
+    if (lost.empty()) return folder_.remove_what_was_set_aside(name);
+  }
+  const auto kept = folder_.keep_what_was_set_aside(name);
+  warn(kept.empty() ? lost : fmt::format("{}; what is there stays as {}", lost, kept.string()));
+}
+
+void RunOutputs::write(Record record) {
+  folder_.append(record);
+  history_.records.push_back(std::move(record));
+}
+
+void RunOutputs::write_points() {
+  last_points_ = solver_.points();
+  write_points(last_points_);
+}
+
+void RunOutputs::write_points(const Snapshot& snapshot) {
+  if (snapshot.fields.empty()) return;  // a path without points
+  folder_.points(snapshot);
+  ++point_snapshots_;
+}
+
+void RunOutputs::write_grid() {
+  if (plan_.scene.outputs.grid == 0) return;
+  write_grid(solver_.grid());
+  const Snapshot solids = solver_.solids();
+  if (!solids.fields.empty()) folder_.solids(plan_.scene.solids->mesh, solids);
+}
+
+void RunOutputs::write_grid(const Snapshot& snapshot) {
+  if (plan_.scene.coupled)
+    folder_.mesh(cell_middles_, snapshot);
+  else if (plan_.scene.flow)
+    folder_.mesh(plan_.scene.flow->mesh, snapshot);
+  else if (plan_.scene.solids)
+    folder_.mesh(plan_.scene.solids->mesh, snapshot);
+  else
+    folder_.grid(plan_.scene.grid, snapshot);
+  ++grid_snapshots_;
+}
+
+}  // namespace tether

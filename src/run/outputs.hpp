@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grid/mesh.hpp"
+#include "plan/plan.hpp"
+#include "results/checkpoint.hpp"
+#include "results/earlier_snapshots.hpp"
+#include "results/result_folder.hpp"
+#include "run/due.hpp"
+#include "run/request.hpp"
+#include "solvers/solver.hpp"
+
+namespace tether {
+
+/// What a run has written so far, and what it is to write when. Plan, request and solver must outlive it.
+class RunOutputs {
+ public:
+  /// Makes the run's folder anew. Throws FileError, as all of it does.
+  RunOutputs(const Plan& plan, const RunRequest& request, const Solver& solver);
+
+  void write_the_start();
+  double next() const;               ///< time at which something is due next, a checkpoint too [time]
+  void write_what_is_due(bool end);  ///< all but the checkpoint; at the end everything that is on
+  bool takes_checkpoint(bool end);   ///< whether one is due now
+
+  /// Into messages.txt alone.
+  void note(const std::string& text) { folder_.message(text); }
+  /// Into messages.txt, into the checkpoints so that it stands there after a restart, too, and to the request's warn.
+  void warn(const std::string& text);
+
+  /// The outputs' part of a checkpoint.
+  void save(Checkpoint& checkpoint) const;
+  /// Writes the checkpoint's part of all files once more, and goes on behind it.
+  void restore(const Checkpoint& checkpoint);
+
+  const History& history() const { return history_; }
+  const Snapshot& last_points() const { return last_points_; }  ///< in the end, since that is always written, the final
+  ResultFolder& folder() { return folder_; }
+
+ private:
+  void keep(const std::string& line);
+  void write(Record record);
+  void write_points();
+  void write_points(const Snapshot& snapshot);
+  void write_grid();
+  void write_grid(const Snapshot& snapshot);
+  void take_over(const std::string& name, const WantedSnapshots& wanted,
+                 const std::function<void(const Snapshot&)>& write_one);
+
+  const Plan& plan_;
+  const RunRequest& request_;
+  const Solver& solver_;
+  ResultFolder folder_;
+  History history_;
+  Snapshot last_points_;
+  Mesh cell_middles_;  // of a coupled scene
+  std::size_t point_snapshots_ = 0, grid_snapshots_ = 0;
+  std::vector<std::string> messages_;  // of the run, beside those of its deck
+  Due history_due_, points_due_, grid_due_, checkpoint_due_;
+};
+
+}  // namespace tether
