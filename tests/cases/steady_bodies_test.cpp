@@ -22,16 +22,17 @@ struct Way {
 };
 
 /// A flap that leans on the floor of a closed box sinks under its excess weight.
-DeckRun leaning_flap(const Way& way) {
+/// Records are made every `every`, or at the end [time].
+DeckRun leaning_flap(const Way& way, double every = 0) {
   return run_text("leaning-flap",
                   fmt::format("a flap\n$in nx=2,ny=2,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax={0},tstep={1},gravc=-.01,"
-                              "iout(33)=1,tiout(33)={0} $\n"
+                              "iout(33)=1,tiout(33)={3} $\n"
                               "$reg nreg=2,nvi=4,4,densir=1.,2.,xvi(1,1)=0.,1.,1.,0.,yvi(1,1)=0.,0.,1.,1.,matr(1,1)=1.,"
                               "xvi(1,2)=.3,.4,.6,.5,yvi(1,2)=0.,0.,.5,.5,matr(1,2)=54.,.35 $\n"
                               "$mesh element='q2',cells(1,1)=20,20,cells(1,2)=2,10 $\n"
                               "$fem law='fluid','neo-hookean',fix_on='2.bottom',fix(1,1)=0.,0. $\n"
                               "$flow {2},tolerance=1e-9,force_on='1.left' $\n$points tracked_at(1,1)=.55,.5 $\n",
-                              way.steps * way.dt, way.dt, way.flow));
+                              way.steps * way.dt, way.dt, way.flow, every > 0 ? every : way.steps * way.dt));
 }
 
 /// A flap of shear modulus G stands on the floor of a channel, whose inflow is there from t = 40 on.
@@ -75,6 +76,17 @@ TEST(SteadyBodies, LeaningFlapDoesNotDependOnTheStepsThatLeadThere) {
   EXPECT_LT(off(four, one, "point_x_1", .55), 1e-7);
   EXPECT_LT(off(four, one, "point_y_1", .5), 1e-7);
   EXPECT_LT(off(four, one, "side_force_x_1"), 1e-7);
+}
+
+/// The fluid and the clamp bear the part of the flap's weight that acts at each record: 2 x 0.01 x 0.05, in two halves.
+TEST(SteadyBodies, ForcesBearThePartOfTheWeightThatActs) {
+  const DeckRun run = leaning_flap({"steady=.true.", 2, 1}, 1);
+  const auto records = run.history.column("time");
+  ASSERT_EQ(records.size(), 3U);
+  for (std::size_t k = 1; k < records.size(); ++k) {
+    const double borne = run.history.column("body_force_y_1")[k] + run.history.column("body_hold_y_1")[k];
+    EXPECT_NEAR(borne, 2 * 0.01 * 0.05 * records[k] / 2, 1e-8 * 0.001);
+  }
 }
 
 TEST(SteadyBodies, StandingFlapIsWhatAMarchComesTo) {

@@ -94,8 +94,8 @@ void ImmersedForces::split_forces(std::size_t body) {
     held_[k] = held[k] ? force : 0, free_[k] = held[k] ? 0 : force;
   }
   immersed_.lead_to_carried(free_, held_);
-  add_body_inertia(immersed_.solids().mesh, step.motion, static_cast<int>(body), unknowns_.flow.density, gravity_,
-                   free_);
+  add_body_inertia(immersed_.solids().mesh, step.motion, static_cast<int>(body), unknowns_.flow.density,
+                   step.loaded * gravity_, free_);
   add_body_stress(immersed_.solids().mesh, step.motion.places, static_cast<int>(body), stress_, free_);
   std::fill(given_.begin(), given_.end(), 0.0);
   immersed_.spread(free_, given_);

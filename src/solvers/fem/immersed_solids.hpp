@@ -90,8 +90,9 @@ class ImmersedSolids {
   struct LastStep {
     std::span<const double> forces;
     BodyMotion motion;
+    double loaded;  ///< part of the loads and of gravity that acted, below 1 on the way to a steady solution
   };
-  LastStep last_step() const { return {F_, {middle_, V_, rate_}}; }
+  LastStep last_step() const { return {F_, {middle_, V_, rate_}, moment_.rest ? moment_.rest->part : 1}; }
   /// Moves forces at nodes that follow to those that are carried, of free and of held nodes; what comes to held ones
   /// of the free ones their supports take.
   void lead_to_carried(std::span<double> free, std::span<double> held) const;
