@@ -132,14 +132,6 @@ void add_string(const Scene& scene, const Body& body, BarMesh& mesh) {
 
 }  // namespace
 
-bool runs_as_bars(const Scene& scene) {
-  return scene.path == Path::fem && !scene.bodies.empty() &&
-         std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
-           const auto* law = std::get_if<Membrane>(&body.material);
-           return law && law->kind == Membrane::Kind::uniaxial;
-         });
-}
-
 BarMesh bars_of(const Scene& scene) {
   BarMesh mesh;
   mesh.held.assign(scene.points.size(), holds_none);

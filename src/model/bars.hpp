@@ -52,9 +52,6 @@ struct BarMesh {
   std::vector<WallEnd> wall_ends;
 };
 
-/// Whether the scene runs by bars: all its bodies are strings, and the finite elements are asked for.
-bool runs_as_bars(const Scene& scene);
-
 /// Bars of all membranes of the scene: a bar's section is the mean of its points' volumes over their spacings, its
 /// initial strain the mean of its points' initial stresses over E. An end that would meet a wall on less than another
 /// spacing straight on is held there, or joined to it by a bar.

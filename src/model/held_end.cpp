@@ -51,7 +51,7 @@ std::optional<HeldEnd> held_end(const Scene& scene, const Body& string) {
   const std::size_t end = string.first;
   if (string.closed || string.count < 2) return std::nullopt;
   if (is_pinned(scene, end)) return HeldEnd{scene.points.x[end], scene.points.y[end], false};
-  return runs_as_bars(scene) ? end_of_bars(scene, end) : end_at_wall(scene, end, end + 1);
+  return std::holds_alternative<Bars>(scene.physics) ? end_of_bars(scene, end) : end_at_wall(scene, end, end + 1);
 }
 
 }  // namespace tether

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,14 +14,9 @@
 #include "model/edges.hpp"
 #include "model/limits.hpp"
 #include "model/method.hpp"
-#include "model/path.hpp"
+#include "model/physics.hpp"
 
 namespace tether {
-
-struct Solids;
-struct Rigid;
-struct Flow;
-struct Coupled;
 
 /// Initial state of material points, one array a property, all of one length.
 struct PointSet {
@@ -63,7 +57,7 @@ struct OutputIntervals {
 /// What the user asked for, without a word on how it is computed: values only, no files, no deck, no solver.
 struct Scene {
   std::string title;
-  Path path = Path::mpm;
+  Physics physics;
   Units units = Units::none;
   BackgroundGrid grid;
   Geometry geometry = Geometry::plane;
@@ -72,11 +66,6 @@ struct Scene {
   double gravity = 0;  // acceleration in y [length/time2]
   PointSet points;
   std::vector<Body> bodies;
-  std::shared_ptr<const Solids> solids;  ///< bodies on a mesh, which has no points
-  std::shared_ptr<const Rigid> rigid;    ///< that they are one rigid body; null where they are elastic
-  std::shared_ptr<const Flow> flow;      ///< a fluid on a mesh; with it, solids are immersed in it
-  /// A fluid in a box, by the coupled path; with it, solids go through the fluid, and are null where there are none.
-  std::shared_ptr<const Coupled> coupled;
   std::vector<std::size_t> tracked;       ///< points whose paths are recorded
   std::vector<std::string> tracked_from;  ///< of each how far it is from the place that was asked for, or nothing
   std::vector<std::size_t> pinned;        ///< points that a pin holds where they are
@@ -87,6 +76,21 @@ struct Scene {
   Limits limits;
   ReferenceKind reference = ReferenceKind::none;
   std::optional<std::array<double, 2>> reference_window;  ///< part of a tube that is compared, from x to x [length]
+
+  Path path() const { return path_of(physics); }
+  /// Bodies on a mesh, or null where there are none.
+  const Solids* solids() const { return solids_of(physics); }
+  /// What a physics alone has, or null where the scene is of another one.
+  const Rigid* rigid() const { return part<RigidBody>(&RigidBody::rigid); }
+  const Flow* flow() const { return part<MeshFlow>(&MeshFlow::flow); }
+  const Coupled* coupled() const { return part<BoxFlow>(&BoxFlow::box); }
+
+ private:
+  template <class One, class Part>
+  const Part* part(std::shared_ptr<const Part> One::*member) const {
+    const One* one = std::get_if<One>(&physics);
+    return one ? (one->*member).get() : nullptr;
+  }
 };
 
 /// What the history calls tracked point k.

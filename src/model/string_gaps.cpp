@@ -128,7 +128,7 @@ StringEnd end_at_wall(const Scene& scene, const Body& body, bool first) {
 
 std::vector<GapRemark> gap_remarks(const Scene& scene, const Body& body) {
   std::vector<GapRemark> remarks;
-  if (scene.path != Path::mpm) return remarks;
+  if (scene.path() != Path::mpm) return remarks;
   remark_gaps(scene, body, remarks);
   remark_ends(scene, body, remarks);
   return remarks;

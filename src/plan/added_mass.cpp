@@ -143,7 +143,7 @@ double added_broadside(double density, const BodyOfMesh& body, int dim) {
 /// What resists in a step, of a mass, and of damping and stiffness over it.
 void add_resistance(const Scene& scene, double mass, double damping, double stiffness, SplittingEstimate& estimate) {
   const double h = scene.clock.tstep;
-  const bool paper = scene.coupled->integrator == CoupledIntegrator::paper;
+  const bool paper = scene.coupled()->integrator == CoupledIntegrator::paper;
   estimate.mass = mass;
   estimate.damping = paper ? damping * h / 2 : 0;
   estimate.inertia = mass + (paper ? damping * h + stiffness * h * h / 4 : damping * h / 2);
@@ -151,18 +151,18 @@ void add_resistance(const Scene& scene, double mass, double damping, double stif
 
 SplittingEstimate broadside(const Scene& scene, const BodyOfMesh& body) {
   SplittingEstimate estimate;
-  estimate.added = added_broadside(scene.coupled->density, body, scene.coupled->grid.dim);
-  add_resistance(scene, body.mass, scene.solids->alpha * body.mass, 0, estimate);
+  estimate.added = added_broadside(scene.coupled()->density, body, scene.coupled()->grid.dim);
+  add_resistance(scene, body.mass, scene.solids()->alpha * body.mass, 0, estimate);
   return estimate;
 }
 
 /// The surface's nodes stand for a layer of half an element; strain is over a whole one. Of masses shared equally among
 /// nodes a surface feels 1/sqrt(3) when the nodes behind it give way, as in a chain of linear elements.
 SplittingEstimate swelling(const Scene& scene, const BodyOfMesh& body) {
-  const Solids& solids = *scene.solids;
+  const Solids& solids = *scene.solids();
   SplittingEstimate estimate;
   estimate.motion = BodyMotion::swelling;
-  estimate.added = scene.coupled->density * body.surface * body.surface * way_out(*scene.coupled, body);
+  estimate.added = scene.coupled()->density * body.surface * body.surface * way_out(*scene.coupled(), body);
   const double layer = 2 * body.surface_mass / (body.mass / body.volume * body.surface);
   const double stiffness = body.modulus * body.surface / layer, mass = body.surface_mass / std::numbers::sqrt3;
   add_resistance(scene, mass, solids.alpha * mass + solids.beta * stiffness, stiffness, estimate);
@@ -172,14 +172,14 @@ SplittingEstimate swelling(const Scene& scene, const BodyOfMesh& body) {
 }  // namespace
 
 std::optional<SplittingEstimate> splitting_estimate(const Scene& scene) {
-  if (!scene.solids) return std::nullopt;
+  if (!scene.solids()) return std::nullopt;
   std::optional<SplittingEstimate> worst;
   int number = 0;
-  for (const BodyOfMesh& body : bodies_of(*scene.solids)) {
+  for (const BodyOfMesh& body : bodies_of(*scene.solids())) {
     ++number;
     for (SplittingEstimate estimate : {broadside(scene, body), swelling(scene, body)}) {
       // The repair of areas takes the outflow of a closed region out of splitting's wall velocities.
-      if (std::isinf(estimate.added) && scene.coupled->area_repair) continue;
+      if (std::isinf(estimate.added) && scene.coupled()->area_repair) continue;
       estimate.body = number;
       if (!worst || estimate.added * worst->resists() > worst->added * estimate.resists()) worst = estimate;
     }

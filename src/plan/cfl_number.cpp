@@ -33,7 +33,7 @@ double largest_factor(const Amplitude& amplitude, double tmax) {
 }  // namespace
 
 CflNumber cfl_number(const Scene& scene) {
-  const Coupled& coupled = *scene.coupled;
+  const Coupled& coupled = *scene.coupled();
   CflNumber worst;
   const auto consider = [&](int axis, double speed, const std::string& of) {
     const double number = std::abs(speed) * scene.clock.tstep / coupled.grid.d[static_cast<std::size_t>(axis)];
@@ -44,8 +44,8 @@ CflNumber cfl_number(const Scene& scene) {
              fmt::format("jet {}", jet.number));
   for (int axis = 0; axis < coupled.grid.dim; ++axis) {
     consider(axis, coupled.start[static_cast<std::size_t>(axis)], "the fluid at the start");
-    if (!scene.solids) continue;
-    for (const SolidRegion& region : scene.solids->regions)
+    if (!scene.solids()) continue;
+    for (const SolidRegion& region : scene.solids()->regions)
       consider(axis, region.velocity[static_cast<std::size_t>(axis)], region.name + " at the start");
   }
   return worst;

@@ -16,9 +16,9 @@ namespace {
 
 /// Whether splitting would hold is told apart, where the solver's matrices can be asked.
 std::string mode_text(const Scene& scene) {
-  if (!scene.solids) return "there is no body: one projection a step";
-  const char* own = coupling_mode_name(scene.coupled->mode);
-  switch (scene.coupled->mode) {
+  if (!scene.solids()) return "there is no body: one projection a step";
+  const char* own = coupling_mode_name(scene.coupled()->mode);
+  switch (scene.coupled()->mode) {
     case CouplingMode::symmetric:
       return fmt::format("{}: simultaneous, power across the interface balances to rounding", own);
     case CouplingMode::cut_cell:
@@ -91,14 +91,14 @@ Term cfl_term(const Scene& scene) {
 }
 
 std::vector<Term> fluid_terms(const Scene& scene) {
-  const Coupled& c = *scene.coupled;
+  const Coupled& c = *scene.coupled();
   const std::string open = sides_text(c, scene.gravity);
   return {
       {"advection", true,
        c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2" : "semi-Lagrangian: of order 1"},
       term("viscosity", c.viscosity > 0,
            fmt::format("mu {:.4g}: walls and obstacles hold the fluid{}", c.viscosity,
-                       scene.solids ? ", bodies do not" : ""),
+                       scene.solids() ? ", bodies do not" : ""),
            "mu = 0: the fluid slips along walls"),
       term("gravity", scene.gravity != 0, fmt::format("gravc = {:.6g} in y", scene.gravity), "gravc = 0"),
       term("smoke", c.smoke, fmt::format("weight {:.4g}, lift {:.4g}", c.smoke_weight, c.smoke_lift),
@@ -115,8 +115,8 @@ std::vector<Term> fluid_terms(const Scene& scene) {
 }
 
 std::vector<Term> body_terms(const Scene& scene) {
-  const Coupled& c = *scene.coupled;
-  const Solids& s = *scene.solids;
+  const Coupled& c = *scene.coupled();
+  const Solids& s = *scene.solids();
   const bool paper = c.integrator == CoupledIntegrator::paper;
   return {
       {"step of the solids", true,
@@ -141,11 +141,11 @@ std::vector<Term> body_terms(const Scene& scene) {
 }  // namespace
 
 std::vector<Term> coupled_terms(const Scene& scene) {
-  std::vector<Term> terms{{"mode", scene.solids != nullptr, mode_text(scene)}};
+  std::vector<Term> terms{{"mode", scene.solids() != nullptr, mode_text(scene)}};
   const auto add = [&](const std::vector<Term>& more) { terms.insert(terms.end(), more.begin(), more.end()); };
   add(fluid_terms(scene));
-  if (scene.solids) add(body_terms(scene));
-  const bool space = scene.coupled->grid.dim == 3;
+  if (scene.solids()) add(body_terms(scene));
+  const bool space = scene.coupled()->grid.dim == 3;
   terms.push_back(
       {"third dimension", space, space ? "the box is three-dimensional" : "the box is plane, one unit deep"});
   return terms;
@@ -156,9 +156,9 @@ std::vector<Term> coupled_terms(const Scene& scene) {
 Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 2e-8, seconds_by_krylov = 5e-6,
                    seconds_per_cell = 1e-6;
-  const Coupled& coupled = *scene.coupled;
+  const Coupled& coupled = *scene.coupled();
   const double cells = static_cast<double>(coupled.grid.cell_count());
-  const double unknowns = cells + static_cast<double>(scene.solids ? scene.solids->mesh.x.size() : 0);
+  const double unknowns = cells + static_cast<double>(scene.solids() ? scene.solids()->mesh.x.size() : 0);
   const bool direct = systems_of(coupled) == CoupledSystems::direct;
   const double nonzeros = !direct                 ? 0
                           : coupled.grid.dim == 2 ? 10 * unknowns * std::log2(unknowns + 2)
@@ -173,19 +173,19 @@ Cost coupled_cost(const Scene& scene, const StepRule& rule) {
 }
 
 std::string coupled_head(const Scene& scene) {
-  const StaggeredGrid& grid = scene.coupled->grid;
+  const StaggeredGrid& grid = scene.coupled()->grid;
   const bool space = grid.dim == 3;
   std::string text = fmt::format("path: coupled ({}, incompressible flow{})\n", space ? "space" : "plane",
-                                 scene.solids ? " and solids" : "");
+                                 scene.solids() ? " and solids" : "");
   text += space ? fmt::format("grid: {} x {} x {} cells of {:.6g} x {:.6g} x {:.6g}\n", grid.n[0], grid.n[1], grid.n[2],
                               grid.d[0], grid.d[1], grid.d[2])
                 : fmt::format("grid: {} x {} cells of {:.6g} x {:.6g}\n", grid.n[0], grid.n[1], grid.d[0], grid.d[1]);
-  text += fmt::format("fluid: density {:.4g}\n", scene.coupled->density);
-  if (!scene.solids) return text;
-  const Mesh& mesh = scene.solids->mesh;
+  text += fmt::format("fluid: density {:.4g}\n", scene.coupled()->density);
+  if (!scene.solids()) return text;
+  const Mesh& mesh = scene.solids()->mesh;
   text += fmt::format("solids: {} elements {}, {} nodes, {} bodies\n", mesh.element_count(), element_name(mesh.kind),
                       mesh.node_count(), count_parts(mesh));
-  return text + regions_text(*scene.solids);
+  return text + regions_text(*scene.solids());
 }
 
 }  // namespace tether

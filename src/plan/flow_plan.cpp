@@ -58,7 +58,7 @@ std::string systems_text(const Flow& flow, bool solids) {
 }  // namespace
 
 std::string outside_text(const Scene& scene) {
-  const Flow& flow = *scene.flow;
+  const Flow& flow = *scene.flow();
   if (!flow.fluid_outside) return "nothing is beyond open sides: their pressure is zero";
   if (scene.gravity == 0) return "an open side says what the pressure is";
   return fmt::format("fluid at rest is beyond open sides, of pressure zero at y = {:.6g}", flow.level);
@@ -71,11 +71,11 @@ std::string closed_text(const Flow& flow) {
 
 /// How many nodes the fluid carries at the start.
 std::string solids_text(const Scene& scene) {
-  const Mesh& mesh = scene.solids->mesh;
-  CarriedNodes carried(scene.flow->mesh, mesh, lighter_regions(*scene.flow, *scene.solids));
+  const Mesh& mesh = scene.solids()->mesh;
+  CarriedNodes carried(scene.flow()->mesh, mesh, lighter_regions(*scene.flow(), *scene.solids()));
   carried.choose(mesh.x);
   const std::string text =
-      fmt::format("{} regions, a source of the fluid's momentum; its velocity moves ", scene.solids->regions.size());
+      fmt::format("{} regions, a source of the fluid's momentum; its velocity moves ", scene.solids()->regions.size());
   if (carried.all()) return text + fmt::format("all of their {} nodes", mesh.node_count());
   return text + fmt::format("{} of their {} nodes, as many as it has there, and the others follow these",
                             carried.nodes().size(), mesh.node_count());
@@ -92,9 +92,9 @@ std::string volume_text(const Flow& flow) {
 }
 
 std::vector<Term> flow_terms(const Scene& scene) {
-  const Flow& flow = *scene.flow;
+  const Flow& flow = *scene.flow();
   const bool stabilised = flow.element == FlowElement::q1q1, closed = !has(flow, Boundary::open);
-  const bool driven = !flow.acceleration.absent(), solids = scene.solids != nullptr;
+  const bool driven = !flow.acceleration.absent(), solids = scene.solids() != nullptr;
   return {
       {"inertia", true,
        fmt::format("convection by {}",
@@ -121,30 +121,30 @@ std::vector<Term> flow_terms(const Scene& scene) {
 Cost flow_cost(const Scene& scene, const StepRule& rule) {
   constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 2e-8, iterations = 5;
   constexpr double bytes_by_krylov = 3000, seconds_by_krylov = 4e-6;
-  const double n = unknowns_of(*scene.flow), nonzeros = 6 * n * std::log2(n + 2);
+  const double n = unknowns_of(*scene.flow()), nonzeros = 6 * n * std::log2(n + 2);
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.deck_step * (1 - 1e-9));
-  cost.point_steps = cost.steps * static_cast<double>(scene.flow->mesh.node_count());
-  if (systems_of(*scene.flow, scene.solids != nullptr) == FlowSystems::krylov) {
+  cost.point_steps = cost.steps * static_cast<double>(scene.flow()->mesh.node_count());
+  if (systems_of(*scene.flow(), scene.solids() != nullptr) == FlowSystems::krylov) {
     cost.megabytes = 1e-6 * bytes_by_krylov * n, cost.seconds = cost.steps * seconds_by_krylov * n;
     return cost;
   }
-  cost.megabytes = 1e-6 * (bytes_per_nonzero * nonzeros + 3000 * static_cast<double>(scene.flow->mesh.node_count()));
+  cost.megabytes = 1e-6 * (bytes_per_nonzero * nonzeros + 3000 * static_cast<double>(scene.flow()->mesh.node_count()));
   cost.seconds = cost.steps * iterations * nonzeros * seconds_per_nonzero;
   return cost;
 }
 
 std::string flow_head(const Scene& scene) {
-  const Flow& flow = *scene.flow;
+  const Flow& flow = *scene.flow();
   std::string text =
       fmt::format("path: fem (incompressible flow{})\nmesh: {} elements {}, {} nodes\nunknowns: {:.0f}\n",
-                  scene.solids ? " with immersed solids" : "", flow.mesh.element_count(),
+                  scene.solids() ? " with immersed solids" : "", flow.mesh.element_count(),
                   flow.element == FlowElement::q1q1 ? "q1q1" : "q2q1", flow.mesh.node_count(), unknowns_of(flow));
-  if (!scene.solids) return text;
-  const Mesh& mesh = scene.solids->mesh;
+  if (!scene.solids()) return text;
+  const Mesh& mesh = scene.solids()->mesh;
   text += fmt::format("solids: {} elements {}, {} nodes\n", mesh.element_count(), element_name(mesh.kind),
                       mesh.node_count());
-  for (const SolidRegion& region : scene.solids->regions)
+  for (const SolidRegion& region : scene.solids()->regions)
     text += fmt::format("{}: density {:.4g}\n", region.name, region.density);
   return text;
 }

@@ -118,7 +118,27 @@ std::string step_warning(const StepRule& rule) {
   return fmt::format("{}: steps are limited to {:.4g}{}", above, limited, factor);
 }
 
-std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
+/// Of the fluid in a box that crosses many cells in a step; nothing where it does not.
+std::string cfl_warning(const Scene& scene) {
+  const CflNumber cfl = cfl_number(scene);
+  const double most = scene.limits.cfl.warn;
+  if (most <= 0 || cfl.number <= most) return "";
+  return fmt::format(
+      "{}, {:.4g}, crosses {:.3g} cells in a step, more than {:.3g} (cfl of $limits): much of what the "
+      "fluid carries along is lost; tstep = {:.3g} has {:.3g} cells",
+      cfl.of, cfl.speed, cfl.number, most, scene.clock.tstep * most / cfl.number, most);
+}
+
+/// Of a rigid body that turns far in a step [time]; nothing where it does not.
+std::string turn_warning(const Rigid& rigid, double step) {
+  const double turn = step * rigid.omega.norm();
+  if (turn <= told_turn) return "";
+  return fmt::format("the body turns by {:.3g} rad in a step: its phase will be off by {:.2g} of itself", turn,
+                     turn * turn / 12);
+}
+
+/// Of the step against the limits that the rule knows, and against those that it does not.
+std::vector<std::string> step_warnings(const StepRule& rule) {
   std::vector<std::string> warnings;
   const std::string step = step_warning(rule);
   if (!step.empty()) warnings.push_back(step);
@@ -127,24 +147,6 @@ std::vector<std::string> warnings_of(const Scene& scene, const StepRule& rule) {
         fmt::format("steps of {:.4g} are {:#.3g} times what pressure waves or viscosity allow ({:.4g}), which "
                     "the rule dx/sqrt(E/rho) does not see: lower tstep or cfl",
                     rule.first_step(), rule.first_step() / rule.sharp_limit, rule.sharp_limit));
-  }
-  if (scene.path == Path::mpm && scene.method.order == StressOrder::usl) {
-    warnings.push_back("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
-  }
-  if (scene.coupled) {
-    const CflNumber cfl = cfl_number(scene);
-    const double most = scene.limits.cfl.warn;
-    if (most > 0 && cfl.number > most)
-      warnings.push_back(
-          fmt::format("{}, {:.4g}, crosses {:.3g} cells in a step, more than {:.3g} (cfl of $limits): much of what the "
-                      "fluid carries along is lost; tstep = {:.3g} has {:.3g} cells",
-                      cfl.of, cfl.speed, cfl.number, most, scene.clock.tstep * most / cfl.number, most));
-  }
-  if (scene.rigid) {
-    const double turn = rule.first_step() * scene.rigid->omega.norm();
-    if (turn > told_turn)
-      warnings.push_back(fmt::format(
-          "the body turns by {:.3g} rad in a step: its phase will be off by {:.2g} of itself", turn, turn * turn / 12));
   }
   return warnings;
 }
@@ -157,56 +159,80 @@ void refuse_lost_steps(const Clock& clock, const StepRule& rule) {
       fmt::format("tstep is {:.3g}, the limit {} {:.3g}", rule.deck_step, rule.limit_name, rule.first_limit));
 }
 
-void plan_points(const Scene& scene, Plan& plan) {
-  plan.step = step_rule(scene);
-  plan.terms = terms_of(scene);
-  plan.cost = cost_of(scene, plan.step);
-}
+/// Step, terms and cost of each physics.
+struct PlanOfPhysics {
+  const Scene& scene;
+  Plan& plan;
 
-/// What runs on a mesh or in a box takes the deck's step.
-void plan_by_deck_step(const Scene& scene, Plan& plan, std::vector<Term> terms,
-                       Cost (*cost)(const Scene& scene, const StepRule& rule)) {
-  plan.step = solid_step_rule(scene);
-  plan.terms = std::move(terms);
-  plan.cost = cost(scene, plan.step);
-}
+  void operator()(const MaterialPoints&) const {
+    plan.step = step_rule(scene);
+    plan.terms = terms_of(scene);
+    plan.cost = cost_of(scene, plan.step);
+  }
+  void operator()(const Bars&) const {
+    const BarMesh mesh = bars_of(scene);
+    plan.step = bar_step_rule(scene, mesh);
+    plan.terms = bar_terms(scene, mesh);
+    plan.cost = bar_cost(scene, mesh, plan.step);
+  }
+  void operator()(const ElasticBodies& bodies) const {
+    by_deck_step(solid_terms(*bodies.solids, scene.gravity), solid_cost);
+  }
+  void operator()(const RigidBody&) const { by_deck_step(rigid_terms(scene), rigid_cost); }
+  void operator()(const MeshFlow&) const { by_deck_step(flow_terms(scene), flow_cost); }
+  void operator()(const BoxFlow&) const { by_deck_step(coupled_terms(scene), coupled_cost); }
 
-void plan_bars(const Scene& scene, Plan& plan) {
-  const BarMesh mesh = bars_of(scene);
-  plan.step = bar_step_rule(scene, mesh);
-  plan.terms = bar_terms(scene, mesh);
-  plan.cost = bar_cost(scene, mesh, plan.step);
-}
+ private:
+  /// What runs on a mesh or in a box takes the deck's step.
+  void by_deck_step(std::vector<Term> terms, Cost (*cost)(const Scene& scene, const StepRule& rule)) const {
+    plan.step = solid_step_rule(scene);
+    plan.terms = std::move(terms);
+    plan.cost = cost(scene, plan.step);
+  }
+};
+
+/// Warnings that each physics adds to those of its step.
+struct WarningsOfPhysics {
+  const Scene& scene;
+  Plan& plan;
+
+  void operator()(const MaterialPoints&) const {
+    if (scene.method.order == StressOrder::usl)
+      warn("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
+  }
+  void operator()(const Bars&) const {}
+  void operator()(const ElasticBodies& bodies) const { look_for_locking(*bodies.solids); }
+  void operator()(const RigidBody& body) const { warn(turn_warning(*body.rigid, plan.step.first_step())); }
+  void operator()(const MeshFlow& flow) const {
+    if (!flow.solids) return;
+    look_for_locking(*flow.solids);
+    for (auto& warning : immersed_warnings(*flow.flow, *flow.solids)) warn(std::move(warning));
+  }
+  void operator()(const BoxFlow& flow) const {
+    warn(cfl_warning(scene));
+    if (flow.solids) look_for_locking(*flow.solids);
+  }
+
+ private:
+  void warn(std::string warning) const {
+    if (!warning.empty()) plan.warnings.push_back(std::move(warning));
+  }
+  void look_for_locking(const Solids& solids) const {
+    plan.locking = locking_of(solids);
+    warn(locking_warning(plan.locking, solids, scene.path() == Path::coupled));
+  }
+};
 
 }  // namespace
 
 Plan make_plan(Scene scene) {
   Plan plan;
-  if (scene.coupled) {
-    plan_by_deck_step(scene, plan, coupled_terms(scene), coupled_cost);
-  } else if (scene.flow) {
-    plan_by_deck_step(scene, plan, flow_terms(scene), flow_cost);
-  } else if (scene.rigid) {
-    plan_by_deck_step(scene, plan, rigid_terms(scene), rigid_cost);
-  } else if (scene.solids) {
-    plan_by_deck_step(scene, plan, solid_terms(*scene.solids, scene.gravity), solid_cost);
-  } else if (runs_as_bars(scene)) {
-    plan_bars(scene, plan);
-  } else {
-    plan_points(scene, plan);
-  }
+  std::visit(PlanOfPhysics{scene, plan}, scene.physics);
   refuse_lost_steps(scene.clock, plan.step);
-  plan.warnings = warnings_of(scene, plan.step);
+  plan.warnings = step_warnings(plan.step);
+  std::visit(WarningsOfPhysics{scene, plan}, scene.physics);
   for (auto& term : reference_terms(scene)) plan.terms.push_back(std::move(term));
   for (auto& warning : reference_warnings(scene)) plan.warnings.push_back(std::move(warning));
-  if (scene.solids && !scene.rigid) {
-    plan.locking = locking_of(*scene.solids);
-    std::string locks = locking_warning(plan.locking, *scene.solids, scene.path == Path::coupled);
-    if (!locks.empty()) plan.warnings.push_back(std::move(locks));
-  }
-  if (scene.flow && scene.solids) {
-    for (auto& warning : immersed_warnings(*scene.flow, *scene.solids)) plan.warnings.push_back(std::move(warning));
-  }
   plan.scene = std::move(scene);
   return plan;
 }

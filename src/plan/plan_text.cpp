@@ -15,22 +15,47 @@ namespace tether {
 namespace {
 
 /// What the scene is made of on its path, and on which grid.
-std::string head(const Scene& scene) {
-  if (scene.coupled) return coupled_head(scene);
-  if (scene.flow) return flow_head(scene);
-  if (scene.rigid) return rigid_head(scene);
-  if (scene.solids) return solid_head(*scene.solids);
-  if (runs_as_bars(scene)) return "path: fem (bars)\n";
-  return fmt::format("path: mpm (material points, {})\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
-                     scene.geometry == Geometry::plane ? "plane" : "axisymmetric", scene.grid.nx, scene.grid.ny,
-                     scene.grid.dx, scene.grid.dy);
-}
+struct Head {
+  const Scene& scene;
+  std::string operator()(const MaterialPoints&) const {
+    return fmt::format("path: mpm (material points, {})\ngrid: {} x {} nodes, cells {:.6g} x {:.6g}\n",
+                       scene.geometry == Geometry::plane ? "plane" : "axisymmetric", scene.grid.nx, scene.grid.ny,
+                       scene.grid.dx, scene.grid.dy);
+  }
+  std::string operator()(const Bars&) const { return "path: fem (bars)\n"; }
+  std::string operator()(const ElasticBodies& bodies) const { return solid_head(*bodies.solids); }
+  std::string operator()(const RigidBody&) const { return rigid_head(scene); }
+  std::string operator()(const MeshFlow&) const { return flow_head(scene); }
+  std::string operator()(const BoxFlow&) const { return coupled_head(scene); }
+};
+
+/// The step, and against which limit.
+struct StepText {
+  const Plan& plan;
+  std::string operator()(const MaterialPoints&) const { return limited(" at the start"); }
+  std::string operator()(const Bars&) const { return limited(""); }
+  std::string operator()(const ElasticBodies& bodies) const {
+    return by_deck(bodies.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
+  }
+  std::string operator()(const RigidBody&) const { return by_deck(""); }
+  std::string operator()(const MeshFlow&) const { return by_deck(""); }
+  std::string operator()(const BoxFlow&) const { return by_deck(""); }
+
+ private:
+  std::string by_deck(const char* limit) const {
+    return fmt::format("step: {:.6g}, the deck's{}\n", plan.step.deck_step, limit);
+  }
+  std::string limited(const char* when) const {
+    return fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(), when,
+                       plan.step.deck_step, plan.step.limit_name, plan.step.first_limit, plan.step.cfl);
+  }
+};
 
 }  // namespace
 
 std::string to_text(const Plan& plan) {
   const Scene& scene = plan.scene;
-  std::string text = head(scene);
+  std::string text = std::visit(Head{scene}, scene.physics);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count, material_name(body.material));
@@ -43,15 +68,7 @@ std::string to_text(const Plan& plan) {
   for (const Term& term : plan.terms) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
-  const bool fluid = scene.flow || scene.coupled;
-  if (scene.solids || fluid)
-    text += fmt::format(
-        "step: {:.6g}, the deck's{}\n", plan.step.deck_step,
-        !fluid && scene.solids->integrator == Integrator::central ? ", or cfl 2/omega where that is less" : "");
-  else
-    text += fmt::format("step: {:.6g}{} (deck {:.6g}, limit {} {:.6g}, cfl {:.3g})\n", plan.step.first_step(),
-                        runs_as_bars(scene) ? "" : " at the start", plan.step.deck_step, plan.step.limit_name,
-                        plan.step.first_limit, plan.step.cfl);
+  text += std::visit(StepText{plan}, scene.physics);
   text +=
       fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} CPU s on one core ({})\n",
                   plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds,

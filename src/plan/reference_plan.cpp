@@ -76,7 +76,7 @@ std::vector<std::string> riemann_warnings(const Scene& scene) {
 
 /// By elements between the points, the first of which nothing joins to the wall.
 bool is_loose(const Scene& scene) {
-  return scene.path == Path::mpm && scene.method.membrane_strain == MembraneStrain::element && scene.pinned.empty();
+  return scene.path() == Path::mpm && scene.method.membrane_strain == MembraneStrain::element && scene.pinned.empty();
 }
 
 std::vector<std::string> string_warnings(const Scene& scene) {

@@ -48,8 +48,8 @@ std::string loads_reason(const Solids& solids, const Rigid& rigid) {
 }  // namespace
 
 std::vector<Term> rigid_terms(const Scene& scene) {
-  const Rigid& rigid = *scene.rigid;
-  const Solids& solids = *scene.solids;
+  const Rigid& rigid = *scene.rigid();
+  const Solids& solids = *scene.solids();
   const std::string loads = loads_reason(solids, rigid);
   const char* kind = is_orthonormal(rigid.directors) ? "orthonormal" : "skew";
   return {
@@ -68,21 +68,21 @@ std::vector<Term> rigid_terms(const Scene& scene) {
 }
 
 Cost rigid_cost(const Scene& scene, const StepRule& rule) {
-  const bool reduced = scene.rigid->form == RigidForm::reduced;
+  const bool reduced = scene.rigid()->form == RigidForm::reduced;
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps;
-  cost.megabytes = 1e-6 * static_cast<double>(sizeof(double) * (20 * scene.solids->mesh.x.size()));
+  cost.megabytes = 1e-6 * static_cast<double>(sizeof(double) * (20 * scene.solids()->mesh.x.size()));
   cost.seconds = cost.steps * (reduced ? seconds_per_reduced_step : seconds_per_constrained_step);
   return cost;
 }
 
 std::string rigid_head(const Scene& scene) {
-  const Mesh& mesh = scene.solids->mesh;
+  const Mesh& mesh = scene.solids()->mesh;
   std::string text =
       fmt::format("path: fem (rigid body)\nmesh: {} elements {}, {} nodes, for mass and shape\nunknowns: {}\n",
-                  mesh.element_count(), element_name(mesh.kind), mesh.node_count(), scene.rigid->unknowns());
-  for (const SolidRegion& region : scene.solids->regions)
+                  mesh.element_count(), element_name(mesh.kind), mesh.node_count(), scene.rigid()->unknowns());
+  for (const SolidRegion& region : scene.solids()->regions)
     text += fmt::format("{}: density {:.4g}\n", region.name, region.density);
   return text;
 }

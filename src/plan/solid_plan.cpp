@@ -97,12 +97,12 @@ std::vector<Term> solid_terms(const Solids& solids, double gravity) {
 
 Cost solid_cost(const Scene& scene, const StepRule& rule) {
   constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 5e-8, iterations = 4;
-  const Mesh& mesh = scene.solids->mesh;
-  const bool direct = scene.solids->integrator != Integrator::central;
+  const Mesh& mesh = scene.solids()->mesh;
+  const bool direct = scene.solids()->integrator != Integrator::central;
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * static_cast<double>(mesh.node_count());
-  const bool unsymmetric = scene.solids->integrator == Integrator::energy;  // L and U
+  const bool unsymmetric = scene.solids()->integrator == Integrator::energy;  // L and U
   const double factor = direct ? factor_nonzeros(mesh) * (unsymmetric ? 2 : 1) : 0;
   const double element_matrices =
       static_cast<double>(mesh.element_count()) * std::pow(mesh.dim() * node_count_of(mesh.kind), 2);

@@ -161,6 +161,16 @@ bool lacks_mesh(const Deck& deck) {
   return false;
 }
 
+/// What the deck's groups and the path ask for, still empty.
+Physics physics_of(const Deck& deck, Path path) {
+  if (path == Path::coupled) return BoxFlow{};
+  if (has_flow(deck)) return MeshFlow{};
+  if (deck.has_group("rigid")) return RigidBody{};
+  if (deck.has_group("mesh")) return ElasticBodies{};
+  if (path == Path::fem) return Bars{};
+  return MaterialPoints{};
+}
+
 }  // namespace
 
 void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
@@ -180,7 +190,7 @@ void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
 
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Path path, Diagnostics& diagnostics) {
   Scene scene;
-  scene.path = path;
+  scene.physics = physics_of(deck, path);
   check_axis(deck, diagnostics);
   if (!check_axes(deck, diagnostics)) {
     check_without_grid(deck, diagnostics);

@@ -54,8 +54,8 @@ std::string fluid_lost(const History& history) {
 }  // namespace
 
 std::string lost_energy_warning(const Scene& scene, const History& history) {
-  if (scene.path == Path::mpm) return points_lost(scene, history);
-  return scene.path == Path::coupled ? fluid_lost(history) : std::string();
+  if (scene.path() == Path::mpm) return points_lost(scene, history);
+  return scene.path() == Path::coupled ? fluid_lost(history) : std::string();
 }
 
 }  // namespace tether

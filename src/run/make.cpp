@@ -9,14 +9,21 @@
 #include "solvers/mpm/solver.hpp"
 
 namespace tether {
+namespace {
 
-std::unique_ptr<Solver> make_solver(const Plan& plan) {
-  if (plan.scene.coupled) return std::make_unique<coupled::CoupledSolver>(plan);
-  if (plan.scene.flow) return std::make_unique<fem::FlowSolver>(plan);
-  if (plan.scene.rigid) return std::make_unique<fem::RigidSolver>(plan);
-  if (plan.scene.solids) return std::make_unique<fem::SolidSolver>(plan);
-  if (runs_as_bars(plan.scene)) return std::make_unique<fem::BarSolver>(plan);
-  return std::make_unique<mpm::MpmSolver>(plan);
-}
+/// The solver of each physics.
+struct MakeSolver {
+  const Plan& plan;
+  std::unique_ptr<Solver> operator()(const MaterialPoints&) const { return std::make_unique<mpm::MpmSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const Bars&) const { return std::make_unique<fem::BarSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const ElasticBodies&) const { return std::make_unique<fem::SolidSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const RigidBody&) const { return std::make_unique<fem::RigidSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const MeshFlow&) const { return std::make_unique<fem::FlowSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const BoxFlow&) const { return std::make_unique<coupled::CoupledSolver>(plan); }
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_solver(const Plan& plan) { return std::visit(MakeSolver{plan}, plan.scene.physics); }
 
 }  // namespace tether

@@ -25,6 +25,17 @@ EarlierSnapshots earlier_snapshots(const RunRequest& request) {
   return request.restart.empty() ? EarlierSnapshots::removed : EarlierSnapshots::set_aside;
 }
 
+/// The mesh that the fields of Solver::grid() stand on; null for those of the background grid.
+struct MeshOfGrid {
+  const Mesh& cell_middles;
+  const Mesh* operator()(const MaterialPoints&) const { return nullptr; }
+  const Mesh* operator()(const Bars&) const { return nullptr; }
+  const Mesh* operator()(const ElasticBodies& bodies) const { return &bodies.solids->mesh; }
+  const Mesh* operator()(const RigidBody& body) const { return &body.solids->mesh; }
+  const Mesh* operator()(const MeshFlow& flow) const { return &flow.flow->mesh; }
+  const Mesh* operator()(const BoxFlow&) const { return &cell_middles; }
+};
+
 }  // namespace
 
 RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver& solver)
@@ -38,7 +49,7 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       points_due_(plan.scene.outputs.points),
       grid_due_(plan.scene.outputs.grid),
       checkpoint_due_(plan.scene.outputs.checkpoint) {
-  if (plan.scene.coupled) cell_middles_ = mesh_of_middles(plan.scene.coupled->grid);
+  if (plan.scene.coupled()) cell_middles_ = mesh_of_middles(plan.scene.coupled()->grid);
   folder_.deck_effective(request.deck_effective);
   if (request.mesh_text) folder_.beside_deck(effective_mesh_file, *request.mesh_text);
   for (const auto& message : request.messages) note(message);
@@ -103,7 +114,7 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
             [this](const Snapshot& snapshot) { write_grid(snapshot); });
   if (const Snapshot solids = solver_.solids(); !solids.fields.empty())
     take_over("solids.nc", {solids, checkpoint.grid_snapshots, run},
-              [this](const Snapshot& snapshot) { folder_.solids(plan_.scene.solids->mesh, snapshot); });
+              [this](const Snapshot& snapshot) { folder_.solids(plan_.scene.solids()->mesh, snapshot); });
 }
 
 /// From beside the checkpoint, else from the run's own folder.
@@ -145,16 +156,12 @@ void RunOutputs::write_grid() {
   if (plan_.scene.outputs.grid == 0) return;
   write_grid(solver_.grid());
   const Snapshot solids = solver_.solids();
-  if (!solids.fields.empty()) folder_.solids(plan_.scene.solids->mesh, solids);
+  if (!solids.fields.empty()) folder_.solids(plan_.scene.solids()->mesh, solids);
 }
 
 void RunOutputs::write_grid(const Snapshot& snapshot) {
-  if (plan_.scene.coupled)
-    folder_.mesh(cell_middles_, snapshot);
-  else if (plan_.scene.flow)
-    folder_.mesh(plan_.scene.flow->mesh, snapshot);
-  else if (plan_.scene.solids)
-    folder_.mesh(plan_.scene.solids->mesh, snapshot);
+  if (const Mesh* mesh = std::visit(MeshOfGrid{cell_middles_}, plan_.scene.physics))
+    folder_.mesh(*mesh, snapshot);
   else
     folder_.grid(plan_.scene.grid, snapshot);
   ++grid_snapshots_;

@@ -94,7 +94,7 @@ Trial try_steps(const Plan& plan) {
     if (taken < rehearsal_seconds / 8) ahead *= 2;
   }
   try_outputs(*solver, plan.scene, trial);
-  if (plan.scene.flow && plan.scene.solids) trial.factor_nonzeros = factor_nonzeros_of(*solver);
+  if (plan.scene.flow() && plan.scene.solids()) trial.factor_nonzeros = factor_nonzeros_of(*solver);
   return trial;
 }
 

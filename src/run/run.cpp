@@ -193,15 +193,15 @@ class Runner {
           fmt::format("the total energy rose by {:.2g} of the largest energy exchanged: {}, or a run that diverges "
                       "(energy_growth of $limits)",
                       rise,
-                      plan_.scene.path == Path::mpm ? "points that change cell, a step near the limit"
-                                                    : "a step near the limit or too long"));
+                      plan_.scene.path() == Path::mpm ? "points that change cell, a step near the limit"
+                                                      : "a step near the limit or too long"));
     }
   }
   Summary summary_of_run() const {
     const RunCounts counts = solver_->counts();
     const Seconds whole = clocks_.whole(), setup = clocks_.setup();
     const auto number = [](auto value) { return fmt::format("{}", value); };
-    return {{"path", path_name(plan_.scene.path)},
+    return {{"path", path_name(plan_.scene.path())},
             {"steps", number(counts.steps)},
             {"points", number(counts.points)},
             {"cells_active", number(counts.cells_active)},

@@ -28,18 +28,23 @@ void add_locking(const Plan& plan, Summary& summary) {
 }
 
 /// Whether nothing but its loads acts on the scene's body, whose momenta stay when these are gone.
-bool moves_freely(const Scene& scene) {
-  if (!scene.solids || scene.flow || scene.coupled || scene.gravity != 0) return false;
-  if (scene.rigid) return !scene.rigid->pin;
-  const Solids& solids = *scene.solids;
-  return solids.supports.empty() && solids.alpha == 0 && solids.beta == 0 &&
-         solids.integrator != Integrator::equilibrium;
-}
+struct MovesFreely {
+  bool operator()(const MaterialPoints&) const { return false; }
+  bool operator()(const Bars&) const { return false; }
+  bool operator()(const ElasticBodies& bodies) const {
+    const Solids& solids = *bodies.solids;
+    return solids.supports.empty() && solids.alpha == 0 && solids.beta == 0 &&
+           solids.integrator != Integrator::equilibrium;
+  }
+  bool operator()(const RigidBody& body) const { return !body.rigid->pin; }
+  bool operator()(const MeshFlow&) const { return false; }
+  bool operator()(const BoxFlow&) const { return false; }
+};
 
 bool any_load(const Scene& scene, double t) {
   const auto acts = [t](const auto& load) { return load.amplitude.at(t) != 0; };
   const auto any = [&](const auto& loads) { return std::any_of(loads.begin(), loads.end(), acts); };
-  return any(scene.solids->loads) || (scene.rigid && (any(scene.rigid->forces) || any(scene.rigid->torques)));
+  return any(scene.solids()->loads) || (scene.rigid() && (any(scene.rigid()->forces) || any(scene.rigid()->torques)));
 }
 
 /// The first record after which no load acts any more, as far as records tell; a load that ends there has acted in the
@@ -87,14 +92,14 @@ double longest_extent(const Mesh& mesh) {
 /// Largest changes of the momenta since the loads are gone, over the momentum sqrt(2 m E) that the kinetic energy could
 /// be of, and its moment about the body's longest extent.
 void add_momenta(const Plan& plan, const History& history, Summary& summary) {
-  if (!moves_freely(plan.scene)) return;
+  if (plan.scene.gravity != 0 || !std::visit(MovesFreely{}, plan.scene.physics)) return;
   const auto kinetic = history.column("energy_kinetic");
   const std::size_t from = first_without_loads(plan.scene, history.column("time"));
   if (from + 1 >= kinetic.size()) return;
   const double most = *std::max_element(kinetic.begin() + static_cast<std::ptrdiff_t>(from), kinetic.end());
   const double momentum = std::sqrt(2 * history.column("mass").front() * most);
   const auto linear = components(history, "momentum_"), angular = components(history, "angular_momentum_");
-  const double moment = std::max(largest(angular, from, true), momentum * longest_extent(plan.scene.solids->mesh));
+  const double moment = std::max(largest(angular, from, true), momentum * longest_extent(plan.scene.solids()->mesh));
   const auto part = [](double change, double of) { return number(of > 0 ? change / of : 0); };
   summary.emplace_back("momentum_drift", part(largest(linear, from, false), momentum));
   summary.emplace_back("angular_momentum_drift", part(largest(angular, from, false), moment));
@@ -108,20 +113,30 @@ void add_coefficients(const History& history, Summary& summary) {
   }
 }
 
+/// Whether a physics' records hold all terms of the balance of energy.
+struct Balances {
+  const HistoryLayout& layout;
+  bool operator()(const MaterialPoints&) const { return true; }
+  bool operator()(const Bars&) const { return true; }
+  bool operator()(const ElasticBodies& bodies) const { return bodies.solids->integrator != Integrator::equilibrium; }
+  bool operator()(const RigidBody&) const { return true; }
+  bool operator()(const MeshFlow& flow) const { return flow.flow->integrator != FlowIntegrator::steady; }
+  bool operator()(const BoxFlow&) const {
+    return std::ranges::any_of(layout.quantities, [](const Quantity& q) { return q.book != Book::none; });
+  }
+};
+
 }  // namespace
 
 bool balances_energy(const Scene& scene, const HistoryLayout& layout) {
-  if (scene.flow) return scene.flow->integrator != FlowIntegrator::steady;
-  if (scene.coupled)
-    return std::ranges::any_of(layout.quantities, [](const Quantity& q) { return q.book != Book::none; });
-  return !scene.solids || scene.rigid || scene.solids->integrator != Integrator::equilibrium;
+  return std::visit(Balances{layout}, scene.physics);
 }
 
 Summary scene_summary(const Plan& plan, const History& history) {
   Summary summary;
   add_locking(plan, summary);
   add_momenta(plan, history, summary);
-  if (plan.scene.flow) add_coefficients(history, summary);
+  if (plan.scene.flow()) add_coefficients(history, summary);
   return summary;
 }
 

@@ -21,9 +21,9 @@ constexpr double resting = 1e-6;
 
 /// Why a body's volume changes beyond reason.
 const char* cause_of_volume(const Scene& scene) {
-  if (scene.flow || scene.coupled) return "a body too soft for what acts on it, or a fluid that goes through it";
+  if (scene.flow() || scene.coupled()) return "a body too soft for what acts on it, or a fluid that goes through it";
   const auto is_linear = [](const SolidRegion& region) { return std::holds_alternative<LinearElastic>(region.law); };
-  if (scene.solids && std::ranges::any_of(scene.solids->regions, is_linear))
+  if (scene.solids() && std::ranges::any_of(scene.solids()->regions, is_linear))
     return "a body too soft for what acts on it: large turns by law='linear' grow it, which other laws do not";
   return "a body too soft for what acts on it";
 }
@@ -42,7 +42,7 @@ std::vector<std::size_t> columns_of(const HistoryLayout& layout, const std::stri
 
 /// A gas of points: its volume is no sign of anything wrong. Membranes of points keep the one that they have.
 bool changes_freely(const Scene& scene, std::size_t body) {
-  if (scene.path != Path::mpm || body >= scene.bodies.size()) return false;
+  if (scene.path() != Path::mpm || body >= scene.bodies.size()) return false;
   const Material& material = scene.bodies[body].material;
   return std::holds_alternative<IdealGas>(material) || std::holds_alternative<Membrane>(material);
 }

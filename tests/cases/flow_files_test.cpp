@@ -121,7 +121,7 @@ std::string deck_on_file(const char* element, const char* file, int fluid, const
 TEST_F(FlowFilesIn, AFileGivesWhatTheSameBlocksGive) {
   for (const char* element : {"q1q1", "q2q1"}) {
     const std::string text = clock + blocks_with_a_hole(false) + flow_of(element, 8, false);
-    Mesh fluid = scene_of(text).flow->mesh;
+    Mesh fluid = scene_of(text).flow()->mesh;
     for (int& region : fluid.region) region = 0;
     write(folder / "fluid.msh", gmsh_text({{fluid, 1}}, 1));
     write(folder / "file.in", deck_on_file(element, "fluid.msh", 1, "", ""));
@@ -140,7 +140,7 @@ TEST_F(FlowFilesIn, AFileGivesThatWithOtherSidesAndByKrylov) {
           element, solver);
       const std::string blocks = clock + blocks_with_a_hole(false);
       const std::string text = blocks + "$fem law=8*'fluid' $\n" + flow;
-      Mesh fluid = scene_of(text).flow->mesh;
+      Mesh fluid = scene_of(text).flow()->mesh;
       for (int& region : fluid.region) region = 0;
       write(folder / "fluid.msh", gmsh_text({{fluid, 1}}, 21));
       write(folder / "file.in", clock +
@@ -162,9 +162,9 @@ TEST_F(FlowFilesIn, ABodyIsABlockOrOfTheFile) {
     std::string text = clock + blocks_with_a_hole(true) + flow_of(element, 8, true);
     text.replace(text.find("element='q2'"), 12, "element='" + kind + "'");
     const Scene scene = scene_of(text);
-    Mesh fluid = scene.flow->mesh;
+    Mesh fluid = scene.flow()->mesh;
     for (int& region : fluid.region) region = 0;
-    write(folder / "all.msh", gmsh_text({{fluid, 2}, {scene.solids->mesh, 1}}, 2));
+    write(folder / "all.msh", gmsh_text({{fluid, 2}, {scene.solids()->mesh, 1}}, 2));
     write(folder / "fluid.msh", gmsh_text({{fluid, 2}}, 3));
     const DeckRun blocks = run_text("blocks", text);
     write(folder / "all.in", deck_on_file(element, "all.msh", 2, "matr(1,1)=500.,.3", ""));

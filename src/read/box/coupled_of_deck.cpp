@@ -86,11 +86,11 @@ bool check_mesh(const Deck& deck, const Mesh& mesh, const StaggeredGrid& grid, D
 
 /// The solids that the scene has by then, with the deck's hinges and springs.
 void add_bodies(const Deck& deck, Scene& scene, Coupled& coupled, Diagnostics& diagnostics) {
-  if (!check_mesh(deck, scene.solids->mesh, coupled.grid, diagnostics)) return;
-  auto solids = std::make_shared<Solids>(*scene.solids);
+  if (!check_mesh(deck, scene.solids()->mesh, coupled.grid, diagnostics)) return;
+  auto solids = std::make_shared<Solids>(*scene.solids());
   add_hinges(deck, *solids, diagnostics);
   add_springs(deck, *solids, coupled, diagnostics);
-  scene.solids = std::move(solids);
+  set_solids(scene.physics, std::move(solids));
 }
 
 }  // namespace
@@ -105,13 +105,13 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   add_jets(deck, *coupled, diagnostics);
   add_boxes(deck, *coupled, diagnostics);
   if (deck.has_group("mesh")) add_solids(deck, scene, diagnostics);
-  if (scene.solids) add_bodies(deck, scene, *coupled, diagnostics);
+  if (scene.solids()) add_bodies(deck, scene, *coupled, diagnostics);
   check_coupled_deck(deck, *coupled, diagnostics);
   if (!diagnostics.has_errors()) {
     check_coupled_places(deck, scene, *coupled, diagnostics);
     check_coupled_regions(deck, scene, *coupled, diagnostics);
   }
-  scene.coupled = coupled;
+  std::get<BoxFlow>(scene.physics).box = coupled;
 }
 
 }  // namespace tether

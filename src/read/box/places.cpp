@@ -160,7 +160,7 @@ void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled
 }  // namespace
 
 void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics) {
-  const Mesh* mesh = scene.solids ? &scene.solids->mesh : nullptr;
+  const Mesh* mesh = scene.solids() ? &scene.solids()->mesh : nullptr;
   if (mesh) check_bodies(deck, *mesh, coupled, diagnostics);
   for (const Jet& jet : coupled.jets) check_jet(deck, jet, mesh, coupled, diagnostics);
 }

@@ -161,7 +161,7 @@ void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& 
                                 "a cell belongs to the box that its middle lies in"));
   }
   if (coupled.cavities_only) {  // around which is nothing
-    if (!encloses_cells(coupled, scene.solids->mesh))
+    if (!encloses_cells(coupled, scene.solids()->mesh))
       diagnostics.add(deck.remark(Severity::error, "coupled", "fluid_in", {1, 1},
                                   "the grid is all void: no body encloses a cell of it",
                                   "write fluid_in='box', or use more nodes"));

@@ -177,13 +177,13 @@ class BodyChecks {
 }  // namespace
 
 void place_bodies(const Deck& deck, Scene& scene, const Flow& flow, Diagnostics& diagnostics) {
-  if (!scene.solids) return;
-  auto solids = std::make_shared<Solids>(*scene.solids);
+  if (!scene.solids()) return;
+  auto solids = std::make_shared<Solids>(*scene.solids());
   BodyChecks checks(deck, solids->mesh, flow, diagnostics);
   const bool moved = checks.nodes();
   checks.sides();
   checks.holes();
-  if (moved) scene.solids = solids;
+  if (moved) set_solids(scene.physics, std::move(solids));
 }
 
 }  // namespace tether

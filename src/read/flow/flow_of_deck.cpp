@@ -176,12 +176,12 @@ void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (!regions_of(deck, false).empty()) add_solids_on(std::move(meshes.bodies), deck, scene, diagnostics);
   check_flow_deck(deck, diagnostics);
   if (!meshes.fluid) return;
-  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*meshes.fluid), scene.solids.get(), diagnostics));
+  const auto flow = std::make_shared<Flow>(flow_on(deck, std::move(*meshes.fluid), scene.solids(), diagnostics));
   place_probes(deck, *flow, diagnostics);
   place_bodies(deck, scene, *flow, diagnostics);
-  if (scene.solids) leave_held_volumes_to_fluid(*scene.solids, *flow);
+  if (scene.solids()) leave_held_volumes_to_fluid(*scene.solids(), *flow);
   check_flow_velocities(deck, scene.clock, *flow, diagnostics);
-  scene.flow = flow;
+  std::get<MeshFlow>(scene.physics).flow = flow;
 }
 
 }  // namespace tether

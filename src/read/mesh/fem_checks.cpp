@@ -113,7 +113,7 @@ void check_fem(const Deck& deck, const std::optional<ParticleFile>& particles, c
 }
 
 void drop_grid_outputs(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
-  if (!runs_as_bars(scene) || scene.outputs.grid == 0) return;
+  if (!std::holds_alternative<Bars>(scene.physics) || scene.outputs.grid == 0) return;
   scene.outputs.grid = 0;
   for (const int k : {30, 31, 37, 39}) {
     if (deck.integer("in", "iout", k) != 1) continue;

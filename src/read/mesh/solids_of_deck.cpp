@@ -153,7 +153,7 @@ void check_equilibria(const Deck& deck, Diagnostics& diagnostics) {
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (deck.has_group("rigid")) {
     check_rigid(deck, diagnostics);
-    scene.rigid = rigid_of(deck, diagnostics);
+    if (auto* body = std::get_if<RigidBody>(&scene.physics)) body->rigid = rigid_of(deck, diagnostics);
     if (!deck.has_group("mesh")) return;
   }
   check_mesh_deck(deck, diagnostics);
@@ -174,15 +174,15 @@ void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Dia
   add_loads(deck, solids, diagnostics);
   track_places(deck, solids, diagnostics);
   check_overlaps(deck, solids, diagnostics);
-  if (scene.rigid) {
-    check_rigid_places(deck, *scene.rigid, solids.mesh, diagnostics);
+  if (scene.rigid()) {
+    check_rigid_places(deck, *scene.rigid(), solids.mesh, diagnostics);
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);
   } else {
     add_supports(deck, scene, solids, diagnostics);
     check_supports_agree(deck, solids, diagnostics);
   }
-  if (!scene.rigid && scene.path != Path::coupled) check_free_motions(deck, solids, diagnostics);
-  scene.solids = std::make_shared<const Solids>(std::move(solids));
+  if (!scene.rigid() && scene.path() != Path::coupled) check_free_motions(deck, solids, diagnostics);
+  set_solids(scene.physics, std::make_shared<const Solids>(std::move(solids)));
 }
 
 }  // namespace tether

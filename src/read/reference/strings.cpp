@@ -75,7 +75,7 @@ class TrackedString {
   /// beside such a wall are stuck to it.
   bool is_free(double x, double y) const {
     const BackgroundGrid& g = scene_.grid;
-    const bool material_points = scene_.path == Path::mpm;
+    const bool material_points = scene_.path() == Path::mpm;
     const auto room = [&](Wall wall, double cell) { return material_points && wall != Wall::open ? cell : 0; };
     return x >= g.x0 + room(scene_.walls.left, g.dx) && x <= g.x1 - room(scene_.walls.right, g.dx) &&
            y >= g.y0 + room(scene_.walls.bottom, g.dy);
@@ -83,9 +83,9 @@ class TrackedString {
   /// Of a string that hangs: whether walls at its sides hold it along them.
   bool is_free_to_hang(double lowest) const {
     const BackgroundGrid& g = scene_.grid;
-    const bool held = scene_.path == Path::mpm && ((scene_.walls.left == Wall::fixed && x() - g.x0 < g.dx) ||
-                                                   (scene_.walls.right == Wall::fixed && g.x1 - x() < g.dx));
-    const bool bottom = scene_.path == Path::mpm && scene_.walls.bottom != Wall::open;
+    const bool held = scene_.path() == Path::mpm && ((scene_.walls.left == Wall::fixed && x() - g.x0 < g.dx) ||
+                                                     (scene_.walls.right == Wall::fixed && g.x1 - x() < g.dx));
+    const bool bottom = scene_.path() == Path::mpm && scene_.walls.bottom != Wall::open;
     return !held && lowest >= g.y0 + (bottom ? g.dy : 0);
   }
 

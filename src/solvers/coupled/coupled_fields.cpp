@@ -89,7 +89,7 @@ Record CoupledFields::booked(const EnergyBooks& books) {
 /// volume: what rounding makes of a fluid at rest is small against it.
 double CoupledFields::pressure_energy(const CoupledState& state) const {
   const FlowDomain& domain = step_.domain();
-  const Coupled& coupled = *scene_.coupled;
+  const Coupled& coupled = *scene_.coupled();
   double sum = 0;
   for (std::size_t c = 0; c < domain.kind.size(); ++c) {
     if (domain.kind[c] != CellKind::fluid) continue;
@@ -104,7 +104,7 @@ double CoupledFields::pressure_energy(const CoupledState& state) const {
 
 HistoryLayout CoupledFields::history_layout() const {
   HistoryLayout layout;
-  const int dim = scene_.coupled->grid.dim;
+  const int dim = scene_.coupled()->grid.dim;
   const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning) {
     layout.quantities.push_back({name, dimension, meaning});
   };
@@ -125,13 +125,13 @@ HistoryLayout CoupledFields::history_layout() const {
   add("cfl", Dimension::number, "cells that the fluid crossed along an axis where it was fastest, in the last step");
   add("regions", Dimension::number, "parts of the fluid that nothing joins");
   add("solver_iterations", Dimension::number, "iterations of linear solvers since the start");
-  if (scene_.coupled->smoke) {
+  if (scene_.coupled()->smoke) {
     add("smoke_mass", Dimension::volume, "density of smoke times volume");
     add("smoke_in", Dimension::volume, "smoke that jets have brought, and fluid from outside");
     add("smoke_out", Dimension::volume, "smoke that has left");
     add("smoke_largest", Dimension::number, "largest density of smoke");
   }
-  if (!scene_.solids) return layout;
+  if (!scene_.solids()) return layout;
   fem::add_shape(layout);
   fem::add_overlap(layout);
   for (std::size_t s = 0; s < first_volumes_.size(); ++s) {
@@ -144,13 +144,13 @@ HistoryLayout CoupledFields::history_layout() const {
                   Per::body);
   std::vector<std::string> names;
   for (std::size_t b = 0; b < part_masses_.size(); ++b) names.push_back(fmt::format("body {}", b + 1));
-  fem::add_bodies_and_nodes(layout, *scene_.solids, names);
+  fem::add_bodies_and_nodes(layout, *scene_.solids(), names);
   return layout;
 }
 
 Record CoupledFields::record(const CoupledState& state) const {
   const SolidEquations& solids = step_.solids();
-  const Coupled& coupled = *scene_.coupled;
+  const Coupled& coupled = *scene_.coupled();
   const FlowDomain& domain = step_.domain();
   std::vector<double> momenta(state.u.size());
   solids.system.multiply_mass(state.u, momenta);
@@ -184,7 +184,7 @@ Record CoupledFields::record(const CoupledState& state) const {
   values.insert(values.end(), {pressure_energy(state), state.last.cfl, static_cast<double>(domain.regions),
                                static_cast<double>(state.iterations)});
   if (coupled.smoke) add_smoke(state, values);
-  if (scene_.solids) add_bodies(state, values);
+  if (scene_.solids()) add_bodies(state, values);
   return values;
 }
 
@@ -197,7 +197,7 @@ void CoupledFields::add_smoke(const CoupledState& state, Record& record) const {
 }
 
 void CoupledFields::add_forces(std::span<const double> forces, Record& record) const {
-  const std::size_t d = at(scene_.coupled->grid.dim);
+  const std::size_t d = at(scene_.coupled()->grid.dim);
   for (std::size_t i = 0; i < d; ++i) {
     for (const auto& masses : part_masses_) {
       double sum = 0;
@@ -209,7 +209,7 @@ void CoupledFields::add_forces(std::span<const double> forces, Record& record) c
 
 /// As history_layout() and add_bodies_and_nodes() list them.
 void CoupledFields::add_bodies(const CoupledState& state, Record& record) const {
-  const std::size_t d = at(scene_.coupled->grid.dim);
+  const std::size_t d = at(scene_.coupled()->grid.dim);
   record.push_back(step_.solids().system.elements->shape(state.q).least);
   const std::vector<double> enclosed = enclosed_volumes(step_.surface(), state.q);
   std::vector<double> volumes(part_masses_.size(), 0.0);
@@ -229,13 +229,13 @@ void CoupledFields::add_bodies(const CoupledState& state, Record& record) const 
     }
   }
   for (const auto& masses : part_masses_) record.push_back(sum_of(masses));
-  fem::append_tracked(*scene_.solids, state.q, state.u, record);
+  fem::append_tracked(*scene_.solids(), state.q, state.u, record);
 }
 
 /// Velocities are the means of a cell's two faces.
 Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
   constexpr std::array axes{"x", "y", "z"};
-  const StaggeredGrid& grid = scene_.coupled->grid;
+  const StaggeredGrid& grid = scene_.coupled()->grid;
   const FlowDomain& domain = step_.domain();
   Snapshot snapshot{state.time, {}};
   const auto add = [&](const std::string& name, Dimension dimension, const char* meaning, const auto& value) {
@@ -262,7 +262,7 @@ Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
       [&](std::size_t c) { return static_cast<double>(domain.kind[c]); });
   add("region", Dimension::number, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
       [&](std::size_t c) { return domain.region[c] + 1.0; });
-  if (scene_.coupled->smoke) {
+  if (scene_.coupled()->smoke) {
     add("smoke", Dimension::number, "density of smoke", [&](std::size_t c) { return state.smoke.density(c); });
     add("temperature", Dimension::number, "above that of the surroundings",
         [&](std::size_t c) { return state.smoke.temperature(c); });
@@ -271,7 +271,7 @@ Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
 }
 
 Snapshot CoupledFields::solid_fields(const CoupledState& state) const {
-  if (!scene_.solids) return {state.time, {}};
+  if (!scene_.solids()) return {state.time, {}};
   return fem::shape_fields(state.time, step_.solids().system, state.q, state.u);
 }
 

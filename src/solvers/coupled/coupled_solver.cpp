@@ -20,20 +20,22 @@ Solids no_solids(const Coupled& scene) {
   return none;
 }
 
-const Solids& solids_of(const Plan& plan, const Solids& none) { return plan.scene.solids ? *plan.scene.solids : none; }
+const Solids& solids_of(const Plan& plan, const Solids& none) {
+  return plan.scene.solids() ? *plan.scene.solids() : none;
+}
 
 }  // namespace
 
 CoupledSolver::CoupledSolver(const Plan& plan)
     : plan_(plan),
-      none_(no_solids(*plan.scene.coupled)),
+      none_(no_solids(*plan.scene.coupled())),
       step_(plan.scene, solids_of(plan, none_)),
       fields_(plan.scene, step_),
       state_(step_.start()),
       overlaps_(step_.solids().system.solids) {
   std::vector<std::string> told_by_the_deck;
   overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
-  if (plan.scene.coupled->mode != CouplingMode::splitting) return;
+  if (plan.scene.coupled()->mode != CouplingMode::splitting) return;
   const auto outlook = splitting_outlook(plan.scene, plan.step.deck_step);
   if (!outlook) return;
   ratio_ = outlook->ratio;
@@ -64,7 +66,7 @@ void CoupledSolver::look_for_overlaps() { overlaps_.look(state_.q, state_.time, 
 RunCounts CoupledSolver::counts() const {
   RunCounts counts;
   counts.steps = state_.steps;
-  counts.points = plan_.scene.coupled->grid.cell_count() + step_.solids().system.lumped.size();
+  counts.points = plan_.scene.coupled()->grid.cell_count() + step_.solids().system.lumped.size();
   counts.point_steps = state_.steps * static_cast<long long>(counts.points);
   const auto& kind = step_.domain().kind;
   counts.cells_active = static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
@@ -79,7 +81,7 @@ std::vector<std::string> CoupledSolver::take_messages() {
 }
 
 std::string CoupledSolver::worst_element() const {
-  return plan_.scene.solids ? fem::worst_element(step_.solids().system, state_.q) : std::string();
+  return plan_.scene.solids() ? fem::worst_element(step_.solids().system, state_.q) : std::string();
 }
 
 SavedState CoupledSolver::save() const {
@@ -102,9 +104,9 @@ std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  Summary summary{{"mode", coupling_mode_name(plan_.scene.coupled->mode)},
+  Summary summary{{"mode", coupling_mode_name(plan_.scene.coupled()->mode)},
                   {"linear_solver", step_.system().solver_name()},
-                  {"unknowns", number(state_.q.size() + plan_.scene.coupled->grid.cell_count())},
+                  {"unknowns", number(state_.q.size() + plan_.scene.coupled()->grid.cell_count())},
                   {"krylov_iterations", number(state_.iterations)},
                   {"lu_solutions", number(state_.lu_solutions)},
                   {"factor_nonzeros", number(cost.factor_nonzeros)},
@@ -114,15 +116,15 @@ Summary CoupledSolver::more_summary() const {
                   {"cfl_largest", number(state_.cfl_largest)},
                   {"nodes_inside", number(state_.overlap.most)},
                   {"bodies_left", number(std::count(state_.left.begin(), state_.left.end(), 1))},
-                  {"bodies_slip", number(plan_.scene.coupled->viscosity > 0 ? state_.left.size() : 0)},
+                  {"bodies_slip", number(plan_.scene.coupled()->viscosity > 0 ? state_.left.size() : 0)},
                   {"interface_mismatch", number(state_.worst_mismatch)}};
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;
-    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * plan_.scene.coupled->grid.volume();
+    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * plan_.scene.coupled()->grid.volume();
   };
-  if (!plan_.scene.coupled->obstacles.empty())
+  if (!plan_.scene.coupled()->obstacles.empty())
     summary.emplace_back("obstacle_volume", number(volume_of(CellKind::wall)));
-  if (!plan_.scene.coupled->voids.empty() && !plan_.scene.coupled->cavities_only)
+  if (!plan_.scene.coupled()->voids.empty() && !plan_.scene.coupled()->cavities_only)
     summary.emplace_back("void_volume", number(volume_of(CellKind::empty)));
   if (ratio_) summary.emplace_back("added_mass_ratio", number(*ratio_));
   return summary;

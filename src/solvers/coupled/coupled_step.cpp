@@ -49,7 +49,7 @@ double cells_crossed(const FlowDomain& domain, const FaceValues& v, double h) {
 
 CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
     : scene_(scene),
-      coupled_(*scene.coupled),
+      coupled_(*scene.coupled()),
       surface_(surface_of(solids.mesh)),
       solids_(coupled_, solids, scene.gravity),
       box_(coupled_),

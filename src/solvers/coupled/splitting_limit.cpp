@@ -84,17 +84,18 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
 }
 
 std::optional<double> added_mass_ratio(const Scene& scene, double h) {
-  if (!scene.coupled || !scene.solids || systems_of(*scene.coupled) != CoupledSystems::direct) return std::nullopt;
-  Coupled box = *scene.coupled;  // whose own mode may have another map
+  if (!scene.coupled() || !scene.solids() || systems_of(*scene.coupled()) != CoupledSystems::direct)
+    return std::nullopt;
+  Coupled box = *scene.coupled();  // whose own mode may have another map
   box.mode = CouplingMode::splitting;
   Scene split = scene;
-  split.coupled = std::make_shared<const Coupled>(box);
-  const CoupledStep step(split, *split.solids);
-  return added_mass_ratio(step, scene.solids->mesh.x, scene.coupled->density, h);
+  std::get<BoxFlow>(split.physics).box = std::make_shared<const Coupled>(box);
+  const CoupledStep step(split, *split.solids());
+  return added_mass_ratio(step, scene.solids()->mesh.x, scene.coupled()->density, h);
 }
 
 std::optional<SplittingOutlook> splitting_outlook(const Scene& scene, double h) {
-  if (!scene.coupled || !scene.solids) return std::nullopt;
+  if (!scene.coupled() || !scene.solids()) return std::nullopt;
   if (const auto ratio = added_mass_ratio(scene, h)) {
     return SplittingOutlook{
         *ratio < 1, ratio,

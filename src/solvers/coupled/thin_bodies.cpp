@@ -46,12 +46,12 @@ std::string thin_text(const ThinBodies& thin, int dim) {
 }
 
 std::string thin_text(const Scene& scene) {
-  if (!scene.coupled || !scene.solids || scene.coupled->mode != CouplingMode::cut_cell) return "";
-  const SolidSurface surface = surface_of(scene.solids->mesh);
-  const FlowBox box(*scene.coupled);
-  const Outside outside(*scene.coupled, scene.gravity);
-  const Placement placed = Placer(*scene.coupled, surface, box, outside).at(scene.solids->mesh.x);
-  return thin_text(thin_bodies(placed, surface), scene.coupled->grid.dim);
+  if (!scene.coupled() || !scene.solids() || scene.coupled()->mode != CouplingMode::cut_cell) return "";
+  const SolidSurface surface = surface_of(scene.solids()->mesh);
+  const FlowBox box(*scene.coupled());
+  const Outside outside(*scene.coupled(), scene.gravity);
+  const Placement placed = Placer(*scene.coupled(), surface, box, outside).at(scene.solids()->mesh.x);
+  return thin_text(thin_bodies(placed, surface), scene.coupled()->grid.dim);
 }
 
 }  // namespace tether::coupled

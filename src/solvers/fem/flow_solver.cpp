@@ -17,9 +17,9 @@ namespace tether::fem {
 
 FlowSolver::FlowSolver(const Plan& plan)
     : plan_(plan),
-      flow_(*plan.scene.flow),
+      flow_(*plan.scene.flow()),
       unknowns_(flow_),
-      step_(unknowns_, plan.scene.solids.get(), plan.scene.gravity),
+      step_(unknowns_, plan.scene.solids(), plan.scene.gravity),
       tracers_(flow_),
       fields_(flow_, step_, tracers_),
       light_bodies_(has_light_bodies()) {
@@ -38,7 +38,7 @@ FlowSolver::FlowSolver(const Plan& plan)
         fmt::format("t = 0: no incompressible velocities are found for the start: residuals over the "
                     "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
                     residuals_text(report.residuals)));
-  tracers_.start(plan.scene.solids.get(), state_);
+  tracers_.start(plan.scene.solids(), state_);
   if (step_.immersed() && flow_.integrator == FlowIntegrator::steady) steady_bodies_.emplace(step_, flow_);
   if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
   if (step_.immersed()) doubts_.emplace(step_.immersed()->solids(), plan.scene.grid);

@@ -12,7 +12,7 @@
 namespace tether::fem {
 
 RigidSolver::RigidSolver(const Plan& plan)
-    : plan_(plan), system_(*plan.scene.solids, *plan.scene.rigid, plan.scene.gravity) {
+    : plan_(plan), system_(*plan.scene.solids(), *plan.scene.rigid(), plan.scene.gravity) {
   state_.body = system_.start();
 }
 

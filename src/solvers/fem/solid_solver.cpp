@@ -15,7 +15,7 @@
 namespace tether::fem {
 SolidSolver::SolidSolver(const Plan& plan)
     : plan_(plan),
-      system_(*plan.scene.solids, plan.scene.gravity),
+      system_(*plan.scene.solids(), plan.scene.gravity),
       step_(system_),
       overlaps_(system_.solids),
       doubts_(system_.solids, plan.scene.grid) {

@@ -161,7 +161,7 @@ TEST(CoupledPlan, StepsAreTheDecks) {
 
 TEST(CoupledPlan, OfAFluidAlone) {
   Scene scene = scene_of("");
-  scene.solids = nullptr;
+  set_solids(scene.physics, nullptr);
   const Plan plan = make_plan(scene);
   EXPECT_EQ(term_of(scene, "mode"), "not: there is no body: one projection a step");
   EXPECT_EQ(term_of(scene, "contact"), "none");
@@ -172,9 +172,9 @@ TEST(CoupledPlan, OfAFluidAlone) {
 TEST(CoupledPlan, CostsAreThoseOfTrials) {
   const auto seconds = [](int dim, std::array<int, 3> n) {
     Scene scene = scene_of("");
-    Coupled coupled = *scene.coupled;
+    Coupled coupled = *scene.coupled();
     coupled.grid.dim = dim, coupled.grid.n = n;
-    scene.coupled = std::make_shared<Coupled>(coupled);
+    std::get<BoxFlow>(scene.physics).box = std::make_shared<Coupled>(coupled);
     StepRule rule;
     rule.deck_step = .5;
     const Cost cost = coupled_cost(scene, rule);

@@ -22,8 +22,7 @@ Scene rigid_scene(const Rigid& rigid) {
   Solids solids;
   solids.mesh = mesh_of_blocks({block}, ElementKind::hex8, flaws);
   solids.regions = {{"region 1", {}, 2.5, {}, {}}};
-  scene.path = Path::fem;
-  scene.solids = std::make_shared<const Solids>(solids), scene.rigid = std::make_shared<const Rigid>(rigid);
+  scene.physics = RigidBody{std::make_shared<const Solids>(solids), std::make_shared<const Rigid>(rigid)};
   return scene;
 }
 

@@ -20,6 +20,22 @@ TEST(BuildScene, GridAndGravity) {
   EXPECT_EQ(scene.gravity, -9.8);
 }
 
+TEST(BuildScene, PhysicsByGroupsAndPath) {
+  const auto physics = [](const std::string& groups, Path path) {
+    Diagnostics diagnostics;
+    const Deck deck = read_deck(on_unit_square("igen=1\n$\n" + groups), "a.in", {}, diagnostics);
+    return build_scene(deck, std::nullopt, path, diagnostics).physics;
+  };
+  EXPECT_TRUE(std::holds_alternative<MaterialPoints>(physics("", Path::mpm)));
+  EXPECT_TRUE(std::holds_alternative<Bars>(physics("", Path::fem)));
+  EXPECT_TRUE(std::holds_alternative<ElasticBodies>(physics("$mesh element='q1' $\n", Path::fem)));
+  EXPECT_TRUE(std::holds_alternative<RigidBody>(physics("$mesh element='q1' $\n$rigid $\n", Path::fem)));
+  EXPECT_TRUE(std::holds_alternative<MeshFlow>(physics("$mesh element='q1' $\n$flow $\n", Path::fem)));
+  EXPECT_TRUE(std::holds_alternative<BoxFlow>(physics("$mesh element='p1' $\n$coupled $\n", Path::coupled)));
+  EXPECT_EQ(path_of(Bars{}), Path::fem);
+  EXPECT_EQ(path_of(BoxFlow{}), Path::coupled);
+}
+
 TEST(BuildScene, WallsByTheDecksNumbers) {
   const Walls walls = build(square_region("wl=0,wr=1,wb=4,wt=5")).scene.walls;
   EXPECT_EQ(walls.left, Wall::fixed);

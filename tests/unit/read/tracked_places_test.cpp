@@ -22,7 +22,7 @@ Built block_that_tracks(const std::string& at, const std::string& kind = "q1", b
 void expect_found(const std::string& kind, bool space) {
   const Built built = block_that_tracks(".3,.9", kind, space);
   ASSERT_EQ(built.errors(), Texts{});
-  const Solids& solids = *built.scene.solids;
+  const Solids& solids = *built.scene.solids();
   ASSERT_EQ(solids.tracked.size(), 1u);
   const std::size_t dim = space ? 3 : 2;
   const double asked[] = {.3, .9, .3};
@@ -38,8 +38,8 @@ TEST(TrackedPlaces, AreFoundWithinEveryKindOfElement) {
 TEST(TrackedPlaces, AtANodeAreTheNodeAlone) {
   const Built built = block_that_tracks("1.,.5");
   ASSERT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(built.scene.solids->tracked[0].place.parts, std::vector<double>{1});
-  EXPECT_EQ(built.scene.solids->tracked[0].name, "node 6 at (1, 0.5)");
+  EXPECT_EQ(built.scene.solids()->tracked[0].place.parts, std::vector<double>{1});
+  EXPECT_EQ(built.scene.solids()->tracked[0].name, "node 6 at (1, 0.5)");
 }
 
 TEST(TrackedPlaces, OutsideOfEveryBodyAreMistakes) {

@@ -72,7 +72,7 @@ TEST(BarSolver, GoesOnFromASavedStateToTheLastBit) {
 TEST(BarSolver, RefusesTheStateOfAnotherPathOrScene) {
   RunningBars bars(free_string(16, 0.9, true)), others(free_string(15, 0.9, true));
   Scene scene = free_string(16, 0.9, true);
-  scene.path = Path::mpm;
+  scene.physics = MaterialPoints{};
   const Plan plan = make_plan(scene);
   const auto points = make_solver(plan);
   EXPECT_THROW(bars.solver().restore(points->save()), FileError);

@@ -110,14 +110,14 @@ TEST(CoupledRest, LiftsWhatIsBeyondASideToo) {
       "$mesh element='p1',cells(1,1)=4,2 $\n$coupled density=1000.,mode='cut-cell' $\n";
   const auto force = [&](double way, const char* level, const char* side) {
     const Plan plan = plan_of(deck, {level, side});
-    CoupledStep step(plan.scene, *plan.scene.solids);
+    CoupledStep step(plan.scene, *plan.scene.solids());
     CoupledState state = step.start();
     for (std::size_t n = 0; n < state.q.size(); n += 2) state.q[n] += way;
     const Placement at = step.placed(state.q);
     std::vector<double> nodes = at.map.outside, p;
     for (const std::size_t cell : at.numbers.cell)
       p.push_back(1000 * -9.81 *
-                  (at.domain.grid.middle(1, at.domain.grid.place_of_cell(cell)[1]) - plan.scene.coupled->level));
+                  (at.domain.grid.middle(1, at.domain.grid.place_of_cell(cell)[1]) - plan.scene.coupled()->level));
     add_transposed_product(at.map.B, 1, p, nodes);
     std::array<double, 2> sum{};
     for (std::size_t k = 0; k < nodes.size(); ++k) sum[k % 2] += nodes[k];
@@ -145,7 +145,7 @@ TEST(CoupledRest, LiftsABlockInACorner) {
               std::string(places) +
               " $\n$mesh element='p1',cells(1,1)=4,3 $\n$coupled density=1000.,side(4)='open',mode='" + mode + "' $\n",
           {});
-      CoupledStep step(plan.scene, *plan.scene.solids);
+      CoupledStep step(plan.scene, *plan.scene.solids());
       const CoupledState state = step.start();
       const Placement at = step.placed(state.q);
       std::vector<double> nodes = at.map.film_weight, p;

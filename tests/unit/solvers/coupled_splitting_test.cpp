@@ -33,8 +33,8 @@ Scene scene_of(double density, const std::string& coupled = "", const std::strin
 }
 
 double ratio_of(const Scene& scene, double h = 0.05) {
-  const CoupledStep step(scene, *scene.solids);
-  return added_mass_ratio(step, scene.solids->mesh.x, scene.coupled->density, h).value();
+  const CoupledStep step(scene, *scene.solids());
+  return added_mass_ratio(step, scene.solids()->mesh.x, scene.coupled()->density, h).value();
 }
 
 double size_of(const std::vector<double>& u) {
@@ -45,7 +45,7 @@ double size_of(const std::vector<double>& u) {
 
 /// By what the velocities grow in a step, from the steps 40 to 50.
 double growth_of(const Scene& scene, double h = 0.05) {
-  CoupledStep step(scene, *scene.solids);
+  CoupledStep step(scene, *scene.solids());
   CoupledState state = step.start();
   double before = 0;
   for (int n = 0; n < 50; ++n) {
@@ -71,9 +71,9 @@ struct Matrices {
   Dense M, C, K, Ma;
 
   explicit Matrices(const Scene& scene) {
-    const CoupledStep step(scene, *scene.solids);
+    const CoupledStep step(scene, *scene.solids());
     const SolidEquations& solids = step.solids();
-    const auto& q = scene.solids->mesh.x;
+    const auto& q = scene.solids()->mesh.x;
     SparseMatrix stiffness = solids.system.pattern.matrix();
     solids.system.elements->add_stiffness(q, true, solids.system.pattern, stiffness);
     K = dense(stiffness);
@@ -82,11 +82,11 @@ struct Matrices {
     for (int a = 0; a < K.rows(); ++a) {
       for (int b = 0; b < K.rows(); ++b) M(a, b) = a % 2 == b % 2 ? mass(a / 2, b / 2) : 0;
     }
-    C = scene.solids->alpha * M + scene.solids->beta * K;
+    C = scene.solids()->alpha * M + scene.solids()->beta * K;
     const Placement at = step.placed(q);
     const Dense B(at.map.B);
-    Ma =
-        B.transpose() * dense(pressure_matrix(at.domain, at.numbers, 1 / scene.coupled->density)).llt().solve(B).eval();
+    Ma = B.transpose() *
+         dense(pressure_matrix(at.domain, at.numbers, 1 / scene.coupled()->density)).llt().solve(B).eval();
     std::vector<int> free;
     for (int k = 0; k < K.rows(); ++k) {
       if (solids.held[std::size_t(k)] == 0) free.push_back(k);
@@ -206,14 +206,14 @@ TEST(SplittingLimit, IsToldOfScenes) {
   const Scene iterated = scene_of(3, ",solver='krylov'");
   EXPECT_FALSE(added_mass_ratio(iterated, .05).has_value());
   EXPECT_EQ(splitting_text(make_plan(iterated)).find("splitting: would fail by estimate: moving body 1"), 0u);
-  scene.solids = nullptr;
+  set_solids(scene.physics, nullptr);
   EXPECT_EQ(splitting_text(make_plan(scene)), "");
 }
 
 TEST(SplittingLimit, AClosedBoxHasNone) {
   const Scene scene = scene_of(3, ",side(2)='wall'");
-  const CoupledStep step(scene, *scene.solids);
-  EXPECT_FALSE(added_mass_ratio(step, scene.solids->mesh.x, 1, .05).has_value());
+  const CoupledStep step(scene, *scene.solids());
+  EXPECT_FALSE(added_mass_ratio(step, scene.solids()->mesh.x, 1, .05).has_value());
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST_F(Records, SummariesOfMeshesHaveTheirKeysToo) {
     if (name == std::string("l-block")) {
       for (auto& key : body_summary_keys()) written.push_back(std::move(key));
     }
-    if (loaded.plan.scene.flow) {
+    if (loaded.plan.scene.flow()) {
       for (auto& key : flow_summary_keys()) written.push_back(std::move(key));
     }
     for (const auto& key : written) EXPECT_EQ(keys.count(key), 1u) << key << " of " << name;

@@ -177,8 +177,8 @@ TEST(CoupledChecks, SayNothingOfTheEffectiveDeck) {
   EXPECT_NE(effective.find("area_repair = .true."), std::string::npos);
   const Deck again = read_deck(effective, "b.in", {}, diagnostics);
   const Scene scene = build_scene(again, std::nullopt, Path::coupled, diagnostics);
-  ASSERT_NE(scene.coupled, nullptr);
-  EXPECT_EQ(scene.coupled->jets.size(), 1u);
+  ASSERT_NE(scene.coupled(), nullptr);
+  EXPECT_EQ(scene.coupled()->jets.size(), 1u);
   EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.all()[0].message;
 }
 

@@ -16,18 +16,18 @@ using Triple = std::array<double, 3>;
 TEST(CoupledScene, CellsLieBetweenTheNodes) {
   const Built plane = box("");
   ASSERT_EQ(plane.errors(), Texts{});
-  EXPECT_EQ(plane.scene.path, Path::coupled);
-  EXPECT_EQ(plane.scene.solids, nullptr);
+  EXPECT_EQ(plane.scene.path(), Path::coupled);
+  EXPECT_EQ(plane.scene.solids(), nullptr);
   EXPECT_EQ(plane.scene.clock.cfl, 0);
-  EXPECT_EQ(plane.scene.coupled->grid, (StaggeredGrid{2, {8, 4, 1}, {0, 0, 0}, {.25, .25, 1}}));
+  EXPECT_EQ(plane.scene.coupled()->grid, (StaggeredGrid{2, {8, 4, 1}, {0, 0, 0}, {.25, .25, 1}}));
   const Built space = box("nz=6,zback=-1.,zfront=1.5");
   ASSERT_EQ(space.errors(), Texts{});
-  EXPECT_EQ(space.scene.coupled->grid, (StaggeredGrid{3, {8, 4, 5}, {0, 0, -1}, {.25, .25, .5}}));
+  EXPECT_EQ(space.scene.coupled()->grid, (StaggeredGrid{3, {8, 4, 5}, {0, 0, -1}, {.25, .25, .5}}));
 }
 
 TEST(CoupledScene, HasTheDefaultsOfTheTable) {
   const Built built = box("");
-  const Coupled& c = *built.scene.coupled;
+  const Coupled& c = *built.scene.coupled();
   EXPECT_EQ(c.mode, CouplingMode::cut_cell);
   EXPECT_EQ(c.integrator, CoupledIntegrator::paper);
   EXPECT_EQ(c.advection, Advection::maccormack);
@@ -51,7 +51,7 @@ TEST(CoupledScene, ReadsTheMethod) {
   EXPECT_EQ(warnings_of(built),
             Texts{"a viscous fluid slips along bodies: it rubs at walls and obstacles alone, bodies "
                   "feel its pressure and no drag of friction"});
-  const Coupled& c = *built.scene.coupled;
+  const Coupled& c = *built.scene.coupled();
   EXPECT_EQ(c.mode, CouplingMode::splitting);
   EXPECT_EQ(c.integrator, CoupledIntegrator::trapezoid);
   EXPECT_EQ(c.advection, Advection::semi_lagrangian);
@@ -63,8 +63,8 @@ TEST(CoupledScene, ReadsTheMethod) {
   EXPECT_EQ(c.start, (Triple{1, 2, 0}));
   using enum BoxSide;
   EXPECT_EQ(c.sides, (std::array{wall, open, wall, open, wall, wall}));
-  EXPECT_EQ(box("mode='cut-cell'").scene.coupled->mode, CouplingMode::cut_cell);
-  EXPECT_EQ(box("mode='paper'").scene.coupled->mode, CouplingMode::paper);
+  EXPECT_EQ(box("mode='cut-cell'").scene.coupled()->mode, CouplingMode::cut_cell);
+  EXPECT_EQ(box("mode='paper'").scene.coupled()->mode, CouplingMode::paper);
 }
 
 TEST(CoupledScene, JetsAreTheWholeSideOrAPart) {
@@ -72,7 +72,7 @@ TEST(CoupledScene, JetsAreTheWholeSideOrAPart) {
       box("side(4)='open',jet_on='left','bottom','right',jet(1,2)=.5,1.,jet_speed=1.,-2.,3.,"
           "jet_time(1,3)=0.,1.,jet_factor(1,3)=0.,4.,jet_expression(2)='2*t'");
   ASSERT_EQ(built.errors(), Texts{});
-  const auto& jets = built.scene.coupled->jets;
+  const auto& jets = built.scene.coupled()->jets;
   ASSERT_EQ(jets.size(), 3u);
   EXPECT_EQ(jets[0].patch.low, (Triple{0, 0, 0}));
   EXPECT_EQ(jets[0].patch.high, (Triple{0, 1, 1}));
@@ -82,7 +82,7 @@ TEST(CoupledScene, JetsAreTheWholeSideOrAPart) {
   EXPECT_EQ(jets[1].number, 2);
   EXPECT_EQ(jets[1].speed * jets[1].amplitude.at(.5), -2);
   EXPECT_EQ(jets[2].speed * jets[2].amplitude.at(.5), 6);
-  EXPECT_FALSE(built.scene.coupled->smoke);
+  EXPECT_FALSE(built.scene.coupled()->smoke);
 }
 
 TEST(CoupledScene, InSpaceAJetHasTwoExtents) {
@@ -90,14 +90,14 @@ TEST(CoupledScene, InSpaceAJetHasTwoExtents) {
                           "side(1)='open',jet_on='top','front',jet(1,1)=.5,1.,.25,.75,jet(1,2)=1.,2.,0.,.5,"
                           "jet_speed=1.,1.,jet_temperature(2)=3.");
   ASSERT_EQ(built.errors(), Texts{});
-  const auto& jets = built.scene.coupled->jets;
+  const auto& jets = built.scene.coupled()->jets;
   ASSERT_EQ(jets.size(), 2u);
   EXPECT_EQ(jets[0].patch.low, (Triple{.5, 1, .25}));
   EXPECT_EQ(jets[0].patch.high, (Triple{1, 1, .75}));
   EXPECT_EQ(jets[1].patch.low, (Triple{1, 0, 1}));
   EXPECT_EQ(jets[1].patch.high, (Triple{2, .5, 1}));
-  EXPECT_TRUE(built.scene.coupled->smoke);
-  const StaggeredGrid& grid = built.scene.coupled->grid;
+  EXPECT_TRUE(built.scene.coupled()->smoke);
+  const StaggeredGrid& grid = built.scene.coupled()->grid;
   const auto top = faces_of(jets[0].side, jets[0].patch, grid), front = faces_of(jets[1].side, jets[1].patch, grid);
   std::vector<std::size_t> faces;
   for (const FacePart& of_jet : top) {
@@ -117,7 +117,7 @@ TEST(CoupledScene, AJetHasItsArea) {
                                           std::tuple(".2,.6", .2, .6), std::tuple(".3,.31", .3, .31)}) {
     const Built built = box(std::string("side(2)='open',jet_on='left',jet_speed=1.,jet(1,1)=") + extent);
     ASSERT_EQ(built.errors(), Texts{});
-    const Coupled& c = *built.scene.coupled;
+    const Coupled& c = *built.scene.coupled();
     double area = 0;
     for (const FacePart& of_jet : faces_of(c.jets[0].side, c.jets[0].patch, c.grid)) {
       area += of_jet.part * c.grid.area(0);
@@ -135,7 +135,7 @@ TEST(CoupledScene, SidesAreShared) {
                           "jet_on='top','top',jet(1,1)=.1,1.,.1,.9,jet(1,2)=.55,1.3,.3,.65,jet_speed=1.,1.,"
                           "open_on(1)='top',open(1,1)=1.4,1.9,.2,.8");
   ASSERT_EQ(built.errors(), Texts{});
-  const Coupled& c = *built.scene.coupled;
+  const Coupled& c = *built.scene.coupled();
   const SideFaces sides(c);
   std::array<double, 2> of_jet{};
   double open = 0;
@@ -152,7 +152,7 @@ TEST(CoupledScene, SidesAreShared) {
 TEST(CoupledScene, BoxesAreCutAtTheGrid) {
   const Built built = box("obstacle(1,1)=-1.,.5,.25,9.,void(1,2)=1.5,2.,0.,1.");
   ASSERT_EQ(built.errors(), Texts{});
-  const Coupled& c = *built.scene.coupled;
+  const Coupled& c = *built.scene.coupled();
   ASSERT_EQ(c.obstacles.size(), 1u);
   EXPECT_EQ(c.obstacles[0].low, (Triple{-1, .25, 0}));
   EXPECT_EQ(c.obstacles[0].high, (Triple{.5, 9, 1}));
@@ -165,9 +165,9 @@ TEST(CoupledScene, SidesLieAtFluidOrNothing) {
   using enum BoxSide;
   const Built built = box("side='open','wall','void'");
   ASSERT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(built.scene.coupled->sides, (std::array{open, wall, empty, wall, wall, wall}));
-  EXPECT_EQ(built.scene.coupled->level, 1);  // the top
-  EXPECT_EQ(box("side(1)='open',level=-3.").scene.coupled->level, -3);
+  EXPECT_EQ(built.scene.coupled()->sides, (std::array{open, wall, empty, wall, wall, wall}));
+  EXPECT_EQ(built.scene.coupled()->level, 1);  // the top
+  EXPECT_EQ(box("side(1)='open',level=-3.").scene.coupled()->level, -3);
 }
 
 TEST(CoupledScene, BoxesHoldSmokeAtTheStart) {
@@ -176,7 +176,7 @@ TEST(CoupledScene, BoxesHoldSmokeAtTheStart) {
           "=.5");
   ASSERT_EQ(built.errors(), Texts{});
   EXPECT_EQ(warnings_of(built), Texts{});
-  const Coupled& c = *built.scene.coupled;
+  const Coupled& c = *built.scene.coupled();
   EXPECT_TRUE(c.smoke);
   ASSERT_EQ(c.smoke_boxes.size(), 2u);
   EXPECT_EQ(c.smoke_boxes[0].box.low, (Triple{-1, .25, 0}));
@@ -193,17 +193,17 @@ TEST(CoupledScene, WallsOfTheBoxHoldNoBody) {
                           "matr(1,1)=100.,.3,vrx=2. $\n$mesh element='p1' $\n$fem alpha=.1,beta=.2 $\n");
   ASSERT_EQ(built.errors(), Texts{});
   EXPECT_EQ(warnings_of(built), Texts{});
-  ASSERT_NE(built.scene.solids, nullptr);
-  EXPECT_TRUE(built.scene.solids->supports.empty());
-  EXPECT_EQ(built.scene.solids->alpha, .1);
-  EXPECT_EQ(built.scene.solids->beta, .2);
-  EXPECT_EQ(built.scene.solids->regions[0].velocity, (Triple{2, 0, 0}));
+  ASSERT_NE(built.scene.solids(), nullptr);
+  EXPECT_TRUE(built.scene.solids()->supports.empty());
+  EXPECT_EQ(built.scene.solids()->alpha, .1);
+  EXPECT_EQ(built.scene.solids()->beta, .2);
+  EXPECT_EQ(built.scene.solids()->regions[0].velocity, (Triple{2, 0, 0}));
 }
 
 TEST(CoupledScene, AHingeHoldsTheNearestNode) {
   const Built built = box("hinge(1,1)=.55,.3", square_body());
   ASSERT_EQ(built.errors(), Texts{});
-  const Solids& solids = *built.scene.solids;
+  const Solids& solids = *built.scene.solids();
   ASSERT_EQ(solids.supports.size(), 1u);
   ASSERT_EQ(solids.supports[0].nodes.size(), 1u);
   const auto node = static_cast<std::size_t>(solids.supports[0].nodes[0]);
@@ -215,7 +215,7 @@ TEST(CoupledScene, AHingeHoldsTheNearestNode) {
 TEST(CoupledScene, InSpaceAHingeIsALine) {
   const Built built = box(depth + "hinge(1,1)=.8,.7", cube_body());
   ASSERT_EQ(built.errors(), Texts{});
-  const Solids& solids = *built.scene.solids;
+  const Solids& solids = *built.scene.solids();
   ASSERT_EQ(solids.supports.size(), 1u);
   EXPECT_EQ(solids.supports[0].nodes.size(), 3u);
   EXPECT_EQ(solids.supports[0].fixed, (std::array{true, true, true}));
@@ -228,7 +228,7 @@ TEST(CoupledScene, InSpaceAHingeIsALine) {
 TEST(CoupledScene, SpringsActOnSidesAndRegions) {
   const Built built = box("spring_on='region 1','1.left',spring(1,1)=1.,2.,spring(2,2)=3.", square_body());
   ASSERT_EQ(built.errors(), Texts{});
-  const auto& springs = built.scene.coupled->springs;
+  const auto& springs = built.scene.coupled()->springs;
   ASSERT_EQ(springs.size(), 2u);
   EXPECT_EQ(springs[0].nodes.size(), 9u);
   EXPECT_EQ(springs[1].nodes.size(), 3u);

@@ -78,7 +78,7 @@ TEST(FlowHolders, WallsAtRestBeforeMovingWallsBeforeInflows) {
   const Built built =
       channel("element='q1q1'," + in + "1'" + out + "1',boundary_on(3)='1.top',boundary(3)='moving',boundary_u(3)='1'");
   EXPECT_EQ(built.errors(), Texts{});
-  const auto holders = holders_of(*built.scene.flow);  // 5 x 3 nodes; sides: left, right, top, other walls
+  const auto holders = holders_of(*built.scene.flow());  // 5 x 3 nodes; sides: left, right, top, other walls
   std::vector<int> sides;
   for (std::size_t n = 0; n < holders.size(); ++n) {
     sides.push_back(holders[n].side);
@@ -92,7 +92,7 @@ TEST(FlowHolders, TwinsHaveOne) {
       "element='q1q1',boundary_on(1)='1.left',boundary(1)='periodic',boundary_with(1)='1.right',"
       "boundary_on(2)='1.top',boundary(2)='moving',boundary_u(2)='1'");
   EXPECT_EQ(built.errors(), Texts{});
-  const auto holders = holders_of(*built.scene.flow);
+  const auto holders = holders_of(*built.scene.flow());
   EXPECT_EQ(holders[4].side, 3);
   EXPECT_EQ(holders[14].side, 2);
   EXPECT_EQ(holders[14].node, holders[10].node);
@@ -186,8 +186,8 @@ TEST(FlowDecks, WhatHasNoEffectIsAWarning) {
             Texts{"level of $flow has no effect"});
   EXPECT_EQ(warnings_of(channel(open + "outside='void'")), Texts{"outside of $flow has no effect"});
   EXPECT_EQ(warnings_of(channel("penalty(3)=1.")), Texts{"penalty has no effect: there is no region 3"});
-  EXPECT_EQ(built.scene.solids->alpha, 0);
-  EXPECT_EQ(built.scene.solids->beta, 0);
+  EXPECT_EQ(built.scene.solids()->alpha, 0);
+  EXPECT_EQ(built.scene.solids()->beta, 0);
   EXPECT_EQ(
       warnings_of(channel("u0='1',steady=.true.,integrator='euler'", "", {"reg.vrx=1.", "mesh.element='q2'"})),
       (Texts{"integrator has no effect: the flow is steady", "element of $mesh has no effect: all regions are a fluid",
@@ -235,8 +235,8 @@ TEST(FlowDecks, ReadBackAsTheyTookEffect) {
   const Scene scene = build_scene(again, std::nullopt, path_of(again, "", diagnostics), diagnostics);
   for (const auto& d : diagnostics.all()) ADD_FAILURE() << to_text(d);
   EXPECT_EQ(effective_deck(again, {}), effective);
-  ASSERT_TRUE(scene.flow && scene.solids);
-  EXPECT_EQ(side_of(*scene.flow, "2.left").velocity.at(0, .5, .5), (std::array<double, 2>{.125, 0}));
+  ASSERT_TRUE(scene.flow() && scene.solids());
+  EXPECT_EQ(side_of(*scene.flow(), "2.left").velocity.at(0, .5, .5), (std::array<double, 2>{.125, 0}));
 }
 
 }  // namespace

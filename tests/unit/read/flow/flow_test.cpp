@@ -42,11 +42,11 @@ TEST(FlowScene, OfAnEmptyGroupIsAFluidWithinWallsAtRest) {
   const Built built = channel("");
   EXPECT_EQ(built.errors(), Texts{});
   EXPECT_EQ(warnings_of(built), Texts{});
-  EXPECT_EQ(built.scene.path, Path::fem);
+  EXPECT_EQ(built.scene.path(), Path::fem);
   EXPECT_EQ(built.scene.points.size(), 0u);
-  EXPECT_FALSE(built.scene.solids);
-  ASSERT_TRUE(built.scene.flow);
-  const Flow& flow = *built.scene.flow;
+  EXPECT_FALSE(built.scene.solids());
+  ASSERT_TRUE(built.scene.flow());
+  const Flow& flow = *built.scene.flow();
   EXPECT_EQ(flow.mesh.kind, ElementKind::quad9);
   EXPECT_EQ(flow.mesh.element_count(), 8u);
   EXPECT_EQ(flow.mesh.node_count(), 45u);
@@ -73,8 +73,8 @@ TEST(FlowScene, IsThereWithoutItsGroup) {
       "$reg nreg=1,nvi=4,xvi(1,1)=0.,2.,2.,0.,yvi(1,1)=0.,0.,1.,1.,densir=3.,matr(1,1)=.5 $\n"
       "$mesh $\n$fem law='fluid' $\n");
   EXPECT_EQ(built.errors(), Texts{});
-  ASSERT_TRUE(built.scene.flow);
-  EXPECT_EQ(built.scene.flow->mesh.element_count(), 1u);
+  ASSERT_TRUE(built.scene.flow());
+  EXPECT_EQ(built.scene.flow()->mesh.element_count(), 1u);
 }
 
 TEST(FlowScene, HasWhatTheDeckSays) {
@@ -85,7 +85,7 @@ TEST(FlowScene, HasWhatTheDeckSays) {
       "", {"reg.vrx=4.", "reg.vry=7."});
   EXPECT_EQ(built.errors(), Texts{});
   EXPECT_EQ(warnings_of(built), Texts{"vry(1) has no effect: v0 of $flow is there"});
-  const Flow& flow = *built.scene.flow;
+  const Flow& flow = *built.scene.flow();
   EXPECT_EQ(flow.mesh.kind, ElementKind::quad4);
   EXPECT_EQ(flow.element, FlowElement::q1q1);
   EXPECT_EQ(flow.integrator, FlowIntegrator::euler);
@@ -109,21 +109,21 @@ TEST(FlowScene, HasWhatTheDeckSays) {
 }
 
 TEST(FlowScene, SteadyIsAnIntegrator) {
-  EXPECT_EQ(channel("steady=.true.").scene.flow->integrator, FlowIntegrator::steady);
+  EXPECT_EQ(channel("steady=.true.").scene.flow()->integrator, FlowIntegrator::steady);
 }
 
 TEST(FlowScene, TracersWithoutABoxFillTheFluid) {
-  const TracerBox box = channel("tracers=3,2").scene.flow->tracers;
+  const TracerBox box = channel("tracers=3,2").scene.flow()->tracers;
   EXPECT_EQ(box.count, (std::array{3, 2}));
   EXPECT_EQ((std::array{box.x0, box.x1, box.y0, box.y1}), (std::array<double, 4>{0, 2, 0, 1}));
 }
 
 TEST(FlowScene, FluidOutsideHasNoPressureAtTheTop) {
-  EXPECT_TRUE(channel("").scene.flow->fluid_outside);
-  EXPECT_EQ(channel("").scene.flow->level, 1);
+  EXPECT_TRUE(channel("").scene.flow()->fluid_outside);
+  EXPECT_EQ(channel("").scene.flow()->level, 1);
   const std::string open = "boundary_on(1)='1.right',boundary(1)='open',";
-  EXPECT_EQ(channel(open + "level=-2.", "", {"in.gravc=-1."}).scene.flow->level, -2);
-  EXPECT_FALSE(channel(open + "outside='void'", "", {"in.gravc=-1."}).scene.flow->fluid_outside);
+  EXPECT_EQ(channel(open + "level=-2.", "", {"in.gravc=-1."}).scene.flow()->level, -2);
+  EXPECT_FALSE(channel(open + "outside='void'", "", {"in.gravc=-1."}).scene.flow()->fluid_outside);
 }
 
 TEST(FlowScene, SidesAreTheWholeBoundaryOnce) {
@@ -132,7 +132,7 @@ TEST(FlowScene, SidesAreTheWholeBoundaryOnce) {
                                 "boundary_on(3)='1.left',boundary(3)='inflow',boundary_u(3)='y*(1-y)*t',boundary_time("
                                 "1,3)=0.,1.,boundary_factor(1,3)=0.,2.,boundary_on(5)='1.right',boundary(5)='open'");
     EXPECT_EQ(built.errors(), Texts{});
-    const Flow& flow = *built.scene.flow;
+    const Flow& flow = *built.scene.flow();
     ASSERT_EQ(flow.sides.size(), 3u);
     expect_whole_boundary(flow);
     const FlowSide& inflow = side_of(flow, "1.left");
@@ -153,8 +153,8 @@ TEST(FlowScene, SidesOfSeveralBlocksLeaveTheirJointOut) {
       "$mesh cells(1,1)=2,2,cells(1,2)=2,2,side(1,1)='floor',side(1,2)='floor' $\n$fem law=2*'fluid' $\n";
   const Built built = build_flow(reg + "$flow boundary_on(1)='floor',boundary(1)='slip' $\n");
   EXPECT_EQ(built.errors(), Texts{});
-  expect_whole_boundary(*built.scene.flow);
-  EXPECT_EQ(side_of(*built.scene.flow, "floor").sides.size(), 12u);
+  expect_whole_boundary(*built.scene.flow());
+  EXPECT_EQ(side_of(*built.scene.flow(), "floor").sides.size(), 12u);
   const Built inner = build_flow(reg + "$flow boundary_on(1)='1.right',boundary(1)='slip'\nforce_on(1)='2.left' $\n");
   EXPECT_EQ(inner.errors(), (Texts{"8:22: '1.right' is no side of the fluid's boundary at (1, 0): elements join there",
                                    "9:13: '2.left' is no side of the fluid's boundary: elements join there"}));
@@ -164,7 +164,7 @@ TEST(FlowScene, PeriodicNodesShareTheLowest) {
   const std::string both =
       "boundary_on(1)='1.right',boundary(1)='periodic',boundary_with(1)='1.left',\n"
       "boundary_on(2)='1.bottom',boundary(2)='periodic',boundary_with(2)='1.top'";
-  const Flow flow = *channel("element='q1q1'," + both).scene.flow;  // 5 x 3 nodes
+  const Flow flow = *channel("element='q1q1'," + both).scene.flow();  // 5 x 3 nodes
   EXPECT_EQ(flow.twin, (std::vector<int>{0, 1, 2, 3, 0, 5, 6, 7, 8, 5, 0, 1, 2, 3, 0}));
   ASSERT_EQ(flow.sides.size(), 4u);
   expect_whole_boundary(flow);
@@ -188,7 +188,7 @@ TEST(FlowScene, PeriodicNodesAreJoinedInChains) {
       build_flow("$reg nreg=3,nvi=3*4,densir=3*1.,\n" + square(1, 0, 0) + square(2, 1, 0) + square(3, 0, 1) +
                  "$\n$mesh $\n$fem law=3*'fluid' $\n$flow element='q1q1',\n" + flow + "$\n");
   EXPECT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(built.scene.flow->twin, std::vector<int>(8, 0));
+  EXPECT_EQ(built.scene.flow()->twin, std::vector<int>(8, 0));
 }
 
 TEST(FlowScene, PeriodicSidesHaveEquallyManyNodes) {
@@ -207,8 +207,8 @@ TEST(FlowScene, KeepsTheDecksNumbersOfRegions) {
       "'open'\npenalty(1)=7.",
       ",load_on(1)='1.right',load(1,1)=1.,load_on(2)='region 1',load(1,2)=1.");
   EXPECT_EQ(built.errors(), Texts{});
-  ASSERT_TRUE(built.scene.flow && built.scene.solids);
-  const Solids& solids = *built.scene.solids;
+  ASSERT_TRUE(built.scene.flow() && built.scene.solids());
+  const Solids& solids = *built.scene.solids();
   EXPECT_EQ(solids.mesh.element_count(), 4u);
   EXPECT_EQ(solids.mesh.kind, ElementKind::quad9);
   EXPECT_EQ(solids.mesh.region, std::vector<int>(4, 0));
@@ -220,10 +220,10 @@ TEST(FlowScene, KeepsTheDecksNumbersOfRegions) {
   ASSERT_EQ(solids.loads.size(), 2u);
   EXPECT_EQ(solids.loads[1].region, 0);
   EXPECT_TRUE(solids.supports.empty());
-  EXPECT_TRUE(built.scene.flow->mesh.sides.contains("2.left"));
-  EXPECT_FALSE(built.scene.flow->mesh.sides.contains("1.left"));
-  EXPECT_EQ(built.scene.flow->density, 3);
-  EXPECT_EQ(built.scene.flow->volume_penalty, std::vector<double>{7});
+  EXPECT_TRUE(built.scene.flow()->mesh.sides.contains("2.left"));
+  EXPECT_FALSE(built.scene.flow()->mesh.sides.contains("1.left"));
+  EXPECT_EQ(built.scene.flow()->density, 3);
+  EXPECT_EQ(built.scene.flow()->volume_penalty, std::vector<double>{7});
 }
 
 /// The fluid as region 1, the bodies as 2 and 3: Mesh::region still counts the bodies from 0.
@@ -235,12 +235,12 @@ TEST(FlowScene, BodiesBehindAFluidAreCountedFromZero) {
       "1',load(1,2)=1. $\n"
       "$flow penalty(3)=9. $\n$points tracked_at(1,1)=1.2,.6 $\n");
   EXPECT_EQ(built.errors(), Texts{"9:12: there is no region 1"});
-  const Solids& solids = *built.scene.solids;
+  const Solids& solids = *built.scene.solids();
   EXPECT_EQ(solids.mesh.region, (std::vector<int>{0, 1}));
   EXPECT_EQ(solids.regions.at(1).name, "region 3");
   EXPECT_EQ(solids.loads.at(0).region, 1);
   EXPECT_EQ(solids.tracked.at(0).place.nodes, std::vector<int>{7});
-  EXPECT_EQ(built.scene.flow->volume_penalty, (std::vector<double>{0, 9}));
+  EXPECT_EQ(built.scene.flow()->volume_penalty, (std::vector<double>{0, 9}));
 }
 
 TEST(FlowScene, FlawsOfBlocksNameTheDecksRegions) {

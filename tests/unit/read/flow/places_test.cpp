@@ -31,7 +31,7 @@ TEST(FlowPlaces, AProbeBesideAnEdgeIsMovedToIt) {
   ASSERT_EQ(warnings_of(near).size(), 2u);
   const std::string told = "probe 3 at (2.001, 0) lies outside the fluid's mesh by 0.001 and is moved to (2, ";
   EXPECT_EQ(warnings_of(near)[0].substr(0, told.size()), told);
-  const Flow& flow = *near.scene.flow;
+  const Flow& flow = *near.scene.flow();
   ASSERT_EQ(flow.probes.size(), 3u);
   EXPECT_NEAR(flow.probes[0][0], 2, 1e-8);
   EXPECT_EQ(flow.probes[1], (std::array<double, 2>{1.5, 0}));
@@ -54,9 +54,9 @@ TEST(FlowPlaces, PlacesOnCurvedWallsAreMovedToPlacesThatAreFound) {
     const Built built = ring(element, cells, probes);
     ASSERT_EQ(built.errors(), Texts{});
     EXPECT_GT(warnings_of(built).size(), 40u);
-    const PointFinder finder(built.scene.flow->mesh);
+    const PointFinder finder(built.scene.flow()->mesh);
     for (std::size_t k = 0; k < 90; ++k) {
-      const auto& at = built.scene.flow->probes[k];
+      const auto& at = built.scene.flow()->probes[k];
       EXPECT_TRUE(finder.find(at)) << element << k;
       EXPECT_NEAR(std::hypot(at[0], at[1]), k % 2 ? 1 : 2, most * 1.001) << element << k;
     }
@@ -85,8 +85,8 @@ TEST(FlowPlaces, NodesOfBodiesOnRoundWallsAreMovedToThem) {
     const Built built = body_at_the_rim(element, cells);
     ASSERT_EQ(built.errors(), Texts{}) << element << cells;
     EXPECT_EQ(warnings_of(built)[0].substr(0, 10), "region 5: ") << warnings_of(built)[0];
-    const PointFinder finder(built.scene.flow->mesh);
-    const Mesh& mesh = built.scene.solids->mesh;
+    const PointFinder finder(built.scene.flow()->mesh);
+    const Mesh& mesh = built.scene.solids()->mesh;
     double farthest = 0;
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
       EXPECT_TRUE(finder.find({mesh.x[2 * n], mesh.x[2 * n + 1]}));

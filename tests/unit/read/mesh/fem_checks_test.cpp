@@ -25,7 +25,7 @@ TEST(FemScene, OfAStringIsFree) {
   const Built built = build_fem(string_deck());
   EXPECT_EQ(built.errors(), Texts{});
   EXPECT_EQ(warnings(built), Texts{});
-  EXPECT_EQ(built.scene.path, Path::fem);
+  EXPECT_EQ(built.scene.path(), Path::fem);
   EXPECT_EQ(built.scene.clock.cfl, 0.9);
 }
 

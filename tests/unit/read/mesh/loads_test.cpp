@@ -20,7 +20,7 @@ Built square(const std::string& fem) {
                      fem + "\n$\n"));
 }
 
-const Amplitude& first_load(const Built& built) { return built.scene.solids->loads.at(0).amplitude; }
+const Amplitude& first_load(const Built& built) { return built.scene.solids()->loads.at(0).amplitude; }
 
 TEST(Loads, FollowAnExpression) {
   const Built built = square("load_on(1)='1.top',load(1,1)=1.,load_expression(1)='sin(2*pi*t)'");
@@ -65,7 +65,7 @@ TEST(Loads, EquilibriaHaveNoMotion) {
 TEST(Loads, SupportsFollowExpressionsToo) {
   const Built built = square("fix_on(2)='1.left',fix(1,2)=.5,fix_expression(2)='t^2'");
   ASSERT_EQ(built.errors(), Texts{});
-  EXPECT_DOUBLE_EQ(built.scene.solids->supports.at(0).amplitude.at(3), 9);
+  EXPECT_DOUBLE_EQ(built.scene.solids()->supports.at(0).amplitude.at(3), 9);
 }
 
 TEST(Loads, StopTheRunWhereAnExpressionHasNoValue) {

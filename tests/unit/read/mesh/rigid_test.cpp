@@ -33,9 +33,9 @@ TEST(RigidScene, OfAnEmptyGroupIsAFreeBodyAtRestAboutItsCentre) {
   const Built built = build_rigid("$rigid $\n");
   EXPECT_EQ(built.errors(), Texts{});
   EXPECT_EQ(warnings(built), Texts{});
-  EXPECT_EQ(built.scene.path, Path::fem);
-  ASSERT_TRUE(built.scene.rigid && built.scene.solids);
-  const Rigid& rigid = *built.scene.rigid;
+  EXPECT_EQ(built.scene.path(), Path::fem);
+  ASSERT_TRUE(built.scene.rigid() && built.scene.solids());
+  const Rigid& rigid = *built.scene.rigid();
   EXPECT_EQ(rigid.form, RigidForm::reduced);
   EXPECT_FALSE(rigid.point || rigid.pin);
   EXPECT_EQ(rigid.directors, Eigen::Matrix3d::Identity());
@@ -51,7 +51,7 @@ TEST(RigidScene, HasWhatTheDeckSays) {
       "force(1,1)=7.,8.,9.,force_at(1,1)=.1,.2,.3,turning(1)=.true. $\n",
       {"reg.vrx=2*1.", "reg.vry=2*2."});
   EXPECT_EQ(built.errors(), Texts{});
-  const Rigid& rigid = *built.scene.rigid;
+  const Rigid& rigid = *built.scene.rigid();
   EXPECT_EQ(rigid.unknowns(), 18);
   EXPECT_EQ(*rigid.point, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(rigid.directors.col(0), Eigen::Vector3d(1, 0, 0));
@@ -69,8 +69,8 @@ TEST(RigidScene, HasWhatTheDeckSays) {
 }
 
 TEST(RigidScene, APinTakesUnknowns) {
-  EXPECT_EQ(build_rigid("$rigid pin=0.,0.,0. $\n").scene.rigid->unknowns(), 3);
-  EXPECT_EQ(build_rigid("$rigid pin=0.,0.,0.,form='constrained' $\n").scene.rigid->unknowns(), 21);
+  EXPECT_EQ(build_rigid("$rigid pin=0.,0.,0. $\n").scene.rigid()->unknowns(), 3);
+  EXPECT_EQ(build_rigid("$rigid pin=0.,0.,0.,form='constrained' $\n").scene.rigid()->unknowns(), 21);
 }
 
 TEST(RigidScene, AllMistakesAreToldAtOnce) {

@@ -11,7 +11,7 @@ namespace tether::scenes {
 /// No body yet, on the square from 0 to `side` with open edges, by finite elements; a step that the bars limit.
 inline Scene fem_scene(double side) {
   Scene scene;
-  scene.path = Path::fem;
+  scene.physics = Bars{};
   scene.grid = BackgroundGrid(11, 11, 0, side, 0, side);
   scene.walls = {Wall::open, Wall::open, Wall::open, Wall::open};
   scene.clock = {1e9, 1e9, 0.9};

@@ -19,18 +19,6 @@ using scenes::row;
 constexpr Membrane one_way{100, 0, true};
 constexpr std::uint8_t holds_both = holds_x | holds_y;
 
-TEST(Bars, RunStringsOfTheFemPathAlone) {
-  Scene scene = fem_scene(10);
-  EXPECT_FALSE(runs_as_bars(scene));  // nothing is there
-  add_string(scene, one_way, row(2, 2, 1, 0, 3), 0.5, 0.1);
-  EXPECT_TRUE(runs_as_bars(scene));
-  scene.path = Path::mpm;
-  EXPECT_FALSE(runs_as_bars(scene));
-  scene.path = Path::fem;
-  scene.bodies[0].material = Membrane{100, 0.3, true, Membrane::Kind::plane_stress};
-  EXPECT_FALSE(runs_as_bars(scene));
-}
-
 TEST(Bars, JoinConsecutivePoints) {
   Scene scene = fem_scene(10);
   add_string(scene, one_way, row(2, 2, 0.6, 0.8, 4), 0.5, 0.1);
