@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ORDER = "base algebra grid laws model deck read reference plan results solvers run studies".split()
+ORDER = "base fields algebra grid laws model deck read reference plan results solvers run studies".split()
 PATHS = "mpm fem coupled".split()  # inside solvers/
 WITHOUT_DECK = "model reference results solvers".split()
 DECK = ("deck/", "read/")

@@ -8,27 +8,6 @@
 namespace tether {
 namespace {
 
-using Names = std::vector<std::string>;
-
-TEST(HistoryLayout, CountsScenesBodiesAndPoints) {
-  const auto layout = test::small_layout();
-  EXPECT_EQ(layout.count(layout.quantities[1]), 1u);
-  EXPECT_EQ(layout.count(layout.quantities[2]), 2u);
-  EXPECT_EQ(layout.count(layout.quantities[3]), 3u);
-}
-
-TEST(HistoryLayout, NamesColumnsFromOne) {
-  EXPECT_EQ(test::small_layout().column_names(),
-            (Names{"time", "energy_total", "body_x_1", "body_x_2", "point_vy_1", "point_vy_2", "point_vy_3"}));
-}
-
-TEST(HistoryLayout, NumbersASingleBodyToo) {
-  auto layout = test::small_layout();
-  layout.body_names.resize(1);
-  layout.point_names.clear();
-  EXPECT_EQ(layout.column_names(), (Names{"time", "energy_total", "body_x_1"}));
-}
-
 TEST(History, GivesAColumnByName) {
   const History history{test::small_layout(), {{0, 1, 2, 3, 4, 5, 6}, {10, 11, 12, 13, 14, 15, 16}}};
   EXPECT_EQ(history.column("time"), (std::vector<double>{0, 10}));
