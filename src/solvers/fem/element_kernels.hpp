@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <type_traits>
+#include <variant>
 
 #include "laws/materials/hyperelastic.hpp"
 #include "solvers/fem/elements.hpp"
@@ -29,6 +31,16 @@ struct PointStress {
 template <int dim>
 Symmetric<dim> right_cauchy_green(const Square<dim>& F) {
   return symmetric<dim>((F.transpose() * F).eval());
+}
+
+/// What a law answers to at F: C, or 1 + 2 eps if it is one of small strains.
+template <bool small_strains, int dim>
+Symmetric<dim> strain_of(const Square<dim>& F) {
+  if constexpr (small_strains) {
+    return symmetric<dim>((F + F.transpose() - Square<dim>::Identity()).eval());
+  } else {
+    return right_cauchy_green<dim>(F);
+  }
 }
 
 /// What the middle stress lacks along dC to do the work of the energies' difference: s = (2 (Psi1 - Psi0) - S_m : dC) /
@@ -89,46 +101,44 @@ PointStress<dim> finite_stress(const Square<dim>& F0, const Square<dim>& F1, con
   return at;
 }
 
-/// The linear law: its energy is quadratic, so that the middle is the discrete gradient, too.
-template <int dim, StressAt rule>
-PointStress<dim> linear_stress(const Square<dim>& F0, const Square<dim>& F1, const LinearElastic& linear) {
+/// A law of small strains: its energy is quadratic, so that the middle is the discrete gradient, too.
+template <int dim, StressAt rule, class Respond>
+PointStress<dim> linear_stress(const Square<dim>& F0, const Square<dim>& F1, const Respond& respond) {
   const bool end = rule == StressAt::end;
   const Square<dim> F = end ? F1 : Square<dim>(0.5 * (F0 + F1)), one = Square<dim>::Identity();
-  const Response<dim> there = linear.law.respond<dim>(symmetric<dim>((F + F.transpose() - one).eval()));  // 1 + 2 eps
+  const Response<dim> there = respond(strain_of<true, dim>(F));
   return {one, one, there.S, end ? there.D : SymmetricMap<dim>(0.5 * there.D), 0};
 }
 
-/// The stress of any law at the reference place X, Y.
+/// The stress of any law at a reference place.
 template <int dim, StressAt rule>
-PointStress<dim> point_stress(const ElasticLaw& law, const Square<dim>& F0, const Square<dim>& F1, double X, double Y) {
-  if (const auto* linear = std::get_if<LinearElastic>(&law)) return linear_stress<dim, rule>(F0, F1, *linear);
-  if (const auto* svk = std::get_if<StVenantKirchhoff>(&law))
-    return finite_stress<dim, rule>(F0, F1, [&](const Symmetric<dim>& C) { return svk->respond<dim>(C); });
-  if (const auto* neo = std::get_if<NeoHookean>(&law))
-    return finite_stress<dim, rule>(F0, F1, [&](const Symmetric<dim>& C) { return neo->respond<dim>(C); });
-  const auto& fibre = *std::get_if<HoopFibre>(&law);
-  return finite_stress<dim, rule>(F0, F1, [&](const Symmetric<dim>& C) { return fibre.respond<dim>(C, X, Y); });
+PointStress<dim> point_stress(const ElasticLaw& any, const Square<dim>& F0, const Square<dim>& F1, double X, double Y) {
+  return std::visit(
+      [&](const auto& law) -> PointStress<dim> {
+        const auto respond = [&](const Symmetric<dim>& C) { return law.template respond<dim>(C, {X, Y}); };
+        if constexpr (std::decay_t<decltype(law)>::small_strains) {
+          return linear_stress<dim, rule>(F0, F1, respond);
+        } else {
+          return finite_stress<dim, rule>(F0, F1, respond);
+        }
+      },
+      any);
 }
 
 /// Energy density and second Piola-Kirchhoff stress at F.
 template <int dim>
-Response<dim> response_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y) {
-  const Symmetric<dim> C = right_cauchy_green<dim>(F);
-  if (const auto* linear = std::get_if<LinearElastic>(&law))
-    return linear->law.respond<dim>(symmetric<dim>((F + F.transpose() - Square<dim>::Identity()).eval()));
-  if (const auto* svk = std::get_if<StVenantKirchhoff>(&law)) return svk->respond<dim>(C);
-  if (const auto* neo = std::get_if<NeoHookean>(&law)) return neo->respond<dim>(C);
-  return std::get_if<HoopFibre>(&law)->respond<dim>(C, X, Y);
+Response<dim> response_at(const ElasticLaw& any, const Square<dim>& F, double X, double Y) {
+  return std::visit(
+      [&](const auto& law) {
+        return law.template respond<dim>(strain_of<std::decay_t<decltype(law)>::small_strains, dim>(F), {X, Y});
+      },
+      any);
 }
 
 /// The third direction of a plane body at F.
-inline Across across_at(const ElasticLaw& law, const Square<2>& F) {
-  const Symmetric<2> C = right_cauchy_green<2>(F);
-  if (const auto* linear = std::get_if<LinearElastic>(&law))
-    return linear->law.across(symmetric<2>((F + F.transpose() - Square<2>::Identity()).eval()));
-  if (const auto* svk = std::get_if<StVenantKirchhoff>(&law)) return svk->across(C);
-  if (const auto* neo = std::get_if<NeoHookean>(&law)) return neo->across(C);
-  return {};
+inline Across across_at(const ElasticLaw& any, const Square<2>& F) {
+  return std::visit(
+      [&](const auto& law) { return law.across(strain_of<std::decay_t<decltype(law)>::small_strains, 2>(F)); }, any);
 }
 
 /// B_A(F): change of E (shears twice) by the place of a node whose shape function has the gradient g.

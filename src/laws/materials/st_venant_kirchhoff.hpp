@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "laws/materials/elastic_response.hpp"
+
+namespace tether {
+
+/// St Venant-Kirchhoff: Psi = lambda/2 (tr E)^2 + mu E : E, E = (C - 1)/2. With E = eps, the linear law.
+struct StVenantKirchhoff {
+  double lambda = 0, mu = 0;    // in plane stress lambda is 2 lambda mu/(lambda + 2 mu) [stress]
+  Plane plane = Plane::strain;  // of plane bodies
+
+  static constexpr bool small_strains = false;
+
+  template <int dim>
+  Response<dim> respond(const Symmetric<dim>& C, ReferencePlace = {}) const {
+    Response<dim> r;
+    Symmetric<dim> E = 0.5 * C;
+    E.template head<dim>().array() -= 0.5;
+    const double trace = E.template head<dim>().sum();
+    r.energy = 0.5 * lambda * trace * trace + mu * contract<dim>(E, E);
+    r.S = 2 * mu * E;
+    r.S.template head<dim>().array() += lambda * trace;
+    r.D.setZero();
+    r.D.template topLeftCorner<dim, dim>().setConstant(lambda);
+    for (int k = 0; k < component_count<dim>(); ++k) r.D(k, k) += k < dim ? 2 * mu : mu;
+    return r;
+  }
+  /// In plane stress E33 = -lambda/(lambda + 2 mu) tr E, which is the lambda here over 2 mu.
+  Across across(const Symmetric<2>& C) const {
+    const double trace = 0.5 * (C[0] + C[1]) - 1;
+    if (plane == Plane::strain) return {1, lambda * trace};
+    return {std::sqrt(std::fmax(1 - lambda / mu * trace, 0)), 0};
+  }
+};
+
+/// Linear elasticity: the same with small strains about the reference shape, which turning bodies feel as strain.
+struct LinearElastic {
+  StVenantKirchhoff law;
+
+  static constexpr bool small_strains = true;
+
+  template <int dim>
+  Response<dim> respond(const Symmetric<dim>& one_and_twice_strain, ReferencePlace at = {}) const {
+    return law.respond<dim>(one_and_twice_strain, at);
+  }
+  Across across(const Symmetric<2>& one_and_twice_strain) const { return law.across(one_and_twice_strain); }
+};
+
+}  // namespace tether
