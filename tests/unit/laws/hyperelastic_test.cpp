@@ -90,7 +90,7 @@ TEST(Hyperelastic, EnergiesOfSmallStrainsKeepTheirDigits) {
 
 TEST(HoopFibre, PullsAlongCirclesAlone) {
   const HoopFibre fibre{4, 1, 2};
-  const auto r = fibre.respond<2>({1.21, 1, 0}, 1, 5);  // above the centre the circle runs along x
+  const auto r = fibre.respond<2>({1.21, 1, 0}, {1, 5});  // above the centre the circle runs along x
   EXPECT_DOUBLE_EQ(r.S[0], 4);
   EXPECT_DOUBLE_EQ(r.S[1], 0);
   EXPECT_DOUBLE_EQ(r.S[2], 0);
