@@ -137,8 +137,8 @@ HistoryLayout history_layout(const Scene& scene) {
   }
   if (scene.outputs.tracked_angle) {
     layout.quantities.push_back(
-        {"tracked_angle", Dimension::number,
-         "degrees from the downward vertical of the line from the first to the last tracked point"});
+        {"tracked_angle", Dimension::angle,
+         "angle from the downward vertical of the line from the first to the last tracked point"});
   }
   for (const auto& row : body_quantities()) layout.quantities.push_back(row);
   if (has_volumes(scene)) {
