@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -156,6 +157,14 @@ struct ColumnGroup {
 template <class Setting, class Source>
 ColumnGroup<Setting, Source> numbered(ColumnGroup<Setting, Source> group) {
   group.numbered = true;
+  return group;
+}
+
+/// A group without a condition, under one.
+template <class Setting, class Source>
+ColumnGroup<Setting, Source> given(When<Setting> when, ColumnGroup<Setting, Source> group) {
+  if (group.when.count) throw std::logic_error("a group of columns has one condition");
+  group.when = std::move(when);
   return group;
 }
 

@@ -91,6 +91,14 @@ TEST(Columns, LeaveOutTheRowsAndGroupsWhoseConditionFails) {
   EXPECT_EQ(space.record(source()), (Record{5, 7, 14}));
 }
 
+TEST(ColumnGroup, TakesOneCondition) {
+  const When<Setting> heated("where it is heated", [](const Setting& s) { return s.heated; });
+  const ColumnGroup<Setting, Source> group = given<Setting, Source>(heated, shared());
+  EXPECT_EQ(group.when.times(Setting{{}, true, 0}), 1u);
+  EXPECT_EQ(group.when.times(Setting{{}, false, 0}), 0u);
+  EXPECT_THROW((given<Setting, Source>(heated, group)), std::logic_error);
+}
+
 TEST(Columns, RefuseTwoRowsOfOneName) {
   const ColumnTable<Setting, Source> twice({heat(), heat()});
   EXPECT_NO_THROW(Columns<Source>(twice, Setting{}));
