@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -105,6 +106,11 @@ const Body* find_body(const Scene& scene) {
     if (std::holds_alternative<Law>(body.material)) return &body;
   }
   return nullptr;
+}
+
+/// Whether a body is elastic and fills a region.
+inline bool has_solid(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) { return is_solid(body.material); });
 }
 
 }  // namespace tether

@@ -33,6 +33,7 @@ struct FirstWave {
   const Scene& scene;
   const Body& body;
   double operator()(const PlaneElastic& law) const { return law.sound_speed(body.density); }
+  double operator()(const FiniteElastic& law) const { return law.sound_speed(body.density); }
   double operator()(const LinearFluid& law) const { return law.sound_speed(body.density); }
   double operator()(const Membrane& law) const { return law.sound_speed(body.density); }
   double operator()(const IdealGas& law) const {
@@ -50,6 +51,7 @@ struct SharpLimit {
   const Body& body;
   double h;
   double operator()(const PlaneElastic& law) const { return h / std::sqrt((law.lambda + 2 * law.G) / body.density); }
+  double operator()(const FiniteElastic& law) const { return h / law.sound_speed(body.density); }
   double operator()(const IdealGas& law) const {
     return law.mu > 0 ? body.density * h * h / (16.0 / 3 * law.mu) : std::numeric_limits<double>::infinity();
   }

@@ -5,25 +5,10 @@
 
 #include <cmath>
 
+#include "plan/law_text.hpp"
+
 namespace tether {
 namespace {
-
-struct LawName {
-  std::string operator()(const LinearElastic& law) const {
-    return fmt::format("linear elastic, lambda {:.4g}, mu {:.4g}", law.law.lambda, law.law.mu);
-  }
-  std::string operator()(const StVenantKirchhoff& law) const {
-    return fmt::format("St Venant-Kirchhoff, lambda {:.4g}, mu {:.4g}", law.lambda, law.mu);
-  }
-  std::string operator()(const NeoHookean& law) const {
-    constexpr const char* volumetric[] = {"lambda/2 ln(J)^2", "lambda/2 (J-1)^2", "lambda/4 (J^2 - 1 - 2 ln J)"};
-    return fmt::format("neo-Hookean, lambda {:.4g}, mu {:.4g}, {}", law.lambda, law.mu,
-                       volumetric[static_cast<int>(law.volumetric)]);
-  }
-  std::string operator()(const HoopFibre& law) const {
-    return fmt::format("hoop fibre, mu {:.4g}, about ({:.4g}, {:.4g})", law.mu, law.centre_x, law.centre_y);
-  }
-};
 
 const char* integrator_text(Integrator integrator) {
   switch (integrator) {
@@ -64,7 +49,8 @@ std::string supports_text(const Solids& solids) {
 std::string regions_text(const Solids& solids) {
   std::string text;
   for (const SolidRegion& region : solids.regions)
-    text += fmt::format("{}: density {:.4g}, {}\n", region.name, region.density, std::visit(LawName{}, region.law));
+    text += fmt::format("{}: density {:.4g}, {}\n", region.name, region.density,
+                        std::visit([](const auto& law) { return law_text(law); }, region.law));
   return text;
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "plan/law_text.hpp"
+
 namespace tether {
 namespace {
 
@@ -10,6 +12,9 @@ struct Namer {
   std::string operator()(const PlaneElastic& law) const {
     return fmt::format("linear elastic, plane {} (E {:.4g}, nu {:.3g})",
                        law.plane == PlaneElastic::Plane::strain ? "strain" : "stress", law.E, law.nu);
+  }
+  std::string operator()(const FiniteElastic& law) const {
+    return std::visit([](const auto& of) { return law_text(of); }, law.law);
   }
   std::string operator()(const IdealGas& gas) const {
     const char* rule = gas.rule == DensityRule::cell         ? "by cell (4.5)"
@@ -80,7 +85,7 @@ std::string edges_reason(const Scene& scene) {
 }
 
 /// Whether several bodies are there that do not share one field anyway.
-bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && find_body<PlaneElastic>(scene) != nullptr; }
+bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && has_solid(scene); }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
 
 // Symmetric tensors, and what laws of elastic bodies are asked and answer.
 
@@ -76,6 +77,24 @@ struct Lame {
   double lambda = 0, mu = 0;
 };
 inline Lame lame(double E, double nu) { return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))}; }
+
+/// How a neo-Hookean body resists a change of volume: lambda/2 ln(J)^2, lambda/2 (J - 1)^2, or
+/// lambda/4 (J^2 - 1 - 2 ln J).
+enum class Volumetric { log, square, mixed };
+
+/// What the deck says of an elastic region.
+struct ElasticConstants {
+  double E = 0, nu = 0;  // matr(1), matr(2) [stress], number
+  Plane plane = Plane::strain;
+  Volumetric volumetric = Volumetric::log;
+  double centre_x = 0, centre_y = 0;  // of fibres [length]
+};
+
+/// One of a law's numbers, for people.
+struct NamedNumber {
+  std::string_view name;
+  double value = 0;
+};
 
 /// A place of the shape at the start in the plane [length]: what a law whose material differs from place to place asks.
 struct ReferencePlace {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "laws/materials/elastic_response.hpp"
 
 namespace tether {
@@ -10,7 +13,11 @@ struct HoopFibre {
   double mu = 0;
   double centre_x = 0, centre_y = 0;  // [length]
 
+  static constexpr std::string_view word = "fibre", name = "hoop fibre";
   static constexpr bool small_strains = false;
+  static HoopFibre of(const ElasticConstants& given) { return {given.E, given.centre_x, given.centre_y}; }
+  std::array<NamedNumber, 3> numbers() const { return {{{"mu", mu}, {"about x", centre_x}, {"y", centre_y}}}; }
+  std::string_view note() const { return ""; }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C, ReferencePlace at) const {
@@ -24,7 +31,10 @@ struct HoopFibre {
     return r;
   }
   /// Nothing acts across the plane in which the fibres lie.
-  Across across(const Symmetric<2>&) const { return {}; }
+  template <int dim>
+  Across across(const Symmetric<dim>&) const {
+    return {};
+  }
 };
 
 }  // namespace tether

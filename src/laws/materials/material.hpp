@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "laws/materials/elastic.hpp"
+#include "laws/materials/finite_elastic.hpp"
 #include "laws/materials/gas.hpp"
 #include "laws/materials/linear_fluid.hpp"
 #include "laws/materials/membrane.hpp"
@@ -11,6 +12,11 @@
 namespace tether {
 
 /// Every law a body can obey.
-using Material = std::variant<PlaneElastic, IdealGas, LinearFluid, Membrane>;
+using Material = std::variant<PlaneElastic, IdealGas, LinearFluid, Membrane, FiniteElastic>;
+
+/// Elastic bodies that fill a region.
+inline bool is_solid(const Material& material) {
+  return std::holds_alternative<PlaneElastic>(material) || std::holds_alternative<FiniteElastic>(material);
+}
 
 }  // namespace tether

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "laws/materials/elastic_response.hpp"
 
 namespace tether {
-
-/// How a neo-Hookean body resists a change of volume: lambda/2 ln(J)^2, lambda/2 (J - 1)^2, or
-/// lambda/4 (J^2 - 1 - 2 ln J).
-enum class Volumetric { log, square, mixed };
 
 /// Compressible neo-Hookean: Psi = mu/2 (tr C - 3 - 2 ln J) + lambda U(J) (J. C. Simo and T. J. R. Hughes,
 /// Computational Inelasticity, 1998, 7.1.2, for the mixed form).
@@ -19,7 +17,17 @@ struct NeoHookean {
   Volumetric volumetric = Volumetric::log;
   Plane plane = Plane::strain;  // of plane bodies
 
+  static constexpr std::string_view word = "neo-hookean", name = "neo-Hookean";
   static constexpr bool small_strains = false;
+  static NeoHookean of(const ElasticConstants& given) {
+    const auto [l, m] = lame(given.E, given.nu);
+    return {l, m, given.volumetric, given.plane};
+  }
+  std::array<NamedNumber, 2> numbers() const { return {{{"lambda", lambda}, {"mu", mu}}}; }
+  std::string_view note() const {
+    constexpr std::string_view energies[] = {"lambda/2 ln(J)^2", "lambda/2 (J-1)^2", "lambda/4 (J^2 - 1 - 2 ln J)"};
+    return energies[static_cast<int>(volumetric)];
+  }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C, ReferencePlace = {}) const {
@@ -38,8 +46,9 @@ struct NeoHookean {
       return r;
     }
   }
-  Across across(const Symmetric<2>& C) const {
-    const double square = 1 + determinant_less_one<2>(C);
+  template <int dim>
+  Across across(const Symmetric<dim>& C) const {
+    const double square = 1 + determinant_less_one<dim>(C);
     if (plane == Plane::strain) return {1, g(std::sqrt(square))};
     return {std::sqrt(thickness_stretch_squared(square)), 0};
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "laws/materials/elastic_response.hpp"
 
@@ -12,7 +14,14 @@ struct StVenantKirchhoff {
   double lambda = 0, mu = 0;    // in plane stress lambda is 2 lambda mu/(lambda + 2 mu) [stress]
   Plane plane = Plane::strain;  // of plane bodies
 
+  static constexpr std::string_view word = "svk", name = "St Venant-Kirchhoff";
   static constexpr bool small_strains = false;
+  static StVenantKirchhoff of(const ElasticConstants& given) {
+    const auto [l, m] = lame(given.E, given.nu);
+    return {given.plane == Plane::stress ? 2 * l * m / (l + 2 * m) : l, m, given.plane};
+  }
+  std::array<NamedNumber, 2> numbers() const { return {{{"lambda", lambda}, {"mu", mu}}}; }
+  std::string_view note() const { return ""; }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C, ReferencePlace = {}) const {
@@ -29,7 +38,8 @@ struct StVenantKirchhoff {
     return r;
   }
   /// In plane stress E33 = -lambda/(lambda + 2 mu) tr E, which is the lambda here over 2 mu.
-  Across across(const Symmetric<2>& C) const {
+  template <int dim>
+  Across across(const Symmetric<dim>& C) const {
     const double trace = 0.5 * (C[0] + C[1]) - 1;
     if (plane == Plane::strain) return {1, lambda * trace};
     return {std::sqrt(std::fmax(1 - lambda / mu * trace, 0)), 0};
@@ -40,13 +50,20 @@ struct StVenantKirchhoff {
 struct LinearElastic {
   StVenantKirchhoff law;
 
+  static constexpr std::string_view word = "linear", name = "linear elastic";
   static constexpr bool small_strains = true;
+  static LinearElastic of(const ElasticConstants& given) { return {StVenantKirchhoff::of(given)}; }
+  std::array<NamedNumber, 2> numbers() const { return law.numbers(); }
+  std::string_view note() const { return ""; }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& one_and_twice_strain, ReferencePlace at = {}) const {
     return law.respond<dim>(one_and_twice_strain, at);
   }
-  Across across(const Symmetric<2>& one_and_twice_strain) const { return law.across(one_and_twice_strain); }
+  template <int dim>
+  Across across(const Symmetric<dim>& one_and_twice_strain) const {
+    return law.template across<dim>(one_and_twice_strain);
+  }
 };
 
 }  // namespace tether

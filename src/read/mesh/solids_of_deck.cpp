@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "deck/spelling.hpp"
+#include "read/elastic_law.hpp"
 #include "read/mesh/mesh_of_deck.hpp"
 #include "read/mesh/rigid_of_deck.hpp"
 #include "read/points/materials.hpp"
@@ -22,10 +23,11 @@ ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
                          const std::string& hint) {
     diagnostics.add(deck.remark(Severity::error, group, name, at, fmt::format("region {}: {}", r, message), hint));
   };
-  const std::string name = deck.text("fem", "law", r);
+  check_law_words(deck, r, diagnostics);
+  const std::string name = law_word(deck, r);
   const double E = deck.real("reg", "matr", 1, r), nu = deck.real("reg", "matr", 2, r);
   if (!(E > 0)) error("reg", "matr", {1, r}, fmt::format("the modulus must be > 0, not {:.6g}", E), "matr(1,r) is E");
-  if (name == "fibre") return HoopFibre{E, deck.real("fem", "fibre_x", r), deck.real("fem", "fibre_y", r)};
+  if (name == HoopFibre::word) return HoopFibre::of(elastic_constants(deck, r, Plane::strain));
   const int ipath = deck.given("reg", "ipath", 4, r) ? deck.integer("reg", "ipath", 4, r) : 0;
   if (ipath != 0 && ipath != 2)
     error("reg", "ipath", {4, r}, fmt::format("ipath(4) = {} is no elastic law", ipath),
@@ -33,23 +35,12 @@ ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
   if (ipath == 2 && dim == 3)
     error("reg", "ipath", {4, r}, "plane stress has no meaning in space",
           fmt::format("write ipath(4,{})=0, the law in space, or leave z of $mesh away", r));
-  const bool stress = ipath == 2;
   if (!(nu > -1) || !(nu < 0.5)) {
     error("reg", "matr", {2, r}, fmt::format("Poisson's ratio {:.6g} is out of range", nu), "-1 < nu < 0.5");
     return StVenantKirchhoff{};
   }
-  const Lame l = lame(E, nu);
-  if (name == "neo-hookean") {
-    const std::string volumetric = deck.text("fem", "volumetric", r);
-    return NeoHookean{l.lambda, l.mu,
-                      volumetric == "log"      ? Volumetric::log
-                      : volumetric == "square" ? Volumetric::square
-                                               : Volumetric::mixed,
-                      stress ? Plane::stress : Plane::strain};
-  }
-  const StVenantKirchhoff svk{stress ? 2 * l.lambda * l.mu / (l.lambda + 2 * l.mu) : l.lambda, l.mu,
-                              stress ? Plane::stress : Plane::strain};
-  return name == "linear" ? ElasticLaw(LinearElastic{svk}) : ElasticLaw(svk);
+  const ElasticConstants given = elastic_constants(deck, r, ipath == 2 ? Plane::stress : Plane::strain);
+  return law_of_word<ElasticLaw>(name, given).value_or(StVenantKirchhoff{});  // a fluid's region is no solid
 }
 
 SolidRegion region_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {

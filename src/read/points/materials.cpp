@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "read/elastic_law.hpp"
 #include "read/method_of_deck.hpp"
 #include "read/points/axis.hpp"
 
@@ -25,6 +26,37 @@ std::optional<Material> elastic(int ipath, double E, double nu, const Refuse& re
            strain ? "plane strain takes -1 < nu < 0.5" : "plane stress takes -1 < nu <= 0.5");
   }
   return strain ? plane_strain(E, nu) : plane_stress(E, nu);
+}
+
+/// Points without a word, and 'linear' ones, follow their rates of strain.
+bool is_finite(const std::string& word) { return !word.empty() && word != LinearElastic::word; }
+
+/// A law of F, by its word.
+std::optional<Material> finite(const Deck& deck, int r, int ipath, const Refuse& refuse) {
+  const ElasticConstants given = elastic_constants(deck, r, ipath == 2 ? Plane::stress : Plane::strain);
+  const std::string word = law_word(deck, r);
+  if (!(given.E > 0))
+    refuse(1, fmt::format("an elastic solid needs Young's modulus > 0, not {:.6g}", given.E), "constant 1 is E");
+  if (!(given.nu > -1) || !(given.nu < 0.5)) {
+    refuse(2, fmt::format("Poisson's ratio {:.6g} is out of range", given.nu),
+           fmt::format("'{}' takes -1 < nu < 0.5", word));
+    return std::nullopt;
+  }
+  const auto law = law_of_word<PointLaw>(word, given);
+  return law ? std::optional<Material>(FiniteElastic{*law, given.E, given.nu}) : std::nullopt;
+}
+
+/// Of words that say how elastic regions answer, where region r is none of theirs.
+void warn_of_unused_law(const Deck& deck, int r, int ipath, Diagnostics& diagnostics) {
+  const bool elastic = ipath == 0 || ipath == 2;
+  for (const char* name : {"law", "volumetric"}) {
+    const bool used = elastic && (name == std::string_view("law") || law_word(deck, r) == NeoHookean::word);
+    if (used || !deck.given("reg", name, r)) continue;
+    diagnostics.add(deck.remark(
+        Severity::warning, "reg", name, {r, 1},
+        fmt::format("{} has no effect: region {} is {}", name, r, elastic ? "not neo-hookean" : "not elastic"),
+        "leave it away"));
+  }
 }
 
 /// The particle file's string, which is membrane 1.
@@ -80,9 +112,11 @@ std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& di
     diagnostics.add(deck.remark(Severity::error, "reg", "ipath", {4, r},
                                 fmt::format("region {}: {}", r, no_plane_stress), use_three_stresses));
   }
+  warn_of_unused_law(deck, r, ipath, diagnostics);
   switch (ipath) {
     case 0:
     case 2:
+      if (is_finite(law_word(deck, r))) return finite(deck, r, ipath, refuse);
       return elastic(ipath, first, deck.real("reg", "matr", 2, r), refuse);
     case 7:
     case 9:

@@ -6,7 +6,6 @@
 
 #include "model/bars.hpp"
 #include "plan/plan.hpp"
-#include "solvers/fem/bar_fields.hpp"
 #include "solvers/fem/bars.hpp"
 #include "solvers/solver.hpp"
 
@@ -21,7 +20,7 @@ class BarSolver final : public Solver {
   double time() const override { return state_.time; }
   void advance(double until) override;
   RunCounts counts() const override;
-  HistoryLayout history_layout() const override { return columns_.layout(); }
+  HistoryLayout history_layout() const override;
   Record record() const override;
   Snapshot points() const override;
   Snapshot grid() const override { return {state_.time, {}}; }  // bars have none
@@ -40,7 +39,6 @@ class BarSolver final : public Solver {
   BarMesh mesh_;
   BarArrays bars_;
   BarState state_;
-  Columns<BarSums> columns_;
   std::vector<std::string> messages_;
 };
 

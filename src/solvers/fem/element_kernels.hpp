@@ -138,7 +138,7 @@ Response<dim> response_at(const ElasticLaw& any, const Square<dim>& F, double X,
 /// The third direction of a plane body at F.
 inline Across across_at(const ElasticLaw& any, const Square<2>& F) {
   return std::visit(
-      [&](const auto& law) { return law.across(strain_of<std::decay_t<decltype(law)>::small_strains, 2>(F)); }, any);
+      [&](const auto& law) { return law.template across<2>(strain_of<std::decay_t<decltype(law)>::small_strains, 2>(F)); }, any);
 }
 
 /// B_A(F): change of E (shears twice) by the place of a node whose shape function has the gradient g.

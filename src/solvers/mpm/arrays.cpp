@@ -27,6 +27,10 @@ Points::Points(const Scene& scene)
       id(scene.points.size()) {
   for (auto* array : {&vxx, &vyx, &vxy, &vyy, &szz, &rho, &energy, &strain, &hoop, &tx, &ty, &dxx, &dyy, &dxy, &dzz})
     array->assign(scene.points.size(), 0.0);
+  if (find_body<FiniteElastic>(scene)) {
+    for (auto* array : {&fxx, &fyy, &fzz}) array->assign(scene.points.size(), 1.0);
+    for (auto* array : {&fxy, &fyx}) array->assign(scene.points.size(), 0.0);
+  }
   for (const std::size_t p : scene.pinned) pinned[p] = 1;
   std::iota(id.begin(), id.end(), 0);
 }

@@ -23,6 +23,8 @@ struct Points {
   std::vector<double> strain, hoop;  // membrane: eps_1' and, about an axis, eps_2'; linear fluid: pressure is -sxx
   std::vector<double> tx, ty;        // membrane: unit tangent t
   std::vector<double> dxx, dyy, dxy, dzz;  // eps' of this step, for laws that need their neighbours' new places first
+  // F = dx / dX of laws that carry it, fxy = d x / d Y, and the stretch across the plane; empty where no law does
+  std::vector<double> fxx, fxy, fyx, fyy, fzz;
   std::vector<std::uint8_t> pinned;
   std::vector<int> id;
 
@@ -35,6 +37,9 @@ struct Points {
     for (auto* array : {&x,   &y,   &vx,  &vy,     &mass,   &volume, &vxx, &vyx, &vxy, &vyy, &sxx, &syy,
                         &sxy, &szz, &rho, &energy, &strain, &hoop,   &tx,  &ty,  &dxx, &dyy, &dxy, &dzz})
       visit(*array);
+    if (!fxx.empty()) {
+      for (auto* array : {&fxx, &fxy, &fyx, &fyy, &fzz}) visit(*array);
+    }
     visit(pinned), visit(id);
   }
 };

@@ -41,7 +41,7 @@ Contact::Contact(const Scene& scene, const Frame& frame)
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return is_fluid(body.material); });
   int common = -1;
   for (const Body& body : scene.bodies) {
-    const bool solid = std::holds_alternative<PlaneElastic>(body.material);
+    const bool solid = is_solid(body.material);
     if (solid || !fluid) {
       group_of_.push_back(groups_++);
     } else {

@@ -15,6 +15,13 @@ double stored(const PlaneElastic& law, const Points& P, std::size_t p, Geometry 
   const Stress s = stress_of(P, p);
   return P.volume[p] * (geometry == Geometry::plane ? law.energy_density(s) : law.energy_density_about_axis(s));
 }
+FiniteResponse answer(const FiniteElastic& law, const Points& P, std::size_t p, Geometry geometry) {
+  const DeformationGradient F = deformation(P, p);
+  return geometry == Geometry::plane ? law.respond(F) : law.respond_about_axis(F);
+}
+double stored(const FiniteElastic& law, const Points& P, std::size_t p, Geometry geometry) {
+  return P.volume[p] * answer(law, P, p, geometry).energy;
+}
 double stored(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
   return P.volume[p] * law.energy_density(-P.sxx[p]);
 }
@@ -28,6 +35,9 @@ double pressure(const PlaneElastic& law, const Points& P, std::size_t p, Geometr
   // In the plane szz is not carried.
   return -(s.xx + s.yy + (geometry == Geometry::plane ? law.out_of_plane_stress(s) : s.zz)) / 3;
 }
+double pressure(const FiniteElastic&, const Points& P, std::size_t p, Geometry) {
+  return -(P.sxx[p] + P.syy[p] + P.szz[p]) / 3;
+}
 double pressure(const LinearFluid&, const Points& P, std::size_t p, Geometry) { return -P.sxx[p]; }
 double pressure(const Membrane&, const Points& P, std::size_t p, Geometry) { return -(P.sxx[p] + P.syy[p]) / 3; }
 
@@ -35,6 +45,7 @@ double pressure(const Membrane&, const Points& P, std::size_t p, Geometry) { ret
 double filled(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
   return P.volume[p] * std::exp(-3 * (1 - 2 * law.nu) / law.E * pressure(law, P, p, geometry));
 }
+double filled(const FiniteElastic& law, const Points& P, std::size_t p, Geometry) { return law_volume(law, P, p); }
 double filled(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
   return P.volume[p] * std::exp(P.sxx[p] / law.beta);
 }
@@ -43,6 +54,9 @@ double filled(const IdealGas& law, const Points& P, std::size_t p, Geometry) { r
 
 Strain strain(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
   return geometry == Geometry::plane ? law.strain(stress_of(P, p)) : law.strain_about_axis(stress_of(P, p));
+}
+Strain strain(const FiniteElastic&, const Points& P, std::size_t p, Geometry) {
+  return green_strain(deformation(P, p));
 }
 Strain strain(const Membrane&, const Points& P, std::size_t p, Geometry) {
   const double e = P.strain[p], x = P.tx[p], y = P.ty[p];
@@ -58,7 +72,7 @@ struct Extent {
 
 template <class Law>
 Extent extent(const Law& law, const Points& P, std::size_t p, Geometry geometry, const std::vector<double>&) {
-  return {P.volume[p], pressure(law, P, p, geometry)};
+  return {law_volume(law, P, p), pressure(law, P, p, geometry)};
 }
 /// Gas that takes its density from the nodes has the pressure that their forces have, and the density that belongs to
 /// this pressure and to its energy: where it meets another gas, its own. A gas whose energy was used up has no such.

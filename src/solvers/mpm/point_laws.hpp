@@ -10,7 +10,8 @@
 
 // What each material does to the arrays of a point: the bridge between the pure laws and the kernels.
 //   law_update  strain rate in, stress (and energy, density, strain) of the point out
-//   law_volume  V_p in the nodal force (3.16): the stored one, for gas m_p / rho_p
+//   law_volume  V_p in the nodal force (3.16): the stored one, for gas m_p / rho_p, of
+//               laws that carry F det F times it
 //   sound       whether the point's numbers are numbers still, and its density positive
 //   waits       whether it is updated only after all points of the body have moved (tangents, densities)
 
@@ -24,11 +25,12 @@ struct StepContext {
   bool heats = true;     // the gas is heated by the strain rate that makes its stress, not by the centred one
   bool jaumann = false;  // the stress of solids turns with their spin
   double heat = 0;       // of the ledger for all gas [energy/mass]
+  bool arrived = false;  // the velocity gradient is that at the place after the move that it describes
 };
 
 /// What the step tells of all points: waves for the next step limit, and whether the numbers are still sound.
 struct StepFindings {
-  double wave_max = 0;       // largest c + |v| of the gas [velocity]
+  double wave_max = 0;       // largest c + |v| of the gas, or c of solids that carry F [velocity]
   double c_squared_max = 0;  // of the gas
   long long crossings = 0;   // points that changed cell
   double squares = 0;        // of the points, for the balance of energy: balance.hpp
@@ -45,6 +47,13 @@ struct Rate {
 inline bool sound(const PlaneElastic&, const Points& P, std::size_t p) {
   return std::abs(P.sxx[p]) + std::abs(P.syy[p]) + std::abs(P.sxy[p]) < std::numeric_limits<double>::infinity();
 }
+inline DeformationGradient deformation(const Points& P, std::size_t p) {
+  return {P.fxx[p], P.fxy[p], P.fyx[p], P.fyy[p], P.fzz[p]};
+}
+inline bool sound(const FiniteElastic&, const Points& P, std::size_t p) {
+  return deformation(P, p).volume_ratio() > 0 &&
+         std::abs(P.sxx[p]) + std::abs(P.syy[p]) + std::abs(P.sxy[p]) < std::numeric_limits<double>::infinity();
+}
 inline bool sound(const LinearFluid&, const Points& P, std::size_t p) { return std::isfinite(P.sxx[p]); }
 inline bool sound(const Membrane&, const Points& P, std::size_t p) { return std::isfinite(P.strain[p]); }
 inline bool sound(const IdealGas&, const Points& P, std::size_t p) {
@@ -52,6 +61,7 @@ inline bool sound(const IdealGas&, const Points& P, std::size_t p) {
 }
 
 inline bool waits(const PlaneElastic&, bool) { return false; }
+inline bool waits(const FiniteElastic&, bool) { return false; }
 inline bool waits(const LinearFluid&, bool) { return false; }
 inline bool waits(const Membrane&, bool) { return true; }
 /// Where the points stay, the gas at the nodes is known before the pass.
@@ -69,6 +79,23 @@ inline void law_update(const PlaneElastic& law, Points& P, std::size_t p, const 
   const Stress s = law.updated(old, rate.d, step.dt);  // (3.2)
   P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
   if constexpr (about_axis) P.szz[p] = s.zz;
+}
+
+/// F by the velocity's gradient, and the stress of it; an F whose volume is gone is left to sound().
+template <bool about_axis>
+inline void law_update(const FiniteElastic& law, Points& P, std::size_t p, const Rate& rate, const StepContext& step,
+                       StepFindings& found) {
+  const VelocityGradient L{rate.d.xx, rate.d.xy + rate.spin, rate.d.xy - rate.spin, rate.d.yy};
+  const DeformationGradient before = deformation(P, p);
+  const DeformationGradient F =
+      step.arrived ? after_arrival(before, L, rate.d.zz, step.dt) : after_move(before, L, rate.d.zz, step.dt);
+  P.fxx[p] = F.xx, P.fxy[p] = F.xy, P.fyx[p] = F.yx, P.fyy[p] = F.yy, P.fzz[p] = F.zz;
+  if (!(F.volume_ratio() > 0)) return;
+  const FiniteResponse answer = about_axis ? law.respond_about_axis(F) : law.respond(F);
+  P.fzz[p] = answer.across;
+  const Stress& s = answer.stress;
+  P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy, P.szz[p] = s.zz;
+  found.wave_max = std::max(found.wave_max, std::sqrt(answer.modulus * P.volume[p] / P.mass[p]));
 }
 
 template <bool about_axis>
@@ -113,6 +140,9 @@ inline void law_update(const IdealGas& law, Points& P, std::size_t p, const Rate
 template <class Law>
 inline double law_volume(const Law&, const Points& P, std::size_t p) {
   return P.volume[p];
+}
+inline double law_volume(const FiniteElastic&, const Points& P, std::size_t p) {
+  return P.volume[p] * deformation(P, p).volume_ratio();
 }
 inline double law_volume(const IdealGas&, const Points& P, std::size_t p) { return P.mass[p] / P.rho[p]; }
 

@@ -95,6 +95,8 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   take("sxx", P.sxx), take("syy", P.syy), take("sxy", P.sxy), take("szz", P.szz);
   take("rho", P.rho), take("energy", P.energy), take("strain", P.strain), take("hoop", P.hoop);
   take("tx", P.tx), take("ty", P.ty), take("id", P.id);
+  if (!P.fxx.empty())
+    take("fxx", P.fxx), take("fxy", P.fxy), take("fyx", P.fyx), take("fyy", P.fyy), take("fzz", P.fzz);
   Strips::exchange(with, state.strips);
   with("body_begin", sums.begin), with("body_end", sums.end), with("gas_mass", state.gas_mass);
   with("point_steps", state.point_steps);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/nodes.hpp"
 #include "solvers/mpm/steps.hpp"
 #include "solvers/mpm/stop.hpp"
@@ -24,6 +25,13 @@ constexpr int steps_between_looks = 64;
 /// A count of what is on which side of a membrane costs some steps.
 constexpr int steps_between_counts = 1024;
 
+/// Whose waves the step limit follows.
+const char* wave_text(const Scene& scene) {
+  if (!find_body<FiniteElastic>(scene)) return "the gas moves at c + |v| =";
+  return find_body<IdealGas>(scene) ? "the fastest wave, of gas or of strained solids, runs at"
+                                    : "in strained solids waves run at";
+}
+
 }  // namespace
 
 MpmSolver::MpmSolver(const Plan& plan)
@@ -33,8 +41,7 @@ MpmSolver::MpmSolver(const Plan& plan)
       sort_(plan.scene.points.size()),
       strings_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),
-      leaks_(plan.scene),
-      columns_(history_columns(plan.scene)) {
+      leaks_(plan.scene) {
   if (strings_.on()) strings_.look(state_, plan.scene, messages_);
   messages_.clear();                                                 // the deck's remarks tell it
   state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
@@ -53,8 +60,8 @@ void MpmSolver::advance(double until) {
 double MpmSolver::next_step() {
   double dt = plan_.step.step(state_.wave_max);
   if (dt < plan_.step.deck_step && !state_.limit_told) {
-    messages_.push_back(fmt::format("t = {:.6g}: the gas moves at c + |v| = {:.4g}: steps are limited to {:.4g}",
-                                    state_.time, state_.wave_max, dt));
+    messages_.push_back(fmt::format("t = {:.6g}: {} {:.4g}: steps are limited to {:.4g}", state_.time,
+                                    wave_text(plan_.scene), state_.wave_max, dt));
     state_.limit_told = true;
   }
   const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
@@ -121,6 +128,10 @@ RunCounts MpmSolver::counts() const {
   const auto points = state_.points.size();
   return {state_.steps, state_.point_steps, points, state_.grid.active_cells.size(), state_.dt_min, state_.dt_last};
 }
+
+HistoryLayout MpmSolver::history_layout() const { return mpm::history_layout(plan_.scene); }
+
+Record MpmSolver::record() const { return mpm::record(state_, plan_.scene); }
 
 Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
 

@@ -35,6 +35,9 @@ void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
                       &P.sxy, &P.szz, &P.rho, &P.energy}) {
     permute(*array, doubles_, range);
   }
+  if (!P.fxx.empty()) {
+    for (auto* array : {&P.fxx, &P.fxy, &P.fyx, &P.fyy, &P.fzz}) permute(*array, doubles_, range);
+  }
   permute(P.id, ints_, range);
 }
 

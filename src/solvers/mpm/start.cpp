@@ -43,7 +43,10 @@ struct StartPoints {
   std::size_t number;  // of the body
   StepFindings found;
 
-  void operator()(const PlaneElastic&) const {}  // the scene's stress is the state
+  void operator()(const PlaneElastic&) const {}      // the scene's stress is the state
+  void operator()(const FiniteElastic& law) const {  // at rest, where F is 1
+    state.wave_max = std::max(state.wave_max, law.sound_speed(body.density));
+  }
   void operator()(const LinearFluid&) {
     Points& P = state.points;  // an accumulated pressure starts at zero strain
     for (std::size_t p = range.begin; p < range.end; ++p) P.sxx[p] = P.syy[p] = P.sxy[p] = 0;

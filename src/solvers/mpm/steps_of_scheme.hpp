@@ -24,7 +24,7 @@ inline PassWork pass_work(StepWork& work, double dt) {
           state.grid,
           Locator(shape),
           {dt, state.c_max, std::sqrt(shape.dx * shape.dy), method.gas_energy == GasEnergy::rate, method.jaumann,
-           state.gas_mass > 0 ? state.heat_for_all / state.gas_mass : 0},
+           state.gas_mass > 0 ? state.heat_for_all / state.gas_mass : 0, method.order == StressOrder::usf},
           work.found,
           work.trouble};
 }

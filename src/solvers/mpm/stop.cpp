@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "solvers/mpm/point_laws.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -65,6 +66,11 @@ std::string what_happened(const State& state, const Walls& walls, const Trouble&
     case TroubleKind::unsound:
       if (P.rho[p] < 0)
         return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", P.rho[p]);
+      if (!P.fxx.empty() && !(deformation(P, p).volume_ratio() > 0))
+        return fmt::format(
+            "is turned inside out (J = {:.4g}): likely cause, a step too long, or a squeeze beyond what "
+            "the law or the grid carries (law='neo-hookean' resists it, 'svk' softens)",
+            deformation(P, p).volume_ratio());
       return "has a stress that is no number: likely cause, a run that diverged";
     case TroubleKind::at_open_edge:
       return "is beyond an open edge, through which only gas passes: make the grid larger, or stop what moves there";

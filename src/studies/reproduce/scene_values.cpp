@@ -64,6 +64,7 @@ constexpr std::array values{
 struct Modulus {
   const Body& body;
   double operator()(const PlaneElastic& law) const { return law.E; }
+  double operator()(const FiniteElastic& law) const { return law.E; }
   double operator()(const Membrane& law) const { return law.E; }
   double operator()(const LinearFluid& law) const { return law.beta; }
   double operator()(const IdealGas&) const { return body.specific_energy; }

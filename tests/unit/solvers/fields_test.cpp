@@ -37,8 +37,7 @@ TEST(Record, HasANumberForEveryColumnAndTheyAreRight) {
   Scene scene = gas_and_solid();
   scene.outputs.tracked_angle = true;
   const State state = start(scene);
-  const auto columns = history_columns(scene);
-  const History history{columns.layout(), {columns.record(sums_of(state, scene))}};
+  const History history{history_layout(scene), {record(state, scene)}};
   ASSERT_EQ(history.layout.column_names().size(), history.records[0].size());
   const auto value = [&](const char* name) { return history.column(name).front(); };
   EXPECT_NEAR(value("mass"), 5, 1e-15);
