@@ -29,11 +29,15 @@ enum class Dimension {
   rate,
   torque,
   flux,  ///< area/time, of stream functions
-  power
+  power,
+  angle  ///< in degrees, whatever the system
 };
 
-/// The unit in UDUNITS spelling ("m s-1"), "1" for pure numbers and wherever the deck names no system. Time stays "s"
-/// in both systems (xarray turns "seconds" into timedelta, but leaves "s" a number).
+/// The unit in UDUNITS spelling ("m s-1"), "1" for pure numbers and wherever the deck names no system; angles are in
+/// "degree" even so. Time stays "s" in both systems (xarray turns "seconds" into timedelta, but leaves "s" a number).
 std::string unit_text(Dimension dimension, Units units);
+
+/// The word for it in guides, `-` for pure numbers.
+const char* dimension_text(Dimension dimension);
 
 }  // namespace tether

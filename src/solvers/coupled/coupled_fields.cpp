@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "base/index.hpp"
 #include "solvers/coupled/projection.hpp"
-#include "solvers/fem/mesh_fields.hpp"
-#include "solvers/fem/solid_fields.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -46,43 +43,86 @@ double fluid_volume(const FlowDomain& domain, bool cut) {
 
 double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
+std::vector<std::vector<double>> masses_of_parts(const CoupledStep& step) {
+  const fem::SolidSystem& system = step.solids().system;
+  return masses_of_parts(parts_of(system.solids.mesh), step.surface().parts, system.weights);
+}
+
+/// `parts` bodies, where there are solids.
+CoupledSetting setting_of(const Scene& scene, const CoupledStep& step, std::size_t parts) {
+  const Coupled& box = *scene.coupled();
+  CoupledSetting setting{{box.grid.dim, {}, {}},
+                         scene.solids() != nullptr,
+                         box.smoke,
+                         enclosed_volumes(step.surface(), step.solids().system.solids.mesh.x)};
+  if (!scene.solids()) return setting;
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < parts; ++b) names.push_back(fmt::format("body {}", b + 1));
+  static_cast<ColumnSetting&>(setting) = fem::mesh_setting(*scene.solids(), names);
+  return setting;
+}
+
+/// What fields of cells are made from.
+struct CellSource {
+  const StaggeredGrid& grid;
+  const FlowDomain& domain;
+  const CoupledState& state;
+
+  bool fluid(std::size_t cell) const { return domain.kind[cell] == CellKind::fluid; }
+  /// The mean of its two faces.
+  double velocity(int axis, std::size_t cell) const {
+    auto face = grid.place_of_cell(cell);
+    const double low = state.v[at(axis)][grid.face(axis, face)];
+    ++face[at(axis)];
+    return 0.5 * (low + state.v[at(axis)][grid.face(axis, face)]);
+  }
+};
+
+struct CellSetting : ColumnSetting {
+  bool with_smoke = false;
+};
+
+const ColumnTable<CellSetting, CellSource>& cell_table() {
+  using S = CellSource;
+  using Row = Column<CellSetting, S>;
+  using D = Dimension;
+  const auto place = [](const S& s, std::size_t axis, std::size_t c) {
+    return s.grid.middle(static_cast<int>(axis), s.grid.place_of_cell(c)[axis]);
+  };
+  const auto velocity = [](const S& s, std::size_t axis, std::size_t c) {
+    return s.fluid(c) ? s.velocity(static_cast<int>(axis), c) : 0;
+  };
+  const When<CellSetting> smoke("with smoke", [](const CellSetting& s) { return s.with_smoke; });
+  static const ColumnTable<CellSetting, S> table({{{
+      Row("", D::length, "place", place).vector(),
+      Row("v", D::velocity, "velocity, zero where there is no fluid", velocity).vector(),
+      {"p", D::stress, "pressure, of the last step",
+       [](const S& s, std::size_t c) { return s.fluid(c) ? s.state.p[c] : 0; }},
+      {"kind", D::number, "fluid 0, solid 1, obstacle 2, void 3",
+       [](const S& s, std::size_t c) { return static_cast<double>(s.domain.kind[c]); }},
+      {"region", D::number, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
+       [](const S& s, std::size_t c) { return s.domain.region[c] + 1.0; }},
+      Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.state.smoke.density(c); })
+          .when(smoke),
+      Row("temperature", D::number, "above that of the surroundings",
+          [](const S& s, std::size_t c) { return s.state.smoke.temperature(c); })
+          .when(smoke),
+  }}});
+  return table;
+}
+
 }  // namespace
 
 CoupledFields::CoupledFields(const Scene& scene, const CoupledStep& step)
-    : scene_(scene), step_(step), first_volumes_(enclosed_volumes(step.surface(), step.solids().system.solids.mesh.x)) {
-  const fem::SolidSystem& system = step.solids().system;
-  part_of_sheet_.resize(first_volumes_.size());
-  for (std::size_t s = 0; s < step.surface().side_count(); ++s)
-    part_of_sheet_[at(step.surface().sheet[s])] = at(step.surface().part[s]);
-  part_masses_ = masses_of_parts(parts_of(system.solids.mesh), step.surface().parts, system.weights);
-}
-
-/// The columns of the books, in the order of booked().
-void CoupledFields::add_books(HistoryLayout& layout) const {
-  const auto add = [&](const char* name, Book book, const char* meaning) {
-    layout.quantities.push_back({name, Dimension::energy, meaning, Per::scene, book});
-  };
-  using enum Book;
-  add("energy_jets", gained, "work of the pressure at jets, and kinetic energy that they carried in");
-  add("energy_open", gained, "the same of open sides, by the pressure outside, and of voids");
-  add("energy_gravity", gained, "work of gravity on the fluid");
-  add("energy_buoyancy", gained, "work of smoke and warmth on the fluid");
-  add("energy_outside", gained, "work of loads and moved supports on the solids");
-  add("energy_viscous", given, "what viscosity took");
-  add("energy_damped", given, "what damping of the solids took");
-  add("energy_contact", given, "what walls, obstacles and friction took of the solids");
-  add("energy_advected", lost, "kinetic energy lost as the fluid carries its velocity along");
-  add("energy_remeshed", lost, "kinetic energy lost as solids open and close faces");
-  add("energy_projected", lost, "kinetic energy that pressures and forces took by acting at a step's end");
-  add("energy_sources", lost, "what the volume term took, less what it gave");
-  add("energy_coupling", lost, "what the fluid gave the solids less what they took");
-  add("energy_solid_step", lost, "work of the solids' own forces less what is stored of it");
-}
-
-Record CoupledFields::booked(const EnergyBooks& books) {
-  return {books.jets,      books.open_sides, books.gravity,  books.buoyancy,  books.loads,
-          books.viscous,   books.damped,     books.contact,  books.advected,  books.remeshed,
-          books.projected, books.sources,    books.coupling, books.solid_step};
+    : scene_(scene),
+      step_(step),
+      part_masses_(masses_of_parts(step)),
+      columns_(coupled_table(), setting_of(scene, step, part_masses_.size())) {
+  const SolidSurface& surface = step.surface();
+  for (std::size_t s = 0; s < surface.side_count(); ++s) {
+    part_of_sheet_.resize(std::max(part_of_sheet_.size(), at(surface.sheet[s]) + 1));
+    part_of_sheet_[at(surface.sheet[s])] = at(surface.part[s]);
+  }
 }
 
 /// Density times gravity, with what smoke and warmth do, times depth below or height above the level outside, times
@@ -102,177 +142,73 @@ double CoupledFields::pressure_energy(const CoupledState& state) const {
   return coupled.density * domain.grid.volume() * sum;
 }
 
-HistoryLayout CoupledFields::history_layout() const {
-  HistoryLayout layout;
-  const int dim = scene_.coupled()->grid.dim;
-  const auto add = [&](const std::string& name, Dimension dimension, const std::string& meaning) {
-    layout.quantities.push_back({name, dimension, meaning});
-  };
-  fem::add_energies(layout);
-  add("energy_fluid", Dimension::energy, "kinetic energy of the fluid, part of energy_kinetic");
-  add("mass", Dimension::mass, "mass of fluid and solids");
-  fem::add_vector(layout, "momentum_", Dimension::momentum, "momentum of fluid and solids in ", dim);
-  add("fluid_volume", Dimension::volume, "volume of the fluid, by its cells");
-  add("interface_power", Dimension::power, "power that the solids took from the fluid in the last step");
-  add("interface_work", Dimension::energy, "energy that they have taken");
-  add("interface_mismatch", Dimension::number,
-      "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' sizes, "
-      "at "
-      "least a thousandth of the powers in the fluid");
-  add_books(layout);
-  add("energy_pressure", Dimension::energy,
-      "pressure of a fluid at rest, by its depth, times its volume: rounding at rest is small against it");
-  add("cfl", Dimension::number, "cells that the fluid crossed along an axis where it was fastest, in the last step");
-  add("regions", Dimension::number, "parts of the fluid that nothing joins");
-  add("solver_iterations", Dimension::number, "iterations of linear solvers since the start");
-  if (scene_.coupled()->smoke) {
-    add("smoke_mass", Dimension::volume, "density of smoke times volume");
-    add("smoke_in", Dimension::volume, "smoke that jets have brought, and fluid from outside");
-    add("smoke_out", Dimension::volume, "smoke that has left");
-    add("smoke_largest", Dimension::number, "largest density of smoke");
-  }
-  if (!scene_.solids()) return layout;
-  fem::add_shape(layout);
-  fem::add_overlap(layout);
-  for (std::size_t s = 0; s < first_volumes_.size(); ++s) {
-    add(fmt::format("volume_sheet_{}", s + 1), Dimension::volume,
-        first_volumes_[s] < 0 ? "volume of a cavity in the solids"
-                              : "volume that an outer surface of the solids encloses");
-  }
-  fem::add_vector(layout, "body_force_", Dimension::force, "force of the fluid in the last step, ", dim, Per::body);
-  fem::add_vector(layout, "body_hold_", Dimension::force, "force of supports and walls in the last step, ", dim,
-                  Per::body);
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < part_masses_.size(); ++b) names.push_back(fmt::format("body {}", b + 1));
-  fem::add_bodies_and_nodes(layout, *scene_.solids(), names);
-  return layout;
-}
-
-Record CoupledFields::record(const CoupledState& state) const {
+CoupledSums CoupledFields::sums_of(const CoupledState& state) const {
   const SolidEquations& solids = step_.solids();
   const Coupled& coupled = *scene_.coupled();
   const FlowDomain& domain = step_.domain();
+  CoupledSums s{{}, state};
+  s.time = state.time, s.dt = state.dt_last;
   std::vector<double> momenta(state.u.size());
   solids.system.multiply_mass(state.u, momenta);
-  const double volume = fluid_volume(domain, coupled.mode == CouplingMode::cut_cell);
   double kinetic = 0;
   for (std::size_t k = 0; k < momenta.size(); ++k) kinetic += 0.5 * momenta[k] * state.u[k];
-  Vector momentum{};
-  for (std::size_t k = 0; k < momenta.size(); ++k) momentum[k % at(coupled.grid.dim)] += momenta[k];
+  for (std::size_t k = 0; k < momenta.size(); ++k) s.momentum[k % at(coupled.grid.dim)] += momenta[k];
   for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) {
     for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
       if (domain.face[axis][f] == FaceKind::open)
-        momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
+        s.momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
     }
   }
-  const double fluid = kinetic_energy(domain, state.v, state.v, coupled.density);
-  const double strain = solids.system.elements->strain_energy(state.q) + solids.spring_energy(state.q);
-  const double potential = solids.system.gravity_energy(state.q);
-  Record values{state.time,
-                state.dt_last,
-                kinetic + fluid,
-                strain,
-                0,
-                potential,
-                kinetic + fluid + strain + potential,
-                fluid,
-                coupled.density * volume + sum_of(solids.system.weights)};
-  values.insert(values.end(), momentum.begin(), momentum.begin() + coupled.grid.dim);
-  values.insert(values.end(), {volume, state.last.interface_power, state.work, state.last.mismatch});
-  const Record books = booked(state.books);
-  values.insert(values.end(), books.begin(), books.end());
-  values.insert(values.end(), {pressure_energy(state), state.last.cfl, static_cast<double>(domain.regions),
-                               static_cast<double>(state.iterations)});
-  if (coupled.smoke) add_smoke(state, values);
-  if (scene_.solids()) add_bodies(state, values);
-  return values;
-}
-
-void CoupledFields::add_smoke(const CoupledState& state, Record& record) const {
-  double largest = 0;
+  s.fluid = kinetic_energy(domain, state.v, state.v, coupled.density), s.kinetic = kinetic + s.fluid;
+  s.strain = solids.system.elements->strain_energy(state.q) + solids.spring_energy(state.q);
+  s.potential = solids.system.gravity_energy(state.q);
+  s.total = s.kinetic + s.strain + s.potential;
+  s.fluid_volume = fluid_volume(domain, coupled.mode == CouplingMode::cut_cell);
+  s.mass = coupled.density * s.fluid_volume + sum_of(solids.system.weights);
+  s.pressure_energy = pressure_energy(state), s.regions = static_cast<double>(domain.regions);
+  s.smoke_mass = sum_of(state.smoke.smoke);
   for (std::size_t cell = 0; cell < state.smoke.smoke.size(); ++cell)
-    largest = std::max(largest, state.smoke.density(cell));
-  record.insert(record.end(),
-                {sum_of(state.smoke.smoke), state.smoke_flow.smoke_in, state.smoke_flow.smoke_out, largest});
+    s.smoke_largest = std::max(s.smoke_largest, state.smoke.density(cell));
+  if (scene_.solids()) add_bodies(state, s);
+  return s;
 }
 
-void CoupledFields::add_forces(std::span<const double> forces, Record& record) const {
+/// Of the nodes of each part.
+std::vector<Components> CoupledFields::forces_of_parts(std::span<const double> forces) const {
   const std::size_t d = at(scene_.coupled()->grid.dim);
-  for (std::size_t i = 0; i < d; ++i) {
-    for (const auto& masses : part_masses_) {
-      double sum = 0;
-      for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] > 0 ? forces[n * d + i] : 0;
-      record.push_back(sum);
-    }
-  }
-}
-
-/// As history_layout() and add_bodies_and_nodes() list them.
-void CoupledFields::add_bodies(const CoupledState& state, Record& record) const {
-  const std::size_t d = at(scene_.coupled()->grid.dim);
-  record.push_back(step_.solids().system.elements->shape(state.q).least);
-  const std::vector<double> enclosed = enclosed_volumes(step_.surface(), state.q);
-  std::vector<double> volumes(part_masses_.size(), 0.0);
-  for (std::size_t s = 0; s < enclosed.size(); ++s) volumes[part_of_sheet_[s]] += enclosed[s];
-  record.insert(record.end(), volumes.begin(), volumes.end());
-  record.push_back(static_cast<double>(state.overlap.now));
-  for (const double volume : enclosed) record.push_back(std::abs(volume));
-  add_forces(state.fluid_force, record);
-  add_forces(state.wall_force, record);
-  for (const auto* values : {&state.q, &state.u}) {
+  std::vector<Components> sums;
+  for (const auto& masses : part_masses_) {
+    Components& sum = sums.emplace_back();
     for (std::size_t i = 0; i < d; ++i) {
-      for (const auto& masses : part_masses_) {
-        double sum = 0;
-        for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] * (*values)[n * d + i];
-        record.push_back(sum / sum_of(masses));
-      }
+      for (std::size_t n = 0; n < masses.size(); ++n) sum[i] += masses[n] > 0 ? forces[n * d + i] : 0;
     }
   }
-  for (const auto& masses : part_masses_) record.push_back(sum_of(masses));
-  fem::append_tracked(*scene_.solids(), state.q, state.u, record);
+  return sums;
 }
 
-/// Velocities are the means of a cell's two faces.
+void CoupledFields::add_bodies(const CoupledState& state, CoupledSums& sums) const {
+  sums.least = step_.solids().system.elements->shape(state.q).least;
+  sums.sheets = enclosed_volumes(step_.surface(), state.q);
+  sums.volumes.assign(part_masses_.size(), 0.0);
+  for (std::size_t s = 0; s < sums.sheets.size(); ++s) sums.volumes[part_of_sheet_[s]] += sums.sheets[s];
+  sums.nodes_inside = static_cast<double>(state.overlap.now);
+  sums.force = forces_of_parts(state.fluid_force), sums.hold = forces_of_parts(state.wall_force);
+  for (const auto& masses : part_masses_)
+    sums.bodies.push_back(fem::body_of(sum_of(masses), masses, state.q, state.u, at(scene_.coupled()->grid.dim)));
+  sums.tracked = fem::tracked_of(*scene_.solids(), state.q, state.u);
+}
+
 Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
-  constexpr std::array axes{"x", "y", "z"};
-  const StaggeredGrid& grid = scene_.coupled()->grid;
-  const FlowDomain& domain = step_.domain();
-  Snapshot snapshot{state.time, {}};
-  const auto add = [&](const std::string& name, Dimension dimension, const char* meaning, const auto& value) {
-    Field field{{name, dimension, meaning}, std::vector<double>(grid.cell_count())};
-    for (std::size_t c = 0; c < field.values.size(); ++c) field.values[c] = value(c);
-    snapshot.fields.push_back(std::move(field));
-  };
-  for (int axis = 0; axis < grid.dim; ++axis) {
-    add(axes[at(axis)], Dimension::length, "place",
-        [&](std::size_t c) { return grid.middle(axis, grid.place_of_cell(c)[at(axis)]); });
-  }
-  for (int axis = 0; axis < grid.dim; ++axis) {
-    add(std::string("v") + axes[at(axis)], Dimension::velocity, "velocity, zero where there is no fluid",
-        [&](std::size_t c) {
-          auto face = grid.place_of_cell(c);
-          const double low = state.v[at(axis)][grid.face(axis, face)];
-          ++face[at(axis)];
-          return domain.kind[c] == CellKind::fluid ? 0.5 * (low + state.v[at(axis)][grid.face(axis, face)]) : 0;
-        });
-  }
-  add("p", Dimension::stress, "pressure, of the last step",
-      [&](std::size_t c) { return domain.kind[c] == CellKind::fluid ? state.p[c] : 0; });
-  add("kind", Dimension::number, "fluid 0, solid 1, obstacle 2, void 3",
-      [&](std::size_t c) { return static_cast<double>(domain.kind[c]); });
-  add("region", Dimension::number, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
-      [&](std::size_t c) { return domain.region[c] + 1.0; });
-  if (scene_.coupled()->smoke) {
-    add("smoke", Dimension::number, "density of smoke", [&](std::size_t c) { return state.smoke.density(c); });
-    add("temperature", Dimension::number, "above that of the surroundings",
-        [&](std::size_t c) { return state.smoke.temperature(c); });
-  }
-  return snapshot;
+  const Coupled& box = *scene_.coupled();
+  const CellSetting setting{{box.grid.dim, {}, {}}, box.smoke};
+  return Columns<CellSource>(cell_table(), setting)
+      .snapshot(state.time, box.grid.cell_count(), {box.grid, step_.domain(), state});
 }
 
 Snapshot CoupledFields::solid_fields(const CoupledState& state) const {
   if (!scene_.solids()) return {state.time, {}};
-  return fem::shape_fields(state.time, step_.solids().system, state.q, state.u);
+  const fem::SolidSystem& system = step_.solids().system;
+  return fem::shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.u);
 }
 
 }  // namespace tether::coupled

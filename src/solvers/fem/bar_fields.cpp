@@ -1,35 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/bar_fields.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <numbers>
-#include <utility>
-
-#include "solvers/plane_quantities.hpp"
 
 namespace tether::fem {
 namespace {
 
-const std::vector<Quantity>& scene_quantities() {
-  static const std::vector<Quantity> rows{
-      {"time", Dimension::time, "time"},
-      {"dt", Dimension::time, "length of the last step"},
-      {"energy_kinetic", Dimension::energy, "kinetic energy of the nodes"},
-      {"energy_strain", Dimension::energy, "energy stored in the bars"},
-      {"energy_internal", Dimension::energy, "internal energy of gas, of which there is none"},
-      {"energy_potential", Dimension::energy, "potential energy in gravity, zero at y = 0"},
-      {"energy_total", Dimension::energy, "sum of the energies"},
-      {"mass", Dimension::mass, "mass of the nodes"},
-      {"momentum_x", Dimension::momentum, "momentum in x"},
-      {"momentum_y", Dimension::momentum, "momentum in y"},
-      {"angular_momentum_z", Dimension::angular_momentum, "angular momentum about the origin"},
-      {"energy_step", Dimension::energy,
-       "part of the total that central differences keep beside the others, -dt^2 sum f^2/(8 m)"},
-  };
-  return rows;
-}
+using D = Dimension;
 
 struct Motion {
   double mass = 0, mx = 0, my = 0, px = 0, py = 0, angular = 0, kinetic = 0;
@@ -43,6 +20,7 @@ struct Motion {
     mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
     angular += other.angular, kinetic += other.kinetic;
   }
+  BodySums sums() const { return {mass, {mx / mass, my / mass}, {px / mass, py / mass}}; }
 };
 
 std::vector<Motion> motions(const BarState& state, const Scene& scene) {
@@ -68,12 +46,6 @@ double strain_energy(const BarState& state, const BarArrays& bars) {
   return sum;
 }
 
-/// Angle of the line from the first to the last tracked point, from the downward vertical [degrees].
-double tracked_angle(const BarState& state, const Scene& scene) {
-  const std::size_t first = scene.tracked.front(), last = scene.tracked.back();
-  return std::atan2(state.x[last] - state.x[first], state.y[first] - state.y[last]) * 180 / std::numbers::pi;
-}
-
 /// Means over the bars that end at each point.
 struct PointStrains {
   std::vector<double> strain, stress;
@@ -97,32 +69,57 @@ struct PointStrains {
   std::vector<double> modulus;  // of each point's body
 };
 
-Field field(const char* name, Dimension dimension, const char* meaning, std::vector<double> values) {
-  return {{name, dimension, meaning, Per::scene}, std::move(values)};
+/// What fields of points are made from.
+struct PointSource {
+  const BarState& state;
+  const Scene& scene;
+  PointStrains means;
+  std::vector<double> body = {};
+};
+
+Value<PointSource> of(std::vector<double> BarState::*array) {
+  return [array](const PointSource& s, std::size_t p) { return (s.state.*array)[p]; };
 }
 
-/// An array of the nodes without the anchors.
-std::vector<double> of_points(const std::vector<double>& array, const Scene& scene) {
-  return {array.begin(), array.begin() + static_cast<std::ptrdiff_t>(scene.points.size())};
+const ColumnTable<ColumnSetting, PointSource>& point_table() {
+  using S = PointSource;
+  static const ColumnTable<ColumnSetting, S> table({{{
+      {"x", D::length, "place, x", of(&BarState::x)},
+      {"y", D::length, "place, y", of(&BarState::y)},
+      {"id", D::number, "number of the point, from 1", [](const S&, std::size_t p) { return p + 1; }},
+      {"body", D::number, "number of its body, from 1", [](const S& s, std::size_t p) { return s.body[p]; }},
+      {"vx", D::velocity, "velocity, x", of(&BarState::vx)},
+      {"vy", D::velocity, "velocity, y", of(&BarState::vy)},
+      {"mass", D::mass, "mass", [](const S& s, std::size_t p) { return s.scene.points.mass[p]; }},
+      {"strain", D::number, "mean strain of the point's bars",
+       [](const S& s, std::size_t p) { return s.means.strain[p]; }},
+      {"stress", D::stress, "mean stress along the point's bars, of their sections at the start",
+       [](const S& s, std::size_t p) { return s.means.stress[p]; }},
+  }}});
+  return table;
+}
+
+ColumnGroup<BarSetting, BarSums> step_column() {
+  return {{{"energy_step", D::energy,
+            "part of the total that central differences keep apart from the others, -dt^2 sum f^2/(8 m)",
+            &BarSums::of_step}}};
 }
 
 }  // namespace
 
-HistoryLayout history_layout(const Scene& scene) {
-  HistoryLayout layout;
-  layout.quantities = scene_quantities();
-  if (scene.outputs.tracked_angle) {
-    layout.quantities.push_back(
-        {"tracked_angle", Dimension::number,
-         "degrees from the downward vertical of the line from the first to the last tracked point"});
-  }
-  for (const auto& row : body_quantities()) layout.quantities.push_back(row);
-  if (!scene.tracked.empty()) {
-    for (const auto& row : tracked_quantities()) layout.quantities.push_back(row);
-  }
-  for (const Body& body : scene.bodies) layout.body_names.push_back(body.name);
-  for (std::size_t k = 0; k < scene.tracked.size(); ++k) layout.point_names.push_back(tracked_name(scene, k));
-  return layout;
+const ColumnTable<BarSetting, BarSums>& bar_table() {
+  static const ColumnTable<BarSetting, BarSums> table(
+      {energy_columns(), momentum_columns(), step_column(),
+       angle_column<BarSetting, BarSums>([](const BarSetting& s) { return s.tracked_angle; }), body_columns(),
+       tracked_columns()});
+  return table;
+}
+
+Columns<BarSums> bar_columns(const Scene& scene) {
+  BarSetting setting{{}, scene.outputs.tracked_angle};
+  for (const Body& body : scene.bodies) setting.body_names.push_back(body.name);
+  for (std::size_t k = 0; k < scene.tracked.size(); ++k) setting.point_names.push_back(tracked_name(scene, k));
+  return {bar_table(), setting};
 }
 
 double squared_forces_per_mass(const BarState& state, const Scene& scene) {
@@ -132,58 +129,27 @@ double squared_forces_per_mass(const BarState& state, const Scene& scene) {
   return sum;
 }
 
-Record record(const BarState& state, const BarArrays& bars, const Scene& scene, double dt) {
-  const auto bodies = motions(state, scene);
+BarSums sums_of(const BarState& state, const BarArrays& bars, const Scene& scene, double dt) {
+  BarSums s;
   Motion all;
-  for (const Motion& body : bodies) all.add(body);
-  const double strain = strain_energy(state, bars), potential = -scene.gravity * all.my;
-  const double of_step = state.carried_over - 0.125 * dt * dt * squared_forces_per_mass(state, scene);
-  Record values{state.time,
-                state.dt_last,
-                all.kinetic,
-                strain,
-                0,
-                potential,
-                all.kinetic + strain + potential + of_step,
-                all.mass,
-                all.px,
-                all.py,
-                all.angular,
-                of_step};
-  if (scene.outputs.tracked_angle) values.push_back(tracked_angle(state, scene));
-  const auto per_body = [&](auto get) {
-    for (const Motion& body : bodies) values.push_back(get(body));
-  };
-  per_body([](const Motion& m) { return m.mx / m.mass; });
-  per_body([](const Motion& m) { return m.my / m.mass; });
-  per_body([](const Motion& m) { return m.px / m.mass; });
-  per_body([](const Motion& m) { return m.py / m.mass; });
-  per_body([](const Motion& m) { return m.mass; });
-  for (const auto* array : {&state.x, &state.y, &state.vx, &state.vy}) {
-    for (const std::size_t p : scene.tracked) values.push_back((*array)[p]);
+  for (const Motion& body : motions(state, scene)) {
+    s.bodies.push_back(body.sums());
+    all.add(body);
   }
-  return values;
+  s.time = state.time, s.dt = state.dt_last;
+  s.kinetic = all.kinetic, s.strain = strain_energy(state, bars), s.potential = -scene.gravity * all.my;
+  s.of_step = state.carried_over - 0.125 * dt * dt * squared_forces_per_mass(state, scene);
+  s.total = s.kinetic + s.strain + s.potential + s.of_step;
+  s.mass = all.mass, s.momentum = {all.px, all.py}, s.angular[2] = all.angular;
+  for (const std::size_t p : scene.tracked) s.tracked.push_back({{state.x[p], state.y[p]}, {state.vx[p], state.vy[p]}});
+  return s;
 }
 
 Snapshot point_fields(const BarState& state, const BarArrays& bars, const Scene& scene) {
-  PointStrains means(state, bars, scene);
-  std::vector<double> id, body;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    for (std::size_t k = 0; k < scene.bodies[b].count; ++k) {
-      id.push_back(static_cast<double>(id.size() + 1)), body.push_back(static_cast<double>(b + 1));
-    }
-  }
-  const auto of = [&](const std::vector<double>& array) { return of_points(array, scene); };
-  using D = Dimension;
-  return {state.time,
-          {field("x", D::length, "place, x", of(state.x)), field("y", D::length, "place, y", of(state.y)),
-           field("id", D::number, "number of the point, from 1", std::move(id)),
-           field("body", D::number, "number of its body, from 1", std::move(body)),
-           field("vx", D::velocity, "velocity, x", of(state.vx)), field("vy", D::velocity, "velocity, y", of(state.vy)),
-           field("mass", D::mass, "mass", scene.points.mass),
-           field("strain", D::number, "mean strain of the point's bars", std::move(means.strain)),
-           field("stress", D::stress, "mean stress along the point's bars, of their sections at the start",
-                 std::move(means.stress))}};
+  PointSource source{state, scene, PointStrains(state, bars, scene)};
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    source.body.insert(source.body.end(), scene.bodies[b].count, static_cast<double>(b + 1));
+  return Columns<PointSource>(point_table(), ColumnSetting{}).snapshot(state.time, scene.points.size(), source);
 }
 
 }  // namespace tether::fem

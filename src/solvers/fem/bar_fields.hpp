@@ -3,20 +3,31 @@
 
 #include "model/scene.hpp"
 #include "results/results.hpp"
+#include "solvers/common_columns.hpp"
 #include "solvers/fem/bars.hpp"
 
 namespace tether::fem {
 
-/// What bars can write: the history's columns, a record of them, and fields of the points. Columns that the paths share
-/// have the same names on all of them.
+struct BarSetting : ColumnSetting {
+  bool tracked_angle = false;
+};
+
+/// What a record of bars is made from.
+struct BarSums : CommonSums {
+  double of_step = 0;  ///< -dt^2 sum f^2 / (8 m) [energy]
+};
+
+/// What bars can write: the history's columns, those of a scene and what a record of them is made from, and fields of
+/// the points.
 ///
 /// Central differences with steps of one length keep, of linear bars, K + U - dt^2 sum f^2 / (8 m) to the last digits,
 /// the work of gravity within U: it is the product of the velocities half a step before and after in K. What velocity
 /// and place alone say swings about it by the square of dt omega. The third part has its own column, and the total is
 /// the sum of all, in which a real loss then shows.
-HistoryLayout history_layout(const Scene& scene);
+const ColumnTable<BarSetting, BarSums>& bar_table();
+Columns<BarSums> bar_columns(const Scene& scene);
 /// `dt` is the length of the steps around the present time.
-Record record(const BarState& state, const BarArrays& bars, const Scene& scene, double dt);
+BarSums sums_of(const BarState& state, const BarArrays& bars, const Scene& scene, double dt);
 Snapshot point_fields(const BarState& state, const BarArrays& bars, const Scene& scene);
 
 /// sum f^2 / m over all that moves [force2/mass].

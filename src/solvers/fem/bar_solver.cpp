@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "solvers/fem/bar_fields.hpp"
 #include "solvers/step_time.hpp"
 
 namespace tether::fem {
@@ -52,7 +51,11 @@ std::size_t overflowed_point(const BarArrays& bars, const BarState& state, std::
 }  // namespace
 
 BarSolver::BarSolver(const Plan& plan)
-    : plan_(plan), mesh_(bars_of(plan.scene)), bars_(plan.scene, mesh_), state_(start(plan.scene, mesh_, bars_)) {}
+    : plan_(plan),
+      mesh_(bars_of(plan.scene)),
+      bars_(plan.scene, mesh_),
+      state_(start(plan.scene, mesh_, bars_)),
+      columns_(bar_columns(plan.scene)) {}
 
 void BarSolver::advance(double until) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
@@ -110,10 +113,8 @@ RunCounts BarSolver::counts() const {
   return {state_.steps, state_.steps * static_cast<long long>(points), points, 0, state_.dt_min, state_.dt_last};
 }
 
-HistoryLayout BarSolver::history_layout() const { return fem::history_layout(plan_.scene); }
-
 Record BarSolver::record() const {
-  return fem::record(state_, bars_, plan_.scene, state_.steps == 0 ? next_step() : state_.dt_last);
+  return columns_.record(sums_of(state_, bars_, plan_.scene, state_.steps == 0 ? next_step() : state_.dt_last));
 }
 
 Snapshot BarSolver::points() const { return point_fields(state_, bars_, plan_.scene); }

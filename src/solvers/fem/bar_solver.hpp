@@ -6,6 +6,7 @@
 
 #include "model/bars.hpp"
 #include "plan/plan.hpp"
+#include "solvers/fem/bar_fields.hpp"
 #include "solvers/fem/bars.hpp"
 #include "solvers/solver.hpp"
 
@@ -20,7 +21,7 @@ class BarSolver final : public Solver {
   double time() const override { return state_.time; }
   void advance(double until) override;
   RunCounts counts() const override;
-  HistoryLayout history_layout() const override;
+  HistoryLayout history_layout() const override { return columns_.layout(); }
   Record record() const override;
   Snapshot points() const override;
   Snapshot grid() const override { return {state_.time, {}}; }  // bars have none
@@ -39,6 +40,7 @@ class BarSolver final : public Solver {
   BarMesh mesh_;
   BarArrays bars_;
   BarState state_;
+  Columns<BarSums> columns_;
   std::vector<std::string> messages_;
 };
 

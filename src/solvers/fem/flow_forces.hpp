@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/flow.hpp"
-#include "results/results.hpp"
 #include "solvers/fem/body_side_forces.hpp"
+#include "solvers/fem/flow_columns.hpp"
 #include "solvers/fem/flow_corners.hpp"
 #include "solvers/fem/flow_state.hpp"
 #include "solvers/fem/flow_step.hpp"
@@ -19,12 +19,8 @@ class FlowForces {
   /// Both must outlive it.
   FlowForces(const Flow& flow, const FlowStep& step);
 
-  void add_columns(HistoryLayout& layout) const;
-  /// `m` is what the last step was about.
-  void append(const FlowState& state, const FlowMoment& m, Record& record) const;
-  /// Force, hold, change of momentum and torque of each body.
-  static void add_body_columns(HistoryLayout& layout);
-  void append_bodies(const FlowState& state, Record& record) const;
+  /// Each of the deck's forces; `m` is what the last step was about.
+  std::vector<RecordedForce> of(const FlowState& state, const FlowMoment& m) const;
 
  private:
   PlaneForce on_walls(const FlowState& state, const FlowMoment& m, std::size_t k) const;

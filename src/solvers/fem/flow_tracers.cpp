@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/flow_tracers.hpp"
 
+#include "fields/columns.hpp"
 #include "solvers/fem/flow_elements.hpp"
 
 namespace tether::fem {
@@ -39,6 +40,28 @@ class Shape {
   Mesh mesh_;
   std::optional<PointFinder> finder_;  // of quadrilaterals
 };
+
+/// What fields of tracers are made from.
+struct TracerSource {
+  const FlowState& state;
+  std::vector<std::array<double, 2>> velocity;
+};
+
+const ColumnTable<ColumnSetting, TracerSource>& tracer_table() {
+  using S = TracerSource;
+  using Row = Column<ColumnSetting, S>;
+  using D = Dimension;
+  const auto place = [](const S& s, std::size_t axis, std::size_t n) { return s.state.tracers[2 * n + axis]; };
+  const auto velocity = [](const S& s, std::size_t axis, std::size_t n) { return s.velocity[n][axis]; };
+  static const ColumnTable<ColumnSetting, S> table({{{
+      Row("", D::length, "place", place).vector(),
+      {"id", D::number, "number of the tracer, from 1", [](const S&, std::size_t n) { return n + 1; }},
+      Row("v", D::velocity, "velocity", velocity).vector(),
+      {"left", D::number, "1 of tracers that left the fluid's mesh, which stay where they did",
+       [](const S& s, std::size_t n) { return s.state.tracer_left[n]; }},
+  }}});
+  return table;
+}
 
 }  // namespace
 
@@ -97,24 +120,14 @@ std::size_t FlowTracers::count_inside(const Solids& solids, const FlowState& sta
 }
 
 Snapshot FlowTracers::fields(const FlowState& state) const {
-  Snapshot snapshot{state.time, {}};
   const std::size_t count = state.tracer_left.size();
-  if (count == 0) return snapshot;
-  std::vector<double> x, y, id, vx, vy;
+  if (count == 0) return {state.time, {}};
+  TracerSource source{state, {}};
   for (std::size_t n = 0; n < count; ++n) {
-    x.push_back(state.tracers[2 * n]), y.push_back(state.tracers[2 * n + 1]), id.push_back(static_cast<double>(n + 1));
-    const auto at = finder_.find({x.back(), y.back()});
-    const auto v = at && state.tracer_left[n] == 0 ? velocity(state.v, *at) : std::array<double, 2>{};
-    vx.push_back(v[0]), vy.push_back(v[1]);
+    const auto at = finder_.find({state.tracers[2 * n], state.tracers[2 * n + 1]});
+    source.velocity.push_back(at && state.tracer_left[n] == 0 ? velocity(state.v, *at) : std::array<double, 2>{});
   }
-  snapshot.fields = {{{"x", Dimension::length, "place"}, std::move(x)},
-                     {{"y", Dimension::length, "place"}, std::move(y)},
-                     {{"id", Dimension::number, "number of the tracer, from 1"}, std::move(id)},
-                     {{"vx", Dimension::velocity, "velocity in x"}, std::move(vx)},
-                     {{"vy", Dimension::velocity, "velocity in y"}, std::move(vy)},
-                     {{"left", Dimension::number, "1 of tracers that left the fluid's mesh, which stay where they did"},
-                      {state.tracer_left.begin(), state.tracer_left.end()}}};
-  return snapshot;
+  return Columns<TracerSource>(tracer_table(), ColumnSetting{}).snapshot(state.time, count, source);
 }
 
 }  // namespace tether::fem

@@ -1,99 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/mesh_fields.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
+#include <numeric>
+#include <utility>
 
 namespace tether::fem {
 namespace {
 
-constexpr std::array axes{"x", "y", "z"};
+using D = Dimension;
+
+/// What fields of nodes are made from.
+struct NodeSource {
+  const Mesh& mesh;
+  std::span<const double> q, v;
+  std::vector<double> stress = {};  ///< seven numbers a node: Elements::nodal_stress
+};
+
+using NodeGroup = ColumnGroup<ColumnSetting, NodeSource>;
+
+/// Number k of an array with a vector for each node.
+double component(std::span<const double> values, const Mesh& mesh, std::size_t axis, std::size_t k) {
+  return values[k * static_cast<std::size_t>(mesh.dim()) + axis];
+}
+
+NodeGroup motion_group() {
+  using S = NodeSource;
+  using Row = Column<ColumnSetting, NodeSource>;
+  const auto place = [](const S& s, std::size_t axis, std::size_t k) { return component(s.q, s.mesh, axis, k); };
+  const auto way = [](const S& s, std::size_t axis, std::size_t k) {
+    return component(s.q, s.mesh, axis, k) - component(s.mesh.x, s.mesh, axis, k);
+  };
+  const auto velocity = [](const S& s, std::size_t axis, std::size_t k) { return component(s.v, s.mesh, axis, k); };
+  return {{Row("", D::length, "place", place).vector(), Row("u", D::length, "displacement", way).vector(),
+           Row("v", D::velocity, "velocity", velocity).vector()}};
+}
+
+NodeGroup stress_group() {
+  using Row = Column<ColumnSetting, NodeSource>;
+  const auto stress = [](const char* name, std::size_t part) {
+    const auto value = [part](const NodeSource& s, std::size_t k) { return s.stress[7 * k + part]; };
+    return Row(name, D::stress, "Cauchy's stress", value);
+  };
+  const auto density = [](const NodeSource& s, std::size_t k) { return s.stress[7 * k + 6]; };
+  return {{stress("sxx", 0), stress("syy", 1), stress("szz", 2), stress("sxy", 3), stress("syz", 4).when(in_space()),
+           stress("sxz", 5).when(in_space()),
+           Row("energy_density", D::stress, "strain energy per volume of the shape at the start", density)}};
+}
+
+Snapshot snapshot_of(const ColumnTable<ColumnSetting, NodeSource>& table, double time, const NodeSource& source) {
+  const ColumnSetting setting{source.mesh.dim(), {}, {}};
+  return Columns<NodeSource>(table, setting).snapshot(time, source.mesh.node_count(), source);
+}
 
 }  // namespace
 
-void add_vector(HistoryLayout& layout, const std::string& name, Dimension dimension, const std::string& meaning,
-                int dim, Per per) {
-  for (int i = 0; i < dim; ++i) {
-    const std::string axis = axes[static_cast<std::size_t>(i)];
-    layout.quantities.push_back({name + axis, dimension, meaning + axis, per});
-  }
+MeshGroup shape_columns() {
+  using Row = Column<ColumnSetting, MeshSums>;
+  return {{{"element_quality", D::number, "least volume of an element over that at the start", &MeshSums::least},
+           Row("body_volume", D::volume, "volume of the body's shape, in the plane per unit depth",
+               [](const MeshSums& s, std::size_t b) { return s.volumes.at(b); })
+               .each(Per::body)}};
 }
 
-void add_energies(HistoryLayout& layout) {
-  for (const Quantity& quantity : {
-           Quantity{"time", Dimension::time, "time"},
-           Quantity{"dt", Dimension::time, "length of the last step"},
-           Quantity{"energy_kinetic", Dimension::energy, "kinetic energy"},
-           Quantity{"energy_strain", Dimension::energy, "energy stored in solids"},
-           Quantity{"energy_internal", Dimension::energy, "internal energy of gas: none"},
-           Quantity{"energy_potential", Dimension::energy, "potential energy in gravity, zero at y = 0"},
-           Quantity{"energy_total", Dimension::energy, "sum of the energies"},
-       })
-    layout.quantities.push_back(quantity);
+MeshGroup overlap_columns() {
+  return {{{"nodes_inside", D::number,
+            "nodes of the bodies that lie inside another of them, or inside their own that has come through itself; of "
+            "explicit steps at every 16th",
+            &MeshSums::nodes_inside}}};
 }
 
-void add_momenta(HistoryLayout& layout, int dim) {
-  layout.quantities.push_back({"mass", Dimension::mass, "mass"});
-  add_vector(layout, "momentum_", Dimension::momentum, "momentum in ", dim);
-  if (dim == 3) {
-    add_vector(layout, "angular_momentum_", Dimension::angular_momentum, "angular momentum about the origin, ", 3);
-  } else {
-    layout.quantities.push_back(
-        {"angular_momentum_z", Dimension::angular_momentum, "angular momentum about the origin"});
-  }
+ColumnSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies) {
+  ColumnSetting setting{solids.mesh.dim(), std::move(bodies), {}};
+  for (const TrackedPlace& tracked : solids.tracked) setting.point_names.push_back(tracked.name);
+  return setting;
 }
 
-void add_overlap(HistoryLayout& layout) {
-  layout.quantities.push_back(
-      {"nodes_inside", Dimension::number,
-       "nodes of the bodies that lie inside another of them, or inside their own that has come through itself"});
+std::vector<std::string> region_names(const Solids& solids) {
+  std::vector<std::string> names;
+  for (const SolidRegion& region : solids.regions) names.push_back(region.name);
+  return names;
 }
 
-void add_shape(HistoryLayout& layout) {
-  layout.quantities.push_back(
-      {"element_quality", Dimension::number, "least volume of an element over that at the start"});
-  layout.quantities.push_back(
-      {"body_volume", Dimension::volume, "volume of its shape, in the plane per unit depth", Per::body});
-}
-
-void add_bodies_and_nodes(HistoryLayout& layout, const Solids& solids, const std::vector<std::string>& bodies) {
-  const int dim = solids.mesh.dim();
-  add_vector(layout, "body_", Dimension::length, "centre of mass, ", dim, Per::body);
-  add_vector(layout, "body_v", Dimension::velocity, "velocity of the centre of mass, ", dim, Per::body);
-  layout.quantities.push_back({"body_mass", Dimension::mass, "mass", Per::body});
-  if (!solids.tracked.empty()) {
-    add_vector(layout, "point_", Dimension::length, "place, ", dim, Per::point);
-    add_vector(layout, "point_v", Dimension::velocity, "velocity, ", dim, Per::point);
-  }
-  layout.body_names = bodies;
-  for (const TrackedPlace& tracked : solids.tracked) layout.point_names.push_back(tracked.name);
-}
-
-void append_tracked(const Solids& solids, std::span<const double> q, std::span<const double> v, Record& record) {
+std::vector<TrackedSums> tracked_of(const Solids& solids, std::span<const double> q, std::span<const double> v) {
   const auto d = static_cast<std::size_t>(solids.mesh.dim());
-  for (const auto& of : {q, v}) {
-    for (std::size_t i = 0; i < d; ++i) {
-      for (const TrackedPlace& tracked : solids.tracked) record.push_back(tracked.place.of(of, d, i));
-    }
+  std::vector<TrackedSums> all;
+  for (const TrackedPlace& tracked : solids.tracked) {
+    TrackedSums& one = all.emplace_back();
+    for (std::size_t i = 0; i < d; ++i)
+      one.place[i] = tracked.place.of(q, d, i), one.velocity[i] = tracked.place.of(v, d, i);
   }
+  return all;
+}
+
+BodySums body_of(double mass, std::span<const double> parts, std::span<const double> q, std::span<const double> v,
+                 std::size_t dim) {
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  BodySums body{.mass = mass};
+  for (std::size_t i = 0; i < dim; ++i) {
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+      body.place[i] += parts[n] * q[n * dim + i];
+      body.velocity[i] += parts[n] * v[n * dim + i];
+    }
+    body.place[i] /= sum, body.velocity[i] /= sum;
+  }
+  return body;
 }
 
 Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q, std::span<const double> v) {
-  const auto d = static_cast<std::size_t>(mesh.dim());
-  Snapshot snapshot;
-  snapshot.time = time;
-  const auto add = [&](const std::string& name, Dimension dimension, const char* meaning, auto value) {
-    for (std::size_t i = 0; i < d; ++i) {
-      Field field{{name + axes[i], dimension, meaning}, std::vector<double>(mesh.node_count())};
-      for (std::size_t n = 0; n < field.values.size(); ++n) field.values[n] = value(n * d + i);
-      snapshot.fields.push_back(std::move(field));
-    }
-  };
-  add("", Dimension::length, "place", [&](std::size_t k) { return q[k]; });
-  add("u", Dimension::length, "displacement", [&](std::size_t k) { return q[k] - mesh.x[k]; });
-  add("v", Dimension::velocity, "velocity", [&](std::size_t k) { return v[k]; });
-  return snapshot;
+  static const ColumnTable<ColumnSetting, NodeSource> table({motion_group()});
+  return snapshot_of(table, time, {mesh, q, v});
+}
+
+Snapshot shape_fields(double time, const Mesh& mesh, const Elements& elements, std::span<const double> q,
+                      std::span<const double> v) {
+  static const ColumnTable<ColumnSetting, NodeSource> table({motion_group(), stress_group()});
+  return snapshot_of(table, time, {mesh, q, v, elements.nodal_stress(q)});
 }
 
 }  // namespace tether::fem

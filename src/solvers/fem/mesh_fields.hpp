@@ -7,29 +7,42 @@
 
 #include "model/solids.hpp"
 #include "results/results.hpp"
+#include "solvers/common_columns.hpp"
+#include "solvers/fem/elements.hpp"
 
-// What all solvers of a mesh write alike. Vectors have dim numbers a node.
+// What all solvers of bodies on a mesh write alike. Vectors have dim numbers a node.
 
 namespace tether::fem {
 
-/// Adds name + x, y (and z).
-void add_vector(HistoryLayout& layout, const std::string& name, Dimension dimension, const std::string& meaning,
-                int dim, Per per = Per::scene);
-/// Adds time, dt and the energies that every history has, up to their sum.
-void add_energies(HistoryLayout& layout);
-/// Adds mass and momenta: in the plane the angular momentum has one component.
-void add_momenta(HistoryLayout& layout, int dim);
-/// Adds the number of nodes inside another body.
-void add_overlap(HistoryLayout& layout);
-/// Adds the least volume of an element, and the bodies' volumes.
-void add_shape(HistoryLayout& layout);
-/// Adds the bodies' and the tracked places' columns, and their names.
-void add_bodies_and_nodes(HistoryLayout& layout, const Solids& solids, const std::vector<std::string>& bodies);
+/// What a record of deformable bodies on a mesh is made from.
+struct MeshSums : CommonSums {
+  double least = 0;             ///< least volume of an element over that at the start
+  std::vector<double> volumes;  ///< of each body [volume]
+  double nodes_inside = 0;      ///< of bodies inside of bodies
+};
 
-/// Adds the numbers of tracked places: by components, where they are, then their velocities.
-void append_tracked(const Solids& solids, std::span<const double> q, std::span<const double> v, Record& record);
+using MeshGroup = ColumnGroup<ColumnSetting, MeshSums>;
+
+/// The least volume of an element, and the bodies' volumes.
+MeshGroup shape_columns();
+/// The number of nodes inside another body.
+MeshGroup overlap_columns();
+
+/// What bodies and tracked places are called.
+ColumnSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies);
+/// The names of the regions.
+std::vector<std::string> region_names(const Solids& solids);
+
+/// The tracked places with nodes at q that move by v.
+std::vector<TrackedSums> tracked_of(const Solids& solids, std::span<const double> q, std::span<const double> v);
+/// A body whose nodes have these parts of a sum, as masses or volumes: the mean places and velocities by them.
+BodySums body_of(double mass, std::span<const double> parts, std::span<const double> q, std::span<const double> v,
+                 std::size_t dim);
 
 /// Places, displacements and velocities of all nodes.
 Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q, std::span<const double> v);
+/// The same with Cauchy's stress and the energy density.
+Snapshot shape_fields(double time, const Mesh& mesh, const Elements& elements, std::span<const double> q,
+                      std::span<const double> v);
 
 }  // namespace tether::fem

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/fem/rigid_fields.hpp"
 
-#include <fmt/format.h>
-
 #include "solvers/fem/mesh_fields.hpp"
 
 namespace tether::fem {
@@ -28,47 +26,63 @@ double pin_slip(const RigidBody& body, const RigidColumns& q) {
   return ((q - body.frame.columns()) * pin).norm();
 }
 
-void append(const Eigen::Ref<const Eigen::VectorXd>& numbers, Record& record) {
-  record.insert(record.end(), numbers.begin(), numbers.end());
+Components components(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+using Group = ColumnGroup<RigidSetting, RigidSums>;
+using Row = Column<RigidSetting, RigidSums>;
+using D = Dimension;
+
+Group work_column() {
+  return {{Row("energy_loads", D::energy, "work that loads have done on the bodies", &RigidSums::work)
+               .booked(Book::gained)}};
+}
+
+Group turning_columns() {
+  const auto omega = [](const RigidSums& s, std::size_t axis, std::size_t) { return s.omega[axis]; };
+  const auto director = [](std::size_t i) {
+    return [i](const RigidSums& s, std::size_t axis, std::size_t) { return s.directors[i][axis]; };
+  };
+  return {{Row("omega_", D::rate, "angular velocity", omega).vector(),
+           Row("director_1_", D::length, "director 1", director(0)).vector(),
+           Row("director_2_", D::length, "director 2", director(1)).vector(),
+           Row("director_3_", D::length, "director 3", director(2)).vector(),
+           {"constraint_error", D::number, "largest change of a length or an angle of the directors",
+            &RigidSums::constraint_error},
+           Row("pin_slip", D::length, "way of the pinned place", &RigidSums::pin_slip)
+               .when("with a pin", [](const RigidSetting& s) { return s.pinned; })}};
 }
 
 }  // namespace
 
-HistoryLayout history_layout(const Solids& solids, const Rigid& rigid) {
-  HistoryLayout layout;
-  add_energies(layout);
-  layout.quantities.push_back(
-      {"energy_loads", Dimension::energy, "work that loads have done on the body", Per::scene, Book::gained});
-  add_momenta(layout, 3);
-  add_vector(layout, "omega_", Dimension::rate, "angular velocity, ", 3);
-  for (int i = 1; i <= 3; ++i)
-    add_vector(layout, fmt::format("director_{}_", i), Dimension::length, fmt::format("director {}, ", i), 3);
-  layout.quantities.push_back(
-      {"constraint_error", Dimension::number, "largest change of a length or an angle of the directors"});
-  if (rigid.pin) layout.quantities.push_back({"pin_slip", Dimension::length, "way of the pinned place"});
-  add_bodies_and_nodes(layout, solids, {"rigid body"});
-  return layout;
+const ColumnTable<RigidSetting, RigidSums>& rigid_table() {
+  static const ColumnTable<RigidSetting, RigidSums> table(
+      {energy_columns(), work_column(), momentum_columns(), turning_columns(), body_columns(), tracked_columns()});
+  return table;
 }
 
-Record record(const RigidRunState& state, const RigidSystem& system) {
+Columns<RigidSums> rigid_columns(const Solids& solids, const Rigid& rigid) {
+  return {rigid_table(), RigidSetting{mesh_setting(solids, {"rigid body"}), rigid.pin.has_value()}};
+}
+
+RigidSums sums_of(const RigidRunState& state, const RigidSystem& system) {
   const RigidInertia& inertia = system.body.inertia;
   const RigidColumns& q = state.body.q;
   RigidState motion;
   motion.q = q, motion.v = rigid_velocities(system.body, state.body);
-  const double kinetic = rigid_kinetic_energy(inertia, state.body), mass = inertia.mass();
-  const double potential = rigid_potential_energy(inertia, state.body, system.gravity);
-  Record values{state.time, state.dt_last, kinetic, 0, 0, potential, kinetic + potential, state.work, mass};
-  append(rigid_linear_momentum(inertia, motion), values);
-  append(rigid_angular_momentum(inertia, motion), values);
-  append(rigid_angular_velocity(system.body, state.body), values);
-  for (int i = 1; i <= 3; ++i) append(q.col(i), values);
-  values.push_back(constraint_error(system.body.frame, q));
-  if (system.body.pin) values.push_back(pin_slip(system.body, q));
-  append(inertia.centre(q), values);
-  append(rigid_linear_momentum(inertia, motion) / mass, values);
-  values.push_back(mass);
-  append_tracked(system.solids, at_nodes(q, system), at_nodes(motion.v, system), values);
-  return values;
+  const Eigen::Vector3d momentum = rigid_linear_momentum(inertia, motion);
+  RigidSums s;
+  s.time = state.time, s.dt = state.dt_last, s.work = state.work, s.mass = inertia.mass();
+  s.kinetic = rigid_kinetic_energy(inertia, state.body);
+  s.potential = rigid_potential_energy(inertia, state.body, system.gravity);
+  s.total = s.kinetic + s.potential;
+  s.momentum = components(momentum), s.angular = components(rigid_angular_momentum(inertia, motion));
+  s.omega = components(rigid_angular_velocity(system.body, state.body));
+  for (int i = 0; i < 3; ++i) s.directors[static_cast<std::size_t>(i)] = components(q.col(i + 1));
+  s.constraint_error = constraint_error(system.body.frame, q);
+  if (system.body.pin) s.pin_slip = pin_slip(system.body, q);
+  s.bodies = {{s.mass, components(inertia.centre(q)), components(momentum / s.mass)}};
+  s.tracked = tracked_of(system.solids, at_nodes(q, system), at_nodes(motion.v, system));
+  return s;
 }
 
 Snapshot node_fields(const RigidRunState& state, const RigidSystem& system) {

@@ -7,12 +7,13 @@
 
 #include "base/errors.hpp"
 #include "solvers/fem/halved_steps.hpp"
-#include "solvers/fem/rigid_fields.hpp"
 
 namespace tether::fem {
 
 RigidSolver::RigidSolver(const Plan& plan)
-    : plan_(plan), system_(*plan.scene.solids(), *plan.scene.rigid(), plan.scene.gravity) {
+    : plan_(plan),
+      system_(*plan.scene.solids(), *plan.scene.rigid(), plan.scene.gravity),
+      columns_(rigid_columns(system_.solids, system_.rigid)) {
   state_.body = system_.start();
 }
 
@@ -61,10 +62,6 @@ RunCounts RigidSolver::counts() const {
   counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
   return counts;
 }
-
-HistoryLayout RigidSolver::history_layout() const { return fem::history_layout(system_.solids, system_.rigid); }
-
-Record RigidSolver::record() const { return fem::record(state_, system_); }
 
 Snapshot RigidSolver::grid() const { return node_fields(state_, system_); }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/fem/rigid_fields.hpp"
 #include "solvers/fem/rigid_system.hpp"
 #include "solvers/solver.hpp"
 
@@ -19,8 +20,8 @@ class RigidSolver final : public Solver {
   double time() const override { return state_.time; }
   void advance(double until) override;
   RunCounts counts() const override;
-  HistoryLayout history_layout() const override;
-  Record record() const override;
+  HistoryLayout history_layout() const override { return columns_.layout(); }
+  Record record() const override { return columns_.record(sums_of(state_, system_)); }
   Snapshot points() const override { return {state_.time, {}}; }
   Snapshot grid() const override;
   std::vector<std::string> take_messages() override;
@@ -36,6 +37,7 @@ class RigidSolver final : public Solver {
   const Plan& plan_;
   RigidSystem system_;
   RigidRunState state_;
+  Columns<RigidSums> columns_;
   std::vector<std::string> messages_;
 };
 

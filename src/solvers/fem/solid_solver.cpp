@@ -17,6 +17,7 @@ SolidSolver::SolidSolver(const Plan& plan)
     : plan_(plan),
       system_(*plan.scene.solids(), plan.scene.gravity),
       step_(system_),
+      columns_(solid_columns(system_.solids)),
       overlaps_(system_.solids),
       doubts_(system_.solids, plan.scene.grid) {
   state_.q = system_.solids.mesh.x;
@@ -136,10 +137,6 @@ RunCounts SolidSolver::counts() const {
   counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
   return counts;
 }
-
-HistoryLayout SolidSolver::history_layout() const { return fem::history_layout(system_.solids); }
-
-Record SolidSolver::record() const { return fem::record(state_, system_); }
 
 Snapshot SolidSolver::grid() const { return node_fields(state_, system_); }
 

@@ -24,8 +24,8 @@ class SolidSolver final : public Solver {
   double time() const override { return state_.time; }
   void advance(double until) override;
   RunCounts counts() const override;
-  HistoryLayout history_layout() const override;
-  Record record() const override;
+  HistoryLayout history_layout() const override { return columns_.layout(); }
+  Record record() const override { return columns_.record(sums_of(state_, system_)); }
   Snapshot points() const override { return {state_.time, {}}; }
   Snapshot grid() const override;
   std::vector<std::string> take_messages() override;
@@ -53,6 +53,7 @@ class SolidSolver final : public Solver {
   SolidSystem system_;
   SolidStep step_;
   SolidState state_;
+  Columns<SolidSums> columns_;
   BodyOverlaps overlaps_;
   BodyDoubts doubts_;
   std::vector<std::string> messages_;

@@ -1,51 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/mpm/fields.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
-
-#include "solvers/mpm/derived.hpp"
-#include "solvers/plane_quantities.hpp"
 
 namespace tether::mpm {
 namespace {
 
-const std::vector<Quantity>& scene_quantities() {
-  static const std::vector<Quantity> rows{
-      {"time", Dimension::time, "time"},
-      {"dt", Dimension::time, "length of the last step"},
-      {"energy_kinetic", Dimension::energy, "kinetic energy of the points"},
-      {"energy_strain", Dimension::energy, "energy stored in solids, strings and linear fluids"},
-      {"energy_internal", Dimension::energy, "internal energy of the gas"},
-      {"energy_potential", Dimension::energy, "potential energy in gravity, zero at y = 0"},
-      {"energy_total", Dimension::energy, "sum of the energies"},
-      {"mass", Dimension::mass, "mass of the points"},
-      {"momentum_x", Dimension::momentum, "momentum in x"},
-      {"momentum_y", Dimension::momentum, "momentum in y"},
-      {"angular_momentum_z", Dimension::angular_momentum, "angular momentum about the origin"},
-  };
-  return rows;
-}
-
-/// In the order of record().
-const std::vector<Quantity>& edge_quantities() {
-  using D = Dimension;
-  static const std::vector<Quantity> rows{
-      {"edge_mass_in", D::mass, "mass that came in through open edges"},
-      {"edge_mass_out", D::mass, "mass that went out through open edges"},
-      {"edge_mass_back", D::mass, "mass of both that came in through an outflow or went out through an inflow"},
-      {"edge_momentum_x", D::momentum, "momentum in x that came in through open edges, less what went out"},
-      {"edge_momentum_y", D::momentum, "momentum in y that came in through open edges, less what went out"},
-      {"edge_energy_in", D::energy, "energy that came in through open edges", Per::scene, Book::gained},
-      {"edge_energy_out", D::energy, "energy that went out through open edges", Per::scene, Book::given},
-  };
-  return rows;
-}
+using Row = Column<PointSetting, PointSums>;
+using Group = ColumnGroup<PointSetting, PointSums>;
+using D = Dimension;
 
 /// Of a point that has left the grid.
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
@@ -68,6 +34,7 @@ struct Motion {
     mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
     angular += other.angular, kinetic += other.kinetic;
   }
+  BodySums sums() const { return {mass, {mx / mass, my / mass}, {px / mass, py / mass}}; }
 };
 
 /// Sums over a body in the order of its points' numbers, so that constant sums stay constant to the last bit.
@@ -98,117 +65,112 @@ bool by_gap(const Scene& scene) {
   return scene.method.contact == ContactRule::gap && scene.bodies.size() > 1 && has_solid(scene);
 }
 
-/// Bodies whose volume tells whether a run goes wrong.
-bool has_volumes(const Scene& scene) { return has_solid(scene) || find_body<LinearFluid>(scene); }
+Group outside_columns() {
+  return {{Row("energy_ambient", D::energy, "work done against the pressure outside membranes, part of the total",
+               [](const PointSums& s) { return s.energies.ambient; })
+               .when("where `pambient` acts", [](const PointSetting& s) { return s.scene.ambient != 0; }),
+           Row("energy_ledger", D::energy, "heat that the ledger has given to the gas, part of its internal energy",
+               [](const PointSums& s) { return s.state.heat_given; })
+               .when("by a ledger", [](const PointSetting& s) { return keeps_ledger(s.scene); })}};
+}
 
-/// Angle of the line from the first to the last tracked point, from the downward vertical [degrees].
-double tracked_angle(const Points& P, std::size_t first, std::size_t last) {
-  return std::atan2(P.x[last] - P.x[first], P.y[first] - P.y[last]) * 180 / std::numbers::pi;
+Group loss_columns() {
+  const auto integration = [](const PointSums& s) {
+    // Without what came in by the edges.
+    return s.state.balance.integration(s.energies.sum() - s.state.strips.passed().stored);
+  };
+  return {{Row("energy_transfer", D::energy, "energy that went lost between points and nodes, to them and back",
+               [](const PointSums& s) { return s.state.balance.transfer; })
+               .booked(Book::lost),
+           Row("energy_walls", D::energy, "energy of what points gave to nodes that walls hold, which is lost by APIC",
+               [](const PointSums& s) { return s.state.balance.walls; })
+               .booked(Book::lost),
+           Row("energy_integration", D::energy,
+               "work of the nodes' forces that nothing stored, which is the steps' own error; less what the ledger has "
+               "given back",
+               integration)
+               .booked(Book::lost),
+           Row("energy_contact", D::energy, "energy that impulses of contact have taken, no longer in the total",
+               [](const PointSums& s) { return s.state.contact.lost(); })
+               .booked(Book::lost)
+               .when("with a solid and another body", [](const PointSetting& s) { return by_gap(s.scene); })}};
+}
+
+/// What passed, as a row.
+Row passed(const char* name, Dimension dimension, const char* meaning, double Passed::*amount) {
+  return {name, dimension, meaning, [amount](const PointSums& s) { return s.state.strips.passed().*amount; }};
+}
+
+Group edge_columns() {
+  return {{"with open edges", [](const PointSetting& s) { return s.scene.edges.any(); }},
+          {passed("edge_mass_in", D::mass, "mass that came in through open edges", &Passed::mass_in),
+           passed("edge_mass_out", D::mass, "mass that went out through open edges", &Passed::mass_out),
+           passed("edge_mass_back", D::mass,
+                  "mass of both that came in through an outflow or went out through an inflow", &Passed::back),
+           passed("edge_momentum_x", D::momentum, "momentum in x that came in through open edges, less what went out",
+                  &Passed::momentum_x),
+           passed("edge_momentum_y", D::momentum, "momentum in y that came in through open edges, less what went out",
+                  &Passed::momentum_y),
+           passed("edge_energy_in", D::energy, "energy that came in through open edges", &Passed::energy_in)
+               .booked(Book::gained),
+           passed("edge_energy_out", D::energy, "energy that went out through open edges", &Passed::energy_out)
+               .booked(Book::given)}};
+}
+
+/// Bodies whose volume shows whether a run goes wrong.
+Group volume_column() {
+  const auto has_volumes = [](const PointSetting& s) {
+    return has_solid(s.scene) || find_body<LinearFluid>(s.scene);
+  };
+  const auto volume = [](const PointSums& s, std::size_t b) { return volume_of(s.scene, b, s.state.points, s.order); };
+  return {{"with solids or linear fluids", has_volumes},
+          {Row("body_volume", D::volume,
+               "volume: of solids and linear fluids by the strain of their stress, of gas by its density, of membranes "
+               "that at the start",
+               volume)
+               .each(Per::body)}};
 }
 
 }  // namespace
 
-HistoryLayout history_layout(const Scene& scene) {
-  HistoryLayout layout;
-  layout.quantities = scene_quantities();
-  if (scene.ambient != 0) {
-    layout.quantities.push_back(
-        {"energy_ambient", Dimension::energy, "work done against the pressure outside membranes, part of the total"});
-  }
-  if (keeps_ledger(scene)) {
-    layout.quantities.push_back(
-        {"energy_ledger", Dimension::energy, "heat that the ledger has given to the gas, part of its internal energy"});
-  }
-  layout.quantities.push_back(
-      {"energy_transfer", Dimension::energy, "energy that went lost between points and nodes", Per::scene, Book::lost});
-  layout.quantities.push_back({"energy_walls", Dimension::energy, "energy of what points gave to nodes that walls hold",
-                               Per::scene, Book::lost});
-  layout.quantities.push_back({"energy_integration", Dimension::energy,
-                               "work of the nodes' forces that nothing stored, which is the steps' own error; less "
-                               "what the ledger has given back",
-                               Per::scene, Book::lost});
-  if (by_gap(scene)) {
-    layout.quantities.push_back({"energy_contact", Dimension::energy,
-                                 "energy that impulses of contact have taken, no longer in the total", Per::scene,
-                                 Book::lost});
-  }
-  if (scene.edges.any()) {
-    for (const auto& row : edge_quantities()) layout.quantities.push_back(row);
-  }
-  if (scene.outputs.tracked_angle) {
-    layout.quantities.push_back(
-        {"tracked_angle", Dimension::number,
-         "degrees from the downward vertical of the line from the first to the last tracked point"});
-  }
-  for (const auto& row : body_quantities()) layout.quantities.push_back(row);
-  if (has_volumes(scene)) {
-    layout.quantities.push_back(
-        {"body_volume", Dimension::volume, "volume, of membranes that at the start", Per::body});
-  }
-  if (!scene.tracked.empty()) {
-    for (const auto& row : tracked_quantities()) layout.quantities.push_back(row);
-  }
-  for (const Body& body : scene.bodies) layout.body_names.push_back(body.name);
-  for (std::size_t k = 0; k < scene.tracked.size(); ++k) layout.point_names.push_back(tracked_name(scene, k));
-  return layout;
+const ColumnTable<PointSetting, PointSums>& history_table() {
+  static const ColumnTable<PointSetting, PointSums> table(
+      {energy_columns(), momentum_columns(), outside_columns(), loss_columns(), edge_columns(),
+       angle_column<PointSetting, PointSums>([](const PointSetting& s) { return s.scene.outputs.tracked_angle; }),
+       body_columns(), volume_column(), tracked_columns()});
+  return table;
 }
 
-Record record(const State& state, const Scene& scene) {
+Columns<PointSums> history_columns(const Scene& scene) {
+  PointSetting setting{{}, scene};
+  for (const Body& body : scene.bodies) setting.body_names.push_back(body.name);
+  for (std::size_t k = 0; k < scene.tracked.size(); ++k) setting.point_names.push_back(tracked_name(scene, k));
+  return {history_table(), setting};
+}
+
+PointSums sums_of(const State& state, const Scene& scene) {
   const Points& P = state.points;
   const Order order = order_within(state);
-  std::vector<Motion> bodies;
-  Motion all;
-  const Energies energies = stored_energy(scene, state, order);
+  PointSums s{{}, state, scene, order, stored_energy(scene, state, order)};
   const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
   const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
+  Motion all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    bodies.push_back(motion_of(order.of(b), P, D));
-    all.add(bodies.back());
+    const Motion body = motion_of(order.of(b), P, D);
+    s.bodies.push_back(body.sums());
+    all.add(body);
   }
-  const double potential = -scene.gravity * all.my;
-  Record values{state.time,
-                state.dt_last,
-                all.kinetic,
-                energies.strain,
-                energies.internal,
-                potential,
-                all.kinetic + energies.strain + energies.internal + potential + energies.ambient,
-                all.mass,
-                all.px,
-                all.py,
-                all.angular};
-  if (scene.ambient != 0) values.push_back(energies.ambient);
-  if (state.keeps_ledger) values.push_back(state.heat_given);
-  const Balance& balance = state.balance;
-  const double stored = energies.sum() - state.strips.passed().stored;  // without what came in by the edges
-  values.insert(values.end(), {balance.transfer, balance.walls, balance.integration(stored)});
-  if (by_gap(scene)) values.push_back(state.contact.lost());
-  if (state.strips.on()) {
-    const Passed& passed = state.strips.passed();
-    for (const double value : {passed.mass_in, passed.mass_out, passed.back, passed.momentum_x, passed.momentum_y,
-                               passed.energy_in, passed.energy_out})
-      values.push_back(value);
+  s.time = state.time, s.dt = state.dt_last;
+  s.kinetic = all.kinetic, s.strain = s.energies.strain, s.internal = s.energies.internal;
+  s.potential = -scene.gravity * all.my;
+  s.total = s.kinetic + s.strain + s.internal + s.potential + s.energies.ambient;
+  s.mass = all.mass, s.momentum = {all.px, all.py}, s.angular[2] = all.angular;
+  for (const std::size_t p : tracked_slots(state, scene, order)) {
+    const bool there = p < P.size();
+    s.tracked.push_back(there ? TrackedSums{{P.x[p], P.y[p]}, {P.vx[p], P.vy[p]}}
+                              : TrackedSums{{gone, gone}, {gone, gone}});
   }
-  const auto tracked = tracked_slots(state, scene, order);
-  const bool all_there = std::none_of(tracked.begin(), tracked.end(), [&](std::size_t p) { return p >= P.size(); });
-  if (scene.outputs.tracked_angle) {
-    values.push_back(all_there ? tracked_angle(P, tracked.front(), tracked.back()) : gone);
-  }
-  const auto per_body = [&](auto get) {
-    for (const Motion& m : bodies) values.push_back(get(m));
-  };
-  per_body([](const Motion& m) { return m.mx / m.mass; });
-  per_body([](const Motion& m) { return m.my / m.mass; });
-  per_body([](const Motion& m) { return m.px / m.mass; });
-  per_body([](const Motion& m) { return m.py / m.mass; });
-  per_body([](const Motion& m) { return m.mass; });
-  if (has_volumes(scene)) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) values.push_back(volume_of(scene, b, P, order));
-  }
-  for (const auto* array : {&P.x, &P.y, &P.vx, &P.vy}) {
-    for (const std::size_t p : tracked) values.push_back(p < P.size() ? (*array)[p] : gone);
-  }
-  return values;
+  return s;
 }
 
 }  // namespace tether::mpm

@@ -1,17 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "model/scene.hpp"
 #include "results/results.hpp"
+#include "solvers/common_columns.hpp"
+#include "solvers/mpm/derived.hpp"
 #include "solvers/mpm/state.hpp"
 #include "solvers/mpm/steps.hpp"
 
 namespace tether::mpm {
 
-/// What the material point path can write: the history's columns and a record of them, and fields of points and nodes.
-/// Points come in the order of the scene, whatever slots they stand in.
-HistoryLayout history_layout(const Scene& scene);
-Record record(const State& state, const Scene& scene);
+struct PointSetting : ColumnSetting {
+  const Scene& scene;
+};
+
+/// What a record of material points is made from.
+struct PointSums : CommonSums {
+  const State& state;
+  const Scene& scene;
+  Order order;
+  Energies energies;
+};
+
+/// What the material point path can write: the history's columns, those of a scene and what a record of them is made
+/// from, and fields of points and nodes. Points come in the order of the scene, whatever slots they stand in.
+const ColumnTable<PointSetting, PointSums>& history_table();
+Columns<PointSums> history_columns(const Scene& scene);
+PointSums sums_of(const State& state, const Scene& scene);
 Snapshot point_fields(const State& state, const Scene& scene);
 Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set);
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/nodes.hpp"
 #include "solvers/mpm/steps.hpp"
 #include "solvers/mpm/stop.hpp"
@@ -41,7 +40,8 @@ MpmSolver::MpmSolver(const Plan& plan)
       sort_(plan.scene.points.size()),
       strings_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),
-      leaks_(plan.scene) {
+      leaks_(plan.scene),
+      columns_(history_columns(plan.scene)) {
   if (strings_.on()) strings_.look(state_, plan.scene, messages_);
   messages_.clear();                                                 // the deck's remarks tell it
   state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
@@ -128,10 +128,6 @@ RunCounts MpmSolver::counts() const {
   const auto points = state_.points.size();
   return {state_.steps, state_.point_steps, points, state_.grid.active_cells.size(), state_.dt_min, state_.dt_last};
 }
-
-HistoryLayout MpmSolver::history_layout() const { return mpm::history_layout(plan_.scene); }
-
-Record MpmSolver::record() const { return mpm::record(state_, plan_.scene); }
 
 Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
 

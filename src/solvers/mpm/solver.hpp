@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plan/plan.hpp"
+#include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/gas_mixing.hpp"
 #include "solvers/mpm/leak_watch.hpp"
 #include "solvers/mpm/point_laws.hpp"
@@ -25,8 +26,8 @@ class MpmSolver final : public Solver {
   double time() const override { return state_.time; }
   void advance(double until) override;
   RunCounts counts() const override;
-  HistoryLayout history_layout() const override;
-  Record record() const override;
+  HistoryLayout history_layout() const override { return columns_.layout(); }
+  Record record() const override { return columns_.record(sums_of(state_, plan_.scene)); }
   Snapshot points() const override;
   Snapshot grid() const override;
   Summary more_summary() const override;
@@ -52,6 +53,7 @@ class MpmSolver final : public Solver {
   StringWatch strings_;
   GasMixing mixing_;
   LeakWatch leaks_;
+  Columns<PointSums> columns_;
   std::vector<std::string> messages_;
 };
 

@@ -45,8 +45,19 @@ TEST(UnitText, OfEveryDimensionInBothSystems) {
   }
 }
 
+TEST(UnitText, OfAnglesIsDegreesWithoutASystemToo) {
+  for (const Units units : {Units::none, Units::si, Units::cgs})
+    EXPECT_EQ(unit_text(Dimension::angle, units), "degree");
+}
+
 TEST(UnitText, IsOneWhereTheDeckNamesNoSystem) {
   for (const Row& row : rows) EXPECT_EQ(unit_text(row.dimension, Units::none), "1");
+}
+
+TEST(DimensionText, IsAWordForEachAndADashForNumbers) {
+  EXPECT_STREQ(dimension_text(Dimension::number), "-");
+  EXPECT_STREQ(dimension_text(Dimension::specific_energy), "energy/mass");
+  for (const Row& row : rows) EXPECT_STRNE(dimension_text(row.dimension), "");
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(BarSolver, HasTheColumnsOfMaterialPoints) {
   scene.tracked = {0, 3}, scene.outputs.tracked_angle = true;
   auto names = RunningBars(scene).solver().history_layout().column_names();
   EXPECT_EQ(std::erase(names, "energy_step"), 1U);
-  auto of_points = mpm::history_layout(scene).column_names();
+  auto of_points = mpm::history_columns(scene).layout().column_names();
   for (const char* loss : {"energy_transfer", "energy_walls", "energy_integration"})  // which elements do not have
     EXPECT_EQ(std::erase(of_points, loss), 1U);
   EXPECT_EQ(names, of_points);

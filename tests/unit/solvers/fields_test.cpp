@@ -37,7 +37,8 @@ TEST(Record, HasANumberForEveryColumnAndTheyAreRight) {
   Scene scene = gas_and_solid();
   scene.outputs.tracked_angle = true;
   const State state = start(scene);
-  const History history{history_layout(scene), {record(state, scene)}};
+  const auto columns = history_columns(scene);
+  const History history{columns.layout(), {columns.record(sums_of(state, scene))}};
   ASSERT_EQ(history.layout.column_names().size(), history.records[0].size());
   const auto value = [&](const char* name) { return history.column(name).front(); };
   EXPECT_NEAR(value("mass"), 5, 1e-15);
