@@ -3,10 +3,15 @@
 
 #include <string>
 
+#include "base/words.hpp"
+
 namespace tether {
 
 /// The unit system a deck says it is written in. Nothing is converted: it only labels outputs.
 enum class Units { none, si, cgs };
+template <>
+inline constexpr std::array<Word<Units>, 3> words<Units>{
+    {{Units::none, "none"}, {Units::si, "si"}, {Units::cgs, "cgs"}}};
 
 /// What a quantity measures, for its unit attribute.
 enum class Dimension {

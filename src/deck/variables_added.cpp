@@ -2,6 +2,11 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "deck/words.hpp"
+#include "laws/materials/gas.hpp"
+#include "model/edges.hpp"
+#include "model/method.hpp"
+#include "model/scene.hpp"
 
 namespace tether {
 namespace {
@@ -22,26 +27,26 @@ constexpr std::array rows{
         "has it, of bodies on a mesh the place within its element; one that lies in no body is an error."},
     Variable{"points", "pinned", logical, 1, point_count, 1, "", -none, none, "", ".false.",
              "Whether a pin holds the point of row i of the particle file where it is."},
-    Variable{"mpm", "method", text, 0, 1, 1, "", -none, none, "thesis|robust", "'thesis'",
+    Variable{"mpm", "method", text, 0, 1, 1, "", -none, none, choices<MpmSet>, "'thesis'",
              "Set of parts that a run is made of; each part that is given below wins over it."},
-    Variable{"mpm", "kernel", text, 0, 1, 1, "", -none, none, "linear|bspline", "",
+    Variable{"mpm", "kernel", text, 0, 1, 1, "", -none, none, choices<Kernel>, "",
              "Shape functions between points and nodes: bilinear (thesis), or quadratic B-splines (robust)."},
-    Variable{"mpm", "transfer", text, 0, 1, 1, "", -none, none, "flip|apic", "",
+    Variable{"mpm", "transfer", text, 0, 1, 1, "", -none, none, choices<Transfer>, "",
              "What a point takes from the nodes: an increment of its velocity (thesis), or a velocity field that is "
              "linear about it (robust)."},
-    Variable{"mpm", "order", text, 0, 1, 1, "", -none, none, "musl|usf|usl", "",
+    Variable{"mpm", "order", text, 0, 1, 1, "", -none, none, choices<StressOrder>, "",
              "When a step updates the stress: with velocities mapped back from the points (thesis), first (robust), or "
              "last."},
-    Variable{"mpm", "density", text, 0, 1, 1, "", -none, none, "cell|quadratic|continuity|grid", "",
+    Variable{"mpm", "density", text, 0, 1, 1, "", -none, none, choices<DensityRule>, "",
              "How a gas point finds its density; where it is given it wins over ipath(4,r). The robust method takes "
              "it from the gas at the nodes."},
-    Variable{"mpm", "energy", text, 0, 1, 1, "", -none, none, "rate|centred", "",
+    Variable{"mpm", "energy", text, 0, 1, 1, "", -none, none, choices<GasEnergy>, "",
              "Velocity gradient that heats the gas: the one of its stress (thesis), or that of the mean of old and new "
              "velocity after the solve (robust)."},
-    Variable{"mpm", "viscosity", text, 0, 1, 1, "", -none, none, "deck|local", "",
+    Variable{"mpm", "viscosity", text, 0, 1, 1, "", -none, none, choices<ViscosityOf>, "",
              "Artificial viscosity: by lambda, coef1, coef2 of $fluid and the largest sound speed (thesis), or with "
              "both coefficients 1 and the local sound speed (robust)."},
-    Variable{"mpm", "contact", text, 0, 1, 1, "", -none, none, "none|release|gap", "",
+    Variable{"mpm", "contact", text, 0, 1, 1, "", -none, none, choices<ContactRule>, "",
              "Bodies at a node: one velocity field (thesis), release by the criteria of A.1.3, or an impulse where "
              "their points touch (robust). Fluids and membranes always share one field."},
     Variable{"mpm", "criterion", integer, 0, 1, 1, "", 1, 3, "1|2|3", "1",
@@ -54,7 +59,7 @@ constexpr std::array rows{
     Variable{"mpm", "cfl", real, 0, 1, 1, "", 0, none, "", "",
              "Factor of the step limit dx/c, 1 by the thesis' method and .65 by the robust one; 0 takes the deck's "
              "step as it is."},
-    Variable{"mpm", "edge", text, 1, 4, 1, "", -none, none, "wall|outflow|inflow", "'wall'",
+    Variable{"mpm", "edge", text, 1, 4, 1, "", -none, none, choices<EdgeKind>, "'wall'",
              "What the left, right, bottom and top edge of the grid do with gas: 'wall' is what wl, wr, wb, wt say; "
              "through the others it passes, out, or in with the state given below, and the wall code gives way."},
     Variable{"mpm", "edge_density", real, 1, 4, 1, "mass/length3", above_zero, none, "", "",
@@ -68,8 +73,7 @@ constexpr std::array rows{
              "Its velocity in y, at an inflow; needed at the bottom and top edge."},
     Variable{"mpm", "edge_region", integer, 1, 4, 1, "", 1, region_count, "", "",
              "The region whose gas comes in at edge k, an inflow; else the gas that stands there at the start."},
-    Variable{"reference", "solution", text, 0, 1, 1, "", -none, none,
-             "riemann|spring|string|pendulum|piston|radial-gas|thin-ring", "''",
+    Variable{"reference", "solution", text, 0, 1, 1, "", -none, none, choices<ReferenceKind>, "''",
              "Exact solution that the results are compared with."},
     Variable{"reference", "window", real, 1, 2, 1, "length", -none, none, "", "",
              "Part of the tube in which 'riemann' is compared, from x to x. Without it, all that no wave from the ends "

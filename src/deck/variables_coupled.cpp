@@ -2,6 +2,9 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "deck/words.hpp"
+#include "model/coupled.hpp"
+#include "model/systems.hpp"
 
 namespace tether {
 namespace {
@@ -14,15 +17,15 @@ constexpr std::string_view sides = "left|right|bottom|top|back|front";
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{"coupled", "mode", text, 0, 1, 1, "", -none, none, "cut-cell|symmetric|splitting|paper", "'cut-cell'",
+    Variable{"coupled", "mode", text, 0, 1, 1, "", -none, none, choices<CouplingMode>, "'cut-cell'",
              "How fluid and solids are solved: simultaneously by one map and its transpose, with the open parts of "
              "faces; the same with cells that are wholly fluid or solid; one after the other; or simultaneously by two "
              "maps as in the paper."},
-    Variable{"coupled", "integrator", text, 0, 1, 1, "", -none, none, "paper|trapezoid", "'paper'",
+    Variable{"coupled", "integrator", text, 0, 1, 1, "", -none, none, choices<CoupledIntegrator>, "'paper'",
              "Step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule."},
-    Variable{"coupled", "advection", text, 0, 1, 1, "", -none, none, "semi-lagrangian|maccormack", "'maccormack'",
+    Variable{"coupled", "advection", text, 0, 1, 1, "", -none, none, choices<Advection>, "'maccormack'",
              "How the fluid carries its velocity along: of order 1, or corrected to order 2 and limited."},
-    Variable{"coupled", "solver", text, 0, 1, 1, "", -none, none, "auto|direct|krylov", "'auto'",
+    Variable{"coupled", "solver", text, 0, 1, 1, "", -none, none, choices<Systems>, "'auto'",
              "How the linear systems are solved: by factors, by conjugate gradients, or auto: as dimension and size "
              "ask."},
     Variable{"coupled", "tolerance", real, 0, 1, 1, "", 1e-15, 1e-2, "", "1e-12",
@@ -36,7 +39,7 @@ constexpr std::array rows{
              "are nx - 1 and ny - 1 of $in."},
     Variable{"coupled", "zback", real, 0, 1, 1, "length", -none, none, "", "", "Lowest z of the box."},
     Variable{"coupled", "zfront", real, 0, 1, 1, "length", -none, none, "", "", "Highest z of the box."},
-    Variable{"coupled", "side", text, 1, 6, 1, "", -none, none, "wall|open|void", "'wall'",
+    Variable{"coupled", "side", text, 1, 6, 1, "", -none, none, choices<BoxSide>, "'wall'",
              "What the box's left, right, bottom, top, back and front are: walls, without friction where the fluid has "
              "no viscosity; open to fluid at rest, whose pressure grows with the depth where gravc acts; or open with "
              "nothing beyond, at a pressure of zero."},
@@ -74,7 +77,7 @@ constexpr std::array rows{
              "For the fluid it is made of the cells whose middles lie in it; solids stop at the box as it is given."},
     Variable{"coupled", "void", real, 2, 6, nl, "length", -none, none, "", "",
              "Box k without fluid, of pressure zero, given and made likewise."},
-    Variable{"coupled", "fluid_in", text, 0, 1, 1, "", -none, none, "box|cavities", "'box'",
+    Variable{"coupled", "fluid_in", text, 0, 1, 1, "", -none, none, choices<FluidIn>, "'box'",
              "Where the fluid is: in all of the box, or only where solids enclose it, with nothing around them."},
     Variable{"coupled", "u0", real, 0, 1, 1, "velocity", -none, none, "", "0.0",
              "Velocity of the fluid in x at the start."},

@@ -2,6 +2,9 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "deck/words.hpp"
+#include "laws/materials/hyperelastic.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 namespace {
@@ -13,7 +16,7 @@ constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, "q1|q2|p1", "",
+    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, choices<BodyElement>, "",
              "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or "
              "tetrahedra; q2 of bodies in a flow and q1 of others where it is not given."},
     Variable{
@@ -34,7 +37,7 @@ constexpr std::array rows{
         "ends, below 1 in the middle; sizes are symmetric and grow by a constant ratio."},
     Variable{"mesh", "z", real, 2, 2, nr, "length", -none, none, "", "",
              "Lowest and highest z of region r; with them the mesh is three-dimensional."},
-    Variable{"mesh", "edge", text, 2, 4, nr, "", -none, none, "line|arc|ellipse", "'line'",
+    Variable{"mesh", "edge", text, 2, 4, nr, "", -none, none, choices<MeshEdge>, "'line'",
              "Shape of edge k of region r, from vertex k to the next: an arc about a centre goes the shorter way."},
     Variable{"mesh", "edge_xc", real, 2, 4, nr, "length", -none, none, "", "0.0", "x of the centre of a curved edge."},
     Variable{"mesh", "edge_yc", real, 2, 4, nr, "length", -none, none, "", "0.0", "y of the centre of a curved edge."},
@@ -45,17 +48,17 @@ constexpr std::array rows{
              "name; each is also '<r>.bottom', '.right', '.top', '.left', '.back', '.front' in that order."},
     Variable{"mesh", "tracked_z", real, 1, tracked_at_count, 1, "length", -none, none, "", "0.0",
              "z of the place tracked_at(:,k) of $points."},
-    Variable{"fem", "integrator", text, 0, 1, 1, "", -none, none, "energy|midpoint|trapezoid|central", "'energy'",
+    Variable{"fem", "integrator", text, 0, 1, 1, "", -none, none, choices<Integrator>, "'energy'",
              "Time step of solids: the discrete gradient, which keeps energy and momenta at any step, the mid-point "
              "rule, Newmark's trapezoidal rule, or central differences (explicit, lumped masses)."},
     Variable{"fem", "static", logical, 0, 1, 1, "", -none, none, "", ".false.",
              "Whether each step is an equilibrium with the loads of its end, without inertia; loads and prescribed "
              "displacements without a table then grow in proportion to time, to their full size at tmax."},
-    Variable{"fem", "law", text, 1, nr, 1, "", -none, none, "linear|svk|neo-hookean|fibre|fluid", "'svk'",
+    Variable{"fem", "law", text, 1, nr, 1, "", -none, none, mesh_laws, "'svk'",
              "Law of region r: small strains, St Venant-Kirchhoff, compressible neo-Hookean, all by matr(1,r) = E and "
              "matr(2,r) = nu in plane strain (ipath(4,r) = 0), plane stress (2) or space; a hoop fibre of modulus "
              "matr(1,r); or an incompressible fluid of viscosity matr(1,r), in which the other regions are immersed."},
-    Variable{"fem", "volumetric", text, 1, nr, 1, "", -none, none, "log|square|mixed", "'log'",
+    Variable{"fem", "volumetric", text, 1, nr, 1, "", -none, none, choices<Volumetric>, "'log'",
              "What a neo-Hookean body's change of volume costs: lambda/2 ln(J)^2, lambda/2 (J-1)^2 or lambda/4 (J^2 - "
              "1 - 2 ln J)."},
     Variable{"fem", "fibre_x", real, 1, nr, 1, "length", -none, none, "", "0.0",

@@ -2,6 +2,9 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "deck/words.hpp"
+#include "model/flow.hpp"
+#include "model/systems.hpp"
 
 namespace tether {
 namespace {
@@ -13,22 +16,22 @@ constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{"flow", "element", text, 0, 1, 1, "", -none, none, "q1q1|q2q1", "'q2q1'",
+    Variable{"flow", "element", text, 0, 1, 1, "", -none, none, choices<FlowElement>, "'q2q1'",
              "Elements of the fluid: bilinear velocity and pressure, stabilised, or biquadratic velocity and bilinear "
              "pressure. Those of immersed bodies are element of $mesh."},
-    Variable{"flow", "integrator", text, 0, 1, 1, "", -none, none, "midpoint|euler", "'midpoint'",
+    Variable{"flow", "integrator", text, 0, 1, 1, "", -none, none, choices<FlowIntegrator>, "'midpoint'",
              "Time step of the fluid: the mid-point rule or backward Euler."},
     Variable{
         "flow", "steady", logical, 0, 1, 1, "", -none, none, "", ".false.",
         "Whether each step is a steady flow, of the deck's Reynolds number, or with bodies of its loads and prescribed "
         "velocities, times t/tmax: tmax/tstep steps lead up to it."},
-    Variable{"flow", "linearisation", text, 0, 1, 1, "", -none, none, "newton|picard", "'newton'",
+    Variable{"flow", "linearisation", text, 0, 1, 1, "", -none, none, choices<Linearisation>, "'newton'",
              "What a correction takes of the convective term's derivative: all of it, or the part that carries the "
              "velocity along."},
     Variable{"flow", "tolerance", real, 0, 1, 1, "", 1e-14, 1e-2, "", "1e-6",
              "Of Newton's or Picard's method: the forces' residual over the largest of them."},
     Variable{
-        "flow", "solver", text, 0, 1, 1, "", -none, none, "auto|direct|krylov", "'auto'",
+        "flow", "solver", text, 0, 1, 1, "", -none, none, choices<Systems>, "'auto'",
         "How the corrections' linear systems are solved: by factors, by GMRES, or auto: by GMRES where a flow that "
         "is not steady and has no bodies has more than 200,000 unknowns."},
     Variable{"flow", "speed", real, 0, 1, 1, "velocity", above_zero, none, "", "",
@@ -36,10 +39,10 @@ constexpr std::array rows{
     Variable{"flow", "length", real, 0, 1, 1, "length", above_zero, none, "", "", "Length of the same."},
     Variable{"flow", "boundary_on", text, 1, nl, 1, "", -none, none, "", "",
              "Side of the fluid's boundary that condition k holds on; what none names is a wall at rest."},
-    Variable{"flow", "boundary", text, 1, nl, 1, "", -none, none, "no-slip|slip|moving|inflow|open|periodic", "",
+    Variable{"flow", "boundary", text, 1, nl, 1, "", -none, none, choices<Boundary>, "",
              "What side k is: a wall at rest, a wall along x or y without friction, a wall that moves along itself, a "
              "prescribed velocity, an outflow, or the image of another side."},
-    Variable{"flow", "outside", text, 0, 1, 1, "", -none, none, "fluid|void", "'fluid'",
+    Variable{"flow", "outside", text, 0, 1, 1, "", -none, none, choices<FlowOutside>, "'fluid'",
              "What is beyond open sides: fluid at rest, whose pressure grows with the depth where gravc acts, or "
              "nothing, of a pressure of zero."},
     Variable{"flow", "level", real, 0, 1, 1, "length", -none, none, "", "",
@@ -77,7 +80,7 @@ constexpr std::array rows{
     Variable{"flow", "tracer_box", real, 1, 4, 1, "length", -none, none, "", "",
              "That box, xleft, xright, ybot, ytop; the fluid's extent where it is not given."},
     Variable{
-        "flow", "volume", text, 1, nr, 1, "", -none, none, "own|fluid", "'own'",
+        "flow", "volume", text, 1, nr, 1, "", -none, none, choices<VolumeOf>, "'own'",
         "What holds the volume of the immersed region r: its own law, or the fluid's pressure, as of bodies that do "
         "not change it; that of fibres always."},
     Variable{"flow", "penalty", real, 1, nr, 1, "stress", 0, none, "", "0.0",

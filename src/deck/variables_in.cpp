@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
+#include "base/units.hpp"
 #include "deck/variable_groups.hpp"
+#include "laws/walls/walls.hpp"
 
 namespace tether {
 namespace {
@@ -12,7 +14,7 @@ using bounds::none;
 using bounds::smallest_integer;
 using enum ValueType;
 
-constexpr std::string_view wall_kinds = "0|1|4|5|6";
+constexpr std::string_view wall_kinds = choices<Wall>;
 
 constexpr std::string_view iout_meaning =
     "1 writes output i every tiout(i): 13 point snapshots; 30 grid velocity; 31 grid mass; 32 membrane points and "
@@ -64,7 +66,7 @@ constexpr std::array rows{
     Variable{"in", "tiout", real, 1, output_count, 1, "time", above_zero, none, "", "", "Interval of output i."},
     Variable{"in", "cyl", real, 0, 1, 1, "", 0, 1, "0|1", "0.0",
              "1 for an axisymmetric problem (x is the radius), 0 for a plane one."},
-    Variable{"in", "units", text, 0, 1, 1, "", -none, none, "none|si|cgs", "'none'",
+    Variable{"in", "units", text, 0, 1, 1, "", -none, none, choices<Units>, "'none'",
              "Unit system that labels the outputs; nothing is converted."},
     Variable{"in", "particles", text, 0, 1, 1, "", -none, none, "", "''",
              "Particle file, relative to the deck, at most one folder up."},

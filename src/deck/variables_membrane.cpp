@@ -2,6 +2,9 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "deck/words.hpp"
+#include "laws/materials/membrane.hpp"
+#include "model/method.hpp"
 
 namespace tether {
 namespace {
@@ -16,24 +19,23 @@ constexpr int nv = curve_vertex_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{"membrane", "law", text, 1, nb, 1, "", -none, none, "uniaxial|plane-stress", "'uniaxial'",
+    Variable{"membrane", "law", text, 1, nb, 1, "", -none, none, choices<Membrane::Kind>, "'uniaxial'",
              "Law of membrane b (1 is the particle file's, too): stress along the tangent only, or in the whole "
              "surface."},
     Variable{"membrane", "wrinkle", logical, 1, nb, 1, "", -none, none, "", ".true.",
              "One-way law of membrane b: compression carries no force, its strain goes on accumulating."},
-    Variable{"membrane", "strain", text, 0, 1, 1, "", -none, none, "point|element", "",
+    Variable{"membrane", "strain", text, 0, 1, 1, "", -none, none, choices<MembraneStrain>, "",
              "Where strain is measured: by the strain rate at each point (5.2), or by the distance between consecutive "
              "points; the method's choice where it is not given."},
-    Variable{"membrane", "normals", text, 0, 1, 1, "", -none, none,
-             "connectivity|color|quadratic|cubic|mass-linear|mass-quadratic", "'connectivity'",
+    Variable{"membrane", "normals", text, 0, 1, 1, "", -none, none, choices<NormalRule>, "'connectivity'",
              "Where the normals come from (chapter 7)."},
-    Variable{"membrane", "matrix", text, 0, 1, 1, "", -none, none, "cell|membrane", "'cell'",
+    Variable{"membrane", "matrix", text, 0, 1, 1, "", -none, none, choices<MatrixScope>, "'cell'",
              "Points that share a mass matrix (7.12): those of a cell, or of the whole membrane."},
-    Variable{"membrane", "alone", text, 0, 1, 1, "", -none, none, "ghost|previous", "'ghost'",
+    Variable{"membrane", "alone", text, 0, 1, 1, "", -none, none, choices<LonePoint>, "'ghost'",
              "Normal of a point that is alone in its cell: from a ghost cell of four cells (Fig. 88), or the one of "
              "the step before."},
     Variable{
-        "membrane", "curve", text, 1, nc, 1, "", -none, none, "line|polyline|arc|ellipse|spline", "",
+        "membrane", "curve", text, 1, nc, 1, "", -none, none, choices<CurveKind>, "",
         "Kind of curve k. Curves of one membrane are joined in the order of their numbers and seeded with points "
         "at equal distances, each in the middle of its piece, whatever igen is; with them igen=3 needs no particle "
         "file."},
@@ -65,7 +67,7 @@ constexpr std::array rows{
     Variable{"membrane", "heavy", real, 2, 2, nb, "mass", above_zero, none, "", "",
              "Mass of the first (1,b) and of the last point (2,b) of membrane b, instead of their own; volume and "
              "density stay."},
-    Variable{"membrane", "pinned", text, 1, nb, 1, "", -none, none, "none|first|last|both", "'none'",
+    Variable{"membrane", "pinned", text, 1, nb, 1, "", -none, none, choices<PinnedEnds>, "'none'",
              "Ends of membrane b that a pin holds; they are points at the very ends of its curves."},
 };
 

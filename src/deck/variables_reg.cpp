@@ -2,6 +2,7 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "deck/words.hpp"
 
 namespace tether {
 namespace {
@@ -41,11 +42,11 @@ constexpr std::array rows{
     Variable{"reg", "matr", real, 2, nr, nr, "", -none, none, "", "0.0",
              "Constants of region r: matr(1,r) is E, or beta of a linear fluid [stress]; matr(2,r) is nu; matr(3..7,r) "
              "are read and have no effect."},
-    Variable{"reg", "law", text, 1, nr, 1, "", -none, none, "linear|svk|neo-hookean", "",
+    Variable{"reg", "law", text, 1, nr, 1, "", -none, none, point_laws, "",
              "Law of the elastic region r, with E and nu of matr(1..2,r): small strains, St Venant-Kirchhoff or "
              "compressible neo-Hookean. Where it is not given, points follow their rate of strain (linear), and a mesh "
              "has law(r) of $fem. With svk and neo-hookean points carry their deformation gradient."},
-    Variable{"reg", "volumetric", text, 1, nr, 1, "", -none, none, "log|square|mixed", "",
+    Variable{"reg", "volumetric", text, 1, nr, 1, "", -none, none, choices<Volumetric>, "",
              "What a neo-Hookean region's change of volume costs: lambda/2 ln(J)^2, lambda/2 (J-1)^2 or lambda/4 (J^2 "
              "- 1 - 2 ln J); log, or of a mesh volumetric(r) of $fem, where it is not given."},
     Variable{"reg", "ipath", integer, 2, 4, nr, "", smallest_integer, largest_integer, "", "",

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "deck/variable_groups.hpp"
+#include "model/rigid.hpp"
 
 namespace tether {
 namespace {
@@ -12,7 +13,7 @@ constexpr int nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 constexpr std::array rows{
-    Variable{"rigid", "form", text, 0, 1, 1, "", -none, none, "reduced|constrained", "'reduced'",
+    Variable{"rigid", "form", text, 0, 1, 1, "", -none, none, choices<RigidForm>, "'reduced'",
              "How a step of the rigid body is solved: in the null space of the constraints (6 unknowns, 3 with a pin), "
              "or with 12 coordinates and a multiplier for each constraint (18, 21). Both give one motion."},
     Variable{"rigid", "point", real, 1, 3, 1, "length", -none, none, "", "",

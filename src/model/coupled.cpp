@@ -27,11 +27,6 @@ AxisBox cells_of(const AxisBox& box, const StaggeredGrid& grid) {
   return cells;
 }
 
-const char* coupling_mode_name(CouplingMode mode) {
-  constexpr std::array names{"symmetric", "cut-cell", "splitting", "paper"};
-  return names[static_cast<std::size_t>(mode)];
-}
-
 bool has_fluid_beyond(const Coupled& coupled, int side) {
   const BoxSide kind = coupled.sides[static_cast<std::size_t>(side)];
   return kind == BoxSide::open ||
@@ -39,10 +34,10 @@ bool has_fluid_beyond(const Coupled& coupled, int side) {
                                                [&](const Opening& opening) { return opening.side == side; }));
 }
 
-CoupledSystems systems_of(const Coupled& coupled) {
-  if (coupled.systems != CoupledSystems::automatic) return coupled.systems;
+Systems systems_of(const Coupled& coupled) {
+  if (coupled.systems != Systems::automatic) return coupled.systems;
   const bool large = static_cast<double>(coupled.grid.cell_count()) > most_cells_of_factors;
-  return coupled.grid.dim == 3 && large ? CoupledSystems::krylov : CoupledSystems::direct;
+  return coupled.grid.dim == 3 && large ? Systems::krylov : Systems::direct;
 }
 
 }  // namespace tether

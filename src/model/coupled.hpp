@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/words.hpp"
 #include "grid/staggered_grid.hpp"
 #include "model/amplitude.hpp"
+#include "model/systems.hpp"
 
 namespace tether {
 
@@ -15,22 +17,30 @@ namespace tether {
 /// with the open parts of faces; one after the other; or simultaneously as the paper writes it, with two maps that are
 /// not each other's transpose.
 enum class CouplingMode { symmetric, cut_cell, splitting, paper };
-
-/// The deck's word for it.
-const char* coupling_mode_name(CouplingMode mode);
+template <>
+inline constexpr std::array<Word<CouplingMode>, 4> words<CouplingMode>{{{CouplingMode::cut_cell, "cut-cell"},
+                                                                        {CouplingMode::symmetric, "symmetric"},
+                                                                        {CouplingMode::splitting, "splitting"},
+                                                                        {CouplingMode::paper, "paper"}}};
 
 /// The step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule.
 enum class CoupledIntegrator { paper, trapezoid };
+template <>
+inline constexpr std::array<Word<CoupledIntegrator>, 2> words<CoupledIntegrator>{
+    {{CoupledIntegrator::paper, "paper"}, {CoupledIntegrator::trapezoid, "trapezoid"}}};
 
 /// How a flow carries its velocity along.
 enum class Advection { semi_lagrangian, maccormack };
+template <>
+inline constexpr std::array<Word<Advection>, 2> words<Advection>{
+    {{Advection::semi_lagrangian, "semi-lagrangian"}, {Advection::maccormack, "maccormack"}}};
 
 /// What a side of the box is: a wall without friction (with, where the fluid is viscous); open to fluid at rest, whose
 /// pressure grows with the depth; or open with nothing beyond, where the pressure is zero.
 enum class BoxSide { wall, open, empty };
-
-/// How the linear systems are solved: as their size asks, by factors, or by conjugate gradients.
-enum class CoupledSystems { automatic, direct, krylov };
+template <>
+inline constexpr std::array<Word<BoxSide>, 3> words<BoxSide>{
+    {{BoxSide::wall, "wall"}, {BoxSide::open, "open"}, {BoxSide::empty, "void"}}};
 
 /// Numbers of the sides of a box.
 enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, side_front };
@@ -91,7 +101,7 @@ struct Coupled {
   CouplingMode mode = CouplingMode::cut_cell;
   CoupledIntegrator integrator = CoupledIntegrator::paper;
   Advection advection = Advection::maccormack;
-  CoupledSystems systems = CoupledSystems::automatic;
+  Systems systems = Systems::automatic;
   double tolerance = 1e-12;  ///< of conjugate gradients and BiCGSTAB: residual over the right side
   double density = 1;        ///< of the fluid [mass/volume]
   double viscosity = 0;      ///< mu [stress time]
@@ -121,6 +131,6 @@ bool has_fluid_beyond(const Coupled& coupled, int side);
 /// In space more cells than these go by conjugate gradients where the deck leaves it open.
 constexpr double most_cells_of_factors = 2e3;
 /// Which of direct and krylov is taken.
-CoupledSystems systems_of(const Coupled& coupled);
+Systems systems_of(const Coupled& coupled);
 
 }  // namespace tether

@@ -4,10 +4,15 @@
 #include <array>
 #include <cstddef>
 
+#include "base/words.hpp"
+
 namespace tether {
 
 /// What an edge of the grid does with gas: what its wall code says, or gas passes through it.
 enum class EdgeKind { wall, outflow, inflow };
+template <>
+inline constexpr std::array<Word<EdgeKind>, 3> words<EdgeKind>{
+    {{EdgeKind::wall, "wall"}, {EdgeKind::outflow, "outflow"}, {EdgeKind::inflow, "inflow"}}};
 
 /// Cells beyond an open edge that hold gas: a strip that gives the nodes at the edge whole masses and pressures.
 constexpr int strip_cells = 6;

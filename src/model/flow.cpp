@@ -48,10 +48,10 @@ std::vector<bool> lighter_regions(const Flow& flow, const Solids& solids) {
   return lighter;
 }
 
-FlowSystems systems_of(const Flow& flow, bool with_solids) {
-  if (flow.systems != FlowSystems::automatic) return flow.systems;
+Systems systems_of(const Flow& flow, bool with_solids) {
+  if (flow.systems != Systems::automatic) return flow.systems;
   const bool suits = flow.integrator != FlowIntegrator::steady && !with_solids;
-  return suits && unknowns_of(flow) > most_unknowns_of_factors ? FlowSystems::krylov : FlowSystems::direct;
+  return suits && unknowns_of(flow) > most_unknowns_of_factors ? Systems::krylov : Systems::direct;
 }
 
 std::vector<Holder> holders_of(const Flow& flow) {

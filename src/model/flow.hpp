@@ -7,27 +7,41 @@
 #include <vector>
 
 #include "base/expression.hpp"
+#include "base/words.hpp"
 #include "grid/mesh.hpp"
 #include "model/amplitude.hpp"
 #include "model/solids.hpp"
+#include "model/systems.hpp"
 
 namespace tether {
 
 /// Bilinear velocity and pressure, stabilised; or biquadratic velocity with bilinear pressure (Taylor and Hood).
 enum class FlowElement { q1q1, q2q1 };
+template <>
+inline constexpr std::array<Word<FlowElement>, 2> words<FlowElement>{
+    {{FlowElement::q1q1, "q1q1"}, {FlowElement::q2q1, "q2q1"}}};
 
 /// How a flow goes on in time: the mid-point rule (47), backward Euler, or no dynamics: each step is a steady flow.
 enum class FlowIntegrator { midpoint, euler, steady };
+template <>
+inline constexpr std::array<Word<FlowIntegrator>, 2> words<FlowIntegrator>{
+    {{FlowIntegrator::midpoint, "midpoint"}, {FlowIntegrator::euler, "euler"}}};
 
 /// What a correction takes of the convective term's derivative: all of it, or the part that carries the velocity along.
 enum class Linearisation { newton, picard };
-
-/// How the linear systems of a flow's corrections are solved: as their number of unknowns asks, by factors, or by
-/// GMRES.
-enum class FlowSystems { automatic, direct, krylov };
+template <>
+inline constexpr std::array<Word<Linearisation>, 2> words<Linearisation>{
+    {{Linearisation::newton, "newton"}, {Linearisation::picard, "picard"}}};
 
 /// What a side of the fluid's boundary does.
 enum class Boundary { no_slip, slip, moving, inflow, open, periodic };
+template <>
+inline constexpr std::array<Word<Boundary>, 6> words<Boundary>{{{Boundary::no_slip, "no-slip"},
+                                                                {Boundary::slip, "slip"},
+                                                                {Boundary::moving, "moving"},
+                                                                {Boundary::inflow, "inflow"},
+                                                                {Boundary::open, "open"},
+                                                                {Boundary::periodic, "periodic"}}};
 
 /// A plane vector that may change in place and time: an expression in x, y, t for each component, null for 0, times a
 /// factor over time.
@@ -82,7 +96,7 @@ struct Flow {
   FlowVector start;           ///< velocity at the start
   FlowIntegrator integrator = FlowIntegrator::midpoint;
   Linearisation linearisation = Linearisation::newton;
-  FlowSystems systems = FlowSystems::automatic;
+  Systems systems = Systems::automatic;
   double tolerance = 1e-6;       ///< of Newton's method: residual over the largest force
   double speed = 0, length = 0;  ///< of the Reynolds number and of drag and lift coefficients; 0: not given
   std::vector<ForceSide> forces;
@@ -110,7 +124,7 @@ constexpr double most_unknowns_of_factors = 2e5;
 
 /// Which of direct and krylov is taken. Steady flows and flows with immersed solids are left to factors, as GMRES takes
 /// many iterations for them or does not get there.
-FlowSystems systems_of(const Flow& flow, bool with_solids);
+Systems systems_of(const Flow& flow, bool with_solids);
 
 /// For each node the side that prescribes its velocity, walls at rest before moving walls before inflows, and the node
 /// of that side whose place counts, itself but for twins; -1 where none does.

@@ -5,12 +5,16 @@
 #include <optional>
 #include <vector>
 
+#include "base/words.hpp"
 #include "model/solids.hpp"
 
 namespace tether {
 
 /// How a step of a rigid body is solved: in the null space of its constraints, or with a multiplier for each of them.
 enum class RigidForm { reduced, constrained };
+template <>
+inline constexpr std::array<Word<RigidForm>, 2> words<RigidForm>{
+    {{RigidForm::reduced, "reduced"}, {RigidForm::constrained, "constrained"}}};
 
 /// A torque that keeps its direction in space [force length].
 struct RigidTorque {

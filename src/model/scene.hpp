@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/units.hpp"
+#include "base/words.hpp"
 #include "grid/background_grid.hpp"
 #include "grid/geometry.hpp"
 #include "laws/materials/material.hpp"
@@ -48,6 +49,14 @@ struct Clock {
 
 /// The exact solution to compare with, of src/reference.
 enum class ReferenceKind { none, riemann, spring, string, pendulum, piston, radial_gas, thin_ring };
+template <>
+inline constexpr std::array<Word<ReferenceKind>, 7> words<ReferenceKind>{{{ReferenceKind::riemann, "riemann"},
+                                                                          {ReferenceKind::spring, "spring"},
+                                                                          {ReferenceKind::string, "string"},
+                                                                          {ReferenceKind::pendulum, "pendulum"},
+                                                                          {ReferenceKind::piston, "piston"},
+                                                                          {ReferenceKind::radial_gas, "radial-gas"},
+                                                                          {ReferenceKind::thin_ring, "thin-ring"}}};
 
 /// Intervals between outputs [time]; 0 where an output is off.
 struct OutputIntervals {

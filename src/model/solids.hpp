@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/words.hpp"
 #include "grid/mesh.hpp"
 #include "grid/mesh_place.hpp"
 #include "laws/materials/hyperelastic.hpp"
@@ -15,6 +16,11 @@ namespace tether {
 /// How a step of the finite element path goes: the discrete gradient that keeps the energy, the mid-point rule, the
 /// trapezoidal rule (Newmark's with beta = 1/4, gamma = 1/2), central differences with lumped masses; or no dynamics.
 enum class Integrator { energy, midpoint, trapezoid, central, equilibrium };
+template <>
+inline constexpr std::array<Word<Integrator>, 4> words<Integrator>{{{Integrator::energy, "energy"},
+                                                                    {Integrator::midpoint, "midpoint"},
+                                                                    {Integrator::trapezoid, "trapezoid"},
+                                                                    {Integrator::central, "central"}}};
 
 /// One material of a mesh.
 struct SolidRegion {

@@ -17,7 +17,7 @@ namespace {
 /// Whether splitting would hold is told apart, where the solver's matrices can be asked.
 std::string mode_text(const Scene& scene) {
   if (!scene.solids()) return "there is no body: one projection a step";
-  const char* own = coupling_mode_name(scene.coupled()->mode);
+  const std::string_view own = word_of(scene.coupled()->mode);
   switch (scene.coupled()->mode) {
     case CouplingMode::symmetric:
       return fmt::format("{}: simultaneous, power across the interface balances to rounding", own);
@@ -33,9 +33,9 @@ std::string mode_text(const Scene& scene) {
 
 /// By what the systems are solved, and why.
 std::string systems_text(const Coupled& coupled) {
-  const bool direct = systems_of(coupled) == CoupledSystems::direct;
+  const bool direct = systems_of(coupled) == Systems::direct;
   const char* by = direct ? "factors" : "conjugate gradients";
-  if (coupled.systems != CoupledSystems::automatic) return fmt::format("{}, as the deck says", by);
+  if (coupled.systems != Systems::automatic) return fmt::format("{}, as the deck says", by);
   if (coupled.grid.dim == 2) return fmt::format("{}: the box is plane", by);
   return fmt::format("{}: {} cells in space are {} than {:.0f}", by, coupled.grid.cell_count(),
                      direct ? "no more" : "more", most_cells_of_factors);
@@ -159,7 +159,7 @@ Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   const Coupled& coupled = *scene.coupled();
   const double cells = static_cast<double>(coupled.grid.cell_count());
   const double unknowns = cells + static_cast<double>(scene.solids() ? scene.solids()->mesh.x.size() : 0);
-  const bool direct = systems_of(coupled) == CoupledSystems::direct;
+  const bool direct = systems_of(coupled) == Systems::direct;
   const double nonzeros = !direct                 ? 0
                           : coupled.grid.dim == 2 ? 10 * unknowns * std::log2(unknowns + 2)
                                                   : 12 * std::pow(unknowns, 4.0 / 3);

@@ -46,9 +46,9 @@ std::string size_text(const Flow& flow) {
 
 /// By what corrections are solved, and why.
 std::string systems_text(const Flow& flow, bool solids) {
-  const bool krylov = systems_of(flow, solids) == FlowSystems::krylov;
+  const bool krylov = systems_of(flow, solids) == Systems::krylov;
   const std::string by = krylov ? "GMRES with incomplete factors" : "LU factors, kept while they lead on";
-  if (flow.systems != FlowSystems::automatic) return by + ", as the deck says";
+  if (flow.systems != Systems::automatic) return by + ", as the deck says";
   if (flow.integrator == FlowIntegrator::steady) return by + ": GMRES takes many iterations for steady flows";
   if (solids) return by + ": GMRES takes many iterations for stiff bodies";
   return by + fmt::format(": {:.0f} unknowns are {} than {:.0f}", unknowns_of(flow), krylov ? "more" : "no more",
@@ -125,7 +125,7 @@ Cost flow_cost(const Scene& scene, const StepRule& rule) {
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.deck_step * (1 - 1e-9));
   cost.point_steps = cost.steps * static_cast<double>(scene.flow()->mesh.node_count());
-  if (systems_of(*scene.flow(), scene.solids() != nullptr) == FlowSystems::krylov) {
+  if (systems_of(*scene.flow(), scene.solids() != nullptr) == Systems::krylov) {
     cost.megabytes = 1e-6 * bytes_by_krylov * n, cost.seconds = cost.steps * seconds_by_krylov * n;
     return cost;
   }

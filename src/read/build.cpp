@@ -21,6 +21,7 @@
 #include "read/points/region_checks.hpp"
 #include "read/reference/reference.hpp"
 #include "read/regions_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -31,13 +32,8 @@ std::string title_of(const Deck& deck) {
   return title;
 }
 
-Units units_of(const Deck& deck) {
-  const std::string name = deck.text("in", "units");
-  return name == "si" ? Units::si : name == "cgs" ? Units::cgs : Units::none;
-}
-
 Walls walls_of(const Deck& deck) {
-  const auto wall = [&](const char* name) { return static_cast<Wall>(deck.integer("in", name)); };
+  const auto wall = [&](const char* name) { return find_word<Wall>(std::to_string(deck.integer("in", name))).value(); };
   return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
 }
 
@@ -197,7 +193,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
     return scene;
   }
   scene.title = title_of(deck);
-  scene.units = units_of(deck);
+  scene.units = word<Units>(deck, "in", "units");
   scene.grid = BackgroundGrid(deck.integer("in", "nx"), deck.integer("in", "ny"), deck.real("in", "xleft"),
                               deck.real("in", "xright"), deck.real("in", "ybot"), deck.real("in", "ytop"));
   if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;

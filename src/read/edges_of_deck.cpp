@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/edges_of_deck.hpp"
+#include "read/word.hpp"
 
 #include <fmt/format.h>
 
@@ -23,9 +24,8 @@ class EdgeReader {
   EdgeReader(const Deck& deck, int k, Diagnostics& diagnostics) : deck_(deck), k_(k), diagnostics_(diagnostics) {}
 
   Edge read(Wall& wall) const {
-    const std::string word = deck_.text("mpm", "edge", k_);
     Edge edge;
-    edge.kind = word == "inflow" ? EdgeKind::inflow : word == "outflow" ? EdgeKind::outflow : EdgeKind::wall;
+    edge.kind = word<EdgeKind>(deck_, "mpm", "edge", k_);
     if (!edge.open()) {
       for (const char* name : numbers) tell_idle(name, "edge({0}) is a wall: {1}({0}) has no effect");
       return edge;

@@ -7,23 +7,21 @@ namespace tether {
 namespace {
 
 /// A word of $reg, or where it has none and there is a mesh, of $fem.
-std::string word_of(const Deck& deck, const char* name, int r) {
+std::string word_of_region(const Deck& deck, const char* name, int r) {
   if (deck.given("reg", name, r)) return deck.text("reg", name, r);
   return deck.has_group("mesh") || deck.has_group("fem") ? deck.text("fem", name, r) : "";
 }
 
 }  // namespace
 
-std::string law_word(const Deck& deck, int r) { return word_of(deck, "law", r); }
+std::string law_word(const Deck& deck, int r) { return word_of_region(deck, "law", r); }
 
 ElasticConstants elastic_constants(const Deck& deck, int r, Plane plane) {
-  const std::string volumetric = word_of(deck, "volumetric", r);
+  const std::string volumetric = word_of_region(deck, "volumetric", r);
   return {.E = deck.real("reg", "matr", 1, r),
           .nu = deck.real("reg", "matr", 2, r),
           .plane = plane,
-          .volumetric = volumetric == "square"  ? Volumetric::square
-                        : volumetric == "mixed" ? Volumetric::mixed
-                                                : Volumetric::log,
+          .volumetric = find_word<Volumetric>(volumetric).value_or(Volumetric::log),
           .centre_x = deck.real("fem", "fibre_x", r),
           .centre_y = deck.real("fem", "fibre_y", r)};
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/method_of_deck.hpp"
-
-#include <array>
-#include <string>
-#include <string_view>
-#include <utility>
+#include "deck/words.hpp"
+#include "laws/materials/gas.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -22,45 +20,10 @@ Method robust_set() {
   return set;
 }
 
-/// The enumerator that a text stands for, `otherwise` where the deck gives none.
-template <class T, std::size_t n>
-T chosen(const Deck& deck, const char* group, const char* name, const std::array<std::pair<std::string_view, T>, n>& of,
-         T otherwise) {
-  if (!deck.given(group, name)) return otherwise;
-  const std::string text = deck.text(group, name);
-  for (const auto& [word, value] : of) {
-    if (word == text) return value;
-  }
-  return otherwise;
-}
-
-template <class T>
-using Word = std::pair<std::string_view, T>;
-
-constexpr std::array orders{Word<StressOrder>{"musl", StressOrder::musl}, Word<StressOrder>{"usf", StressOrder::usf},
-                            Word<StressOrder>{"usl", StressOrder::usl}};
-constexpr std::array kernels{Word<Kernel>{"linear", Kernel::linear}, Word<Kernel>{"bspline", Kernel::bspline}};
-constexpr std::array transfers{Word<Transfer>{"flip", Transfer::flip}, Word<Transfer>{"apic", Transfer::apic}};
-constexpr std::array energies{Word<GasEnergy>{"rate", GasEnergy::rate}, Word<GasEnergy>{"centred", GasEnergy::centred}};
-constexpr std::array contacts{Word<ContactRule>{"none", ContactRule::none},
-                              Word<ContactRule>{"release", ContactRule::release},
-                              Word<ContactRule>{"gap", ContactRule::gap}};
-constexpr std::array strains{Word<MembraneStrain>{"point", MembraneStrain::point},
-                             Word<MembraneStrain>{"element", MembraneStrain::element}};
-constexpr std::array normals{Word<NormalRule>{"connectivity", NormalRule::connectivity},
-                             Word<NormalRule>{"color", NormalRule::color},
-                             Word<NormalRule>{"quadratic", NormalRule::quadratic},
-                             Word<NormalRule>{"cubic", NormalRule::cubic},
-                             Word<NormalRule>{"mass-linear", NormalRule::mass_linear},
-                             Word<NormalRule>{"mass-quadratic", NormalRule::mass_quadratic}};
-constexpr std::array scopes{Word<MatrixScope>{"cell", MatrixScope::cell},
-                            Word<MatrixScope>{"membrane", MatrixScope::membrane}};
-constexpr std::array lone_points{Word<LonePoint>{"ghost", LonePoint::ghost},
-                                 Word<LonePoint>{"previous", LonePoint::previous}};
-
 /// Whether all that the ledger books is there.
 bool books(const Deck& deck, const Method& method) {
-  const bool grid = deck.given("mpm", "density") ? deck.text("mpm", "density") == "grid" : is_robust(deck);
+  const bool grid = word_or(deck, "mpm", "density", is_robust(deck) ? DensityRule::grid : DensityRule::continuity) ==
+                    DensityRule::grid;
   return grid && method.order == StressOrder::usf && method.transfer == Transfer::apic &&
          method.kernel == Kernel::bspline && method.gas_energy == GasEnergy::centred;
 }
@@ -93,7 +56,7 @@ void check(const Deck& deck, const Method& method, Diagnostics& diagnostics) {
 
 }  // namespace
 
-bool is_robust(const Deck& deck) { return deck.text("mpm", "method") == "robust"; }
+bool is_robust(const Deck& deck) { return word<MpmSet>(deck, "mpm", "method") == MpmSet::robust; }
 
 double cfl_of(const Deck& deck) {
   if (deck.given("mpm", "cfl")) return deck.real("mpm", "cfl");
@@ -102,16 +65,16 @@ double cfl_of(const Deck& deck) {
 
 Method method_of(const Deck& deck, Diagnostics& diagnostics) {
   Method method = is_robust(deck) ? robust_set() : Method{};
-  method.order = chosen(deck, "mpm", "order", orders, method.order);
-  method.kernel = chosen(deck, "mpm", "kernel", kernels, method.kernel);
-  method.transfer = chosen(deck, "mpm", "transfer", transfers, method.transfer);
-  method.gas_energy = chosen(deck, "mpm", "energy", energies, method.gas_energy);
-  method.contact = chosen(deck, "mpm", "contact", contacts, method.contact);
+  method.order = word_or(deck, "mpm", "order", method.order);
+  method.kernel = word_or(deck, "mpm", "kernel", method.kernel);
+  method.transfer = word_or(deck, "mpm", "transfer", method.transfer);
+  method.gas_energy = word_or(deck, "mpm", "energy", method.gas_energy);
+  method.contact = word_or(deck, "mpm", "contact", method.contact);
   method.criterion = deck.integer("mpm", "criterion");
-  method.membrane_strain = chosen(deck, "membrane", "strain", strains, method.membrane_strain);
-  method.normals = chosen(deck, "membrane", "normals", normals, method.normals);
-  method.matrix = chosen(deck, "membrane", "matrix", scopes, method.matrix);
-  method.lone_point = chosen(deck, "membrane", "alone", lone_points, method.lone_point);
+  method.membrane_strain = word_or(deck, "membrane", "strain", method.membrane_strain);
+  method.normals = word_or(deck, "membrane", "normals", method.normals);
+  method.matrix = word_or(deck, "membrane", "matrix", method.matrix);
+  method.lone_point = word_or(deck, "membrane", "alone", method.lone_point);
   if (deck.given("mpm", "ledger")) method.ledger = deck.logical("mpm", "ledger");
   method.jaumann = deck.logical("mpm", "jaumann");
   drop_what_lacks_its_ground(deck, method);

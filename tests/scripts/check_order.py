@@ -18,7 +18,7 @@ INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')
 # A definition at the left margin that is neither constant nor a function, type or alias.
 GLOBAL = re.compile(
     r"(?=[A-Za-z])(?:static |inline |extern |thread_local )*"
-    r"(?!const\b|constexpr\b|constinit const\b|using\b|namespace\b|template\b|struct\b|class\b|concept\b|enum\b|return\b|typedef\b|friend\b|BENCHMARK|TEST)"
+    r"(?!(?:static |inline )*constexpr\b|const\b|constexpr\b|constinit const\b|using\b|namespace\b|template\b|struct\b|class\b|concept\b|enum\b|return\b|typedef\b|friend\b|BENCHMARK|TEST)"
     r"[\w:<>,*& ]+ \w+(\[\w*\])*\s*(=|;|\{)"
 )
 

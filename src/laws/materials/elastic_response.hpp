@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <string_view>
 
+#include "base/words.hpp"
+
 // Symmetric tensors, and what laws of elastic bodies are asked and answer.
 
 namespace tether {
@@ -81,6 +83,9 @@ inline Lame lame(double E, double nu) { return {E * nu / ((1 + nu) * (1 - 2 * nu
 /// How a neo-Hookean body resists a change of volume: lambda/2 ln(J)^2, lambda/2 (J - 1)^2, or
 /// lambda/4 (J^2 - 1 - 2 ln J).
 enum class Volumetric { log, square, mixed };
+template <>
+inline constexpr std::array<Word<Volumetric>, 3> words<Volumetric>{
+    {{Volumetric::log, "log"}, {Volumetric::square, "square"}, {Volumetric::mixed, "mixed"}}};
 
 /// What the deck says of an elastic region.
 struct ElasticConstants {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.hpp"
 #include "laws/tensors.hpp"
 
 namespace tether {
@@ -11,6 +12,11 @@ namespace tether {
 /// How a gas point knows its density: from its cell (4.5), from the nine cells around it (4.6), from continuity (4.7),
 /// or from the mass of gas at the nodes.
 enum class DensityRule { cell, quadratic, continuity, grid };
+template <>
+inline constexpr std::array<Word<DensityRule>, 4> words<DensityRule>{{{DensityRule::cell, "cell"},
+                                                                      {DensityRule::quadratic, "quadratic"},
+                                                                      {DensityRule::continuity, "continuity"},
+                                                                      {DensityRule::grid, "grid"}}};
 
 /// Compressible viscous ideal gas (chapter 4).
 struct IdealGas {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/words.hpp"
 #include "laws/tensors.hpp"
 
 namespace tether {
@@ -46,5 +47,9 @@ struct Membrane {
     return {tangent_stress * t.x * t.x, tangent_stress * t.y * t.y, tangent_stress * t.x * t.y};
   }
 };
+
+template <>
+inline constexpr std::array<Word<Membrane::Kind>, 2> words<Membrane::Kind>{
+    {{Membrane::Kind::uniaxial, "uniaxial"}, {Membrane::Kind::plane_stress, "plane-stress"}}};
 
 }  // namespace tether

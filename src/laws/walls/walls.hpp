@@ -3,10 +3,15 @@
 
 #include <cstdint>
 
+#include "base/words.hpp"
+
 namespace tether {
 
 /// What an edge of the grid does; the numbers are the deck's wl, wr, wb, wt.
 enum class Wall { fixed = 0, open = 1, symmetry = 4, axis = 5, free_slip = 6 };
+template <>
+inline constexpr std::array<Word<Wall>, 5> words<Wall>{
+    {{Wall::fixed, "0"}, {Wall::open, "1"}, {Wall::symmetry, "4"}, {Wall::axis, "5"}, {Wall::free_slip, "6"}}};
 
 /// Axis bits of the momentum components that a node holds at zero.
 enum Held : std::uint8_t { holds_none = 0, holds_x = 1, holds_y = 2 };

@@ -11,6 +11,7 @@
 #include "deck/elements.hpp"
 #include "deck/spelling.hpp"
 #include "read/mesh/solids_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -38,7 +39,7 @@ class CoupledChecks {
   void plane() {
     if (coupled_.grid.dim == 3) return;
     for (const int side : {5, 6}) {
-      if (deck_.text("coupled", "side", side) != "wall")
+      if (word<BoxSide>(deck_, "coupled", "side", side) != BoxSide::wall)
         flat("side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
     }
     if (coupled_.start[2] != 0) flat("w0", {1, 1}, "the fluid starts along z");
@@ -50,7 +51,7 @@ class CoupledChecks {
       error("coupled", "friction", {1, 1}, "there is no friction without contact",
             "leave friction away, or contact=.false.");
     if (coupled_.mode != CouplingMode::splitting) unused("coupled", "area_repair", "mode='splitting' repairs areas");
-    if (coupled_.systems == CoupledSystems::direct) unused("coupled", "tolerance", "factors need none");
+    if (coupled_.systems == Systems::direct) unused("coupled", "tolerance", "factors need none");
     level();
     if (coupled_.smoke) return;
     for (const char* name : {"smoke_weight", "smoke_lift"})

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "deck/words.hpp"
 #include "read/box/checks.hpp"
 #include "read/mesh/solids_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -23,24 +25,11 @@ StaggeredGrid grid_of(const Deck& deck, const BackgroundGrid& plane) {
   return grid;
 }
 
-CouplingMode mode_of(const Deck& deck) {
-  const std::string name = deck.text("coupled", "mode");
-  return name == "symmetric"   ? CouplingMode::symmetric
-         : name == "cut-cell"  ? CouplingMode::cut_cell
-         : name == "splitting" ? CouplingMode::splitting
-                               : CouplingMode::paper;
-}
-
 void read_method(const Deck& deck, Coupled& coupled) {
-  coupled.mode = mode_of(deck);
-  coupled.integrator =
-      deck.text("coupled", "integrator") == "paper" ? CoupledIntegrator::paper : CoupledIntegrator::trapezoid;
-  coupled.advection =
-      deck.text("coupled", "advection") == "maccormack" ? Advection::maccormack : Advection::semi_lagrangian;
-  const std::string solver = deck.text("coupled", "solver");
-  coupled.systems = solver == "direct"   ? CoupledSystems::direct
-                    : solver == "krylov" ? CoupledSystems::krylov
-                                         : CoupledSystems::automatic;
+  coupled.mode = word<CouplingMode>(deck, "coupled", "mode");
+  coupled.integrator = word<CoupledIntegrator>(deck, "coupled", "integrator");
+  coupled.advection = word<Advection>(deck, "coupled", "advection");
+  coupled.systems = word<Systems>(deck, "coupled", "solver");
   coupled.tolerance = deck.real("coupled", "tolerance");
   coupled.contact = deck.logical("coupled", "contact");
   coupled.friction = deck.real("coupled", "friction");
@@ -58,13 +47,9 @@ void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   }
   coupled.viscosity = deck.real("coupled", "viscosity");
   coupled.start = {deck.real("coupled", "u0"), deck.real("coupled", "v0"), deck.real("coupled", "w0")};
-  coupled.cavities_only = deck.text("coupled", "fluid_in") == "cavities";
-  for (int side = 0; side < 6; ++side) {
-    const std::string kind = deck.text("coupled", "side", side + 1);
-    coupled.sides[static_cast<std::size_t>(side)] = kind == "open"   ? BoxSide::open
-                                                    : kind == "void" ? BoxSide::empty
-                                                                     : BoxSide::wall;
-  }
+  coupled.cavities_only = word<FluidIn>(deck, "coupled", "fluid_in") == FluidIn::cavities;
+  for (int side = 0; side < 6; ++side)
+    coupled.sides[static_cast<std::size_t>(side)] = word<BoxSide>(deck, "coupled", "side", side + 1);
   coupled.level = deck.given("coupled", "level") ? deck.real("coupled", "level") : coupled.grid.high(1);
   coupled.smoke_weight = deck.real("coupled", "smoke_weight");
   coupled.smoke_lift = deck.real("coupled", "smoke_lift");

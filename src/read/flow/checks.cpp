@@ -8,8 +8,10 @@
 
 #include "deck/elements.hpp"
 #include "deck/spelling.hpp"
+#include "deck/words.hpp"
 #include "read/mesh/mesh_of_file.hpp"
 #include "read/regions_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -48,7 +50,8 @@ class FlowChecks {
         error("fem", switched, {1, 1}, "solids beside a fluid have no equilibrium of their own",
               "leave it away; steady of $flow looks for a steady flow");
     }
-    if (deck_.text("flow", "integrator") == "euler" && !is_default("fem", "integrator", {1, 1}))
+    if (word<FlowIntegrator>(deck_, "flow", "integrator") == FlowIntegrator::euler &&
+        !is_default("fem", "integrator", {1, 1}))
       warn("fem", "integrator", {1, 1}, "integrator of $fem has no effect: the fluid goes by backward Euler",
            "solids' stress is then that of each step's end; it matters beside integrator='midpoint' of $flow");
     if (!deck_.logical("flow", "steady")) return;
@@ -57,7 +60,7 @@ class FlowChecks {
            "tracers of a steady flow go through the steps that lead up to it, which take no time",
            "leave them away, or steady");
     if (!regions_of(deck_, false).empty()) resting_bodies();
-    if (deck_.text("flow", "integrator") != "midpoint")
+    if (word<FlowIntegrator>(deck_, "flow", "integrator") != FlowIntegrator::midpoint)
       warn("flow", "integrator", {1, 1}, "integrator has no effect: the flow is steady", "");
   }
   void resting_bodies() {
@@ -96,11 +99,13 @@ class FlowChecks {
   void outside() {
     bool open = false;
     for (const Subscript at : deck_.given_elements("flow", "boundary"))
-      open |= deck_.text("flow", "boundary", at[0]) == "open";
+      open |= (deck_.given("flow", "boundary", at[0]) &&
+               word<Boundary>(deck_, "flow", "boundary", at[0]) == Boundary::open);
     const bool acts = open && deck_.real("in", "gravc") != 0;
     for (const char* name : {"outside", "level"}) {
       const bool same = !deck_.given("flow", name) || is_default("flow", name, {1, 1});
-      const bool of_nothing = name == std::string_view("level") && deck_.text("flow", "outside") == "void";
+      const bool of_nothing =
+          name == std::string_view("level") && word<FlowOutside>(deck_, "flow", "outside") == FlowOutside::nothing;
       if (!same && (!acts || of_nothing))
         warn("flow", name, {1, 1}, fmt::format("{} of $flow has no effect", name),
              of_nothing ? "outside='void' has nothing beyond open sides" : "it is of open sides under gravc");

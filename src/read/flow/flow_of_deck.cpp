@@ -6,12 +6,15 @@
 #include <algorithm>
 
 #include "base/index.hpp"
+#include "deck/words.hpp"
 #include "grid/mesh_flaws.hpp"
+#include "read/elastic_law.hpp"
 #include "read/expression_of_deck.hpp"
 #include "read/flow/checks.hpp"
 #include "read/mesh/mesh_of_deck.hpp"
 #include "read/mesh/solids_of_deck.hpp"
 #include "read/regions_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -63,15 +66,11 @@ FlowVector start_of(const Deck& deck, Diagnostics& diagnostics) {
 }
 
 void read_method(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
-  flow.element = deck.text("flow", "element") == "q1q1" ? FlowElement::q1q1 : FlowElement::q2q1;
-  flow.integrator = deck.logical("flow", "steady")                  ? FlowIntegrator::steady
-                    : deck.text("flow", "integrator") == "midpoint" ? FlowIntegrator::midpoint
-                                                                    : FlowIntegrator::euler;
-  flow.linearisation = deck.text("flow", "linearisation") == "newton" ? Linearisation::newton : Linearisation::picard;
-  const std::string solver = deck.text("flow", "solver");
-  flow.systems = solver == "direct"   ? FlowSystems::direct
-                 : solver == "krylov" ? FlowSystems::krylov
-                                      : FlowSystems::automatic;
+  flow.element = word<FlowElement>(deck, "flow", "element");
+  flow.integrator =
+      deck.logical("flow", "steady") ? FlowIntegrator::steady : word<FlowIntegrator>(deck, "flow", "integrator");
+  flow.linearisation = word<Linearisation>(deck, "flow", "linearisation");
+  flow.systems = word<Systems>(deck, "flow", "solver");
   flow.tolerance = deck.real("flow", "tolerance");
   const bool speed = deck.given("flow", "speed"), length = deck.given("flow", "length");
   if (speed != length)
@@ -92,7 +91,8 @@ std::vector<double> penalties_of(const Deck& deck) {
 std::vector<bool> volumes_by_fluid_of(const Deck& deck) {
   std::vector<bool> by_fluid;
   for (const int r : regions_of(deck, false))
-    by_fluid.push_back(deck.text("fem", "law", r) == "fibre" || deck.text("flow", "volume", r) == "fluid");
+    by_fluid.push_back(law_word(deck, r) == HoopFibre::word ||
+                       word<VolumeOf>(deck, "flow", "volume", r) == VolumeOf::fluid);
   return by_fluid;
 }
 
@@ -145,7 +145,7 @@ Flow flow_on(const Deck& deck, Mesh mesh, const Solids* solids, Diagnostics& dia
   flow.sides = flow_sides_of(deck, flow.mesh, diagnostics);
   flow.twin = twins_of(deck, flow.mesh, flow.sides, diagnostics);
   if (!diagnostics.has_errors()) check_one_fluid(deck, flow, diagnostics);
-  flow.fluid_outside = deck.text("flow", "outside") == "fluid";
+  flow.fluid_outside = word<FlowOutside>(deck, "flow", "outside") == FlowOutside::fluid;
   flow.level = deck.given("flow", "level") ? deck.real("flow", "level") : highest(flow.mesh);
   flow.acceleration = flow_vector_of(deck, {"bx", "by"}, 1, "bx, by of $flow", diagnostics);
   flow.start = start_of(deck, diagnostics);

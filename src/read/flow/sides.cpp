@@ -8,20 +8,12 @@
 #include "read/amplitude_of_deck.hpp"
 #include "read/flow/flow_of_deck.hpp"
 #include "read/mesh/named_sides.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
 
 constexpr const char* kinds = "no-slip, slip, moving, inflow, open or periodic";
-
-Boundary boundary_named(const std::string& name) {
-  return name == "slip"       ? Boundary::slip
-         : name == "moving"   ? Boundary::moving
-         : name == "inflow"   ? Boundary::inflow
-         : name == "open"     ? Boundary::open
-         : name == "periodic" ? Boundary::periodic
-                              : Boundary::no_slip;
-}
 
 /// The element sides of the boundary, by their ends.
 class BoundaryParts {
@@ -83,7 +75,7 @@ class SideReader {
       return refuse("boundary_on", k, fmt::format("boundary({}) is not given: what side {} is", k, k), kinds);
     FlowSide side;
     side.name = deck_.text("flow", "boundary_on", k), side.number = k;
-    side.boundary = boundary_named(deck_.text("flow", "boundary", k));
+    side.boundary = word<Boundary>(deck_, "flow", "boundary", k);
     read_velocity(k, side);
     const Sides* partner = partner_of(k, side.boundary);
     if (!named) return;

@@ -9,6 +9,7 @@
 #include "model/bars.hpp"
 #include "read/points/axis.hpp"
 #include "read/points/membrane_curves.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -42,7 +43,9 @@ void check_file(const ParticleFile& file, Diagnostics& diagnostics) {
 void check_membrane_laws(const Deck& deck, const std::optional<ParticleFile>& particles, Diagnostics& diagnostics) {
   for (int b = 1; b <= membrane_count; ++b) {
     const bool of_file = b == 1 && particles && particles->ipath[3] == 8;
-    if (deck.text("membrane", "law", b) != "plane-stress" || (!of_file && curve_numbers(deck, b).empty())) continue;
+    if (word<Membrane::Kind>(deck, "membrane", "law", b) != Membrane::Kind::plane_stress ||
+        (!of_file && curve_numbers(deck, b).empty()))
+      continue;
     diagnostics.add(deck.remark(Severity::error, "membrane", "law", {b, 1},
                                 fmt::format("the fem path cannot represent plane stress: law({})", b),
                                 "a bar carries along itself only: law='uniaxial'; --path mpm has plane stress"));

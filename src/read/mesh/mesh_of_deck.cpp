@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "deck/words.hpp"
 #include "grid/block_mesh.hpp"
+#include "model/flow.hpp"
 #include "read/mesh/mesh_of_deck.hpp"
 #include "read/mesh/mesh_of_file.hpp"
 #include "read/regions_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -54,11 +57,11 @@ class BlockReader {
     diagnostics_.add(deck_.remark(Severity::error, group, name, at, fmt::format("region {}: {}", r_, message), hint));
   }
   EdgeCurve curve(int k, Place from, Place to) {
-    const std::string kind = deck_.text("mesh", "edge", k, r_);
-    if (kind == "line") return straight(from, to);
+    const auto kind = word<MeshEdge>(deck_, "mesh", "edge", k, r_);
+    if (kind == MeshEdge::line) return straight(from, to);
     const Place centre{deck_.real("mesh", "edge_xc", k, r_), deck_.real("mesh", "edge_yc", k, r_)};
     double a = std::hypot(from[0] - centre[0], from[1] - centre[1]), b = a;
-    if (kind == "ellipse") {
+    if (kind == MeshEdge::ellipse) {
       if (!deck_.given("mesh", "edge_a", k, r_) || !deck_.given("mesh", "edge_b", k, r_)) {
         error("mesh", "edge", {k, r_}, fmt::format("edge {} is an ellipse without half axes", k),
               "give edge_a and edge_b");
@@ -109,12 +112,16 @@ class BlockReader {
 /// Bilinear elements lock in bodies as thin as those that flows bend; a body in a fluid is of order 2 unless the deck
 /// says otherwise.
 ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
-  if (fluid) return deck.text("flow", "element") == "q1q1" ? ElementKind::quad4 : ElementKind::quad9;
-  const std::string element = deck.given("mesh", "element") ? deck.text("mesh", "element")
-                              : deck.has_group("flow")      ? "q2"
-                                                            : "q1";
-  if (element == "q1") return solid ? ElementKind::hex8 : ElementKind::quad4;
-  if (element == "q2") return solid ? ElementKind::hex27 : ElementKind::quad9;
+  if (fluid)
+    return word<FlowElement>(deck, "flow", "element") == FlowElement::q1q1 ? ElementKind::quad4 : ElementKind::quad9;
+  switch (word_or(deck, "mesh", "element", deck.has_group("flow") ? BodyElement::q2 : BodyElement::q1)) {
+    case BodyElement::q1:
+      return solid ? ElementKind::hex8 : ElementKind::quad4;
+    case BodyElement::q2:
+      return solid ? ElementKind::hex27 : ElementKind::quad9;
+    case BodyElement::p1:
+      break;
+  }
   return solid ? ElementKind::tet4 : ElementKind::tri3;
 }
 

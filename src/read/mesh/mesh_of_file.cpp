@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "grid/gmsh_file.hpp"
+#include "model/flow.hpp"
 #include "read/named_file.hpp"
 #include "read/regions_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -62,7 +64,7 @@ bool check_fluid(const Deck& deck, ElementKind kind, Diagnostics& diagnostics) {
         "mesh", "file", "a fluid takes quadrangles, and the file's elements are triangles",
         "'Recombine Surface{:};' and 'Mesh.SubdivisionAlgorithm = 1;' in the .geo make quadrangles: of 4 nodes "
         "for element='q1q1' of $flow, of 9 by gmsh -2 -order 2 for 'q2q1'");
-  const bool bilinear = deck.text("flow", "element") == "q1q1";
+  const bool bilinear = word<FlowElement>(deck, "flow", "element") == FlowElement::q1q1;
   if (bilinear == (kind == ElementKind::quad4)) return true;
   return refuse("flow", "element",
                 bilinear ? "element='q1q1' takes 4-node quadrangles, and those of the file have 9 nodes"

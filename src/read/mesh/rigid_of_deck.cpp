@@ -8,6 +8,7 @@
 
 #include "deck/elements.hpp"
 #include "read/amplitude_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -19,7 +20,7 @@ class RigidReader {
 
   Rigid read() {
     Rigid rigid;
-    rigid.form = deck_.text("rigid", "form") == "reduced" ? RigidForm::reduced : RigidForm::constrained;
+    rigid.form = word<RigidForm>(deck_, "rigid", "form");
     rigid.point = place("point"), rigid.pin = place("pin");
     rigid.directors = directors();
     rigid.omega = components("omega", 1);

@@ -13,6 +13,7 @@
 #include "read/mesh/rigid_of_deck.hpp"
 #include "read/points/materials.hpp"
 #include "read/regions_of_deck.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -61,11 +62,7 @@ SolidRegion region_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics
 
 Integrator integrator_of(const Deck& deck) {
   if (deck.logical("fem", "static")) return Integrator::equilibrium;
-  const std::string name = deck.text("fem", "integrator");
-  return name == "energy"      ? Integrator::energy
-         : name == "midpoint"  ? Integrator::midpoint
-         : name == "trapezoid" ? Integrator::trapezoid
-                               : Integrator::central;
+  return word<Integrator>(deck, "fem", "integrator");
 }
 
 /// Part of an element by which a tracked place may lie outside of the bodies: more than rounding of the deck's digits.

@@ -5,9 +5,11 @@
 
 #include <functional>
 
+#include "deck/words.hpp"
 #include "read/elastic_law.hpp"
 #include "read/method_of_deck.hpp"
 #include "read/points/axis.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -75,20 +77,17 @@ std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& dia
   law.lambda = deck.real("fluid", "lambda");
   law.coef1 = deck.real("fluid", "coef1");
   law.coef2 = deck.real("fluid", "coef2");
-  const bool local = deck.given("mpm", "viscosity") ? deck.text("mpm", "viscosity") == "local" : is_robust(deck);
-  if (local) law.lambda = law.coef1 = law.coef2 = 1, law.local_speed = true;
+  const ViscosityOf own = is_robust(deck) ? ViscosityOf::local : ViscosityOf::deck;
+  if (word_or(deck, "mpm", "viscosity", own) == ViscosityOf::local)
+    law.lambda = law.coef1 = law.coef2 = 1, law.local_speed = true;
   law.rule = ipath == 9 ? DensityRule::quadratic : DensityRule::continuity;
   if (is_robust(deck)) law.rule = DensityRule::grid;
-  const std::string rule = deck.given("mpm", "density") ? deck.text("mpm", "density") : "";
-  if (rule.empty()) return law;
-  law.rule = rule == "cell"         ? DensityRule::cell
-             : rule == "quadratic"  ? DensityRule::quadratic
-             : rule == "continuity" ? DensityRule::continuity
-                                    : DensityRule::grid;
+  if (!deck.given("mpm", "density")) return law;
+  law.rule = word<DensityRule>(deck, "mpm", "density");
   if (law.rule != (ipath == 9 ? DensityRule::quadratic : DensityRule::continuity)) {
-    diagnostics.add(
-        deck.remark(Severity::remark, "mpm", "density", {1, 1},
-                    fmt::format("density = '{}' wins over ipath(4,{}) = {} of region {}", rule, r, ipath, r)));
+    diagnostics.add(deck.remark(
+        Severity::remark, "mpm", "density", {1, 1},
+        fmt::format("density = '{}' wins over ipath(4,{}) = {} of region {}", word_of(law.rule), r, ipath, r)));
   }
   return law;
 }
@@ -96,9 +95,7 @@ std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& dia
 }  // namespace
 
 Membrane membrane_law(const Deck& deck, int b, double E, double nu) {
-  const bool uniaxial = deck.text("membrane", "law", b) == "uniaxial";
-  return {E, nu, deck.logical("membrane", "wrinkle", b),
-          uniaxial ? Membrane::Kind::uniaxial : Membrane::Kind::plane_stress};
+  return {E, nu, deck.logical("membrane", "wrinkle", b), word<Membrane::Kind>(deck, "membrane", "law", b)};
 }
 
 std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& diagnostics) {

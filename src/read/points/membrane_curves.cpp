@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/points/membrane_curves.hpp"
+#include "deck/words.hpp"
+#include "read/word.hpp"
 
 #include <fmt/format.h>
 
@@ -15,10 +17,10 @@ namespace {
 class CurveReader {
  public:
   CurveReader(const Deck& deck, int k, Diagnostics& diagnostics)
-      : deck_(deck), k_(k), diagnostics_(diagnostics), kind_(deck.text("membrane", "curve", k)) {}
+      : deck_(deck), k_(k), diagnostics_(diagnostics), kind_(word<CurveKind>(deck, "membrane", "curve", k)) {}
 
   std::optional<Curve> read() const {
-    const bool round = kind_ == "arc" || kind_ == "ellipse";
+    const bool round = kind_ == CurveKind::arc || kind_ == CurveKind::ellipse;
     warn_of_idle_values(round);
     auto curve = round ? ellipse() : through_vertices();
     if (!curve || curve->length() > 0) return curve;
@@ -55,7 +57,7 @@ class CurveReader {
 
   void warn_of_idle_values(bool round) const {
     const auto warn = [&](const char* name, Subscript at, const std::string& element) {
-      tell(Severity::warning, name, at, fmt::format("{} has no effect on a curve '{}'", element, kind_),
+      tell(Severity::warning, name, at, fmt::format("{} has no effect on a curve '{}'", element, word_of(kind_)),
            round ? "it has a centre, half axes and two angles" : "it has vertices");
     };
     if (round && last_vertex() > 0) {
@@ -63,13 +65,13 @@ class CurveReader {
       warn(name, {last_vertex(), k_}, fmt::format("{}({},{})", name, last_vertex(), k_));
     }
     for (const char* name : {"xc", "yc", "a", "b", "from", "to"}) {
-      const bool used = round && !(kind_ == "arc" && name == std::string("b"));
+      const bool used = round && !(kind_ == CurveKind::arc && name == std::string("b"));
       if (!used && deck_.given("membrane", name, k_)) warn(name, {k_, 1}, fmt::format("{}({})", name, k_));
     }
   }
 
   std::optional<Curve> ellipse() const {
-    const bool arc = kind_ == "arc";
+    const bool arc = kind_ == CurveKind::arc;
     const char* hint = arc ? "an arc needs its radius a" : "an ellipse needs its half axes a and b";
     const bool has_a = needs("a", hint), has_b = arc || needs("b", hint);
     const double from = real("from"), to = real("to");
@@ -83,10 +85,11 @@ class CurveReader {
   }
 
   std::optional<Curve> through_vertices() const {
-    const bool line = kind_ == "line";
+    const bool line = kind_ == CurveKind::line;
     const int last = last_vertex();
     if (last < 2 || (line && last > 2)) {
-      error("curve", {k_, 1}, fmt::format("a {} has {} vertices, not {}", kind_, line ? "2" : "at least 2", last),
+      error("curve", {k_, 1},
+            fmt::format("a {} has {} vertices, not {}", word_of(kind_), line ? "2" : "at least 2", last),
             line && last > 2 ? "a polyline takes more" : fmt::format("give x(1,{0}) and y(1,{0}) onward", k_));
       return std::nullopt;
     }
@@ -96,7 +99,7 @@ class CurveReader {
       vertices.push_back({deck_.real("membrane", "x", v, k_), deck_.real("membrane", "y", v, k_)});
     }
     if (!apart(vertices)) return std::nullopt;
-    return kind_ == "spline" ? spline(vertices) : polyline(vertices);
+    return kind_ == CurveKind::spline ? spline(vertices) : polyline(vertices);
   }
 
   bool vertex_given(int v) const {
@@ -117,7 +120,8 @@ class CurveReader {
             "leave one of them out");
       return false;
     }
-    if (kind_ != "spline" || vertices.size() != 3 || distance(vertices.front(), vertices.back()) > 0) return true;
+    if (kind_ != CurveKind::spline || vertices.size() != 3 || distance(vertices.front(), vertices.back()) > 0)
+      return true;
     error("curve", {k_, 1}, "a closed spline needs 3 vertices and the first once more, not 2", "two make no loop");
     return false;
   }
@@ -125,7 +129,7 @@ class CurveReader {
   const Deck& deck_;
   int k_;
   Diagnostics& diagnostics_;
-  std::string kind_;
+  CurveKind kind_;
 };
 
 }  // namespace

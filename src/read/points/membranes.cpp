@@ -5,11 +5,13 @@
 
 #include <optional>
 
+#include "deck/words.hpp"
 #include "model/string_gaps.hpp"
 #include "read/bodies.hpp"
 #include "read/memory.hpp"
 #include "read/points/materials.hpp"
 #include "read/points/membrane_curves.hpp"
+#include "read/word.hpp"
 
 namespace tether {
 namespace {
@@ -56,8 +58,9 @@ class MembraneReader {
     return law;
   }
   EndPoints ends() const {
-    const std::string pinned = deck_.text("membrane", "pinned", b_);
-    return {pinned == "first" || pinned == "both", pinned == "last" || pinned == "both"};
+    const auto pinned = word<PinnedEnds>(deck_, "membrane", "pinned", b_);
+    return {pinned == PinnedEnds::first || pinned == PinnedEnds::both,
+            pinned == PinnedEnds::last || pinned == PinnedEnds::both};
   }
   /// The deck must say how many points there are, in one way only.
   void check_count() const {

@@ -34,14 +34,7 @@ std::string lacks(ReferenceKind kind, const Scene& scene) {
 }  // namespace
 
 ReferenceKind reference_kind(const std::string& name) {
-  return name == "riemann"      ? ReferenceKind::riemann
-         : name == "spring"     ? ReferenceKind::spring
-         : name == "string"     ? ReferenceKind::string
-         : name == "pendulum"   ? ReferenceKind::pendulum
-         : name == "piston"     ? ReferenceKind::piston
-         : name == "radial-gas" ? ReferenceKind::radial_gas
-         : name == "thin-ring"  ? ReferenceKind::thin_ring
-                                : ReferenceKind::none;
+  return find_word<ReferenceKind>(name).value_or(ReferenceKind::none);
 }
 
 std::optional<std::array<double, 2>> reference_window_of(const Deck& deck, const Scene& scene,

@@ -104,7 +104,7 @@ std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  Summary summary{{"mode", coupling_mode_name(plan_.scene.coupled()->mode)},
+  Summary summary{{"mode", std::string(word_of(plan_.scene.coupled()->mode))},
                   {"linear_solver", step_.system().solver_name()},
                   {"unknowns", number(state_.q.size() + plan_.scene.coupled()->grid.cell_count())},
                   {"krylov_iterations", number(state_.iterations)},

@@ -43,9 +43,7 @@ struct CoupledSystem::Parts {
 };
 
 CoupledSystem::CoupledSystem(const Coupled& scene)
-    : scene_(scene),
-      direct_(systems_of(scene) == CoupledSystems::direct),
-      parts_(std::make_unique<Parts>(scene.grid.dim)) {}
+    : scene_(scene), direct_(systems_of(scene) == Systems::direct), parts_(std::make_unique<Parts>(scene.grid.dim)) {}
 
 CoupledSystem::~CoupledSystem() = default;
 

@@ -19,10 +19,9 @@ SaddleUnknowns saddle_unknowns(const FlowUnknowns& unknowns) {
 
 }  // namespace
 
-FlowLinear::FlowLinear(const FlowUnknowns& unknowns, const FlowElements& elements, const SparseMatrix& K,
-                       FlowSystems by)
+FlowLinear::FlowLinear(const FlowUnknowns& unknowns, const FlowElements& elements, const SparseMatrix& K, Systems by)
     : of_(unknowns), b_(unknowns.count()) {
-  if (by == FlowSystems::direct) {
+  if (by == Systems::direct) {
     direct_.emplace(unknowns.first);
     direct_->order_by(K);
     return;

@@ -32,7 +32,7 @@ struct FlowScales {
 class FlowLinear {
  public:
   /// K says which unknowns couple. Elements are asked for matrices of their pressures. The unknowns must outlive it.
-  FlowLinear(const FlowUnknowns& unknowns, const FlowElements& elements, const SparseMatrix& K, FlowSystems by);
+  FlowLinear(const FlowUnknowns& unknowns, const FlowElements& elements, const SparseMatrix& K, Systems by);
 
   bool by_krylov() const { return krylov_.has_value(); }
   /// A step's first K is next. What GMRES works with is made anew, so that steps do not depend on those before them.

@@ -231,8 +231,7 @@ TEST_P(Cut, PlatesDoNotLeak) {
         for (const double y : {0.5, 0.5625}) {
           for (const AxisBox* obstacle : {static_cast<const AxisBox*>(nullptr), &floor}) {
             EXPECT_TRUE(divides(GetParam(), mode, thickness, angle, {0.53125, y, 0.5}, obstacle))
-                << coupling_mode_name(mode) << " " << thickness << " " << angle << " " << y << " "
-                << (obstacle != nullptr);
+                << word_of(mode) << " " << thickness << " " << angle << " " << y << " " << (obstacle != nullptr);
           }
         }
       }

@@ -20,7 +20,7 @@ struct Kind {
   int dim;
   CouplingMode mode;
 };
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.dim << " " << coupling_mode_name(kind.mode); }
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.dim << " " << word_of(kind.mode); }
 
 class Films : public testing::TestWithParam<Kind> {
  protected:

@@ -91,7 +91,7 @@ struct Problem {
 struct Answer {
   Values u, p;
 };
-Answer solved(const Problem& problem, CouplingMode mode, CoupledSystems systems) {
+Answer solved(const Problem& problem, CouplingMode mode, Systems systems) {
   Coupled coupled = problem.coupled;
   coupled.mode = mode, coupled.systems = systems, coupled.tolerance = 1e-13;
   CoupledSystem system(coupled);
@@ -150,19 +150,19 @@ TEST_P(System, HasOneSolutionByThreeWays) {
   ASSERT_EQ(problem.regions.closed,
             (GetParam().open ? std::vector<std::uint8_t>{0, 1} : std::vector<std::uint8_t>{1, 1}));
   ASSERT_EQ(problem.loose[0], GetParam().hold_all ? 1 : 0);
-  const Answer direct = solved(problem, CouplingMode::symmetric, CoupledSystems::direct);
+  const Answer direct = solved(problem, CouplingMode::symmetric, Systems::direct);
   EXPECT_LT(problem.residual(direct.u, direct.p), 1e-12);
-  EXPECT_LT(distance(problem, direct, solved(problem, CouplingMode::symmetric, CoupledSystems::krylov)), 1e-9);
-  EXPECT_LT(distance(problem, direct, solved(problem, CouplingMode::paper, CoupledSystems::automatic)), 1e-9);
+  EXPECT_LT(distance(problem, direct, solved(problem, CouplingMode::symmetric, Systems::krylov)), 1e-9);
+  EXPECT_LT(distance(problem, direct, solved(problem, CouplingMode::paper, Systems::automatic)), 1e-9);
 }
 
 /// Solids that hardly yield need constant pressures in closed regions beside which all others are rounding.
-TEST(CoupledSystems, FindTheConstantsThatStiffSolidsNeed) {
+TEST(Systems, FindTheConstantsThatStiffSolidsNeed) {
   for (const int dim : {2, 3}) {
     Problem problem(dim, false, false);
     for (double& value : problem.equations->A.value) value *= 1e9;
-    const Answer direct = solved(problem, CouplingMode::symmetric, CoupledSystems::direct);
-    const Answer krylov = solved(problem, CouplingMode::symmetric, CoupledSystems::krylov);
+    const Answer direct = solved(problem, CouplingMode::symmetric, Systems::direct);
+    const Answer krylov = solved(problem, CouplingMode::symmetric, Systems::krylov);
     EXPECT_GT(*std::max_element(direct.p.begin(), direct.p.end()), 1e6);
     EXPECT_LT(distance(problem, direct, krylov), 1e-9);
   }
@@ -171,7 +171,7 @@ TEST(CoupledSystems, FindTheConstantsThatStiffSolidsNeed) {
 /// Another force and other held velocities with the factors of the solution before, as contact's friction needs them.
 TEST_P(System, IsSolvedAgainWithTheFactorsThatItHas) {
   Problem problem(GetParam().dim, GetParam().open, GetParam().hold_all);
-  for (const CoupledSystems systems : {CoupledSystems::direct, CoupledSystems::krylov}) {
+  for (const Systems systems : {Systems::direct, Systems::krylov}) {
     for (const CouplingMode mode : {CouplingMode::symmetric, CouplingMode::splitting}) {
       Coupled coupled = problem.coupled;
       coupled.mode = mode, coupled.systems = systems, coupled.tolerance = 1e-13;
@@ -206,10 +206,10 @@ TEST_P(System, HasANegativePivotForEachCell) {
 }
 
 /// A flow into a closed region whose walls do not yield has nowhere to go.
-TEST(CoupledSystems, RefuseWhatDoesNotBalance) {
+TEST(Systems, RefuseWhatDoesNotBalance) {
   Problem problem(2, false, true);
   problem.r[0] += 0.01;
-  for (const CoupledSystems systems : {CoupledSystems::direct, CoupledSystems::krylov}) {
+  for (const Systems systems : {Systems::direct, Systems::krylov}) {
     try {
       solved(problem, CouplingMode::symmetric, systems);
       ADD_FAILURE() << "a flow into a closed region";
@@ -220,14 +220,14 @@ TEST(CoupledSystems, RefuseWhatDoesNotBalance) {
 }
 
 /// A of a solid that has lost its stiffness is told by the pivots: an error where K' was made convex, else a message.
-TEST(CoupledSystems, TellPivotsThatAreMissing) {
+TEST(Systems, TellPivotsThatAreMissing) {
   Problem problem(2, true, false);
   for (std::int64_t k = 0; k < problem.equations->A.n; ++k) {
     auto& A = problem.equations->A;
     for (auto e = A.start[std::size_t(k)]; e < A.start[std::size_t(k + 1)]; ++e) A.value[std::size_t(e)] *= -1;
   }
-  EXPECT_THROW(solved(problem, CouplingMode::symmetric, CoupledSystems::direct), RunError);
-  problem.coupled.convex = false, problem.coupled.systems = CoupledSystems::direct;
+  EXPECT_THROW(solved(problem, CouplingMode::symmetric, Systems::direct), RunError);
+  problem.coupled.convex = false, problem.coupled.systems = Systems::direct;
   CoupledSystem system(problem.coupled);
   Answer answer{problem.known, Values(problem.r.size(), 0.0)};
   system.solve(problem.all_of(), 0, answer.u, answer.p);
@@ -239,7 +239,7 @@ TEST(CoupledSystems, TellPivotsThatAreMissing) {
 /// One after the other: the solids with pressures given, then the fluid with velocities given.
 TEST_P(System, OneAfterTheOtherSolvesEachAlone) {
   const Problem problem(GetParam().dim, GetParam().open, GetParam().hold_all);
-  for (const CoupledSystems systems : {CoupledSystems::direct, CoupledSystems::krylov}) {
+  for (const Systems systems : {Systems::direct, Systems::krylov}) {
     Coupled coupled = problem.coupled;
     coupled.mode = CouplingMode::splitting, coupled.systems = systems, coupled.tolerance = 1e-13;
     CoupledSystem system(coupled);
@@ -271,7 +271,7 @@ TEST_P(System, OneAfterTheOtherSolvesEachAlone) {
   }
 }
 
-TEST(CoupledSystems, AreChosenByDimensionAndSize) {
+TEST(Systems, AreChosenByDimensionAndSize) {
   const auto name = [](int dim, int n, CouplingMode mode) {
     Coupled coupled = fluid_in_box(dim, n);
     coupled.mode = mode;

@@ -50,9 +50,9 @@ struct Difference {
 
 /// After some steps, over the largest; GMRES takes its part in it.
 Difference difference(Flow flow, double dt) {
-  flow.systems = FlowSystems::direct;
+  flow.systems = Systems::direct;
   RunningFlow direct(flow);
-  flow.systems = FlowSystems::krylov;
+  flow.systems = Systems::krylov;
   RunningFlow krylov(flow);
   EXPECT_TRUE(direct.run(6 * dt, dt) && krylov.run(6 * dt, dt));
   EXPECT_GT(krylov.state.krylov_iterations, 6);
@@ -87,7 +87,7 @@ TEST(FlowLinear, DependsOnNoUnits) {
   for (const FlowElement element : both_elements) {
     const auto run = [&](double density) {
       Flow flow = cavity(element, 12, density);
-      flow.systems = FlowSystems::krylov;
+      flow.systems = Systems::krylov;
       RunningFlow result(flow);
       EXPECT_TRUE(result.run(0.2, 0.04));
       return result.state;
@@ -102,7 +102,7 @@ TEST(FlowLinear, DependsOnNoUnits) {
 /// Steps depend on their starts alone, not on what GMRES kept from before.
 TEST(FlowLinear, StepsForgetThoseBefore) {
   Flow flow = cavity(FlowElement::q1q1, 12);
-  flow.systems = FlowSystems::krylov;
+  flow.systems = Systems::krylov;
   RunningFlow whole(flow), rest(flow);
   ASSERT_TRUE(whole.run(0.08, 0.04));
   rest.state = whole.state;
@@ -138,7 +138,7 @@ TEST(FlowLinear, FactorsDoWhereGmresDoesNot) {
     const Flow flow = cavity(element, 8);
     System of(flow);
     const SparseMatrix K = of.K;
-    FlowLinear linear(of.unknowns, *of.elements, of.K, FlowSystems::krylov);
+    FlowLinear linear(of.unknowns, *of.elements, of.K, Systems::krylov);
     std::vector<double> b(of.unknowns.count(), 1.0), x(b.size()), r(b.size());
     const auto solve = [&](double tolerance) {
       of.K = K;
@@ -164,7 +164,7 @@ TEST(FlowLinear, ASingularSystemIsNotSolved) {
   const Flow flow = cavity(FlowElement::q1q1, 4);
   System of(flow);
   of.K.set_zero();
-  FlowLinear linear(of.unknowns, *of.elements, of.K, FlowSystems::krylov);
+  FlowLinear linear(of.unknowns, *of.elements, of.K, Systems::krylov);
   std::vector<double> x(of.unknowns.count(), 1.0);
   EXPECT_TRUE(linear.factorise(of.K, of.scales()));
   EXPECT_FALSE(linear.solve(x, x, 1e-3));
@@ -258,13 +258,13 @@ TEST(FlowLinear, AutomaticIsByUnknownsTimeAndBodies) {
     return systems_of(flow, solids);
   };
   const auto few = static_cast<std::size_t>(most_unknowns_of_factors / 3), many = few + 1;
-  EXPECT_EQ(of(few, false), FlowSystems::direct);
-  EXPECT_EQ(of(many, false), FlowSystems::krylov);
-  EXPECT_EQ(of(many, true), FlowSystems::direct);
+  EXPECT_EQ(of(few, false), Systems::direct);
+  EXPECT_EQ(of(many, false), Systems::krylov);
+  EXPECT_EQ(of(many, true), Systems::direct);
   flow.integrator = FlowIntegrator::steady;
-  EXPECT_EQ(of(many, false), FlowSystems::direct);
-  flow.systems = FlowSystems::krylov;
-  EXPECT_EQ(of(few, true), FlowSystems::krylov);
+  EXPECT_EQ(of(many, false), Systems::direct);
+  flow.systems = Systems::krylov;
+  EXPECT_EQ(of(few, true), Systems::krylov);
 }
 
 }  // namespace

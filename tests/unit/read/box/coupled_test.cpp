@@ -31,7 +31,7 @@ TEST(CoupledScene, HasTheDefaultsOfTheTable) {
   EXPECT_EQ(c.mode, CouplingMode::cut_cell);
   EXPECT_EQ(c.integrator, CoupledIntegrator::paper);
   EXPECT_EQ(c.advection, Advection::maccormack);
-  EXPECT_EQ(c.systems, CoupledSystems::automatic);
+  EXPECT_EQ(c.systems, Systems::automatic);
   EXPECT_EQ(c.tolerance, 1e-12);
   EXPECT_EQ(c.density, 2);
   EXPECT_EQ(c.viscosity, 0);
@@ -55,7 +55,7 @@ TEST(CoupledScene, ReadsTheMethod) {
   EXPECT_EQ(c.mode, CouplingMode::splitting);
   EXPECT_EQ(c.integrator, CoupledIntegrator::trapezoid);
   EXPECT_EQ(c.advection, Advection::semi_lagrangian);
-  EXPECT_EQ(c.systems, CoupledSystems::krylov);
+  EXPECT_EQ(c.systems, Systems::krylov);
   EXPECT_EQ(c.tolerance, 1e-6);
   EXPECT_EQ(c.viscosity, .5);
   EXPECT_EQ(c.friction, .3);
@@ -239,13 +239,13 @@ TEST(CoupledScene, SpringsActOnSidesAndRegions) {
 TEST(CoupledScene, LargeOnesInSpaceGoByConjugateGradients) {
   Coupled c;
   c.grid.n = {1000, 1000, 1};
-  EXPECT_EQ(systems_of(c), CoupledSystems::direct);
+  EXPECT_EQ(systems_of(c), Systems::direct);
   c.grid.dim = 3, c.grid.n = {10, 20, 10};
-  EXPECT_EQ(systems_of(c), CoupledSystems::direct);
+  EXPECT_EQ(systems_of(c), Systems::direct);
   c.grid.n = {10, 20, 11};
-  EXPECT_EQ(systems_of(c), CoupledSystems::krylov);
-  c.systems = CoupledSystems::direct;
-  EXPECT_EQ(systems_of(c), CoupledSystems::direct);
+  EXPECT_EQ(systems_of(c), Systems::krylov);
+  c.systems = Systems::direct;
+  EXPECT_EQ(systems_of(c), Systems::direct);
 }
 
 TEST(CoupledPath, BelongsToItsGroup) {
