@@ -13,23 +13,15 @@ constexpr std::uint32_t never = 0xffffffff;  // stamp of a ghost, which is liste
 
 }  // namespace
 
-Points::Points(const Scene& scene)
-    : x(scene.points.x),
-      y(scene.points.y),
-      vx(scene.points.vx),
-      vy(scene.points.vy),
-      mass(scene.points.mass),
-      volume(scene.points.volume),
-      sxx(scene.points.sxx),
-      syy(scene.points.syy),
-      sxy(scene.points.sxy),
-      pinned(scene.points.size(), 0),
-      id(scene.points.size()) {
-  for (auto* array : {&vxx, &vyx, &vxy, &vyy, &szz, &rho, &energy, &strain, &hoop, &tx, &ty, &dxx, &dyy, &dxy, &dzz})
-    array->assign(scene.points.size(), 0.0);
+Points::Points(const Scene& scene) {
+  each_array([n = scene.points.size()](auto& array) { array.resize(n); });
+  const PointSet& given = scene.points;
+  x = given.x, y = given.y, vx = given.vx, vy = given.vy;
+  mass = given.mass, volume = given.volume;
+  sxx = given.sxx, syy = given.syy, sxy = given.sxy;
   if (find_body<FiniteElastic>(scene)) {
-    for (auto* array : {&fxx, &fyy, &fzz}) array->assign(scene.points.size(), 1.0);
-    for (auto* array : {&fxy, &fyx}) array->assign(scene.points.size(), 0.0);
+    for (auto* array : {&fxx, &fyy, &fzz}) array->assign(size(), 1.0);
+    for (auto* array : {&fxy, &fyx}) array->assign(size(), 0.0);
   }
   for (const std::size_t p : scene.pinned) pinned[p] = 1;
   std::iota(id.begin(), id.end(), 0);

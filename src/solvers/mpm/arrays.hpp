@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
+#include "fields/array_field.hpp"
 #include "grid/background_grid.hpp"
 #include "grid/pair.hpp"
 #include "model/scene.hpp"
@@ -12,37 +14,73 @@
 namespace tether::mpm {
 
 /// All material points, an array a property. A point keeps its number (its place in the scene) in `id` while sorting
-/// moves it from slot to slot; a body keeps its range of slots.
+/// moves it from slot to slot; a body keeps its range of slots. An array is a member and its row, in rows().
 struct Points {
-  std::vector<double> x, y, vx, vy;        // [length], [velocity]
-  std::vector<double> mass, volume;        // m_p and the stored V_p; a gas has V_p = m_p / rho instead
-  std::vector<double> vxx, vyx, vxy, vyy;  // APIC: the field about the point, vyx = d v_y / d x [1/time]
-  std::vector<double> sxx, syy, sxy;       // sigma_p [stress]
-  std::vector<double> szz;                 // about an axis: its hoop stress [stress]
-  std::vector<double> rho, energy;         // gas: density, specific internal energy i
-  std::vector<double> strain, hoop;  // membrane: eps_1' and, about an axis, eps_2'; linear fluid: pressure is -sxx
-  std::vector<double> tx, ty;        // membrane: unit tangent t
-  std::vector<double> dxx, dyy, dxy, dzz;  // eps' of this step, for laws that need their neighbours' new places first
-  // F = dx / dX of laws that carry it, fxy = d x / d Y, and the stretch across the plane; empty where no law does
+  std::vector<double> x, y, vx, vy;
+  std::vector<double> vxx, vyx, vxy, vyy;
+  std::vector<double> mass, volume;
+  std::vector<double> sxx, syy, sxy, szz;
+  std::vector<double> rho, energy;
+  std::vector<double> strain, hoop, tx, ty;
   std::vector<double> fxx, fxy, fyx, fyy, fzz;
+  std::vector<double> dxx, dyy, dxy, dzz;
   std::vector<std::uint8_t> pinned;
   std::vector<int> id;
+
+  /// Name in a checkpoint, array, dimension and meaning of each.
+  static constexpr auto rows() {
+    using P = Points;
+    using D = Dimension;
+    using K = Kept;
+    return std::tuple{
+        ArrayField{"x", &P::x, D::length, "place, x"},
+        ArrayField{"y", &P::y, D::length, "place, y"},
+        ArrayField{"vx", &P::vx, D::velocity, "velocity, x"},
+        ArrayField{"vy", &P::vy, D::velocity, "velocity, y"},
+        ArrayField{"vxx", &P::vxx, D::rate, "APIC: the field about the point, d v_x / d x"},
+        ArrayField{"vyx", &P::vyx, D::rate, "APIC: d v_y / d x"},
+        ArrayField{"vxy", &P::vxy, D::rate, "APIC: d v_x / d y"},
+        ArrayField{"vyy", &P::vyy, D::rate, "APIC: d v_y / d y"},
+        ArrayField{"mass", &P::mass, D::mass, "mass m_p"},
+        ArrayField{"volume", &P::volume, D::volume, "the stored volume V_p; a gas has V_p = m_p / rho instead"},
+        ArrayField{"sxx", &P::sxx, D::stress, "stress sigma_p, xx; of a linear fluid -p"},
+        ArrayField{"syy", &P::syy, D::stress, "stress sigma_p, yy"},
+        ArrayField{"sxy", &P::sxy, D::stress, "stress sigma_p, xy"},
+        ArrayField{"szz", &P::szz, D::stress, "about an axis and of membranes: the hoop stress"},
+        ArrayField{"rho", &P::rho, D::density, "gas: density"},
+        ArrayField{"energy", &P::energy, D::specific_energy, "gas: specific internal energy i"},
+        ArrayField{"strain", &P::strain, D::number, "membrane: strain along its tangent, eps_1'"},
+        ArrayField{"hoop", &P::hoop, D::number, "membrane about an axis: hoop strain, eps_2'"},
+        ArrayField{"tx", &P::tx, D::number, "membrane: unit tangent t, x"},
+        ArrayField{"ty", &P::ty, D::number, "membrane: unit tangent t, y"},
+        ArrayField{"fxx", &P::fxx, D::number, "deformation gradient F of laws that carry it, d x / d X",
+                   K::where_asked},
+        ArrayField{"fxy", &P::fxy, D::number, "F, d x / d Y", K::where_asked},
+        ArrayField{"fyx", &P::fyx, D::number, "F, d y / d X", K::where_asked},
+        ArrayField{"fyy", &P::fyy, D::number, "F, d y / d Y", K::where_asked},
+        ArrayField{"fzz", &P::fzz, D::number, "F, the stretch across the plane", K::where_asked},
+        // For laws that need their neighbours' new places first.
+        ArrayField{"dxx", &P::dxx, D::rate, "strain rate eps', xx", K::within_step},
+        ArrayField{"dyy", &P::dyy, D::rate, "strain rate eps', yy", K::within_step},
+        ArrayField{"dxy", &P::dxy, D::rate, "strain rate eps', xy", K::within_step},
+        ArrayField{"dzz", &P::dzz, D::rate, "strain rate eps', about an axis its hoop's", K::within_step},
+        ArrayField{"pinned", &P::pinned, D::number, "1 where the point is held at its place"},
+        ArrayField{"id", &P::id, D::number, "number of the point in the scene, from 0"},
+    };
+  }
 
   explicit Points(const Scene& scene);
   std::size_t size() const { return x.size(); }
 
-  /// Calls visit(array) for each property.
+  /// Calls visit(array) for each property that the scene's points have.
   template <class Visit>
   void each_array(const Visit& visit) {
-    for (auto* array : {&x,   &y,   &vx,  &vy,     &mass,   &volume, &vxx, &vyx, &vxy, &vyy, &sxx, &syy,
-                        &sxy, &szz, &rho, &energy, &strain, &hoop,   &tx,  &ty,  &dxx, &dyy, &dxy, &dzz})
-      visit(*array);
-    if (!fxx.empty()) {
-      for (auto* array : {&fxx, &fxy, &fyx, &fyy, &fzz}) visit(*array);
-    }
-    visit(pinned), visit(id);
+    each_row(rows(), [&](const auto& row) {
+      if (row.carried_by(*this)) visit(this->*row.array);
+    });
   }
 };
+static_assert(lists_each_array_once<Points>(Points::rows()), "an array of the points has no row, or two");
 
 /// Sums over points at a node, mapped at the start of a step (3.15)-(3.18).
 struct NodeSums {

@@ -86,17 +86,13 @@ void put_ranges(const ActiveSums& sums, const Scene& scene, State& state) {
 template <class Exchange, class AnyState, class Sums>
 void exchange(Exchange& with, AnyState& state, Sums& sums) {
   auto& P = state.points;
-  const auto take = [&](const char* name, auto& array) {  // where gas passes the edges their number changes
-    state.strips.on() ? with.list(name, array) : with(name, array);
-  };
-  take("x", P.x), take("y", P.y), take("vx", P.vx), take("vy", P.vy);
-  take("vxx", P.vxx), take("vyx", P.vyx), take("vxy", P.vxy), take("vyy", P.vyy);
-  take("mass", P.mass), take("volume", P.volume);
-  take("sxx", P.sxx), take("syy", P.syy), take("sxy", P.sxy), take("szz", P.szz);
-  take("rho", P.rho), take("energy", P.energy), take("strain", P.strain), take("hoop", P.hoop);
-  take("tx", P.tx), take("ty", P.ty), take("id", P.id);
-  if (!P.fxx.empty())
-    take("fxx", P.fxx), take("fxy", P.fxy), take("fyx", P.fyx), take("fyy", P.fyy), take("fzz", P.fzz);
+  each_row(Points::rows(), [&](const auto& row) {
+    if (!row.remembered() || !row.carried_by(P)) return;
+    if (state.strips.on())  // where gas passes the edges their number changes
+      with.list(row.name, P.*row.array);
+    else
+      with(row.name, P.*row.array);
+  });
   Strips::exchange(with, state.strips);
   with("body_begin", sums.begin), with("body_end", sums.end), with("gas_mass", state.gas_mass);
   with("point_steps", state.point_steps);

@@ -5,10 +5,11 @@
 
 namespace tether::mpm {
 
-CellSort::CellSort(std::size_t points) : doubles_(points), ints_(points) { keys_.reserve(points); }
+CellSort::CellSort(std::size_t points) { keys_.reserve(points); }
 
-template <class T>
-void CellSort::permute(std::vector<T>& array, std::vector<T>& scratch, Range range) const {
+template <class Number>
+void CellSort::permute(std::vector<Number>& array, Range range) {
+  auto& scratch = std::get<std::vector<Number>>(scratch_);
   if (scratch.size() < keys_.size()) scratch.resize(keys_.size());  // points came in
   for (std::size_t k = 0; k < keys_.size(); ++k) scratch[k] = array[keys_[k].slot];
   std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
@@ -31,14 +32,9 @@ void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
   }
   std::sort(keys_.begin(), keys_.end(),
             [](const Key& a, const Key& b) { return a.cell != b.cell ? a.cell < b.cell : a.id < b.id; });
-  for (auto* array : {&P.x, &P.y, &P.vx, &P.vy, &P.vxx, &P.vyx, &P.vxy, &P.vyy, &P.mass, &P.volume, &P.sxx, &P.syy,
-                      &P.sxy, &P.szz, &P.rho, &P.energy}) {
-    permute(*array, doubles_, range);
-  }
-  if (!P.fxx.empty()) {
-    for (auto* array : {&P.fxx, &P.fxy, &P.fyx, &P.fyy, &P.fzz}) permute(*array, doubles_, range);
-  }
-  permute(P.id, ints_, range);
+  each_row(Points::rows(), [&](const auto& row) {
+    if (row.remembered() && row.carried_by(P)) permute(P.*row.array, range);
+  });
 }
 
 }  // namespace tether::mpm

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "model/scene.hpp"
@@ -10,25 +12,26 @@
 namespace tether::mpm {
 
 /// Sorts the slots of bodies by cell, then by point number: neighbours in space become neighbours in memory, and the
-/// order does not depend on what it was before. Keeps its work space between calls.
+/// order does not depend on what it was before. All that a point remembers moves with it. Keeps its work space between
+/// calls.
 class CellSort {
  public:
+  /// What a point is sorted by, and its slot before.
+  struct Key {
+    int cell, id;
+    std::size_t slot;
+  };
   explicit CellSort(std::size_t points);
   /// All bodies of the scene but its strings, which keep the order of their file: it runs along them.
   void operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene, const BackgroundGrid& shape);
 
  private:
   void sort_body(Points& points, Range range, const BackgroundGrid& shape);
-  struct Key {
-    int cell, id;
-    std::size_t slot;
-  };
-  template <class T>
-  void permute(std::vector<T>& array, std::vector<T>& scratch, Range range) const;
+  template <class Number>
+  void permute(std::vector<Number>& array, Range range);
 
   std::vector<Key> keys_;
-  std::vector<double> doubles_;
-  std::vector<int> ints_;
+  std::tuple<std::vector<double>, std::vector<int>, std::vector<std::uint8_t>> scratch_;  // one for each type of array
 };
 
 }  // namespace tether::mpm

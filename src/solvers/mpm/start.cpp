@@ -15,16 +15,19 @@ namespace tether::mpm {
 namespace {
 
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: saved.cpp
-constexpr double bytes_of_saved_point = 23 * sizeof(double);
 constexpr double bytes_of_frame = sizeof(std::size_t) + sizeof(Pair) + sizeof(double) + 1;
 constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
 constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) +
                                  2 * sizeof(double) + 4 * sizeof(int) + bytes_of_frame + bytes_of_contact +
                                  bytes_of_saved_node;
 static_assert(bytes_of_node <= bytes_per_node, "model/size.hpp: a node takes more than it says");
-static_assert(28 * sizeof(double) + 1 + 3 * sizeof(int) + 8 * sizeof(double) + 16 + bytes_of_saved_point <=
-                  bytes_per_point,
-              "model/size.hpp: a point takes more than it says");
+// Of a point: its arrays, their place in a checkpoint, and the work space of sorting, of tangents and of strips.
+constexpr double bytes_of_sorting = sizeof(CellSort::Key) + sizeof(double) + sizeof(int) + 1;
+constexpr double bytes_of_tangents = 2 * sizeof(double);
+constexpr double bytes_of_strips = sizeof(std::size_t) + 10 * sizeof(double) + 2;
+constexpr double bytes_of_point = bytes_of_arrays<Points>(Points::rows()) + bytes_of_saved_arrays(Points::rows()) +
+                                  bytes_of_sorting + bytes_of_tangents + bytes_of_strips;
+static_assert(bytes_of_point <= bytes_per_point, "model/size.hpp: a point takes more than it says");
 
 /// Of the points' mean mass: nodes with less have it from points on a line of the grid, 1e-12 of their masses.
 constexpr double light_part = 1e-9;
