@@ -18,6 +18,7 @@
 #include "plan/plan_text.hpp"
 #include "progress.hpp"
 #include "read/points/region_checks.hpp"
+#include "run/column_guide.hpp"
 #include "run/rehearsal.hpp"
 #include "run/restart.hpp"
 #include "run/run.hpp"
@@ -246,6 +247,13 @@ int vars_command(const std::string& group, bool markdown) {
     const std::string listing = markdown ? variables_markdown() : variables_listing(lower(group));
     if (listing.empty()) throw InputError(fmt::format("there is no group {}", group), "tether vars lists all");
     fmt::print("{}", listing);
+  });
+}
+
+int columns_command(bool markdown) {
+  return guarded("tether columns", [&] {
+    const auto all = columns_of_all_physics();
+    fmt::print("{}", markdown ? columns_markdown(all) : columns_listing(all));
   });
 }
 

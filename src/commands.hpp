@@ -35,5 +35,6 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
 int sweep_command(const std::string& study, const RunOptions& options);
 int reproduce_command(const PublishedOptions& published, const RunOptions& options);
 int vars_command(const std::string& group, bool markdown);
+int columns_command(bool markdown);
 
 }  // namespace tether

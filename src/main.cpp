@@ -174,6 +174,8 @@ int main(int argc, char** argv) {
   auto* vars = app.add_subcommand("vars", "the deck reference");
   vars->add_option("group", group, "only this group");
   vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
+  auto* columns = app.add_subcommand("columns", "the columns that histories may have");
+  columns->add_flag("--markdown", markdown, "as the table of decks/README.md");
 
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   settle_in();
@@ -183,6 +185,7 @@ int main(int argc, char** argv) {
   if (*sweep) return sweep_command(deck, run_options);
   if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);
+  if (*columns) return columns_command(markdown);
   if (decks.empty())
     return refuse(
         fmt::format("tether: error: a deck or a command is missing\n  tether DECK runs a deck. The commands are "

@@ -58,8 +58,7 @@ std::string text_of(const std::vector<Holders>& of, std::size_t all) {
 
 std::string column_text_name(const std::string& name, bool vector, bool several) {
   const std::string number = several ? "_1" : "";
-  if (!vector) return fmt::format("`{}{}`", name, number);
-  return fmt::format("`{}x{}`, y, z", name, number);
+  return vector ? fmt::format("{}x{}, y, z", name, number) : name + number;
 }
 
 std::string joined_conditions(const std::string& of_group, const std::string& of_row) {
@@ -75,6 +74,18 @@ std::string columns_markdown(const std::vector<PhysicsColumns>& all) {
   for (const Row& row : rows) {
     text += fmt::format("| {} | {} | {} | {} |\n", row.column.name, dimension_text(row.column.dimension),
                         text_of(row.of, all.size()), row.column.meaning);
+  }
+  return text;
+}
+
+std::string columns_listing(const std::vector<PhysicsColumns>& all) {
+  std::string text;
+  for (const PhysicsColumns& one : all) {
+    text += one.physics + "\n";
+    for (const ColumnText& column : one.columns) {
+      text += fmt::format("  {:<28} {:<17} {}{}\n", column.name, dimension_text(column.dimension), column.meaning,
+                          column.when.empty() ? "" : fmt::format(" ({})", column.when));
+    }
   }
   return text;
 }

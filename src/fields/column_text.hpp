@@ -24,7 +24,7 @@ struct PhysicsColumns {
   std::vector<ColumnText> columns;
 };
 
-/// `name`, with the axes of a vector and the first number of several.
+/// The name with the axes of a vector and the first number of several.
 std::string column_text_name(const std::string& name, bool vector, bool several);
 
 /// Both conditions, of which either may be empty.
@@ -33,6 +33,9 @@ std::string joined_conditions(const std::string& of_group, const std::string& of
 /// One table of all columns in Markdown: rows of the same name, dimension and meaning are one, which says of which
 /// physics it is and when.
 std::string columns_markdown(const std::vector<PhysicsColumns>& all);
+
+/// The columns of each physics, a line each.
+std::string columns_listing(const std::vector<PhysicsColumns>& all);
 
 /// Throws std::logic_error where two of them have the same name.
 void refuse_twins(const std::vector<Quantity>& quantities);

@@ -22,6 +22,11 @@ double tracked_angle(const CommonSums& sums) {
   return std::atan2(last[0] - first[0], first[1] - last[1]) * 180 / std::numbers::pi;
 }
 
+const When<ColumnSetting>& in_plane() {
+  static const When<ColumnSetting> when("in the plane", [](const ColumnSetting& s) { return s.dim == 2; });
+  return when;
+}
+
 CommonGroup energy_columns() {
   return {{{"time", D::time, "time", &CommonSums::time},
            {"dt", D::time, "length of the last step", &CommonSums::dt},
@@ -35,14 +40,17 @@ CommonGroup energy_columns() {
 
 CommonGroup momentum_columns() {
   const auto momentum = [](const CommonSums& s, std::size_t axis, std::size_t) { return s.momentum[axis]; };
+  return {{{"mass", D::mass, "mass", &CommonSums::mass}, Row("momentum_", D::momentum, "momentum", momentum).vector()}};
+}
+
+CommonGroup plane_spin_column() {
+  return {{{"angular_momentum_z", D::angular_momentum, "angular momentum about the origin",
+            [](const CommonSums& s) { return s.angular[2]; }}}};
+}
+
+CommonGroup spin_columns() {
   const auto angular = [](const CommonSums& s, std::size_t axis, std::size_t) { return s.angular[axis]; };
-  const char* about = "angular momentum about the origin";
-  return {{{"mass", D::mass, "mass", &CommonSums::mass},
-           Row("momentum_", D::momentum, "momentum", momentum).vector(),
-           Row("angular_momentum_", D::angular_momentum, about, angular).vector().when(in_space()),
-           Row("angular_momentum_z", D::angular_momentum, about, [](const CommonSums& s) {
-             return s.angular[2];
-           }).when("in the plane", [](const ColumnSetting& s) { return s.dim == 2; })}};
+  return {{Row("angular_momentum_", D::angular_momentum, "angular momentum about the origin", angular).vector()}};
 }
 
 CommonGroup body_columns() {

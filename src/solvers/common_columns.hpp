@@ -41,8 +41,11 @@ double tracked_angle(const CommonSums& sums);
 
 /// Time, dt and the energies up to their sum.
 CommonGroup energy_columns();
-/// Mass, momentum and angular momentum, which has one component in the plane.
+/// Mass and momentum.
 CommonGroup momentum_columns();
+/// Angular momentum, which has one component in the plane.
+CommonGroup plane_spin_column();
+CommonGroup spin_columns();
 /// Centre of mass, its velocity and the mass of each body.
 CommonGroup body_columns();
 /// Place and velocity of each tracked point.
@@ -57,5 +60,6 @@ ColumnGroup<Setting, Sums> angle_column(typename When<Setting>::Count asked) {
 }
 
 const When<ColumnSetting>& in_space();
+const When<ColumnSetting>& in_plane();
 
 }  // namespace tether

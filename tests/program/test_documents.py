@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The deck reference in decks/README.md is the table of variables, word for word."""
+"""The deck reference in decks/README.md is the table of variables, and its list of columns that of the physics, word for
+word."""
 import os
 import pathlib
 import subprocess
@@ -12,6 +13,12 @@ class Documents(unittest.TestCase):
         self.assertTrue(tables.stdout.startswith("## `$in`"))
         reference = pathlib.Path("decks/README.md").read_text()
         self.assertTrue(reference.endswith(tables.stdout), "run: tether vars --markdown, and put it behind '# Variables'")
+
+    def test_the_columns_are_those_of_the_tables_of_the_physics(self):
+        table = subprocess.run([os.environ["TETHER"], "columns", "--markdown"], capture_output=True, text=True, check=True)
+        self.assertTrue(table.stdout.startswith("| column |"))
+        reference = pathlib.Path("decks/README.md").read_text()
+        self.assertIn("\n\n" + table.stdout + "\n", reference, "run: tether columns --markdown, and put it below 'The history's columns'")
 
     def test_every_deck_is_in_the_readme(self):
         reference = pathlib.Path("decks/README.md").read_text()

@@ -18,19 +18,19 @@ const Given& with_solids() {
 
 Group fluid_columns() {
   const auto momentum = [](const CoupledSums& s, std::size_t axis, std::size_t) { return s.momentum[axis]; };
-  return {
-      {{"energy_fluid", D::energy, "kinetic energy of the fluid, part of energy_kinetic", &CoupledSums::fluid},
-       {"mass", D::mass, "mass of fluid and solids", &CoupledSums::mass},
-       Row("momentum_", D::momentum, "momentum of fluid and solids", momentum).vector(),
-       {"fluid_volume", D::volume, "volume of the fluid, by its cells; by cut-cell also by parts of them",
-        &CoupledSums::fluid_volume},
-       {"interface_power", D::power, "power that the solids took from the fluid in the last step",
-        [](const CoupledSums& s) { return s.state.last.interface_power; }},
-       {"interface_work", D::energy, "energy that they have taken", [](const CoupledSums& s) { return s.state.work; }},
-       {"interface_mismatch", D::number,
-        "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' "
-        "sizes, at least a thousandth of the powers in the fluid",
-        [](const CoupledSums& s) { return s.state.last.mismatch; }}}};
+  return {{{"energy_fluid", D::energy, "kinetic energy of the fluid, part of energy_kinetic", &CoupledSums::fluid},
+           {"mass", D::mass, "mass of fluid and solids", &CoupledSums::mass},
+           Row("momentum_", D::momentum, "momentum of fluid and solids", momentum).vector(),
+           {"fluid_volume", D::volume, "volume of the fluid, by its cells; by cut-cell also by parts of them",
+            &CoupledSums::fluid_volume},
+           {"interface_power", D::power, "power that the solids took from the fluid in the last step",
+            [](const CoupledSums& s) { return s.state.last.interface_power; }},
+           {"interface_work", D::energy, "energy that the solids have taken from the fluid",
+            [](const CoupledSums& s) { return s.state.work; }},
+           {"interface_mismatch", D::number,
+            "power that the fluid gave less that which the solids took in the last step, over the sum of its parts' "
+            "sizes, at least a thousandth of the powers in the fluid",
+            [](const CoupledSums& s) { return s.state.last.mismatch; }}}};
 }
 
 Row booked(const char* name, Book book, const char* meaning, double EnergyBooks::*amount) {
@@ -43,7 +43,9 @@ Group book_columns() {
   return {
       {booked("energy_jets", gained, "work of the pressure at jets, and kinetic energy that they carried in", &B::jets),
        booked("energy_open", gained,
-              "the same of open sides, by the pressure outside, on bodies that are beyond them, too, and of voids",
+              "work of the pressure outside at open sides, on bodies beyond them, too, and at voids, and kinetic "
+              "energy that they "
+              "carried in",
               &B::open_sides),
        booked("energy_gravity", gained, "work of gravity on the fluid, which has no energy of gravity in the total",
               &B::gravity),

@@ -109,7 +109,7 @@ ColumnGroup<BarSetting, BarSums> step_column() {
 
 const ColumnTable<BarSetting, BarSums>& bar_table() {
   static const ColumnTable<BarSetting, BarSums> table(
-      {energy_columns(), momentum_columns(), step_column(),
+      {energy_columns(), momentum_columns(), plane_spin_column(), step_column(),
        angle_column<BarSetting, BarSums>([](const BarSetting& s) { return s.tracked_angle; }), body_columns(),
        tracked_columns()});
   return table;

@@ -63,7 +63,8 @@ Group fluid_columns() {
         "size of the pressure times volume: what rounding and settling at rest are small against",
         &FlowSums::pressure_energy},
        {"mass", D::mass, "mass of the fluid, and of as much of it as solids are in the place of", &FlowSums::mass},
-       Row("momentum_", D::momentum, "momentum of the same", momentum).vector(),
+       Row("momentum_", D::momentum, "momentum of fluid, and of as much of it as solids are in the place of", momentum)
+           .vector(),
        {"stream_min", D::flux, "least value of the stream function at a node, 0 at the first", &FlowSums::least_stream},
        {"stream_max", D::flux, "largest value of the stream function at a node", &FlowSums::most_stream},
        Row("reynolds", D::number, "Reynolds number by speed and length of the deck", &FlowSums::reynolds)
@@ -93,14 +94,14 @@ Group force_columns() {
             of(&Force::all))
             .vector()
             .meaning_of(force_meaning),
-        Row("side_torque_z", D::torque, "its torque about the deck's place", torque(&Force::all)),
+        Row("side_torque_z", D::torque, "torque of this force about (`force_x`, `force_y`)", torque(&Force::all)),
         Row("side_clamp_", D::force, "the clamps' part of the force", of(&Force::clamps)).vector().when(with_bodies()),
         Row("side_clamp_torque_z", D::torque, "the clamps' part of the torque", torque(&Force::clamps))
             .when(with_bodies()),
         Row("drag", D::number, "force in x over speed^2 length density/2",
             [](const FlowSums& s, std::size_t k) { return s.forces.at(k).all.x / s.unit_force; })
             .when(with_coefficients()),
-        Row("lift", D::number, "force in y over the same", [](const FlowSums& s, std::size_t k) {
+        Row("lift", D::number, "force in y over speed^2 length density/2", [](const FlowSums& s, std::size_t k) {
           return s.forces.at(k).all.y / s.unit_force;
         }).when(with_coefficients())}});
 }
@@ -113,8 +114,8 @@ Group probe_columns() {
   const auto stream = [](const FlowSums& s, std::size_t k) { return s.probes.at(k).stream; };
   return numbered<FlowSetting, FlowSums>({{"of `probe`", [](const FlowSetting& s) { return s.flow.probes.size(); }},
                                           {{"probe_p", D::stress, "pressure at the probe, of the last step", pressure},
-                                           Row("probe_v", D::velocity, "velocity there", velocity).vector(),
-                                           {"probe_stream", D::flux, "stream function there", stream}}});
+                                           Row("probe_v", D::velocity, "velocity at the probe", velocity).vector(),
+                                           {"probe_stream", D::flux, "stream function at the probe", stream}}});
 }
 
 Group difference_columns() {

@@ -55,8 +55,9 @@ Group turning_columns() {
 }  // namespace
 
 const ColumnTable<RigidSetting, RigidSums>& rigid_table() {
-  static const ColumnTable<RigidSetting, RigidSums> table(
-      {energy_columns(), work_column(), momentum_columns(), turning_columns(), body_columns(), tracked_columns()});
+  static const ColumnTable<RigidSetting, RigidSums> table({energy_columns(), work_column(), momentum_columns(),
+                                                           spin_columns(), turning_columns(), body_columns(),
+                                                           tracked_columns()});
   return table;
 }
 

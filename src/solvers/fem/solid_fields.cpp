@@ -51,9 +51,9 @@ std::vector<double> momenta_of(const SolidState& state, const SolidSystem& syste
 }  // namespace
 
 const ColumnTable<ColumnSetting, SolidSums>& solid_table() {
-  static const ColumnTable<ColumnSetting, SolidSums> table({energy_columns(), work_columns(), momentum_columns(),
-                                                            overlap_columns(), shape_columns(), body_columns(),
-                                                            tracked_columns()});
+  static const ColumnTable<ColumnSetting, SolidSums> table(
+      {energy_columns(), work_columns(), momentum_columns(), given(in_space(), spin_columns()),
+       given(in_plane(), plane_spin_column()), overlap_columns(), shape_columns(), body_columns(), tracked_columns()});
   return table;
 }
 

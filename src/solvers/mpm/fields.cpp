@@ -135,7 +135,7 @@ Group volume_column() {
 
 const ColumnTable<PointSetting, PointSums>& history_table() {
   static const ColumnTable<PointSetting, PointSums> table(
-      {energy_columns(), momentum_columns(), outside_columns(), loss_columns(), edge_columns(),
+      {energy_columns(), momentum_columns(), plane_spin_column(), outside_columns(), loss_columns(), edge_columns(),
        angle_column<PointSetting, PointSums>([](const PointSetting& s) { return s.scene.outputs.tracked_angle; }),
        body_columns(), volume_column(), tracked_columns()});
   return table;

@@ -118,22 +118,29 @@ TEST(Columns, MakeASnapshotOfAsManyNumbersAsAreAskedFor) {
 TEST(ColumnTable, DescribesAllItsRowsWhateverTheSetting) {
   const auto texts = table().described();
   ASSERT_EQ(texts.size(), 6u);
-  EXPECT_EQ(texts[1].name, "`body_x_1`, y, z");
+  EXPECT_EQ(texts[1].name, "body_x_1, y, z");
   EXPECT_EQ(texts[1].when, "");
-  EXPECT_EQ(texts[3].name, "`turned`");
+  EXPECT_EQ(texts[3].name, "turned");
   EXPECT_EQ(texts[3].when, "where it is heated, in space");
-  EXPECT_EQ(texts[4].name, "`probe_1`");
+  EXPECT_EQ(texts[4].name, "probe_1");
+}
+
+TEST(ColumnsListing, HasALineForEachColumnOfEachPhysics) {
+  EXPECT_EQ(
+      columns_listing({{"points", {{"heat", D::energy, "heat", "if hot"}}}, {"bars", {{"t", D::time, "time", ""}}}}),
+      "points\n  heat                         energy            heat (if hot)\n"
+      "bars\n  t                            time              time\n");
 }
 
 TEST(ColumnsMarkdown, JoinsRowsOfOneMeaning) {
-  const ColumnText time{"`time`", D::time, "time", ""}, heat{"`heat`", D::energy, "heat", "if hot"};
+  const ColumnText time{"time", D::time, "time", ""}, heat{"heat", D::energy, "heat", "if hot"};
   ColumnText other = heat;
   other.meaning = "another heat";
   EXPECT_EQ(columns_markdown({{"points", {heat, time}}, {"bars", {time, other}}, {"flows", {time, heat}}}),
             "| column | dimension | of | meaning |\n|---|---|---|---|\n"
-            "| `heat` | energy | points, flows: if hot | heat |\n"
-            "| `heat` | energy | bars: if hot | another heat |\n"
-            "| `time` | time | all | time |\n");
+            "| heat | energy | points, flows: if hot | heat |\n"
+            "| heat | energy | bars: if hot | another heat |\n"
+            "| time | time | all | time |\n");
 }
 
 }  // namespace
