@@ -32,20 +32,16 @@ class ElementsOf final : public Elements {
 
   void add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
                   std::span<double> f) const override {
-    choose(at, [&](auto rule) {
-      for (std::size_t e = 0; e < mesh_.element_count(); ++e) add_element_forces<rule()>(e, q0, q1, f);
-    });
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) add_element_forces(at, e, q0, q1, f);
   }
 
   void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
                    const NodalPattern& pattern, SparseMatrix& K, std::span<const double> stresses) const override {
-    choose(at, [&](auto rule) {
-      std::array<double, static_cast<std::size_t>(unknowns * unknowns)> k;
-      for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-        element_tangent<rule()>(e, q0, q1, inertia, stresses, k);
-        pattern.add(e, k, K);
-      }
-    });
+    std::array<double, static_cast<std::size_t>(unknowns * unknowns)> k;
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      element_tangent(at, e, q0, q1, inertia, stresses, k);
+      pattern.add(e, k, K);
+    }
   }
 
   void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
@@ -60,18 +56,16 @@ class ElementsOf final : public Elements {
   void predict_stress(StressAt at, std::span<const double> q0, std::span<const double> q1,
                       std::span<const double> change, std::vector<double>& stresses) const override {
     stresses.resize(mesh_.element_count() * points * parts);
-    choose(at, [&](auto rule) {
-      for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-        const Places at0 = gathered(e, q0), at1 = gathered(e, q1), by = gathered(e, change);
-        for (int k = 0; k < points; ++k) {
-          const auto s = stress<rule()>(e, k, at0, at1);
-          Symmetric<dim> strain = Symmetric<dim>::Zero();
-          for (int a = 0; a < nodes; ++a) strain += strain_map<dim>(s.F, gradients(e, k).col(a)) * by.col(a);
-          Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
-          predicted = s.S + s.D * strain;
-        }
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      const Places at0 = gathered(e, q0), at1 = gathered(e, q1), by = gathered(e, change);
+      for (int k = 0; k < points; ++k) {
+        const auto s = stress(at, e, k, at0, at1);
+        Symmetric<dim> strain = Symmetric<dim>::Zero();
+        for (int a = 0; a < nodes; ++a) strain += strain_map<dim>(s.F, gradients(e, k).col(a)) * by.col(a);
+        Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
+        predicted = s.S + s.D * strain;
       }
-    });
+    }
   }
 
   double strain_energy(std::span<const double> q) const override {
@@ -94,13 +88,6 @@ class ElementsOf final : public Elements {
   std::array<double, 7> cauchy_stress(std::size_t e, int k, const Square<dim>& F) const;
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
-  /// Calls f with the rule as a constant.
-  template <class Function>
-  static void choose(StressAt at, const Function& f) {
-    if (at == StressAt::gradient) f(std::integral_constant<StressAt, StressAt::gradient>{});
-    if (at == StressAt::middle) f(std::integral_constant<StressAt, StressAt::middle>{});
-    if (at == StressAt::end) f(std::integral_constant<StressAt, StressAt::end>{});
-  }
   void add_point(std::size_t e, int k) {
     const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::place(k));
     gradients_.push_back(Eigen::Map<const Places>(map.gradients.data()));
@@ -130,19 +117,17 @@ class ElementsOf final : public Elements {
     return response_at<dim>(law(e), F, place(e, k)[0], place(e, k)[1]);
   }
 
-  template <StressAt rule>
-  PointStress<dim> stress(std::size_t e, int k, const Places& at0, const Places& at1) const {
-    return point_stress<dim, rule>(law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],
-                                   place(e, k)[1]);
+  PointStress<dim> stress(StressAt rule, std::size_t e, int k, const Places& at0, const Places& at1) const {
+    return point_stress<dim>(rule, law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],
+                             place(e, k)[1]);
   }
 
-  template <StressAt rule>
-  void add_element_forces(std::size_t e, std::span<const double> q0, std::span<const double> q1,
+  void add_element_forces(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
                           std::span<double> f) const {
     const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
     Places sum = Places::Zero();
     for (int k = 0; k < points; ++k) {
-      const auto s = stress<rule>(e, k, at0, at1);
+      const auto s = stress(rule, e, k, at0, at1);
       sum += weight(e, k) * (s.A * full<dim>(s.S)) * gradients(e, k);
     }
     for (int a = 0; a < nodes; ++a) {
@@ -150,15 +135,14 @@ class ElementsOf final : public Elements {
     }
   }
 
-  template <StressAt rule>
-  void element_tangent(std::size_t e, std::span<const double> q0, std::span<const double> q1, double inertia,
-                       std::span<const double> stresses,
+  void element_tangent(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
+                       double inertia, std::span<const double> stresses,
                        std::array<double, static_cast<std::size_t>(unknowns* unknowns)>& out) const {
     const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
-      auto s = stress<rule>(e, k, at0, at1);
+      auto s = stress(rule, e, k, at0, at1);
       if (!stresses.empty()) s.S = Eigen::Map<const Symmetric<dim>>(&stresses[(e * points + index(k)) * parts]);
       add_point_tangent(s, gradients(e, k), weight(e, k), inertia * density(e), values_[index(k)], K);
     }
@@ -169,7 +153,7 @@ class ElementsOf final : public Elements {
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
-      GradientModulus<dim> H = gradient_modulus<dim>(stress<StressAt::end>(e, k, at, at));
+      GradientModulus<dim> H = gradient_modulus<dim>(stress(StressAt::end, e, k, at, at));
       if (made_convex) H = convex<dim>(H);
       for (int b = 0; b < nodes; ++b) {
         Eigen::Matrix<double, dim * dim, dim> by = decltype(by)::Zero();  // dP by the place of node b
@@ -281,7 +265,7 @@ double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<
   double largest = 0;
   std::array<double, static_cast<std::size_t>(unknowns * unknowns)> K;
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    element_tangent<StressAt::end>(e, q, q, 0, {}, K);
+    element_tangent(StressAt::end, e, q, q, 0, {}, K);
     double volume = 0;
     for (int k = 0; k < points; ++k) volume += weight(e, k);
     for (int row = 0; row < unknowns; ++row) {
