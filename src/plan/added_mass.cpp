@@ -20,14 +20,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of uniaxial strain [stress].
-struct Modulus {
-  double operator()(const LinearElastic& law) const { return law.law.lambda + 2 * law.law.mu; }
-  double operator()(const StVenantKirchhoff& law) const { return law.lambda + 2 * law.mu; }
-  double operator()(const NeoHookean& law) const { return law.lambda + 2 * law.mu; }
-  double operator()(const HoopFibre& law) const { return law.mu; }
-};
-
 /// Area or volume of a simplex of dim edges from its first node, or the measure of a side with one edge less.
 double measure(const Mesh& mesh, const int* nodes, int edges) {
   Eigen::MatrixXd e(mesh.dim(), edges);
@@ -57,7 +49,7 @@ std::vector<double> masses_of(const Solids& solids, const std::vector<int>& part
     BodyOfMesh& body = bodies[at(part[at(mesh.element(e)[0])])];
     const double volume = measure(mesh, mesh.element(e), mesh.dim());
     body.volume += volume, body.mass += region.density * volume;
-    body.modulus = std::min(body.modulus, std::visit(Modulus{}, region.law));
+    body.modulus = std::min(body.modulus, std::visit([](const auto& law) { return law.stiffness(); }, region.law));
     for (int a = 0; a < count; ++a) mass[at(mesh.element(e)[a])] += region.density * volume / count;
   }
   return mass;

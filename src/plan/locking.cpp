@@ -10,24 +10,6 @@
 namespace tether {
 namespace {
 
-/// Lame's constants as they act on a plane body in its plane, or on one in space; nothing of fibres.
-struct InPlane {
-  std::optional<Lame> operator()(const StVenantKirchhoff& law) const { return Lame{law.lambda, law.mu}; }
-  std::optional<Lame> operator()(const LinearElastic& law) const { return (*this)(law.law); }
-  std::optional<Lame> operator()(const NeoHookean& law) const {
-    if (law.plane == Plane::strain) return Lame{law.lambda, law.mu};
-    return Lame{2 * law.lambda * law.mu / (law.lambda + 2 * law.mu), law.mu};
-  }
-  std::optional<Lame> operator()(const HoopFibre&) const { return std::nullopt; }
-};
-
-struct IsPlaneStress {
-  bool operator()(const StVenantKirchhoff& law) const { return law.plane == Plane::stress; }
-  bool operator()(const LinearElastic& law) const { return (*this)(law.law); }
-  bool operator()(const NeoHookean& law) const { return law.plane == Plane::stress; }
-  bool operator()(const HoopFibre&) const { return false; }
-};
-
 /// In plane stress lambda is 2 mu nu/(1 - nu), else 2 mu nu/(1 - 2 nu).
 double poisson_ratio(const Lame& l, bool plane_stress) {
   return plane_stress ? l.lambda / (l.lambda + 2 * l.mu) : l.lambda / (2 * (l.lambda + l.mu));
@@ -90,10 +72,12 @@ std::vector<Locking> locking_of(const Solids& solids) {
                  .bends = held[p] || across.longest >= slender * across.thickness};
     for (const int r : across.regions) {
       const ElasticLaw& law = solids.regions[static_cast<std::size_t>(r)].law;
-      const std::optional<Lame> l = std::visit(InPlane{}, law);
+      const std::optional<Lame> l = std::visit([](const auto& of) { return of.in_plane(); }, law);
       if (!l) continue;
       const double s = bending_too_stiff(solids.mesh.kind, across, l->lambda, l->mu);
-      if (s > body.too_stiff) body.too_stiff = s, body.nu = poisson_ratio(*l, std::visit(IsPlaneStress{}, law));
+      if (s > body.too_stiff)
+        body.too_stiff = s,
+        body.nu = poisson_ratio(*l, std::visit([](const auto& of) { return of.plane_stress(); }, law));
     }
     if (body.too_stiff < 0) continue;
     body.enough = static_cast<int>(std::ceil(across.count * std::sqrt(body.too_stiff / told_stiffness)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "laws/materials/elastic_response.hpp"
@@ -18,6 +19,9 @@ struct HoopFibre {
   static HoopFibre of(const ElasticConstants& given) { return {given.E, given.centre_x, given.centre_y}; }
   std::array<NamedNumber, 3> numbers() const { return {{{"mu", mu}, {"about x", centre_x}, {"y", centre_y}}}; }
   std::string_view note() const { return ""; }
+  bool plane_stress() const { return false; }
+  std::optional<Lame> in_plane() const { return std::nullopt; }
+  double stiffness() const { return mu; }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C, ReferencePlace at) const {

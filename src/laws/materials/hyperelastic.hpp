@@ -12,6 +12,9 @@
 //   word, name          what the deck and people call it
 //   of(constants)       the law of what the deck says of a region
 //   numbers(), note()   its numbers, and what more is to be said of it, for people
+//   plane_stress()      whether nothing holds plane bodies across
+//   in_plane()          Lame's constants of small strains as they act in the plane, or in space; nothing of fibres
+//   stiffness()         modulus of uniaxial small strains, or of a fibre
 //   small_strains       whether it answers to 1 + 2 eps, small strains about the shape at the start, in place of
 //                       C = F^T F; stress and shape are then those of the start
 //   respond<dim>(C, at) energy density, second Piola-Kirchhoff stress 2 dPsi/dC and modulus 2 dS/dC at the reference

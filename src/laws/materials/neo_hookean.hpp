@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "laws/materials/elastic_response.hpp"
@@ -28,6 +29,12 @@ struct NeoHookean {
     constexpr std::string_view energies[] = {"lambda/2 ln(J)^2", "lambda/2 (J-1)^2", "lambda/4 (J^2 - 1 - 2 ln J)"};
     return energies[static_cast<int>(volumetric)];
   }
+  bool plane_stress() const { return plane == Plane::stress; }
+  std::optional<Lame> in_plane() const {
+    if (plane == Plane::strain) return Lame{lambda, mu};
+    return Lame{2 * lambda * mu / (lambda + 2 * mu), mu};
+  }
+  double stiffness() const { return lambda + 2 * mu; }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C, ReferencePlace = {}) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "laws/materials/elastic_response.hpp"
@@ -22,6 +23,9 @@ struct StVenantKirchhoff {
   }
   std::array<NamedNumber, 2> numbers() const { return {{{"lambda", lambda}, {"mu", mu}}}; }
   std::string_view note() const { return ""; }
+  bool plane_stress() const { return plane == Plane::stress; }
+  std::optional<Lame> in_plane() const { return Lame{lambda, mu}; }
+  double stiffness() const { return lambda + 2 * mu; }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& C, ReferencePlace = {}) const {
@@ -55,6 +59,9 @@ struct LinearElastic {
   static LinearElastic of(const ElasticConstants& given) { return {StVenantKirchhoff::of(given)}; }
   std::array<NamedNumber, 2> numbers() const { return law.numbers(); }
   std::string_view note() const { return ""; }
+  bool plane_stress() const { return law.plane_stress(); }
+  std::optional<Lame> in_plane() const { return law.in_plane(); }
+  double stiffness() const { return law.stiffness(); }
 
   template <int dim>
   Response<dim> respond(const Symmetric<dim>& one_and_twice_strain, ReferencePlace at = {}) const {
