@@ -14,7 +14,9 @@ struct Namer {
                        law.plane == PlaneElastic::Plane::strain ? "strain" : "stress", law.E, law.nu);
   }
   std::string operator()(const FiniteElastic& law) const {
-    return std::visit([](const auto& of) { return law_text(of); }, law.law);
+    return std::visit(
+        [](const auto& of) { return law_text(of) + (of.plane_stress() ? ", plane stress" : ", plane strain"); },
+        law.law);
   }
   std::string operator()(const IdealGas& gas) const {
     const char* rule = gas.rule == DensityRule::cell         ? "by cell (4.5)"

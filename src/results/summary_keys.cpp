@@ -73,7 +73,7 @@ std::vector<std::string> string_summary_keys() { return {"widest_gap"}; }
 
 std::vector<std::string> gas_summary_keys() { return {"gases_apart", "gas_leaked"}; }
 
-std::vector<std::string> solid_points_summary_keys() { return {"volume_worst"}; }
+std::vector<std::string> solid_points_summary_keys() { return {"volume_worst", "points_apart"}; }
 
 std::vector<std::string> mesh_summary_keys() {
   return {"unknowns",

@@ -166,6 +166,8 @@ std::vector<Case> all_cases() {
   cases.push_back({"two-bar", "criterion_3", {"mpm.criterion=3"}});
   cases.push_back({"two-bar", "gap", {"mpm.method='robust'", "mpm.contact='gap'"}});
   cases.push_back({"two-bar", "jaumann", {"mpm.jaumann=.true."}});
+  cases.push_back({"two-bar", "neo_hookean", {"reg.law(1:2)='neo-hookean'"}});
+  cases.push_back({"two-bar", "neo_hookean_robust", {"reg.law(1:2)='neo-hookean'", "mpm.method='robust'"}});
   cases.push_back({"cylinder-expansion", "mass_matrix", {"membrane.normals='mass-quadratic'"}});
   cases.push_back({"pendulum-20", "ambient_that_acts_on_nothing", {"fluid.pambient=1."}});
   cases.push_back({"pendulum-20", "pinned", {"mpm.method='robust'", "points.pinned(1)=.true."}});

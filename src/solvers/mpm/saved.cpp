@@ -111,6 +111,7 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   with("balance_transfer", state.balance.transfer), with("balance_walls", state.balance.walls);
   with("balance_work", state.balance.work), with("balance_fall", state.balance.fall);
   with("balance_stored", state.balance.stored);
+  with("points_apart", state.points_apart), with("apart_told", state.apart_told);
   with("widest_gap", state.widest_gap), with("gap_told", state.gap_told), with("end_told", state.end_told);
   with("gases_apart", state.gases_apart), with("mixing_told", state.mixing_told);
   with("gas_leaked", state.gas_leaked), with("leak_told", state.leak_told);

@@ -39,6 +39,7 @@ MpmSolver::MpmSolver(const Plan& plan)
       state_(start(plan.scene)),
       sort_(plan.scene.points.size()),
       strings_(plan.scene),
+      stretches_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),
       leaks_(plan.scene),
       columns_(history_columns(plan.scene)) {
@@ -65,7 +66,7 @@ double MpmSolver::next_step() {
     state_.limit_told = true;
   }
   const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
-  if (!gets_on) stop_on_vanishing_step(state_, dt);
+  if (!gets_on) stop_on_vanishing_step(state_, wave_text(plan_.scene), dt);
   return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
 }
 
@@ -112,6 +113,8 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
 
 void MpmSolver::look() {
   if (strings_.on()) strings_.look(state_, plan_.scene, messages_);
+  if (stretches_.on() && (state_.steps % steps_between_looks == 1 || state_.time >= plan_.scene.clock.tmax))
+    stretches_.look(state_, plan_.scene, messages_);
   if (mixing_.on() && state_.steps % steps_between_looks == 1) mixing_.look(state_, plan_.scene, messages_);
   const bool last = state_.time >= plan_.scene.clock.tmax;
   if (leaks_.on() && (last || state_.steps % steps_between_counts == 0)) leaks_.look(state_, plan_.scene, messages_);
@@ -136,6 +139,7 @@ Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_)
 Summary MpmSolver::more_summary() const {
   Summary summary;
   if (strings_.on()) summary.emplace_back("widest_gap", fmt::format("{}", state_.widest_gap));
+  if (stretches_.on()) summary.emplace_back("points_apart", fmt::format("{}", state_.points_apart));
   if (mixing_.on()) summary.emplace_back("gases_apart", fmt::format("{}", state_.gases_apart));
   if (leaks_.on()) summary.emplace_back("gas_leaked", fmt::format("{}", state_.gas_leaked));
   return summary;

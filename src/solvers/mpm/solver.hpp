@@ -12,6 +12,7 @@
 #include "solvers/mpm/sort.hpp"
 #include "solvers/mpm/state.hpp"
 #include "solvers/mpm/steps.hpp"
+#include "solvers/mpm/stretch_watch.hpp"
 #include "solvers/mpm/string_watch.hpp"
 #include "solvers/solver.hpp"
 
@@ -51,6 +52,7 @@ class MpmSolver final : public Solver {
   State state_;
   CellSort sort_;
   StringWatch strings_;
+  StretchWatch stretches_;
   GasMixing mixing_;
   LeakWatch leaks_;
   Columns<PointSums> columns_;

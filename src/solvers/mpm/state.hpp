@@ -49,6 +49,8 @@ struct State {
   double dt_last = 0, dt_min = 0;      // [time]
   long long crossings_since_sort = 0;  // of points, from cell to cell
   double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
+  double points_apart = 0;             // of neighbours of a solid that carries F since the start, as looked at [cells]
+  bool apart_told = false;             // whether that was told
   bool gap_told = false;               // whether one that does not hold together was told
   bool end_told = false;               // whether an end of one that came off its wall was told
   double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start

@@ -92,11 +92,11 @@ void stop_on_trouble(const State& state, const Plan& plan, const Trouble& troubl
                              what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)));
 }
 
-void stop_on_vanishing_step(const State& state, double dt) {
+void stop_on_vanishing_step(const State& state, const char* waves, double dt) {
   throw RunError(
-      fmt::format("t = {:.9g}, step {}: the gas moves at c + |v| = {:.4g} and leaves a step of {:.3g}: "
+      fmt::format("t = {:.9g}, step {}: {} {:.4g} and leaves a step of {:.3g}: "
                   "likely cause, a run that diverged",
-                  state.time, state.steps + 1, state.wave_max, dt));
+                  state.time, state.steps + 1, waves, state.wave_max, dt));
 }
 
 }  // namespace tether::mpm

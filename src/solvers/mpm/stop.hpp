@@ -10,7 +10,7 @@ namespace tether::mpm {
 /// Ends the run with a RunError that names point, body, cell, time and likely cause. `dt` is the step that failed.
 [[noreturn]] void stop_on_trouble(const State& state, const Plan& plan, const Trouble& trouble, double dt);
 
-/// Ends the run because the gas has become so fast that no step is left.
-[[noreturn]] void stop_on_vanishing_step(const State& state, double dt);
+/// Ends the run because waves have become so fast that no step is left; `waves` says which, up to their speed.
+[[noreturn]] void stop_on_vanishing_step(const State& state, const char* waves, double dt);
 
 }  // namespace tether::mpm
