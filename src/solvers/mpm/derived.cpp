@@ -30,10 +30,17 @@ double stored(const Membrane& law, const Points& P, std::size_t p, Geometry) {
 }
 double stored(const IdealGas&, const Points&, std::size_t, Geometry) { return 0; }
 
+/// Stress across the plane: what moves at a rate carries it about an axis alone.
+double across(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
+  return geometry == Geometry::plane ? law.out_of_plane_stress(stress_of(P, p)) : P.szz[p];
+}
+double across(const FiniteElastic&, const Points& P, std::size_t p, Geometry) { return P.szz[p]; }
+double across(const LinearFluid&, const Points& P, std::size_t p, Geometry) { return P.sxx[p]; }
+double across(const Membrane&, const Points& P, std::size_t p, Geometry) { return P.szz[p]; }
+
 double pressure(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
   const Stress s = stress_of(P, p);
-  // In the plane szz is not carried.
-  return -(s.xx + s.yy + (geometry == Geometry::plane ? law.out_of_plane_stress(s) : s.zz)) / 3;
+  return -(s.xx + s.yy + across(law, P, p, geometry)) / 3;
 }
 double pressure(const FiniteElastic&, const Points& P, std::size_t p, Geometry) {
   return -(P.sxx[p] + P.syy[p] + P.szz[p]) / 3;
@@ -65,27 +72,25 @@ Strain strain(const Membrane&, const Points& P, std::size_t p, Geometry) {
 Strain strain(const LinearFluid&, const Points&, std::size_t, Geometry) { return {}; }
 Strain strain(const IdealGas&, const Points&, std::size_t, Geometry) { return {}; }
 
-/// Volume and pressure of a point.
+/// Volume, pressure and stress across the plane of a point.
 struct Extent {
-  double volume = 0, pressure = 0;
+  double volume = 0, pressure = 0, across = 0;
 };
 
 template <class Law>
 Extent extent(const Law& law, const Points& P, std::size_t p, Geometry geometry, const std::vector<double>&) {
-  return {law_volume(law, P, p), pressure(law, P, p, geometry)};
+  return {law_volume(law, P, p), pressure(law, P, p, geometry), across(law, P, p, geometry)};
 }
 /// Gas that takes its density from the nodes has the pressure that their forces have, and the density that belongs to
 /// this pressure and to its energy: where it meets another gas, its own. A gas whose energy was used up has no such.
-Extent extent(const IdealGas& law, const Points& P, std::size_t p, Geometry, const std::vector<double>& pressures) {
-  if (law.rule == DensityRule::grid && pressures[p] > 0 && P.energy[p] > 0) {
-    return {P.mass[p] * law.pressure(1, P.energy[p]) / pressures[p], pressures[p]};
-  }
-  return {law_volume(law, P, p), law.pressure(P.rho[p], P.energy[p])};
+/// Its stress across the plane is carried about an axis alone; else it is minus the pressure, without viscous parts.
+Extent extent(const IdealGas& law, const Points& P, std::size_t p, Geometry geometry,
+              const std::vector<double>& pressures) {
+  const bool of_nodes = law.rule == DensityRule::grid && pressures[p] > 0 && P.energy[p] > 0;
+  const double now = of_nodes ? pressures[p] : law.pressure(P.rho[p], P.energy[p]);
+  const double volume = of_nodes ? P.mass[p] * law.pressure(1, P.energy[p]) / now : law_volume(law, P, p);
+  return {volume, now, geometry == Geometry::plane ? -now : P.szz[p]};
 }
-
-}  // namespace
-
-namespace {
 
 template <class Counts>
 Order order_where(const State& state, const Counts& counts) {
@@ -164,7 +169,7 @@ DerivedFields derived_fields(const Scene& scene, const Points& P, const Order& o
             fields.body.push_back(static_cast<double>(b + 1));
             fields.volume.push_back(now.volume);
             fields.density.push_back(P.mass[p] / now.volume);
-            fields.pressure.push_back(now.pressure);
+            fields.pressure.push_back(now.pressure), fields.across.push_back(now.across);
             const Strain e = strain(law, P, p, scene.geometry);
             fields.strain_xx.push_back(e.xx), fields.strain_yy.push_back(e.yy), fields.strain_xy.push_back(e.xy);
             fields.normal_x.push_back(-P.ty[p]), fields.normal_y.push_back(P.tx[p]);

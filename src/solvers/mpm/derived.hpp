@@ -39,6 +39,7 @@ double volume_of(const Scene& scene, std::size_t b, const Points& points, const 
 /// Fields that follow from the state by the point's law, in the given order.
 struct DerivedFields {
   std::vector<double> body, volume, density, pressure;
+  std::vector<double> across;                           // stress across the plane, about an axis the hoop's [stress]
   std::vector<double> strain_xx, strain_yy, strain_xy;  // elastic strain of solids, tangent strain of strings
   std::vector<double> normal_x, normal_y;               // of strings: the tangent turned left by a right angle
 };

@@ -75,6 +75,8 @@ TEST(PointFields, FollowFromTheLaws) {
   EXPECT_EQ(field(snapshot, "density"), (std::vector<double>{2, 3}));
   EXPECT_NEAR(field(snapshot, "pressure")[0], 0.4 * 2 * 5, 1e-15);
   EXPECT_NEAR(field(snapshot, "pressure")[1], -(1.6 + 0.25 * 1.6) / 3, 1e-15);
+  EXPECT_NEAR(field(snapshot, "szz")[0], -4, 1e-15);
+  EXPECT_NEAR(field(snapshot, "szz")[1], 0.25 * 1.6, 1e-15);
   EXPECT_NEAR(field(snapshot, "strain_xx")[1], 0.375, 1e-15);
   EXPECT_NEAR(field(snapshot, "strain_yy")[1], -0.125, 1e-15);
   EXPECT_EQ(field(snapshot, "strain_xx")[0], 0);
