@@ -7,12 +7,10 @@ import pathlib
 import re
 import sys
 
-ORDER = "base fields algebra grid laws model deck read reference plan results solvers run studies".split()
+ORDER = "base fields algebra grid laws model deck read reference plan results loops solvers run studies".split()
 PATHS = "mpm fem coupled".split()  # inside solvers/
-WITHOUT_DECK = "model reference results solvers".split()
+WITHOUT_DECK = "model reference results loops solvers".split()
 DECK = ("deck/", "read/")
-# The strips of gas beyond open edges are a part of the state of points, and step through the whole of it.
-KNOWN_CIRCLE = {"solvers/mpm/state", "solvers/mpm/strips"}
 
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')
 # A definition at the left margin that is neither constant nor a function, type or alias.
@@ -62,9 +60,7 @@ def circles(src, files):
 
     def visit(name):
         if name in path:
-            circle = path[path.index(name):]
-            if set(circle) != KNOWN_CIRCLE:
-                yield "circle: " + " -> ".join(circle + [name])
+            yield "circle: " + " -> ".join(path[path.index(name):] + [name])
         elif name not in done:
             path.append(name)
             for other in sorted(graph.get(name, [])):

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "grid/kernels.hpp"
+#include "loops/points.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -49,11 +50,11 @@ void Grid::list_active(const Points& points) {
   active_cells.clear();
   active_nodes.clear();
   ++stamp;
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  for_points({0, points.size()}, [&](std::size_t p) {
     const auto at = Kernel::locate(locator, points.x[p], points.y[p]);
     const int cell = at.j * frame.shape.nx + at.i;
     auto& listed = cell_stamp[static_cast<std::size_t>(cell)];
-    if (listed == stamp) continue;
+    if (listed == stamp) return;
     listed = stamp;
     active_cells.push_back(cell);
     for (const std::size_t node : Kernel::nodes(locator, at)) {
@@ -62,7 +63,7 @@ void Grid::list_active(const Points& points) {
       node_listed = stamp;
       active_nodes.push_back(static_cast<int>(node));
     }
-  }
+  });
 }
 
 template void Grid::list_active<LinearKernel>(const Points&);

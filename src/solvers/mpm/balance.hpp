@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fields/number_field.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/node_pieces.hpp"
 
@@ -53,6 +54,12 @@ struct Balance {
   double fall = 0;      // what gravity gave to the nodes less what the points' falling gave
   double stored = 0;    // strain and internal energy at the start, and that of the pressure outside
 
+  /// Name in a checkpoint, and member.
+  static constexpr auto rows() {
+    return std::tuple{NumberField{"balance_transfer", &Balance::transfer},
+                      NumberField{"balance_walls", &Balance::walls}, NumberField{"balance_work", &Balance::work},
+                      NumberField{"balance_fall", &Balance::fall}, NumberField{"balance_stored", &Balance::stored}};
+  }
   /// `points` of a step: FLIP: sum_p m_p |a_p|^2; APIC: twice the points' kinetic energy before less after it.
   /// `lifted`: sum_p m_p dt u_p,y.
   void add(const NodeTotals& nodes, double points, double lifted, bool affine, double gravity, double dt) {
@@ -68,5 +75,6 @@ struct Balance {
   /// What steps of finite length make of the work, with this energy stored now [energy].
   double integration(double stored_now) const { return stored - stored_now - work - fall; }
 };
+static_assert(lists_each_number_once<Balance>(Balance::rows()), "a number of the balance has no row, or two");
 
 }  // namespace tether::mpm

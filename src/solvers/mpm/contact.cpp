@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/node_pieces.hpp"
 
 namespace tether::mpm {
@@ -20,13 +21,13 @@ std::vector<double> radii(const Scene& scene) {
   const PointSet& P = scene.points;
   std::vector<double> of(P.size(), 0.0);
   for (const Body& body : scene.bodies) {
-    for (std::size_t p = body.first; p < body.first + body.count; ++p) {
+    for_points({body.first, body.first + body.count}, [&](std::size_t p) {
       const double area = P.volume[p] / depth(scene.geometry, P.x[p]);
       of[p] = 0.5 * std::sqrt(area);
-      if (!std::holds_alternative<Membrane>(body.material)) continue;
+      if (!std::holds_alternative<Membrane>(body.material)) return;
       const std::size_t q = p + 1 < body.first + body.count ? p + 1 : p - 1;
       of[p] = 0.5 * area / std::hypot(P.x[p] - P.x[q], P.y[p] - P.y[q]);
-    }
+    });
   }
   return of;
 }

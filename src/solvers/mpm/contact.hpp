@@ -4,11 +4,11 @@
 #include <map>
 #include <vector>
 
+#include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/balance.hpp"
 #include "solvers/mpm/body_normals.hpp"
-#include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
 

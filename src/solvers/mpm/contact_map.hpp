@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "loops/points.hpp"
 #include "solvers/mpm/passes.hpp"
 #include "solvers/mpm/steps.hpp"
 
@@ -17,12 +18,12 @@ inline void find_shared_nodes(const PassWork& work, State& state) {
   contact.begin();
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const int group = contact.group_of(b);
-    for (std::size_t p = state.ranges[b].begin; p < state.ranges[b].end; ++p) {
+    for_points(state.ranges[b], [&](std::size_t p) {
       const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
       const std::size_t cell = static_cast<std::size_t>(at.j) * nx + static_cast<std::size_t>(at.i);
-      if ((work.P.pinned[p] && state.pins_hold_loads) || contact.stamp(cell, group)) continue;
+      if ((work.P.pinned[p] && state.pins_hold_loads) || contact.stamp(cell, group)) return;
       for (const std::size_t n : S::Kernel::nodes(work.locator, at)) contact.touch(group, work.grid.frame.image[n]);
-    }
+    });
   }
   contact.open(work.grid.frame);
 }
@@ -33,12 +34,12 @@ inline void each_near_shared(const PassWork& work, const State& state, const Vis
   const auto nx = static_cast<std::size_t>(work.grid.frame.shape.nx);
   if (state.contact.shared_nodes() == 0) return;
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
-    for (std::size_t p = state.ranges[b].begin; p < state.ranges[b].end; ++p) {
+    for_points(state.ranges[b], [&](std::size_t p) {
       const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
       const std::size_t cell = static_cast<std::size_t>(at.j) * nx + static_cast<std::size_t>(at.i);
-      if ((work.P.pinned[p] && state.pins_hold_loads) || !state.contact.near_shared(cell)) continue;
+      if ((work.P.pinned[p] && state.pins_hold_loads) || !state.contact.near_shared(cell)) return;
       visit(b, p, at, S::Kernel::nodes(work.locator, at));
-    }
+    });
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "grid/shape_functions.hpp"
+#include "loops/points.hpp"
 #include "solvers/mpm/folds.hpp"
 
 namespace tether::mpm {
@@ -24,23 +25,23 @@ CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geomet
 double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / volume_[static_cast<std::size_t>(i)]; }
 
 void CellDensity::clear_around(const Points& points, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     for (int j = at.j - 1; j <= at.j + 1; ++j) {
       for (int i = at.i - 1; i <= at.i + 1; ++i) mass_[index(i, j)] = 0;
     }
-  }
+  });
 }
 
 void CellDensity::add_cell(const Points& points, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     mass_[index(at.i, at.j)] += points.mass[p];  // (4.5)
-  }
+  });
 }
 
 void CellDensity::add_quadratic(const Points& points, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
     for (int j = 0; j < 3; ++j) {
@@ -48,7 +49,7 @@ void CellDensity::add_quadratic(const Points& points, Range range) {
       for (int i = 0; i < 3; ++i)
         mass_[index(at.i + i - 1, at.j + j - 1)] += m * wx[static_cast<std::size_t>(i)];  // (4.6)
     }
-  }
+  });
 }
 
 void CellDensity::update(Points& points, const std::vector<Range>& gas, const std::vector<Range>& takers) {
@@ -60,10 +61,10 @@ void CellDensity::update(Points& points, const std::vector<Range>& gas, const st
       add_cell(points, range);
   }
   for (const Range range : takers) {
-    for (std::size_t p = range.begin; p < range.end; ++p) {
+    for_points(range, [&](std::size_t p) {
       const CellPlace at = locator_.locate(points.x[p], points.y[p]);
       points.rho[p] = (*this)(at.i, at.j);
-    }
+    });
   }
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "laws/materials/gas.hpp"
+#include "loops/points.hpp"
 #include "solvers/mpm/arrays.hpp"
-#include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
 

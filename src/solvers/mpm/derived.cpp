@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/point_laws.hpp"
 
 namespace tether::mpm {
@@ -98,9 +99,9 @@ Order order_where(const State& state, const Counts& counts) {
   const std::vector<int>& id = state.points.id;
   for (const Range range : state.ranges) {
     const std::size_t begin = order.slots.size();
-    for (std::size_t p = range.begin; p < range.end; ++p) {
+    for_points(range, [&](std::size_t p) {
       if (counts(p)) order.slots.push_back(p);
-    }
+    });
     std::sort(order.slots.begin() + static_cast<std::ptrdiff_t>(begin), order.slots.end(),
               [&id](std::size_t a, std::size_t b) { return id[a] < id[b]; });
     order.bodies.push_back({begin, order.slots.size()});

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/tangents.hpp"
+#include "solvers/mpm/trouble.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -25,7 +27,7 @@ Elements::Elements(const Scene& scene, std::size_t b, Range range, const Points&
       reference_x_(about_axis_ ? 0 : frame.deck.x0),
       reference_y_(frame.deck.y0) {
   const std::size_t first = range_.begin, last = range_.end - 1;
-  for (std::size_t p = first; p < last; ++p) add(points, p, p + 1, -1, 0);
+  for_points({first, last}, [&](std::size_t p) { add(points, p, p + 1, -1, 0); });
   if (closed_) {
     add(points, last, first, -1, 0);
     encloses_ = true;
@@ -159,7 +161,7 @@ void Elements::add_ambient(const Points& P) {
 /// A mirrored end has its own image for a neighbour.
 void Elements::set_tangents(Points& P) const {
   const auto set = [&P](std::size_t p, const Vec2& t) { P.tx[p] = t.x, P.ty[p] = t.y; };
-  for (std::size_t p = range_.begin; p < range_.end; ++p) set(p, tangent_at(P, range_, p, closed_));
+  for_points(range_, [&](std::size_t p) { set(p, tangent_at(P, range_, p, closed_)); });
   for (const Element& element : elements_) {
     if (element.mirror < 0) continue;
     const std::size_t p = element.a;
@@ -178,14 +180,15 @@ bool Elements::update(Points& P, std::size_t& bad) {
   for (std::size_t e = 0; e < elements_.size(); ++e) add_element(P, elements_[e], e);
   add_ambient(P);
   set_tangents(P);
-  for (std::size_t p = range_.begin; p < range_.end; ++p) {
+  const Trouble trouble = find_at_points(range_, Trouble{}, [&](std::size_t p, Trouble& found) {
     const std::size_t k = p - range_.begin;
     P.strain[p] = strain_[k] / parts_[k], P.hoop[p] = hoop_[k] / parts_[k];
     const Stress s = Membrane::turned(tension_[k] / parts_[k], {P.tx[p], P.ty[p]});
     P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy, P.szz[p] = ring_[k] / parts_[k];
-    if (!std::isfinite(P.strain[p])) return bad = p, false;
-  }
-  return true;
+    if (!std::isfinite(P.strain[p])) found.note(TroubleKind::unsound, p);
+  });
+  bad = trouble.slot;
+  return trouble.kind == TroubleKind::none;
 }
 
 void Elements::update_ambient(const Points& P) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "loops/points.hpp"
+
 namespace tether::mpm {
 namespace {
 
@@ -41,14 +43,14 @@ double GasMixing::Span::ratio(const Span& other) const {
 
 void GasMixing::add_body(const Points& points, Range range, double gm1) {
   held_.clear(), reached_.clear();
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     const std::size_t c = static_cast<std::size_t>(at.j + 1) * columns_ + static_cast<std::size_t>(at.i + 1);
     if (cells_[c].mass == 0) held_.push_back(c);
     cells_[c].mass += points.mass[p];
     cells_[c].energy += points.mass[p] * gm1 * points.energy[p];
     cells_[c].holds = true;
-  }
+  });
   for (const std::size_t c : held_) spread(c);
   for (const std::size_t c : held_) cells_[c].mass = cells_[c].energy = 0;
 }

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/passes.hpp"
 #include "solvers/mpm/state.hpp"
 
@@ -19,10 +20,10 @@ void each_gas_by_nodes(const State& state, const Scene& scene, const Visit& visi
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const auto* gas = std::get_if<IdealGas>(&scene.bodies[b].material);
     if (!gas || !from_nodes(*gas)) continue;
-    for (std::size_t p = state.ranges[b].begin; p < state.ranges[b].end; ++p) {
+    for_points(state.ranges[b], [&](std::size_t p) {
       const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
       visit(*gas, p, S::Kernel::nodes(locator, at), S::Kernel::values(at));
-    }
+    });
   }
 }
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 
 #include "grid/kernels.hpp"
+#include "loops/points.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/point_laws.hpp"
-#include "solvers/mpm/range.hpp"
 #include "solvers/mpm/trouble.hpp"
 
 // What a point gives to its nodes and takes from them. Every pass is made of these pieces, in the order of the step.
@@ -164,18 +164,18 @@ inline void move(Points& P, std::size_t p, double dt, const std::vector<NodeMoti
   lifted += P.mass[p] * dt * u[1];
 }
 
-/// Takes `at` from the point's old cell to its new one: false, and noted in `trouble`, where the point left the grid or
+/// Takes `at` from the point's old cell to its new one: false, and trouble found, where the point left the grid or
 /// jumped over a cell.
 template <class Kernel>
 inline bool accept_place(const Points& P, std::size_t p, const Locator& locator, const Frame& frame,
-                         typename Kernel::Place& at, StepFindings& found, Trouble& trouble) {
-  if (!frame.contains(P.x[p], P.y[p])) return trouble.note(TroubleKind::left_grid, p);
+                         typename Kernel::Place& at, StepFindings& found) {
+  if (!frame.contains(P.x[p], P.y[p])) return found.trouble.note(TroubleKind::left_grid, p);
   const auto before = at;
   at = Kernel::locate(locator, P.x[p], P.y[p]);
   const int di = at.i - before.i, dj = at.j - before.j;
   if ((di | dj) == 0) return true;
   ++found.crossings;
-  return (std::abs(di) <= 1 && std::abs(dj) <= 1) || trouble.note(TroubleKind::jumped, p);
+  return (std::abs(di) <= 1 && std::abs(dj) <= 1) || found.trouble.note(TroubleKind::jumped, p);
 }
 
 /// Density of the gas at its place, and the heat that the ledger gives it.

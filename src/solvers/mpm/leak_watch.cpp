@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loops/points.hpp"
+
 namespace tether::mpm {
 namespace {
 
@@ -45,7 +47,7 @@ LeakWatch::LeakWatch(const Scene& scene) : deep_(0.5 * std::min(scene.grid.dx, s
     const Body& body = scene.bodies[b];
     if (!std::holds_alternative<Membrane>(body.material) || body.count < 3) continue;
     Outline points;
-    for (std::size_t p = body.first; p < body.first + body.count; ++p) points.push_back({P.x[p], P.y[p]});
+    for_points({body.first, body.first + body.count}, [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
     Parting parting{b, -1, -1, {}};
     if (!body.closed) {
       parting.first_side = side_at(scene.grid, points.front(), points[1]);
@@ -53,7 +55,9 @@ LeakWatch::LeakWatch(const Scene& scene) : deep_(0.5 * std::min(scene.grid.dx, s
       if (parting.first_side < 0 || parting.last_side < 0) continue;
     }
     const Outline around = outline(parting, scene.grid, std::move(points));
-    for (std::size_t p = 0; p < P.size(); ++p) parting.inside.push_back(is_inside(around, {P.x[p], P.y[p]}) ? 1 : 0);
+    for_points({0, P.size()}, [&](std::size_t p) {
+      parting.inside.push_back(is_inside(around, {P.x[p], P.y[p]}) ? 1 : 0);
+    });
     walls_.push_back(std::move(parting));
   }
 }
@@ -83,21 +87,20 @@ LeakWatch::Outline LeakWatch::outline(const Parting& parting, const BackgroundGr
 std::size_t LeakWatch::passed(const Parting& parting, const State& state, const Scene& scene) const {
   const Points& P = state.points;
   Outline points;
-  for (std::size_t p = state.ranges[parting.body].begin; p < state.ranges[parting.body].end; ++p)
-    points.push_back({P.x[p], P.y[p]});
+  for_points(state.ranges[parting.body], [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
   const std::size_t pieces = points.size() - (scene.bodies[parting.body].closed ? 0 : 1), count = points.size();
   const Outline around = outline(parting, scene.grid, std::move(points));
   std::size_t passed = 0;
   for (const Range range : state.gas) {
-    for (std::size_t p = range.begin; p < range.end; ++p) {
+    for_points(range, [&](std::size_t p) {
       const auto number = static_cast<std::size_t>(P.id[p]);
       const Vec2 at{P.x[p], P.y[p]};
-      if (number >= parting.inside.size() || is_inside(around, at) == (parting.inside[number] != 0)) continue;
+      if (number >= parting.inside.size() || is_inside(around, at) == (parting.inside[number] != 0)) return;
       double nearest = 2 * deep_;
       for (std::size_t k = 0; k < pieces; ++k)
         nearest = std::min(nearest, distance(around[k], around[(k + 1) % count], at));
       passed += nearest > deep_;
-    }
+    });
   }
   return passed;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "loops/points.hpp"
 #include "solvers/mpm/elements.hpp"
 #include "solvers/mpm/nodes.hpp"
 #include "solvers/mpm/passes.hpp"
@@ -15,24 +16,22 @@ namespace tether::mpm {
 template <class S>
 inline void spread_forces(const Points& P, const Locator& locator, const Elements& elements,
                           std::vector<NodeSums>& sums) {
-  for (std::size_t p = elements.range().begin; p < elements.range().end; ++p) {
-    if (P.pinned[p]) continue;
+  for_points(elements.range(), [&](std::size_t p) {
+    if (P.pinned[p]) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(locator, at);
     const auto N = S::Kernel::values(at);
     for (std::size_t k = 0; k < S::Kernel::size; ++k) sums[nodes[k]].force += N[k] * elements.force(p);
-  }
+  });
 }
 
 /// Strains and stresses of the elements, and their forces on the nodes.
 template <class S>
-inline void pull_elements(const PassWork& work, Elements& elements) {
+[[nodiscard]] inline Trouble pull_elements(const PassWork& work, Elements& elements) {
   std::size_t bad = 0;
-  if (!elements.update(work.P, bad)) {
-    work.trouble.note(TroubleKind::unsound, bad);
-    return;
-  }
+  if (!elements.update(work.P, bad)) return {TroubleKind::unsound, bad};
   spread_forces<S>(work.P, work.locator, elements, work.grid.sums);
+  return {};
 }
 
 /// The pressure outside on a membrane whose stress is its points'.
@@ -44,29 +43,30 @@ inline void press_ambient(const PassWork& work, Elements& elements) {
 
 /// Velocities, new places, mass and momentum; with the ledger also what the point's forces gave on the way.
 template <class S>
-inline void accelerate_move_and_map_membrane(const PassWork& work, Elements& elements, bool ledger) {
+inline StepFindings accelerate_move_and_map_membrane(const PassWork& work, Elements& elements, bool ledger,
+                                                     const StepFindings& before) {
   Points& P = work.P;
   const double dt = work.step.dt;
-  for (std::size_t p = elements.range().begin; p < elements.range().end; ++p) {
+  return find_at_points(elements.range(), before, [&](std::size_t p, StepFindings& found) {
     if (P.pinned[p]) {
       elements.book(p, pair(P.x[p], P.y[p]), Pair{}, 0);
-      continue;
+      return;
     }
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (ledger) {
       const auto middle = [&](std::size_t n) { return 0.5 * (work.grid.convected[n] + work.grid.motion[n].u); };
       const Pair moved = dt * S::Kernel::value(at, nodes, middle);
-      const double lost =
-          P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, work.found.squares);
+      const double lost = P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, found.squares);
       elements.book(p, pair(P.x[p], P.y[p]), moved, lost);
     } else {
-      accelerate<S>(P, p, dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
+      accelerate<S>(P, p, dt, work.grid.motion, work.locator, at, nodes, found.squares);
     }
-    move<S>(P, p, dt, work.grid.motion, at, nodes, work.found.lifted);
-    if (!accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, work.found, work.trouble)) continue;
-    map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
-  }
+    move<S>(P, p, dt, work.grid.motion, at, nodes, found.lifted);
+    if (accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, found)) {
+      map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
+    }
+  });
 }
 
 /// Gives energy to the gas around a place, to each node's in the measure of N_i rho_gas, so that the node of a wall
@@ -99,9 +99,7 @@ inline void settle_ledger(StepWork& work, const PassWork& pass) {
   for (auto& elements : state.elements_of) {
     if (!elements) continue;
     elements->settle(state.points);
-    for (std::size_t p = elements->range().begin; p < elements->range().end; ++p) {
-      heat_gas_around<S>(pass, state, p, elements->heat(p));
-    }
+    for_points(elements->range(), [&](std::size_t p) { heat_gas_around<S>(pass, state, p, elements->heat(p)); });
   }
 }
 
@@ -111,10 +109,10 @@ inline void density_at_nodes(const PassWork& work, const std::vector<Range>& gas
   const Points& P = work.P;
   const auto each = [&](const auto& visit) {
     for (const Range range : gas) {
-      for (std::size_t p = range.begin; p < range.end; ++p) {
+      for_points(range, [&](std::size_t p) {
         const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
         visit(p, S::Kernel::nodes(work.locator, at), S::Kernel::values(at));
-      }
+      });
     }
   };
   each([&](std::size_t, const auto& nodes, const auto&) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/normals_fit.hpp"
 
 namespace tether::mpm {
@@ -45,9 +46,7 @@ MembraneCells::MembraneCells(const BackgroundGrid& shape, const Walls& walls, st
 void MembraneCells::sort(const PlaceArrays& places, Range membrane) {
   const Locator locator(shape_);
   members_.clear();
-  for (std::size_t p = membrane.begin; p < membrane.end; ++p) {
-    members_.push_back({locator.locate(places.x[p], places.y[p]), p});
-  }
+  for_points(membrane, [&](std::size_t p) { members_.push_back({locator.locate(places.x[p], places.y[p]), p}); });
   std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
     return std::tie(a.at.j, a.at.i, a.point) < std::tie(b.at.j, b.at.i, b.point);
   });

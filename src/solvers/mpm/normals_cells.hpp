@@ -7,10 +7,10 @@
 
 #include "grid/background_grid.hpp"
 #include "laws/walls/walls.hpp"
+#include "loops/points.hpp"
 #include "model/method.hpp"
 #include "solvers/mpm/normals_colors.hpp"
 #include "solvers/mpm/normals_points.hpp"
-#include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
 

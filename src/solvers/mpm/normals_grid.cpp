@@ -6,6 +6,7 @@
 
 #include "grid/cubic_weights.hpp"
 #include "grid/shape_functions.hpp"
+#include "loops/points.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -42,14 +43,14 @@ CellColor::CellColor(const BackgroundGrid& shape, const Walls& walls)
       color_(column_.size() * row_.size()) {}
 
 void CellColor::add(const PlaceArrays& places, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
     const auto i = static_cast<std::size_t>(at.i), j = static_cast<std::size_t>(at.j);
     for (std::size_t b = 0; b < 3; ++b) {
       for (std::size_t a = 0; a < 3; ++a) color_.add(column_[i + a] + row_[j + b], wx[a] * wy[b]);  // (7.4), (9.10)
     }
-  }
+  });
 }
 
 Pair CellColor::gradient(int i, int j) const {
@@ -69,14 +70,14 @@ ColorNormals::ColorNormals(const BackgroundGrid& shape, const Walls& walls)
       sums_(shape.nodes()) {}
 
 void ColorNormals::add(const PlaceArrays& places, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const LinearGradient G(at, locator_.per_dx, locator_.per_dy);
     const auto slopes = G.minus_divergence(pair(-1, 0), pair(0, -1));
     const std::size_t n = locator_.lower_left_node(at), nx = static_cast<std::size_t>(locator_.nx);
     const std::array<std::size_t, 4> nodes{n, n + 1, n + nx + 1, n + nx};
     for (std::size_t k = 0; k < 4; ++k) sums_.add(nodes[k], slopes[k]);  // (7.2)
-  }
+  });
 }
 
 Pair ColorNormals::normal(int i, int j) const {
@@ -90,12 +91,12 @@ void ColorNormals::update(const PlaceArrays& places, Range membrane, std::span<c
   sums_.clear();
   add(places, membrane);
   for (const Range range : others) add(places, range);
-  for (std::size_t p = membrane.begin; p < membrane.end; ++p) {
+  for_points(membrane, [&](std::size_t p) {
     Pair gradient{};
     at_corners(locator_.locate(places.x[p], places.y[p]),
                [&](int i, int j, double N) { gradient += N * normal(i, j); });  // (7.3)
     turn_across(tangents, p, gradient, least_);
-  }
+  });
 }
 
 QuadraticNormals::QuadraticNormals(const BackgroundGrid& shape, const Walls& walls)
@@ -106,12 +107,12 @@ void QuadraticNormals::update(const PlaceArrays& places, Range membrane, std::sp
   color_.clear();
   color_.add(places, membrane);
   for (const Range range : others) color_.add(places, range);
-  for (std::size_t p = membrane.begin; p < membrane.end; ++p) {
+  for_points(membrane, [&](std::size_t p) {
     Pair gradient{};
     at_corners(locator_.locate(places.x[p], places.y[p]),
                [&](int i, int j, double N) { gradient += N * color_.gradient(i, j); });  // (7.3)
     turn_across(tangents, p, gradient, least_);
-  }
+  });
 }
 
 CubicNormals::CubicNormals(const BackgroundGrid& shape, const Walls& walls)
@@ -129,7 +130,7 @@ CubicNormals::CubicNormals(const BackgroundGrid& shape, const Walls& walls)
 }
 
 void CubicNormals::add(const PlaceArrays& places, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const auto wx = cubic_weights(at.r), wy = cubic_weights(at.s);
     const auto i = static_cast<std::size_t>(at.i), j = static_cast<std::size_t>(at.j);
@@ -141,7 +142,7 @@ void CubicNormals::add(const PlaceArrays& places, Range range) {
         color_.add(column + row, wx[a] * sides_x_[column] * in_row);  // (7.6)
       }
     }
-  }
+  });
 }
 
 Pair CubicNormals::gradient(const CellPlace& at) const {
@@ -160,9 +161,9 @@ void CubicNormals::update(const PlaceArrays& places, Range membrane, std::span<c
   color_.clear();
   add(places, membrane);
   for (const Range range : others) add(places, range);
-  for (std::size_t p = membrane.begin; p < membrane.end; ++p) {
+  for_points(membrane, [&](std::size_t p) {
     turn_across(tangents, p, gradient(locator_.locate(places.x[p], places.y[p])), least_);
-  }
+  });
 }
 
 }  // namespace tether::mpm

@@ -8,9 +8,9 @@
 #include "grid/background_grid.hpp"
 #include "grid/pair.hpp"
 #include "laws/walls/walls.hpp"
+#include "loops/points.hpp"
 #include "solvers/mpm/folds.hpp"
 #include "solvers/mpm/normals_points.hpp"
-#include "solvers/mpm/range.hpp"
 
 // Normals from a colour that points lend to the grid (7.1 to 7.3 of chapter 7). All points have the colour 1, those of
 // the membrane and the others, of the fluid inside. Without fluid the colour has its ridge on the membrane, where its

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "loops/points.hpp"
 #include "solvers/mpm/kernels.hpp"
 #include "solvers/mpm/ledger.hpp"
 
 // The passes over the points of one body. A pass whose template argument `pins` is true leaves pinned points where they
 // are, at rest. Where elements make the forces they give nothing to their nodes, and the pin takes the load; else their
-// mass and stress stand on the nodes as other points' do, and the nodes are not held.
+// mass and stress stand on the nodes as other points' do, and the nodes are not held. A pass takes what the step found
+// before and returns it with what it found at its points.
 
 namespace tether::mpm {
 
@@ -16,8 +18,6 @@ struct PassWork {
   Grid& grid;
   Locator locator;
   StepContext step;
-  StepFindings& found;
-  Trouble& trouble;
 };
 
 /// What a pass over the points does beside the strain rate. The three orders of a step differ in nothing else.
@@ -36,31 +36,32 @@ struct UsfPass {  // strain rate from the mapped velocity; the points stay
 
 /// Velocities of the points, and their momenta back on the nodes, sum m_p v_p N_i (3.22), (3.24).
 template <class S, bool pins>
-inline void accelerate_and_convect(const PassWork& work, Range range) {
+inline StepFindings accelerate_and_convect(const PassWork& work, Range range, const StepFindings& before) {
   Points& P = work.P;
-  for (std::size_t p = range.begin; p < range.end; ++p) {
-    if (pins && P.pinned[p]) continue;
+  return find_at_points(range, before, [&](std::size_t p, StepFindings& found) {
+    if (pins && P.pinned[p]) return;
     const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
-    accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
+    accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, found.squares);
     each_momentum<S>(P, p, work.locator, at, nodes,
                      [&](std::size_t n, double, Pair momentum) { work.grid.convected[n] += momentum; });
-  }
+  });
 }
 
 /// Strain rate at the old place, and what else the pass does there; `at` is the place's cell before and after. False
 /// where the point came into trouble.
 template <class S, class Pass>
-inline bool strain_and_move(const PassWork& work, std::size_t p, typename S::Kernel::Place& at, Rate& rate) {
+inline bool strain_and_move(const PassWork& work, std::size_t p, typename S::Kernel::Place& at, Rate& rate,
+                            StepFindings& found) {
   const auto nodes = S::Kernel::nodes(work.locator, at);
   rate = rate_at<S>(
       work.locator, at, nodes, [&](std::size_t n) { return Pass::velocity(work.grid, n); }, work.P.x[p]);
   if constexpr (Pass::accelerates) {
-    accelerate<S>(work.P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
+    accelerate<S>(work.P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, found.squares);
   }
   if constexpr (!Pass::moves) return true;
-  move<S>(work.P, p, work.step.dt, work.grid.motion, at, nodes, work.found.lifted);
-  return accept_place<typename S::Kernel>(work.P, p, work.locator, work.grid.frame, at, work.found, work.trouble);
+  move<S>(work.P, p, work.step.dt, work.grid.motion, at, nodes, found.lifted);
+  return accept_place<typename S::Kernel>(work.P, p, work.locator, work.grid.frame, at, found);
 }
 
 /// Whether the gas finds its density, and its heat, at the nodes.
@@ -74,13 +75,13 @@ inline bool from_nodes(const IdealGas& gas) { return gas.rule == DensityRule::gr
 /// where the points have not moved: mass and momentum stand there already).
 template <class S, class Pass, class Law>
 inline void stress_and_map(const Law& law, const PassWork& work, std::size_t p, const typename S::Kernel::Place& at,
-                           const Rate& rate) {
+                           const Rate& rate, StepFindings& found) {
   Points& P = work.P;
   const auto nodes = S::Kernel::nodes(work.locator, at);
   if (from_nodes(law)) read_gas<typename S::Kernel>(P, p, work.grid.gas, work.step.heat, at, nodes);
-  law_update<S::about_axis>(law, P, p, rate, work.step, work.found);
+  law_update<S::about_axis>(law, P, p, rate, work.step, found);
   if (!sound(law, P, p)) {
-    work.trouble.note(TroubleKind::unsound, p);
+    found.trouble.note(TroubleKind::unsound, p);
     return;
   }
   if constexpr (Pass::moves) map_momentum<S>(P, p, work.grid.sums, work.locator, at, nodes);
@@ -89,72 +90,72 @@ inline void stress_and_map(const Law& law, const PassWork& work, std::size_t p, 
 
 /// For laws that look at the point alone: both halves in one pass.
 template <class S, class Pass, class Law>
-inline void strain_stress_and_map(const Law& law, const PassWork& work, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+inline StepFindings strain_stress_and_map(const Law& law, const PassWork& work, Range range,
+                                          const StepFindings& before) {
+  return find_at_points(range, before, [&](std::size_t p, StepFindings& found) {
     auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
     Rate rate;
-    if (!strain_and_move<S, Pass>(work, p, at, rate)) continue;
-    stress_and_map<S, Pass>(law, work, p, at, rate);
-  }
+    if (strain_and_move<S, Pass>(work, p, at, rate, found)) stress_and_map<S, Pass>(law, work, p, at, rate, found);
+  });
 }
 
 /// First half for laws that need the new places of neighbours: the strain rates are kept.
 template <class S, class Pass, bool pins>
-inline void strain_and_move_all(const PassWork& work, Range range) {
+inline StepFindings strain_and_move_all(const PassWork& work, Range range, const StepFindings& before) {
   Points& P = work.P;
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  return find_at_points(range, before, [&](std::size_t p, StepFindings& found) {
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     Rate rate;
     if (pins && P.pinned[p]) {
       const auto velocity = [&](std::size_t n) { return Pass::velocity(work.grid, n); };
       rate = rate_at<S>(work.locator, at, S::Kernel::nodes(work.locator, at), velocity, P.x[p]);
     } else {
-      strain_and_move<S, Pass>(work, p, at, rate);
+      strain_and_move<S, Pass>(work, p, at, rate, found);
     }
     P.dxx[p] = rate.d.xx, P.dyy[p] = rate.d.yy, P.dxy[p] = rate.d.xy, P.dzz[p] = rate.d.zz;
-  }
+  });
 }
 
 /// Second half of it.
 template <class S, class Pass, class Law>
-inline void stress_and_map_all(const Law& law, const PassWork& work, Range range) {
+inline StepFindings stress_and_map_all(const Law& law, const PassWork& work, Range range, const StepFindings& before) {
   const Points& P = work.P;
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  return find_at_points(range, before, [&](std::size_t p, StepFindings& found) {
     const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
-    stress_and_map<S, Pass>(law, work, p, at, {{P.dxx[p], P.dyy[p], P.dxy[p], P.dzz[p]}, 0});
-  }
+    stress_and_map<S, Pass>(law, work, p, at, {{P.dxx[p], P.dyy[p], P.dxy[p], P.dzz[p]}, 0}, found);
+  });
 }
 
 /// Mass and momentum of points that take their forces elsewhere.
 template <class S>
 inline void map_momentum_all(const PassWork& work, Range range) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
-    if (work.P.pinned[p]) continue;
+  for_points(range, [&](std::size_t p) {
+    if (work.P.pinned[p]) return;
     const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
     map_momentum<S>(work.P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
-  }
+  });
 }
 
 /// New velocities and places from the momentum equation, mass and momentum to the new places' nodes: what remains of a
-/// step that updated stress first. Returns what the transfers lost, where the ledger is kept [energy].
+/// step that updated stress first. Where the ledger is kept, `heat` is what the transfers lost [energy].
 template <class S, bool pins>
-inline double accelerate_move_and_map(const PassWork& work, Range range, bool ledger) {
-  double lost = 0;
+inline StepFindings accelerate_move_and_map(const PassWork& work, Range range, bool ledger,
+                                            const StepFindings& before) {
   Points& P = work.P;
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  return find_at_points(range, before, [&](std::size_t p, StepFindings& found) {
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (!pins || !P.pinned[p]) {
       if (ledger)
-        lost += P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, work.found.squares);
+        found.heat += P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, found.squares);
       else
-        accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, work.found.squares);
-      move<S>(P, p, work.step.dt, work.grid.motion, at, nodes, work.found.lifted);
+        accelerate<S>(P, p, work.step.dt, work.grid.motion, work.locator, at, nodes, found.squares);
+      move<S>(P, p, work.step.dt, work.grid.motion, at, nodes, found.lifted);
     }
-    if (!accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, work.found, work.trouble)) continue;
-    map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
-  }
-  return lost;
+    if (accept_place<typename S::Kernel>(P, p, work.locator, work.grid.frame, at, found)) {
+      map_momentum<S>(P, p, work.grid.sums, work.locator, at, S::Kernel::nodes(work.locator, at));
+    }
+  });
 }
 
 /// i += dt (sigma : eps') / rho (4.10) with the strain rate of (v_old + v_new) / 2.
@@ -171,22 +172,23 @@ inline void heat_centred(const PassWork& work, std::size_t p, const typename S::
 /// The same for gas. Centred, it is heated by the velocity gradient half way between the velocities before and after
 /// the solve, which gives it exactly what its forces took from the nodes; the ledger adds what the transfer loses.
 template <class S>
-inline void accelerate_move_and_map_gas(const IdealGas& law, const PassWork& work, Range range, bool ledger) {
+inline StepFindings accelerate_move_and_map_gas(const IdealGas& law, const PassWork& work, Range range, bool ledger,
+                                                const StepFindings& before) {
   Points& P = work.P;
   const Grid& grid = work.grid;
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  return find_at_points(range, before, [&](std::size_t p, StepFindings& found) {
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (!work.step.heats) heat_centred<S>(work, p, at, nodes);
     double lost = 0;
     if (ledger) {
-      lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes, work.found.squares);
-      work.found.heat += P.mass[p] * lost;
+      lost = accelerate_and_book<S>(P, p, grid, work.locator, at, nodes, found.squares);
+      found.heat += P.mass[p] * lost;
     } else {
-      accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes, work.found.squares);
+      accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes, found.squares);
     }
-    move<S>(P, p, work.step.dt, grid.motion, at, nodes, work.found.lifted);
-    if (!accept_place<typename S::Kernel>(P, p, work.locator, grid.frame, at, work.found, work.trouble)) continue;
+    move<S>(P, p, work.step.dt, grid.motion, at, nodes, found.lifted);
+    if (!accept_place<typename S::Kernel>(P, p, work.locator, grid.frame, at, found)) return;
     const auto there = S::Kernel::nodes(work.locator, at);
     if (ledger) {
       map_gas_momentum_and_loss<S>(P, p, lost, work.grid, work.locator, at, there);
@@ -195,7 +197,7 @@ inline void accelerate_move_and_map_gas(const IdealGas& law, const PassWork& wor
     } else {
       map_momentum<S>(P, p, work.grid.sums, work.locator, at, there);
     }
-  }
+  });
 }
 
 }  // namespace tether::mpm

@@ -7,6 +7,7 @@
 
 #include "laws/materials/material.hpp"
 #include "solvers/mpm/arrays.hpp"
+#include "solvers/mpm/trouble.hpp"
 
 // What each material does to the arrays of a point: the bridge between the pure laws and the kernels.
 //   law_update  strain rate in, stress (and energy, density, strain) of the point out
@@ -28,7 +29,8 @@ struct StepContext {
   bool arrived = false;  // the velocity gradient is that at the place after the move that it describes
 };
 
-/// What the step tells of all points: waves for the next step limit, and whether the numbers are still sound.
+/// What a step finds at a point, or at all that were joined: waves for the next step limit, what the balances want, and
+/// whether the numbers are still sound.
 struct StepFindings {
   double wave_max = 0;       // largest c + |v| of the gas, or c of solids that carry F [velocity]
   double c_squared_max = 0;  // of the gas
@@ -36,6 +38,16 @@ struct StepFindings {
   double squares = 0;        // of the points, for the balance of energy: balance.hpp
   double lifted = 0;         // sum of m_p times the way up [mass length]
   double heat = 0;           // that the ledger gave to the gas for its own transfers [energy]
+  Trouble trouble;
+
+  /// Adds what was found later.
+  void join(const StepFindings& later) {
+    wave_max = std::max(wave_max, later.wave_max);
+    c_squared_max = std::max(c_squared_max, later.c_squared_max);
+    crossings += later.crossings;
+    squares += later.squares, lifted += later.lifted, heat += later.heat;
+    trouble.join(later.trouble);
+  }
 };
 
 /// Strain rate of a point, and the spin (d v_x / d y - d v_y / d x) / 2 [1/time].

@@ -3,6 +3,8 @@
 
 #include "solvers/mpm/state.hpp"
 
+#include "loops/points.hpp"
+
 namespace tether::mpm {
 namespace {
 
@@ -53,18 +55,18 @@ void each_elements(AnyState& state, const Visit& visit) {
 
 void take_forces(const State& state, ActiveSums& sums) {
   each_elements(state, [&](const Elements& elements) {
-    for (std::size_t p = elements.range().begin; p < elements.range().end; ++p) {
+    for_points(elements.range(), [&](std::size_t p) {
       sums.element_force_x.push_back(elements.force(p)[0]), sums.element_force_y.push_back(elements.force(p)[1]);
-    }
+    });
   });
 }
 
 void put_forces(const ActiveSums& sums, State& state) {
   std::size_t k = 0;
   each_elements(state, [&](Elements& elements) {
-    for (std::size_t p = elements.range().begin; p < elements.range().end; ++p, ++k) {
-      elements.set_force(p, pair(sums.element_force_x[k], sums.element_force_y[k]));
-    }
+    for_points(elements.range(), [&](std::size_t p) {
+      elements.set_force(p, pair(sums.element_force_x[k], sums.element_force_y[k])), ++k;
+    });
   });
 }
 
@@ -94,27 +96,15 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
       with(row.name, P.*row.array);
   });
   Strips::exchange(with, state.strips);
-  with("body_begin", sums.begin), with("body_end", sums.end), with("gas_mass", state.gas_mass);
-  with("point_steps", state.point_steps);
+  exchange_numbers(with, state);
+  exchange_numbers(with, state.balance);
+  with("body_begin", sums.begin), with("body_end", sums.end);
   with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);
   with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_loss", sums.loss);
   with.list("node_momentum_x", sums.momentum_x), with.list("node_momentum_y", sums.momentum_y);
   with.list("node_force_x", sums.force_x), with.list("node_force_y", sums.force_y);
   with.list("element_force_x", sums.element_force_x), with.list("element_force_y", sums.element_force_y);
-  with("time", state.time), with("time_lost", state.time_lost);
-  with("c_max", state.c_max), with("wave_max", state.wave_max);
-  with("steps", state.steps), with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with.list("apart", sums.apart), with("contact_lost", sums.contact_lost);
-  with("heat_given", state.heat_given), with("heat_under_way", state.heat_under_way);
-  with("heat_for_all", state.heat_for_all);
-  with("crossings_since_sort", state.crossings_since_sort), with("limit_told", state.limit_told);
-  with("balance_transfer", state.balance.transfer), with("balance_walls", state.balance.walls);
-  with("balance_work", state.balance.work), with("balance_fall", state.balance.fall);
-  with("balance_stored", state.balance.stored);
-  with("points_apart", state.points_apart), with("apart_told", state.apart_told);
-  with("widest_gap", state.widest_gap), with("gap_told", state.gap_told), with("end_told", state.end_told);
-  with("gases_apart", state.gases_apart), with("mixing_told", state.mixing_told);
-  with("gas_leaked", state.gas_leaked), with("leak_told", state.leak_told);
 }
 
 }  // namespace

@@ -71,11 +71,11 @@ double MpmSolver::next_step() {
 }
 
 void MpmSolver::step(double dt) {
-  StepWork work{state_, plan_.scene, {}, {}};
-  if (state_.strips.on()) state_.strips.before_step(state_, plan_.scene);
+  StepWork work{state_, plan_.scene, {}};
+  if (state_.strips.on()) state_.strips.before_step(state_.points, state_.ranges, plan_.scene);
   set_.step(work, dt);
-  if (state_.strips.on() && work.trouble.kind == TroubleKind::none) pass_edges(work, dt);
-  if (work.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.trouble, dt);
+  if (state_.strips.on() && work.found.trouble.kind == TroubleKind::none) pass_edges(work, dt);
+  if (work.found.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.found.trouble, dt);
   state_.crossings_since_sort += work.found.crossings;
   state_.balance.add(work.nodes, work.found.squares, work.found.lifted, plan_.scene.method.transfer == Transfer::apic,
                      plan_.scene.gravity, dt);
@@ -85,9 +85,11 @@ void MpmSolver::step(double dt) {
 /// What gas that passes an edge changes: points, and with them the sums at the nodes.
 void MpmSolver::pass_edges(StepWork& work, double dt) {
   forget_sums(state_, set_);
-  state_.strips.after_step(state_, plan_.scene, dt, work.found, work.trouble);
+  const EdgeFindings edges = state_.strips.after_step(state_.body_points(), plan_.scene, dt, state_.time + dt);
+  work.found.join(edges.found);
+  if (edges.regrouped) state_.list_fluids(plan_.scene);
   for (auto& text : state_.strips.take_news()) messages_.push_back(std::move(text));
-  if (work.trouble.kind == TroubleKind::none) map_anew(state_, plan_.scene, set_);
+  if (work.found.trouble.kind == TroubleKind::none) map_anew(state_, plan_.scene, set_);
 }
 
 void MpmSolver::finish_step(const StepFindings& found, double dt) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "loops/points.hpp"
+
 namespace tether::mpm {
 
 CellSort::CellSort(std::size_t points) { keys_.reserve(points); }
@@ -26,10 +28,10 @@ void CellSort::operator()(Points& points, const std::vector<Range>& bodies, cons
 void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
   const Locator locator(shape);
   keys_.clear();
-  for (std::size_t p = range.begin; p < range.end; ++p) {
+  for_points(range, [&](std::size_t p) {
     const CellPlace at = locator.locate(P.x[p], P.y[p]);
     keys_.push_back({at.j * shape.cells_x() + at.i, P.id[p], p});
-  }
+  });
   std::sort(keys_.begin(), keys_.end(),
             [](const Key& a, const Key& b) { return a.cell != b.cell ? a.cell < b.cell : a.id < b.id; });
   each_row(Points::rows(), [&](const auto& row) {

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <vector>
 
+#include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
-#include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "loops/points.hpp"
 #include "model/size.hpp"
 #include "solvers/mpm/derived.hpp"
 #include "solvers/mpm/point_laws.hpp"
@@ -52,31 +53,31 @@ struct StartPoints {
   }
   void operator()(const LinearFluid&) {
     Points& P = state.points;  // an accumulated pressure starts at zero strain
-    for (std::size_t p = range.begin; p < range.end; ++p) P.sxx[p] = P.syy[p] = P.sxy[p] = 0;
+    for_points(range, [&](std::size_t p) { P.sxx[p] = P.syy[p] = P.sxy[p] = 0; });
   }
   /// A stress in the file is an initial strain E eps = t . sigma . t: negative is slack.
   void operator()(const Membrane& law) {
     Points& P = state.points;
-    for (std::size_t p = range.begin; p < range.end; ++p) {
+    for_points(range, [&](std::size_t p) {
       const Vec2 t = tangent_at(P, range, p, body.closed);
       P.tx[p] = t.x, P.ty[p] = t.y;
-    }
+    });
     if (state.normals) state.find_tangents(number);
-    for (std::size_t p = range.begin; p < range.end; ++p) {
+    for_points(range, [&](std::size_t p) {
       const Vec2 t{P.tx[p], P.ty[p]};
       P.strain[p] = along({P.sxx[p], P.syy[p], P.sxy[p]}, t) / law.E;
       P.hoop[p] = 0;
       law_update<true>(law, P, p, {}, {}, found);
-    }
+    });
   }
   /// Densities from cells stand in the points already; from nodes, the body's own is right at the start.
   void operator()(const IdealGas& law) {
     Points& P = state.points;
-    for (std::size_t p = range.begin; p < range.end; ++p) {
+    for_points(range, [&](std::size_t p) {
       if (!from_cells(law)) P.rho[p] = body.density;
       P.energy[p] = body.specific_energy;
       law_update<true>(law, P, p, {}, {}, found);
-    }
+    });
     state.wave_max = std::max(state.wave_max, found.wave_max);
     state.c_max = std::max(state.c_max, std::sqrt(found.c_squared_max));
   }
@@ -141,9 +142,9 @@ State start(const Scene& scene) {
                                   [&](std::size_t p) { return p >= body.first && p < body.first + body.count; });
     state.has_pins.push_back(pins ? 1 : 0);
   }
-  state.list_fluids(scene);
   state.light_node = light_part * mean_mass(scene.points);
-  state.strips.fill(state, scene);
+  state.strips.fill(state.body_points(), scene);
+  state.list_fluids(scene);
   state.keeps_ledger = keeps_ledger(scene);
   CellSort(state.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
   if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
@@ -151,7 +152,9 @@ State start(const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     std::visit(StartPoints{state, scene.bodies[b], state.ranges[b], b, {}}, scene.bodies[b].material);
   }
-  state.strips.begin(state, scene);
+  const StepFindings edges = state.strips.begin(state.body_points(), scene);
+  state.c_max = std::max(state.c_max, std::sqrt(edges.c_squared_max));
+  state.wave_max = std::max(state.wave_max, edges.wave_max);
   make_elements(scene, state);
   const StepSet set = step_set(scene);
   set.fit_fields(state);
@@ -172,7 +175,7 @@ void State::list_fluids(const Scene& scene) {
     gas.push_back(range), fluids.push_back(range);
     if (from_cells(*law)) gas_by_cells.push_back(range);
     if (law->rule == DensityRule::grid) gas_by_nodes.push_back(range);
-    for (std::size_t p = range.begin; p < range.end; ++p) gas_mass += points.mass[p];
+    for_points(range, [&](std::size_t p) { gas_mass += points.mass[p]; });
   }
 }
 
@@ -182,12 +185,12 @@ void State::find_tangents(std::size_t b) {
 
 void State::turn_tangents(const Scene& scene, std::size_t b) {
   if (!normals) return mpm::turn_tangents(points, ranges[b], scene.bodies[b].closed);
-  for (std::size_t p = ranges[b].begin; p < ranges[b].end; ++p) old_tx[p] = points.tx[p], old_ty[p] = points.ty[p];
+  for_points(ranges[b], [&](std::size_t p) { old_tx[p] = points.tx[p], old_ty[p] = points.ty[p]; });
   find_tangents(b);
-  for (std::size_t p = ranges[b].begin; p < ranges[b].end; ++p) {
+  for_points(ranges[b], [&](std::size_t p) {
     const double cosine = points.tx[p] * old_tx[p] + points.ty[p] * old_ty[p];
     points.strain[p] *= cosine * cosine;
-  }
+  });
 }
 
 }  // namespace tether::mpm

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/kernels.hpp"
 #include "solvers/mpm/node_pieces.hpp"
 #include "solvers/mpm/state.hpp"
@@ -38,11 +39,11 @@ inline std::vector<Pair> velocities_of(const State& state, Range range) {
   const Points& P = state.points;
   const Locator locator(frame.shape);
   std::vector<NodeSums> sums(frame.shape.nodes());
-  for (std::size_t p = range.begin; p < range.end; ++p) {
-    if (P.pinned[p] && state.pins_hold_loads) continue;
+  for_points(range, [&](std::size_t p) {
+    if (P.pinned[p] && state.pins_hold_loads) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     map_momentum<S>(P, p, sums, locator, at, S::Kernel::nodes(locator, at));
-  }
+  });
   fold_sums(frame, sums);
   std::vector<Pair> velocities(sums.size());
   for (std::size_t n = 0; n < sums.size(); ++n) {
@@ -65,13 +66,13 @@ inline void fit_fields(State& state) {
     if (!velocities_differ(state, range)) continue;
     for (int round = 0; round < rounds_of_fitting; ++round) {
       const auto velocities = velocities_of<S>(state, range);
-      for (std::size_t p = range.begin; p < range.end; ++p) {
-        if (P.pinned[p]) continue;
+      for_points(range, [&](std::size_t p) {
+        if (P.pinned[p]) return;
         const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
         const LinearField field =
             S::Kernel::affine(locator, at, S::Kernel::nodes(locator, at), [&](std::size_t n) { return velocities[n]; });
         P.vxx[p] = field.by_x[0], P.vyx[p] = field.by_x[1], P.vxy[p] = field.by_y[0], P.vyy[p] = field.by_y[1];
-      }
+      });
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "model/scene.hpp"
 #include "solvers/mpm/point_laws.hpp"
 #include "solvers/mpm/state.hpp"
-#include "solvers/mpm/trouble.hpp"
 
 namespace tether::mpm {
 
@@ -13,7 +12,6 @@ struct StepWork {
   State& state;
   const Scene& scene;
   StepFindings found;
-  Trouble trouble;
   NodeTotals nodes = {};
 };
 

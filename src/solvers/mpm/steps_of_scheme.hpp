@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
+#include "loops/points.hpp"
 #include "solvers/mpm/contact_map.hpp"
 #include "solvers/mpm/gas_pressures.hpp"
 #include "solvers/mpm/membrane_passes.hpp"
@@ -24,9 +26,7 @@ inline PassWork pass_work(StepWork& work, double dt) {
           state.grid,
           Locator(shape),
           {dt, state.c_max, std::sqrt(shape.dx * shape.dy), method.gas_energy == GasEnergy::rate, method.jaumann,
-           state.gas_mass > 0 ? state.heat_for_all / state.gas_mass : 0, method.order == StressOrder::usf},
-          work.found,
-          work.trouble};
+           state.gas_mass > 0 ? state.heat_for_all / state.gas_mass : 0, method.order == StressOrder::usf}};
 }
 
 /// Velocities (3.22) and the momenta back on the nodes (3.24).
@@ -38,10 +38,8 @@ void accelerate_and_convect_all(StepWork& work, double dt) {
   const PassWork pass = pass_work(work, dt);
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const OwnField own(state, b);
-    if (state.has_pins[b])
-      accelerate_and_convect<S, true>(pass, state.ranges[b]);
-    else
-      accelerate_and_convect<S, false>(pass, state.ranges[b]);
+    work.found = state.has_pins[b] ? accelerate_and_convect<S, true>(pass, state.ranges[b], work.found)
+                                   : accelerate_and_convect<S, false>(pass, state.ranges[b], work.found);
   }
   state.grid.fold_convected();
   divide_convected(state.grid);
@@ -57,10 +55,8 @@ void strain_where_neighbours_count(StepWork& work, const PassWork& pass) {
     const bool later =
         std::visit([](const auto& law) { return waits(law, Pass::moves); }, work.scene.bodies[b].material);
     if (!later || (state.elements_of[b] && !Pass::moves)) continue;
-    if (state.has_pins[b])
-      strain_and_move_all<S, Pass, true>(pass, state.ranges[b]);
-    else
-      strain_and_move_all<S, Pass, false>(pass, state.ranges[b]);
+    work.found = state.has_pins[b] ? strain_and_move_all<S, Pass, true>(pass, state.ranges[b], work.found)
+                                   : strain_and_move_all<S, Pass, false>(pass, state.ranges[b], work.found);
   }
 }
 
@@ -89,15 +85,12 @@ void stress_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   const OwnField own(state, b);
   if (state.elements_of[b]) {
     if constexpr (Pass::moves) map_momentum_all<S>(pass, range);
-    return pull_elements<S>(pass, *state.elements_of[b]);
+    return work.found.trouble.join(pull_elements<S>(pass, *state.elements_of[b]));
   }
   std::visit(
       [&](const auto& law) {
-        if (waits(law, Pass::moves)) {
-          stress_and_map_all<S, Pass>(law, pass, range);
-        } else {
-          strain_stress_and_map<S, Pass>(law, pass, range);
-        }
+        work.found = waits(law, Pass::moves) ? stress_and_map_all<S, Pass>(law, pass, range, work.found)
+                                             : strain_stress_and_map<S, Pass>(law, pass, range, work.found);
       },
       work.scene.bodies[b].material);
   if (state.ambient_of[b]) press_ambient<S>(pass, *state.ambient_of[b]);
@@ -109,7 +102,7 @@ template <class S, class Pass>
 void strain_stress_and_map_all(StepWork& work, double dt) {
   const PassWork pass = pass_work(work, dt);
   strain_where_neighbours_count<S, Pass>(work, pass);
-  if (work.trouble.kind != TroubleKind::none) return;
+  if (work.found.trouble.kind != TroubleKind::none) return;
   look_at_neighbours<S, Pass>(work, pass);
   for (std::size_t b = 0; b < work.state.ranges.size(); ++b) stress_and_map_body<S, Pass>(work, pass, b);
   work.state.grid.fold_sums();
@@ -122,12 +115,17 @@ void accelerate_move_and_map_body(StepWork& work, const PassWork& pass, std::siz
   const Range range = state.ranges[b];
   const OwnField own(state, b);
   const auto* gas = std::get_if<IdealGas>(&work.scene.bodies[b].material);
-  if (gas) return accelerate_move_and_map_gas<S>(*gas, pass, range, state.keeps_ledger);
-  if (state.elements_of[b])
-    accelerate_move_and_map_membrane<S>(pass, *state.elements_of[b], state.keeps_ledger);
-  else
-    give_to_all_gas(state, state.has_pins[b] ? accelerate_move_and_map<S, true>(pass, range, state.keeps_ledger)
-                                             : accelerate_move_and_map<S, false>(pass, range, state.keeps_ledger));
+  const bool ledger = state.keeps_ledger;
+  if (gas) {
+    work.found = accelerate_move_and_map_gas<S>(*gas, pass, range, ledger, work.found);
+  } else if (state.elements_of[b]) {
+    work.found = accelerate_move_and_map_membrane<S>(pass, *state.elements_of[b], ledger, work.found);
+  } else {  // what other bodies lose is no heat of the gas alone, and starts from none
+    const double heat = std::exchange(work.found.heat, 0);
+    work.found = state.has_pins[b] ? accelerate_move_and_map<S, true>(pass, range, ledger, work.found)
+                                   : accelerate_move_and_map<S, false>(pass, range, ledger, work.found);
+    give_to_all_gas(state, std::exchange(work.found.heat, heat));
+  }
 }
 
 template <class S>
@@ -190,12 +188,12 @@ struct Usf {
     open_contact<S>(work, dt);  // each body's own field at shared nodes
     clear_forces(state.grid);
     strain_stress_and_map_all<S, UsfPass>(work, dt);  // (3.23), laws, (3.16)
-    if (work.trouble.kind != TroubleKind::none) return;
+    if (work.found.trouble.kind != TroubleKind::none) return;
     solve_with_contact<S>(work, dt);  // (3.19), (3.20), walls, impulses
     if (state.keeps_ledger) clear_heat(state), note_squares(state.grid);
     clear_sums(state.grid);
     accelerate_move_and_map_all<S>(work, dt);  // (3.22), (3.21), (4.10) centred, (3.15)
-    if (state.keeps_ledger && work.trouble.kind == TroubleKind::none) settle_ledger<S>(work, pass_work(work, dt));
+    if (state.keeps_ledger && work.found.trouble.kind == TroubleKind::none) settle_ledger<S>(work, pass_work(work, dt));
   }
 };
 
@@ -206,8 +204,8 @@ void map_all_points(const State& state, const Scene& scene, std::vector<NodeSums
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     std::visit(
         [&, range = state.ranges[b]](const auto& law) {
-          for (std::size_t p = range.begin; p < range.end; ++p) {
-            if (P.pinned[p] && state.pins_hold_loads) continue;
+          for_points(range, [&](std::size_t p) {
+            if (P.pinned[p] && state.pins_hold_loads) return;
             const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
             const auto nodes = S::Kernel::nodes(locator, at);
             if (from_nodes(law))
@@ -215,7 +213,7 @@ void map_all_points(const State& state, const Scene& scene, std::vector<NodeSums
             else
               map_momentum<S>(P, p, sums, locator, at, nodes);
             if (!state.elements_of[b]) map_force<S>(P, p, law_volume(law, P, p), sums, locator, at, nodes);
-          }
+          });
         },
         scene.bodies[b].material);
     if (state.elements_of[b]) spread_forces<S>(P, locator, *state.elements_of[b], sums);
@@ -228,13 +226,13 @@ template <class S>
 void map_quantity(const State& state, const std::vector<double>& q, std::vector<double>& values) {
   const Locator locator(state.grid.frame.shape);
   const Points& P = state.points;
-  for (std::size_t p = 0; p < P.size(); ++p) {
-    if (P.pinned[p] && state.pins_hold_loads) continue;
+  for_points({0, P.size()}, [&](std::size_t p) {
+    if (P.pinned[p] && state.pins_hold_loads) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(locator, at);
     const auto N = S::Kernel::values(at);
     for (std::size_t k = 0; k < S::Kernel::size; ++k) values[nodes[k]] += P.mass[p] * q[p] * N[k];
-  }
+  });
   for (const Ghost& ghost : state.grid.frame.ghosts) {
     values[static_cast<std::size_t>(ghost.image)] += values[static_cast<std::size_t>(ghost.node)];
   }

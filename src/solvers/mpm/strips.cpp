@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solvers/mpm/state.hpp"
+#include "loops/points.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -49,41 +49,44 @@ double Strips::total_energy(const Points& P, std::size_t p, const Scene& scene) 
   return P.mass[p] * (kinetic + P.energy[p] - scene.gravity * P.y[p]);
 }
 
-void Strips::before_step(const State& state, const Scene& scene) {
-  const Points& P = state.points;
+void Strips::before_step(const Points& P, const std::vector<Range>& ranges, const Scene& scene) {
   notes_.clear();
   noted_.assign(P.size(), 0), gone_.assign(P.size(), 0);
-  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+  for (std::size_t b = 0; b < ranges.size(); ++b) {
     const auto* gas = std::get_if<IdealGas>(&scene.bodies[b].material);
-    for (std::size_t p = state.ranges[b].begin; gas && p < state.ranges[b].end; ++p) {
+    if (!gas) continue;
+    for_points(ranges[b], [&](std::size_t p) {
       const int edge = edge_of(P.x[p], P.y[p]);
-      if (edge == inside_) continue;
+      if (edge == inside_) return;
       noted_[p] = 1;
       notes_.push_back({p, edge, gas->rule == DensityRule::continuity, P.x[p], P.y[p], P.vx[p], P.vy[p], P.rho[p],
                         P.energy[p], total_energy(P, p, scene)});
-    }
+    });
   }
 }
 
-void Strips::after_step(State& state, const Scene& scene, double dt, StepFindings& found, Trouble& trouble) {
-  time_ = state.time + dt;
+EdgeFindings Strips::after_step(const BodyPoints& bodies, const Scene& scene, double dt, double time) {
+  EdgeFindings edges;
+  time_ = time;
   energy_of_step_ = {};
-  return_to_reservoir(state, scene, dt);
-  let_pass(state, scene, trouble);
-  if (trouble.kind != TroubleKind::none) return;
+  return_to_reservoir(bodies, scene, dt);
+  edges.found.trouble = let_pass(bodies, scene);
+  if (edges.found.trouble.kind != TroubleKind::none) return edges;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (edges_.of[k].open()) feed(k, state, scene, dt);
+    if (edges_.of[k].open()) feed(k, bodies, scene, dt);
   }
-  if (!made_.empty() || std::find(gone_.begin(), gone_.end(), 1) != gone_.end()) regroup(state, scene);
-  look_inside(state, scene);
-  set_strips(state, scene, found);
+  edges.regrouped = !made_.empty() || std::find(gone_.begin(), gone_.end(), 1) != gone_.end();
+  if (edges.regrouped) regroup(bodies, scene);
+  look_inside(bodies, scene);
+  edges.found = set_strips(bodies, scene);
   book_energy();
+  return edges;
 }
 
 /// What a point of a strip gave to the nodes in the step is what the gas inside took from it; gravity gave some of the
 /// momentum. Then it stands where the velocity on the edge carries it.
-void Strips::return_to_reservoir(State& state, const Scene& scene, double dt) {
-  Points& P = state.points;
+void Strips::return_to_reservoir(const BodyPoints& bodies, const Scene& scene, double dt) {
+  Points& P = bodies.points;
   for (const Note& note : notes_) {
     const std::size_t p = note.slot;
     const auto k = static_cast<std::size_t>(note.edge % corner_);
@@ -100,28 +103,31 @@ void Strips::return_to_reservoir(State& state, const Scene& scene, double dt) {
   }
 }
 
-void Strips::let_pass(const State& state, const Scene& scene, Trouble& trouble) {
-  const Points& P = state.points;
-  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+Trouble Strips::let_pass(const BodyPoints& bodies, const Scene& scene) {
+  const Points& P = bodies.points;
+  for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
     const bool gas = std::holds_alternative<IdealGas>(scene.bodies[b].material);
-    for (std::size_t p = state.ranges[b].begin; p < state.ranges[b].end; ++p) {
+    if (!gas) {
+      const Trouble trouble = find_at_points(bodies.ranges[b], Trouble{}, [&](std::size_t p, Trouble& found) {
+        if (edge_of(P.x[p], P.y[p]) != inside_) found.note(TroubleKind::at_open_edge, p);
+      });
+      if (trouble.kind != TroubleKind::none) return trouble;
+      continue;
+    }
+    for_points(bodies.ranges[b], [&](std::size_t p) {
       const int edge = edge_of(P.x[p], P.y[p]);
-      if (edge == inside_ && !noted_[p]) continue;
-      if (!gas) {
-        trouble.note(TroubleKind::at_open_edge, p);
-        return;
-      }
-      if (edge == inside_) continue;  // enters: below, where its edge is known
+      if (edge == inside_) return;  // what enters: below, where its edge is known
       const auto k = static_cast<std::size_t>(edge % corner_);
       if (!noted_[p]) leave(k, P, scene, p);
       const bool at_end = inward(k, P.x[p], P.y[p]) < -(strip_cells + rounding) * cell_across(k);
       if (at_end || (edge >= corner_ && !noted_[p])) gone_[p] = 1;
-    }
+    });
   }
   for (const Note& note : notes_) {
     if (edge_of(P.x[note.slot], P.y[note.slot]) == inside_)
       enter(static_cast<std::size_t>(note.edge % corner_), P, scene, note.slot);
   }
+  return {};
 }
 
 void Strips::enter(std::size_t k, const Points& P, const Scene& scene, std::size_t p) {

@@ -6,16 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "fields/number_field.hpp"
+#include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "solvers/mpm/arrays.hpp"
 #include "solvers/mpm/edge_gas.hpp"
 #include "solvers/mpm/point_laws.hpp"
-#include "solvers/mpm/range.hpp"
 #include "solvers/mpm/trouble.hpp"
 
 namespace tether::mpm {
 
-struct State;
+/// The points, and the slots of each body: what strips change.
+struct BodyPoints {
+  Points& points;
+  std::vector<Range>& ranges;
+};
+
+/// What strips found in a step, and whether points came or went, so that bodies stand in other slots.
+struct EdgeFindings {
+  StepFindings found;
+  bool regrouped = false;
+};
 
 /// What has passed through all edges since the start. Momentum and energy count into the grid; energy is that of the
 /// points that passed, and what the gas of the strips gave to the nodes or took from them.
@@ -25,7 +36,17 @@ struct Passed {
   double energy_in = 0, energy_out = 0;   // [energy]
   double stored = 0;                      // internal energy, a part of these: what came in less what went out [energy]
   double back = 0;                        // mass that came in at an outflow or left by an inflow [mass]
+
+  /// Name in a checkpoint, and member.
+  static constexpr auto rows() {
+    using P = Passed;
+    return std::tuple{NumberField{"edge_mass_in", &P::mass_in},       NumberField{"edge_mass_out", &P::mass_out},
+                      NumberField{"edge_momentum_x", &P::momentum_x}, NumberField{"edge_momentum_y", &P::momentum_y},
+                      NumberField{"edge_energy_in", &P::energy_in},   NumberField{"edge_energy_out", &P::energy_out},
+                      NumberField{"edge_stored", &P::stored},         NumberField{"edge_back", &P::back}};
+  }
 };
+static_assert(lists_each_number_once<Passed>(Passed::rows()), "a number of what passed has no row, or two");
 
 /// The strips of gas beyond open edges. Their points are real ones, so that nodes at the edge have whole masses and
 /// pressures, but they are a reservoir: after each step they stand where the velocity on the edge carried them, with
@@ -37,15 +58,16 @@ class Strips {
   explicit Strips(const Scene& scene);
   bool on() const { return on_; }
 
-  /// Fills the strips at the start, before densities and energies are found; then gives them the gas on the edge.
-  void fill(State& state, const Scene& scene);
-  void begin(State& state, const Scene& scene);
+  /// Fills the strips at the start, before densities and energies are found; then gives them the gas on the edge, and
+  /// returns its waves. Bodies stand in other slots than before fill().
+  void fill(const BodyPoints& bodies, const Scene& scene);
+  StepFindings begin(const BodyPoints& bodies, const Scene& scene);
 
   /// Notes what the strips' points have before a step.
-  void before_step(const State& state, const Scene& scene);
-  /// Books what passed, carries the strips on, removes and makes points. Sums at the nodes have to be mapped anew.
-  /// Trouble where anything but gas stands beyond an edge.
-  void after_step(State& state, const Scene& scene, double dt, StepFindings& found, Trouble& trouble);
+  void before_step(const Points& points, const std::vector<Range>& ranges, const Scene& scene);
+  /// At `time`, after a step of dt: books what passed, carries the strips on, removes and makes points. Sums at the
+  /// nodes have to be mapped anew. Trouble where anything but gas stands beyond an edge.
+  EdgeFindings after_step(const BodyPoints& bodies, const Scene& scene, double dt, double time);
 
   /// Whether a place lies beyond an open edge.
   bool holds(double x, double y) const { return edge_of(x, y) != inside_; }
@@ -103,21 +125,22 @@ class Strips {
   EdgeGas on_edge(std::size_t k, double along) const;
   double total_energy(const Points& points, std::size_t p, const Scene& scene) const;
 
-  void find_bodies_at(std::size_t k, const State& state, const Scene& scene);
+  void find_bodies_at(std::size_t k, const BodyPoints& bodies, const Scene& scene);
   void lay_rows(std::size_t k, const Scene& scene);
-  void fill_row(std::size_t k, std::size_t row, State& state, const Scene& scene);
-  void fill_corners(std::size_t k, State& state, const Scene& scene);
-  void make(State& state, const Scene& scene, std::size_t body, double x, double y, double density, double area);
+  void fill_row(std::size_t k, std::size_t row, const BodyPoints& bodies, const Scene& scene);
+  void fill_corners(std::size_t k, const BodyPoints& bodies, const Scene& scene);
+  void make(const BodyPoints& bodies, const Scene& scene, std::size_t body, double x, double y, double density,
+            double area);
 
-  void return_to_reservoir(State& state, const Scene& scene, double dt);
-  void let_pass(const State& state, const Scene& scene, Trouble& trouble);
+  void return_to_reservoir(const BodyPoints& bodies, const Scene& scene, double dt);
+  Trouble let_pass(const BodyPoints& bodies, const Scene& scene);
   void enter(std::size_t k, const Points& points, const Scene& scene, std::size_t p);
   void leave(std::size_t k, const Points& points, const Scene& scene, std::size_t p);
   void tell_wrong_way(std::size_t k, const Points& points, std::size_t p);
-  void feed(std::size_t k, State& state, const Scene& scene, double dt);
-  void regroup(State& state, const Scene& scene);
-  void look_inside(const State& state, const Scene& scene);
-  void set_strips(State& state, const Scene& scene, StepFindings& found) const;
+  void feed(std::size_t k, const BodyPoints& bodies, const Scene& scene, double dt);
+  void regroup(const BodyPoints& bodies, const Scene& scene);
+  void look_inside(const BodyPoints& bodies, const Scene& scene);
+  StepFindings set_strips(const BodyPoints& bodies, const Scene& scene) const;
   void book_energy();
 
   bool on_ = false;
@@ -159,11 +182,7 @@ void Strips::exchange(Exchange& with, AnyStrips& strips) {
     with(names[k][0], cells.body), with(names[k][1], cells.density), with(names[k][2], cells.across);
     with(names[k][3], cells.along), with(names[k][4], cells.pressure), with(names[k][5], strips.rows_[k].tail);
   }
-  auto& passed = strips.passed_;
-  with("edge_mass_in", passed.mass_in), with("edge_mass_out", passed.mass_out), with("edge_back", passed.back);
-  with("edge_momentum_x", passed.momentum_x), with("edge_momentum_y", passed.momentum_y);
-  with("edge_energy_in", passed.energy_in), with("edge_energy_out", passed.energy_out);
-  with("edge_stored", passed.stored);
+  exchange_numbers(with, strips.passed_);
   with("next_id", strips.next_id_);
   with.list("edges_told", strips.told_);
 }

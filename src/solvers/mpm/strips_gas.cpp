@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/mpm/state.hpp"
 #include "solvers/mpm/strips.hpp"
+
+#include "loops/points.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -19,22 +20,22 @@ constexpr double whole_cells = 3;
 
 /// Means over the gas within two cells of the edge, for each cell along it: density by volume, velocity by mass,
 /// pressure by volume. Where no gas is left it stays what it was.
-void Strips::look_inside(const State& state, const Scene& scene) {
-  const Points& P = state.points;
+void Strips::look_inside(const BodyPoints& bodies, const Scene& scene) {
+  const Points& P = bodies.points;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!edges_.of[k].open()) continue;
     Cells& cells = cells_[k];
     sums_.assign(cells.body.size(), {});
-    for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
       if (!std::holds_alternative<IdealGas>(scene.bodies[b].material)) continue;
-      for (std::size_t p = state.ranges[b].begin; p < state.ranges[b].end; ++p) {
+      for_points(bodies.ranges[b], [&](std::size_t p) {
         const double distance = inward(k, P.x[p], P.y[p]);
-        if (distance >= seen_cells * cell_across(k) || holds(P.x[p], P.y[p])) continue;
+        if (distance >= seen_cells * cell_across(k) || holds(P.x[p], P.y[p])) return;
         Sums& sum = sums_[cell_of(k, k < 2 ? P.y[p] : P.x[p])];
         sum.mass += P.mass[p], sum.own += P.mass[p], sum.volume += P.mass[p] / P.rho[p];
         sum.energy += P.mass[p] * P.energy[p];
         sum.px += P.mass[p] * P.vx[p], sum.py += P.mass[p] * P.vy[p];
-      }
+      });
       for (std::size_t c = 0; c < sums_.size(); ++c) {
         if (sums_[c].own > sums_[c].largest) sums_[c].largest = sums_[c].own, cells.body[c] = static_cast<int>(b);
         sums_[c].own = 0;
@@ -87,14 +88,16 @@ EdgeGas Strips::on_edge(std::size_t k, double along) const {
 /// shape functions nodes feel V_p p = m_p (gamma - 1) i, in which the density drops out: a strip whose V_p p followed
 /// the pressure on the edge would be gamma / (gamma - 1) times as stiff as the gas before it, and pump. Motions would
 /// grow by 0.3 to 0.5 c / dx, out of rounding.
-void Strips::set_strips(State& state, const Scene& scene, StepFindings& found) const {
-  Points& P = state.points;
+StepFindings Strips::set_strips(const BodyPoints& bodies, const Scene& scene) const {
+  StepFindings found;
+  Points& P = bodies.points;
   const bool robust = scene.method.kernel == Kernel::bspline && scene.method.order == StressOrder::usf;
-  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+  for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
     const auto* law = std::get_if<IdealGas>(&scene.bodies[b].material);
-    for (std::size_t p = state.ranges[b].begin; law && p < state.ranges[b].end; ++p) {
+    if (!law) continue;
+    found = find_at_points(bodies.ranges[b], found, [&](std::size_t p, StepFindings& sum) {
       const int edge = edge_of(P.x[p], P.y[p]);
-      if (edge == inside_) continue;
+      if (edge == inside_) return;
       const auto k = static_cast<std::size_t>(edge % corner_);
       const EdgeGas gas = on_edge(k, k < 2 ? P.y[p] : P.x[p]);
       const double across = low(k) ? gas.across : -gas.across;
@@ -109,10 +112,11 @@ void Strips::set_strips(State& state, const Scene& scene, StepFindings& found) c
       P.sxx[p] = P.syy[p] = -pressure, P.sxy[p] = 0;
       if (geometry_ == Geometry::axisymmetric) P.szz[p] = -pressure;
       const double c_squared = law->sound_speed_squared(P.energy[p]);
-      found.c_squared_max = std::max(found.c_squared_max, c_squared);
-      found.wave_max = std::max(found.wave_max, std::sqrt(c_squared) + std::hypot(P.vx[p], P.vy[p]));
-    }
+      sum.c_squared_max = std::max(sum.c_squared_max, c_squared);
+      sum.wave_max = std::max(sum.wave_max, std::sqrt(c_squared) + std::hypot(P.vx[p], P.vy[p]));
+    });
   }
+  return found;
 }
 
 }  // namespace tether::mpm

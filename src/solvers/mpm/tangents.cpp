@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "loops/points.hpp"
+
 namespace tether::mpm {
 
 Vec2 tangent_at(const Points& points, Range string, std::size_t p, bool closed) {
@@ -14,20 +16,20 @@ Vec2 tangent_at(const Points& points, Range string, std::size_t p, bool closed) 
 }
 
 void stretch_along_tangents(Points& P, Range string, double dt) {
-  for (std::size_t p = string.begin; p < string.end; ++p) {
+  for_points(string, [&](std::size_t p) {
     P.strain[p] += dt * along({P.dxx[p], P.dyy[p], P.dxy[p]}, {P.tx[p], P.ty[p]});
     P.hoop[p] += dt * P.dzz[p];
-  }
+  });
 }
 
 void turn_tangents(Points& P, Range string, bool closed) {
-  for (std::size_t p = string.begin; p < string.end; ++p) {
+  for_points(string, [&](std::size_t p) {
     const Vec2 t = tangent_at(P, string, p, closed);
-    if (t.x == 0 && t.y == 0) continue;
+    if (t.x == 0 && t.y == 0) return;
     const double cosine = t.x * P.tx[p] + t.y * P.ty[p];
     P.strain[p] *= cosine * cosine;
     P.tx[p] = t.x, P.ty[p] = t.y;
-  }
+  });
 }
 
 }  // namespace tether::mpm

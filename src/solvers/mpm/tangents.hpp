@@ -2,8 +2,8 @@
 #pragma once
 
 #include "laws/tensors.hpp"
+#include "loops/points.hpp"
 #include "solvers/mpm/arrays.hpp"
-#include "solvers/mpm/range.hpp"
 
 namespace tether::mpm {
 

@@ -36,7 +36,7 @@ struct NodeOf {  // of one body at one node, before and after the impulses
 class Meeting {
  public:
   explicit Meeting(Scene scene) : scene_(std::move(scene)), state_(start(scene_)) {
-    StepWork work{state_, scene_, {}, {}};
+    StepWork work{state_, scene_, {}};
     mapped_velocity(state_.grid);
     open_contact<Splines>(work, dt_);
     solve_with_contact<Splines>(work, dt_);

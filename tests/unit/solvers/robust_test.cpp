@@ -88,9 +88,9 @@ class FlowRun {
     set_.map_all(state_, scene_, state_.grid.sums);
   }
   void step(double dt) {
-    StepWork work{state_, scene_, {}, {}};
+    StepWork work{state_, scene_, {}};
     set_.step(work, dt);
-    EXPECT_EQ(work.trouble.kind, TroubleKind::none);
+    EXPECT_EQ(work.found.trouble.kind, TroubleKind::none);
     set_.list_active(state_.grid, state_.points);
   }
   const Points& points() const { return state_.points; }
