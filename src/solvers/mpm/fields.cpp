@@ -119,9 +119,7 @@ Group edge_columns() {
 
 /// Bodies whose volume shows whether a run goes wrong.
 Group volume_column() {
-  const auto has_volumes = [](const PointSetting& s) {
-    return has_solid(s.scene) || find_body<LinearFluid>(s.scene);
-  };
+  const auto has_volumes = [](const PointSetting& s) { return has_solid(s.scene) || find_body<LinearFluid>(s.scene); };
   const auto volume = [](const PointSums& s, std::size_t b) { return volume_of(s.scene, b, s.state.points, s.order); };
   return {{"with solids or linear fluids", has_volumes},
           {Row("body_volume", D::volume,
