@@ -31,14 +31,14 @@ struct StateNumbers {
   long long crossings_since_sort = 0;  // of points, from cell to cell
   double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
   double points_apart = 0;             // of neighbours of a solid that carries F since the start, as looked at [cells]
-  bool apart_told = false;             // whether that was told
-  bool gap_told = false;               // whether one that does not hold together was told
-  bool end_told = false;               // whether an end of one that came off its wall was told
+  bool apart_told = false;             // whether that was reported
+  bool gap_told = false;               // whether one that does not hold together was reported
+  bool end_told = false;               // whether an end of one that came off its wall was reported
   double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start
-  bool mixing_told = false;            // whether that was told
+  bool mixing_told = false;            // whether that was reported
   long long gas_leaked = 0;            // points of gas beyond a membrane that parts the grid, at the last look
-  bool leak_told = false;              // whether that was told
-  bool limit_told = false;             // whether a shorter step than the deck's was told
+  bool leak_told = false;              // whether that was reported
+  bool limit_told = false;             // whether a shorter step than the deck's was reported
   long long point_steps = 0;
 
   /// Name in a checkpoint, and member.

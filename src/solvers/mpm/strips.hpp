@@ -153,7 +153,7 @@ class Strips {
   std::array<Rows, 4> rows_;
   Passed passed_;
   int next_id_ = 0;
-  std::vector<char> told_ = std::vector<char>(4, 0);  // whether gas that goes the wrong way was told
+  std::vector<char> told_ = std::vector<char>(4, 0);  // whether gas that goes the wrong way was reported
   std::vector<std::string> news_;
   double time_ = 0;  // at the end of the step, for the news [time]
 
