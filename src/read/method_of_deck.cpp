@@ -7,19 +7,6 @@
 namespace tether {
 namespace {
 
-/// The set of method='robust'.
-Method robust_set() {
-  Method set;
-  set.order = StressOrder::usf;
-  set.kernel = Kernel::bspline;
-  set.transfer = Transfer::apic;
-  set.gas_energy = GasEnergy::centred;
-  set.contact = ContactRule::gap;
-  set.membrane_strain = MembraneStrain::element;
-  set.ledger = true;
-  return set;
-}
-
 /// Whether all that the ledger books is there.
 bool books(const Deck& deck, const Method& method) {
   const bool grid = word_or(deck, "mpm", "density", is_robust(deck) ? DensityRule::grid : DensityRule::continuity) ==
@@ -55,6 +42,18 @@ void check(const Deck& deck, const Method& method, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+Method robust_set() {
+  Method set;
+  set.order = StressOrder::usf;
+  set.kernel = Kernel::bspline;
+  set.transfer = Transfer::apic;
+  set.gas_energy = GasEnergy::centred;
+  set.contact = ContactRule::gap;
+  set.membrane_strain = MembraneStrain::element;
+  set.ledger = true;
+  return set;
+}
 
 bool is_robust(const Deck& deck) { return word<MpmSet>(deck, "mpm", "method") == MpmSet::robust; }
 

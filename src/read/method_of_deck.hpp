@@ -13,6 +13,9 @@ Method method_of(const Deck& deck, Diagnostics& diagnostics);
 /// Factor of the step limit: the deck's, or that of its method.
 double cfl_of(const Deck& deck);
 
+/// The set of method='robust'.
+Method robust_set();
+
 /// Whether the deck asks for the robust set.
 bool is_robust(const Deck& deck);
 

@@ -6,6 +6,7 @@
 
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
+#include "read/method_of_deck.hpp"
 #include "run/make.hpp"
 
 namespace {
@@ -18,16 +19,6 @@ constexpr double longest_drift = 400;
 Method of_order(StressOrder order) {
   Method method;
   method.order = order;
-  return method;
-}
-
-/// The robust set; the gas takes its density from the nodes then, and the ledger is kept.
-Method robust() {
-  Method method = of_order(StressOrder::usf);
-  method.kernel = Kernel::bspline;
-  method.transfer = Transfer::apic;
-  method.gas_energy = GasEnergy::centred;
-  method.ledger = true;
   return method;
 }
 
@@ -76,9 +67,10 @@ void gas_continuity(benchmark::State& bench) {
 void gas_quadratic(benchmark::State& bench) {
   run(bench, IdealGas{.rule = DensityRule::quadratic}, of_order(StressOrder::musl));
 }
-void elastic_robust(benchmark::State& bench) { run(bench, plane_strain(1.0, 0.3), robust()); }
+void elastic_robust(benchmark::State& bench) { run(bench, plane_strain(1.0, 0.3), robust_set()); }
 void gas_robust(benchmark::State& bench) {
-  run(bench, IdealGas{.lambda = 1, .coef1 = 1, .coef2 = 1, .rule = DensityRule::grid, .local_speed = true}, robust());
+  run(bench, IdealGas{.lambda = 1, .coef1 = 1, .coef2 = 1, .rule = DensityRule::grid, .local_speed = true},
+      robust_set());
 }
 
 BENCHMARK(elastic_musl)->Arg(16)->Arg(160)->Arg(500);

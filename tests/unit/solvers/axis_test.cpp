@@ -19,7 +19,7 @@ void PrintTo(Set set, std::ostream* out) { *out << (set == Set::thesis ? "thesis
 class AboutTheAxis : public testing::TestWithParam<Set> {
  protected:
   static bool robust() { return GetParam() == Set::robust; }
-  static Method method() { return robust() ? robust_method() : Method{}; }
+  static Method method() { return robust() ? robust_set() : Method{}; }
   static IdealGas gas() { return robust() ? robust_gas() : IdealGas{.rule = DensityRule::continuity}; }
   /// From the axis to an open edge, between slip walls below and above unless said otherwise.
   static Scene scene(const BackgroundGrid& grid, double dt, const Walls& walls,

@@ -22,7 +22,7 @@ const BackgroundGrid grid(21, 21, 0, 4, 0, 4);  // cells of .2
 
 /// The thesis' method with contact by a criterion, or the robust set.
 Method method_of(ContactRule rule, int criterion = 1) {
-  Method method = rule == ContactRule::gap ? robust_method() : Method{};
+  Method method = rule == ContactRule::gap ? robust_set() : Method{};
   method.contact = rule, method.criterion = criterion;
   return method;
 }

@@ -35,7 +35,7 @@ TEST(ThinRing, PressureTimesRadiusIsStressTimesThickness) {
   double left[2];
   for (int k = 0; k < 2; ++k) {
     const int n = 20 << k;
-    Scene scene = scene_on(BackgroundGrid(21, 21, -2, 2, -2, 2), all_walls(Wall::open), 0.01, robust_method());
+    Scene scene = scene_on(BackgroundGrid(21, 21, -2, 2, -2, 2), all_walls(Wall::open), 0.01, robust_set());
     auto points = arc(0, 0, R, R, 0, 2, n, t0);
     for (PointAt& at : points) at.area = t0 * 2 * R * std::sin(pi / n);
     add_body(scene, both_ways, points, 2, 0, true);
@@ -50,7 +50,7 @@ TEST(ThinRing, PressureTimesRadiusIsStressTimesThickness) {
 TEST(ThinTube, HoopStressIsPressureTimesRadiusOverThickness) {
   const double R = 1, r = 1.2, t0 = 0.05;
   const double sigma = both_ways.stress(0, std::log(r / R)).hoop, p = sigma * (t0 * R / r) / r;
-  Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::symmetry), 0.01, robust_method(),
+  Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::symmetry), 0.01, robust_set(),
                          Geometry::axisymmetric);
   add_body(scene, both_ways, line(R, 0, R, 2, 10, t0), 2);
   EXPECT_LT(imbalance(scene, p, r, 1), 1e-13);
@@ -68,7 +68,7 @@ TEST(ThinSphere, StressIsHalfPressureTimesRadiusOverThickness) {
   double left[3];
   for (int k = 0; k < 3; ++k) {
     const int n = 10 << k;
-    Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::symmetry), 0.01, robust_method(),
+    Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::symmetry), 0.01, robust_set(),
                            Geometry::axisymmetric);
     scene.walls.left = Wall::axis;
     add_body(scene, both_ways, arc(0, 0, R, R, 0, 0.5, n, t0), 2);
@@ -82,7 +82,7 @@ TEST(ThinSphere, StressIsHalfPressureTimesRadiusOverThickness) {
 
 // About the axis a cap's end carries as well: the whole force along the axis is the pressure on the opening.
 TEST(ThinSphere, ForceAlongTheAxisIsThePressureOnTheEquator) {
-  Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::symmetry), 0.01, robust_method(),
+  Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::symmetry), 0.01, robust_set(),
                          Geometry::axisymmetric);
   add_body(scene, string, arc(0, 0, 1, 1, 0, 0.5, 16, 0.05), 2);
   scene.ambient = 0.6;
@@ -94,7 +94,7 @@ TEST(ThinSphere, ForceAlongTheAxisIsThePressureOnTheEquator) {
 /// A string that hangs from its first point, with the tension of its weight below: masses of pieces, halves at the
 /// ends.
 Scene hanging(int n, double length, double gravity, double E) {
-  Scene scene = scene_on(BackgroundGrid(13, 17, -1.2, 1.2, -1.6, 1.6), all_walls(Wall::open), 0.002, robust_method());
+  Scene scene = scene_on(BackgroundGrid(13, 17, -1.2, 1.2, -1.6, 1.6), all_walls(Wall::open), 0.002, robust_set());
   const double thickness = 0.02, density = 2;
   add_body(scene, Membrane{E, 0, true}, line(0, 1.2, 0, 1.2 - length, n, thickness, true), density);
   for (int k = 0; k < n; ++k)

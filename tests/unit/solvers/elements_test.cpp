@@ -17,7 +17,7 @@ using namespace scenes;
 using std::numbers::pi;
 
 Scene box(Geometry geometry, const Walls& walls) {
-  return scene_on(BackgroundGrid(21, 21, 0.4, 4.4, -2, 2), walls, 0.01, robust_method(), geometry);
+  return scene_on(BackgroundGrid(21, 21, 0.4, 4.4, -2, 2), walls, 0.01, robust_set(), geometry);
 }
 
 struct Shape {

@@ -31,8 +31,7 @@ struct Turn {
 /// without a field about them.
 Turn turned(const Material& law, int N, double cfl) {
   const double spin = 0.3, h = 1.0 / N, dt = cfl * h / neo_hookean().sound_speed(1);
-  Scene scene =
-      scene_on(BackgroundGrid(4 * N + 1, 4 * N + 1, -2, 2, -2, 2), all_walls(Wall::open), dt, robust_method());
+  Scene scene = scene_on(BackgroundGrid(4 * N + 1, 4 * N + 1, -2, 2, -2, 2), all_walls(Wall::open), dt, robust_set());
   add_body(scene, law, lattice(0.5 * h, -0.5, 0.5, -0.5, 0.5), 1);
   set_velocities(scene, [&](double x, double y) { return Vec2{-spin * y, spin * x}; });
   Running run(std::move(scene));
@@ -126,7 +125,7 @@ Hanging relaxed(const Column& column, double weight, int N) {
   const double h = 1.0 / N, dt = 0.05 * h / column.law.sound_speed(1);
   Walls walls = all_walls(Wall::free_slip);
   walls.top = Wall::fixed, walls.bottom = Wall::open;
-  Scene scene = scene_on(BackgroundGrid(2, 5 * N / 2 + 1, 0, h, -1.5, 1), walls, dt, robust_method());
+  Scene scene = scene_on(BackgroundGrid(2, 5 * N / 2 + 1, 0, h, -1.5, 1), walls, dt, robust_set());
   scene.gravity = -weight;
   add_body(scene, column.law, lattice(0.25 * h, 0, h, 0, 1), 1);
   Running run(std::move(scene));

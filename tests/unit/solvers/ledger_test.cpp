@@ -23,7 +23,7 @@ bool in_blob(double x, double y) { return x * x + y * y < 0.7; }
 class Transfer : public testing::TestWithParam<Wall> {
  protected:
   Transfer()
-      : scene_(scene_on(BackgroundGrid(9, 7, 0, 1.6, 0, 1.8), all_walls(GetParam()), 0.01, robust_method())),
+      : scene_(scene_on(BackgroundGrid(9, 7, 0, 1.6, 0, 1.8), all_walls(GetParam()), 0.01, robust_set())),
         grid_(scene_),
         points_((add_body(scene_, robust_gas(), lattice(0.1, 0, 1.6, 0, 1.8), 1, 1), scene_)) {
     for (std::size_t n = 0; n < grid_.frame.shape.nodes(); ++n) {
@@ -108,7 +108,7 @@ void PrintTo(const Violent& one, std::ostream* out) { *out << one.name; }
 constexpr Membrane taut{30, 0.3, true, Membrane::Kind::plane_stress};
 
 Scene open_scene() {
-  return scene_on(BackgroundGrid(21, 21, -2, 2, -2, 2), all_walls(Wall::open), 0.004, robust_method());
+  return scene_on(BackgroundGrid(21, 21, -2, 2, -2, 2), all_walls(Wall::open), 0.004, robust_set());
 }
 
 void stir_all(Scene& scene, double scale = 1) {
@@ -164,7 +164,7 @@ const Violent violent_scenes[] = {
      }},
     {"QuarterBetweenWalls",
      [] {
-       Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::free_slip), 0.01, robust_method());
+       Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::free_slip), 0.01, robust_set());
        add_body(scene, robust_gas(0.02), lattice(0.1, 0, 1, 0, 1, in_blob), 1.3, 3);
        add_body(scene, taut, arc(0, 0, 1.2, 0.95, 0, 0.5, 15, 0.05), 2);
        scene.ambient = 0.7;
@@ -173,14 +173,14 @@ const Violent violent_scenes[] = {
      }},
     {"GasBetweenFixedWalls",
      [] {
-       Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::fixed), 0.01, robust_method());
+       Scene scene = scene_on(BackgroundGrid(11, 11, 0, 2, 0, 2), all_walls(Wall::fixed), 0.01, robust_set());
        add_body(scene, robust_gas(0.02), lattice(0.1, 0, 2, 0, 2), 1.3, 0.5);
        stir_all(scene, 0.5);
        return scene;
      }},
     {"BagAboutAnAxis",
      [] {
-       Scene scene = scene_on(BackgroundGrid(11, 21, 0, 2, -2, 2), all_walls(Wall::open), 0.005, robust_method(),
+       Scene scene = scene_on(BackgroundGrid(11, 21, 0, 2, -2, 2), all_walls(Wall::open), 0.005, robust_set(),
                               Geometry::axisymmetric);
        scene.walls.left = Wall::axis;
        add_body(scene, robust_gas(0.02), lattice(0.1, 0, 1, -1, 1, in_blob), 1.3, 3);

@@ -23,13 +23,13 @@ class Mirror : public testing::TestWithParam<Corner> {
 
   static Scene whole(double dt) {
     return scene_on(BackgroundGrid(2 * cells + 1, 2 * cells + 1, -width, width, -height, height),
-                    all_walls(Wall::free_slip), dt, robust_method());
+                    all_walls(Wall::free_slip), dt, robust_set());
   }
   static Scene quarter(double dt) {
     const Corner c = GetParam();
     return scene_on(BackgroundGrid(cells + 1, cells + 1, c.x < 0 ? -width : 0, c.x < 0 ? 0 : width,
                                    c.y < 0 ? -height : 0, c.y < 0 ? 0 : height),
-                    all_walls(Wall::free_slip), dt, robust_method());
+                    all_walls(Wall::free_slip), dt, robust_set());
   }
   static void turn(std::vector<PointAt>& points, double x, double y) {
     for (PointAt& at : points) at.x *= x, at.y *= y;

@@ -10,25 +10,13 @@
 #include <vector>
 
 #include "plan/make_plan.hpp"
+#include "read/method_of_deck.hpp"
 #include "run/make.hpp"
 #include "unit/solvers/scenes.hpp"
 
 // Scenes of the robust set, of membranes, and about an axis; and a run of one of them.
 
 namespace tether::scenes {
-
-/// The set of method='robust' (src/read/method_of_deck.cpp).
-inline Method robust_method() {
-  Method method;
-  method.order = StressOrder::usf;
-  method.kernel = Kernel::bspline;
-  method.transfer = Transfer::apic;
-  method.gas_energy = GasEnergy::centred;
-  method.contact = ContactRule::gap;
-  method.membrane_strain = MembraneStrain::element;
-  method.ledger = true;
-  return method;
-}
 
 /// What the deck's reader makes of a gas for the robust set.
 inline IdealGas robust_gas(double mu = 0) {

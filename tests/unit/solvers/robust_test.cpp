@@ -15,7 +15,7 @@ using namespace scenes;
 
 const BackgroundGrid open_grid(21, 26, -2, 2, -2, 2);  // cells of .2 by .16
 
-Scene free_scene(double dt) { return scene_on(open_grid, all_walls(Wall::open), dt, robust_method()); }
+Scene free_scene(double dt) { return scene_on(open_grid, all_walls(Wall::open), dt, robust_set()); }
 
 bool in_blob(double x, double y) { return x * x + y * y < 0.7 || (x > 0 && std::abs(y - 0.2) < 0.3 && x < 1.2); }
 
@@ -195,7 +195,7 @@ TEST(FreeFall, IsExact) {
 TEST(Walls, HoldWhatFillsThemAtRest) {
   for (const Wall wall : {Wall::fixed, Wall::free_slip, Wall::symmetry}) {
     for (const double h : {0.1, 0.05}) {
-      Scene scene = scene_on(BackgroundGrid(6, 5, 0, 1, 0, 0.8), all_walls(wall), 0.005, robust_method());
+      Scene scene = scene_on(BackgroundGrid(6, 5, 0, 1, 0, 0.8), all_walls(wall), 0.005, robust_set());
       add_body(scene, robust_gas(0.01), lattice(h, 0, 1, 0, 0.8), 1.3, 2);
       Running run(std::move(scene));
       const double energy = run.value("energy_total");
@@ -211,7 +211,7 @@ TEST(Walls, HoldWhatFillsThemAtRest) {
 // the kinetic energy left, of which the latter is what viscosity and transfers leave).
 TEST(Walls, AFixedOneTakesTheTangentialMomentum) {
   const auto left = [](Wall wall) {
-    Scene scene = scene_on(BackgroundGrid(11, 6, 0, 2, 0, 1), all_walls(Wall::free_slip), 0.01, robust_method());
+    Scene scene = scene_on(BackgroundGrid(11, 6, 0, 2, 0, 1), all_walls(Wall::free_slip), 0.01, robust_set());
     scene.walls.bottom = scene.walls.top = wall;
     add_body(scene, robust_gas(0.02), lattice(0.1, 0, 2, 0, 1), 1, 2);
     set_velocities(scene, [](double x, double y) {

@@ -41,7 +41,7 @@ const Saved methods[] = {
 Scene everything(const Saved& saved) {
   Scene scene =
       scene_on(BackgroundGrid(19, 21, 0, 3.6, -2, 2), {Wall::symmetry, Wall::open, Wall::fixed, Wall::free_slip}, 0.01,
-               robust_method(), saved.geometry);
+               robust_set(), saved.geometry);
   saved.change(scene.method);
   const bool by_nodes = scene.method.ledger || scene.method.transfer == Transfer::apic;
   IdealGas gas = by_nodes ? robust_gas(0.02) : IdealGas{.mu = 0.02};
