@@ -12,9 +12,8 @@
 #include <thread>
 
 #include "base/diagnostics.hpp"
-#include "base/ending.hpp"
-#include "base/kept_memory.hpp"
-#include "base/short_text.hpp"
+#include "base/process.hpp"
+#include "base/text.hpp"
 #include "command_words.hpp"
 #include "commands.hpp"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colours that a body's points lend to the grid and their gradients, as src/solvers/mpm/normals_grid.cpp has them."""
+"""Colours that a body's points lend to the grid and their gradients, as src/physics/points/normals_grid.cpp has them."""
 import numpy
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The mass matrix method in one cell, in numpy, as src/solvers/mpm/normals_colors.hpp and normals_fit.hpp have it.
+"""The mass matrix method in one cell, in numpy, as src/physics/points/normals_cells.hpp has it.
 
 Places are r and s from 0 to 1 in the cell. Colours are measured from the membrane's: 0 at its points, 1 at the extra one.
 """

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 
 namespace tether {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "algebra/sparse_matrix.hpp"
-#include "base/seconds.hpp"
+#include "base/process.hpp"
 
 namespace tether {
 

@@ -3,11 +3,40 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "base/place.hpp"
-
 namespace tether {
+
+/// A place in a text the user wrote. Lines and columns count from 1 (columns in bytes); line 0 means the whole file,
+/// column 0 the whole line.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+/// A run that diverged or lost a point; the text names point, cell, time and likely cause. Exit code 3.
+class RunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that could not be read or written; the text names it and the system's reason. Exit code 4.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A run that a signal stopped; the text says at what time, and how to go on. Exit code 128 + signal.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted(int signal, const std::string& text) : std::runtime_error(text), signal_(signal) {}
+  int signal() const { return signal_; }
+
+ private:
+  int signal_;
+};
 
 /// A remark is on what is known to do no harm, such as the slips of the decks that the thesis prints: it is written
 /// down, but not reported in full next to warnings, which it would hide.
@@ -55,5 +84,35 @@ class Diagnostics {
   std::vector<Diagnostic> select(Severity severity) const;
   std::vector<Diagnostic> all_;
 };
+
+/// Makes remarks on the lines of one text. A text that is no deck at all would drown its reader: after 100 errors, and
+/// after 100 warnings, the rest is only counted as "more".
+class Remarks {
+ public:
+  /// `first_line` is the number of lines[0] in `file`. The references must outlive this.
+  Remarks(std::string file, const std::vector<std::string>& lines, int first_line, Diagnostics& diagnostics)
+      : file_(std::move(file)), lines_(lines), first_line_(first_line), diagnostics_(diagnostics) {}
+
+  /// Lines and columns count from 1, lines by the file's numbering.
+  void error(int line, int column, std::string message, std::string hint = {});
+  void remark(int line, int column, std::string message, std::string hint = {});
+  void warn(int line, int column, std::string message, std::string hint = {});
+  bool has_errors() const { return errors_ > 0; }
+  int errors() const { return errors_; }
+  Place place(int line, int column) const { return {file_, line, column}; }
+
+ private:
+  void add(Severity severity, int& count, Diagnostic diagnostic);
+  std::string line_text(int line) const;
+
+  std::string file_;
+  const std::vector<std::string>& lines_;
+  int first_line_;
+  Diagnostics& diagnostics_;
+  int errors_ = 0, warnings_ = 0;
+};
+
+/// The text between quotes for a message, cut to a readable length, odd bytes shown as '?'.
+std::string in_quotes(std::string_view text);
 
 }  // namespace tether

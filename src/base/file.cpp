@@ -3,17 +3,20 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <system_error>
+#include <thread>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 
 namespace tether {
 namespace {
@@ -103,6 +106,96 @@ void replace_whole(const std::filesystem::path& path, Reach reach,
     std::filesystem::remove(fresh, ignored);
     throw;
   }
+}
+
+namespace {
+
+/// A process that was killed holds its locks until its memory is given back.
+constexpr std::chrono::milliseconds patience{2000}, pause{50};
+
+std::string local_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  const auto length = std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
+  return {text.data(), length};
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& lock) {
+  std::string holder;
+  try {
+    holder = read_file(lock);
+  } catch (const FileError&) {  // its holder has just ended
+  }
+  while (holder.ends_with('\n')) holder.pop_back();
+  throw FileError(fmt::format("{}: the folder is in use by {}; wait for its end, or give another --out",
+                              lock.parent_path().string(), holder.empty() ? "another tether" : holder));
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work) : path_(folder / "lock") {
+  std::error_code reason;
+  std::filesystem::create_directories(folder, reason);
+  if (reason) throw FileError(fmt::format("{}: the folder cannot be made: {}", folder.string(), reason.message()));
+  const auto end = std::chrono::steady_clock::now() + patience;
+  open_file();
+  while (!take()) {
+    if (std::chrono::steady_clock::now() > end) {
+      ::close(file_);
+      refuse(path_);
+    }
+    std::this_thread::sleep_for(pause);
+  }
+  tell_of(work);
+}
+
+FolderLock::~FolderLock() {
+  if (weakness_.empty()) ::unlink(path_.c_str());  // before the lock ends, or it could be another's file
+  ::close(file_);
+}
+
+void FolderLock::open_file() {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) fail(path_, "cannot be opened");
+}
+
+/// False where another process has the lock, or took the file away when it ended.
+bool FolderLock::take() {
+  int result = 0;
+  do result = ::flock(file_, LOCK_EX | LOCK_NB);
+  while (result != 0 && errno == EINTR);
+  if (result != 0 && errno == EWOULDBLOCK) return false;
+  if (result != 0) weakness_ = std::strerror(errno);
+  if (result != 0 || is_in_place()) return true;
+  ::close(file_);
+  open_file();
+  return false;
+}
+
+/// Whether the file that is open is the one that stands at the path.
+bool FolderLock::is_in_place() const {
+  struct stat ours {
+  }, there{};
+  return ::fstat(file_, &ours) == 0 && ::stat(path_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
+         ours.st_dev == there.st_dev;
+}
+
+void FolderLock::tell_of(const std::string& work) const {
+  const auto text =
+      fmt::format("process {} on {}, which runs {} since {}\n", ::getpid(), host_name(), work, local_time());
+  const auto size = static_cast<ssize_t>(text.size());
+  if (::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) == size) return;
+  const int reason = errno;
+  ::close(file_);
+  errno = reason;
+  fail(path_, "cannot be written");
 }
 
 }  // namespace tether

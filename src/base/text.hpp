@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,5 +20,20 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 
 /// Lower-case hexadecimal SHA-256 of the bytes.
 std::string sha256(std::string_view bytes);
+
+/// The text, with "..." in place of its middle where it is longer than `most` bytes.
+std::string shortened(std::string_view text, std::size_t most);
+
+/// The same of each of its words, which blanks and line ends part: names of files and of other things may be as long as
+/// a user makes them.
+std::string with_short_words(std::string_view text, std::size_t most = 300);
+
+/// Why bytes are no text that could be read: "the file is empty", "this is a NetCDF file" ...; and what would be right.
+struct NoText {
+  std::string message, hint;
+};
+
+/// Empty for a text, with or without odd bytes in it.
+NoText no_text(std::string_view bytes);
 
 }  // namespace tether

@@ -7,9 +7,8 @@
 #include <optional>
 
 #include "base/text.hpp"
-#include "deck/convert.hpp"
+#include "deck/elements.hpp"
 #include "deck/spelling.hpp"
-#include "deck/suggest.hpp"
 
 namespace tether {
 namespace {

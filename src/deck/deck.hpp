@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/diagnostics.hpp"
-#include "deck/value.hpp"
 #include "deck/variables.hpp"
 
 namespace tether {

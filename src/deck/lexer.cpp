@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "deck/notes.hpp"
 #include "deck/opener.hpp"
 
 namespace tether {

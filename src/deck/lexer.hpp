@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/remarks.hpp"
+#include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
 
 namespace tether {

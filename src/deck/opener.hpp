@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "base/diagnostics.hpp"
 
 namespace tether {
 
@@ -26,5 +29,13 @@ bool is_letter(char c);
 bool is_plain(char c);    ///< visible ASCII
 bool is_control(char c);  ///< no tab; bytes above ASCII may stand in quotes (names of files in UTF-8)
 bool ends_name(std::string_view line, std::size_t at);  ///< separator, '!' or the line's end at `at`
+
+// Text outside the groups of a deck says nothing. What was meant to is told.
+
+/// Warns of text in lines[first] to lines[end - 1], which stand between two groups.
+void tell_of_stray_lines(const std::vector<std::string>& lines, std::size_t first, std::size_t end, Remarks& remarks);
+
+/// Warns where $NAME of a known group stands inside a line, from `from` on: there it opens no group.
+void tell_of_hidden_opener(std::string_view line, int line_number, std::size_t from, Remarks& remarks);
 
 }  // namespace tether

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "deck/variable_groups.hpp"
-
 namespace tether {
 namespace {
 

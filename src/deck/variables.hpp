@@ -1,14 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "deck/variable.hpp"
+#include "base/diagnostics.hpp"
 
 namespace tether {
+
+/// One value of the deck and where it was written.
+struct DeckValue {
+  std::variant<long long, double, bool, std::string> data;
+  Place place;
+};
+
+enum class ValueType { integer, real, logical, text };
+
+/// What a value does: it is used, or it is read for the sake of old decks and has no effect.
+enum class Effect { used, none };
+
+/// A row of THE table of deck variables, from which the reader, `tether vars`, `tether check`, `deck.effective` and
+/// decks/README.md are all made.
+struct Variable {
+  std::string_view group, name;
+  ValueType type;
+  int rank;                   ///< 0 a scalar, 1 name(n1), 2 name(n1, n2)
+  int n1, n2;                 ///< declared shape, column-major; 1 where the rank does not reach
+  std::string_view unit;      ///< dimension in words: "length", "mass/length3", "" for a pure number
+  double low, high;           ///< range of numbers, both ends allowed
+  std::string_view choices;   ///< texts: "musl|usf|usl", empty for any; integers: the allowed ones "0|1|4|5|6"
+  std::string_view fallback;  ///< the default, as a deck would write it ("0.0", ".true.", "'musl'"); "" : none
+  std::string_view meaning;   ///< one sentence
+  Effect effect = Effect::used;
+  bool required = false;  ///< a deck must give it
+};
+
+/// The group of study decks, which have no other.
+constexpr std::string_view study_group = "study";
+/// The group of published numbers, which says nothing to the run itself.
+constexpr std::string_view published_group = "published";
+
+// Sizes of the old code's arrays.
+constexpr int region_count = 20;       ///< regions
+constexpr int vertex_count = 20;       ///< vertices of a region
+constexpr int output_count = 60;       ///< switches iout, tiout
+constexpr int point_count = 100000;    ///< rows of a particle file that can be singled out
+constexpr int tracked_at_count = 100;  ///< places in tracked_at
+constexpr int membrane_count = 10;     ///< membranes
+constexpr int curve_count = 40;        ///< curves of all membranes
+constexpr int curve_vertex_count = 100;
+constexpr int load_count = 40;   ///< loads, and supports, of a mesh
+constexpr int table_count = 50;  ///< times of one of them
 
 /// All rows, those of a group together, in the order in which decks and documents show them.
 std::span<const Variable> variables();
@@ -20,5 +66,25 @@ bool is_group(std::string_view name);
 
 /// Whether a group chooses the path of a deck by being there.
 bool chooses_path(std::string_view group);
+
+// The parts of THE table; variables() joins them.
+std::span<const Variable> in_variables();
+std::span<const Variable> fluid_variables();
+std::span<const Variable> region_variables();  ///< $regrig and $reg
+std::span<const Variable> membrane_variables();
+std::span<const Variable> added_variables();  ///< the other groups that the old code did not have
+std::span<const Variable> fem_variables();    ///< $mesh and $fem
+std::span<const Variable> rigid_variables();
+std::span<const Variable> flow_variables();
+std::span<const Variable> coupled_variables();
+std::span<const Variable> study_variables();
+std::span<const Variable> published_variables();
+
+namespace bounds {
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double above_zero = std::numeric_limits<double>::denorm_min();  ///< stands for "> 0"
+constexpr double largest_integer = 2147483647;
+constexpr double smallest_integer = -2147483648.0;
+}  // namespace bounds
 
 }  // namespace tether

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "base/words.hpp"
-#include "laws/materials/hyperelastic.hpp"
+#include "laws/hyperelastic.hpp"
 
 namespace tether {
 

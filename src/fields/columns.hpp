@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "fields/column_text.hpp"
-#include "fields/history_layout.hpp"
-#include "fields/snapshot.hpp"
 
 // A column is a description with a function of what is computed once for a record: the layout of a history and its
 // records come from the same rows, and so do a snapshot's names and its values. A physics writes its rows once, with

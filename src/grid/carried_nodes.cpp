@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/index.hpp"
+#include "base/numbers.hpp"
 
 namespace tether {
 namespace {

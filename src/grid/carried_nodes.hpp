@@ -6,8 +6,8 @@
 #include <vector>
 #include "algebra/eigen_sparse.hpp"
 
+#include "grid/mesh_place.hpp"
 #include "grid/node_lattice.hpp"
-#include "grid/node_spacing.hpp"
 
 namespace tether {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/index.hpp"
+#include "base/numbers.hpp"
 #include "grid/overlaps.hpp"
 
 // Sides of two bodies that go through each other.

@@ -6,10 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "grid/boxes.hpp"
 #include "grid/solid_surface.hpp"
-#include "grid/staggered_grid.hpp"
 
 namespace tether {
+
+/// How often the surfaces of all bodies but one go round x: 1 within a solid, more where several overlap, 0 outside.
+double turns_about(const SolidSurface& surface, std::span<const double> q, const Vector& x, int but_part);
 
 /// Where the line between the middles of two neighbouring cells meets the solids' surface.
 struct Crossing {

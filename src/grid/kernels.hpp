@@ -3,14 +3,64 @@
 
 #include <array>
 
-#include "grid/background_grid.hpp"
-#include "grid/pair.hpp"
-#include "grid/shape_functions.hpp"
+#include "grid/boxes.hpp"
+
+namespace tether {
+
+/// Cubic B-spline weights, along one axis, of the two nodes before a place and the two behind it; r is the place's
+/// logical coordinate in its cell, 0 to 1. The products of two axes are the 16-vertex kernel of (7.6).
+inline std::array<double, 4> cubic_weights(double r) {
+  const double q = 1 - r;
+  return {q * q * q / 6, (4 - 3 * r * r * (1 + q)) / 6, (4 - 3 * q * q * (1 + r)) / 6, r * r * r / 6};
+}
+
+/// Their derivatives in r (7.7).
+inline std::array<double, 4> cubic_slopes(double r) {
+  const double q = 1 - r;
+  return {-0.5 * q * q, r * (1.5 * r - 2), q * (2 - 1.5 * q), 0.5 * r * r};
+}
+
+/// The four bilinear shape functions of a cell, nodes counter-clockwise from the lower left (A.3.1). The thesis prints
+/// N4 = (1-s) r; with its own node order it is (1-r) s.
+struct LinearShape {
+  std::array<double, 4> N;
+  explicit LinearShape(const CellPlace& at)
+      : N{(1 - at.r) * (1 - at.s), at.r * (1 - at.s), at.r * at.s, (1 - at.r) * at.s} {}
+};
+
+/// Their derivatives in global axes [1/length] (A.3.1), kept as factors: G_1 = (-(1-s)/dx, -(1-r)/dy),
+/// G_2 = ((1-s)/dx, -r/dy), G_3 = (s/dx, r/dy), G_4 = (-s/dx, (1-r)/dy). Nodes that share an edge share a factor, which
+/// halves the work of the sums below. The thesis prints G4x and G4y in places with N4's misprint.
+struct LinearGradient {
+  double r, s, per_dx, per_dy;
+  LinearGradient(const CellPlace& at, double per_dx_, double per_dy_)
+      : r(at.r), s(at.s), per_dx(per_dx_), per_dy(per_dy_) {}
+
+  /// sum_i v_i G_ix of the four nodes' v_i.
+  Pair by_x(const std::array<Pair, 4>& v) const { return ((v[1] - v[0]) * (1 - s) + (v[2] - v[3]) * s) * per_dx; }
+  /// sum_i v_i G_iy.
+  Pair by_y(const std::array<Pair, 4>& v) const { return ((v[3] - v[0]) * (1 - r) + (v[2] - v[1]) * r) * per_dy; }
+
+  /// -(a G_ix + b G_iy) for the four nodes: with the columns a, b of V sigma the nodal forces of a point (3.16).
+  std::array<Pair, 4> minus_divergence(Pair a, Pair b) const {
+    a *= per_dx, b *= per_dy;
+    const Pair a0 = a * (1 - s), a1 = a * s, b0 = b * (1 - r), b1 = b * r;
+    return {a0 + b0, b1 - a0, -a1 - b1, a1 - b0};
+  }
+};
+
+/// Quadratic weights of the cells before, at and behind the one that holds the place, along one axis (Table 12);
+/// `centred` is the logical coordinate measured from the cell's middle, -0.5 to 0.5.
+inline std::array<double, 3> quadratic_weights(double centred) {
+  const double before = 0.5 - centred, behind = 0.5 + centred;
+  return {0.5 * before * before, 0.75 - centred * centred, 0.5 * behind * behind};
+}
+
+/// Their derivatives in the logical coordinate (Table 13); a side of the cell turns them into slopes.
+inline std::array<double, 3> quadratic_slopes(double centred) { return {centred - 0.5, -2 * centred, centred + 0.5}; }
 
 // Shape functions between points and nodes, as loops over the nodes that a place touches. A kernel is chosen once and
 // is a template argument of every pass: node numbers, values N, gradients G, and the linear field about a point.
-
-namespace tether {
 
 /// v and its first-order field about a point: v(x_i) = v + by_x (x_i - x_p) + by_y (y_i - y_p).
 struct LinearField {

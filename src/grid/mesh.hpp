@@ -6,9 +6,52 @@
 #include <string>
 #include <vector>
 
-#include "grid/element_kind.hpp"
-
 namespace tether {
+
+/// Elements: quadrilaterals and hexahedra with Lagrange functions of order 1 or 2, triangles and tetrahedra of order 1.
+/// Nodes of quadrilaterals and hexahedra stand as on a lattice, along x first, then y, then z.
+enum class ElementKind { quad4, quad9, tri3, hex8, hex27, tet4 };
+
+constexpr int dimension_of(ElementKind kind) {
+  return kind == ElementKind::quad4 || kind == ElementKind::quad9 || kind == ElementKind::tri3 ? 2 : 3;
+}
+/// Nodes along an edge less one; 1 or 2.
+constexpr int order_of(ElementKind kind) { return kind == ElementKind::quad9 || kind == ElementKind::hex27 ? 2 : 1; }
+constexpr bool is_simplex(ElementKind kind) { return kind == ElementKind::tri3 || kind == ElementKind::tet4; }
+constexpr int node_count_of(ElementKind kind) {
+  constexpr int counts[] = {4, 9, 3, 8, 27, 4};
+  return counts[static_cast<int>(kind)];
+}
+/// Nodes of an element's side: an edge in the plane, a face in space.
+constexpr int side_node_count_of(ElementKind kind) {
+  constexpr int counts[] = {2, 3, 2, 4, 9, 3};
+  return counts[static_cast<int>(kind)];
+}
+/// "q1", "q2" or "p1".
+constexpr const char* element_name(ElementKind kind) {
+  return is_simplex(kind) ? "p1" : order_of(kind) == 1 ? "q1" : "q2";
+}
+
+/// Nodes of element sides, side_node_count_of() each.
+using Sides = std::vector<int>;
+
+/// Appends the nodes of all sides of an element. Seen from outside, a side's first direction and the one from it to the
+/// body's inside turn clockwise in the plane; in space the side's two directions span its outward normal.
+void add_sides(ElementKind kind, const int* element, Sides& sides);
+
+/// Nodes, within an element, of the side that is low (0) or high (1) along an axis of a quadrilateral or hexahedron.
+std::vector<int> side_of_box(ElementKind kind, int axis, int end);
+
+/// The root of the tree that a node belongs to, each node's parent being above[node], a root's itself. Paths are halved
+/// on the way.
+inline int root_of(std::vector<int>& above, int node) {
+  while (above[static_cast<std::size_t>(node)] != node) {
+    int& next = above[static_cast<std::size_t>(node)];
+    next = above[static_cast<std::size_t>(next)];
+    node = next;
+  }
+  return node;
+}
 
 /// Elements of one kind with their nodes.
 struct Mesh {

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "base/index.hpp"
+#include "base/numbers.hpp"
 
 namespace tether {
 namespace {

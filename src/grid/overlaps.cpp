@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/index.hpp"
+#include "base/numbers.hpp"
 
 namespace tether {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "grid/lagrange.hpp"
+#include "grid/shapes.hpp"
 
 namespace tether {
 namespace {

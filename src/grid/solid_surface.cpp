@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "grid/disjoint_sets.hpp"
+#include "grid/mesh.hpp"
 
 namespace tether {
 namespace {

@@ -9,9 +9,8 @@
 #include <map>
 #include <utility>
 
-#include "grid/element_sides.hpp"
-#include "grid/jacobian.hpp"
-#include "grid/lagrange.hpp"
+#include "grid/mesh.hpp"
+#include "grid/shapes.hpp"
 
 namespace tether {
 namespace {

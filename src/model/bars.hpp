@@ -3,10 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "laws/walls/walls.hpp"
+#include "laws/walls.hpp"
 #include "model/scene.hpp"
 
 namespace tether {
@@ -61,5 +62,17 @@ BarMesh bars_of(const Scene& scene);
 /// nothing can move. The share k_e / sum k of a node's mass goes to each of its bars, and no frequency of a whole is
 /// above the highest one of its parts (Irons): omega^2 = max over bars of S_a / m_a + S_b / m_b, S = sum k at a node.
 double highest_frequency(const Scene& scene, const BarMesh& mesh);
+
+/// Where a string's first end is held.
+struct HeldEnd {
+  double x = 0, y = 0;  // [length]
+  bool slides = false;  ///< along the wall that holds it
+};
+
+/// The pin of the string's first point, or the place where the line of its first two points meets a wall that holds
+/// what is across it. Material points feel a wall from the cell beside it, and what is between the wall and the first
+/// point stretches with that cell: the string begins at the wall. Bars say themselves where they begin. Nothing where
+/// the end is free.
+std::optional<HeldEnd> held_end(const Scene& scene, const Body& string);
 
 }  // namespace tether

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-
 #include <cmath>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 
 namespace tether {
 namespace {

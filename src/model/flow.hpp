@@ -9,11 +9,15 @@
 #include "base/expression.hpp"
 #include "base/words.hpp"
 #include "grid/mesh.hpp"
-#include "model/amplitude.hpp"
 #include "model/solids.hpp"
-#include "model/systems.hpp"
 
 namespace tether {
+
+/// How linear systems are solved: as their size asks, by factors, or by an iteration.
+enum class Systems { automatic, direct, krylov };
+template <>
+inline constexpr std::array<Word<Systems>, 3> words<Systems>{
+    {{Systems::automatic, "auto"}, {Systems::direct, "direct"}, {Systems::krylov, "krylov"}}};
 
 /// Bilinear velocity and pressure, stabilised; or biquadratic velocity with bilinear pressure (Taylor and Hood).
 enum class FlowElement { q1q1, q2q1 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "base/words.hpp"
 
 namespace tether {
@@ -67,6 +70,52 @@ struct Method {
   LonePoint lone_point = LonePoint::ghost;
   bool ledger = false;   // what the transfer loses heats the gas
   bool jaumann = false;  // the stress of solids turns with them
+};
+
+/// What an edge of the grid does with gas: what its wall code says, or gas passes through it.
+enum class EdgeKind { wall, outflow, inflow };
+template <>
+inline constexpr std::array<Word<EdgeKind>, 3> words<EdgeKind>{
+    {{EdgeKind::wall, "wall"}, {EdgeKind::outflow, "outflow"}, {EdgeKind::inflow, "inflow"}}};
+
+/// Cells beyond an open edge that hold gas: a strip that gives the nodes at the edge whole masses and pressures.
+constexpr int strip_cells = 6;
+
+/// An edge and the gas outside it, at an outflow only where the deck gives it.
+struct Edge {
+  EdgeKind kind = EdgeKind::wall;
+  bool has_outside = false;
+  double density = 0, energy = 0;  // outside [mass/volume], [energy/mass]
+  double u = 0, v = 0;             // outside, in x and y [velocity]
+  std::size_t body = 0;            // which gas comes in at an inflow
+
+  bool open() const { return kind != EdgeKind::wall; }
+};
+
+/// Left, right, bottom, top: the order of wl, wr, wb, wt.
+struct Edges {
+  std::array<Edge, 4> of{};
+
+  bool any() const { return of[0].open() || of[1].open() || of[2].open() || of[3].open(); }
+};
+
+constexpr std::array<const char*, 4> edge_names{"left", "right", "bottom", "top"};
+
+/// Where a watched number is doubtful, and where it ends the run; 0 switches either off.
+struct Limit {
+  double warn = 0, stop = 0;
+};
+
+/// What a run that goes wrong is known by, as the deck's group $limits describes it; without a deck all are off.
+struct Limits {
+  Limit quality;      ///< least volume of an element over that at the start: below
+  Limit volume;       ///< a body's volume over that at the start, or the other way round: below
+  Limit energy_step;  ///< rise of the energy that nothing booked explains, from one look to the next, over the largest
+                      ///< energy before or exchanged meanwhile: above
+  Limit energy_growth;  ///< the same since the start: warns above a part of the largest energy exchanged, stops above a
+                        ///< multiple of the energy at the start, or of what was booked or fell since
+  Limit splitting;      ///< size of the mismatch of the power across the interface: above
+  Limit cfl;            ///< cells that the fluid in a box crosses in a step: above
 };
 
 }  // namespace tether

@@ -4,9 +4,13 @@
 #include <memory>
 #include <variant>
 
-#include "model/path.hpp"
-
 namespace tether {
+
+/// The methods that can run a scene: material points, finite elements, fluid and solids on a regular grid.
+enum class Path { mpm, fem, coupled };
+
+/// The word for it on the command line and in summary.txt.
+constexpr const char* path_name(Path path) { return path == Path::mpm ? "mpm" : path == Path::fem ? "fem" : "coupled"; }
 
 struct Solids;
 struct Rigid;

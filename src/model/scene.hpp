@@ -7,14 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "base/units.hpp"
+#include "base/numbers.hpp"
 #include "base/words.hpp"
-#include "grid/background_grid.hpp"
-#include "grid/geometry.hpp"
-#include "laws/materials/material.hpp"
-#include "laws/walls/walls.hpp"
-#include "model/edges.hpp"
-#include "model/limits.hpp"
+#include "grid/boxes.hpp"
+#include "laws/elastic.hpp"
+#include "laws/material.hpp"
+#include "laws/walls.hpp"
 #include "model/method.hpp"
 #include "model/physics.hpp"
 

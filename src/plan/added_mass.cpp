@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/index.hpp"
+#include "base/numbers.hpp"
 #include "model/coupled.hpp"
 #include "model/solids.hpp"
 

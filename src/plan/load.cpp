@@ -8,9 +8,9 @@
 #include "deck/reader.hpp"
 #include "plan/make_plan.hpp"
 #include "read/build.hpp"
-#include "read/mesh/load_mesh.hpp"
-#include "read/path_of_deck.hpp"
-#include "read/points/load_particles.hpp"
+#include "read/mesh/mesh_of_file.hpp"
+#include "read/method.hpp"
+#include "read/points/points_group.hpp"
 
 namespace tether {
 

@@ -2,23 +2,18 @@
 #include "plan/make_plan.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/diagnostics.hpp"
-#include "model/rigid.hpp"
 #include "model/size.hpp"
-#include "plan/bar_plan.hpp"
-#include "plan/cfl_number.hpp"
+#include "model/solids.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
-#include "plan/immersed_plan.hpp"
+#include "plan/plan_text.hpp"
 #include "plan/reference_plan.hpp"
-#include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
-#include "plan/terms.hpp"
 
 namespace tether {
 namespace {

@@ -7,9 +7,7 @@
 #include "model/solids.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
-#include "plan/rigid_plan.hpp"
 #include "plan/solid_plan.hpp"
-#include "plan/terms.hpp"
 
 namespace tether {
 namespace {
@@ -76,6 +74,133 @@ std::string to_text(const Plan& plan) {
                                           : "an estimate by formulas: no steps were made on trial");
   for (const auto& warning : plan.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
+}
+
+namespace {
+
+struct Namer {
+  std::string operator()(const PlaneElastic& law) const {
+    return fmt::format("linear elastic, plane {} (E {:.4g}, nu {:.3g})",
+                       law.plane == PlaneElastic::Plane::strain ? "strain" : "stress", law.E, law.nu);
+  }
+  std::string operator()(const FiniteElastic& law) const {
+    return std::visit(
+        [](const auto& of) { return law_text(of) + (of.plane_stress() ? ", plane stress" : ", plane strain"); },
+        law.law);
+  }
+  std::string operator()(const IdealGas& gas) const {
+    const char* rule = gas.rule == DensityRule::cell         ? "by cell (4.5)"
+                       : gas.rule == DensityRule::quadratic  ? "by quadratic interpolation (4.6)"
+                       : gas.rule == DensityRule::continuity ? "by continuity (4.7)"
+                                                             : "from the gas at the nodes";
+    return fmt::format("ideal gas, gamma {:.4g}, density {}", gas.gm1 + 1, rule);
+  }
+  std::string operator()(const LinearFluid& law) const {
+    return fmt::format("linear fluid, beta {:.4g} (6.1)", law.beta);
+  }
+  std::string operator()(const Membrane& law) const {
+    const std::string way = law.wrinkle ? "one-way" : "two-way";
+    if (law.kind == Membrane::Kind::uniaxial) return fmt::format("string, E {:.4g}, {}", law.E, way);
+    return fmt::format("membrane in plane stress, E {:.4g}, nu {:.3g}, {}", law.E, law.nu, way);
+  }
+};
+
+std::string order_reason(StressOrder order) {
+  switch (order) {
+    case StressOrder::usf:
+      return "first, from the mapped velocity (usf)";
+    case StressOrder::usl:
+      return "last, from the solution of the momentum equation (usl)";
+    case StressOrder::musl:
+      break;
+  }
+  return "last, from the point momenta mapped back (musl, the thesis')";
+}
+
+std::string kernel_reason(const Method& method) {
+  const char* functions = method.kernel == Kernel::linear ? "bilinear shape functions" : "quadratic B-splines";
+  return fmt::format("{}, {}", functions,
+                     method.transfer == Transfer::flip ? "velocities by increments (flip)"
+                                                       : "velocities with the field about a point (apic)");
+}
+
+std::string contact_reason(const Method& method) {
+  if (method.contact == ContactRule::release) return fmt::format("release by criterion {} (A.1.3)", method.criterion);
+  return "an impulse where points of two bodies touch and approach, without friction";
+}
+
+std::string tangents_reason(const Method& method) {
+  static constexpr const char* rules[] = {"a string is there, connected in file order",
+                                          "by the simple color function (7.2)",
+                                          "by quadratic interpolation (7.4)",
+                                          "by cubic interpolation (7.6)",
+                                          "by the mass matrix of linear functions (7.12)",
+                                          "by the mass matrix of quadratic functions (7.18)"};
+  return rules[static_cast<int>(method.normals)];
+}
+
+/// Each open edge, and what is outside it.
+std::string edges_reason(const Scene& scene) {
+  std::string text;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Edge& edge = scene.edges.of[k];
+    if (!edge.open()) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", edge_names[k],
+                        edge.kind == EdgeKind::inflow ? "inflow" : "outflow");
+    if (edge.kind == EdgeKind::inflow)
+      text += fmt::format(" of {}, density {:.6g}, energy {:.6g}, velocity ({:.6g}, {:.6g})",
+                          scene.bodies[edge.body].name, edge.density, edge.energy, edge.u, edge.v);
+    else if (edge.has_outside)
+      text += fmt::format(" to density {:.6g}, energy {:.6g}", edge.density, edge.energy);
+  }
+  return text;
+}
+
+/// Whether several bodies are there that do not share one field anyway.
+bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && has_solid(scene); }
+
+}  // namespace
+
+std::string material_name(const Material& material) { return std::visit(Namer{}, material); }
+
+std::vector<Term> terms_of(const Scene& scene) {
+  const Body* gas_body = find_body<IdealGas>(scene);
+  const IdealGas* gas = gas_body ? &std::get<IdealGas>(gas_body->material) : nullptr;
+  const Method& method = scene.method;
+  const bool strings = find_body<Membrane>(scene) != nullptr;
+  const bool elements = strings && method.membrane_strain == MembraneStrain::element;
+  const bool contact = method.contact != ContactRule::none && may_touch(scene);
+  const bool shocks = gas && gas->lambda != 0 && (gas->coef1 != 0 || gas->coef2 != 0);
+  const auto term = [](const char* name, bool on, const std::string& yes, const std::string& no) {
+    return Term{name, on, on ? yes : no};
+  };
+  return {
+      {"stress update", true, order_reason(method.order)},
+      {"shape functions and transfer", true, kernel_reason(method)},
+      term("gravity", scene.gravity != 0, fmt::format("gravc = {:.6g} in y", scene.gravity), "gravc = 0"),
+      term("energy equation (4.8)", gas, "a gas is there", "no gas"),
+      term("viscosity (4.1)", gas && gas->mu != 0, "mu > 0", gas ? "mu = 0" : "no gas"),
+      term("artificial viscosity (4.11)", shocks,
+           gas && gas->local_speed ? "both coefficients 1, with the local sound speed" : "lambda and a coefficient > 0",
+           gas ? "lambda or both coefficients are 0" : "no gas"),
+      term("tangents (7.1)", strings && !elements, tangents_reason(method),
+           strings ? "elements between the points carry the strain" : "no string"),
+      term("membrane elements", elements, "strain by the distance between consecutive points",
+           strings ? "strain by the points' strain rates (5.2)" : "no string"),
+      term("contact and release", contact, contact_reason(method),
+           method.contact != ContactRule::none
+               ? "no solid meets another body"
+               : "bodies share one velocity field where they share a node, as in the thesis' basic method"),
+      term("heat ledger", method.ledger && gas, "what transfer and elements lose heats the gas",
+           gas ? "what the method loses of the energy is lost" : "no gas"),
+      term("open edges", scene.edges.any(), edges_reason(scene), "no gas passes the edges of the grid"),
+      term("pressure outside", scene.ambient != 0,
+           fmt::format("pambient = {:.6g} on membranes that enclose gas", scene.ambient), "pambient = 0"),
+      {"heat conduction", false, "not in the source's energy equation (4.8)"},
+      {"third dimension", false,
+       scene.geometry == Geometry::plane ? "the scene is plane, one unit deep"
+                                         : "the scene is a body of revolution, without swirl"},
+  };
 }
 
 }  // namespace tether

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plan/plan.hpp"
 
@@ -9,5 +10,10 @@ namespace tether {
 
 /// The plan for people: terms, step, cost (`tether plan`).
 std::string to_text(const Plan& plan);
+
+/// What of the method the scene needs, and what it does not.
+std::vector<Term> terms_of(const Scene& scene);
+
+std::string material_name(const Material& material);
 
 }  // namespace tether

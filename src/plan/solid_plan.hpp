@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/format.h>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,19 @@ std::string solid_head(const Solids& solids);
 std::string regions_text(const Solids& solids);
 /// Each support and wall with the nodes that it holds or moves.
 std::string supports_text(const Solids& solids);
+
+/// An elastic law with its numbers.
+template <class Law>
+std::string law_text(const Law& law) {
+  std::string text(Law::name);
+  for (const auto& [name, value] : law.numbers()) text += fmt::format(", {} {:.4g}", name, value);
+  return law.note().empty() ? text : fmt::format("{}, {}", text, law.note());
+}
+
+/// Of a scene whose bodies on a mesh are one rigid body, stepped as the deck says: what is modelled, the cost, and
+/// path, mesh and unknowns for people.
+std::vector<Term> rigid_terms(const Scene& scene);
+Cost rigid_cost(const Scene& scene, const StepRule& rule);
+std::string rigid_head(const Scene& scene);
 
 }  // namespace tether

@@ -7,21 +7,18 @@
 #include <cmath>
 
 #include "read/bodies.hpp"
-#include "read/box/coupled_of_deck.hpp"
-#include "read/edges_of_deck.hpp"
-#include "read/flow/flow_of_deck.hpp"
-#include "read/limits_of_deck.hpp"
-#include "read/memory.hpp"
+#include "read/box/box.hpp"
+#include "read/edges.hpp"
+#include "read/flow/flow.hpp"
+#include "read/limits.hpp"
 #include "read/mesh/fem_checks.hpp"
-#include "read/mesh/solids_of_deck.hpp"
-#include "read/method_of_deck.hpp"
-#include "read/outputs.hpp"
-#include "read/points/axis.hpp"
+#include "read/mesh/solids.hpp"
+#include "read/method.hpp"
+#include "read/points/geometry.hpp"
 #include "read/points/membranes.hpp"
 #include "read/points/region_checks.hpp"
 #include "read/reference/reference.hpp"
-#include "read/regions_of_deck.hpp"
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

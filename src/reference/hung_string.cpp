@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "model/held_end.hpp"
+#include "model/bars.hpp"
 
 namespace tether {
 namespace {

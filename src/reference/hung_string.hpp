@@ -2,10 +2,7 @@
 #pragma once
 
 #include "model/scene.hpp"
-#include "reference/pendulum.hpp"
-#include "reference/piston.hpp"
-#include "reference/spring.hpp"
-#include "reference/string_bounce.hpp"
+#include "reference/oscillators.hpp"
 
 namespace tether {
 

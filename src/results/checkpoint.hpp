@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "results/cost_part.hpp"
 #include "results/results.hpp"
-#include "results/saved_state.hpp"
 
 namespace tether {
 

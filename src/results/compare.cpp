@@ -2,10 +2,7 @@
 #include "results/compare.hpp"
 
 #include <fmt/format.h>
-
 #include <stdexcept>
-
-#include "results/compare_parts.hpp"
 
 namespace tether {
 

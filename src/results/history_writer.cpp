@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "results/attributes.hpp"
+#include "results/netcdf_file.hpp"
 
 namespace tether {
 namespace {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "results/results.hpp"
+
 namespace tether {
 
 /// 64-bit-offset files can be read by others while they grow; NetCDF-4 files are HDF5, which XDMF can point into.
@@ -71,6 +73,44 @@ class NetcdfFile {
   std::filesystem::path path_;
   int id_ = -1;
   bool open_ = false;
+};
+
+/// Name of the attribute that is the same for all files of a run: SHA-256 of its deck.effective.
+constexpr const char* run_attribute = "deck_effective_sha256";
+
+/// The global attributes that every NetCDF file carries: Conventions, title, history, program, git_hash, deck,
+/// deck_sha256, deck_effective_sha256. There is no time stamp in them: two runs of one deck write the same bytes.
+void write_provenance(NetcdfFile& file, const Provenance& provenance);
+
+/// Bytes that write_provenance takes at most.
+std::size_t provenance_room(const Provenance& provenance);
+
+/// A variable for the quantity over these dimensions, with its `units` and `long_name`. Returns its identifier.
+int define_quantity(NetcdfFile& file, const Quantity& quantity, const std::vector<int>& dimensions, Units units);
+
+/// A NetCDF file being read. Every call throws FileError that names the file, what was being done and the reason.
+/// Source: NetCDF User's Guide, C interface.
+class NetcdfInput {
+ public:
+  explicit NetcdfInput(std::filesystem::path path);
+  ~NetcdfInput();
+  NetcdfInput(const NetcdfInput&) = delete;
+  NetcdfInput& operator=(const NetcdfInput&) = delete;
+
+  std::string global_attribute(const std::string& name) const;
+  std::vector<std::string> variables() const;  ///< their names, in the file's order
+  /// Lengths of a variable's dimensions, slowest first.
+  std::vector<std::size_t> shape(const std::string& variable) const;
+  std::vector<double> numbers(const std::string& variable) const;  ///< all of them
+  std::vector<double> numbers(const std::string& variable, const NetcdfFile::Part& part) const;
+
+ private:
+  int find(const std::string& variable) const;
+  /// Throws FileError unless the status is "no error"; `doing` completes "cannot ...".
+  void check(int status, std::string_view doing) const;
+
+  std::filesystem::path path_;
+  int id_ = -1;
 };
 
 }  // namespace tether

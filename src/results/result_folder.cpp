@@ -2,14 +2,13 @@
 #include "results/result_folder.hpp"
 
 #include <fmt/format.h>
-
 #include <array>
 #include <system_error>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
-#include "base/version.hpp"
-#include "results/text_writers.hpp"
+#include "base/process.hpp"
+#include "results/text_file.hpp"
 
 namespace tether {
 namespace {

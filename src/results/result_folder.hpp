@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include "grid/background_grid.hpp"
+#include "grid/boxes.hpp"
 #include "grid/mesh.hpp"
 #include "results/history_writer.hpp"
 #include "results/mesh_writer.hpp"
 #include "results/results.hpp"
-#include "results/snapshot_writer.hpp"
+#include "results/snapshot_file.hpp"
 #include "results/text_file.hpp"
 
 namespace tether {

@@ -2,9 +2,10 @@
 #include "results/results.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include "base/diagnostics.hpp"
 
 namespace tether {
 
@@ -17,6 +18,16 @@ std::vector<double> History::column(const std::string& name) const {
   values.reserve(records.size());
   for (const auto& record : records) values.push_back(record.at(index));
   return values;
+}
+
+const std::vector<double>& saved_array(const SavedState& saved, const std::string& name, std::size_t length) {
+  const auto found = saved.find(name);
+  if (found == saved.end()) throw FileError(fmt::format("the saved state has no {}: of another version or path", name));
+  if (length > 0 && found->second.size() != length) {
+    throw FileError(fmt::format("the saved state has {} numbers for {}, not {}: of another scene or version",
+                                found->second.size(), name, length));
+  }
+  return found->second;
 }
 
 }  // namespace tether

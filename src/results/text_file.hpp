@@ -2,7 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "results/results.hpp"
 
 namespace tether {
 
@@ -28,5 +32,13 @@ class TextFile {
 /// Puts the text into the place of the file in one go: whoever reads sees the old text or the new one, never a part.
 /// Throws FileError; the old text then stays.
 void replace_file(const std::filesystem::path& path, std::string_view text);
+
+/// summary.txt: the comments as `# ...` lines, then a line `key = value` for each pair. Throws FileError;
+/// std::invalid_argument where a key or value could not be read back (a line end, a key that is empty or holds '=').
+void write_summary(const std::filesystem::path& path, const Summary& summary, const std::vector<std::string>& comments);
+
+/// reference.txt: a line `# names`, then a line of blank-separated numbers for each row, in digits that read back to
+/// the same numbers. Throws FileError; std::invalid_argument where names and columns do not fit together.
+void write_table(const std::filesystem::path& path, const Table& table);
 
 }  // namespace tether

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/background_grid.hpp"
+#include "grid/boxes.hpp"
 #include "grid/mesh.hpp"
 #include "results/results.hpp"
 

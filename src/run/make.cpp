@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/make.hpp"
 
-#include "solvers/coupled/coupled_solver.hpp"
-#include "solvers/fem/bar_solver.hpp"
-#include "solvers/fem/flow_solver.hpp"
-#include "solvers/fem/rigid_solver.hpp"
-#include "solvers/fem/solid_solver.hpp"
-#include "solvers/mpm/solver.hpp"
+#include "physics/bars/fields.hpp"
+#include "physics/bars/solver.hpp"
+#include "physics/box/columns.hpp"
+#include "physics/box/solver.hpp"
+#include "physics/flow/columns.hpp"
+#include "physics/flow/solver.hpp"
+#include "physics/points/fields.hpp"
+#include "physics/points/solver.hpp"
+#include "physics/rigid/fields.hpp"
+#include "physics/rigid/solver.hpp"
+#include "physics/solids/fields.hpp"
+#include "physics/solids/solver.hpp"
 
 namespace tether {
 namespace {
@@ -25,5 +31,11 @@ struct MakeSolver {
 }  // namespace
 
 std::unique_ptr<Solver> make_solver(const Plan& plan) { return std::visit(MakeSolver{plan}, plan.scene.physics); }
+
+std::vector<PhysicsColumns> columns_of_all_physics() {
+  return {{"points", mpm::history_table().described()}, {"bars", fem::bar_table().described()},
+          {"bodies", fem::solid_table().described()},   {"rigid body", fem::rigid_table().described()},
+          {"flows", fem::flow_table().described()},     {"boxes", coupled::coupled_table().described()}};
+}
 
 }  // namespace tether

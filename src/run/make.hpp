@@ -2,13 +2,18 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "fields/column_text.hpp"
+#include "physics/solver.hpp"
 #include "plan/plan.hpp"
-#include "solvers/solver.hpp"
 
 namespace tether {
 
 /// The solver of the plan's path: the only place where run-time choices become templates. The plan must outlive it.
 std::unique_ptr<Solver> make_solver(const Plan& plan);
+
+/// The columns that histories may have, physics by physics.
+std::vector<PhysicsColumns> columns_of_all_physics();
 
 }  // namespace tether

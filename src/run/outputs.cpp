@@ -2,11 +2,10 @@
 #include "run/outputs.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/text.hpp"
 #include "model/coupled.hpp"
 #include "model/flow.hpp"

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/errors.hpp"
-#include "base/seconds.hpp"
-#include "run/clocks.hpp"
+#include "base/diagnostics.hpp"
+#include "base/process.hpp"
 #include "run/make.hpp"
+#include "run/request.hpp"
 
 namespace tether {
 namespace {

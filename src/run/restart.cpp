@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "base/diagnostics.hpp"
-#include "base/errors.hpp"
 #include "base/file.hpp"
 #include "deck/elements.hpp"
 #include "deck/reader.hpp"

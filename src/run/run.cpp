@@ -2,23 +2,21 @@
 #include "run/run.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
-#include "base/errors.hpp"
-#include "base/folder_lock.hpp"
+#include "base/diagnostics.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "results/checkpoint.hpp"
 #include "results/compare.hpp"
 #include "results/energy_drift.hpp"
-#include "run/lost_energy.hpp"
 #include "run/make.hpp"
 #include "run/outputs.hpp"
 #include "run/restart.hpp"
-#include "run/scene_summary.hpp"
+#include "run/summary.hpp"
 #include "run/watch.hpp"
 
 namespace tether {

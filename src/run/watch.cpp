@@ -8,10 +8,10 @@
 #include <utility>
 #include <variant>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "model/solids.hpp"
 #include "results/energy_drift.hpp"
-#include "run/scene_summary.hpp"
+#include "run/summary.hpp"
 
 namespace tether {
 namespace {

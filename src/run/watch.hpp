@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/scene.hpp"
+#include "physics/solver.hpp"
 #include "results/results.hpp"
-#include "solvers/solver.hpp"
 
 namespace tether {
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "studies/run_record.hpp"
 #include "studies/study.hpp"
 
 namespace tether {
@@ -37,5 +41,48 @@ Deck read_deck(const Study& study, const Combination& combination, std::optional
 
 /// The factors of an ensemble, evenly from 1 - fraction to 1 + fraction, both included.
 std::vector<double> ensemble_factors(double fraction, int runs);
+
+/// A run of a study that has come to an end, well or not.
+struct FinishedRun {
+  Variant variant;
+  RunRecord record;
+  bool reused = false;                   ///< it had been run before
+  std::map<std::string, double> values;  ///< of its summary.txt, and the study's of history.txt; none where it failed
+  std::map<std::string, std::string> lacking = {};  ///< columns that its history.txt has not; what may have been meant
+
+  bool failed() const { return record.ending.exit_code != exit_done; }
+  /// Whether it came to its end or diverged. A full disk, a kill or a scene that cannot be built tell nothing of a
+  /// criterion.
+  bool decides() const { return !failed() || record.ending.exit_code == exit_run; }
+  /// One of them, or exit_code; not a number where the run has none of that name.
+  double value(const std::string& key) const {
+    if (key == exit_code_key) return record.ending.exit_code;
+    const auto found = values.find(key);
+    return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  }
+};
+
+/// Which runs a study wants, by its mode: a run of each combination (grid), several of each (ensemble), or one after
+/// the other of each (bisect). Knows nothing of how they are run.
+class Sequences {
+ public:
+  explicit Sequences(const Study& study);
+
+  /// Those that can be run at once.
+  std::vector<Variant> first();
+  /// Those that are wanted now that this run has ended.
+  std::vector<Variant> after(const FinishedRun& run);
+
+  /// One a combination, in mode bisect.
+  const std::vector<Bisection>& bisections() const { return bisections_; }
+
+ private:
+  void add(std::vector<Variant>& wanted, std::size_t combination, std::optional<double> varied);
+  std::vector<Variant> next(std::size_t combination);
+
+  const Study& study_;
+  std::vector<std::size_t> numbers_;  // runs wanted so far, a combination
+  std::vector<Bisection> bisections_;
+};
 
 }  // namespace tether

@@ -10,6 +10,9 @@
 
 namespace tether {
 
+/// What a user may have meant by a name that is none of these: the nearest one, or else all of them.
+std::string meant(const std::string& name, const std::vector<std::string>& known);
+
 /// What a function makes of a column of history.txt: a study writes it as 'max(body_y_3)'.
 struct HistoryValue {
   std::string function;  ///< "max"

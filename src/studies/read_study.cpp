@@ -9,15 +9,13 @@
 #include <map>
 #include <set>
 
-#include "base/ending.hpp"
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "deck/reader.hpp"
-#include "read/named_file.hpp"
-#include "studies/column_checks.hpp"
+#include "read/values.hpp"
 #include "studies/combinations.hpp"
 #include "studies/study_checks.hpp"
-#include "studies/study_remarks.hpp"
 
 namespace tether {
 namespace {

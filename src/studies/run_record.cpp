@@ -9,15 +9,15 @@
 #include <map>
 #include <vector>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/numbers.hpp"
+#include "base/process.hpp"
 #include "base/text.hpp"
-#include "base/version.hpp"
 #include "plan/load.hpp"
-#include "read/mesh/load_mesh.hpp"
-#include "read/path_of_deck.hpp"
-#include "read/points/load_particles.hpp"
+#include "read/mesh/mesh_of_file.hpp"
+#include "read/method.hpp"
+#include "read/points/points_group.hpp"
 #include "results/summary_keys.hpp"
 #include "results/text_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "base/ending.hpp"
+#include "base/process.hpp"
 #include "deck/deck.hpp"
 
 namespace tether {

@@ -2,18 +2,48 @@
 #include "studies/study_checks.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <optional>
 
+#include "base/process.hpp"
 #include "deck/reader.hpp"
+#include "plan/load.hpp"
 #include "read/reference/reference.hpp"
 #include "results/summary_keys.hpp"
+#include "run/make.hpp"
 #include "studies/combinations.hpp"
-#include "studies/meant.hpp"
+#include "studies/history_value.hpp"
 #include "studies/run_table.hpp"
 
 namespace tether {
+namespace {
+
+/// An axis may have thousands of values on a line: it is not shown.
+constexpr std::size_t longest_shown_line = 1000;
+
+}  // namespace
+
+void StudyRemarks::error(const std::string& name, int k, const std::string& message, const std::string& hint) {
+  add(deck_.remark(Severity::error, group_, name, {k, 1}, message, hint));
+}
+
+void StudyRemarks::tell(const std::string& name, int k, const std::vector<Mistake>& mistakes) {
+  const std::string text = deck_.text(group_, name, k);
+  for (const auto& mistake : mistakes) {
+    auto remark = deck_.remark(Severity::error, group_, name, {k, 1}, mistake.message, mistake.hint);
+    const auto quote = static_cast<std::size_t>(remark.place.column);  // the text begins behind it
+    const bool as_written = remark.line_text.compare(std::min(quote, remark.line_text.size()), text.size(), text) == 0;
+    if (as_written) remark.place.column += mistake.column;
+    add(std::move(remark));
+  }
+}
+
+void StudyRemarks::add(Diagnostic remark) {
+  if (remark.line_text.size() > longest_shown_line) remark.line_text.clear();
+  diagnostics_.add(std::move(remark));
+}
+
 namespace {
 
 /// For which modes a variable of $study is, and which of them need it.
@@ -158,6 +188,47 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
   check_quantities(deck, study, keys.known(), remarks);
   if (study.mode == Mode::bisect) check_criterion(study, keys.known(), remarks);
   check_order(study, keys.known(), remarks);
+}
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Scenes that are built at most: a mistake is worth some seconds.
+constexpr std::size_t most_scenes = 100;
+
+/// The columns of a run's history, before it is run; nothing where its scene cannot be built, which the run will tell.
+std::optional<Names> columns_of(const Study& study, const Combination& combination) {
+  Names columns;
+  const Ending ending = end_of(study.file, [&] {
+    Diagnostics of_the_run;
+    const Loaded loaded = load_scene(read_deck(study, combination), {}, of_the_run);
+    columns = make_solver(loaded.plan)->history_layout().column_names();
+  });
+  if (ending.exit_code != exit_done) return std::nullopt;
+  return columns;
+}
+
+}  // namespace
+
+void check_columns(const Study& study, StudyRemarks& remarks) {
+  auto open = study.history_values;
+  const auto all = combinations(study);
+  bool all_known = all.size() <= most_scenes;
+  Names seen;
+  for (std::size_t c = 0; c < std::min(all.size(), most_scenes) && !open.empty(); ++c) {
+    const auto columns = columns_of(study, all[c]);
+    all_known = all_known && columns.has_value();
+    for (const auto& name : columns.value_or(Names{})) {
+      if (!contains(seen, name)) seen.push_back(name);
+    }
+    std::erase_if(open, [&](const WantedValue& wanted) { return contains(seen, wanted.value.column); });
+  }
+  if (!all_known) return;
+  for (const auto& [value, variable, number] : open) {
+    const auto message = fmt::format("no run's history.txt has a column '{}'", value.column);
+    remarks.tell(variable, number, {{value.at, message, meant(value.column, seen)}});
+  }
 }
 
 }  // namespace tether

@@ -1,10 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "studies/assignment.hpp"
 #include "studies/study.hpp"
-#include "studies/study_remarks.hpp"
 
 namespace tether {
+
+/// Reports mistakes at the places of a group's values.
+class StudyRemarks {
+ public:
+  /// The references must outlive this.
+  StudyRemarks(const Deck& deck, Diagnostics& diagnostics, std::string_view group = study_group)
+      : deck_(deck), diagnostics_(diagnostics), group_(group) {}
+
+  /// At the group's name(k), else at the group.
+  void error(const std::string& name, int k, const std::string& message, const std::string& hint = {});
+  /// Those of the text that stands in name(k), each at its column where the deck has the text on one line.
+  void tell(const std::string& name, int k, const std::vector<Mistake>& mistakes);
+
+ private:
+  void add(Diagnostic remark);
+
+  const Deck& deck_;
+  Diagnostics& diagnostics_;
+  std::string_view group_;
+};
 
 // What is checked of a study as a whole, before its first run; mistakes are told at the study deck's places.
 
@@ -14,5 +38,10 @@ void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks);
 /// The base decks read with the values of the first combination (the decks' own mistakes go into `diagnostics`), and
 /// the quantities, the criterion and the order are what their runs write.
 void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Diagnostics& diagnostics);
+
+/// The columns of the history that a study wants are those of some of its runs: their scenes are built, without a
+/// step, until each column was found. Where that cannot be known (a scene that cannot be built, more runs than are
+/// looked at), nothing is told; the runs will show.
+void check_columns(const Study& study, StudyRemarks& remarks);
 
 }  // namespace tether

@@ -8,11 +8,10 @@
 #include <map>
 #include <set>
 
-#include "base/errors.hpp"
-#include "base/folder_lock.hpp"
+#include "base/diagnostics.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "results/text_file.hpp"
-#include "studies/outcome_table.hpp"
 #include "studies/run_table.hpp"
 
 namespace tether {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/file.hpp"
-#include "results/attributes.hpp"
 #include "results/netcdf_file.hpp"
 
 namespace tether {

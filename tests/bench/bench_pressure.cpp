@@ -9,9 +9,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "algebra/aggregation_multigrid.hpp"
-#include "algebra/bicgstab.hpp"
-#include "algebra/conjugate_gradients.hpp"
+#include "algebra/krylov.hpp"
+#include "algebra/multigrid.hpp"
 #include "algebra/quasidefinite_solver.hpp"
 #include "unit/algebra/pressure_matrices.hpp"
 

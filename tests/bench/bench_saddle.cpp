@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "algebra/gmres.hpp"
+#include "algebra/krylov.hpp"
 #include "algebra/saddle_solver.hpp"
 #include "unit/algebra/flow_matrices.hpp"
 

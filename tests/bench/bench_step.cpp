@@ -6,7 +6,7 @@
 
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
-#include "read/method_of_deck.hpp"
+#include "read/method.hpp"
 #include "run/make.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "plan/load.hpp"
 #include "results/checkpoint.hpp"
 #include "run/run.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
 
 // A fluid in a box and elastic solids, solved together, against exact solutions.

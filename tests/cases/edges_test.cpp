@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "cases/run_deck.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
 #include "results/signal.hpp"
 

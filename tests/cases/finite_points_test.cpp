@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "base/diagnostics.hpp"
-#include "base/errors.hpp"
 #include "cases/run_deck.hpp"
 
 namespace tether::cases {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
 
 // Incompressible flow by finite elements against published numbers.

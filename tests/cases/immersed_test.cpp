@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
 
 // Elastic bodies immersed in a flow.

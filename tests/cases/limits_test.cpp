@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
 
 // Runs that go wrong: told once, and ended beyond reason.

@@ -8,12 +8,12 @@
 #include <cstring>
 #include <random>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "plan/load.hpp"
 #include "results/checkpoint.hpp"
-#include "results/netcdf_input.hpp"
+#include "results/netcdf_file.hpp"
 #include "run/run.hpp"
 #include "unit/temporary_folder.hpp"
 

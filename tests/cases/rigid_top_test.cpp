@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/rigid_support.hpp"
 
 // The heavy top, steady and nodding, and steps too long.

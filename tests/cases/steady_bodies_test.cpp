@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
 
 // Steady solutions of flows with bodies are what marches of the same decks come to, whatever steps lead there.

@@ -6,7 +6,7 @@
 
 #include "base/text.hpp"
 #include "fuzz/properties.hpp"
-#include "grid/gmsh_file.hpp"
+#include "grid/gmsh/file.hpp"
 
 namespace tether::fuzz {
 namespace {

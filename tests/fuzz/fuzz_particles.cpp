@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "deck/document.hpp"
-#include "deck/fused_rows.hpp"
 #include "deck/particle_file.hpp"
 #include "deck/reader.hpp"
 #include "fuzz/properties.hpp"

@@ -7,9 +7,9 @@ import pathlib
 import re
 import sys
 
-ORDER = "base fields algebra grid laws model deck read reference plan results loops solvers run studies".split()
-PATHS = "mpm fem coupled".split()  # inside solvers/
-WITHOUT_DECK = "model reference results loops solvers".split()
+ORDER = "base fields algebra grid laws model deck read reference plan results loops physics run studies".split()
+PATHS = "points bars solids rigid flow box".split()  # inside physics/
+WITHOUT_DECK = "model reference results loops physics".split()
 DECK = ("deck/", "read/")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')
@@ -22,10 +22,10 @@ GLOBAL = re.compile(
 
 
 def rank(parts):
-    """Place of a file, from its path below src/. What stands straight in solvers/ stands before its paths."""
+    """Place of a file, from its path below src/. What stands straight in physics/ stands before its paths."""
     top = parts[0] if len(parts) > 1 else "main"
     outer = ORDER.index(top) if top in ORDER else len(ORDER)
-    inner = PATHS.index(parts[1]) if len(parts) > 2 and top == "solvers" and parts[1] in PATHS else -1
+    inner = PATHS.index(parts[1]) if len(parts) > 2 and top == "physics" and parts[1] in PATHS else -1
     return outer, inner
 
 

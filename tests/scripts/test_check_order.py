@@ -30,7 +30,7 @@ class OrderCheck(unittest.TestCase):
         self.assertIn("b.hpp:1", text)
 
     def test_refuses_one_path_in_another_that_stands_before_it(self):
-        code, _ = self.run_on({"solvers/mpm/a.hpp": '#include "solvers/fem/b.hpp"\n', "solvers/fem/b.hpp": "\n"})
+        code, _ = self.run_on({"physics/points/a.hpp": '#include "physics/solids/b.hpp"\n', "physics/solids/b.hpp": "\n"})
         self.assertEqual(code, 1)
 
     def test_refuses_a_circle(self):
@@ -45,10 +45,10 @@ class OrderCheck(unittest.TestCase):
         self.assertIn("circle: grid/a -> grid/b -> grid/a", text)
 
     def test_refuses_a_solver_that_sees_the_deck_through_a_header(self):
-        code, text = self.run_on({"solvers/mpm/a.cpp": '#include "plan/p.hpp"\n', "deck/d.hpp": "\n",
+        code, text = self.run_on({"physics/points/a.cpp": '#include "plan/p.hpp"\n', "deck/d.hpp": "\n",
                                   "plan/p.hpp": '#include "deck/d.hpp"\n'})
         self.assertEqual(code, 1)
-        self.assertIn("solvers/mpm/a.cpp: must not see the deck", text)
+        self.assertIn("physics/points/a.cpp: must not see the deck", text)
 
     def test_refuses_a_mutable_global(self):
         for line in ("int counter = 0;", "static double x;", "std::vector<int> all{1};", "inline int n = 3;"):

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-#include "base/index.hpp"
+#include "base/numbers.hpp"
 #include "deck/elements.hpp"
 #include "deck/spelling.hpp"
-#include "read/mesh/solids_of_deck.hpp"
-#include "read/word.hpp"
+#include "read/mesh/solids.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "grid/mesh_flaws.hpp"
-#include "model/side_faces.hpp"
+#include "model/coupled.hpp"
 #include "model/solids.hpp"
 #include "read/box/checks.hpp"
-#include "read/regions_of_deck.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

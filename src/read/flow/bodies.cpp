@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "grid/element_sides.hpp"
+#include "grid/mesh.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "grid/mesh_place.hpp"
 #include "grid/point_finder.hpp"
@@ -15,7 +15,7 @@
 #include "read/flow/checks.hpp"
 #include "read/flow/edge.hpp"
 #include "read/mesh/mesh_of_file.hpp"
-#include "read/regions_of_deck.hpp"
+#include "read/values.hpp"
 
 // Whether immersed bodies lie within the fluid's mesh.
 

@@ -10,8 +10,7 @@
 #include "deck/spelling.hpp"
 #include "deck/words.hpp"
 #include "read/mesh/mesh_of_file.hpp"
-#include "read/regions_of_deck.hpp"
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

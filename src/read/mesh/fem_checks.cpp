@@ -7,9 +7,9 @@
 
 #include "deck/spelling.hpp"
 #include "model/bars.hpp"
-#include "read/points/axis.hpp"
+#include "read/points/geometry.hpp"
 #include "read/points/membrane_curves.hpp"
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

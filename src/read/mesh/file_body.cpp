@@ -8,7 +8,7 @@
 
 #include "model/string_gaps.hpp"
 #include "read/bodies.hpp"
-#include "read/points/materials.hpp"
+#include "read/materials.hpp"
 
 namespace tether {
 namespace {

@@ -6,8 +6,7 @@
 #include "model/flow.hpp"
 #include "read/mesh/mesh_of_deck.hpp"
 #include "read/mesh/mesh_of_file.hpp"
-#include "read/regions_of_deck.hpp"
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

@@ -9,6 +9,11 @@
 
 namespace tether {
 
+/// The deck with the text of the mesh file that its $mesh names (relative to the deck, at most one folder up); the deck
+/// as it is where it names none, or where the file cannot be read or is not the one that deck.effective meant, which is
+/// told.
+Deck load_mesh(const Deck& deck, Diagnostics& diagnostics);
+
 /// The meshes of the regions that are a fluid, and of the others, where there are any.
 struct DeckMeshes {
   std::optional<Mesh> fluid, bodies;

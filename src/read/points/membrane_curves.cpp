@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/points/membrane_curves.hpp"
 #include "deck/words.hpp"
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 #include <fmt/format.h>
 

@@ -8,10 +8,10 @@
 #include "deck/words.hpp"
 #include "model/string_gaps.hpp"
 #include "read/bodies.hpp"
-#include "read/memory.hpp"
-#include "read/points/materials.hpp"
+#include "read/limits.hpp"
+#include "read/materials.hpp"
 #include "read/points/membrane_curves.hpp"
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {

@@ -89,9 +89,9 @@ void check_sharing(const Deck& deck, const FilledRegion& one, const FilledRegion
 }
 
 /// Cells by where they are: within a cell of a closed membrane, inside or outside.
-class Sides {
+class SidesOfMembrane {
  public:
-  Sides(const Scene& scene, const Body& membrane)
+  SidesOfMembrane(const Scene& scene, const Body& membrane)
       : grid_(scene.grid), near_(scene.grid.cells()), inside_(scene.grid.cells()) {
     for (std::size_t p = membrane.first; p < membrane.first + membrane.count; ++p) {
       outline_.x.push_back(scene.points.x[p]), outline_.y.push_back(scene.points.y[p]);
@@ -142,7 +142,7 @@ class Sides {
 
 /// A region's gas that is on both sides of a closed membrane, a cell or more from it.
 void check_gas_around(const Deck& deck, const FilledRegion& region, const Scene& scene, const Body& membrane,
-                      const Sides& sides, Diagnostics& diagnostics) {
+                      const SidesOfMembrane& sides, Diagnostics& diagnostics) {
   const Body& gas = *region.body;
   const PointSet& P = scene.points;
   double outside = 0;
@@ -173,7 +173,7 @@ void check_regions(const Deck& deck, const Scene& scene, Diagnostics& diagnostic
   }
   for (const Body& membrane : scene.bodies) {
     if (!membrane.closed) continue;
-    const Sides sides(scene, membrane);
+    const SidesOfMembrane sides(scene, membrane);
     for (const FilledRegion& region : regions) {
       if (std::holds_alternative<IdealGas>(region.body->material))
         check_gas_around(deck, region, scene, membrane, sides, diagnostics);

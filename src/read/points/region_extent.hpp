@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "grid/background_grid.hpp"
-#include "grid/geometry.hpp"
+#include "grid/boxes.hpp"
 #include "read/points/geometry.hpp"
 
 namespace tether {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "read/bodies.hpp"
-#include "read/memory.hpp"
+#include "read/limits.hpp"
+#include "read/materials.hpp"
 #include "read/points/geometry.hpp"
-#include "read/points/materials.hpp"
 
 namespace tether {
 namespace {

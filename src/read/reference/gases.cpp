@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "read/reference/needs.hpp"
+#include "read/reference/reference.hpp"
 
 namespace tether {
 namespace {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "read/reference/needs.hpp"
-
 namespace tether {
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/held_end.hpp"
-#include "read/reference/needs.hpp"
+#include "model/bars.hpp"
+#include "read/reference/reference.hpp"
 
 namespace tether {
 namespace {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
-#include "results/netcdf_input.hpp"
+#include "results/netcdf_file.hpp"
 #include "results/summary_keys.hpp"
 #include "studies/assignment.hpp"
 

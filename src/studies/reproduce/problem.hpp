@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "studies/assignment.hpp"
 #include "studies/reproduce/files.hpp"
+
+namespace tether::published {
 
 // The published problems of the thesis as a table: a deck each, how either method runs it, and what of the finished run
 // stands next to what is printed.
-namespace tether::published {
 
 /// Reads one number off a finished run and nothing else; not a number where the run does not show it. Throws FileError
 /// where the run did not write what is read.
@@ -41,7 +43,7 @@ enum class Judged { none, thesis, robust, both };
 enum class TheoryFor { exact, runs, nothing };
 
 /// A row of the table.
-struct Quantity {
+struct PublishedQuantity {
   std::string name = {};  ///< with its unit, where it has one
   Readout reading = {};
   bool of_deck = false;                 ///< the reading needs the deck alone: a run that came to no end shows it, too
@@ -72,7 +74,27 @@ struct Problem {
   std::optional<MethodRuns> robust = MethodRuns{};  ///< none: has no meaning there
   std::string study = {};          ///< path of a bisection that is run on the deck, in place of a single run
   std::string compared_with = {};  ///< path of a deck that the same method runs as well, for what compares two runs
-  std::vector<Quantity> quantities = {};
+  std::vector<PublishedQuantity> quantities = {};
 };
+
+/// A printed text taken apart; where there are mistakes, the rest means nothing.
+struct ReadPrinted {
+  std::vector<Printed> values;
+  std::optional<double> upper_bound;
+  std::vector<Mistake> mistakes;
+};
+
+/// Numbers as a deck notes what a source prints: "0.0071 (Table 3)", whose band is half a unit of its last digit;
+/// "6 +- 3 % (Box 10)" or "0 +- 0.5 (7.5.2)" with a band of its own; "= 0.05 (Box 2)" for what states the problem and
+/// is exact; "19.8 (Table 1) or 18.44 (Box 7)" where the source contradicts itself; "< 0.005 (4.1)" for an upper bound,
+/// which stands alone.
+ReadPrinted read_printed(const std::string& text);
+
+/// A tolerance taken apart: "2 %" of what is compared with, or "0.015" in the quantity's own unit.
+struct ReadTolerance {
+  Tolerance tolerance;
+  std::vector<Mistake> mistakes;
+};
+ReadTolerance read_tolerance(const std::string& text);
 
 }  // namespace tether::published

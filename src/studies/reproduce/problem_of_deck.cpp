@@ -8,13 +8,13 @@
 #include <regex>
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "deck/reader.hpp"
-#include "read/named_file.hpp"
-#include "studies/reproduce/printed.hpp"
-#include "studies/reproduce/reading.hpp"
-#include "studies/study_remarks.hpp"
+#include "read/values.hpp"
+#include "studies/reproduce/problem.hpp"
+#include "studies/reproduce/read_formula.hpp"
+#include "studies/study_checks.hpp"
 
 namespace tether::published {
 namespace {
@@ -127,8 +127,8 @@ class ProblemReader {
     if (!by_points || text("methods") == "thesis") problem.robust.reset();
   }
 
-  Quantity row(int k) {
-    Quantity row{.name = text("quantity", k)};
+  PublishedQuantity row(int k) {
+    PublishedQuantity row{.name = text("quantity", k)};
     if (!is_given("is", k)) remarks_.error("quantity", k, "this row reads nothing", fmt::format("is({})='period'", k));
     const ReadReading is = reading("is", k);
     row.reading = is.reading, row.of_deck = is.of_deck;
@@ -183,7 +183,7 @@ class ProblemReader {
   }
 
   /// What a row judges by must be there.
-  void check(const Quantity& row, int k) {
+  void check(const PublishedQuantity& row, int k) {
     const bool is_printed = is_given("printed", k), has_theory = is_given("theory", k);
     if (row.by_published != Judged::none && !is_printed)
       remarks_.error("judged", k, "nothing is printed that this row could be judged by",

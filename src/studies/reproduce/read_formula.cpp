@@ -2,13 +2,13 @@
 #include "studies/reproduce/read_formula.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
+#include <memory>
 
 #include "base/numbers.hpp"
 #include "base/text.hpp"
-#include "studies/meant.hpp"
+#include "studies/history_value.hpp"
 #include "studies/reproduce/reading_functions.hpp"
 
 namespace tether::published {
@@ -172,6 +172,15 @@ class FormulaReader {
 std::shared_ptr<const Formula> read_formula(const std::string& text, std::size_t begin,
                                             std::vector<Mistake>& mistakes) {
   return FormulaReader(text, begin, mistakes).read();
+}
+
+ReadReading read_reading(const std::string& text) {
+  ReadReading read;
+  const auto formula = read_formula(text, 0, read.mistakes);
+  if (!read.mistakes.empty()) return read;
+  read.reading = [formula](const RunFiles& run) { return formula->of_run(run); };
+  read.of_deck = formula->of_deck();
+  return read;
 }
 
 }  // namespace tether::published

@@ -8,7 +8,6 @@
 
 #include "results/signal.hpp"
 #include "studies/reproduce/point_readings.hpp"
-#include "studies/reproduce/scene_values.hpp"
 
 namespace tether::published {
 namespace {

@@ -2,15 +2,157 @@
 #include "studies/reproduce/reproduce.hpp"
 
 #include <fmt/format.h>
-
+#include <fmt/ranges.h>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
+#include "base/process.hpp"
 #include "results/text_file.hpp"
 #include "studies/reproduce/problems.hpp"
-#include "studies/reproduce/report.hpp"
 #include "studies/sweep.hpp"
+#include "studies/table.hpp"
+
+namespace tether::published {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// The columns of either table.
+struct ReportColumn {
+  const char* name;
+  std::string ReportRow::*text;
+};
+constexpr std::array columns{
+    ReportColumn{"problem", &ReportRow::problem},      ReportColumn{"quantity", &ReportRow::quantity},
+    ReportColumn{"thesis method", &ReportRow::thesis}, ReportColumn{"robust", &ReportRow::robust},
+    ReportColumn{"published", &ReportRow::published},  ReportColumn{"theory", &ReportRow::theory},
+    ReportColumn{"exact", &ReportRow::exact},          ReportColumn{"verdict", &ReportRow::verdict}};
+
+/// Spread over median below which runs agree to rounding: what they begin with does.
+constexpr double same = 1e-12;
+
+/// Five digits, and all of a whole number's.
+std::string number_text(double value) {
+  return std::abs(value) < 1e5 || std::abs(value) >= 1e9 ? fmt::format("{:.5g}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string printed_text(const Printed& printed) {
+  return fmt::format("{}{}", number_text(printed.value), printed.place.empty() ? "" : " (" + printed.place + ")");
+}
+
+std::string count_text(const std::vector<ReportRow>& rows) {
+  const auto count = [&](Standing standing) {
+    return std::count_if(rows.begin(), rows.end(), [&](const ReportRow& row) { return row.standing == standing; });
+  };
+  return fmt::format("{} rows: {} agree, {} differ, {} are undecided, {} are reported\n", rows.size(),
+                     count(Standing::agrees), count(Standing::differs), count(Standing::undecided),
+                     count(Standing::reported));
+}
+
+std::string overrides_text(const MethodRuns& method) {
+  auto overrides = method.overrides;
+  if (method.varied) {
+    overrides.push_back(fmt::format("the step varied by up to {} % in {} runs", 100 * varied_fraction, varied_runs));
+  }
+  return overrides.empty() ? "as it is" : fmt::format("{}", fmt::join(overrides, ", "));
+}
+
+/// A cell of Markdown: a bar would end it.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string runs_of(const Problem& problem) {
+  const std::string run = file_name(problem.deck);
+  const std::string deck = problem.study.empty() ? run : fmt::format("{} on {}", file_name(problem.study), run);
+  const std::string reference =
+      problem.compared_with.empty() ? "" : fmt::format(", compared with {}", file_name(problem.compared_with));
+  const std::string robust = problem.robust ? overrides_text(*problem.robust) : "not run";
+  const std::string place =
+      problem.source.empty() ? problem.place : fmt::format("{} {}", problem.source, problem.place);
+  return fmt::format("| {} | {} | {}{} | {} | {} |\n", problem.name, place, deck, reference,
+                     cell(overrides_text(problem.thesis)), cell(robust));
+}
+
+}  // namespace
+
+std::string value_text(const Measured& measured) {
+  const double median = measured.median();
+  if (std::isnan(median)) return "-";
+  std::string number = number_text(median);
+  if (measured.runs < 2) return number;
+  const std::string count = measured.values.size() == measured.runs
+                                ? fmt::format("{}", measured.runs)
+                                : fmt::format("{} of {}", measured.values.size(), measured.runs);
+  if (!(measured.spread() > same * std::abs(median))) return fmt::format("{} ({})", number, count);
+  return fmt::format("{} +- {:.2g} ({})", number, measured.spread(), count);
+}
+
+std::string published_text(const PublishedQuantity& quantity) {
+  if (quantity.upper_bound) return fmt::format("< {}", *quantity.upper_bound);
+  Texts texts;
+  for (const Printed& printed : quantity.published) {
+    texts.push_back(printed_text(printed));
+  }
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, " or "));
+}
+
+ReportRow report_row(const Problem& problem, const PublishedQuantity& quantity, const MethodResult& thesis,
+                     const MethodResult& robust) {
+  const Judgement judgement = judge(quantity, thesis, robust);
+  return {.problem = problem.name,
+          .quantity = quantity.name,
+          .thesis = value_text(measure(quantity, thesis)),
+          .robust = value_text(measure(quantity, robust)),
+          .published = published_text(quantity),
+          .theory = quantity.theory ? printed_text(*quantity.theory) : "-",
+          .exact = std::isnan(judgement.exact) ? "-" : number_text(judgement.exact),
+          .verdict = judgement.text(problem.by_points ? "thesis" : "run"),
+          .standing = judgement.standing()};
+}
+
+std::string terminal_text(const std::vector<ReportRow>& rows) {
+  StudyTable table{"quantity", {}};
+  std::vector<std::string> names;
+  for (const auto& [name, text] : columns) {
+    Texts cells;
+    for (const ReportRow& row : rows) cells.push_back(row.*text);
+    table.columns.push_back({name, "", "", std::move(cells)});
+    names.emplace_back(name);
+  }
+  return aligned_text(table, names) + count_text(rows);
+}
+
+std::string markdown_text(const std::vector<ReportRow>& rows, const std::vector<Problem>& problems,
+                          const std::string& command) {
+  std::string text =
+      fmt::format("# The published numbers\n\nBy tether {} ({}): `{}`\n\n", program_version(), git_hash(), command);
+  std::string rule;
+  for (const auto& column : columns) text += fmt::format("| {} ", column.name), rule += "|---";
+  text += "|\n" + rule + "|\n";
+  for (const ReportRow& row : rows) {
+    for (const auto& column : columns) text += fmt::format("| {} ", cell(row.*column.text));
+    text += "|\n";
+  }
+  text +=
+      "\n" + count_text(rows) +
+      "\nA printed value's band is half a unit of its last digit, and of chaotic cases the runs' standard deviation "
+      "beyond it; runs that spread by more than the digits decide nothing. Exact values are those of the deck that "
+      "ran. What one run of the thesis printed and no theory bears out is reported and not judged.\n";
+  text += "\n## Their runs\n\n| problem | source | deck | overrides, thesis method | overrides, robust method |\n";
+  text += "|---|---|---|---|---|\n";
+  for (const Problem& problem : problems) text += runs_of(problem);
+  return text;
+}
+
+}  // namespace tether::published
 
 namespace tether {
 namespace {
@@ -46,8 +188,9 @@ std::vector<ReportRow> rows_of(const std::vector<Problem>& problems, const std::
   for (std::size_t k = 0; k < problems.size(); ++k) {
     const auto thesis = result_of(runs, ends, k, Role::thesis, Role::thesis_reference);
     const auto robust = result_of(runs, ends, k, Role::robust, Role::robust_reference);
-    std::transform(problems[k].quantities.begin(), problems[k].quantities.end(), std::back_inserter(rows),
-                   [&](const Quantity& quantity) { return report_row(problems[k], quantity, thesis, robust); });
+    std::transform(
+        problems[k].quantities.begin(), problems[k].quantities.end(), std::back_inserter(rows),
+        [&](const PublishedQuantity& quantity) { return report_row(problems[k], quantity, thesis, robust); });
   }
   return rows;
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "studies/reproduce/point_readings.hpp"
 
 namespace tether::published {
@@ -62,7 +62,7 @@ struct MethodRule {
   std::optional<Tolerance> by_exact, by_theory;
 };
 
-Verdict on_method(const Quantity& quantity, const MethodResult& method, const MethodRule& rule) {
+Verdict on_method(const PublishedQuantity& quantity, const MethodResult& method, const MethodRule& rule) {
   if (method.runs == 0) return {};
   const Measured measured = measure(quantity, method);
   const double value = measured.median();
@@ -87,7 +87,7 @@ Verdict on_method(const Quantity& quantity, const MethodResult& method, const Me
 }
 
 /// Why runs that ended well have no exact value although the row has one; empty where they have it, or none ended.
-std::string why_not_exact(const Quantity& quantity, const MethodResult& method) {
+std::string why_not_exact(const PublishedQuantity& quantity, const MethodResult& method) {
   if (!quantity.exact || method.files.empty() || !std::isnan(exact_of(quantity, method))) return "";
   try {
     quantity.exact(method.files.front());
@@ -97,7 +97,7 @@ std::string why_not_exact(const Quantity& quantity, const MethodResult& method) 
   return "the run does not show it";
 }
 
-Verdict on_missing(const Quantity& quantity, const MethodResult& thesis, const MethodResult& robust) {
+Verdict on_missing(const PublishedQuantity& quantity, const MethodResult& thesis, const MethodResult& robust) {
   const std::string by_thesis = why_not_exact(quantity, thesis),
                     why = by_thesis.empty() ? why_not_exact(quantity, robust) : by_thesis;
   if (why.empty()) return {};
@@ -106,7 +106,7 @@ Verdict on_missing(const Quantity& quantity, const MethodResult& thesis, const M
   return {"no exact value: " + why, is_needed ? Standing::differs : Standing::reported};
 }
 
-Verdict on_theory(const Quantity& quantity, double exact) {
+Verdict on_theory(const PublishedQuantity& quantity, double exact) {
   if (!quantity.theory || quantity.theory_for == TheoryFor::runs || std::isnan(exact)) return {};
   const Printed& theory = *quantity.theory;
   return compare_with({{theory.value}, 1, ""}, {exact, "exact", theory.band}, quantity.theory_for == TheoryFor::exact,
@@ -130,7 +130,7 @@ double Measured::spread() const {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-Measured measure(const Quantity& quantity, const MethodResult& result) {
+Measured measure(const PublishedQuantity& quantity, const MethodResult& result) {
   Measured measured{{}, result.runs, result.failure};
   for (const RunFiles& files : quantity.of_deck ? result.begun : result.files) {
     double value = none;
@@ -168,7 +168,7 @@ Verdict compare_with(const Measured& measured, const Printed& target, bool judge
   return {fmt::format("agrees with {} within {}", target.place, allowed), Standing::agrees};
 }
 
-double exact_of(const Quantity& quantity, const MethodResult& method) {
+double exact_of(const PublishedQuantity& quantity, const MethodResult& method) {
   if (!quantity.exact) return none;
   for (const RunFiles& files : method.files) {
     try {
@@ -181,7 +181,7 @@ double exact_of(const Quantity& quantity, const MethodResult& method) {
   return none;
 }
 
-Judgement judge(const Quantity& quantity, const MethodResult& thesis, const MethodResult& robust) {
+Judgement judge(const PublishedQuantity& quantity, const MethodResult& thesis, const MethodResult& robust) {
   const auto is_judged = [&](Judged method) {
     return quantity.by_published == method || quantity.by_published == Judged::both;
   };

@@ -30,7 +30,7 @@ struct Measured {
 };
 
 /// The quantity of each run; a reading that does not find its file is a run that does not show it.
-Measured measure(const Quantity& quantity, const MethodResult& result);
+Measured measure(const PublishedQuantity& quantity, const MethodResult& result);
 
 /// How a comparison came out, the worst last.
 enum class Standing { reported, agrees, undecided, differs };
@@ -59,9 +59,9 @@ struct Judgement {
 Verdict compare_with(const Measured& measured, const Printed& target, bool judged, bool one_of_many);
 
 /// All comparisons of a row. A method without a value where it is judged differs.
-Judgement judge(const Quantity& quantity, const MethodResult& thesis, const MethodResult& robust);
+Judgement judge(const PublishedQuantity& quantity, const MethodResult& thesis, const MethodResult& robust);
 
 /// The exact value of the deck that ran, of the first run that has one; not a number where there is none.
-double exact_of(const Quantity& quantity, const MethodResult& method);
+double exact_of(const PublishedQuantity& quantity, const MethodResult& method);
 
 }  // namespace tether::published

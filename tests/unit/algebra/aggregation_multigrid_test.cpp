@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/aggregation_multigrid.hpp"
+#include "algebra/multigrid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "algebra/aggregates.hpp"
-#include "algebra/conjugate_gradients.hpp"
+#include "algebra/krylov.hpp"
 #include "unit/algebra/pressure_matrices.hpp"
 
 namespace tether {

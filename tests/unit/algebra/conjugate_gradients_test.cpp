@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/conjugate_gradients.hpp"
+#include "algebra/krylov.hpp"
 
 #include <gtest/gtest.h>
 

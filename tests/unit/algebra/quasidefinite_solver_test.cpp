@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
-#include "algebra/gmres.hpp"
+#include "algebra/krylov.hpp"
 #include "unit/algebra/pressure_matrices.hpp"
 
 namespace tether {

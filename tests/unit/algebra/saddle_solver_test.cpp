@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "algebra/gmres.hpp"
+#include "algebra/krylov.hpp"
 #include "unit/algebra/flow_matrices.hpp"
 
 namespace tether {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/velocity_block.hpp"
+#include "algebra/saddle_solver.hpp"
 
 #include <gtest/gtest.h>
 

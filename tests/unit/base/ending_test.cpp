@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/ending.hpp"
+#include "base/process.hpp"
 
 #include <gtest/gtest.h>
 
 #include <new>
 
 #include "base/diagnostics.hpp"
-#include "base/errors.hpp"
 
 namespace tether {
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <utility>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {

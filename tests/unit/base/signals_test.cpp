@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/signals.hpp"
+#include "base/process.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/short_text.hpp"
-#include "base/text_kind.hpp"
-
 namespace tether {
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/units.hpp"
+#include "base/numbers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
 
 #include <limits>
 
-#include "base/remarks.hpp"
+#include "base/diagnostics.hpp"
 #include "deck/spelling.hpp"
-#include "deck/suggest.hpp"
 #include "deck_support.hpp"
 
 namespace tether::test {

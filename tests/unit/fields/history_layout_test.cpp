@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/history_layout.hpp"
+#include "fields/column_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/number_field.hpp"
+#include "fields/rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid/background_grid.hpp"
+#include "grid/boxes.hpp"
 
 #include <gtest/gtest.h>
 

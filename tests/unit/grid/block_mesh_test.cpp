@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "grid/element_sides.hpp"
-#include "grid/jacobian.hpp"
+#include "grid/mesh.hpp"
+#include "grid/shapes.hpp"
 
 namespace tether {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grid/block_mesh.hpp"
-#include "grid/body_thickness.hpp"
+#include "grid/thickness.hpp"
 
 // How thick bodies are in cells of the mesh that they lie over.
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid/cubic_weights.hpp"
+#include "grid/kernels.hpp"
 
 #include <gtest/gtest.h>
 

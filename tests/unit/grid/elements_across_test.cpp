@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid/elements_across.hpp"
+#include "grid/thickness.hpp"
 
 #include <gtest/gtest.h>
 

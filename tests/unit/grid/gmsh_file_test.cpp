@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid/gmsh_file.hpp"
+#include "grid/gmsh/file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/file.hpp"
-#include "grid/jacobian.hpp"
+#include "grid/shapes.hpp"
 #include "unit/grid/gmsh_support.hpp"
 
 namespace tether::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/gmsh_file.hpp"
+#include "grid/gmsh/file.hpp"
 
 namespace tether::test {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "grid/jacobian.hpp"
 #include "grid/point_finder.hpp"
+#include "grid/shapes.hpp"
 #include "unit/grid/point_finder_support.hpp"
 
 namespace tether {

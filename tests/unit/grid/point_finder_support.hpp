@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "grid/lagrange.hpp"
+#include "grid/shapes.hpp"
 
 namespace tether {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid/shape_functions.hpp"
+#include "grid/kernels.hpp"
 
 #include <gtest/gtest.h>
 

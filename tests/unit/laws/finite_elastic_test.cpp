@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laws/materials/finite_elastic.hpp"
+#include "laws/finite_elastic.hpp"
 
 #include <gtest/gtest.h>
 

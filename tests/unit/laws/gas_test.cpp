@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laws/materials/gas.hpp"
+#include "laws/fluids.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laws/materials/hyperelastic.hpp"
+#include "laws/hyperelastic.hpp"
 
 #include <gtest/gtest.h>
 

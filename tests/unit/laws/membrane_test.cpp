@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laws/materials/membrane.hpp"
+#include "laws/elastic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laws/walls/walls.hpp"
+#include "laws/walls.hpp"
 
 #include <gtest/gtest.h>
 

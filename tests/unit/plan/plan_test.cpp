@@ -6,7 +6,6 @@
 #include "model/size.hpp"
 #include "plan/make_plan.hpp"
 #include "plan/plan_text.hpp"
-#include "plan/terms.hpp"
 #include "unit/plan/plan_support.hpp"
 
 namespace tether::test {

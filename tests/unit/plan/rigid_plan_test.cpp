@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "grid/block_mesh.hpp"
-#include "model/rigid.hpp"
+#include "model/solids.hpp"
 #include "plan/make_plan.hpp"
 #include "plan/plan.hpp"
 #include "plan/plan_text.hpp"

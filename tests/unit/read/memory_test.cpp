@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "read/memory.hpp"
+#include "read/limits.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "deck/reader.hpp"
 #include "model/solids.hpp"
 #include "read/build.hpp"
-#include "read/points/load_particles.hpp"
+#include "read/points/points_group.hpp"
 
 namespace tether::test {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "read/word.hpp"
+#include "read/values.hpp"
 
 #include <gtest/gtest.h>
 
 #include "deck/reader.hpp"
+#include "model/flow.hpp"
 #include "model/method.hpp"
-#include "model/systems.hpp"
 
 namespace tether {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/piston.hpp"
+#include "reference/oscillators.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/riemann_tube.hpp"
+#include "reference/riemann.hpp"
 
 #include <gtest/gtest.h>
 

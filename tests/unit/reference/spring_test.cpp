@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/spring.hpp"
+#include "reference/oscillators.hpp"
 
 #include <gtest/gtest.h>
 

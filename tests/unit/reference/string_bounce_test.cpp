@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/string_bounce.hpp"
+#include "reference/oscillators.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "reference/spring.hpp"
 
 namespace tether {
 namespace {

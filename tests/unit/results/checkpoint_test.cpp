@@ -5,10 +5,10 @@
 #include <fstream>
 #include <limits>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "results/netcdf_input.hpp"
+#include "results/netcdf_file.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {

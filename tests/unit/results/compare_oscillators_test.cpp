@@ -4,9 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/pendulum.hpp"
-#include "reference/spring.hpp"
-#include "reference/string_bounce.hpp"
+#include "reference/oscillators.hpp"
 #include "unit/results/compare_support.hpp"
 
 namespace tether::test {

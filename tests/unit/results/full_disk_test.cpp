@@ -6,12 +6,12 @@
 #include <functional>
 #include <iostream>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "results/checkpoint.hpp"
 #include "results/history_writer.hpp"
-#include "results/snapshot_writer.hpp"
+#include "results/snapshot_file.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "base/text.hpp"
-#include "base/version.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {

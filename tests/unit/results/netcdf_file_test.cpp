@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "unit/results/support.hpp"
 

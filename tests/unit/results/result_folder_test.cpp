@@ -3,10 +3,10 @@
 
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
-#include "base/version.hpp"
-#include "results/earlier_snapshots.hpp"
+#include "base/process.hpp"
+#include "results/seal.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {

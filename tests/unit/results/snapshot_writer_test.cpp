@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "results/snapshot_writer.hpp"
+#include "results/snapshot_file.hpp"
 
 #include <cmath>
 #include <limits>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/background_grid.hpp"
+#include "grid/boxes.hpp"
 #include "results/results.hpp"
 #include "unit/temporary_folder.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdexcept>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "results/text_file.hpp"
-#include "results/text_writers.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "results/snapshot_writer.hpp"
+#include "results/snapshot_file.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {

@@ -5,7 +5,7 @@
 
 #include "plan/make_plan.hpp"
 #include "run/make.hpp"
-#include "unit/solvers/scenes.hpp"
+#include "unit/physics/scenes.hpp"
 
 namespace tether {
 namespace {

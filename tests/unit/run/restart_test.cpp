@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostics.hpp"
-#include "base/errors.hpp"
 #include "base/file.hpp"
-#include "run/due.hpp"
+#include "run/outputs.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/bisection.hpp"
+#include "studies/study.hpp"
 
 #include <gtest/gtest.h>
 

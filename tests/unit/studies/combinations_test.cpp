@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "studies/sequences.hpp"
-
 namespace tether {
 namespace {
 

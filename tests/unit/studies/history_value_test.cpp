@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "unit/temporary_folder.hpp"
 

@@ -6,13 +6,13 @@
 #include <set>
 
 #include "base/file.hpp"
-#include "base/signals.hpp"
+#include "base/process.hpp"
 #include "deck/reader.hpp"
 #include "plan/load.hpp"
 #include "results/summary_keys.hpp"
 #include "run/run.hpp"
 #include "studies/run_record.hpp"
-#include "studies/workers.hpp"
+#include "studies/scheduler.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/coupled.hpp"
-#include "read/path_of_deck.hpp"
+#include "read/method.hpp"
 #include "unit/read/scene_support.hpp"
 
 namespace tether::test {

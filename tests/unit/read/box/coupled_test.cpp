@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene has of a deck with $coupled.
-#include "model/side_faces.hpp"
+#include "model/coupled.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "deck/document.hpp"
-#include "read/path_of_deck.hpp"
+#include "read/method.hpp"
 #include "unit/read/flow/flow_support.hpp"
 
 namespace tether::test {

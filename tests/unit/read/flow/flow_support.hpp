@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/flow.hpp"
-#include "read/path_of_deck.hpp"
+#include "read/method.hpp"
 #include "unit/read/scene_support.hpp"
 
 namespace tether::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "model/solids.hpp"
 #include "unit/read/scene_support.hpp"
 

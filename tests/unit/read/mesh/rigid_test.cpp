@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What $rigid says becomes a rigid body of the scene; what a deck says beside it and that has no meaning is told.
-#include "model/rigid.hpp"
+#include "model/solids.hpp"
 
 #include <gtest/gtest.h>
 
-#include "read/path_of_deck.hpp"
+#include "read/method.hpp"
 #include "unit/read/scene_support.hpp"
 
 namespace tether::test {

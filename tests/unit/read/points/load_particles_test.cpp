@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "read/points/load_particles.hpp"
+#include "read/points/points_group.hpp"
 
 #include <gtest/gtest.h>
 

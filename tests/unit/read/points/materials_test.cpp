@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "read/points/materials.hpp"
+#include "read/materials.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 namespace tether::published {
 namespace {
 
-Quantity number(const std::string& name, Per per = Per::scene) { return {name, Dimension::number, name, per}; }
+PublishedQuantity number(const std::string& name, Per per = Per::scene) { return {name, Dimension::number, name, per}; }
 
 HistoryLayout layout_of(const MadeUpRun& run) {
   HistoryLayout layout;

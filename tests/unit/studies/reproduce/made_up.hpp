@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "grid/background_grid.hpp"
+#include "grid/boxes.hpp"
 #include "results/results.hpp"
 #include "studies/reproduce/files.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/numbers.hpp"
 #include "plan/load.hpp"
@@ -32,7 +32,7 @@ TEST(Problems, HaveNamesOfTheirOwnAndWholeRows) {
     EXPECT_TRUE(names.insert(problem.name).second) << problem.name;
     EXPECT_FALSE(problem.place.empty() || problem.deck.empty() || problem.quantities.empty()) << problem.name;
     std::set<std::string> rows;
-    for (const Quantity& quantity : problem.quantities) {
+    for (const PublishedQuantity& quantity : problem.quantities) {
       EXPECT_TRUE(rows.insert(quantity.name).second) << problem.name << ": " << quantity.name;
       EXPECT_TRUE(quantity.reading) << problem.name << ": " << quantity.name;
       const std::string row = problem.name + ": " + quantity.name;

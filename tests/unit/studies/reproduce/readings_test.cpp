@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/reproduce/reading.hpp"
+#include "studies/reproduce/read_formula.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "base/errors.hpp"
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "plan/load.hpp"
 #include "reference/riemann.hpp"
@@ -101,11 +101,11 @@ RunFiles tube_run(const MadeUpRun& run, const std::filesystem::path& folder) {
 
 TEST_F(Readings, TheShockOfAnExactTubeIsWhereItBelongs) {
   const RunFiles run = tube_run(sod_tube(0), folder);
-  const Quantity speed = quantity_named("sod", "shock speed"), way = quantity_named("sod", "way of the shock");
+  const PublishedQuantity speed = quantity_named("sod", "shock speed"), way = quantity_named("sod", "way of the shock");
   EXPECT_NEAR(speed.exact(run), 1.7522, 1e-4);
   EXPECT_NEAR(speed.reading(run), speed.exact(run), 0.005 / 0.143);  // half a cell
   EXPECT_NEAR(way.reading(run), way.exact(run), 0.005);
-  const Quantity strength = quantity_named("sod", "shock strength p2/p1");
+  const PublishedQuantity strength = quantity_named("sod", "shock strength p2/p1");
   EXPECT_NEAR(strength.exact(run), 3.0313, 1e-4);
   EXPECT_NEAR(strength.reading(run), strength.exact(run), 1e-9);
   EXPECT_NEAR(way.reading(tube_run(sod_tube(0.05), folder / "later")), way.exact(run) + 0.05, 0.005);

@@ -40,7 +40,7 @@ class Stiffer : public test::TemporaryFolder {
   std::vector<std::string> disagreeing(const Problem& problem, Raised raised) {
     const RunFiles run = posed(problem, raised);
     std::vector<std::string> rows;
-    for (const Quantity& quantity : problem.quantities) {
+    for (const PublishedQuantity& quantity : problem.quantities) {
       const bool by_robust = quantity.by_published == Judged::robust;
       const MethodResult alone{{run}, 1, "", {run}};
       const Judgement judgement =

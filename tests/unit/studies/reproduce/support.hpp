@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <string>
 
-#include "studies/reproduce/printed.hpp"
+#include "studies/reproduce/problem.hpp"
 #include "studies/reproduce/problems.hpp"
-#include "studies/reproduce/reading.hpp"
-#include "studies/reproduce/report.hpp"
+#include "studies/reproduce/read_formula.hpp"
+#include "studies/reproduce/reproduce.hpp"
 #include "unit/studies/reproduce/made_up.hpp"
 #include "unit/temporary_folder.hpp"
 
@@ -30,8 +30,8 @@ inline Readout readout(const std::string& text) {
 /// A printed number of a text that is right.
 inline Printed printed(const std::string& text) { return read_printed(text).values.at(0); }
 
-inline Quantity quantity_named(const std::string& problem, const std::string& name) {
-  for (const Quantity& quantity : problem_named(problem).quantities) {
+inline PublishedQuantity quantity_named(const std::string& problem, const std::string& name) {
+  for (const PublishedQuantity& quantity : problem_named(problem).quantities) {
     if (quantity.name == name) return quantity;
   }
   ADD_FAILURE() << problem << " has no quantity " << name;

@@ -13,7 +13,7 @@ Measured measured(Numbers values, std::size_t runs = 0, std::string failure = {}
   return {std::move(values), count, std::move(failure)};
 }
 
-Quantity of(std::vector<Printed> values) { return {.published = std::move(values)}; }
+PublishedQuantity of(std::vector<Printed> values) { return {.published = std::move(values)}; }
 
 /// A run that shows a value, as a method's only one.
 MethodResult shows(double value, const std::filesystem::path& folder) {
@@ -85,14 +85,14 @@ TEST(Reporting, TellsHowFarItIsOffAndNeverFails) {
 
 class Judgements : public test::TemporaryFolder {
  protected:
-  Judgement judged(Quantity quantity, double value) {
+  Judgement judged(PublishedQuantity quantity, double value) {
     quantity.reading = readout("q");
     return judge(quantity, shows(value, folder), {});
   }
 };
 
 TEST_F(Judgements, NameWhichOfSeveralPrintedValuesItIs) {
-  Quantity quantity = of({printed("19.8 (Table 1)"), printed("18.44 (Box 7)")});
+  PublishedQuantity quantity = of({printed("19.8 (Table 1)"), printed("18.44 (Box 7)")});
   quantity.by_published = Judged::thesis;
   EXPECT_EQ(judged(quantity, 18.437).text(), "thesis: agrees with Box 7 within 0.027 %");
   EXPECT_EQ(judged(quantity, 19.79).standing(), Standing::agrees);
@@ -101,16 +101,17 @@ TEST_F(Judgements, NameWhichOfSeveralPrintedValuesItIs) {
 
 /// A printed value, an exact one and the theory each say something else; the worst counts.
 TEST_F(Judgements, CompareWithAllThatThereIs) {
-  const Quantity quantity{.published = {printed("0.022 (Table 3)")},
-                          .by_published = Judged::thesis,
-                          .theory = printed("0.02234 (Table 3)"),
-                          .exact = readout("0.022342"),
-                          .thesis = within_part(0.005)};
+  const PublishedQuantity quantity{.published = {printed("0.022 (Table 3)")},
+                                   .by_published = Judged::thesis,
+                                   .theory = printed("0.02234 (Table 3)"),
+                                   .exact = readout("0.022342"),
+                                   .thesis = within_part(0.005)};
   EXPECT_EQ(
       judged(quantity, 0.0223).text(),
       "thesis: agrees with Table 3 within 2.3 %, agrees with exact within 0.5 %; theory: agrees with exact within "
       "0.022 %");
-  Quantity stiffer = quantity;  // a tenth more of E: the run has its own exact value, and neither is the thesis'
+  PublishedQuantity stiffer =
+      quantity;  // a tenth more of E: the run has its own exact value, and neither is the thesis'
   stiffer.exact = readout("0.022342/sqrt(1.1)");
   const Judgement judgement = judged(stiffer, 0.0223 / std::sqrt(1.1));
   EXPECT_EQ(judgement.thesis.standing, Standing::differs);
@@ -119,7 +120,7 @@ TEST_F(Judgements, CompareWithAllThatThereIs) {
 }
 
 TEST_F(Judgements, CompareRunsWithATheoryThatLeavesOutWhatTheDeckHas) {
-  Quantity quantity{
+  PublishedQuantity quantity{
       .theory = printed("0.019859 +- 0.1 % (5.11)"), .theory_for = TheoryFor::runs, .exact = readout("0.02019")};
   quantity.thesis_by_theory = within_part(0.01);
   EXPECT_EQ(judged(quantity, 0.01986).text(), "thesis: agrees with theory within 1 %, -1.6 % off exact");
@@ -129,7 +130,7 @@ TEST_F(Judgements, CompareRunsWithATheoryThatLeavesOutWhatTheDeckHas) {
 }
 
 TEST_F(Judgements, OfABoundAreOneSided) {
-  Quantity quantity{.upper_bound = 0.005};
+  PublishedQuantity quantity{.upper_bound = 0.005};
   EXPECT_EQ(judged(quantity, 0.4).text(), "thesis: not below 0.005");
   EXPECT_EQ(judged(quantity, 0.4).standing(), Standing::reported);
   quantity.by_published = Judged::both;
@@ -138,7 +139,7 @@ TEST_F(Judgements, OfABoundAreOneSided) {
 }
 
 TEST_F(Judgements, WithoutAValueDifferWhereTheyAreJudged) {
-  Quantity quantity{.reading = readout("q"), .published = {printed("1 (Table 5)")}};
+  PublishedQuantity quantity{.reading = readout("q"), .published = {printed("1 (Table 5)")}};
   const MethodResult lost{{}, 10, "it diverged", {}};
   EXPECT_EQ(judge(quantity, lost, {}).text(), "thesis: no value: it diverged");
   EXPECT_EQ(judge(quantity, lost, {}).standing(), Standing::reported);
@@ -151,7 +152,7 @@ TEST_F(Judgements, WithoutAValueDifferWhereTheyAreJudged) {
 using Measuring = test::TemporaryFolder;
 
 TEST_F(Measuring, TakesAFileThatIsNotThereForAMissingValue) {
-  const Quantity quantity{.reading = [](const RunFiles& run) { return run.summary("steps"); }};
+  const PublishedQuantity quantity{.reading = [](const RunFiles& run) { return run.summary("steps"); }};
   const RunFiles whole = MadeUpRun{.summary = {{"steps", "7"}}}.write(folder / "whole");
   const Measured seen = measure(quantity, {{whole, RunFiles(folder / "none")}, 3, "", {}});
   EXPECT_EQ(seen.values, Numbers{7});
@@ -160,18 +161,18 @@ TEST_F(Measuring, TakesAFileThatIsNotThereForAMissingValue) {
 }
 
 TEST_F(Measuring, TellsOfAReadingThatFindsNothing) {
-  const Quantity quantity{.reading = [](const RunFiles&) { return std::nan(""); }};
+  const PublishedQuantity quantity{.reading = [](const RunFiles&) { return std::nan(""); }};
   const Measured seen = measure(quantity, {{RunFiles(folder)}, 1, "", {}});
   EXPECT_TRUE(seen.values.empty());
   EXPECT_EQ(seen.failure, "the run does not show it");
 }
 
 TEST(ReportRow, HasTheTheoryInAColumnOfItsOwn) {
-  const Quantity quantity{.name = "q",
-                          .reading = {},
-                          .published = {printed("1 (Table 5)")},
-                          .by_published = Judged::thesis,
-                          .theory = printed("1.02 (5.11)")};
+  const PublishedQuantity quantity{.name = "q",
+                                   .reading = {},
+                                   .published = {printed("1 (Table 5)")},
+                                   .by_published = Judged::thesis,
+                                   .theory = printed("1.02 (5.11)")};
   const ReportRow row = report_row({.name = "p"}, quantity, {{}, 10, "it diverged", {}}, {});
   EXPECT_EQ(row.thesis, "-");
   EXPECT_EQ(row.published, "1 (Table 5)");

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/process.hpp"
+
+#include <fmt/format.h>
+#include <malloc.h>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <new>
+#include <system_error>
+
+#include "base/diagnostics.hpp"
+#include "base/text.hpp"
+#include "base/version_values.hpp"
+
+namespace tether {
+
+Ending end_of(const std::string& name, const std::function<void()>& work) {
+  const auto told = [&name](const char* what) { return with_short_words(fmt::format("{}: error: {}\n", name, what)); };
+  try {
+    work();
+    return {};
+  } catch (const InputError& error) {
+    const bool names_its_file = !error.diagnostics().front().place.file.empty();
+    return {exit_input, (names_its_file ? "" : name + ": ") + error.what()};
+  } catch (const std::bad_alloc&) {
+    return {exit_input, told("it needs more memory than there is")};
+  } catch (const RunError& error) {
+    return {exit_run, told(error.what())};
+  } catch (const FileError& error) {
+    return {exit_file, told(error.what())};
+  } catch (const std::system_error& error) {  // as of a terminal or a pipe that takes no more text
+    return {exit_file, told(error.what())};
+  } catch (const Interrupted& interrupted) {
+    return {exit_signal + interrupted.signal(), fmt::format("{}: {}\n", name, interrupted.what())};
+  }
+}
+
+SignalWatch::SignalWatch(std::initializer_list<int> signals) : watched_{}, before_{} {
+  sigemptyset(&watched_);
+  for (const int signal : signals) sigaddset(&watched_, signal);
+  sigprocmask(SIG_BLOCK, &watched_, &before_);
+}
+
+SignalWatch::~SignalWatch() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+int SignalWatch::wait(double seconds) {
+  const double whole = std::floor(seconds);
+  const timespec patience{static_cast<time_t>(whole), static_cast<long>(1e9 * (seconds - whole))};
+  return std::max(sigtimedwait(&watched_, nullptr, &patience), 0);
+}
+
+void keep_freed_memory() {
+  mallopt(M_MMAP_MAX, 0);         // nothing has a mapping of its own, which would go with it
+  mallopt(M_TRIM_THRESHOLD, -1);  // and the heap does not shrink
+}
+
+std::string program_version() { return TETHER_VERSION; }
+std::string git_hash() { return TETHER_GIT_HASH; }
+
+}  // namespace tether

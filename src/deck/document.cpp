@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/document.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "deck/elements.hpp"
+#include "deck/spelling.hpp"
+
+namespace tether {
+namespace {
+
+/// Whether the defaults of regions 1..nreg are shown: where there are any, and they do not stand for "none".
+bool shows_region_defaults(const Variable& variable) {
+  return variable.rank == 1 && variable.n1 == region_count && !variable.fallback.empty() && variable.fallback != "1e30";
+}
+
+std::string assignment(const Deck& deck, const Variable& variable, Subscript at) {
+  const auto value = deck.value(variable.group, variable.name, at[0], at[1]);
+  return fmt::format("{} = {}\n", element_name(variable, at), value_text(value));
+}
+
+/// The elements that are given, and those of regions 1..nreg whose defaults are shown, in column-major order.
+std::vector<Subscript> shown_elements(const Deck& deck, const Variable& variable) {
+  auto shown = deck.given_elements(variable.group, variable.name);
+  if (variable.rank == 0 && shown.empty() && !variable.fallback.empty()) shown.push_back({1, 1});
+  if (!shows_region_defaults(variable)) return shown;
+  for (int region = 1; region <= deck.integer("reg", "nreg"); ++region) {
+    if (!deck.given(variable.group, variable.name, region)) shown.push_back({region, 1});
+  }
+  std::sort(shown.begin(), shown.end());
+  return shown;
+}
+
+std::string assignments(const Deck& deck, const Variable& variable) {
+  std::string text;
+  for (const auto& at : shown_elements(deck, variable)) text += assignment(deck, variable, at);
+  return text;
+}
+
+}  // namespace
+
+std::string effective_deck(const Deck& deck, const std::vector<std::string>& also) {
+  std::string text;
+  for (const auto& line : deck.header()) text += line + "\n";
+  for (const auto& group : deck.possible_groups()) {
+    if (group == published_group) continue;  // it says nothing to the run
+    const bool silent = chooses_path(group) && !deck.has_group(group);
+    if (silent && std::find(also.begin(), also.end(), group) == also.end()) continue;
+    std::string items;
+    for (const auto& variable : variables()) {
+      if (variable.group == group) items += assignments(deck, variable);
+    }
+    if (!items.empty() || deck.has_group(group)) text += fmt::format("${}\n{}$\n", group, items);
+  }
+  return text + deck.trailer().text;
+}
+
+namespace {
+
+constexpr std::string_view no_effect = "read, no effect";
+
+std::string trimmed_right(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+/// One line of `tether check`; all elements of an array that is not given share one, as does what has no default.
+std::string check_line(const Deck& deck, const Variable& variable, Subscript at, bool given) {
+  const auto name = given ? element_name(variable, at) : shape_text(variable);
+  const auto fallback = default_value(variable);
+  std::string value = "-", origin = fallback ? "default" : "not given", place;
+  if (given) {
+    const auto written = deck.value(variable.group, variable.name, at[0], at[1]);
+    value = value_text(written);
+    origin = "given";
+    const bool on_command_line = written.place.file == override_file;
+    place = fmt::format("{}{}:{}", on_command_line ? "--set " : "", written.place.line, written.place.column);
+  } else if (fallback) {
+    value = value_text(*fallback);
+  }
+  return trimmed_right(fmt::format("  {:<20} {:<24} {:<10} {:<14} {:<14} {}", name, value, origin, variable.unit, place,
+                                   variable.effect == Effect::none ? no_effect : ""));
+}
+
+std::string check_lines(const Deck& deck, const Variable& variable) {
+  const auto elements = deck.given_elements(variable.group, variable.name);
+  if (elements.empty()) return check_line(deck, variable, {1, 1}, false);
+  std::string text;
+  for (const auto& at : elements) text += check_line(deck, variable, at, true);
+  return text;
+}
+
+std::string type_word(ValueType type) {
+  switch (type) {
+    case ValueType::integer:
+      return "integer";
+    case ValueType::real:
+      return "real";
+    case ValueType::logical:
+      return "logical";
+    default:
+      return "text";
+  }
+}
+
+std::string fallback_text(const Variable& variable) {
+  if (variable.required) return "required";
+  return variable.fallback.empty() ? "-" : std::string(variable.fallback);
+}
+
+std::string listed_fallback(const Variable& variable) {
+  if (variable.required) return "required";
+  return variable.fallback.empty() ? "no default" : fmt::format("default {}", variable.fallback);
+}
+
+std::string meaning_text(const Variable& variable) {
+  return fmt::format("{}{}", variable.meaning, variable.effect == Effect::none ? " (Read, no effect.)" : "");
+}
+
+std::string or_dash(std::string_view text) { return text.empty() ? "-" : std::string(text); }
+
+}  // namespace
+
+std::string check_listing(const Deck& deck) {
+  std::string text;
+  for (const auto& group : deck.possible_groups()) {
+    text += fmt::format("${}{}\n", group, deck.has_group(group) ? "" : " (not in the deck)");
+    for (const auto& variable : variables()) {
+      if (variable.group == group) text += check_lines(deck, variable);
+    }
+  }
+  return text;
+}
+
+std::string variables_listing(std::string_view group) {
+  std::string text;
+  for (const auto& name : group_names()) {
+    if (!group.empty() && group != name) continue;
+    text += fmt::format("${}\n", name);
+    for (const auto& variable : variables()) {
+      if (variable.group != name) continue;
+      text += trimmed_right(fmt::format("  {:<20} {:<8} {:<13} {:<22} {:<18} {}", shape_text(variable),
+                                        type_word(variable.type), or_dash(variable.unit), or_dash(range_text(variable)),
+                                        listed_fallback(variable), meaning_text(variable)));
+    }
+  }
+  return text;
+}
+
+std::string variables_markdown() {
+  std::string text;
+  for (const auto& name : group_names()) {
+    text +=
+        fmt::format("{}## `${}`\n\n| name | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n",
+                    text.empty() ? "" : "\n", name);
+    for (const auto& variable : variables()) {
+      if (variable.group != name) continue;
+      text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", shape_text(variable), type_word(variable.type),
+                          or_dash(variable.unit), or_dash(range_text(variable)), fallback_text(variable),
+                          meaning_text(variable));
+    }
+  }
+  return text;
+}
+
+}  // namespace tether

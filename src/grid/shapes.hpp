@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "grid/mesh.hpp"
+
+namespace tether {
+
+// Shape functions of the finite elements: values and gradients in the reference element, and points and weights of
+// their quadrature. Templates chosen once a run.
+
+/// One-dimensional Lagrange functions of order p over -1 .. 1, nodes from left to right.
+template <int p>
+struct Line {
+  static constexpr int nodes = p + 1;
+  static std::array<double, nodes> values(double s) {
+    if constexpr (p == 1) {
+      return {0.5 * (1 - s), 0.5 * (1 + s)};
+    } else {
+      return {0.5 * s * (s - 1), 1 - s * s, 0.5 * s * (s + 1)};
+    }
+  }
+  static std::array<double, nodes> slopes(double s) {
+    if constexpr (p == 1) {
+      return {-0.5, 0.5};
+    } else {
+      return {s - 0.5, -2 * s, s + 0.5};
+    }
+  }
+  /// Gauss points p + 1: exact to order 2 p + 1, which is what a mass matrix of these functions needs.
+  static std::array<double, nodes> gauss_places() {
+    if constexpr (p == 1) {
+      const double s = 1 / std::sqrt(3.0);
+      return {-s, s};
+    } else {
+      const double s = std::sqrt(0.6);
+      return {-s, 0, s};
+    }
+  }
+  static std::array<double, nodes> gauss_weights() {
+    if constexpr (p == 1) {
+      return {1, 1};
+    } else {
+      return {5.0 / 9, 8.0 / 9, 5.0 / 9};
+    }
+  }
+};
+
+/// Product of `d` lines: quadrilaterals and hexahedra.
+template <int d, int p>
+struct Box {
+  static constexpr int dim = d, line = p + 1;
+  static constexpr int nodes = d == 1 ? line : d == 2 ? line * line : line * line * line;
+  static constexpr int points = nodes;
+
+  static std::array<double, nodes> values(const std::array<double, d>& s) {
+    std::array<std::array<double, line>, d> N;
+    for (int k = 0; k < d; ++k) N[k] = Line<p>::values(s[k]);
+    std::array<double, nodes> product;
+    for (int a = 0; a < nodes; ++a) {
+      product[a] = 1;
+      for (int k = 0, rest = a; k < d; ++k, rest /= line) product[a] *= N[k][rest % line];
+    }
+    return product;
+  }
+  /// Gradient of node a: numbers d a .. d a + d - 1.
+  static std::array<double, std::size_t{nodes} * d> gradients(const std::array<double, d>& s) {
+    std::array<std::array<double, line>, d> N, dN;
+    for (int k = 0; k < d; ++k) N[k] = Line<p>::values(s[k]), dN[k] = Line<p>::slopes(s[k]);
+    std::array<double, std::size_t{nodes} * d> product;
+    for (int a = 0; a < nodes; ++a) {
+      for (int i = 0; i < d; ++i) {
+        double value = 1;
+        for (int k = 0, rest = a; k < d; ++k, rest /= line) value *= k == i ? dN[k][rest % line] : N[k][rest % line];
+        product[a * d + i] = value;
+      }
+    }
+    return product;
+  }
+  static std::array<double, d> place(int point) {
+    const auto at = Line<p>::gauss_places();
+    std::array<double, d> s;
+    for (int k = 0, rest = point; k < d; ++k, rest /= line) s[k] = at[rest % line];
+    return s;
+  }
+  static double weight(int point) {
+    const auto w = Line<p>::gauss_weights();
+    double product = 1;
+    for (int k = 0, rest = point; k < d; ++k, rest /= line) product *= w[rest % line];
+    return product;
+  }
+};
+
+/// Linear triangles and tetrahedra over the corner of the unit cube; d + 1 points, exact to order 2.
+template <int d>
+struct Simplex {
+  static constexpr int dim = d, nodes = d + 1, points = d == 1 ? 2 : d + 1;
+
+  static std::array<double, nodes> values(const std::array<double, d>& s) {
+    std::array<double, nodes> N{1};
+    for (int k = 0; k < d; ++k) N[0] -= s[k], N[k + 1] = s[k];
+    return N;
+  }
+  static std::array<double, std::size_t{nodes} * d> gradients(const std::array<double, d>&) {
+    std::array<double, std::size_t{nodes} * d> G{};
+    for (int k = 0; k < d; ++k) G[k] = -1, G[(k + 1) * d + k] = 1;
+    return G;
+  }
+  /// Source: the symmetric rules of order 2 (A. H. Stroud, Approximate Calculation of Multiple Integrals, 1971).
+  static std::array<double, d> place(int point) {
+    const double near = d == 2 ? 2.0 / 3 : (5 + 3 * std::sqrt(5.0)) / 20, far = (1 - near) / d;
+    std::array<double, d> s;
+    for (int k = 0; k < d; ++k) s[k] = point == k + 1 ? near : far;
+    return s;
+  }
+  static double weight(int) { return d == 2 ? 1.0 / 6 : 1.0 / 24; }
+};
+
+/// The shape functions of a kind of element, and of its sides.
+template <ElementKind kind>
+struct ShapesOf;
+template <>
+struct ShapesOf<ElementKind::quad4> : Box<2, 1> {
+  using Side = Box<1, 1>;
+};
+template <>
+struct ShapesOf<ElementKind::quad9> : Box<2, 2> {
+  using Side = Box<1, 2>;
+};
+template <>
+struct ShapesOf<ElementKind::tri3> : Simplex<2> {
+  using Side = Box<1, 1>;
+};
+template <>
+struct ShapesOf<ElementKind::hex8> : Box<3, 1> {
+  using Side = Box<2, 1>;
+};
+template <>
+struct ShapesOf<ElementKind::hex27> : Box<3, 2> {
+  using Side = Box<2, 2>;
+};
+template <>
+struct ShapesOf<ElementKind::tet4> : Simplex<3> {
+  using Side = Simplex<2>;
+};
+
+/// Calls f with the shapes of the kind: the one place where a kind becomes a template.
+template <class Function>
+auto with_shapes(ElementKind kind, const Function& f) {
+  switch (kind) {
+    case ElementKind::quad4:
+      return f(ShapesOf<ElementKind::quad4>{});
+    case ElementKind::quad9:
+      return f(ShapesOf<ElementKind::quad9>{});
+    case ElementKind::tri3:
+      return f(ShapesOf<ElementKind::tri3>{});
+    case ElementKind::hex8:
+      return f(ShapesOf<ElementKind::hex8>{});
+    case ElementKind::hex27:
+      return f(ShapesOf<ElementKind::hex27>{});
+    case ElementKind::tet4:
+      break;
+  }
+  return f(ShapesOf<ElementKind::tet4>{});
+}
+
+/// Of an element's map from its reference element: determinant, and gradients of the shape functions in space, numbers
+/// dim a .. dim a + dim - 1 of node a [1/length].
+template <class Shapes>
+struct Jacobian {
+  double determinant = 0;
+  std::array<double, static_cast<std::size_t>(Shapes::nodes* Shapes::dim)> gradients{};
+};
+
+/// Inverse (in place) and determinant of a 2 x 2 or 3 x 3 matrix, row-major.
+inline double invert(std::array<double, 4>& m) {
+  const double det = m[0] * m[3] - m[1] * m[2];
+  m = {m[3] / det, -m[1] / det, -m[2] / det, m[0] / det};
+  return det;
+}
+inline double invert(std::array<double, 9>& m) {
+  const double c0 = m[4] * m[8] - m[5] * m[7], c1 = m[5] * m[6] - m[3] * m[8], c2 = m[3] * m[7] - m[4] * m[6];
+  const double det = m[0] * c0 + m[1] * c1 + m[2] * c2;
+  m = {c0 / det, (m[2] * m[7] - m[1] * m[8]) / det, (m[1] * m[5] - m[2] * m[4]) / det,
+       c1 / det, (m[0] * m[8] - m[2] * m[6]) / det, (m[2] * m[3] - m[0] * m[5]) / det,
+       c2 / det, (m[1] * m[6] - m[0] * m[7]) / det, (m[0] * m[4] - m[1] * m[3]) / det};
+  return det;
+}
+
+template <class Shapes>
+Jacobian<Shapes> jacobian_at(const Mesh& mesh, std::size_t e, const std::array<double, Shapes::dim>& s) {
+  constexpr int dim = Shapes::dim;
+  const auto G = Shapes::gradients(s);
+  const int* nodes = mesh.element(e);
+  std::array<double, static_cast<std::size_t>(dim * dim)> J{};  // dx_i / ds_j
+  for (int a = 0; a < Shapes::nodes; ++a) {
+    const double* x = &mesh.x[static_cast<std::size_t>(nodes[a]) * dim];
+    for (int i = 0; i < dim; ++i) {
+      for (int j = 0; j < dim; ++j) J[i * dim + j] += x[i] * G[a * dim + j];
+    }
+  }
+  Jacobian<Shapes> result;
+  result.determinant = invert(J);
+  for (int a = 0; a < Shapes::nodes; ++a) {
+    for (int i = 0; i < dim; ++i) {
+      for (int j = 0; j < dim; ++j) result.gradients[a * dim + i] += G[a * dim + j] * J[j * dim + i];
+    }
+  }
+  return result;
+}
+
+}  // namespace tether

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/coupling_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "model/coupled.hpp"
+#include "physics/box/film_pressures.hpp"
+#include "physics/box/pressure_sampler.hpp"
+
+namespace tether::coupled {
+namespace {
+
+using Entry = Eigen::Triplet<double, std::int64_t>;
+
+CouplingMatrix matrix_of(const std::vector<Entry>& entries, std::size_t rows, std::size_t columns) {
+  CouplingMatrix B(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(columns));
+  B.setFromTriplets(entries.begin(), entries.end());
+  return B;
+}
+
+class MapByPressures {
+ public:
+  MapByPressures(const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut)
+      : of_(of), sampler_(sampler), cut_(cut), dim_(of.surface.dim) {
+    seen_.assign(at(of.surface.sheets * of.domain.regions), 0.0);
+  }
+
+  CouplingMap map(std::size_t unknowns) {
+    std::vector<int> before;
+    for (const SurfacePiece& piece : of_.pieces.pieces) before.push_back(sampler_.cell_before(piece));
+    open_side_ = open_sides_before(of_.pieces, of_.domain, sampler_, before);
+    const FilmPressures films({.surface = of_.surface,
+                               .q = sampler_.places(),
+                               .pieces = of_.pieces,
+                               .domain = of_.domain,
+                               .sampler = sampler_,
+                               .before = before,
+                               .open_side = open_side_});
+    outside_.assign(unknowns, 0.0), film_weight_.assign(unknowns, 0.0);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const SurfacePiece& piece = of_.pieces.pieces[k];
+      if (open_side_[k] >= 0) {
+        add_before_side(piece, open_side_[k]);
+      } else if (before[k] >= 0) {
+        add(piece, at(before[k]));
+      } else {
+        const auto pressure = films.on(k);
+        add_film(piece, pressure);
+        add_film_weight(piece, films, k, pressure);
+        add_outside(piece, films, k);
+      }
+    }
+    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_, outside_, film_weight_};
+  }
+
+ private:
+  void add(const SurfacePiece& piece, std::size_t before) {
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, area);
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      const PressureStencil whole = sampler_.at(point.x, before);
+      for (int axis = 0; axis < dim_; ++axis) {
+        PressureStencil stencil = whole;
+        const double by_area = -area[at(axis)] * point.part;
+        if (cut_ != nullptr) {
+          const double p = take_cut(piece.cell, axis, point.x[at(axis)], stencil);
+          if (p != 0) push(piece.side, point, axis, by_area * p, outside_);
+        }
+        add(piece.side, point, stencil, axis, by_area);
+      }
+    }
+  }
+
+  /// The pressure of the side, with parts of cells linear towards it from the cell that the piece is in.
+  void add_before_side(const SurfacePiece& piece, int side) {
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      for (int axis = 0; axis < dim_; ++axis) {
+        const double by_area = -area[at(axis)] * point.part;
+        PressureStencil stencil;
+        double p = cut_ != nullptr ? take_cut(piece.cell, axis, point.x[at(axis)], stencil) : 0;
+        if (stencil.size == 0 && of_.outside != nullptr) p = of_.outside->pressure_beyond(side, point.x[1]);
+        if (p != 0) push(piece.side, point, axis, by_area * p, outside_);
+        add(piece.side, point, stencil, axis, by_area);
+      }
+    }
+  }
+
+  /// One pressure all over the piece. Parts of cells say nothing about what is thinner than half a cell.
+  void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure) {
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    const auto nodes = of_.surface.side(at(piece.side));
+    Vector share{};
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        share[a] += of_.pieces.points[k].part * of_.pieces.points[k].share[a];
+    }
+    for (const auto& [cell, weight] : pressure) {
+      const int row = of_.numbers.of_cell[cell];
+      if (row < 0) continue;  // void
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        for (int axis = 0; axis < dim_; ++axis)
+          entries_.emplace_back(row, nodes[a] * dim_ + axis, -weight * share[a] * area[at(axis)]);
+      }
+    }
+  }
+
+  /// Harmonic from rim to rim is what the pressure differs by from that at rest at the same height: from the heights of
+  /// the rims, and of the cells whose pressures theirs are, to that of the piece it grows as that at rest does.
+  void add_film_weight(const SurfacePiece& piece, const FilmPressures& films, std::size_t number,
+                       const std::vector<std::pair<std::size_t, double>>& pressure) {
+    if (of_.outside == nullptr) return;
+    const auto at_rest = [&](const Vector& x) { return of_.outside->pressure(x[1]); };
+    double whole = films.outside_on(number, [](std::size_t) { return 1.0; });  // parts of rims, and these at rest
+    double rims = films.outside_on(number, [&](std::size_t rim) { return at_rest(of_.pieces.pieces[rim].middle); });
+    for (const auto& [cell, weight] : pressure) {
+      if (of_.numbers.of_cell[cell] < 0) continue;  // void
+      whole += weight, rims += weight * at_rest(of_.domain.grid.middle(of_.domain.grid.place_of_cell(cell)));
+    }
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      const double p = whole * at_rest(point.x) - rims;
+      for (int axis = 0; axis < dim_; ++axis)
+        push(piece.side, point, axis, -area[at(axis)] * point.part * p, film_weight_);
+    }
+  }
+
+  /// The pressure of the fluid outside on what is beyond an open side, and its share of that in a film.
+  void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number) {
+    if (of_.outside == nullptr) return;
+    const Vector& area = of_.pieces.area[at(piece.side)];
+    const int beyond = side_before(piece.middle);
+    const double in_film = beyond >= 0 ? 0 : films.outside_on(number, [&](std::size_t rim) {
+      const Vector& x = of_.pieces.pieces[rim].middle;
+      const int side = open_side_[rim] >= 0 ? open_side_[rim] : side_before(x);
+      return side < 0 ? 0 : of_.outside->pressure_beyond(side, x[1]);
+    });
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
+      const SurfacePoint& point = of_.pieces.points[k];
+      const double p = beyond >= 0 ? of_.outside->pressure_beyond(beyond, point.x[1]) : in_film;
+      for (int axis = 0; axis < dim_; ++axis) push(piece.side, point, axis, -area[at(axis)] * point.part * p, outside_);
+    }
+  }
+
+  void push(int side, const SurfacePoint& point, int axis, double force, std::vector<double>& forces) const {
+    const auto nodes = of_.surface.side(at(side));
+    for (std::size_t a = 0; a < nodes.size(); ++a) forces[at(nodes[a] * dim_ + axis)] += point.share[a] * force;
+  }
+
+  /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
+  int side_before(const Vector& x) const {
+    const StaggeredGrid& grid = of_.domain.grid;
+    int beyond = -1;
+    for (int side = 0; side < 2 * dim_; ++side) {
+      const int axis = axis_of_side(side);
+      const bool is_beyond = is_low_side(side) ? x[at(axis)] < grid.low[at(axis)] : x[at(axis)] > grid.high(axis);
+      if (is_beyond && (beyond < 0 || of_.outside->presses(side))) beyond = side;
+    }
+    return beyond;
+  }
+
+  void see(const SurfacePiece& piece, int region, const Vector& area) {
+    double part = 0;
+    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) part += of_.pieces.points[k].part;
+    seen_[at(of_.surface.sheet[at(piece.side)] * of_.domain.regions + region)] +=
+        part * std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+  }
+
+  void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, double area) {
+    const auto nodes = of_.surface.side(at(side));
+    for (std::size_t s = 0; s < stencil.size; ++s) {
+      const int row = of_.numbers.of_cell[stencil.cell[s]];
+      if (row < 0) continue;  // void
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        entries_.emplace_back(row, nodes[a] * dim_ + axis, stencil.weight[s] * point.share[a] * area);
+    }
+  }
+
+  /// Between the middles on both sides of x along the axis, in the row of the piece's cell; at walls, and where the
+  /// other cell has no fluid or there is none between the two, constant; to that outside at open sides, whose part is
+  /// returned. Nothing where a cell is thin.
+  double take_cut(std::array<int, 3> cell, int axis, double x, PressureStencil& stencil) const {
+    const StaggeredGrid& grid = of_.domain.grid;
+    const double box = (x - grid.low[at(axis)]) / grid.d[at(axis)] - 0.5;
+    const int low = static_cast<int>(std::floor(box));
+    for (std::size_t i = 0; i < 3; ++i) cell[i] = std::clamp(cell[i], 0, grid.n[i] - 1);  // of a piece in a side
+    std::array<int, 2> beside{};
+    for (const int end : {0, 1}) {
+      cell[at(axis)] = low + end;
+      beside[at(end)] = grid.has_cell(cell) ? static_cast<int>(grid.cell(cell)) : -1;
+    }
+    cell[at(axis)] = low + 1;
+    const bool open = of_.domain.face[at(axis)][grid.face(axis, cell)] == FaceKind::open;
+    for (const int c : beside) {
+      if (c >= 0 && cut_->thin[at(c)] != 0) return 0;
+    }
+    const auto holds = [&](int c) { return c >= 0 && of_.domain.kind[at(c)] == CellKind::fluid; };
+    const auto [a, b] = beside;
+    const double t = box - low;
+    PressureStencil linear;
+    if (open && a >= 0 && b >= 0) {
+      linear.add(at(a), 1 - t), linear.add(at(b), t);
+    } else if (open) {
+      linear.add(at(std::max(a, b)), a < 0 ? 2 * t - 1 : 1 - 2 * t);
+    } else if (holds(std::max(a, b)) && lets_out(axis, cell, a, b)) {
+      stencil = {};  // next to nothing is left of the fluid before the side
+      return pressure_beyond(axis, cell, a);
+    } else if (holds(a) || holds(b)) {
+      const bool lower = holds(a) && (t < 0.5 || !holds(b));  // both: at the end of a box without fluid
+      linear.add(at(lower ? a : b), 1);
+    } else {
+      return 0;
+    }
+    stencil = linear;
+    if (!open || of_.outside == nullptr || (a >= 0 && b >= 0)) return 0;
+    return (1 - linear.weight[0]) * pressure_beyond(axis, cell, a);
+  }
+
+  /// Whether the face is one of the box's sides, open but for solids.
+  bool lets_out(int axis, const std::array<int, 3>& face, int low, int high) const {
+    if (low >= 0 && high >= 0) return false;
+    return of_.domain.sides && of_.domain.sides->open(axis, of_.domain.grid.face(axis, face)) > 0;
+  }
+  double pressure_beyond(int axis, const std::array<int, 3>& face, int low) const {
+    if (of_.outside == nullptr) return 0;
+    const StaggeredGrid& grid = of_.domain.grid;
+    const double y = axis == 1 ? grid.face_place(1, face[1]) : grid.middle(1, face[1]);
+    return of_.outside->pressure_beyond(2 * axis + (low < 0 ? 0 : 1), y);
+  }
+
+  const CoupledSurface& of_;
+  const PressureSampler& sampler_;
+  const CutCells* cut_;
+  int dim_;
+  std::vector<Entry> entries_;
+  std::vector<double> seen_;
+  std::vector<double> outside_, film_weight_;
+  std::vector<int> open_side_;  // of each piece the one straight before it
+};
+
+}  // namespace
+
+PressureNumbers number_pressures(const FlowDomain& domain) {
+  PressureNumbers numbers;
+  numbers.of_cell.assign(domain.kind.size(), -1);
+  for (std::size_t c = 0; c < domain.kind.size(); ++c) {
+    if (domain.kind[c] != CellKind::fluid) continue;
+    numbers.of_cell[c] = static_cast<int>(numbers.cell.size());
+    numbers.cell.push_back(c);
+  }
+  return numbers;
+}
+
+CouplingMap map_by_pressures(const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut,
+                             std::size_t unknowns) {
+  return MapByPressures(of, sampler, cut).map(unknowns);
+}
+
+CouplingMatrix map_by_crossings(const CoupledSurface& of, const Crossings& crossings, std::size_t unknowns) {
+  const StaggeredGrid& grid = of.domain.grid;
+  std::vector<Entry> entries;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
+      if (crossings.lowest[at(axis)][f] < 0) continue;
+      const auto beside = cells_beside(grid, axis, f);
+      for (const int end : {0, 1}) {  // each cell sees the surface that is nearest to its middle
+        const int row = beside[at(end)] < 0 ? -1 : of.numbers.of_cell[at(beside[at(end)])];
+        if (row < 0) continue;
+        const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
+        const Crossing& crossing = crossings.all[at(nearest)];
+        const double out = end == 0 ? grid.area(axis) : -grid.area(axis);
+        const auto nodes = of.surface.side(at(crossing.side));
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          entries.emplace_back(row, nodes[a] * grid.dim + axis, out * crossing.share[a]);
+      }
+    }
+  }
+  return matrix_of(entries, of.numbers.cell.size(), unknowns);
+}
+
+}  // namespace tether::coupled

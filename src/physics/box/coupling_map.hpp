@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <vector>
+
+#include "physics/box/outside.hpp"
+#include "physics/box/pressure_sampler.hpp"
+
+namespace tether::coupled {
+
+/// Rows are pressures, columns velocities of the solids' nodes, dim a node.
+using CouplingMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
+
+/// Numbers of the pressures: of each cell, from 0; -1 without one.
+struct PressureNumbers {
+  std::vector<int> of_cell;
+  std::vector<std::size_t> cell;  ///< of each pressure
+};
+PressureNumbers number_pressures(const FlowDomain& domain);
+
+/// All that flow and solids know of each other: B u is the flux out of the fluid's cells that velocities u of the
+/// solids' nodes cause, positive where a surface recedes [volume/time], and B^T p the pressure's force on them [force].
+struct CouplingMap {
+  CouplingMatrix B;
+  /// Of each sheet of the surface the area that each region of the fluid sees: region r of sheet s at s regions + r.
+  std::vector<double> area_seen;
+  /// What the fluid beyond open sides does to the solids, in addition to B^T p: to what of them is beyond, and where
+  /// pressures between the last cells and an open side, or in a film that ends beyond it, are its own in part [force].
+  std::vector<double> outside;
+  /// What the weight of the fluid in films does to the solids, in addition to B^T p, which has the pressures of their
+  /// rims at the heights of these: in a film at rest it grows downwards [force].
+  std::vector<double> film_weight;
+};
+
+/// What a map is made from: the surface where it is now, and the fluid about it.
+struct CoupledSurface {
+  const SolidSurface& surface;
+  const SurfacePieces& pieces;
+  const FlowDomain& domain;
+  const PressureNumbers& numbers;
+  const Outside* outside = nullptr;  ///< null: of no pressure
+};
+
+/// By pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before the surface it
+/// has the pressure of the film there. With `cut`, where neither cell is thin,
+/// pressures are linear along each axis between the middles of the cells on both sides of the point.
+CouplingMap map_by_pressures(const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut,
+                             std::size_t unknowns);
+
+/// By the lines between cells' middles: the flux through a closed face is that of the solid where the line meets it.
+/// The paper's D1 H, with the sign of B.
+CouplingMatrix map_by_crossings(const CoupledSurface& at, const Crossings& crossings, std::size_t unknowns);
+
+}  // namespace tether::coupled

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "grid/crossings.hpp"
+#include "model/coupled.hpp"
+#include "physics/box/closed_regions.hpp"
+#include "physics/box/cut_cells.hpp"
+#include "physics/box/outside.hpp"
+#include "physics/box/smoke.hpp"
+
+namespace tether::coupled {
+
+/// The box without solids: obstacles, voids, walls, jets and open sides.
+class FlowBox {
+ public:
+  explicit FlowBox(const Coupled& scene);
+
+  /// The domain that solids leave: cells whose middle lies in one hold no fluid, faces between whose cells' middles a
+  /// surface passes are closed. Where the scene wants fluid in cavities alone, the rest is void.
+  FlowDomain around(const Crossings& crossings) const;
+  /// The same with the open parts of faces: cells whose middle lies in a solid hold fluid where a face of theirs is
+  /// open.
+  FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
+  /// Sets the velocities of prescribed faces in a step of length h: jets have their mean speeds [velocity].
+  void prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const;
+  /// What jets bring in through the faces that they have in a step, by their shares of what comes in there.
+  std::vector<SmokeJet> smoke_of_jets(double time, double h) const;
+
+ private:
+  void open_faces(const Crossings& crossings, FlowDomain& domain) const;
+  void fill_cut_cells(const CutCells& cut, FlowDomain& domain) const;
+  void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;
+  std::vector<double> jet_speeds(double time, double h) const;
+  /// How much of a face is open: less than 1 of faces in the box's sides alone.
+  double open_part(int axis, std::size_t face, FaceKind kind) const;
+  FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;
+  FaceKind kind_at_side(int axis, std::size_t face, CellKind cell) const;
+
+  const Coupled& scene_;
+  std::vector<CellKind> kind_;
+  std::shared_ptr<const SideFaces> side_faces_;
+};
+
+/// Numbers the parts of the fluid that open faces join.
+void find_regions(FlowDomain& domain);
+/// Takes the fluid out of the marked regions, and numbers the others anew.
+void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain);
+
+/// Where the solids are and what that makes of the fluid: what a step begins with.
+struct Placement {
+  SurfacePieces pieces;
+  Crossings crossings;
+  CutCells cut;
+  FlowDomain domain;
+  PressureNumbers numbers;
+  CouplingMap map;
+  CouplingMatrix crossing_map;  ///< of the paper's own mode
+};
+
+/// Places solids in the box. All of its arguments must outlive it.
+class Placer {
+ public:
+  Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside)
+      : scene_(scene), surface_(surface), box_(box), outside_(outside) {}
+
+  /// With the solids' nodes at q.
+  Placement at(std::span<const double> q) const;
+
+ private:
+  void map(std::span<const double> q, Placement& at) const;
+
+  const Coupled& scene_;
+  const SolidSurface& surface_;
+  const FlowBox& box_;
+  const Outside& outside_;
+};
+
+}  // namespace tether::coupled

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/solid_equations.hpp"
+
+#include <algorithm>
+
+#include "base/numbers.hpp"
+#include "physics/box/matrix.hpp"
+
+namespace tether::coupled {
+namespace {
+
+/// Each spring's stiffness, in shares of its nodes' masses.
+std::vector<double> spring_stiffness(const Coupled& scene, const fem::SolidSystem& system) {
+  const std::size_t d = at(system.dim());
+  std::vector<double> stiffness(system.unknowns(), 0.0);
+  for (const Spring& spring : scene.springs) {
+    double mass = 0;
+    for (const int node : spring.nodes) mass += system.lumped[at(node)];
+    for (const int node : spring.nodes) {
+      for (std::size_t i = 0; i < d; ++i)
+        stiffness[at(node) * d + i] += spring.stiffness[i] * system.lumped[at(node)] / mass;
+    }
+  }
+  return stiffness;
+}
+
+}  // namespace
+
+SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, double gravity)
+    : system(solids, gravity),
+      A(system.pattern.matrix()),
+      b(system.unknowns()),
+      external(system.unknowns()),
+      held(system.held),
+      scene_(scene),
+      stiffness_(A),
+      internal_(system.unknowns()),
+      spring_(spring_stiffness(scene, system)),
+      work_(system.unknowns()) {}
+
+/// matrix += factor M, the consistent mass for each direction: a column's rows stand in it node by node, dim each.
+void SolidEquations::add_mass(double factor, SparseMatrix& matrix) const {
+  const SparseMatrix& M = system.mass;
+  const std::int64_t d = system.dim();
+  for (std::int64_t node = 0; node < M.n; ++node) {
+    for (std::int64_t i = 0; i < d; ++i) {
+      const std::int64_t first = matrix.start[static_cast<std::size_t>(d * node + i)];
+      for (std::int64_t k = M.start[static_cast<std::size_t>(node)]; k < M.start[static_cast<std::size_t>(node + 1)];
+           ++k) {
+        const std::int64_t rank = k - M.start[static_cast<std::size_t>(node)];
+        matrix.value[static_cast<std::size_t>(first + d * rank + i)] += factor * M.value[static_cast<std::size_t>(k)];
+      }
+    }
+  }
+}
+
+/// Springs are part of K and K'.
+void SolidEquations::add_springs(std::span<const double> q, double factor, std::span<double> internal) {
+  for (std::size_t k = 0; k < spring_.size(); ++k) {
+    if (spring_[k] == 0) continue;
+    internal[k] += spring_[k] * (q[k] - system.solids.mesh.x[k]);
+    add_to_diagonal(A, static_cast<std::int64_t>(k), factor * spring_[k]);
+  }
+}
+
+/// The paper's step is (18), of order 1 in the velocity: A = M/h + C + h/2 K', b = M u0/h - h/2 K' u0 - K(d0) + f, with
+/// C = alpha M + beta K'. The trapezoidal rule has the mean of damping and stiffness at both ends: A = M/h + C/2 + h/4
+/// K', b = M u0/h - C u0/2 - h/4 K' u0 - K(d0) + f. (The paper's appendix calls the former trapezoidal; it takes the
+/// velocity's change from the acceleration at the end alone.) Springs are not damped.
+void SolidEquations::assemble(std::span<const double> q, std::span<const double> u, double time, double h) {
+  const Solids& solids = system.solids;
+  const bool paper = scene_.integrator == CoupledIntegrator::paper;
+  const double part = paper ? 1 : 0.5;                // of damping that u1 has
+  const double elastic = paper ? 0.5 * h : 0.25 * h;  // K' by u1, and by u0
+  system.external_forces(paper ? time + h : time + 0.5 * h, external);
+  stiffness_.set_zero();
+  system.elements->add_stiffness(q, scene_.convex, system.pattern, stiffness_);
+  for (std::size_t k = 0; k < A.value.size(); ++k) A.value[k] = (part * solids.beta + elastic) * stiffness_.value[k];
+  add_mass(1 / h + part * solids.alpha, A);
+  std::fill(internal_.begin(), internal_.end(), 0.0);
+  system.elements->add_forces(fem::StressAt::end, q, q, internal_);  // K(d0)
+  add_springs(q, elastic, internal_);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] = external[k] - internal_[k];
+  system.multiply_mass(u, work_);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] += (1 / h - (1 - part) * solids.alpha) * work_[k];
+  stiffness_.multiply(u, work_);
+  for (std::size_t k = 0; k < b.size(); ++k)
+    b[k] -= ((1 - part) * solids.beta + elastic) * work_[k] + elastic * spring_[k] * u[k];
+}
+
+/// K' acts on the step's way by the paper's step, by the trapezoidal rule on half of it.
+void SolidEquations::add_lifts(std::span<const double> lifts, std::span<double> b) const {
+  if (std::all_of(lifts.begin(), lifts.end(), [](double lift) { return lift == 0; })) return;
+  const double part = scene_.integrator == CoupledIntegrator::paper ? 1 : 0.5;
+  std::vector<double> force(b.size());
+  stiffness_.multiply(lifts, force);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] -= part * (force[k] + spring_[k] * lifts[k]);
+}
+
+/// The paper's step has K' act on the whole of the way and damping by u1, the trapezoidal rule on half of the way and
+/// by the mean velocity.
+SolidEquations::Taken SolidEquations::taken(std::span<const double> u0, std::span<const double> u1,
+                                            std::span<const double> lifts, double h) {
+  const bool paper = scene_.integrator == CoupledIntegrator::paper;
+  const double part = paper ? 1 : 0.5;
+  std::vector<double> way(b.size()), farther(b.size()), rate(b.size()), force(b.size());
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    way[k] = 0.5 * h * (u0[k] + u1[k]), farther[k] = way[k] + lifts[k];
+    rate[k] = paper ? u1[k] : 0.5 * (u0[k] + u1[k]);
+  }
+  Taken taken;
+  stiffness_.multiply(farther, force);
+  for (std::size_t k = 0; k < b.size(); ++k)
+    taken.inside += way[k] * (internal_[k] + part * (force[k] + spring_[k] * farther[k]));
+  stiffness_.multiply(rate, force);
+  system.multiply_mass(rate, work_);
+  for (std::size_t k = 0; k < b.size(); ++k)
+    taken.damping += way[k] * (system.solids.beta * force[k] + system.solids.alpha * work_[k]);
+  return taken;
+}
+
+SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) const {
+  const double half = scene_.integrator == CoupledIntegrator::paper ? 0.5 * h : 0;
+  SparseMatrix R = system.pattern.matrix();
+  system.elements->add_stiffness(q, scene_.convex, system.pattern, R);
+  for (double& value : R.value) value *= half * system.solids.beta;
+  add_mass(1 + half * system.solids.alpha, R);
+  return R;
+}
+
+double SolidEquations::spring_energy(std::span<const double> q) const {
+  double energy = 0;
+  for (std::size_t k = 0; k < spring_.size(); ++k) {
+    const double stretch = q[k] - system.solids.mesh.x[k];
+    energy += 0.5 * spring_[k] * stretch * stretch;
+  }
+  return energy;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/coupled.hpp"
+#include "physics/solids/system.hpp"
+
+namespace tether::coupled {
+
+/// The solids' side of the coupled equations (4): A u1 - B^T p = b [force], with the stiffness linearised at the step's
+/// start. Vectors have dim numbers a node.
+class SolidEquations {
+ public:
+  /// Both must outlive the equations.
+  SolidEquations(const Coupled& scene, const Solids& solids, double gravity);
+
+  /// Makes A and b of the step of length h from places q and velocities u at `time`.
+  void assemble(std::span<const double> q, std::span<const double> u, double time, double h);
+  /// Adds to b what the solids' stiffness does when the step takes them farther than (5) by `lifts` [length].
+  void add_lifts(std::span<const double> lifts, std::span<double> b) const;
+  /// What the solids' own forces take on the way of a step from velocities u0 to u1, as its equations have them: of K
+  /// with springs and lifts, and of damping.
+  struct Taken {
+    double inside = 0, damping = 0;  ///< [energy]
+  };
+  Taken taken(std::span<const double> u0, std::span<const double> u1, std::span<const double> lifts, double h);
+  /// What resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by the
+  /// trapezoidal rule; rows of velocities that are held, too [mass].
+  SparseMatrix resistance(std::span<const double> q, double h) const;
+  /// Energy that springs store at q [energy].
+  double spring_energy(std::span<const double> q) const;
+
+  const fem::SolidSystem system;
+  SparseMatrix A;                  ///< [mass/time]
+  std::vector<double> b;           ///< [force]
+  std::vector<double> external;    ///< loads and gravity of the step, part of b [force]
+  std::vector<std::uint8_t> held;  ///< velocities that supports prescribe
+
+ private:
+  void add_mass(double factor, SparseMatrix& A) const;
+  void add_springs(std::span<const double> q, double factor, std::span<double> internal);
+
+  const Coupled& scene_;
+  SparseMatrix stiffness_;        // K'
+  std::vector<double> internal_;  // K(d0) with springs [force]
+  std::vector<double> spring_;    // stiffness of each unknown [force/length]
+  std::vector<double> work_;
+};
+
+}  // namespace tether::coupled

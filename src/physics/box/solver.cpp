@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/solver.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <utility>
+
+#include "physics/box/splitting_limit.hpp"
+#include "physics/solids/fields.hpp"
+#include "physics/step_time.hpp"
+
+namespace tether::coupled {
+namespace {
+
+/// No solids, in the dimensions of the box.
+Solids no_solids(const Coupled& scene) {
+  Solids none;
+  none.mesh.kind = scene.grid.dim == 2 ? ElementKind::tri3 : ElementKind::tet4;
+  return none;
+}
+
+const Solids& solids_of(const Plan& plan, const Solids& none) {
+  return plan.scene.solids() ? *plan.scene.solids() : none;
+}
+
+}  // namespace
+
+CoupledSolver::CoupledSolver(const Plan& plan)
+    : plan_(plan),
+      none_(no_solids(*plan.scene.coupled())),
+      step_(plan.scene, solids_of(plan, none_)),
+      fields_(plan.scene, step_),
+      state_(step_.start()),
+      overlaps_(step_.solids().system.solids) {
+  std::vector<std::string> told_by_the_deck;
+  overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
+  if (plan.scene.coupled()->mode != CouplingMode::splitting) return;
+  const auto outlook = splitting_outlook(plan.scene, plan.step.deck_step);
+  if (!outlook) return;
+  ratio_ = outlook->ratio;
+  if (!outlook->holds) messages_.push_back("mode='splitting' is likely to fail " + outlook->why);
+}
+
+void CoupledSolver::advance(double until) {
+  const double tmax = plan_.scene.clock.tmax;
+  while (state_.time < until && state_.time < tmax) {
+    const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
+    const bool last = tmax - state_.time <= h;
+    const CoupledState before = step_.may_stop(h) ? state_ : CoupledState{};
+    if (!step_.advance(state_, h)) {
+      state_ = before;
+      return;
+    }
+    add_compensated(state_.time, state_.time_lost, h);
+    if (last) state_.time = tmax, state_.time_lost = 0;
+    look_for_overlaps();
+    ++state_.steps;
+    state_.dt_last = h;
+    if (state_.dt_min == 0 || (!last && h < state_.dt_min)) state_.dt_min = h;
+  }
+}
+
+void CoupledSolver::look_for_overlaps() { overlaps_.look(state_.q, state_.time, state_.overlap, messages_); }
+
+RunCounts CoupledSolver::counts() const {
+  RunCounts counts;
+  counts.steps = state_.steps;
+  counts.points = plan_.scene.coupled()->grid.cell_count() + step_.solids().system.lumped.size();
+  counts.point_steps = state_.steps * static_cast<long long>(counts.points);
+  const auto& kind = step_.domain().kind;
+  counts.cells_active = static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
+  counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
+  return counts;
+}
+
+std::vector<std::string> CoupledSolver::take_messages() {
+  std::vector<std::string> messages = std::exchange(messages_, {});
+  for (std::string& message : step_.take_messages()) messages.push_back(std::move(message));
+  return messages;
+}
+
+std::string CoupledSolver::worst_element() const {
+  return plan_.scene.solids() ? fem::worst_element(step_.solids().system, state_.q) : std::string();
+}
+
+SavedState CoupledSolver::save() const {
+  StateSaver saver;
+  CoupledState state = state_;
+  state.orders = step_.orders();
+  exchange(saver, state);
+  return saver.take();
+}
+
+void CoupledSolver::restore(const SavedState& saved) {
+  StateRestorer restorer(saved);
+  exchange(restorer, state_);
+  take_messages();  // of the start: the run has them
+  step_.resume(state_);
+}
+
+std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step_.system().cost().solve}}; }
+
+Summary CoupledSolver::more_summary() const {
+  const SystemCost& cost = step_.system().cost();
+  const auto number = [](auto value) { return fmt::format("{}", value); };
+  Summary summary{{"mode", std::string(word_of(plan_.scene.coupled()->mode))},
+                  {"linear_solver", step_.system().solver_name()},
+                  {"unknowns", number(state_.q.size() + plan_.scene.coupled()->grid.cell_count())},
+                  {"krylov_iterations", number(state_.iterations)},
+                  {"lu_solutions", number(state_.lu_solutions)},
+                  {"factor_nonzeros", number(cost.factor_nonzeros)},
+                  {"contact_solutions", number(state_.contact_solutions)},
+                  {"contact_unsettled", number(state_.contact_unsettled)},
+                  {"thin_cells", number(state_.thin_cells)},
+                  {"cfl_largest", number(state_.cfl_largest)},
+                  {"nodes_inside", number(state_.overlap.most)},
+                  {"bodies_left", number(std::count(state_.left.begin(), state_.left.end(), 1))},
+                  {"bodies_slip", number(plan_.scene.coupled()->viscosity > 0 ? state_.left.size() : 0)},
+                  {"interface_mismatch", number(state_.worst_mismatch)}};
+  const auto volume_of = [&](CellKind kind) {
+    const auto& kinds = step_.domain().kind;
+    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * plan_.scene.coupled()->grid.volume();
+  };
+  if (!plan_.scene.coupled()->obstacles.empty())
+    summary.emplace_back("obstacle_volume", number(volume_of(CellKind::wall)));
+  if (!plan_.scene.coupled()->voids.empty() && !plan_.scene.coupled()->cavities_only)
+    summary.emplace_back("void_volume", number(volume_of(CellKind::empty)));
+  if (ratio_) summary.emplace_back("added_mass_ratio", number(*ratio_));
+  return summary;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/coupled.hpp"
+#include "physics/box/contact.hpp"
+#include "physics/box/outside.hpp"
+#include "physics/box/smoke.hpp"
+#include "physics/solids/body_doubts.hpp"
+
+namespace tether::coupled {
+
+/// What a box has exchanged since the start: each number is the sum of its own terms, step by step [energy].
+struct EnergyBooks {
+  // What came in.
+  double jets = 0;        ///< by their pressure, and carried in
+  double open_sides = 0;  ///< by the pressure outside, on solids, too, and carried in: also from voids
+  double gravity = 0;     ///< work of gravity on the fluid
+  double buoyancy = 0;    ///< work of smoke and warmth on it
+  double loads = 0;       ///< work of loads and moved supports on the solids
+  // What went out or became heat.
+  double viscous = 0;  ///< what viscosity took
+  double damped = 0;   ///< what the solids' damping took
+  double contact = 0;  ///< what walls, obstacles and friction took of the solids
+  // What the method lost.
+  double advected = 0;    ///< as the fluid carried its velocity along
+  double remeshed = 0;    ///< as faces opened and closed at moving solids, and small ones took over their neighbours'
+  double projected = 0;   ///< by pressures that act a whole step at its end's velocity
+  double sources = 0;     ///< by the volume term
+  double coupling = 0;    ///< what the fluid gave less what the solids took
+  double solid_step = 0;  ///< what the solids' forces took in a step less what is stored of it
+};
+
+/// Kinetic energy that velocities carry in a time through the box's openings.
+struct CarriedIn {
+  double jets = 0, open_sides = 0;  ///< negative: out [energy]
+};
+
+/// Through faces of the box's sides, and those to voids, as open sides: rho |v|^2/2 times the flux; along a face the
+/// square is the mean of those on both sides of the fluid's cell.
+CarriedIn carried_in(const Coupled& scene, const FlowDomain& domain, const FaceValues& v, double h);
+
+/// a.b
+double product(std::span<const double> a, std::span<const double> b);
+
+/// What one step tells of itself.
+struct StepAccount {
+  double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]
+  double mismatch = 0;  ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
+                        ///< 1e-3 of the powers in the fluid
+  double cfl = 0;       ///< cells that the fluid crosses along an axis where it is fastest
+};
+
+/// All that changes in a run.
+struct CoupledState {
+  double time = 0, time_lost = 0;  // [time]
+  long long steps = 0;
+  double dt_last = 0, dt_min = 0;
+  FaceValues v;              ///< of the fluid, extended into the solids [velocity]
+  FaceValues driven;         ///< of a viscous one's open faces, by pressures and forces in the last step [acceleration]
+  std::vector<double> p;     ///< of each cell, extended into the solids [stress]
+  std::vector<double> q, u;  ///< places and velocities of the solids' nodes, dim numbers a node
+  std::vector<Touch> touches;  ///< of the nodes, a number a velocity
+  std::vector<double> fluid_force,
+      wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
+  Smoke smoke;
+  SmokeFlow smoke_flow;  ///< since the start
+  StepAccount last;
+  EnergyBooks books;
+  double worst_mismatch = 0;        ///< of all steps
+  double cfl_largest = 0;           ///< likewise
+  double work = 0;                  ///< that the solids have taken from the fluid [energy]
+  long long iterations = 0;         ///< of linear solvers
+  long long lu_solutions = 0;       ///< by factors where BiCGSTAB did not converge
+  std::vector<double> orders;       ///< of elimination, when the state was saved
+  long long contact_solutions = 0;  ///< solutions found again because of contact
+  long long unmeasured = 0;         ///< 1 once it was told that a closed volume is not held
+  fem::OverlapCount overlap;        ///< of the solids
+  std::vector<int> left;            ///< of each body, 1 once it was found to be wholly beyond a side of the box
+  long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
+  long long thin_cells = 0;         ///< most in any step at which bodies are thinner than a cell, by cut-cell
+};
+
+/// The parts of a state for saving and restoring; cells and faces do not change in number.
+template <class Exchange>
+void exchange(Exchange& with, CoupledState& state) {
+  with("time", state.time), with("time_lost", state.time_lost), with("steps", state.steps);
+  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
+  with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
+  with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
+  with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
+  with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
+  with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);
+  with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
+  with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);
+  with("worst_mismatch", state.worst_mismatch);
+  EnergyBooks& books = state.books;
+  with("jets", books.jets), with("open_sides", books.open_sides), with("gravity", books.gravity);
+  with("buoyancy", books.buoyancy), with("loads", books.loads), with("viscous", books.viscous);
+  with("damped", books.damped), with("contact", books.contact), with("advected", books.advected);
+  with("remeshed", books.remeshed), with("projected", books.projected), with("sources", books.sources);
+  with("coupling", books.coupling), with("solid_step", books.solid_step);
+  with("cfl", state.last.cfl), with("cfl_largest", state.cfl_largest);
+  with("work", state.work), with("contact_solutions", state.contact_solutions),
+      with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
+  fem::exchange(with, state.overlap);
+  with("left", state.left);
+  with("unmeasured", state.unmeasured);
+  with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);
+  with.list("orders", state.orders);
+}
+
+}  // namespace tether::coupled

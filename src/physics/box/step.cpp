@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "physics/box/carry_velocity.hpp"
+#include "physics/box/cut_faces.hpp"
+#include "physics/box/matrix.hpp"
+#include "physics/box/projection.hpp"
+#include "physics/box/smoke_follow.hpp"
+#include "physics/box/viscosity.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr int layers_around_fluid = 4;
+constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
+
+std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
+  std::vector<double> values(numbers.of_cell.size(), 0.0);
+  for (std::size_t k = 0; k < p.size(); ++k) values[numbers.cell[k]] = p[k];
+  return values;
+}
+
+template <class Value>
+std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Value>& values) {
+  std::vector<Value> p;
+  for (const std::size_t cell : numbers.cell) p.push_back(values[cell]);
+  return p;
+}
+
+/// By what goes through a face over all of its area: through the sliver that a solid leaves of one little does, however
+/// fast.
+double cells_crossed(const FlowDomain& domain, const FaceValues& v, double h) {
+  double most = 0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(domain.grid.dim); ++axis) {
+    for (std::size_t f = 0; f < v[axis].size(); ++f) {
+      if (domain.face[axis][f] != FaceKind::closed)
+        most = std::max(most, std::abs(v[axis][f]) * domain.area[axis][f] * h / domain.grid.volume());
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
+    : scene_(scene),
+      coupled_(*scene.coupled()),
+      surface_(surface_of(solids.mesh)),
+      solids_(coupled_, solids, scene.gravity),
+      box_(coupled_),
+      outside_(coupled_, scene.gravity),
+      placer_(coupled_, surface_, box_, outside_),
+      contact_(coupled_, surface_),
+      system_(coupled_),
+      first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
+
+void CoupledStep::resume(const CoupledState& state) {
+  at_ = placer_.at(state.q);
+  system_.keep_orders(state.orders);
+}
+
+/// One step of the paper, 3.1 to 3.3.
+bool CoupledStep::advance(CoupledState& state, double h) {
+  const std::vector<double> q0 = state.q, u0 = state.u;
+  if (!move_fluid_freely(state, h)) return false;     // (1) without pressure: v*
+  solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
+  const Solution solution = solve(state, h);          // (7), (8)
+  state.last.cfl = cells_crossed(at_.domain, state.v, h);
+  state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
+  carry_smoke_along(state, h);
+  const double found = energy_of(state.v);
+  const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
+  end_velocity(h, state.v);
+  if (coupled_.viscosity > 0) keep_drive(given, h, state);
+  move_solids(state, u0, h);  // (5)
+  book_solids(q0, u0, solution, state, h);
+  place_solids(state.time + h, state);
+  state.books.remeshed += found - energy_of(state.v);
+  return true;
+}
+
+bool CoupledStep::may_stop(double h) const {
+  return stop_ != nullptr && h * coupled_.viscosity > 0 &&
+         viscous_steps(coupled_.grid, coupled_.viscosity / coupled_.density, h) > steps_between_questions;
+}
+
+/// What the next step is to find, in cut faces and in the solids.
+void CoupledStep::end_velocity(double h, FaceValues& v) const {
+  if (coupled_.mode == CouplingMode::cut_cell) blend_cut_faces(at_.domain, h, v);
+  extend_velocity(at_.domain, v, layers_around_fluid);
+}
+
+/// What pressures and forces gave each open face in this step, and the end of the step after them: the viscosity of the
+/// next one sees it. `unforced_` holds what these changed.
+void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& state) const {
+  for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
+    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
+      const double change = unforced_[axis][f] + (state.v[axis][f] - given[axis][f]);
+      state.driven[axis][f] = at_.domain.face[axis][f] == FaceKind::open ? change / h : 0;
+    }
+  }
+}
+
+/// The fluid's cells change with them, and smoke goes where there is fluid.
+void CoupledStep::place_solids(double time, CoupledState& state) {
+  const FlowDomain before = std::move(at_.domain);
+  at_ = placer_.at(state.q);
+  if (coupled_.smoke) follow_domain(before, at_.domain, state.smoke);
+  note_thin_bodies(time, state);
+  note_bodies_that_left(time, state);
+}
+
+bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
+  box_.prescribe(at_.domain, state.time, h, state.v);
+  extend_velocity(at_.domain, state.v, layers_around_fluid);
+  carry_along(state, h);
+  if (coupled_.viscosity > 0) {
+    const double before = energy_of(state.v);
+    const double nu = coupled_.viscosity / coupled_.density;
+    if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, may_stop(h) ? stop_ : nullptr) < 0) return false;
+    state.books.viscous += before - energy_of(state.v);
+  }
+  unforced_ = state.v;
+  add_forces(state.smoke, h, state.v);
+  return true;
+}
+
+void CoupledStep::carry_along(CoupledState& state, double h) {
+  FaceValues carried = state.v;
+  carry_velocity(at_.domain, state.v, h, coupled_.advection, carried);
+  const CarriedIn in = carried_in(coupled_, at_.domain, state.v, h);
+  state.books.jets += in.jets, state.books.open_sides += in.open_sides;
+  state.books.advected += energy_of(state.v) + in.jets + in.open_sides - energy_of(carried);
+  state.v = std::move(carried);
+}
+
+/// Gravity, smoke and the pressure outside come last: at rest they are to the last digit what pressures balance, and
+/// viscosity, which walls feel, would leave no such sum.
+void CoupledStep::add_forces(const Smoke& smoke, double h, FaceValues& v) const {
+  for (std::size_t f = 0; f < v[1].size(); ++f) {
+    if (at_.domain.face[1][f] == FaceKind::open) v[1][f] += h * scene_.gravity;
+  }
+  if (coupled_.smoke) add_buoyancy(at_.domain, smoke, coupled_.smoke_lift, coupled_.smoke_weight, h, v);
+  outside_.press(at_.domain, h, v);
+}
+
+/// Contact decides which velocities are held; as these change, the equations are solved again.
+CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
+  const std::vector<double> u0 = state.u, flux = net_flux(at_.domain, at_.numbers, state.v);
+  Solution solution;
+  solution.p = of_cells(at_.numbers, state.p);
+  solution.L = pressure_matrix(at_.domain, at_.numbers, h / coupled_.density);
+  const SystemCost before = system_.cost();
+  std::vector<double> change(u0.size()), inertia(u0.size());
+  contact_.begin(state.q, u0, h, state.touches);
+  bool settled = false;
+  for (int k = 0; k < most_contact_solutions && !settled; ++k) {
+    if (k > 0) ++state.contact_solutions;
+    std::vector<std::uint8_t> held = solids_.held;
+    for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solids_.held[i] != 0 ? 0 : u0[i];
+    contact_.hold(state.touches, held, state.u);
+    solids_.system.move_supports(state.time + h, support_width * h, state.u);
+    solution.same_matrices = k > 0 && held == solution.held;
+    solution.held = std::move(held);
+    if (!solution.same_matrices) find_regions_of(state, h, solution);
+    if (k == 0) tell_of_unmeasured_volume(solution.regions, state);
+    solve_once(flux, state, solution);
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
+    solids_.system.multiply_mass(change, inertia);
+    settled = !contact_.changed(state.u, solution.wall_force, inertia, state.touches);
+  }
+  if (!settled) tell_of_unsettled_contact(state);
+  state.iterations += system_.cost().iterations - before.iterations;
+  state.lu_solutions += system_.cost().lu_solves - before.lu_solves;
+  const FaceValues free = state.v;
+  add_pressure(at_.domain, at_.numbers, solution.p, h / coupled_.density, state.v);  // (8)
+  account(free, solution, state, h);
+  state.p = on_cells(at_.numbers, solution.p);
+  extend_pressure(at_.domain, state.p, layers_around_fluid);
+  for (std::size_t k = 0; k < solution.friction.size(); ++k) {
+    state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k] + at_.map.film_weight[k];
+    state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
+  }
+  return solution;
+}
+
+/// With the volume term: what each cell takes of it.
+void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution& solution) const {
+  solution.regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,
+                                solution.held, h);
+  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  solution.source.assign(at_.numbers.cell.size(), 0.0);
+  for (std::size_t k = 0; k < solution.source.size(); ++k) {
+    const auto region = static_cast<std::size_t>(at_.domain.region[at_.numbers.cell[k]]);
+    if (coupled_.volume_term && !splitting && solution.regions.compliant[region] != 0)
+      solution.source[k] = solution.regions.source[region];
+  }
+}
+
+void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, Solution& solution) {
+  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  std::vector<double>& b = solution.b;
+  std::vector<double> r(flux.begin(), flux.end());
+  b = solids_.b;
+  solution.friction.assign(b.size(), 0.0);
+  contact_.add_friction(solution.friction);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + at_.map.outside[k] + at_.map.film_weight[k];
+  solution.lifts = contact_.lifts(state.touches, b.size());
+  solids_.add_lifts(solution.lifts, b);
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];
+  const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
+  std::vector<std::uint8_t> loose = solution.regions.closed;
+  for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
+    loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
+  const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at_.crossing_map : at_.map.B;
+  const CoupledEquations equations{solids_.A,
+                                   b,
+                                   at_.map.B,
+                                   caused,
+                                   solution.L,
+                                   r,
+                                   solution.held,
+                                   at_.numbers.cell,
+                                   at_.domain.kind.size(),
+                                   region,
+                                   solution.regions.closed,
+                                   loose,
+                                   solution.same_matrices};
+  solution.fluid_force.assign(b.size(), 0.0);
+  if (splitting) {
+    const std::vector<double> before = of_cells(at_.numbers, state.p);
+    add_transposed_product(at_.map.B, 1, before, solution.fluid_force);
+    system_.solve_solids(equations, state.time, state.u, before);
+    system_.solve_fluid(equations, state.time, state.u, solution.p);
+  } else {
+    system_.solve(equations, state.time, state.u, solution.p);
+    add_transposed_product(at_.map.B, 1, solution.p, solution.fluid_force);
+  }
+  solution.Au.resize(b.size()), solution.wall_force.resize(b.size());
+  solids_.A.multiply(state.u, solution.Au);
+  for (std::size_t k = 0; k < b.size(); ++k)  // what holds the velocities that are held
+    solution.wall_force[k] = solution.held[k] != 0 ? solution.Au[k] - b[k] - solution.fluid_force[k] : 0;
+}
+
+void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, double h) {
+  for (std::size_t k = 0; k < state.q.size(); ++k) state.q[k] += 0.5 * h * (u0[k] + state.u[k]);
+  solids_.system.place_supports(state.time + h, state.q);
+  contact_.place(state.q);
+  check(state);
+}
+
+/// The fluid's velocity of the deck, less what pressures take of it so that it flows round the solids.
+CoupledState CoupledStep::start() {
+  CoupledState state;
+  const Mesh& mesh = solids_.system.solids.mesh;
+  state.q = mesh.x;
+  state.u = fem::first_velocities(solids_.system);
+  solids_.system.place_supports(0, state.q);
+  solids_.system.move_supports(0, support_width * scene_.clock.tstep, state.u);
+  state.touches.assign(state.q.size(), Touch::away);
+  state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
+    state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
+  if (coupled_.viscosity > 0) state.driven = face_values(coupled_.grid);
+  state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
+  at_ = placer_.at(state.q);
+  box_.prescribe(at_.domain, 0, 0, state.v);
+  solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
+  const std::vector<double> r = net_flux(at_.domain, at_.numbers, state.v);
+  std::vector<double> p(r.size(), 0.0);
+  const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
+  const Regions regions = regions_of(at_.domain, at_.map, at_.numbers, first_volumes_, first_volumes_, solids_.held, 1);
+  system_.solve_fluid({solids_.A, solids_.b, at_.map.B, at_.map.B, pressure_matrix(at_.domain, at_.numbers, 1), r,
+                       solids_.held, at_.numbers.cell, at_.domain.kind.size(), region, regions.closed, regions.closed},
+                      0, state.u, p);
+  add_pressure(at_.domain, at_.numbers, p, 1, state.v);
+  end_velocity(scene_.clock.tstep, state.v);
+  state.p.assign(coupled_.grid.cell_count(), 0.0);
+  state.smoke = clean_smoke(at_.domain);
+  const FirstSmoke first = first_smoke(coupled_);
+  for (std::size_t c = 0; c < first.density.size(); ++c) {
+    state.smoke.smoke[c] = first.density[c] * state.smoke.volume[c];
+    state.smoke.heat[c] = first.temperature[c] * state.smoke.volume[c];
+  }
+  note_thin_bodies(0, state);
+  return state;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "physics/box/contact.hpp"
+#include "physics/box/flow_box.hpp"
+#include "physics/box/outside.hpp"
+#include "physics/box/solid_equations.hpp"
+#include "physics/box/state.hpp"
+#include "physics/box/system.hpp"
+#include "plan/plan.hpp"
+
+namespace tether::coupled {
+
+/// After these solutions of a step what touches stays as it is.
+constexpr int most_contact_solutions = 60;
+
+/// A step of fluid and solids together. The scene must outlive it.
+class CoupledStep {
+ public:
+  CoupledStep(const Scene& scene, const Solids& solids);
+
+  /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
+  CoupledState start();
+  /// False where it was stopped in the middle: the state then is neither that before nor that after.
+  bool advance(CoupledState& state, double h);
+  /// What much viscosity asks meanwhile; and whether it may.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+  bool may_stop(double h) const;
+
+  const SolidEquations& solids() const { return solids_; }
+  const SolidSurface& surface() const { return surface_; }
+  const CoupledSystem& system() const { return system_; }
+  /// Solids at q and the fluid about them.
+  Placement placed(std::span<const double> q) const { return placer_.at(q); }
+  /// The fluid about the solids as the last step left them.
+  const FlowDomain& domain() const { return at_.domain; }
+  /// What later steps depend on beside the state: the orders of elimination that have been found.
+  std::vector<double> orders() const { return system_.orders(); }
+  /// Goes on from a state that was saved with its orders.
+  void resume(const CoupledState& state);
+  std::vector<std::string> take_messages();
+
+ private:
+  /// What is found together: pressures, which velocities contact holds, and what holds them.
+  struct Solution {
+    std::vector<std::uint8_t> held;  ///< by supports and contact
+    bool same_matrices = false;      ///< nothing else is held than in the solution before
+    Regions regions;
+    SparseMatrix L;
+    std::vector<double> p;                                  ///< of each pressure [stress]
+    std::vector<double> b;                                  ///< of the solids, with friction and lifts [force]
+    std::vector<double> Au;                                 ///< A u1 [force]
+    std::vector<double> source;                             ///< volume term of each pressure [volume/time]
+    std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
+    std::vector<double> lifts;                              ///< of the nodes that contact halts [length]
+  };
+
+  bool move_fluid_freely(CoupledState& state, double h);
+  void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
+  Solution solve(CoupledState& state, double h);
+  void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
+  void solve_once(std::span<const double> flux, CoupledState& state, Solution& solution);
+  void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h);
+  void book_fluid(const Solution& solution, double moving, double let_in, double sources, CoupledState& state,
+                  double h);
+  void book_solids(std::span<const double> q0, std::span<const double> u0, const Solution& solution,
+                   CoupledState& state, double h);
+  double energy_of(const FaceValues& v) const;
+  double stored(std::span<const double> q) const;
+  std::vector<SmokeJet> smoke_sources(double time, double h) const;
+  void carry_smoke_along(CoupledState& state, double h) const;
+  void move_solids(CoupledState& state, std::span<const double> u0, double h);
+  void carry_along(CoupledState& state, double h);
+  void check(const CoupledState& state) const;
+  void tell_of_unsettled_contact(CoupledState& state);
+  void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
+  void end_velocity(double h, FaceValues& v) const;
+  void keep_drive(const FaceValues& given, double h, CoupledState& state) const;
+  void place_solids(double time, CoupledState& state);
+  void note_bodies_that_left(double time, CoupledState& state);
+  void note_thin_bodies(double time, CoupledState& state);
+
+  const Scene& scene_;
+  const Coupled& coupled_;
+  SolidSurface surface_;
+  SolidEquations solids_;
+  FlowBox box_;
+  Outside outside_;
+  Placer placer_;
+  Contact contact_;
+  CoupledSystem system_;
+  std::vector<std::string> messages_;
+  std::function<bool()> stop_;
+  Placement at_;                       // of the solids now
+  FaceValues unforced_;                // velocities before forces and pressures act; then what these change
+  std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
+};
+
+}  // namespace tether::coupled

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics.hpp"
+#include "physics/box/bodies.hpp"
+#include "physics/box/closed_regions.hpp"
+#include "physics/box/matrix.hpp"
+#include "physics/box/projection.hpp"
+#include "physics/box/smoke_follow.hpp"
+#include "physics/box/step.hpp"
+
+namespace tether::coupled {
+
+// What a step says of its energy: powers on both sides of the surface, and what goes into the books.
+
+namespace {
+
+// What solids take is found as a difference, whose smallest parts are lost in these shares of its terms: ten units of
+// rounding, and the tolerance of iterations, over the 1e-9 to which it is looked at.
+constexpr double rounded = 1e-6, solved = 1e-3;
+
+}  // namespace
+
+/// Kinetic energy of the fluid.
+double CoupledStep::energy_of(const FaceValues& v) const { return kinetic_energy(at_.domain, v, v, coupled_.density); }
+
+/// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held, and once by
+/// the fluid's: what its kinetic energy, the pressure's step, prescribed faces and the volume term leave.
+void CoupledStep::account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) {
+  double taken = 0, size = 0, inside = terms_size(solids_.A, state.u);
+  for (std::size_t k = 0; k < state.u.size(); ++k) {
+    const double force = solution.held[k] != 0 ? solution.fluid_force[k] : solution.Au[k] - solution.b[k];
+    taken += state.u[k] * force, size += std::abs(state.u[k] * force);
+    inside += std::abs(state.u[k] * solution.b[k]);
+  }
+  FaceValues change = state.v;
+  for (std::size_t axis = 0; axis < change.size(); ++axis) {
+    for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] -= free[axis][f];
+  }
+  const double moving = kinetic_energy(at_.domain, state.v, change, coupled_.density) * 2 / h,
+               let_in = prescribed_power(at_.domain, at_.numbers, solution.p, state.v);
+  double sources = 0;
+  for (std::size_t k = 0; k < solution.p.size(); ++k) sources += solution.p[k] * solution.source[k];
+  state.last.interface_power = taken;
+  const double in_motion = energy_of(state.v) / h,
+               passing = energy_of(change) / h + std::abs(moving) + std::abs(let_in) + std::abs(sources);
+  const double least = std::max(rounded * (in_motion + inside), solved * passing);
+  state.last.mismatch = size > 0 ? (sources - moving - let_in - taken) / std::max(size, least) : 0;
+  state.worst_mismatch = std::max(state.worst_mismatch, std::abs(state.last.mismatch));
+  state.work += h * taken;
+  book_fluid(solution, moving, let_in, sources, state, h);
+}
+
+/// Of the fluid's kinetic energy the change from before the forces, that is h times their power at v1 and the
+/// pressures', less what v1 takes more than the mean velocity would. `moving` is the pressures' power on the fluid,
+/// `let_in` the fluid's at prescribed faces. By splitting with repaired velocities of walls the solids get what these
+/// leave; or else what their own velocities displace.
+void CoupledStep::book_fluid(const Solution& solution, double moving, double let_in, double sources,
+                             CoupledState& state, double h) {
+  EnergyBooks& books = state.books;
+  FaceValues& change = unforced_;
+  double along_y = 0;  // volume times velocity
+  for (std::size_t f = 0; f < state.v[1].size(); ++f) {
+    if (at_.domain.face[1][f] == FaceKind::open) along_y += at_.domain.volume[1][f] * state.v[1][f];
+  }
+  for (std::size_t axis = 0; axis < change.size(); ++axis) {
+    for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] = state.v[axis][f] - change[axis][f];
+  }
+  books.projected += energy_of(change);
+  books.gravity += h * coupled_.density * scene_.gravity * along_y;
+  if (coupled_.smoke)
+    books.buoyancy += h * buoyancy_power(at_.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight,
+                                         coupled_.density, state.v);
+  books.open_sides += h * outside_.power(at_.domain, state.v);
+  books.jets -= h * let_in;
+  books.sources -= h * sources;
+  double given = sources - moving - let_in;
+  if (coupled_.mode != CouplingMode::splitting) {
+    std::vector<double> displaced(solution.p.size(), 0.0);
+    add_product(coupled_.mode == CouplingMode::paper ? at_.crossing_map : at_.map.B, 1, state.u, displaced);
+    given = product(solution.p, displaced);
+  }
+  books.coupling += h * given;
+}
+
+/// The equations (4), multiplied by the way h (u0 + u1)/2: what each force does on it. Supports move as the deck says;
+/// what else is held, contact holds. What the solids' own forces take and what is then stored of it differ by the
+/// step's own error, as do ways that contact and supports end otherwise than by (5).
+void CoupledStep::book_solids(std::span<const double> q0, std::span<const double> u0, const Solution& solution,
+                              CoupledState& state, double h) {
+  EnergyBooks& books = state.books;
+  std::vector<double> way(u0.size()), farther(u0.size());
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    way[k] = 0.5 * h * (u0[k] + state.u[k]);
+    farther[k] = state.q[k] - q0[k] - way[k];
+    const double held = way[k] * solution.wall_force[k];
+    solids_.held[k] != 0 ? books.loads += held : books.contact -= held;
+  }
+  const SolidEquations::Taken taken = solids_.taken(u0, state.u, solution.lifts, h);
+  books.contact -= product(way, solution.friction);
+  books.open_sides += product(way, at_.map.outside);
+  books.gravity += product(way, at_.map.film_weight);
+  books.loads += product(way, solids_.external) + solids_.system.gravity_energy(way);
+  books.damped += taken.damping;
+  books.coupling -= product(way, solution.fluid_force);
+  books.solid_step += taken.inside - (stored(state.q) - stored(q0)) - solids_.system.gravity_energy(farther);
+}
+
+/// Strain energy, with that of springs.
+double CoupledStep::stored(std::span<const double> q) const {
+  return solids_.system.elements->strain_energy(q) + solids_.spring_energy(q);
+}
+
+// What a step finds wrong or doubtful.
+
+namespace {
+
+constexpr int farthest = 1000;  // sizes of the box that a node may be away from it
+
+}  // namespace
+
+/// A solid that ran away, or is turned inside out, leaves nothing to go on with.
+void CoupledStep::check(const CoupledState& state) const {
+  if (state.q.empty()) return;
+  constexpr const char* too_much_added_mass =
+      "added mass above what splitting bears, which shorter steps do not cure: mode='cut-cell' of $coupled holds";
+  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  const auto d = static_cast<std::size_t>(surface_.dim);
+  const StaggeredGrid& grid = coupled_.grid;
+  for (std::size_t k = 0; k < state.q.size(); ++k) {
+    const std::size_t axis = k % d;
+    const double most = farthest * grid.n[axis] * grid.d[axis];  // beyond, cells cannot be counted
+    if (std::abs(state.q[k] - grid.low[axis]) <= most && std::isfinite(state.u[k])) continue;
+    throw RunError(fmt::format("t = {:.9g}, step {}: node {} is {} box sizes away: likely cause, {}", state.time,
+                               state.steps + 1, k / d + 1, farthest,
+                               splitting
+                                   ? too_much_added_mass
+                                   : "an open side that a body leaves through, or values of the deck that run away"));
+  }
+  const fem::ShapeVolumes shape = solids_.system.elements->shape(state.q);
+  if (shape.least > 0) return;
+  const int node = solids_.system.solids.mesh.element(shape.worst)[0];
+  const Vector x = place_of(state.q, node, surface_.dim);
+  throw RunError(fmt::format(
+      "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, {}", state.time,
+      state.steps + 1, shape.worst + 1, x[0], x[1], surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : "",
+      splitting ? too_much_added_mass : "a solid too soft for what acts on it, or steps too long for its motion"));
+}
+
+/// A warning once. What the last solution holds is then not what its forces ask for.
+void CoupledStep::tell_of_unsettled_contact(CoupledState& state) {
+  if (state.contact_unsettled++ > 0) return;
+  messages_.push_back(fmt::format(
+      "t = {:.6g}, step {}: which nodes touch walls and slide there was not settled in {} solutions: such a "
+      "step may give a body energy, or put nodes that went through a wall back onto it; contact_unsettled of "
+      "summary.txt counts these steps, shorter ones help",
+      state.time, state.steps + 1, most_contact_solutions));
+}
+
+/// Once: the volume term has nothing to act on there.
+void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState& state) {
+  if (!coupled_.volume_term || coupled_.mode == CouplingMode::splitting || state.unmeasured != 0) return;
+  const int region = unmeasured_region(at_.domain, at_.map, regions, surface_.cavity, state.v);
+  if (region < 0) return;
+  state.unmeasured = 1;
+  std::size_t cell = 0;
+  while (at_.domain.region[cell] != region) ++cell;
+  const Vector x = coupled_.grid.middle(coupled_.grid.place_of_cell(cell));
+  messages_.push_back(
+      fmt::format("t = {:.6g}: the fluid about ({:.6g}, {:.6g}{}) is closed in by a body and sides of the box, and "
+                  "jets fill or empty "
+                  "it: volume_term does not hold its volume, which may drift from what the jets bring",
+                  state.time, x[0], x[1], coupled_.grid.dim == 3 ? fmt::format(", {:.6g}", x[2]) : ""));
+}
+
+/// A warning once, where the cells are first too wide for the bodies.
+void CoupledStep::note_thin_bodies(double time, CoupledState& state) {
+  if (coupled_.mode != CouplingMode::cut_cell) return;
+  const ThinBodies thin = thin_bodies(at_, surface_);
+  if (thin.cells > 0 && state.thin_cells == 0)
+    messages_.push_back(fmt::format("t = {:.6g}: {}", time, thin_text(thin, surface_.dim)));
+  state.thin_cells = std::max(state.thin_cells, static_cast<long long>(thin.cells));
+}
+
+/// A warning once for each body.
+void CoupledStep::note_bodies_that_left(double time, CoupledState& state) {
+  const std::vector<int> sides = sides_left_by(surface_, state.q, coupled_.grid);
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    if (sides[b] < 0 || state.left[b] != 0) continue;
+    state.left[b] = 1;
+    messages_.push_back(
+        fmt::format("t = {:.6g}: {}", time, leaving_text(coupled_, surface_, state.q, static_cast<int>(b), sides[b])));
+  }
+}
+
+std::vector<std::string> CoupledStep::take_messages() {
+  std::vector<std::string> messages = std::exchange(messages_, {});
+  for (std::string& message : system_.take_messages()) messages.push_back(std::move(message));
+  return messages;
+}
+
+// What a step does with smoke.
+
+/// What comes in with fluid: through jets, and through open sides that layers outside lie at.
+std::vector<SmokeJet> CoupledStep::smoke_sources(double time, double h) const {
+  std::vector<SmokeJet> sources = box_.smoke_of_jets(time, h);
+  for (int side = 0; side < 2 * coupled_.grid.dim && outside_.has_smoke(); ++side) {
+    if (!has_fluid_beyond(coupled_, side)) continue;
+    const int axis = axis_of_side(side);
+    each_face_of_side(coupled_.grid, side, [&](std::size_t f) {
+      if (at_.domain.face[static_cast<std::size_t>(axis)][f] != FaceKind::open) return;
+      const int row = std::min(coupled_.grid.place_of_face(axis, f)[1], coupled_.grid.n[1] - 1);
+      sources.push_back({axis, f, outside_.density(row), outside_.temperature(row)});
+    });
+  }
+  return sources;
+}
+
+void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
+  if (!coupled_.smoke) return;
+  const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, smoke_sources(state.time, h), state.smoke);
+  settle_smoke(at_.domain, clean_smoke(at_.domain).volume, state.smoke);  // which has no finer place than cells
+  state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
+  state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algebra/sparse_solver.hpp"
+#include "grid/mesh_place.hpp"
+#include "model/flow.hpp"
+#include "physics/flow/columns.hpp"
+#include "physics/flow/elements.hpp"
+#include "physics/flow/forces.hpp"
+#include "physics/flow/state.hpp"
+#include "physics/flow/step.hpp"
+#include "physics/flow/tracers.hpp"
+#include "results/results.hpp"
+
+namespace tether::fem {
+
+// What a flow writes.
+
+/// The stream function psi of plane flows, u = dpsi/dy, v = -dpsi/dx, zero at the mesh's first node: the one whose
+/// curl is nearest to the velocity, <grad N_A, grad psi> = <grad N_A, (-v, u)>, which holes in the mesh do not disturb.
+class StreamFunction {
+ public:
+  explicit StreamFunction(const FlowElements& elements);
+  /// At all nodes [area/time].
+  std::vector<double> of(std::span<const double> v) const;
+
+ private:
+  const FlowElements& elements_;
+  SparseMatrix A_;
+  mutable SparseSolver solver_;  // keeps its work space
+};
+
+/// What records and snapshots of a flow are made from. All must outlive it.
+class FlowFields {
+ public:
+  FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers& tracers);
+
+  HistoryLayout history_layout() const { return columns_.layout(); }
+  Record record(const FlowState& state) const { return columns_.record(sums_of(state)); }
+  /// Places, velocities, pressure, stream function and vorticity at all nodes.
+  Snapshot node_fields(const FlowState& state) const;
+  /// Places, displacements, velocities and stress of immersed solids' nodes; no fields without any.
+  Snapshot body_fields(const FlowState& state) const;
+
+ private:
+  FlowMoment last_moment(const FlowState& state) const;
+  FlowSums sums_of(const FlowState& state) const;
+  void add_probes(const FlowState& state, const std::vector<double>& psi, FlowSums& sums) const;
+  void add_bodies(const FlowState& state, FlowSums& sums) const;
+
+  const Flow& flow_;
+  const FlowStep& step_;
+  const FlowTracers& tracers_;
+  StreamFunction stream_;
+  FlowForces forces_;
+  Columns<FlowSums> columns_;
+  std::vector<MeshPlace> probes_;
+  std::vector<std::vector<double>> body_volumes_;  // of each region of the solids, its nodes' parts at the start
+};
+
+}  // namespace tether::fem

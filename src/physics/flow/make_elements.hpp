@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "physics/flow/elements.hpp"
+
+namespace tether::fem {
+
+/// The elements of a flow; the unknowns, and the flow that they are of, must outlive them.
+std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns);
+
+}  // namespace tether::fem

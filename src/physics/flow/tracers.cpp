@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/flow/tracers.hpp"
+
+#include "fields/columns.hpp"
+#include "physics/flow/elements.hpp"
+
+namespace tether::fem {
+namespace {
+
+/// The solids in the shape that their nodes at q give them.
+class Shape {
+ public:
+  Shape(const Solids& solids, const std::vector<double>& q) : mesh_(solids.mesh) {
+    mesh_.x = q;
+    if (!is_simplex(mesh_.kind)) finder_.emplace(mesh_);
+  }
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
+
+  bool holds(const std::array<double, 2>& x) const {
+    if (finder_) return finder_->find(x).has_value();
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      if (triangle_holds(e, x)) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// Whether the place is on the left of all three edges.
+  bool triangle_holds(std::size_t e, const std::array<double, 2>& x) const {
+    const int* nodes = mesh_.element(e);
+    for (int k = 0; k < 3; ++k) {
+      const double* a = &mesh_.x[2 * static_cast<std::size_t>(nodes[k])];
+      const double* b = &mesh_.x[2 * static_cast<std::size_t>(nodes[(k + 1) % 3])];
+      if ((b[0] - a[0]) * (x[1] - a[1]) < (b[1] - a[1]) * (x[0] - a[0])) return false;
+    }
+    return true;
+  }
+
+  Mesh mesh_;
+  std::optional<PointFinder> finder_;  // of quadrilaterals
+};
+
+/// What fields of tracers are made from.
+struct TracerSource {
+  const FlowState& state;
+  std::vector<std::array<double, 2>> velocity;
+};
+
+const ColumnTable<ColumnSetting, TracerSource>& tracer_table() {
+  using S = TracerSource;
+  using Row = Column<ColumnSetting, S>;
+  using D = Dimension;
+  const auto place = [](const S& s, std::size_t axis, std::size_t n) { return s.state.tracers[2 * n + axis]; };
+  const auto velocity = [](const S& s, std::size_t axis, std::size_t n) { return s.velocity[n][axis]; };
+  static const ColumnTable<ColumnSetting, S> table({{{
+      Row("", D::length, "place", place).vector(),
+      {"id", D::number, "number of the tracer, from 1", [](const S&, std::size_t n) { return n + 1; }},
+      Row("v", D::velocity, "velocity", velocity).vector(),
+      {"left", D::number, "1 of tracers that left the fluid's mesh, which stay where they did",
+       [](const S& s, std::size_t n) { return s.state.tracer_left[n]; }},
+  }}});
+  return table;
+}
+
+}  // namespace
+
+FlowTracers::FlowTracers(const Flow& flow) : flow_(flow), finder_(flow.mesh) {}
+
+void FlowTracers::start(const Solids* solids, FlowState& state) const {
+  const TracerBox& box = flow_.tracers;
+  if (box.count[0] == 0) return;
+  std::optional<Shape> shape;
+  if (solids) shape.emplace(*solids, state.q);
+  for (int j = 0; j < box.count[1]; ++j) {
+    for (int i = 0; i < box.count[0]; ++i) {
+      const std::array<double, 2> x{box.x0 + (i + 0.5) * (box.x1 - box.x0) / box.count[0],
+                                    box.y0 + (j + 0.5) * (box.y1 - box.y0) / box.count[1]};
+      if (!finder_.find(x) || (shape && shape->holds(x))) continue;
+      state.tracers.insert(state.tracers.end(), x.begin(), x.end());
+    }
+  }
+  state.tracer_left.assign(state.tracers.size() / 2, 0);
+}
+
+std::array<double, 2> FlowTracers::velocity(std::span<const double> v, const PointFinder::Found& at) const {
+  std::array<double, 2> sum{};
+  const int* nodes = flow_.mesh.element(static_cast<std::size_t>(at.element));
+  const auto add = [&](const auto& N) {
+    for (std::size_t a = 0; a < N.size(); ++a) {
+      for (std::size_t i = 0; i < 2; ++i) sum[i] += N[a] * v[2 * static_cast<std::size_t>(nodes[a]) + i];
+    }
+  };
+  with_values_at(flow_.mesh.kind, at.s, add);
+  return sum;
+}
+
+void FlowTracers::advance(FlowState& state, double dt) const {
+  if (state.tracers.empty()) return;
+  std::vector<double> mean(state.v.size());
+  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = 0.5 * (state.v_before[k] + state.v[k]);
+  for (std::size_t n = 0; n < state.tracer_left.size(); ++n) {
+    double* x = &state.tracers[2 * n];
+    const auto at = finder_.find({x[0], x[1]});
+    if (state.tracer_left[n] != 0 || !at) continue;
+    const auto first = velocity(mean, *at);
+    const auto middle = finder_.find({x[0] + 0.5 * dt * first[0], x[1] + 0.5 * dt * first[1]});
+    const auto v = middle ? velocity(mean, *middle) : first;
+    x[0] += dt * v[0], x[1] += dt * v[1];
+    state.tracer_left[n] = finder_.find({x[0], x[1]}) ? 0 : 1;
+  }
+}
+
+std::size_t FlowTracers::count_inside(const Solids& solids, const FlowState& state) const {
+  const Shape shape(solids, state.q);
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < state.tracer_left.size(); ++n)
+    count += shape.holds({state.tracers[2 * n], state.tracers[2 * n + 1]}) ? 1 : 0;
+  return count;
+}
+
+Snapshot FlowTracers::fields(const FlowState& state) const {
+  const std::size_t count = state.tracer_left.size();
+  if (count == 0) return {state.time, {}};
+  TracerSource source{state, {}};
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto at = finder_.find({state.tracers[2 * n], state.tracers[2 * n + 1]});
+    source.velocity.push_back(at && state.tracer_left[n] == 0 ? velocity(state.v, *at) : std::array<double, 2>{});
+  }
+  return Columns<TracerSource>(tracer_table(), ColumnSetting{}).snapshot(state.time, count, source);
+}
+
+}  // namespace tether::fem

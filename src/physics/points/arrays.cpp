@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/points/arrays.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "grid/kernels.hpp"
+#include "loops/points.hpp"
+
+namespace tether::mpm {
+
+CellSort::CellSort(std::size_t points) { keys_.reserve(points); }
+
+template <class Number>
+void CellSort::permute(std::vector<Number>& array, Range range) {
+  auto& scratch = std::get<std::vector<Number>>(scratch_);
+  if (scratch.size() < keys_.size()) scratch.resize(keys_.size());  // points came in
+  for (std::size_t k = 0; k < keys_.size(); ++k) scratch[k] = array[keys_[k].slot];
+  std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
+}
+
+void CellSort::operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene,
+                          const BackgroundGrid& shape) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const bool string = std::holds_alternative<Membrane>(scene.bodies[b].material);
+    if (!string) sort_body(points, bodies[b], shape);
+  }
+}
+
+void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
+  const Locator locator(shape);
+  keys_.clear();
+  for_points(range, [&](std::size_t p) {
+    const CellPlace at = locator.locate(P.x[p], P.y[p]);
+    keys_.push_back({at.j * shape.cells_x() + at.i, P.id[p], p});
+  });
+  std::sort(keys_.begin(), keys_.end(),
+            [](const Key& a, const Key& b) { return a.cell != b.cell ? a.cell < b.cell : a.id < b.id; });
+  each_row(Points::rows(), [&](const auto& row) {
+    if (row.remembered() && row.carried_by(P)) permute(P.*row.array, range);
+  });
+}
+
+namespace {
+
+constexpr std::uint32_t never = 0xffffffff;  // stamp of a ghost, which is listed never
+
+}  // namespace
+
+Points::Points(const Scene& scene) {
+  each_array([n = scene.points.size()](auto& array) { array.resize(n); });
+  const PointSet& given = scene.points;
+  x = given.x, y = given.y, vx = given.vx, vy = given.vy;
+  mass = given.mass, volume = given.volume;
+  sxx = given.sxx, syy = given.syy, sxy = given.sxy;
+  if (find_body<FiniteElastic>(scene)) {
+    for (auto* array : {&fxx, &fyy, &fzz}) array->assign(size(), 1.0);
+    for (auto* array : {&fxy, &fyx}) array->assign(size(), 0.0);
+  }
+  for (const std::size_t p : scene.pinned) pinned[p] = 1;
+  std::iota(id.begin(), id.end(), 0);
+}
+
+Grid::Grid(const Scene& scene)
+    : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel, scene.edges),
+      sums(frame.shape.nodes()),
+      motion(frame.shape.nodes()),
+      convected(frame.shape.nodes()),
+      gas(frame.shape.nodes()),
+      loss(scene.method.ledger ? frame.shape.nodes() : 0),
+      squares(scene.method.ledger ? frame.shape.nodes() : 0),
+      cell_stamp(frame.shape.nodes(), 0),
+      node_stamp(frame.shape.nodes(), 0) {
+  const std::size_t points = scene.points.size();
+  active_cells.reserve(std::min(points, frame.shape.nodes()));
+  active_nodes.reserve(std::min(9 * points, frame.shape.nodes()));
+  for (const Ghost& ghost : frame.ghosts) node_stamp[static_cast<std::size_t>(ghost.node)] = never;
+}
+
+template <class Kernel>
+void Grid::list_active(const Points& points) {
+  const Locator locator(frame.shape);
+  active_cells.clear();
+  active_nodes.clear();
+  ++stamp;
+  for_points({0, points.size()}, [&](std::size_t p) {
+    const auto at = Kernel::locate(locator, points.x[p], points.y[p]);
+    const int cell = at.j * frame.shape.nx + at.i;
+    auto& listed = cell_stamp[static_cast<std::size_t>(cell)];
+    if (listed == stamp) return;
+    listed = stamp;
+    active_cells.push_back(cell);
+    for (const std::size_t node : Kernel::nodes(locator, at)) {
+      auto& node_listed = node_stamp[node];
+      if (node_listed == stamp || node_listed == never) continue;
+      node_listed = stamp;
+      active_nodes.push_back(static_cast<int>(node));
+    }
+  });
+}
+
+template void Grid::list_active<LinearKernel>(const Points&);
+template void Grid::list_active<SplineKernel>(const Points&);
+
+void fold_sums(const Frame& frame, std::vector<NodeSums>& sums) {
+  for (const Ghost& ghost : frame.ghosts) {
+    NodeSums& from = sums[static_cast<std::size_t>(ghost.node)];
+    NodeSums& to = sums[static_cast<std::size_t>(ghost.image)];
+    to.m += from.m, to.gas += from.gas;
+    to.momentum += ghost.sign * from.momentum;
+    to.force += ghost.sign * from.force;
+    from = {};
+  }
+}
+
+void Grid::fold_convected() {
+  for (const Ghost& ghost : frame.ghosts) {
+    Pair& from = convected[static_cast<std::size_t>(ghost.node)];
+    convected[static_cast<std::size_t>(ghost.image)] += ghost.sign * from;
+    from = Pair{};
+  }
+}
+
+void Grid::fold_loss() {
+  for (const Ghost& ghost : frame.ghosts) {
+    double& from = loss[static_cast<std::size_t>(ghost.node)];
+    loss[static_cast<std::size_t>(ghost.image)] += from;
+    from = 0;
+  }
+}
+
+void Grid::unfold_motion() {
+  for (const Ghost& ghost : frame.ghosts) {
+    const NodeMotion& image = motion[static_cast<std::size_t>(ghost.image)];
+    motion[static_cast<std::size_t>(ghost.node)] = {ghost.sign * image.a, ghost.sign * image.u};
+  }
+}
+
+void Grid::unfold_convected() {
+  for (const Ghost& ghost : frame.ghosts) {
+    convected[static_cast<std::size_t>(ghost.node)] = ghost.sign * convected[static_cast<std::size_t>(ghost.image)];
+  }
+}
+
+void Grid::unfold_gas() {
+  for (const Ghost& ghost : frame.ghosts) {
+    gas[static_cast<std::size_t>(ghost.node)] = gas[static_cast<std::size_t>(ghost.image)];
+  }
+}
+
+void Grid::unfold_squares() {
+  for (const Ghost& ghost : frame.ghosts) {
+    squares[static_cast<std::size_t>(ghost.node)] = squares[static_cast<std::size_t>(ghost.image)];
+  }
+}
+
+}  // namespace tether::mpm

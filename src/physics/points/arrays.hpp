@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "fields/rows.hpp"
+#include "grid/boxes.hpp"
+#include "loops/points.hpp"
+#include "model/scene.hpp"
+#include "physics/points/frame.hpp"
+
+namespace tether::mpm {
+
+/// All material points, an array a property. A point keeps its number (its place in the scene) in `id` while sorting
+/// moves it from slot to slot; a body keeps its range of slots. An array is a member and its row, in rows().
+struct Points {
+  std::vector<double> x, y, vx, vy;
+  std::vector<double> vxx, vyx, vxy, vyy;
+  std::vector<double> mass, volume;
+  std::vector<double> sxx, syy, sxy, szz;
+  std::vector<double> rho, energy;
+  std::vector<double> strain, hoop, tx, ty;
+  std::vector<double> fxx, fxy, fyx, fyy, fzz;
+  std::vector<double> dxx, dyy, dxy, dzz;
+  std::vector<std::uint8_t> pinned;
+  std::vector<int> id;
+
+  /// Name in a checkpoint, array, dimension and meaning of each.
+  static constexpr auto rows() {
+    using P = Points;
+    using D = Dimension;
+    using K = Kept;
+    return std::tuple{
+        ArrayField{"x", &P::x, D::length, "place, x"},
+        ArrayField{"y", &P::y, D::length, "place, y"},
+        ArrayField{"vx", &P::vx, D::velocity, "velocity, x"},
+        ArrayField{"vy", &P::vy, D::velocity, "velocity, y"},
+        ArrayField{"vxx", &P::vxx, D::rate, "APIC: the field about the point, d v_x / d x"},
+        ArrayField{"vyx", &P::vyx, D::rate, "APIC: d v_y / d x"},
+        ArrayField{"vxy", &P::vxy, D::rate, "APIC: d v_x / d y"},
+        ArrayField{"vyy", &P::vyy, D::rate, "APIC: d v_y / d y"},
+        ArrayField{"mass", &P::mass, D::mass, "mass m_p"},
+        ArrayField{"volume", &P::volume, D::volume, "the stored volume V_p; a gas has V_p = m_p / rho instead"},
+        ArrayField{"sxx", &P::sxx, D::stress, "stress sigma_p, xx; of a linear fluid -p"},
+        ArrayField{"syy", &P::syy, D::stress, "stress sigma_p, yy"},
+        ArrayField{"sxy", &P::sxy, D::stress, "stress sigma_p, xy"},
+        ArrayField{"szz", &P::szz, D::stress, "about an axis and of membranes: the hoop stress"},
+        ArrayField{"rho", &P::rho, D::density, "gas: density"},
+        ArrayField{"energy", &P::energy, D::specific_energy, "gas: specific internal energy i"},
+        ArrayField{"strain", &P::strain, D::number, "membrane: strain along its tangent, eps_1'"},
+        ArrayField{"hoop", &P::hoop, D::number, "membrane about an axis: hoop strain, eps_2'"},
+        ArrayField{"tx", &P::tx, D::number, "membrane: unit tangent t, x"},
+        ArrayField{"ty", &P::ty, D::number, "membrane: unit tangent t, y"},
+        ArrayField{"fxx", &P::fxx, D::number, "deformation gradient F of laws that carry it, d x / d X",
+                   K::where_asked},
+        ArrayField{"fxy", &P::fxy, D::number, "F, d x / d Y", K::where_asked},
+        ArrayField{"fyx", &P::fyx, D::number, "F, d y / d X", K::where_asked},
+        ArrayField{"fyy", &P::fyy, D::number, "F, d y / d Y", K::where_asked},
+        ArrayField{"fzz", &P::fzz, D::number, "F, the stretch across the plane", K::where_asked},
+        // For laws that need their neighbours' new places first.
+        ArrayField{"dxx", &P::dxx, D::rate, "strain rate eps', xx", K::within_step},
+        ArrayField{"dyy", &P::dyy, D::rate, "strain rate eps', yy", K::within_step},
+        ArrayField{"dxy", &P::dxy, D::rate, "strain rate eps', xy", K::within_step},
+        ArrayField{"dzz", &P::dzz, D::rate, "strain rate eps', about an axis its hoop's", K::within_step},
+        ArrayField{"pinned", &P::pinned, D::number, "1 where the point is held at its place"},
+        ArrayField{"id", &P::id, D::number, "number of the point in the scene, from 0"},
+    };
+  }
+
+  explicit Points(const Scene& scene);
+  std::size_t size() const { return x.size(); }
+
+  /// Calls visit(array) for each property that the scene's points have.
+  template <class Visit>
+  void each_array(const Visit& visit) {
+    each_row(rows(), [&](const auto& row) {
+      if (row.carried_by(*this)) visit(this->*row.array);
+    });
+  }
+};
+static_assert(lists_each_array_once<Points>(Points::rows()), "an array of the points has no row, or two");
+
+/// Sums over points at a node, mapped at the start of a step (3.15)-(3.18).
+struct NodeSums {
+  Pair momentum{}, force{};
+  double m = 0, gas = 0;  // mass, and that of the gas where its density comes from the nodes
+};
+
+/// Solution of the momentum equation at a node: acceleration f / m and velocity (mv)^L / m (3.19), (3.20).
+/// The quotients are taken at the node. The thesis' momentum form multiplies by N_i first so that a tiny m_i cancels;
+/// in floating point the order is of no matter as long as nothing overflows, and N_i >= 1e-24 (Locator::edge).
+struct NodeMotion {
+  Pair a{}, u{};
+};
+
+/// What the gas reads at a node: its density there, and the heat per mass that the ledger gives it.
+struct NodeGas {
+  double rho = 0, heat = 0;
+};
+
+/// What points gave to ghosts, to their images; the ghosts are empty then.
+void fold_sums(const Frame& frame, std::vector<NodeSums>& sums);
+
+/// The background grid's fields, and the lists of cells and nodes that hold points: nothing else is touched in a step.
+/// By splines a "cell" is what lies nearest to a node. Ghosts are no active nodes: what they hold is folded at once.
+struct Grid {
+  Frame frame;
+  std::vector<NodeSums> sums;
+  std::vector<NodeMotion> motion;
+  std::vector<Pair> convected;  // (3.24): first sum m v N, then divided by m; by usf the velocity before the solve
+  std::vector<NodeGas> gas;     // where the gas takes its density from the nodes
+  std::vector<double> loss;     // where the ledger is kept: energy that the gas takes in the next step [energy]
+  std::vector<double> squares;  // where the ledger is kept: |v|^2 before the solve plus after it
+  std::vector<int> active_cells, active_nodes;
+  std::vector<std::uint32_t> cell_stamp, node_stamp;  // the list in which a cell or node stands already
+  std::uint32_t stamp = 0;
+
+  Grid(const Scene& scene);
+  /// Lists the cells that hold points, and their nodes. The places must lie inside the frame.
+  template <class Kernel>
+  void list_active(const Points& points);
+
+  // What points gave to ghosts, to their images; the ghosts are empty then.
+  void fold_sums() { mpm::fold_sums(frame, sums); }
+  void fold_convected();
+  // What points read at ghosts.
+  void unfold_motion();
+  void unfold_convected();
+  void fold_loss();
+  void unfold_gas();
+  void unfold_squares();
+};
+
+/// Sorts the slots of bodies by cell, then by point number: neighbours in space become neighbours in memory, and the
+/// order does not depend on what it was before. All that a point remembers moves with it. Keeps its work space between
+/// calls.
+class CellSort {
+ public:
+  /// What a point is sorted by, and its slot before.
+  struct Key {
+    int cell, id;
+    std::size_t slot;
+  };
+  explicit CellSort(std::size_t points);
+  /// All bodies of the scene but its strings, which keep the order of their file: it runs along them.
+  void operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene, const BackgroundGrid& shape);
+
+ private:
+  void sort_body(Points& points, Range range, const BackgroundGrid& shape);
+  template <class Number>
+  void permute(std::vector<Number>& array, Range range);
+
+  std::vector<Key> keys_;
+  std::tuple<std::vector<double>, std::vector<int>, std::vector<std::uint8_t>> scratch_;  // one for each type of array
+};
+
+}  // namespace tether::mpm

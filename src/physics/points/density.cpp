@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/points/density.hpp"
+
+#include <array>
+
+#include "grid/kernels.hpp"
+#include "loops/points.hpp"
+#include "physics/points/normals_grid.hpp"
+
+namespace tether::mpm {
+
+CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule)
+    : locator_(frame.shape),
+      rule_(rule),
+      column_(folded_axis(AxisOf::cells, frame.shape.cells_x(), frame.left, frame.left + frame.deck.cells_x() - 1,
+                          mirrors(walls.left), mirrors(walls.right), 1)),
+      row_(folded_axis(AxisOf::cells, frame.shape.cells_y(), frame.bottom, frame.bottom + frame.deck.cells_y() - 1,
+                       mirrors(walls.bottom), mirrors(walls.top), column_.size())),
+      mass_(column_.size() * row_.size(), 0.0) {
+  const BackgroundGrid& shape = frame.shape;
+  for (int i = 0; i < shape.cells_x(); ++i) {
+    volume_.push_back(depth(geometry, shape.x0 + (i + 0.5) * shape.dx) * (shape.dx * shape.dy));
+  }
+}
+
+double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / volume_[static_cast<std::size_t>(i)]; }
+
+void CellDensity::clear_around(const Points& points, Range range) {
+  for_points(range, [&](std::size_t p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    for (int j = at.j - 1; j <= at.j + 1; ++j) {
+      for (int i = at.i - 1; i <= at.i + 1; ++i) mass_[index(i, j)] = 0;
+    }
+  });
+}
+
+void CellDensity::add_cell(const Points& points, Range range) {
+  for_points(range, [&](std::size_t p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    mass_[index(at.i, at.j)] += points.mass[p];  // (4.5)
+  });
+}
+
+void CellDensity::add_quadratic(const Points& points, Range range) {
+  for_points(range, [&](std::size_t p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
+    for (int j = 0; j < 3; ++j) {
+      const double m = points.mass[p] * wy[static_cast<std::size_t>(j)];
+      for (int i = 0; i < 3; ++i)
+        mass_[index(at.i + i - 1, at.j + j - 1)] += m * wx[static_cast<std::size_t>(i)];  // (4.6)
+    }
+  });
+}
+
+void CellDensity::update(Points& points, const std::vector<Range>& gas, const std::vector<Range>& takers) {
+  for (const Range range : gas) clear_around(points, range);
+  for (const Range range : gas) {
+    if (rule_ == DensityRule::quadratic)
+      add_quadratic(points, range);
+    else
+      add_cell(points, range);
+  }
+  for (const Range range : takers) {
+    for_points(range, [&](std::size_t p) {
+      const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+      points.rho[p] = (*this)(at.i, at.j);
+    });
+  }
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/points/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "physics/points/derived.hpp"
+#include "physics/points/steps.hpp"
+
+namespace tether::mpm {
+namespace {
+
+using Row = Column<PointSetting, PointSums>;
+using Group = ColumnGroup<PointSetting, PointSums>;
+using D = Dimension;
+
+/// Of a point that has left the grid.
+constexpr double gone = std::numeric_limits<double>::quiet_NaN();
+
+/// Of a body. Under APIC a point also carries the field about it: D = h^2/4 an axis of C's squares, and of its spin.
+struct Motion {
+  Pair D{};
+  double mass = 0, mx = 0, my = 0, px = 0, py = 0, angular = 0, kinetic = 0;
+
+  void add(const Points& P, std::size_t p) {
+    const double m = P.mass[p];
+    mass += m, mx += m * P.x[p], my += m * P.y[p];
+    px += m * P.vx[p], py += m * P.vy[p];
+    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p] + D[0] * P.vyx[p] - D[1] * P.vxy[p]);
+    const double field =
+        D[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p]);
+    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p] + field);
+  }
+  void add(const Motion& other) {
+    mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
+    angular += other.angular, kinetic += other.kinetic;
+  }
+  BodySums sums() const { return {mass, {mx / mass, my / mass}, {px / mass, py / mass}}; }
+};
+
+/// Sums over a body in the order of its points' numbers, so that constant sums stay constant to the last bit.
+Motion motion_of(std::span<const std::size_t> body, const Points& P, Pair D) {
+  Motion motion{D};
+  for (const std::size_t p : body) motion.add(P, p);
+  return motion;
+}
+
+/// Slots of the tracked points; past the last slot for one that has left the grid.
+std::vector<std::size_t> tracked_slots(const State& state, const Scene& scene, const Order& order) {
+  const std::vector<int>& id = state.points.id;
+  std::vector<std::size_t> tracked;
+  for (const std::size_t number : scene.tracked) {
+    if (!state.strips.on()) {  // all are there
+      tracked.push_back(order.slots[number]);
+      continue;
+    }
+    const auto found = std::find_if(order.slots.begin(), order.slots.end(),
+                                    [&](std::size_t p) { return static_cast<std::size_t>(id[p]) == number; });
+    tracked.push_back(found == order.slots.end() ? id.size() : *found);
+  }
+  return tracked;
+}
+
+/// Whether impulses of contact may act: a solid is there, and another body.
+bool by_gap(const Scene& scene) {
+  return scene.method.contact == ContactRule::gap && scene.bodies.size() > 1 && has_solid(scene);
+}
+
+Group outside_columns() {
+  return {{Row("energy_ambient", D::energy, "work done against the pressure outside membranes, part of the total",
+               [](const PointSums& s) { return s.energies.ambient; })
+               .when("where `pambient` acts", [](const PointSetting& s) { return s.scene.ambient != 0; }),
+           Row("energy_ledger", D::energy, "heat that the ledger has given to the gas, part of its internal energy",
+               [](const PointSums& s) { return s.state.heat_given; })
+               .when("by a ledger", [](const PointSetting& s) { return keeps_ledger(s.scene); })}};
+}
+
+Group loss_columns() {
+  const auto integration = [](const PointSums& s) {
+    // Without what came in by the edges.
+    return s.state.balance.integration(s.energies.sum() - s.state.strips.passed().stored);
+  };
+  return {{Row("energy_transfer", D::energy, "energy that went lost between points and nodes, to them and back",
+               [](const PointSums& s) { return s.state.balance.transfer; })
+               .booked(Book::lost),
+           Row("energy_walls", D::energy, "energy of what points gave to nodes that walls hold, which is lost by APIC",
+               [](const PointSums& s) { return s.state.balance.walls; })
+               .booked(Book::lost),
+           Row("energy_integration", D::energy,
+               "work of the nodes' forces that nothing stored, which is the steps' own error; less what the ledger has "
+               "given back",
+               integration)
+               .booked(Book::lost),
+           Row("energy_contact", D::energy, "energy that impulses of contact have taken, no longer in the total",
+               [](const PointSums& s) { return s.state.contact.lost(); })
+               .booked(Book::lost)
+               .when("with a solid and another body", [](const PointSetting& s) { return by_gap(s.scene); })}};
+}
+
+/// What passed, as a row.
+Row passed(const char* name, Dimension dimension, const char* meaning, double Passed::*amount) {
+  return {name, dimension, meaning, [amount](const PointSums& s) { return s.state.strips.passed().*amount; }};
+}
+
+Group edge_columns() {
+  return {{"with open edges", [](const PointSetting& s) { return s.scene.edges.any(); }},
+          {passed("edge_mass_in", D::mass, "mass that came in through open edges", &Passed::mass_in),
+           passed("edge_mass_out", D::mass, "mass that went out through open edges", &Passed::mass_out),
+           passed("edge_mass_back", D::mass,
+                  "mass of both that came in through an outflow or went out through an inflow", &Passed::back),
+           passed("edge_momentum_x", D::momentum, "momentum in x that came in through open edges, less what went out",
+                  &Passed::momentum_x),
+           passed("edge_momentum_y", D::momentum, "momentum in y that came in through open edges, less what went out",
+                  &Passed::momentum_y),
+           passed("edge_energy_in", D::energy, "energy that came in through open edges", &Passed::energy_in)
+               .booked(Book::gained),
+           passed("edge_energy_out", D::energy, "energy that went out through open edges", &Passed::energy_out)
+               .booked(Book::given)}};
+}
+
+/// Bodies whose volume shows whether a run goes wrong.
+Group volume_column() {
+  const auto has_volumes = [](const PointSetting& s) { return has_solid(s.scene) || find_body<LinearFluid>(s.scene); };
+  const auto volume = [](const PointSums& s, std::size_t b) { return volume_of(s.scene, b, s.state.points, s.order); };
+  return {{"with solids or linear fluids", has_volumes},
+          {Row("body_volume", D::volume,
+               "volume: of solids and linear fluids by the strain of their stress, of gas by its density, of membranes "
+               "that at the start",
+               volume)
+               .each(Per::body)}};
+}
+
+}  // namespace
+
+const ColumnTable<PointSetting, PointSums>& history_table() {
+  static const ColumnTable<PointSetting, PointSums> table(
+      {energy_columns(), momentum_columns(), plane_spin_column(), outside_columns(), loss_columns(), edge_columns(),
+       angle_column<PointSetting, PointSums>([](const PointSetting& s) { return s.scene.outputs.tracked_angle; }),
+       body_columns(), volume_column(), tracked_columns()});
+  return table;
+}
+
+Columns<PointSums> history_columns(const Scene& scene) {
+  PointSetting setting{{}, scene};
+  for (const Body& body : scene.bodies) setting.body_names.push_back(body.name);
+  for (std::size_t k = 0; k < scene.tracked.size(); ++k) setting.point_names.push_back(tracked_name(scene, k));
+  return {history_table(), setting};
+}
+
+PointSums sums_of(const State& state, const Scene& scene) {
+  const Points& P = state.points;
+  const Order order = order_within(state);
+  PointSums s{{}, state, scene, order, stored_energy(scene, state, order)};
+  const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
+  const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
+  Motion all;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Motion body = motion_of(order.of(b), P, D);
+    s.bodies.push_back(body.sums());
+    all.add(body);
+  }
+  s.time = state.time, s.dt = state.dt_last;
+  s.kinetic = all.kinetic, s.strain = s.energies.strain, s.internal = s.energies.internal;
+  s.potential = -scene.gravity * all.my;
+  s.total = s.kinetic + s.strain + s.internal + s.potential + s.energies.ambient;
+  s.mass = all.mass, s.momentum = {all.px, all.py}, s.angular[2] = all.angular;
+  for (const std::size_t p : tracked_slots(state, scene, order)) {
+    const bool there = p < P.size();
+    s.tracked.push_back(there ? TrackedSums{{P.x[p], P.y[p]}, {P.vx[p], P.vy[p]}}
+                              : TrackedSums{{gone, gone}, {gone, gone}});
+  }
+  return s;
+}
+
+namespace {
+
+using D = Dimension;
+
+/// What fields of points are made from: point k of the scene stands in slot order.slots[k].
+struct PointSource {
+  const Points& P;
+  Order order;
+  DerivedFields derived;
+};
+
+/// What fields of nodes are made from: node k of the deck's grid is node `nodes[k]` of the frame.
+struct NodeSource {
+  std::vector<std::size_t> nodes = {};
+  std::vector<NodeSums> sums = {};
+  double gravity = 0;
+  std::vector<double> density = {}, pressure = {}, energy = {};  ///< sum m_p q_p N_i of each quantity q
+
+  const NodeSums& at(std::size_t k) const { return sums[nodes[k]]; }
+};
+
+/// An array of the points.
+Value<PointSource> of(std::vector<double> Points::*array) {
+  return [array](const PointSource& s, std::size_t k) { return (s.P.*array)[s.order.slots[k]]; };
+}
+/// One that follows from the points' laws.
+Value<PointSource> of(std::vector<double> DerivedFields::*array) {
+  return [array](const PointSource& s, std::size_t k) { return (s.derived.*array)[k]; };
+}
+
+const ColumnTable<ColumnSetting, PointSource>& point_table() {
+  using F = DerivedFields;
+  static const ColumnTable<ColumnSetting, PointSource> table({{{
+      {"x", D::length, "place, x", of(&Points::x)},
+      {"y", D::length, "place, y", of(&Points::y)},
+      {"id", D::number, "number of the point, from 1",
+       [](const PointSource& s, std::size_t k) { return s.P.id[s.order.slots[k]] + 1.0; }},
+      {"body", D::number, "number of its body, from 1", of(&F::body)},
+      {"vx", D::velocity, "velocity, x", of(&Points::vx)},
+      {"vy", D::velocity, "velocity, y", of(&Points::vy)},
+      {"mass", D::mass, "mass", of(&Points::mass)},
+      {"volume", D::volume, "volume", of(&F::volume)},
+      {"sxx", D::stress, "stress, xx", of(&Points::sxx)},
+      {"syy", D::stress, "stress, yy", of(&Points::syy)},
+      {"sxy", D::stress, "stress, xy", of(&Points::sxy)},
+      {"szz", D::stress,
+       "stress across the plane, about an axis and of membranes the hoop's; of gas in the plane minus its pressure",
+       of(&F::across)},
+      {"density", D::density, "density", of(&F::density)},
+      {"pressure", D::stress, "gas: pressure without its viscous parts; else minus the mean stress", of(&F::pressure)},
+      {"specific_energy", D::specific_energy, "gas: internal energy per mass", of(&Points::energy)},
+      {"strain", D::number, "membrane: strain along its tangent", of(&Points::strain)},
+      {"strain_hoop", D::number, "membrane: strain across the plane", of(&Points::hoop)},
+      {"strain_xx", D::number, "elastic strain, xx", of(&F::strain_xx)},
+      {"strain_yy", D::number, "elastic strain, yy", of(&F::strain_yy)},
+      {"strain_xy", D::number, "elastic strain, xy (tensor)", of(&F::strain_xy)},
+      {"normal_x", D::number, "membrane: unit normal, x", of(&F::normal_x)},
+      {"normal_y", D::number, "membrane: unit normal, y", of(&F::normal_y)},
+  }}});
+  return table;
+}
+
+double quotient(double a, double m) { return m > 0 ? a / m : 0; }
+
+/// The mean of the points by mass, sum m_p q_p N_i / m_i.
+Value<NodeSource> mean(std::vector<double> NodeSource::*array) {
+  return [array](const NodeSource& s, std::size_t k) { return quotient((s.*array)[s.nodes[k]], s.at(k).m); };
+}
+
+const ColumnTable<ColumnSetting, NodeSource>& node_table() {
+  using S = NodeSource;
+  static const ColumnTable<ColumnSetting, NodeSource> table({{{
+      {"mass", D::mass, "mass mapped to the node", [](const S& s, std::size_t k) { return s.at(k).m; }},
+      {"vx", D::velocity, "mapped velocity, x",
+       [](const S& s, std::size_t k) { return quotient(s.at(k).momentum[0], s.at(k).m); }},
+      {"vy", D::velocity, "mapped velocity, y",
+       [](const S& s, std::size_t k) { return quotient(s.at(k).momentum[1], s.at(k).m); }},
+      {"force_x", D::force, "internal and body force before walls, x",
+       [](const S& s, std::size_t k) { return s.at(k).force[0]; }},
+      {"force_y", D::force, "internal and body force before walls, y",
+       [](const S& s, std::size_t k) { return s.at(k).force[1] + s.at(k).m * s.gravity; }},
+      {"density", D::density, "mean of the points by mass", mean(&S::density)},
+      {"pressure", D::stress, "mean of the points by mass", mean(&S::pressure)},
+      {"specific_energy", D::specific_energy, "mean of the points by mass", mean(&S::energy)},
+  }}});
+  return table;
+}
+
+/// sum m_p q_p N_i at each node of the frame, of a quantity q of all points in their order.
+std::vector<double> sum_at_nodes(const State& state, const StepSet& set, const Order& order,
+                                 const std::vector<double>& q) {
+  std::vector<double> of_slots(q.size()), sums(state.grid.frame.shape.nodes(), 0.0);
+  for (std::size_t k = 0; k < q.size(); ++k) of_slots[order.slots[k]] = q[k];
+  set.map_quantity(state, of_slots, sums);
+  return sums;
+}
+
+}  // namespace
+
+Snapshot point_fields(const State& state, const Scene& scene) {
+  const Points& P = state.points;
+  const Order order = order_within(state);
+  const PointSource source{P, order, derived_fields(scene, P, order, step_set(scene).gas_pressures(state, scene))};
+  return Columns<PointSource>(point_table(), ColumnSetting{}).snapshot(state.time, order.slots.size(), source);
+}
+
+Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set) {
+  const Frame& frame = state.grid.frame;
+  const Order order = order_of_all(state);
+  const DerivedFields derived = derived_fields(scene, state.points, order, set.gas_pressures(state, scene));
+  std::vector<double> energy;
+  for (const std::size_t slot : order.slots) energy.push_back(state.points.energy[slot]);
+  NodeSource source{.gravity = scene.gravity};
+  for (std::size_t k = 0; k < frame.deck.nodes(); ++k) source.nodes.push_back(frame.of_deck(k));
+  source.sums.resize(frame.shape.nodes());
+  set.map_all(state, scene, source.sums);
+  source.density = sum_at_nodes(state, set, order, derived.density);
+  source.pressure = sum_at_nodes(state, set, order, derived.pressure);
+  source.energy = sum_at_nodes(state, set, order, energy);
+  return Columns<NodeSource>(node_table(), ColumnSetting{}).snapshot(state.time, source.nodes.size(), source);
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "grid/boxes.hpp"
+#include "laws/walls.hpp"
+#include "model/method.hpp"
+
+namespace tether::mpm {
+
+/// A node behind a wall and its image before it. What points give to the ghost belongs to the image; what they read
+/// there is the image's. Scalars are even; of a vector a slip wall makes the normal component odd and the tangential
+/// one even, a fixed wall both odd.
+struct Ghost {
+  int node = 0, image = 0;
+  Pair sign{};
+};
+
+/// The nodes that a run computes with: the deck's grid, and around it what the kernel reaches to. Behind a wall that is
+/// a row of ghosts; beyond an open wall there is room, padding of six cells into which points may move; beyond an edge
+/// through which gas passes, by any kernel, there are the cells of its strip, and two more.
+struct Frame {
+  BackgroundGrid shape;      // with what is around it
+  BackgroundGrid deck;       // the deck's grid
+  int left = 0, bottom = 0;  // nodes before the deck's first one
+  double x0, x1, y0, y1;     // where points may be [length]
+  std::vector<Ghost> ghosts;
+  std::vector<std::uint8_t> held;  // Held bits of the walls
+  std::vector<std::size_t> image;  // of each node: a ghost's image, else itself
+  std::vector<Pair> sign;          // of each node: a ghost's, else 1
+  std::vector<double> per_volume;  // 1 / int N_i dV of the image: a wall's node has half, a corner's a quarter
+
+  Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges = {});
+
+  /// False for NaN.
+  bool contains(double x, double y) const { return x >= x0 && x <= x1 && y >= y0 && y <= y1; }
+  /// A place as node n sees it: from a ghost it is the place's image, which the ghost's image sees.
+  Pair before_walls(std::size_t n, Pair place) const;
+  /// Number in the frame of node n of the deck's grid.
+  std::size_t of_deck(std::size_t n) const {
+    const auto nx = static_cast<std::size_t>(deck.nx);
+    return (n / nx + static_cast<std::size_t>(bottom)) * static_cast<std::size_t>(shape.nx) + n % nx +
+           static_cast<std::size_t>(left);
+  }
+};
+
+}  // namespace tether::mpm

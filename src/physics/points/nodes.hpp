@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "physics/points/steps.hpp"
+
+namespace tether::mpm {
+
+// What a step does at the nodes; nothing here knows kernels.
+
+/// (mv)^L = (mv) + dt f, with the body force m b (3.17), (3.19), (3.20), walls.
+void solve_momentum(StepWork& work, double dt);
+
+/// Sums of the balance of energy over the nodes' fields, before they are used.
+void total_nodes(StepWork& work, double dt);
+
+/// v_i = sum m_p v_p N_i / m_i from the momenta that points gave to `convected` (3.24), walls.
+void divide_convected(Grid& grid);
+/// The same quotient from the momenta mapped at the start of the step.
+void mapped_velocity(Grid& grid);
+
+void clear_convected(Grid& grid);
+void clear_sums(Grid& grid);
+void clear_forces(Grid& grid);
+
+/// The lists of cells and nodes, and all sums, from where the points are now: for points that came, went or were moved
+/// outside a step. Heat under way at nodes that no point reaches any more has gone with the gas that was there.
+void map_anew(State& state, const Scene& scene, const StepSet& set);
+/// What has to go before: sums at the nodes of the step, and at those that its points have reached by now.
+void forget_sums(State& state, const StepSet& set);
+
+/// Density of the gas at the nodes from its mass there.
+void gas_at_nodes(Grid& grid);
+/// Books energy that was lost away from the gas as heat of all gas alike.
+void give_to_all_gas(State& state, double energy);
+/// The heat has been taken.
+void clear_heat(State& state);
+/// |v|^2 before and after the solve, for the ledger.
+void note_squares(Grid& grid);
+
+}  // namespace tether::mpm

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/points/solver.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/diagnostics.hpp"
+#include "physics/points/nodes.hpp"
+#include "physics/points/point_laws.hpp"
+#include "physics/points/steps.hpp"
+#include "physics/step_time.hpp"
+
+namespace tether::mpm {
+namespace {
+
+std::size_t body_of(const State& state, std::size_t slot) {
+  std::size_t b = 0;
+  while (slot < state.ranges[b].begin || slot >= state.ranges[b].end) ++b;  // gas may stand after others
+  return b;
+}
+
+/// Cell that a place would lie in, counted from 1 at the lower left, also outside the grid.
+std::string cell_text(const BackgroundGrid& grid, double x, double y) {
+  if (!std::isfinite(x) || !std::isfinite(y)) return "no cell";
+  return fmt::format("cell ({:.6g}, {:.6g})", std::floor((x - grid.x0) / grid.dx) + 1,
+                     std::floor((y - grid.y0) / grid.dy) + 1);
+}
+
+std::string step_text(const Plan& plan, const State& state, double dt) {
+  const double ratio = dt / plan.step.limit(state.wave_max);
+  if (ratio > 1 + 1e-9)
+    return fmt::format("; the step is {:#.3g} times the limit dx/c: likely cause, a step too long", ratio);
+  if (dt > plan.step.sharp_limit) {
+    return fmt::format(
+        "; the step is {:#.3g} times what pressure waves or viscosity allow: likely cause, a step too long",
+        dt / plan.step.sharp_limit);
+  }
+  return fmt::format("; the step is {:#.3g} of the limit dx/c", ratio);
+}
+
+/// The edge a place lies beyond, and what follows from its kind.
+std::string beyond(const BackgroundGrid& grid, const Walls& walls, double x, double y) {
+  const auto [name, wall] = x < grid.x0   ? std::pair("left", walls.left)
+                            : x > grid.x1 ? std::pair("right", walls.right)
+                            : y < grid.y0 ? std::pair("bottom", walls.bottom)
+                                          : std::pair("top", walls.top);
+  const char* cause = wall == Wall::open
+                          ? "an open edge too near, which holds nothing that comes to it, as gas outside a "
+                            "membrane does (walls of 4 or 6 hold it); or a run that diverged"
+                          : "a run that diverged";
+  return fmt::format("left the grid by the {} edge (wall {}): likely cause, {}", name, static_cast<int>(wall), cause);
+}
+
+std::string what_happened(const State& state, const Walls& walls, const Trouble& trouble, double dt) {
+  const Points& P = state.points;
+  const std::size_t p = trouble.slot;
+  const BackgroundGrid& grid = state.grid.frame.deck;
+  const double cells = std::hypot(P.vx[p] / grid.dx, P.vy[p] / grid.dy) * dt;
+  switch (trouble.kind) {
+    case TroubleKind::left_grid:
+      if (!std::isfinite(P.x[p]) || !std::isfinite(P.y[p])) return "has no finite place: its numbers overflowed";
+      return beyond(grid, walls, P.x[p], P.y[p]);
+    case TroubleKind::jumped:
+      return fmt::format("jumped over a cell ({:.3g} cells in one step): likely cause, a run that diverges", cells);
+    case TroubleKind::unsound:
+      if (P.rho[p] < 0)
+        return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", P.rho[p]);
+      if (!P.fxx.empty() && !(deformation(P, p).volume_ratio() > 0))
+        return fmt::format(
+            "is turned inside out (J = {:.4g}): likely cause, a step too long, or a squeeze beyond what "
+            "the law or the grid carries (law='neo-hookean' resists it, 'svk' softens)",
+            deformation(P, p).volume_ratio());
+      return "has a stress that is no number: likely cause, a run that diverged";
+    case TroubleKind::at_open_edge:
+      return "is beyond an open edge, through which only gas passes: make the grid larger, or stop what moves there";
+    case TroubleKind::none:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+void stop_on_trouble(const State& state, const Plan& plan, const Trouble& trouble, double dt) {
+  const std::size_t p = trouble.slot;
+  const std::size_t b = body_of(state, p);
+  const double x = state.points.x[p], y = state.points.y[p];
+  throw RunError(fmt::format("t = {:.9g}, step {}: point {} (body {}, {}) at ({:.6g}, {:.6g}) in {} {}{}",
+                             state.time + dt, state.steps + 1, state.points.id[p] + 1, b + 1, plan.scene.bodies[b].name,
+                             x, y, cell_text(state.grid.frame.deck, x, y),
+                             what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)));
+}
+
+void stop_on_vanishing_step(const State& state, const char* waves, double dt) {
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: {} {:.4g} and leaves a step of {:.3g}: "
+                  "likely cause, a run that diverged",
+                  state.time, state.steps + 1, waves, state.wave_max, dt));
+}
+
+namespace {
+
+/// A step this much shorter than the deck's is no step any more.
+constexpr double vanishing = 1e-9;
+
+/// At what moves no more than a cell in as many steps.
+constexpr int steps_between_looks = 64;
+/// A count of what is on which side of a membrane costs some steps.
+constexpr int steps_between_counts = 1024;
+
+/// Whose waves the step limit follows.
+const char* wave_text(const Scene& scene) {
+  if (!find_body<FiniteElastic>(scene)) return "the gas moves at c + |v| =";
+  return find_body<IdealGas>(scene) ? "the fastest wave, of gas or of strained solids, runs at"
+                                    : "in strained solids waves run at";
+}
+
+}  // namespace
+
+MpmSolver::MpmSolver(const Plan& plan)
+    : plan_(plan),
+      set_(step_set(plan.scene)),
+      state_(start(plan.scene)),
+      sort_(plan.scene.points.size()),
+      strings_(plan.scene),
+      stretches_(plan.scene),
+      mixing_(plan.scene, state_.grid.frame),
+      leaks_(plan.scene),
+      columns_(history_columns(plan.scene)) {
+  if (strings_.on()) strings_.look(state_, plan.scene, messages_);
+  messages_.clear();                                                 // the deck's remarks tell it
+  state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
+  const auto encloses = [](const std::optional<Elements>& of) { return of && of->encloses(); };
+  const bool acts = std::any_of(state_.elements_of.begin(), state_.elements_of.end(), encloses) ||
+                    std::any_of(state_.ambient_of.begin(), state_.ambient_of.end(), encloses);
+  if (plan.scene.ambient != 0 && !acts) {
+    messages_.push_back("pambient acts on nothing: no membrane is closed or has both its ends at walls");
+  }
+}
+
+void MpmSolver::advance(double until) {
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
+}
+
+double MpmSolver::next_step() {
+  double dt = plan_.step.step(state_.wave_max);
+  if (dt < plan_.step.deck_step && !state_.limit_told) {
+    messages_.push_back(fmt::format("t = {:.6g}: {} {:.4g}: steps are limited to {:.4g}", state_.time,
+                                    wave_text(plan_.scene), state_.wave_max, dt));
+    state_.limit_told = true;
+  }
+  const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
+  if (!gets_on) stop_on_vanishing_step(state_, wave_text(plan_.scene), dt);
+  return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
+}
+
+void MpmSolver::step(double dt) {
+  StepWork work{state_, plan_.scene, {}};
+  if (state_.strips.on()) state_.strips.before_step(state_.points, state_.ranges, plan_.scene);
+  set_.step(work, dt);
+  if (state_.strips.on() && work.found.trouble.kind == TroubleKind::none) pass_edges(work, dt);
+  if (work.found.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.found.trouble, dt);
+  state_.crossings_since_sort += work.found.crossings;
+  state_.balance.add(work.nodes, work.found.squares, work.found.lifted, plan_.scene.method.transfer == Transfer::apic,
+                     plan_.scene.gravity, dt);
+  finish_step(work.found, dt);
+}
+
+/// What gas that passes an edge changes: points, and with them the sums at the nodes.
+void MpmSolver::pass_edges(StepWork& work, double dt) {
+  forget_sums(state_, set_);
+  const EdgeFindings edges = state_.strips.after_step(state_.body_points(), plan_.scene, dt, state_.time + dt);
+  work.found.join(edges.found);
+  if (edges.regrouped) state_.list_fluids(plan_.scene);
+  for (auto& text : state_.strips.take_news()) messages_.push_back(std::move(text));
+  if (work.found.trouble.kind == TroubleKind::none) map_anew(state_, plan_.scene, set_);
+}
+
+void MpmSolver::finish_step(const StepFindings& found, double dt) {
+  const bool last = plan_.scene.clock.tmax - state_.time <= dt;
+  if (last) {
+    state_.time = plan_.scene.clock.tmax;
+  } else {
+    add_compensated(state_.time, state_.time_lost, dt);
+  }
+  state_.dt_last = dt;
+  // A last step that tmax cuts short tells nothing of the run.
+  if (state_.steps == 0 || (!last && dt < state_.dt_min)) state_.dt_min = dt;
+  ++state_.steps;
+  state_.point_steps += static_cast<long long>(state_.points.size());
+  state_.c_max = std::sqrt(found.c_squared_max);
+  state_.wave_max = found.wave_max;
+  state_.heat_given += found.heat;
+  state_.heat_under_way += found.heat;
+  look();
+  if (found.crossings > 0 && !state_.strips.on()) set_.list_active(state_.grid, state_.points);
+  sort_where_scattered();
+}
+
+void MpmSolver::look() {
+  if (strings_.on()) strings_.look(state_, plan_.scene, messages_);
+  if (stretches_.on() && (state_.steps % steps_between_looks == 1 || state_.time >= plan_.scene.clock.tmax))
+    stretches_.look(state_, plan_.scene, messages_);
+  if (mixing_.on() && state_.steps % steps_between_looks == 1) mixing_.look(state_, plan_.scene, messages_);
+  const bool last = state_.time >= plan_.scene.clock.tmax;
+  if (leaks_.on() && (last || state_.steps % steps_between_counts == 0)) leaks_.look(state_, plan_.scene, messages_);
+}
+
+/// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
+void MpmSolver::sort_where_scattered() {
+  if (4 * state_.crossings_since_sort < static_cast<long long>(state_.points.size())) return;
+  state_.crossings_since_sort = 0;
+  sort_(state_.points, state_.ranges, plan_.scene, state_.grid.frame.shape);
+}
+
+RunCounts MpmSolver::counts() const {
+  const auto points = state_.points.size();
+  return {state_.steps, state_.point_steps, points, state_.grid.active_cells.size(), state_.dt_min, state_.dt_last};
+}
+
+Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
+
+Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
+
+Summary MpmSolver::more_summary() const {
+  Summary summary;
+  if (strings_.on()) summary.emplace_back("widest_gap", fmt::format("{}", state_.widest_gap));
+  if (stretches_.on()) summary.emplace_back("points_apart", fmt::format("{}", state_.points_apart));
+  if (mixing_.on()) summary.emplace_back("gases_apart", fmt::format("{}", state_.gases_apart));
+  if (leaks_.on()) summary.emplace_back("gas_leaked", fmt::format("{}", state_.gas_leaked));
+  return summary;
+}
+
+std::vector<std::string> MpmSolver::take_messages() { return std::exchange(messages_, {}); }
+
+}  // namespace tether::mpm

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/points/state.hpp"
+
+#include <algorithm>
+
+#include "loops/points.hpp"
+
+namespace tether::mpm {
+namespace {
+
+/// Sums at the nodes that hold points, in the order of the list of these nodes.
+struct ActiveSums {
+  std::vector<std::size_t> begin, end;  // of each body, its slots
+  std::vector<int> apart;               // what criterion 3 remembers
+  double contact_lost = 0;              // and what impulses took
+  std::vector<double> m, gas, momentum_x, momentum_y, force_x, force_y, loss;
+  std::vector<double> element_force_x, element_force_y;  // on the points of membranes, of the last step
+};
+
+ActiveSums active_sums(const Grid& grid) {
+  ActiveSums active;
+  for (const int node : grid.active_nodes) {
+    const NodeSums& sum = grid.sums[static_cast<std::size_t>(node)];
+    active.m.push_back(sum.m);
+    active.gas.push_back(sum.gas);
+    active.loss.push_back(grid.loss.empty() ? 0 : grid.loss[static_cast<std::size_t>(node)]);
+    active.momentum_x.push_back(sum.momentum[0]);
+    active.momentum_y.push_back(sum.momentum[1]);
+    active.force_x.push_back(sum.force[0]);
+    active.force_y.push_back(sum.force[1]);
+  }
+  return active;
+}
+
+void put_sums(const ActiveSums& active, Grid& grid) {
+  for (std::size_t k = 0; k < grid.active_nodes.size(); ++k) {
+    NodeSums& sum = grid.sums[static_cast<std::size_t>(grid.active_nodes[k])];
+    sum.m = active.m[k];
+    sum.gas = active.gas[k];
+    if (!grid.loss.empty()) grid.loss[static_cast<std::size_t>(grid.active_nodes[k])] = active.loss[k];
+    sum.momentum = pair(active.momentum_x[k], active.momentum_y[k]);
+    sum.force = pair(active.force_x[k], active.force_y[k]);
+  }
+}
+
+/// Calls visit(elements) for those of every body that has some.
+template <class AnyState, class Visit>
+void each_elements(AnyState& state, const Visit& visit) {
+  for (auto* of : {&state.elements_of, &state.ambient_of}) {
+    for (auto& elements : *of) {
+      if (elements) visit(*elements);
+    }
+  }
+}
+
+void take_forces(const State& state, ActiveSums& sums) {
+  each_elements(state, [&](const Elements& elements) {
+    for_points(elements.range(), [&](std::size_t p) {
+      sums.element_force_x.push_back(elements.force(p)[0]), sums.element_force_y.push_back(elements.force(p)[1]);
+    });
+  });
+}
+
+void put_forces(const ActiveSums& sums, State& state) {
+  std::size_t k = 0;
+  each_elements(state, [&](Elements& elements) {
+    for_points(elements.range(), [&](std::size_t p) {
+      elements.set_force(p, pair(sums.element_force_x[k], sums.element_force_y[k])), ++k;
+    });
+  });
+}
+
+void take_ranges(const State& state, ActiveSums& sums) {
+  for (const Range range : state.ranges) sums.begin.push_back(range.begin), sums.end.push_back(range.end);
+}
+
+/// Arrays that no checkpoint has follow the others' length.
+void put_ranges(const ActiveSums& sums, const Scene& scene, State& state) {
+  const double gas_mass = state.gas_mass;
+  state.points.each_array([n = state.points.x.size()](auto& array) { array.resize(n); });
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) state.ranges[b] = {sums.begin[b], sums.end[b]};
+  state.list_fluids(scene);
+  state.gas_mass = gas_mass;  // to the last bit: it was added up in another order
+  state.strips.find_gas_on_edges();
+}
+
+/// The list of what a state consists of, once for both ways.
+template <class Exchange, class AnyState, class Sums>
+void exchange(Exchange& with, AnyState& state, Sums& sums) {
+  auto& P = state.points;
+  each_row(Points::rows(), [&](const auto& row) {
+    if (!row.remembered() || !row.carried_by(P)) return;
+    if (state.strips.on())  // where gas passes the edges their number changes
+      with.list(row.name, P.*row.array);
+    else
+      with(row.name, P.*row.array);
+  });
+  Strips::exchange(with, state.strips);
+  exchange_numbers(with, state);
+  exchange_numbers(with, state.balance);
+  with("body_begin", sums.begin), with("body_end", sums.end);
+  with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);
+  with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_loss", sums.loss);
+  with.list("node_momentum_x", sums.momentum_x), with.list("node_momentum_y", sums.momentum_y);
+  with.list("node_force_x", sums.force_x), with.list("node_force_y", sums.force_y);
+  with.list("element_force_x", sums.element_force_x), with.list("element_force_y", sums.element_force_y);
+  with.list("apart", sums.apart), with("contact_lost", sums.contact_lost);
+}
+
+}  // namespace
+
+SavedState save(const State& state) {
+  StateSaver saver;
+  ActiveSums sums = active_sums(state.grid);
+  sums.apart = state.contact.memory();
+  sums.contact_lost = state.contact.lost();
+  take_forces(state, sums);
+  take_ranges(state, sums);
+  exchange(saver, state, sums);
+  return saver.take();
+}
+
+void restore(State& state, const Scene& scene, const SavedState& saved) {
+  std::fill(state.grid.sums.begin(), state.grid.sums.end(), NodeSums{});
+  std::fill(state.grid.loss.begin(), state.grid.loss.end(), 0.0);
+  StateRestorer restorer(saved);
+  ActiveSums sums;
+  take_ranges(state, sums);
+  exchange(restorer, state, sums);
+  put_ranges(sums, scene, state);
+  put_sums(sums, state.grid);
+  state.contact.remember(sums.apart);
+  state.contact.set_lost(sums.contact_lost);
+  put_forces(sums, state);
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "loops/points.hpp"
+#include "model/scene.hpp"
+#include "physics/points/arrays.hpp"
+#include "physics/points/balance.hpp"
+#include "physics/points/contact.hpp"
+#include "physics/points/density.hpp"
+#include "physics/points/elements.hpp"
+#include "physics/points/normals.hpp"
+#include "physics/points/strips.hpp"
+#include "results/results.hpp"
+
+namespace tether::mpm {
+
+/// What a step remembers in single numbers. A number is a member and its row.
+struct StateNumbers {
+  double gas_mass = 0;             // [mass]
+  double heat_given = 0;           // to the gas by the ledger since the start [energy]
+  double heat_under_way = 0;       // of it, what the gas takes in the next step [energy]
+  double heat_for_all = 0;         // of it, what goes to all gas alike [energy]
+  double time = 0, time_lost = 0;  // sum of the steps, and what rounding took from it [time]
+  double c_max = 0;                // largest sound speed of the gas after the last step [velocity]
+  double wave_max = 0;             // its largest c + |v| [velocity]
+  long long steps = 0;
+  double dt_last = 0, dt_min = 0;      // [time]
+  long long crossings_since_sort = 0;  // of points, from cell to cell
+  double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
+  double points_apart = 0;             // of neighbours of a solid that carries F since the start, as looked at [cells]
+  bool apart_told = false;             // whether that was reported
+  bool gap_told = false;               // whether one that does not hold together was reported
+  bool end_told = false;               // whether an end of one that came off its wall was reported
+  double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start
+  bool mixing_told = false;            // whether that was reported
+  long long gas_leaked = 0;            // points of gas beyond a membrane that parts the grid, at the last look
+  bool leak_told = false;              // whether that was reported
+  bool limit_told = false;             // whether a shorter step than the deck's was reported
+  long long point_steps = 0;
+
+  /// Name in a checkpoint, and member.
+  static constexpr auto rows() {
+    using N = StateNumbers;
+    return std::tuple{
+        NumberField{"gas_mass", &N::gas_mass},
+        NumberField{"heat_given", &N::heat_given},
+        NumberField{"heat_under_way", &N::heat_under_way},
+        NumberField{"heat_for_all", &N::heat_for_all},
+        NumberField{"time", &N::time},
+        NumberField{"time_lost", &N::time_lost},
+        NumberField{"c_max", &N::c_max},
+        NumberField{"wave_max", &N::wave_max},
+        NumberField{"steps", &N::steps},
+        NumberField{"dt_last", &N::dt_last},
+        NumberField{"dt_min", &N::dt_min},
+        NumberField{"crossings_since_sort", &N::crossings_since_sort},
+        NumberField{"widest_gap", &N::widest_gap},
+        NumberField{"points_apart", &N::points_apart},
+        NumberField{"apart_told", &N::apart_told},
+        NumberField{"gap_told", &N::gap_told},
+        NumberField{"end_told", &N::end_told},
+        NumberField{"gases_apart", &N::gases_apart},
+        NumberField{"mixing_told", &N::mixing_told},
+        NumberField{"gas_leaked", &N::gas_leaked},
+        NumberField{"leak_told", &N::leak_told},
+        NumberField{"limit_told", &N::limit_told},
+        NumberField{"point_steps", &N::point_steps},
+    };
+  }
+};
+static_assert(lists_each_number_once<StateNumbers>(StateNumbers::rows()), "a number of the state has no row, or two");
+
+/// All that changes while a scene runs.
+struct State : StateNumbers {
+  Points points;
+  Grid grid;
+  std::vector<Range> ranges;        // slots of each body
+  std::vector<char> has_pins;       // of each body
+  bool pins_hold_loads = false;     // elements make the forces of membranes: pinned points give the nodes nothing
+  std::vector<Range> gas;           // slots of the gas bodies
+  std::vector<Range> gas_by_cells;  // of those that take their density from cells
+  std::vector<Range> fluids;        // all fluids, where normals ask for them
+  std::vector<Range> gas_by_nodes;  // and from nodes
+  std::optional<MembraneNormals> normals;            // where tangents come from, unless from connectivity
+  std::vector<double> old_tx, old_ty;                // room for the tangents of before
+  std::optional<CellDensity> density;                // where the gas takes its density from cells
+  std::vector<std::optional<Elements>> elements_of;  // of each body: its elements, where they make its forces
+  std::vector<std::optional<Elements>> ambient_of;   // of each body: where only the pressure outside needs them
+  Strips strips;                                     // of gas beyond open edges
+  Contact contact;                                   // of bodies that share nodes
+  bool keeps_ledger = false;                         // of heat that transfers and elements lose
+  Balance balance;                                   // of energy
+  double light_node = 0;                             // mass of which no motion is, for the balance [mass]
+
+  explicit State(const Scene& scene) : points(scene), grid(scene), strips(scene), contact(scene, grid.frame) {}
+
+  /// What strips change of it.
+  BodyPoints body_points() { return {points, ranges}; }
+  /// New tangents of membrane b by the scene's rule, and the total strain's component along them (5.3).
+  void turn_tangents(const Scene& scene, std::size_t b);
+  /// The lists of gases and fluids, and the mass of all gas, from the present ranges.
+  void list_fluids(const Scene& scene);
+  /// New tangents alone; those of before say which way they run.
+  void find_tangents(std::size_t b);
+};
+
+/// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
+/// 1 of the algorithm), so that every step begins with its sums in place.
+State start(const Scene& scene);
+
+/// Whether heat is booked: the method says so and there is gas, with its density from nodes, to take it.
+bool keeps_ledger(const Scene& scene);
+
+/// The state as plain data, and back into a state of the same scene, to the last bit: sums at nodes are kept as they
+/// are, since points that were sorted meanwhile would add up to others. Scratch arrays are left out. restore() throws
+/// FileError.
+SavedState save(const State& state);
+void restore(State& state, const Scene& scene, const SavedState& saved);
+
+}  // namespace tether::mpm

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/scene.hpp"
+#include "physics/points/point_laws.hpp"
+#include "physics/points/state.hpp"
+
+namespace tether::mpm {
+
+/// A step's workplace: the state it changes and what it found on the way.
+struct StepWork {
+  State& state;
+  const Scene& scene;
+  StepFindings found;
+  NodeTotals nodes = {};
+};
+
+/// What a method does with a state, compiled for its kernel, transfer and geometry, and chosen once for a run.
+struct StepSet {
+  /// One step of length dt. It begins and ends with mass and momentum (and, but for usf, force) mapped to the nodes.
+  /// After trouble the state is for reading only.
+  void (*step)(StepWork& work, double dt);
+  /// Adds mass, momentum and internal force of all points at their present places to `sums` (3.15), (3.16).
+  void (*map_all)(const State& state, const Scene& scene, std::vector<NodeSums>& sums);
+  /// Lists the cells that hold points, and their nodes.
+  void (*list_active)(Grid& grid, const Points& points);
+  /// sum_p m_p q_p N_i of a quantity q of all points, added to `values`.
+  void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values);
+  /// The pressure that the nodes' forces have of gas whose density comes from the nodes, by slot; empty without such.
+  std::vector<double> (*gas_pressures)(const State& state, const Scene& scene);
+  /// At the start: the fields about points that begin with different velocities, where points carry such.
+  void (*fit_fields)(State& state);
+};
+
+StepSet step_set(const Scene& scene);
+StepSet linear_step_set(const Scene& scene);
+StepSet spline_step_set(const Scene& scene);
+
+}  // namespace tether::mpm

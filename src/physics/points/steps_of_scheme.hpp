@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "loops/points.hpp"
+#include "physics/points/contact_map.hpp"
+#include "physics/points/elements.hpp"
+#include "physics/points/membrane_passes.hpp"
+#include "physics/points/nodes.hpp"
+#include "physics/points/passes.hpp"
+#include "physics/points/start_fields.hpp"
+#include "physics/points/steps.hpp"
+
+namespace tether::mpm {
+
+// The three orders of a step as pages of named calls, for one scheme of kernel, transfer and geometry.
+
+inline PassWork pass_work(StepWork& work, double dt) {
+  State& state = work.state;
+  const BackgroundGrid& shape = state.grid.frame.shape;
+  const Method& method = work.scene.method;
+  return {state.points,
+          state.grid,
+          Locator(shape),
+          {dt, state.c_max, std::sqrt(shape.dx * shape.dy), method.gas_energy == GasEnergy::rate, method.jaumann,
+           state.gas_mass > 0 ? state.heat_for_all / state.gas_mass : 0, method.order == StressOrder::usf}};
+}
+
+/// Velocities (3.22) and the momenta back on the nodes (3.24).
+template <class S>
+void accelerate_and_convect_all(StepWork& work, double dt) {
+  State& state = work.state;
+  clear_convected(state.grid);
+  state.contact.clear_convected();
+  const PassWork pass = pass_work(work, dt);
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    const OwnField own(state, b);
+    work.found = state.has_pins[b] ? accelerate_and_convect<S, true>(pass, state.ranges[b], work.found)
+                                   : accelerate_and_convect<S, false>(pass, state.ranges[b], work.found);
+  }
+  state.grid.fold_convected();
+  divide_convected(state.grid);
+  state.contact.divide_convected(state.grid.frame);
+}
+
+/// First half of a body whose law needs its neighbours' new places.
+template <class S, class Pass>
+void strain_where_neighbours_count(StepWork& work, const PassWork& pass) {
+  State& state = work.state;
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    const OwnField own(state, b);
+    const bool later =
+        std::visit([](const auto& law) { return waits(law, Pass::moves); }, work.scene.bodies[b].material);
+    if (!later || (state.elements_of[b] && !Pass::moves)) continue;
+    work.found = state.has_pins[b] ? strain_and_move_all<S, Pass, true>(pass, state.ranges[b], work.found)
+                                   : strain_and_move_all<S, Pass, false>(pass, state.ranges[b], work.found);
+  }
+}
+
+/// What neighbours tell once they stand at their new places: densities (4.5), (4.6), and the strains and tangents of
+/// strings. A string stretches along the tangent that its force had, so that strain energy takes up what the force
+/// gave; then its frame turns. Where the points stay, the force will have the tangent of where they stand.
+template <class S, class Pass>
+void look_at_neighbours(StepWork& work, const PassWork& pass) {
+  State& state = work.state;
+  if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
+  if constexpr (Pass::moves) density_at_nodes<S>(pass, state.gas_by_nodes);
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    const Body& body = work.scene.bodies[b];
+    if (!std::holds_alternative<Membrane>(body.material) || state.elements_of[b]) continue;
+    if constexpr (!Pass::moves) state.turn_tangents(work.scene, b);
+    stretch_along_tangents(state.points, state.ranges[b], pass.step.dt);
+    if constexpr (Pass::moves) state.turn_tangents(work.scene, b);
+  }
+}
+
+/// Stress of one body and its force, and mass and momentum where it has moved.
+template <class S, class Pass>
+void stress_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
+  State& state = work.state;
+  const Range range = state.ranges[b];
+  const OwnField own(state, b);
+  if (state.elements_of[b]) {
+    if constexpr (Pass::moves) map_momentum_all<S>(pass, range);
+    return work.found.trouble.join(pull_elements<S>(pass, *state.elements_of[b]));
+  }
+  std::visit(
+      [&](const auto& law) {
+        work.found = waits(law, Pass::moves) ? stress_and_map_all<S, Pass>(law, pass, range, work.found)
+                                             : strain_stress_and_map<S, Pass>(law, pass, range, work.found);
+      },
+      work.scene.bodies[b].material);
+  if (state.ambient_of[b]) press_ambient<S>(pass, *state.ambient_of[b]);
+}
+
+/// Strain rates (3.23), new places (3.21), stresses by the laws, and the map of mass, momentum and force to the grid
+/// that is back in its place (3.15)-(3.18).
+template <class S, class Pass>
+void strain_stress_and_map_all(StepWork& work, double dt) {
+  const PassWork pass = pass_work(work, dt);
+  strain_where_neighbours_count<S, Pass>(work, pass);
+  if (work.found.trouble.kind != TroubleKind::none) return;
+  look_at_neighbours<S, Pass>(work, pass);
+  for (std::size_t b = 0; b < work.state.ranges.size(); ++b) stress_and_map_body<S, Pass>(work, pass, b);
+  work.state.grid.fold_sums();
+}
+
+/// What remains of a body's step that updated stress first.
+template <class S>
+void accelerate_move_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
+  State& state = work.state;
+  const Range range = state.ranges[b];
+  const OwnField own(state, b);
+  const auto* gas = std::get_if<IdealGas>(&work.scene.bodies[b].material);
+  const bool ledger = state.keeps_ledger;
+  if (gas) {
+    work.found = accelerate_move_and_map_gas<S>(*gas, pass, range, ledger, work.found);
+  } else if (state.elements_of[b]) {
+    work.found = accelerate_move_and_map_membrane<S>(pass, *state.elements_of[b], ledger, work.found);
+  } else {  // what other bodies lose is no heat of the gas alone, and starts from none
+    const double heat = std::exchange(work.found.heat, 0);
+    work.found = state.has_pins[b] ? accelerate_move_and_map<S, true>(pass, range, ledger, work.found)
+                                   : accelerate_move_and_map<S, false>(pass, range, ledger, work.found);
+    give_to_all_gas(state, std::exchange(work.found.heat, heat));
+  }
+}
+
+template <class S>
+void accelerate_move_and_map_all(StepWork& work, double dt) {
+  const PassWork pass = pass_work(work, dt);
+  for (std::size_t b = 0; b < work.state.ranges.size(); ++b) accelerate_move_and_map_body<S>(work, pass, b);
+  work.state.grid.fold_sums();
+}
+
+/// Bodies that share nodes: their own sums there, and which of them move together (A.1.3).
+template <class S>
+void open_contact(StepWork& work, double dt) {
+  State& state = work.state;
+  if (!state.contact.on()) return;
+  const PassWork pass = pass_work(work, dt);
+  find_shared_nodes<S>(pass, state);
+  map_shared_momentum<S>(pass, state);
+  state.contact.decide(state.points, state.ranges, state.grid.frame);
+}
+
+/// The momentum equation of the common field and, at shared nodes, of each body's.
+template <class S>
+void solve_with_contact(StepWork& work, double dt) {
+  State& state = work.state;
+  solve_momentum(work, dt);
+  if (state.contact.on()) {
+    map_shared_force<S>(pass_work(work, dt), state, work.scene);
+    state.contact.solve(state.points, state.grid.frame, work.scene.gravity, dt);
+  }
+  total_nodes(work, dt);
+}
+
+template <class S>
+struct Musl {
+  static void step(StepWork& work, double dt) {
+    open_contact<S>(work, dt);                // (9.6)-(9.9)
+    solve_with_contact<S>(work, dt);          // (3.19), (3.20), walls, (9.4), (9.5)
+    accelerate_and_convect_all<S>(work, dt);  // (3.22), (3.24), walls
+    clear_sums(work.state.grid);
+    strain_stress_and_map_all<S, MuslPass>(work, dt);  // (3.21), (3.23), laws, (3.15)-(3.18)
+  }
+};
+
+template <class S>
+struct Usl {
+  static void step(StepWork& work, double dt) {
+    open_contact<S>(work, dt);        // (9.6)-(9.9)
+    solve_with_contact<S>(work, dt);  // (3.19), (3.20), walls, (9.4), (9.5)
+    clear_sums(work.state.grid);
+    strain_stress_and_map_all<S, UslPass>(work, dt);  // (3.22), (3.21), (3.23), laws, (3.15)-(3.18)
+  }
+};
+
+template <class S>
+struct Usf {
+  static void step(StepWork& work, double dt) {
+    State& state = work.state;
+    mapped_velocity(state.grid);  // v_i = (mv)_i / m_i, walls
+    if (!state.gas_by_nodes.empty()) gas_at_nodes(state.grid);
+    open_contact<S>(work, dt);  // each body's own field at shared nodes
+    clear_forces(state.grid);
+    strain_stress_and_map_all<S, UsfPass>(work, dt);  // (3.23), laws, (3.16)
+    if (work.found.trouble.kind != TroubleKind::none) return;
+    solve_with_contact<S>(work, dt);  // (3.19), (3.20), walls, impulses
+    if (state.keeps_ledger) clear_heat(state), note_squares(state.grid);
+    clear_sums(state.grid);
+    accelerate_move_and_map_all<S>(work, dt);  // (3.22), (3.21), (4.10) centred, (3.15)
+    if (state.keeps_ledger && work.found.trouble.kind == TroubleKind::none) settle_ledger<S>(work, pass_work(work, dt));
+  }
+};
+
+template <class S>
+void map_all_points(const State& state, const Scene& scene, std::vector<NodeSums>& sums) {
+  const Locator locator(state.grid.frame.shape);
+  const Points& P = state.points;
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    std::visit(
+        [&, range = state.ranges[b]](const auto& law) {
+          for_points(range, [&](std::size_t p) {
+            if (P.pinned[p] && state.pins_hold_loads) return;
+            const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
+            const auto nodes = S::Kernel::nodes(locator, at);
+            if (from_nodes(law))
+              map_gas_momentum<S>(P, p, sums, locator, at, nodes);
+            else
+              map_momentum<S>(P, p, sums, locator, at, nodes);
+            if (!state.elements_of[b]) map_force<S>(P, p, law_volume(law, P, p), sums, locator, at, nodes);
+          });
+        },
+        scene.bodies[b].material);
+    if (state.elements_of[b]) spread_forces<S>(P, locator, *state.elements_of[b], sums);
+    if (state.ambient_of[b]) spread_forces<S>(P, locator, *state.ambient_of[b], sums);
+  }
+  fold_sums(state.grid.frame, sums);
+}
+
+template <class S>
+void map_quantity(const State& state, const std::vector<double>& q, std::vector<double>& values) {
+  const Locator locator(state.grid.frame.shape);
+  const Points& P = state.points;
+  for_points({0, P.size()}, [&](std::size_t p) {
+    if (P.pinned[p] && state.pins_hold_loads) return;
+    const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
+    const auto nodes = S::Kernel::nodes(locator, at);
+    const auto N = S::Kernel::values(at);
+    for (std::size_t k = 0; k < S::Kernel::size; ++k) values[nodes[k]] += P.mass[p] * q[p] * N[k];
+  });
+  for (const Ghost& ghost : state.grid.frame.ghosts) {
+    values[static_cast<std::size_t>(ghost.image)] += values[static_cast<std::size_t>(ghost.node)];
+  }
+}
+
+template <class S>
+StepSet step_set_of(StressOrder order) {
+  auto step = order == StressOrder::usf ? Usf<S>::step : order == StressOrder::usl ? Usl<S>::step : Musl<S>::step;
+  return {step,
+          map_all_points<S>,
+          [](Grid& grid, const Points& points) { grid.list_active<typename S::Kernel>(points); },
+          map_quantity<S>,
+          gas_pressures<S>,
+          fit_fields<S>};
+}
+
+/// By transfer and geometry, for one kernel.
+template <class Kernel>
+StepSet step_set_of_kernel(const Scene& scene) {
+  const StressOrder order = scene.method.order;
+  const bool apic = scene.method.transfer == Transfer::apic;
+  if (scene.geometry == Geometry::axisymmetric) {
+    return apic ? step_set_of<Scheme<Kernel, Apic, Geometry::axisymmetric>>(order)
+                : step_set_of<Scheme<Kernel, Flip, Geometry::axisymmetric>>(order);
+  }
+  return apic ? step_set_of<Scheme<Kernel, Apic, Geometry::plane>>(order)
+              : step_set_of<Scheme<Kernel, Flip, Geometry::plane>>(order);
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grid/boxes.hpp"
+#include "grid/overlaps.hpp"
+#include "model/solids.hpp"
+
+namespace tether::fem {
+
+/// What has been said of bodies on a mesh, 1 where it has; and what it is said by.
+struct ToldDoubts {
+  long long left_grid = 0, turned = 0, swings = 0;
+  long long looks = 0, reversals = 0;  ///< steps that moved, and those of them that turned the motion back
+  double fastest = 0;                  ///< largest kinetic energy so far, as turned_back() takes it
+  double spacing = 0;   ///< largest distance of nodes that a fluid carries so far, over that of the fluid's
+  double thinnest = 0;  ///< cells of the fluid across the thinnest body, the least so far
+};
+
+/// As part of what a run saves.
+template <class Exchange>
+void exchange(Exchange& with, ToldDoubts& told) {
+  with("told_left_grid", told.left_grid), with("told_turned", told.turned), with("told_swings", told.swings);
+  with("told_looks", told.looks), with("told_reversals", told.reversals), with("told_fastest", told.fastest);
+  with("told_spacing", told.spacing), with("told_thinnest", told.thinnest);
+}
+
+/// Nodes inside another body.
+struct OverlapCount {
+  long long now = 0;
+  long long most = 0;  ///< at one time since the start
+};
+
+/// As part of what a run saves.
+template <class Exchange>
+void exchange(Exchange& with, OverlapCount& count) {
+  with("nodes_inside", count.now), with("nodes_inside_most", count.most);
+}
+
+/// Looks whether bodies go on where the model does not hold any more: beyond the grid, where nothing stops them, or
+/// turned further than a linear law follows. Each is reported once. The solids and the grid must outlive it.
+class BodyDoubts {
+ public:
+  BodyDoubts(const Solids& solids, const BackgroundGrid& grid);
+
+  void look(std::span<const double> q, double time, ToldDoubts& told, std::vector<std::string>& messages) const;
+  /// The linear law alone: of bodies that something else holds within the grid.
+  void look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
+                     std::vector<std::string>& messages) const;
+  /// Whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the nodes.
+  static void look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
+                             double time, ToldDoubts& told, std::vector<std::string>& messages);
+
+ private:
+  void look_at_edges(std::span<const double> q, double time, ToldDoubts& told,
+                     std::vector<std::string>& messages) const;
+  double left_out(std::size_t e, std::span<const double> q) const;
+  std::string region_of_node(std::size_t node) const;
+
+  const Solids& solids_;
+  const BackgroundGrid& grid_;
+  std::vector<std::size_t> linear_;  // elements of linear laws
+  std::vector<bool> free_;           // of each node, whether nothing holds its body
+};
+
+/// Nothing stops one body at another: it is seen here, counted and told once. The solids must outlive it.
+class BodyOverlaps {
+ public:
+  explicit BodyOverlaps(const Solids& solids) : solids_(solids), finder_(solids.mesh) {}
+
+  /// Counts with the nodes at q; the first time that there are any a warning is added.
+  void look(std::span<const double> q, double time, OverlapCount& count, std::vector<std::string>& messages);
+
+ private:
+  std::string name_of(int part) const;
+
+  const Solids& solids_;
+  OverlapFinder finder_;
+};
+
+}  // namespace tether::fem

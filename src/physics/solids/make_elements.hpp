@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "grid/mesh.hpp"
+#include "model/solids.hpp"
+#include "physics/solids/elements.hpp"
+
+namespace tether::fem {
+
+/// The elements of the solids' mesh, which must outlive them.
+std::unique_ptr<Elements> make_elements(const Solids& solids);
+
+/// <N_A> over sides of the reference shape: a load's part of each node [area].
+std::vector<double> side_areas(const Mesh& mesh, const Sides& sides);
+
+}  // namespace tether::fem

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/solids/solver.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics.hpp"
+#include "physics/solids/fields.hpp"
+#include "physics/step_time.hpp"
+
+namespace tether::fem {
+
+SolidSolver::SolidSolver(const Plan& plan)
+    : plan_(plan),
+      system_(*plan.scene.solids(), plan.scene.gravity),
+      step_(system_),
+      columns_(solid_columns(system_.solids)),
+      overlaps_(system_.solids),
+      doubts_(system_.solids, plan.scene.grid) {
+  state_.q = system_.solids.mesh.x;
+  state_.v = first_velocities(system_);
+  if (system_.solids.integrator == Integrator::central) state_.a.assign(state_.q.size(), 0.0);
+  system_.place_supports(0, state_.q);
+  if (system_.solids.integrator != Integrator::equilibrium)
+    system_.move_supports(0, slope_width * plan.scene.clock.tstep, state_.v);
+  if (system_.solids.from_equilibrium) start();
+  tell_of_short_steps();
+  std::vector<std::string> told_by_the_deck;
+  overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
+}
+
+/// As plan and run do of points and bars, whose limit is known without the elements.
+void SolidSolver::tell_of_short_steps() {
+  const Clock& clock = plan_.scene.clock;
+  if (system_.solids.integrator != Integrator::central || clock.cfl == 0) return;
+  const double limit = step_.longest_explicit_step(state_.q), dt = clock.cfl * limit;
+  if (!(dt < plan_.step.deck_step * (1 - 1e-9))) return;
+  messages_.push_back(fmt::format(
+      "the deck's step {:.4g} is {:#.3g} times the limit 2/omega = {:.4g} of central differences: steps are "
+      "limited to {:.4g}, cfl = {:.3g} of it, {:.0f} in place of {:.0f}",
+      plan_.step.deck_step, plan_.step.deck_step / limit, limit, dt, clock.cfl, std::ceil(clock.tmax / dt),
+      std::ceil(clock.tmax / plan_.step.deck_step)));
+}
+
+void SolidSolver::start() {
+  const NewtonReport report = step_.settle(state_, 0);
+  state_.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+  if (report.converged) return;
+  throw RunError(
+      fmt::format("t = 0: no equilibrium with the loads of the start is found: residuals over the largest "
+                  "force{}: likely cause, loads too large for one step",
+                  residuals_text(report.residuals)));
+}
+
+void SolidSolver::advance(double until) {
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax) {
+    const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
+    step(next_step());
+    if (implicit()) BodyDoubts::look_at_swings(before, state_.v, system_.lumped, state_.time, state_.told, messages_);
+    look_at_bodies();
+  }
+}
+
+/// Explicit steps are many and short: bodies do not go far in some of them.
+void SolidSolver::look_at_bodies() {
+  constexpr long long explicit_steps = 16;
+  if (system_.solids.integrator == Integrator::central && state_.steps % explicit_steps != 0) return;
+  overlaps_.look(state_.q, state_.time, state_.overlap, messages_);
+  doubts_.look(state_.q, state_.time, state_.told, messages_);
+}
+
+double SolidSolver::next_step() const {
+  double dt = plan_.step.deck_step;
+  if (system_.solids.integrator == Integrator::central && plan_.scene.clock.cfl > 0)
+    dt = std::min(dt, plan_.scene.clock.cfl * step_.longest_explicit_step(state_.q));
+  return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
+}
+
+void SolidSolver::step(double dt) {
+  clock_step(
+      state_, dt, plan_.scene.clock.tmax, [this](double part) { return advanced(part); },
+      [this](double part, const NewtonReport& report) { stop(part, report); }, messages_);
+}
+
+/// Explicit steps have nothing to be halved for.
+NewtonReport SolidSolver::advanced(double dt) {
+  if (state_.time + dt <= state_.time) lose(dt);
+  NewtonReport report = step_.advance(state_, dt);
+  if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
+  if (!report.residuals.empty()) state_.residual = report.residuals.back();
+  return report;
+}
+
+/// An explicit step that ran away, or is lost in the time, leaves nothing to go on with.
+void SolidSolver::lose(double dt) const {
+  std::size_t k = 0;
+  while (k + 1 < state_.v.size() && std::isfinite(state_.v[k])) ++k;
+  const auto d = static_cast<std::size_t>(system_.dim());
+  const double* place = &system_.solids.mesh.x[k / d * d];
+  if (state_.time + dt <= state_.time)
+    throw RunError(
+        fmt::format("t = {:.9g}, step {}: steps of {:.3g} are lost in the time: likely cause, cfl or damping "
+                    "that leaves central differences no step",
+                    state_.time, state_.steps + 1, dt));
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: node {}, at the start at ({:.6g}, {:.6g}), has no velocity any more: "
+                  "likely cause, steps of {:.3g} above the limit {:.3g} of central differences at the start",
+                  state_.time, state_.steps + 1, k / d + 1, place[0], place[1], dt,
+                  step_.longest_explicit_step(system_.solids.mesh.x)));
+}
+
+void SolidSolver::stop(double dt, const NewtonReport& report) const {
+  std::size_t worst = 0;
+  double fastest = 0;
+  for (std::size_t k = 0; k < state_.v.size(); ++k) {
+    if (std::abs(state_.v[k]) > fastest) fastest = std::abs(state_.v[k]), worst = k;
+  }
+  const std::size_t node = worst / static_cast<std::size_t>(system_.dim());
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} "
+                  "times; residuals over the largest force{}; fastest is node {} at ({:.6g}, {:.6g}): likely "
+                  "cause, a step or a load increment too long, or an element turned inside out",
+                  state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report.residuals), node + 1,
+                  state_.q[node * static_cast<std::size_t>(system_.dim())],
+                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]));
+}
+
+RunCounts SolidSolver::counts() const {
+  RunCounts counts;
+  counts.steps = state_.steps;
+  counts.points = system_.lumped.size();
+  counts.point_steps = state_.steps * static_cast<long long>(counts.points);
+  counts.cells_active = system_.solids.mesh.element_count();
+  counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
+  return counts;
+}
+
+Snapshot SolidSolver::grid() const { return node_fields(state_, system_); }
+
+std::vector<std::string> SolidSolver::take_messages() { return std::exchange(messages_, {}); }
+
+SavedState SolidSolver::save() const {
+  StateSaver saver;
+  SolidState state = state_;
+  exchange(saver, state);
+  return saver.take();
+}
+
+void SolidSolver::restore(const SavedState& saved) {
+  StateRestorer restorer(saved);
+  exchange(restorer, state_);
+  messages_.clear();  // of the start: the run has them
+}
+
+std::vector<CostPart> SolidSolver::cost_parts() const {
+  const SolidCost& cost = step_.cost();
+  return {{"assembly", cost.assembly}, {"solve", cost.solve}, {"analysis", cost.analysis}};
+}
+
+Summary SolidSolver::more_summary() const {
+  const SolidCost& cost = step_.cost();
+  const auto number = [](auto value) { return fmt::format("{}", value); };
+  const auto free = std::count(system_.held.begin(), system_.held.end(), 0);
+  Summary summary{{"unknowns", number(free)},
+                  {"newton_iterations", number(state_.newton_steps)},
+                  {"halvings", number(state_.halvings)},
+                  {"nodes_inside", number(state_.overlap.most)},
+                  {"factor_nonzeros", number(cost.factor_nonzeros)}};
+  if (system_.solids.integrator == Integrator::equilibrium)
+    summary.emplace_back("equilibrium_residual", number(state_.residual));
+  return summary;
+}
+
+}  // namespace tether::fem

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/solids/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/process.hpp"
+
+namespace tether::fem {
+namespace {
+
+constexpr int most_backsteps = 10;
+
+double norm(const std::vector<double>& f) {
+  double sum = 0;
+  for (const double value : f) sum += value * value;
+  return std::sqrt(sum);
+}
+
+double largest(const std::vector<double>& f) {
+  double size = 0;
+  for (const double value : f) size = std::max(size, std::abs(value));
+  return size;
+}
+
+/// Whole corrections find the way in stiff and slender bodies, through larger residuals; where they lead nowhere, as in
+/// long steps of soft ones, a second attempt takes care.
+constexpr NewtonRule whole{12, 0}, careful{25, 6};
+
+StressAt rule_of(Integrator integrator) {
+  return integrator == Integrator::energy     ? StressAt::gradient
+         : integrator == Integrator::midpoint ? StressAt::middle
+                                              : StressAt::end;
+}
+
+}  // namespace
+
+SolidStep::SolidStep(const SolidSystem& system)
+    : system_(system),
+      dynamic_(system.solids.integrator != Integrator::equilibrium),
+      rigid_guess_(system.solids.mesh, system.weights, system.held),
+      solver_(system.dim()),
+      K_(system.pattern.matrix()),
+      q1_(system.unknowns()),
+      start_(system.unknowns()),
+      inner_(system.unknowns()),
+      outer_(system.unknowns()),
+      inertia_(system.unknowns()),
+      damping_(system.unknowns()),
+      residual_(system.unknowns()),
+      change_(system.unknowns()),
+      scratch_(system.unknowns()),
+      moved_(system.unknowns()) {
+  if (system.solids.beta == 0) return;
+  K0_ = system.pattern.matrix();
+  system.elements->add_tangent(StressAt::end, system.solids.mesh.x, system.solids.mesh.x, 0, system.pattern, K0_);
+}
+
+NewtonReport SolidStep::advance(SolidState& state, double dt) {
+  if (system_.solids.integrator == Integrator::central) {
+    explicit_step(state, dt);
+    return {std::isfinite(norm(state.v)), {}};
+  }
+  find_outer_forces(state.time, dt);
+  if (dynamic_) system_.move_supports(state.time + dt, slope_width * dt, moved_);
+  NewtonReport report;
+  for (const NewtonRule& rule : {whole, careful}) {
+    guess(state, dt);
+    report = newton(state, dt, rule);
+    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+    if (report.converged) break;
+  }
+  if (report.converged) accept(state, dt);
+  return report;
+}
+
+NewtonReport SolidStep::settle(SolidState& state, double at) {
+  const bool dynamic = dynamic_;
+  dynamic_ = false;
+  system_.external_forces(at, outer_);
+  NewtonReport report;
+  for (const NewtonRule& rule : {whole, careful}) {
+    q1_ = state.q;
+    system_.place_supports(at, q1_);
+    report = newton(state, 0, rule);
+    if (report.converged) break;
+  }
+  if (report.converged) state.q = q1_;
+  dynamic_ = dynamic;
+  return report;
+}
+
+/// Where Newton's method starts: with the velocity carried on, or as rigid bodies would move on, whichever leaves the
+/// smaller residual.
+void SolidStep::guess(const SolidState& state, double dt) {
+  if (!dynamic_) {
+    q1_ = state.q;
+    return system_.place_supports(state.time + dt, q1_);
+  }
+  rigid_guess_.find(state.q, state.v, dt, change_);
+  system_.place_supports(state.time + dt, change_);
+  q1_ = change_;
+  find_inner_forces(state.q, false);
+  const double rigid = find_residual(state, dt) * scale_;
+  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = state.q[k] + dt * state.v[k];
+  system_.place_supports(state.time + dt, q1_);
+  find_inner_forces(state.q, true);
+  if (!(find_residual(state, dt) * scale_ <= rigid)) q1_ = change_;
+}
+
+/// Of loads and gravity, where the integrator takes its stress.
+void SolidStep::find_outer_forces(double time, double dt) {
+  if (!dynamic_) return system_.external_forces(time + dt, outer_);
+  if (system_.solids.integrator != Integrator::trapezoid) return system_.external_forces(time + 0.5 * dt, outer_);
+  system_.external_forces(time, inner_);
+  system_.external_forces(time + dt, outer_);
+  for (std::size_t k = 0; k < outer_.size(); ++k) outer_[k] = 0.5 * (outer_[k] + inner_[k]);
+}
+
+/// (13) between q0 and q1; of the trapezoidal rule the mean of both ends.
+void SolidStep::find_inner_forces(std::span<const double> q0, bool again) {
+  const Elements& elements = *system_.elements;
+  const bool mean = dynamic_ && system_.solids.integrator == Integrator::trapezoid;
+  std::fill(inner_.begin(), inner_.end(), 0.0);
+  if (mean && !again) {
+    std::fill(start_.begin(), start_.end(), 0.0);
+    elements.add_forces(StressAt::end, q0, q0, start_);
+  }
+  elements.add_forces(dynamic_ ? rule_of(system_.solids.integrator) : StressAt::end, q0, q1_, inner_);
+  if (!mean) return;
+  for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = 0.5 * (inner_[k] + start_[k]);
+}
+
+/// alpha M + beta K of the reference shape, times the mean velocity of the step.
+void SolidStep::add_damping(double dt, std::span<const double> q0) {
+  const double alpha = system_.solids.alpha, beta = system_.solids.beta;
+  std::fill(damping_.begin(), damping_.end(), 0.0);
+  if (alpha == 0 && beta == 0) return;
+  for (std::size_t k = 0; k < q1_.size(); ++k) scratch_[k] = (q1_[k] - q0[k]) / dt;
+  if (beta != 0) K0_.multiply(scratch_, damping_);
+  system_.multiply_mass(scratch_, residual_);
+  for (std::size_t k = 0; k < q1_.size(); ++k) damping_[k] = beta * damping_[k] + alpha * residual_[k];
+}
+
+/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17), of supported nodes the velocity that
+/// they are given, which that rule would let alternate about its mean for ever; its size over the largest of them,
+/// infinite where that is not finite.
+double SolidStep::find_residual(const SolidState& state, double dt) {
+  std::fill(inertia_.begin(), inertia_.end(), 0.0);
+  std::fill(damping_.begin(), damping_.end(), 0.0);
+  if (dynamic_) {
+    add_damping(dt, state.q);
+    for (std::size_t k = 0; k < q1_.size(); ++k) {
+      scratch_[k] =
+          system_.held[k] ? (moved_[k] - state.v[k]) / dt : 2 / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
+    }
+    system_.multiply_mass(scratch_, inertia_);
+  }
+  double square = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    residual_[k] = inertia_[k] + inner_[k] + damping_[k] - outer_[k];
+    if (!system_.held[k]) square += residual_[k] * residual_[k];
+  }
+  scale_ = std::max({norm(inner_), norm(outer_), norm(inertia_)});
+  if (!std::isfinite(scale_)) return std::numeric_limits<double>::infinity();
+  return scale_ > 0 ? std::sqrt(square) / scale_ : 0;
+}
+
+NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonRule& rule) {
+  NewtonReport report;
+  const Seconds from = seconds_now();
+  find_inner_forces(state.q, false);
+  report.residuals.push_back(find_residual(state, dt));
+  cost_.assembly += seconds_now() - from;
+  for (int k = 0; k < rule.most_iterations; ++k) {
+    report.converged = report.residuals.back() <= system_.solids.tolerance;
+    if (report.converged || !correct(state, dt)) return report;
+    report.residuals.push_back(
+        residual_behind_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
+    const bool stagnates = report.residuals.back() > 0.5 * report.residuals[report.residuals.size() - 2];
+    report.converged = stagnates && report.residuals.back() <= rounding();
+    if (report.converged) return report;
+  }
+  return report;
+}
+
+/// What rounding leaves of the residual over the largest force: the places are known to epsilon, and stiff bodies whose
+/// forces nearly cancel answer it with the tangent's largest number.
+double SolidStep::rounding() const {
+  const double epsilon = std::numeric_limits<double>::epsilon(), n = static_cast<double>(q1_.size());
+  return epsilon * std::sqrt(n) * stiffest_ * largest(q1_) / scale_;
+}
+
+/// A correction is halved while it turns an element inside out, and `shortenings` times at most where it leads away:
+/// where neither the residual is smaller than `before` nor the next correction with the same tangent smaller than this
+/// one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
+double SolidStep::residual_behind_correction(const SolidState& state, double dt, int shortenings, double before) {
+  const double length = norm(change_);
+  for (int back = 0; back < most_backsteps; ++back) {
+    find_inner_forces(state.q, true);
+    const double size = find_residual(state, dt);
+    if (std::isfinite(size) && (back >= shortenings || size * scale_ <= before || next_correction() <= length))
+      return size;
+    for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i] *= 0.5;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Length of the correction that the tangent of this one would make next.
+double SolidStep::next_correction() {
+  for (std::size_t k = 0; k < scratch_.size(); ++k) scratch_[k] = system_.held[k] ? 0 : -residual_[k];
+  solver_.solve(scratch_, scratch_);
+  return norm(scratch_);
+}
+
+/// One correction of Newton's method, into change and q1. False where the tangent is singular.
+bool SolidStep::correct(const SolidState& state, double dt) {
+  const Seconds from = seconds_now();
+  const Solids& solids = system_.solids;
+  const bool mean = dynamic_ && solids.integrator == Integrator::trapezoid;
+  const double share = mean ? 0.5 : 1, inertia = dynamic_ ? 2 / (dt * dt) + solids.alpha / dt : 0;
+  K_.set_zero();
+  system_.elements->add_tangent(dynamic_ ? rule_of(solids.integrator) : StressAt::end, state.q, q1_, inertia / share,
+                                system_.pattern, K_);
+  stiffest_ = 0;
+  for (double& value : K_.value) stiffest_ = std::max(stiffest_, value *= share);
+  if (dynamic_ && solids.beta != 0) {
+    for (std::size_t k = 0; k < K_.value.size(); ++k) K_.value[k] += solids.beta / dt * K0_.value[k];
+  }
+  hold(K_, system_.held, stiffest_);
+  for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
+  cost_.assembly += seconds_now() - from;
+  const Seconds solve_from = seconds_now();
+  const bool symmetric = !dynamic_ || solids.integrator != Integrator::energy;
+  const bool regular = solver_.factorise(K_, symmetric ? Definite::positive : Definite::general);
+  if (regular) solver_.solve(change_, change_);
+  cost_.solve += seconds_now() - solve_from;
+  cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis = solver_.analysis();
+  for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] += change_[k];
+  return regular && std::isfinite(norm(change_));
+}
+
+/// Work of loads, of supports, and of damping, and the new state. In (17) the mean velocity does the work; that of a
+/// supported node need not be its way over the step, and its inertia works along the mean.
+void SolidStep::accept(SolidState& state, double dt) {
+  double loads = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it with the other sign
+  double supports = 0;
+  if (!dynamic_) add_work_of_equilibrium(state);
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : 2 * way / dt - state.v[k];
+    if (dynamic_) {
+      const double inertial_way = 0.5 * dt * (state.v[k] + v1);
+      loads += outer_[k] * way;
+      if (system_.held[k]) supports += inertia_[k] * inertial_way + (inner_[k] + damping_[k] - outer_[k]) * way;
+    }
+    state.damped += damping_[k] * way;
+    state.v[k] = dynamic_ ? v1 : 0;
+    state.q[k] = q1_[k];
+  }
+  state.of_loads += loads, state.of_supports += supports;
+}
+
+/// From equilibrium to equilibrium loads and the forces of supports work with the mean of both ends: exactly where the
+/// body answers linearly, and with the square of the step else.
+void SolidStep::add_work_of_equilibrium(SolidState& state) {
+  system_.external_forces(state.time, start_);
+  std::fill(scratch_.begin(), scratch_.end(), 0.0);
+  system_.elements->add_forces(StressAt::end, state.q, state.q, scratch_);
+  double loads = 0, supports = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    const double way = q1_[k] - state.q[k], load = 0.5 * (start_[k] + outer_[k]);
+    loads += load * way;
+    if (system_.held[k]) supports += (0.5 * (scratch_[k] + inner_[k]) - load) * way;
+  }
+  state.of_loads += loads, state.of_supports += supports;
+}
+
+}  // namespace tether::fem

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/process.hpp"
+#include "physics/solids/rigid_guess.hpp"
+#include "physics/solids/system.hpp"
+
+namespace tether::fem {
+
+/// How far Newton's method goes in a step.
+struct NewtonRule {
+  int most_iterations, most_shortenings;  ///< corrections, and halvings of one that leads away
+};
+
+/// How Newton's method went in a step.
+struct NewtonReport {
+  bool converged = false;
+  std::vector<double> residuals;  ///< of each iteration, over the largest force
+};
+
+/// Part of a step over which the velocities of supports are measured, to both sides of its end.
+constexpr double slope_width = 1e-3;
+
+/// What the steps have cost; the symbolic analysis is a part of the solution.
+struct SolidCost {
+  Seconds assembly, solve, analysis;
+  double factor_nonzeros = 0;
+};
+
+/// One step of elastic bodies, from q0, v0 at t to q1, v1 at t + dt, by the solids' integrator.
+class SolidStep {
+ public:
+  /// The system must outlive it.
+  explicit SolidStep(const SolidSystem& system);
+
+  /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
+  NewtonReport advance(SolidState& state, double dt);
+  /// Brings the state into equilibrium with loads and supports of time `at`, at rest.
+  NewtonReport settle(SolidState& state, double at);
+  /// What central differences allow at these places [time].
+  double longest_explicit_step(std::span<const double> q) const;
+
+  const SolidCost& cost() const { return cost_; }
+
+ private:
+  NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
+  void guess(const SolidState& state, double dt);
+  void find_outer_forces(double time, double dt);
+  void find_inner_forces(std::span<const double> q0, bool again);
+  double find_residual(const SolidState& state, double dt);
+  double residual_behind_correction(const SolidState& state, double dt, int shortenings, double before);
+  double next_correction();
+  double rounding() const;
+  bool correct(const SolidState& state, double dt);
+  void accept(SolidState& state, double dt);
+  void add_work_of_equilibrium(SolidState& state);
+  void add_damping(double dt, std::span<const double> q0);
+  void find_accelerations(std::span<const double> q, std::span<const double> v, double time, std::span<double> a);
+  void explicit_step(SolidState& state, double dt);
+
+  const SolidSystem& system_;
+  bool dynamic_;
+  RigidGuess rigid_guess_;
+  SparseSolver solver_;
+  SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
+  // Places at the step's end; forces: half of those at the start (trapezoidal rule), inner, outer, inertia, damping;
+  // their sum, the residual; the correction; and what is in between.
+  std::vector<double> q1_, start_, inner_, outer_, inertia_, damping_, residual_, change_, scratch_;
+  std::vector<double> moved_;        // velocities of supported nodes at the step's end
+  double scale_ = 0, stiffest_ = 0;  // the largest force, and the largest number of the tangent
+  SolidCost cost_;
+};
+
+}  // namespace tether::fem

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra/sparse_matrix.hpp"
+#include "algebra/sparse_solver.hpp"
+#include "model/solids.hpp"
+#include "physics/solids/body_doubts.hpp"
+#include "physics/solids/elements.hpp"
+#include "results/results.hpp"
+
+namespace tether::fem {
+
+/// Of elastic bodies; dim numbers a node.
+struct SolidState {
+  double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
+  std::vector<double> q, v;        ///< places [length] and velocities of the nodes
+  std::vector<double> a;           ///< accelerations, of central differences only [length/time2]
+  double of_loads = 0;             ///< work that loads have done so far [energy]
+  double of_supports = 0;          ///< work of supports and walls that lead nodes [energy]
+  double damped = 0;               ///< taken by damping so far [energy]
+  double residual = 0;             ///< that Newton's method ended the last step with, over the largest force
+  double dt_last = 0, dt_min = 0;  ///< [time]
+  long long steps = 0, newton_steps = 0, halvings = 0;
+  OverlapCount overlap;
+  ToldDoubts told;
+};
+
+/// Lists what a step depends on over saver and restorer alike.
+template <class Exchange>
+void exchange(Exchange& with, SolidState& state) {
+  with("time", state.time), with("time_lost", state.time_lost);
+  with("q", state.q), with("v", state.v), with("a", state.a);
+  with("of_loads", state.of_loads), with("of_supports", state.of_supports), with("damped", state.damped);
+  with("residual", state.residual);
+  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  with("steps", state.steps), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
+  exchange(with, state.overlap), exchange(with, state.told);
+}
+
+/// What the equations of elastic bodies are made of, that no step changes. Vectors have dim numbers a node.
+class SolidSystem {
+ public:
+  /// `gravity` acts along y [length/time2]. The solids must outlive the system.
+  SolidSystem(const Solids& solids, double gravity);
+
+  int dim() const { return solids.mesh.dim(); }
+  std::size_t unknowns() const { return solids.mesh.x.size(); }
+  /// y = M v, the consistent mass matrix for each direction.
+  void multiply_mass(std::span<const double> v, std::span<double> y) const;
+  /// Loads and gravity at a time [force].
+  void external_forces(double time, std::span<double> f) const;
+  /// Potential energy of gravity, zero at y = 0 [energy].
+  double gravity_energy(std::span<const double> q) const;
+  /// Sets the places of supported nodes to where they are at a time.
+  void place_supports(double time, std::span<double> q) const;
+  /// Sets the velocities of supported nodes to how their places change about a time, from `h` before it, though not
+  /// before t = 0, to `h` behind it.
+  void move_supports(double time, double h, std::span<double> v) const;
+
+  const Solids& solids;
+  std::unique_ptr<Elements> elements;
+  NodalPattern pattern;
+  SparseMatrix mass;            ///< a number a pair of nodes
+  std::vector<double> lumped;   ///< a number a node [mass]
+  std::vector<double> weights;  ///< row sums of the consistent mass matrix, a number a node [mass]
+  /// Of each region its part of the nodes' masses, of those that the integrator moves [mass].
+  std::vector<std::vector<double>> region_weights;
+  std::vector<std::uint8_t> held;  ///< unknowns that supports prescribe
+
+ private:
+  struct NodalLoad {
+    std::vector<double> parts;  // a number a node: area or volume
+    const Load* load;
+  };
+  double gravity_;
+  std::vector<NodalLoad> loads_;
+};
+
+/// Velocities of the nodes at the start: each region moves and turns about its centre of mass; a node that regions
+/// share has the mean of theirs by mass. Supported directions are at rest.
+std::vector<double> first_velocities(const SolidSystem& system);
+
+}  // namespace tether::fem

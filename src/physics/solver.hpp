@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "results/results.hpp"
+
+namespace tether {
+
+/// What a run has cost so far.
+struct RunCounts {
+  long long steps = 0;
+  long long point_steps = 0;
+  std::size_t points = 0;
+  std::size_t cells_active = 0;  ///< cells that hold points at the end
+  double dt_min = 0;             ///< shortest step but for one cut by the end [time]
+  double dt_last = 0;            ///< [time]
+};
+
+/// A path's solver: its state and its step. One virtual call an output interval, none inside it.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  virtual double time() const = 0;
+  /// Steps until time() >= `until` (at least the last step lands on the scene's tmax). Throws RunError.
+  virtual void advance(double until) = 0;
+  /// What a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
+  /// before.
+  virtual void stop_when(std::function<bool()>) {}
+  virtual RunCounts counts() const = 0;
+
+  virtual HistoryLayout history_layout() const = 0;
+  virtual Record record() const = 0;
+  virtual Snapshot points() const = 0;
+  virtual Snapshot grid() const = 0;
+  /// Fields of bodies that have a mesh of their own beside that of grid(); none else.
+  virtual Snapshot solids() const { return {time(), {}}; }
+  /// All that the next step depends on, so that a solver of the same plan goes on from it to the last bit. restore()
+  /// throws FileError where the saved state is not of this path and scene.
+  virtual SavedState save() const = 0;
+  virtual void restore(const SavedState& saved) = 0;
+  /// What parts of the steps took in this process; a part may be a part of another one.
+  virtual std::vector<CostPart> cost_parts() const { return {}; }
+  /// What the path tells in summary.txt beside what all paths do.
+  virtual Summary more_summary() const { return {}; }
+  /// Whether a record costs hardly anything compared with a step, so that what goes wrong can be looked for after every
+  /// step.
+  virtual bool watched_each_step() const { return false; }
+  /// Where the most distorted element of bodies on a mesh is, for a message.
+  virtual std::string worst_element() const { return {}; }
+  /// Warnings that came up since the last call.
+  virtual std::vector<std::string> take_messages() = 0;
+};
+
+}  // namespace tether

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/mesh/sides.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <cmath>
+#include <set>
+
+#include "base/text.hpp"
+
+namespace tether {
+
+std::array<GridEdge, 4> edges_of(const Scene& scene) {
+  const BackgroundGrid& grid = scene.grid;
+  const double width = grid.x1 - grid.x0, height = grid.y1 - grid.y0;
+  return {{{"wl", 0, grid.x0, width, scene.walls.left},
+           {"wr", 0, grid.x1, width, scene.walls.right},
+           {"wb", 1, grid.y0, height, scene.walls.bottom},
+           {"wt", 1, grid.y1, height, scene.walls.top}}};
+}
+
+std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    if (std::abs(mesh.x[n * dim + edge.axis] - edge.place) <= 1e-9 * edge.size) nodes.push_back(static_cast<int>(n));
+  }
+  return nodes;
+}
+
+namespace {
+
+/// What a user may have meant, or all names there are.
+std::string hint_for(const std::string& name, const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const auto& side : mesh.sides) names.push_back(side.first);
+  const std::string near = nearest_name(name, names);
+  if (names.empty()) return "this mesh has no sides with names: its file has no physical groups of curves or surfaces";
+  const std::string all = fmt::format("The sides of this mesh: {}.", fmt::join(names, ", "));
+  return near.empty() ? all : fmt::format("Did you mean '{}'? {}", near, all);
+}
+
+}  // namespace
+
+const Sides* named_sides(const Deck& deck, const std::string& group, const std::string& variable, int k,
+                         const Mesh& mesh, Diagnostics& diagnostics) {
+  const std::string name = deck.text(group, variable, k);
+  const auto found = mesh.sides.find(name);
+  if (found != mesh.sides.end()) return &found->second;
+  diagnostics.add(deck.remark(Severity::error, group, variable, {k, 1}, fmt::format("no side is called '{}'", name),
+                              hint_for(name, mesh)));
+  return nullptr;
+}
+
+void check_all_act(const Deck& deck, const std::string& group, const std::string& what, const std::string& on,
+                   const std::vector<std::string>& others, Diagnostics& diagnostics) {
+  std::set<int> told;
+  for (const std::string& name : others) {
+    const bool listed = find_variable(group, name)->rank == 1;
+    for (const Subscript at : deck.given_elements(group, name)) {
+      const int k = at[listed ? 0 : 1];
+      if (deck.given(group, on, k) || !told.insert(k).second) continue;
+      Diagnostic nothing = deck.remark(Severity::error, group, name, at,
+                                       fmt::format("{} {} acts on nothing: {}({}) is not given", what, k, on, k),
+                                       fmt::format("{}({}) names a side", on, k));
+      nothing.moot = deck.remark(Severity::error, group, on, {k, 1}, "").moot;  // it was given in vain
+      diagnostics.add(std::move(nothing));
+    }
+  }
+}
+
+}  // namespace tether

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "base/diagnostics.hpp"
+#include "deck/deck.hpp"
+#include "model/method.hpp"
+#include "model/physics.hpp"
+
+namespace tether {
+
+/// The deck's method: a part that is given wins over the set. Tells of parts that do not go together.
+Method method_of(const Deck& deck, Diagnostics& diagnostics);
+
+/// Factor of the step limit: the deck's, or that of its method.
+double cfl_of(const Deck& deck);
+
+/// The set of method='robust'.
+Method robust_set();
+
+/// Whether the deck asks for the robust set.
+bool is_robust(const Deck& deck);
+
+/// The path that `wanted` names ("": the deck's own: coupled with $coupled, fem with $fem, $mesh, $rigid or $flow, else
+/// mpm). A deck that describes a mesh has no points for the mpm path, and $coupled belongs to one path: asking for
+/// another is an error.
+Path path_of(const Deck& deck, const std::string& wanted, Diagnostics& diagnostics);
+
+}  // namespace tether

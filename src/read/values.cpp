@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/values.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "deck/words.hpp"
+
+namespace tether {
+
+std::shared_ptr<const Expression> expression_of(const Deck& deck, const std::string& group, const std::string& name,
+                                                int k, std::vector<std::string> variables, Diagnostics& diagnostics) {
+  try {
+    return std::make_shared<const Expression>(deck.text(group, name, k), std::move(variables));
+  } catch (const ExpressionError& error) {
+    diagnostics.add(deck.remark_within(Severity::error, group, name, {k, 1}, error.at(), error.what(), error.hint()));
+    return nullptr;
+  }
+}
+
+std::vector<int> regions_of(const Deck& deck, bool fluid) {
+  std::vector<int> regions;
+  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) {
+    if ((deck.text("fem", "law", r) == fluid_word) == fluid) regions.push_back(r);
+  }
+  return regions;
+}
+
+bool has_flow(const Deck& deck) { return deck.has_group("flow") || !regions_of(deck, true).empty(); }
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders that a relative path climbs above the one it starts from.
+int climbs(const fs::path& path) {
+  int level = 0, lowest = 0;
+  for (const auto& part : path) {
+    if (part == "..")
+      lowest = std::min(lowest, --level);
+    else if (part != "." && !part.empty())
+      ++level;
+  }
+  return -lowest;
+}
+
+}  // namespace
+
+std::string path_mistake(const std::string& path) {
+  if (fs::path(path).is_absolute()) return "is absolute";
+  return climbs(path) > 1 ? "climbs more than one folder" : "";
+}
+
+std::string path_hint(const std::string& example) {
+  return fmt::format("write a path from the deck's folder, at most one folder up, such as '{}'", example);
+}
+
+fs::path path_beside(const Deck& deck, const std::string& name) { return fs::path(deck.file()).parent_path() / name; }
+
+namespace {
+
+/// The group's variables of one table.
+struct Named {
+  const Deck& deck;
+  const std::string& group;
+  const std::string& what;
+  int k;
+  Diagnostics& diagnostics;
+
+  std::string name(const char* part) const { return what + part; }
+  void refuse(const std::string& variable, Subscript at, const std::string& message, const std::string& hint) const {
+    diagnostics.add(deck.remark(Severity::error, group, variable, at, message, hint));
+  }
+};
+
+/// The times and factors as far as they ascend; what is wrong with them is told.
+Amplitude table_of(const Named& of) {
+  const std::string times = of.name("_time"), factors = of.name("_factor");
+  const auto number = [&](const std::string& name, int i) { return of.deck.real(of.group, name, i, of.k); };
+  Amplitude amplitude;
+  for (int i = 1; i <= table_count; ++i) {
+    const bool time = of.deck.given(of.group, times, i, of.k), factor = of.deck.given(of.group, factors, i, of.k);
+    if (time != factor) {
+      of.refuse(time ? times : factors, {i, of.k},
+                fmt::format("{}({},{}) is not given", time ? factors : times, i, of.k),
+                "each time of a table has its factor");
+      return {};
+    }
+    if (!time) continue;
+    if (!amplitude.time.empty() && !(number(times, i) > amplitude.time.back())) {
+      of.refuse(times, {i, of.k},
+                fmt::format("the times of a table ascend: {:.6g} is not behind {:.6g}", number(times, i),
+                            amplitude.time.back()),
+                "write times and factors in order");
+      return {};
+    }
+    amplitude.time.push_back(number(times, i)), amplitude.factor.push_back(number(factors, i));
+  }
+  return amplitude;
+}
+
+/// A load that comes and goes within one step may never be seen.
+void warn_of_short(const Named& of, const Amplitude& amplitude) {
+  const double step = of.deck.real("in", "tstep");
+  if (amplitude.time.size() < 3 || amplitude.factor.front() != amplitude.factor.back() ||
+      amplitude.time.back() - amplitude.time.front() >= step)
+    return;
+  of.diagnostics.add(of.deck.remark(Severity::warning, of.group, of.name("_time"), {1, of.k},
+                                    fmt::format("{} comes and goes within one step of {:.4g}", amplitude.of, step),
+                                    "steps take their loads at their middle or end: lower tstep"));
+}
+
+}  // namespace
+
+Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
+                       Diagnostics& diagnostics) {
+  const Named of{deck, group, what, k, diagnostics};
+  Amplitude amplitude = table_of(of);
+  amplitude.of = fmt::format("{} {}", what == "fix" ? "support" : what, k);
+  warn_of_short(of, amplitude);
+  const std::string name = of.name("_expression");
+  if (deck.given(group, name, k)) {
+    if (!amplitude.time.empty())
+      of.refuse(name, {k, 1}, fmt::format("{} has a table and an expression", amplitude.of),
+                fmt::format("leave {0}_time and {0}_factor away, or this", what));
+    amplitude.expression = expression_of(deck, group, name, k, {"t"}, diagnostics);
+  } else if (amplitude.time.empty() && group == "fem" && deck.logical("fem", "static")) {
+    amplitude.time = {0, deck.real("in", "tmax")}, amplitude.factor = {0, 1};
+  }
+  return amplitude;
+}
+
+}  // namespace tether

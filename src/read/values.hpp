@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "base/expression.hpp"
+#include "base/words.hpp"
+#include "deck/deck.hpp"
+#include "model/solids.hpp"
+
+namespace tether {
+
+/// The enumerator that a deck's text stands for, at (i, j) of a variable whose choices are the words of E. Throws
+/// std::logic_error where the table has other choices.
+template <class E>
+E word(const Deck& deck, std::string_view group, std::string_view name, int i = 1, int j = 1) {
+  const std::string text = deck.text(group, name, i, j);
+  if (const auto found = find_word<E>(text)) return *found;
+  throw std::logic_error("'" + text + "' is no word of " + std::string(group) + "." + std::string(name));
+}
+
+/// The same, or `otherwise` where the deck does not give the variable.
+template <class E>
+E word_or(const Deck& deck, std::string_view group, std::string_view name, E otherwise) {
+  return deck.given(group, name) ? word<E>(deck, group, name) : otherwise;
+}
+
+/// The expression in these variables that a text of the deck is, or null where it is wrong, which is told under the
+/// byte that is.
+std::shared_ptr<const Expression> expression_of(const Deck& deck, const std::string& group, const std::string& name,
+                                                int k, std::vector<std::string> variables, Diagnostics& diagnostics);
+
+/// Whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
+bool has_flow(const Deck& deck);
+/// The deck's numbers, from 1, of the regions that are a fluid, or of those that are not.
+std::vector<int> regions_of(const Deck& deck, bool fluid);
+
+/// What is wrong with a path that stands in a deck ("is absolute", ...): it counts from the deck's folder and climbs at
+/// most one folder. Empty where nothing is wrong.
+std::string path_mistake(const std::string& path);
+
+/// What would be right, with an example.
+std::string path_hint(const std::string& example);
+
+/// The file of that name, counted from the deck's folder.
+std::filesystem::path path_beside(const Deck& deck, const std::string& name);
+
+/// The factor that $group gives as what_time and what_factor in column k, or as what_expression(k); where it gives
+/// neither, a static problem's grows in proportion to time.
+Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
+                       Diagnostics& diagnostics);
+
+}  // namespace tether

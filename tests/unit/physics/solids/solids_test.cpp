@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "grid/block_mesh.hpp"
+#include "physics/solids/make_elements.hpp"
+#include "physics/solids/step.hpp"
+
+namespace tether::fem {
+namespace {
+
+constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad9, ElementKind::tri3,
+                               ElementKind::hex8,  ElementKind::hex27, ElementKind::tet4};
+
+/// One skew block of one law.
+Solids skew_block(ElementKind kind, const ElasticLaw& law, std::array<int, 3> cells = {2, 2, 2}) {
+  const std::array<std::array<double, 2>, 4> corners{{{0, 0}, {2, 0.3}, {2.2, 1.4}, {-0.2, 1}}};
+  Block block;
+  for (std::size_t k = 0; k < 4; ++k) block.edges[k] = straight(corners[k], corners[(k + 1) % 4]);
+  block.cells = cells;
+  block.z_high = 1.1;
+  std::vector<MeshFlaw> flaws;
+  Solids solids;
+  solids.mesh = mesh_of_blocks({block}, kind, flaws);
+  solids.regions = {{"block", law, 2.5, {}, {}}};
+  return solids;
+}
+
+ElasticLaw neo_hookean() { return NeoHookean{2, 1.3, Volumetric::log, Plane::strain}; }
+
+/// Places of the nodes under a linear map.
+std::vector<double> mapped(const Mesh& mesh, const Eigen::Matrix3d& F) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  std::vector<double> q(mesh.x.size());
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    Eigen::Vector3d X = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < dim; ++i) X[static_cast<int>(i)] = mesh.x[n * dim + i];
+    const Eigen::Vector3d x = F * X;
+    for (std::size_t i = 0; i < dim; ++i) q[n * dim + i] = x[static_cast<int>(i)];
+  }
+  return q;
+}
+
+std::vector<double> shaken(const Mesh& mesh, unsigned seed, double size) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-size, size);
+  std::vector<double> q = mesh.x;
+  for (double& x : q) x += number(random);
+  return q;
+}
+
+/// Patch test: whatever constant stretch the boundary has, the inner nodes follow it, and the stress is the law's.
+TEST(Solids, PatchOfNeoHookeanElementsTakesAConstantStretch) {
+  for (const ElementKind kind : all_kinds) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    Solids solids = skew_block(kind, neo_hookean());
+    Eigen::Matrix3d F;
+    F << 1.12, 0.08, 0, -0.05, 0.95, 0, 0, 0, 1;
+    if (solids.mesh.dim() == 3) F(0, 2) = 0.05, F(2, 2) = 1.04;
+    const std::vector<double> exact = mapped(solids.mesh, F);
+    solids.integrator = Integrator::equilibrium;
+    const Sides boundary = boundary_of(solids.mesh);
+    const auto dim = static_cast<std::size_t>(solids.mesh.dim());
+    for (const int node : boundary) {
+      Support support{{node}, {true, true, dim == 3}, {}, {}};
+      for (std::size_t i = 0; i < dim; ++i) {
+        const std::size_t k = static_cast<std::size_t>(node) * dim + i;
+        support.displacement[i] = exact[k] - solids.mesh.x[k];
+      }
+      solids.supports.push_back(support);
+    }
+    const SolidSystem system(solids, 0);
+    SolidStep step(system);
+    SolidState state;
+    state.q = solids.mesh.x, state.v.assign(state.q.size(), 0.0);
+    ASSERT_TRUE(step.settle(state, 0).converged);
+    for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(state.q[k], exact[k], 1e-10);
+  }
+}
+
+TEST(Solids, TurnedBodiesFeelNothing) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.2, Eigen::Vector3d(0, 0, 1)).toRotationMatrix();
+  for (const ElementKind kind : all_kinds) {
+    for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3})}) {
+      const Solids solids = skew_block(kind, law);
+      const auto elements = make_elements(solids);
+      const std::vector<double> q = mapped(solids.mesh, turn);
+      std::vector<double> f(q.size(), 0.0);
+      elements->add_forces(StressAt::end, q, q, f);
+      for (const double force : f) EXPECT_NEAR(force, 0, 1e-13);
+      EXPECT_NEAR(elements->strain_energy(q), 0, 1e-13);
+    }
+  }
+}
+
+/// A free bar of neo-Hookean material under tension: across it S = 0, along it sigma = mu (a^2 - b^2)/J with
+/// mu (b^2 - 1) + lambda ln J = 0, J = a b^2.
+TEST(Solids, PulledBarMeetsTheClosedForm) {
+  const double lambda = 2, mu = 1.3, a = 1.6;
+  double low = 0.3, high = 1;
+  for (int k = 0; k < 200; ++k) {
+    const double b = 0.5 * (low + high);
+    (mu * (b * b - 1) + lambda * std::log(a * b * b) > 0 ? high : low) = b;
+  }
+  const double b = low, force = mu * (a - b * b / a);  // P = sigma b^2: per area of the shape at the start
+  Block block;
+  block.edges = {straight({0, 0}, {2, 0}), straight({2, 0}, {2, 1}), straight({2, 1}, {0, 1}),
+                 straight({0, 1}, {0, 0})};
+  block.cells = {2, 1, 1}, block.z_high = 1;
+  std::vector<MeshFlaw> flaws;
+  Solids solids;
+  solids.mesh = mesh_of_blocks({block}, ElementKind::hex8, flaws);
+  solids.regions = {{"bar", neo_hookean(), 1, {}, {}}};
+  solids.integrator = Integrator::equilibrium;
+  for (const auto& [side, axis] : {std::pair("1.left", 0), std::pair("1.bottom", 1), std::pair("1.back", 2)}) {
+    Support support{solids.mesh.sides.at(side), {}, {}, {}};
+    support.fixed[static_cast<std::size_t>(axis)] = true;
+    solids.supports.push_back(support);
+  }
+  solids.loads.push_back({solids.mesh.sides.at("1.right"), -1, {force, 0, 0}, {}});
+  const SolidSystem system(solids, 0);
+  SolidStep step(system);
+  SolidState state;
+  state.q = solids.mesh.x, state.v.assign(state.q.size(), 0.0);
+  ASSERT_TRUE(step.settle(state, 0).converged);
+  for (std::size_t n = 0; n < solids.mesh.node_count(); ++n) {
+    EXPECT_NEAR(state.q[3 * n], a * solids.mesh.x[3 * n], 1e-10);
+    EXPECT_NEAR(state.q[3 * n + 1], b * solids.mesh.x[3 * n + 1], 1e-10);
+  }
+}
+
+/// Tangents of all rules and laws against central differences of the forces.
+TEST(Solids, TangentIsTheDerivativeOfTheForces) {
+  constexpr double h = 1e-6;
+  for (const ElementKind kind : all_kinds) {
+    for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3}),
+                                  ElasticLaw(LinearElastic{{2, 1.3}}), ElasticLaw(HoopFibre{1.5, -3, -4})}) {
+      const Solids solids = skew_block(kind, law, {1, 1, 1});
+      const auto elements = make_elements(solids);
+      const NodalPattern pattern(solids.mesh.dim(), solids.mesh.node_count(), solids.mesh.nodes, node_count_of(kind));
+      const std::vector<double> q0 = shaken(solids.mesh, 1, 0.04), q1 = shaken(solids.mesh, 2, 0.04);
+      for (const StressAt rule : {StressAt::gradient, StressAt::middle, StressAt::end}) {
+        SparseMatrix K = pattern.matrix();
+        elements->add_tangent(rule, q0, q1, 0, pattern, K);
+        double largest = 0, worst = 0;
+        for (const double value : K.value) largest = std::max(largest, std::abs(value));
+        for (std::size_t j = 0; j < q1.size(); j += 3) {
+          std::vector<double> up = q1, down = q1, high(q1.size(), 0.0), low(q1.size(), 0.0);
+          up[j] += h, down[j] -= h;
+          elements->add_forces(rule, q0, up, high), elements->add_forces(rule, q0, down, low);
+          for (auto k = static_cast<std::size_t>(K.start[j]); k < static_cast<std::size_t>(K.start[j + 1]); ++k) {
+            const auto i = static_cast<std::size_t>(K.row[k]);
+            worst = std::max(worst, std::abs(K.value[k] - (high[i] - low[i]) / (2 * h)));
+          }
+        }
+        EXPECT_LT(worst, 1e-6 * largest) << static_cast<int>(kind) << " " << law.index() << " "
+                                         << static_cast<int>(rule);
+      }
+    }
+  }
+}
+
+/// Newton's method squares the error with every iteration: of three residuals above rounding r2/r1 is (r1/r0)^2 but for
+/// a factor of order one.
+TEST(Solids, NewtonsMethodIsQuadratic) {
+  for (const Integrator integrator : {Integrator::energy, Integrator::midpoint, Integrator::trapezoid}) {
+    for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3})}) {
+      Solids solids = skew_block(ElementKind::hex8, law);
+      solids.integrator = integrator;
+      const SolidSystem system(solids, 0);
+      SolidStep step(system);
+      SolidState state;
+      state.q = shaken(solids.mesh, 3, 0.02), state.v.assign(state.q.size(), 0.0);
+      const NewtonReport report = step.advance(state, 0.3);
+      ASSERT_TRUE(report.converged);
+      const auto& r = report.residuals;
+      const auto last = static_cast<std::size_t>(
+          std::find_if(r.begin(), r.end(), [](double size) { return size < 1e-10; }) - r.begin());
+      ASSERT_GT(last, 2U);
+      EXPECT_GT(std::log(r[last - 1] / r[last - 2]) / std::log(r[last - 2] / r[last - 3]), 1.7)
+          << static_cast<int>(integrator) << " " << law.index();
+    }
+  }
+}
+
+/// Lowest frequency of a bar of length 1 between a clamp and a free end that only stretches: pi/2 with E = rho = 1.
+double bar_frequency(ElementKind kind, int cells) {
+  Block block;
+  block.edges = {straight({0, 0}, {1, 0}), straight({1, 0}, {1, 0.1}), straight({1, 0.1}, {0, 0.1}),
+                 straight({0, 0.1}, {0, 0})};
+  block.cells = {cells, 1, 1};
+  std::vector<MeshFlaw> flaws;
+  Solids solids;
+  solids.mesh = mesh_of_blocks({block}, kind, flaws);
+  solids.regions = {{"bar", LinearElastic{{0, 0.5}}, 1, {}, {}}};  // nu = 0
+  Support clamp{solids.mesh.sides.at("1.left"), {true, true, false}, {}, {}};
+  Support along;
+  for (std::size_t n = 0; n < solids.mesh.node_count(); ++n) along.nodes.push_back(static_cast<int>(n));
+  along.fixed = {false, true, false};
+  solids.supports = {clamp, along};
+  const SolidSystem system(solids, 0);
+  SparseMatrix K = system.pattern.matrix();
+  system.elements->add_tangent(StressAt::end, solids.mesh.x, solids.mesh.x, 0, system.pattern, K);
+  hold(K, system.held, 1);
+  SparseSolver solver;
+  EXPECT_TRUE(solver.factorise(K, Definite::positive));
+  std::vector<double> v(system.unknowns(), 1.0), Mv(v.size());
+  double eigenvalue = 0;
+  for (int k = 0; k < 60; ++k) {  // inverse iteration
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = system.held[i] ? 0 : v[i];
+    system.multiply_mass(v, Mv);
+    double size = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) size += v[i] * Mv[i];
+    for (std::size_t i = 0; i < v.size(); ++i) Mv[i] = system.held[i] ? 0 : Mv[i] / std::sqrt(size);
+    std::vector<double> next(v.size());
+    solver.solve(Mv, next);
+    double product = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) product += next[i] * Mv[i];
+    eigenvalue = 1 / product;
+    v = next;
+  }
+  return std::sqrt(eigenvalue);
+}
+
+TEST(Solids, FrequenciesOfABarAreOfOrderTwoAndFour) {
+  const double exact = std::numbers::pi / 2;
+  for (const auto& [kind, order] : {std::pair(ElementKind::quad4, 2.0), std::pair(ElementKind::quad9, 4.0)}) {
+    const double coarse = bar_frequency(kind, 4) / exact - 1, fine = bar_frequency(kind, 8) / exact - 1;
+    EXPECT_LT(std::abs(fine), 0.005);
+    EXPECT_NEAR(std::log2(coarse / fine), order, 0.1);
+  }
+}
+
+TEST(Solids, MassesAndLoadsAddUp) {
+  for (const ElementKind kind : all_kinds) {
+    const Solids solids = skew_block(kind, neo_hookean());
+    const auto elements = make_elements(solids);
+    const double area = 0.5 * ((2 * 1.4 - 2.2 * 0.3) + (2.2 * 1 + 0.2 * 1.4));  // by the shoelace formula
+    const double volume = area * (solids.mesh.dim() == 3 ? 1.1 : 1);
+    double lumped = 0, nodal = 0;
+    for (const double m : elements->lumped_mass()) {
+      EXPECT_GT(m, 0);
+      lumped += m;
+    }
+    for (const double v : elements->volumes(0)) nodal += v;
+    EXPECT_NEAR(lumped, 2.5 * volume, 1e-12);
+    EXPECT_NEAR(nodal, volume, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace tether::fem
