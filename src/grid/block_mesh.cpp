@@ -77,8 +77,6 @@ std::vector<int> join_nodes(Mesh& mesh) {
 
 namespace {
 
-using Place = std::array<double, 2>;
-
 /// Part of the length at which line k of n cells stands whose sizes grow by a constant ratio, from first to last by
 /// `grading`; a half-integer k is the middle of a cell.
 double graded(double k, int n, double grading) {
@@ -101,11 +99,11 @@ double graded_from_both(double k, int n, double middle) {
 }
 
 /// Transfinite interpolation (W. J. Gordon and C. A. Hall, Int. J. Numer. Meth. Engng 7 (1973) 461-477).
-Place mapped(const Block& block, double s, double t) {
-  const Place bottom = block.edges[0](s), right = block.edges[1](t), top = block.edges[2](1 - s),
-              left = block.edges[3](1 - t);
-  const Place c0 = block.edges[0](0), c1 = block.edges[1](0), c2 = block.edges[2](0), c3 = block.edges[3](0);
-  Place at;
+Vec<2> mapped(const Block& block, double s, double t) {
+  const Vec<2> bottom = block.edges[0](s), right = block.edges[1](t), top = block.edges[2](1 - s),
+               left = block.edges[3](1 - t);
+  const Vec<2> c0 = block.edges[0](0), c1 = block.edges[1](0), c2 = block.edges[2](0), c3 = block.edges[3](0);
+  Vec<2> at;
   for (std::size_t i = 0; i < 2; ++i) {
     at[i] = (1 - t) * bottom[i] + s * right[i] + t * top[i] + (1 - s) * left[i] -
             ((1 - s) * (1 - t) * c0[i] + s * (1 - t) * c1[i] + s * t * c2[i] + (1 - s) * t * c3[i]);
@@ -128,7 +126,7 @@ class Lattice {
     for (int k = 0; k < lines_[2]; ++k) {
       for (int j = 0; j < lines_[1]; ++j) {
         for (int i = 0; i < lines_[0]; ++i) {
-          const Place at = mapped(block_, part(i, 0), part(j, 1));
+          const Vec<2> at = mapped(block_, part(i, 0), part(j, 1));
           x.insert(x.end(), at.begin(), at.end());
           if (dim_ == 3) x.push_back(block_.z_low + part(k, 2) * (block_.z_high - block_.z_low));
         }
@@ -252,15 +250,15 @@ NamedSides named_sides(const std::vector<Block>& blocks, const Mesh& mesh, const
 
 }  // namespace
 
-EdgeCurve straight(Place from, Place to) {
-  return [=](double s) -> Place { return {(1 - s) * from[0] + s * to[0], (1 - s) * from[1] + s * to[1]}; };
+EdgeCurve straight(Vec<2> from, Vec<2> to) {
+  return [=](double s) -> Vec<2> { return {(1 - s) * from[0] + s * to[0], (1 - s) * from[1] + s * to[1]}; };
 }
 
-EdgeCurve elliptic(Place from, Place to, Place centre, double a, double b) {
-  const auto angle = [&](const Place& at) { return std::atan2((at[1] - centre[1]) / b, (at[0] - centre[0]) / a); };
+EdgeCurve elliptic(Vec<2> from, Vec<2> to, Vec<2> centre, double a, double b) {
+  const auto angle = [&](const Vec<2>& at) { return std::atan2((at[1] - centre[1]) / b, (at[0] - centre[0]) / a); };
   const double begin = angle(from);
   const double turn = std::remainder(angle(to) - begin, 2 * std::numbers::pi);
-  return [=](double s) -> Place {
+  return [=](double s) -> Vec<2> {
     if (s == 0) return from;
     if (s == 1) return to;
     return {centre[0] + a * std::cos(begin + s * turn), centre[1] + b * std::sin(begin + s * turn)};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 #include "grid/mesh_flaws.hpp"
 
@@ -19,7 +20,7 @@ std::vector<int> lowest_at_place(const Mesh& mesh);
 std::vector<int> join_nodes(Mesh& mesh);
 
 /// A place on one of a block's four edges, at the part `s` (0 .. 1) of its length.
-using EdgeCurve = std::function<std::array<double, 2>(double s)>;
+using EdgeCurve = std::function<Vec<2>(double s)>;
 
 /// One mapped quadrilateral, and in space what it sweeps from z_low to z_high. Edge k runs from corner k to corner k +
 /// 1; corners counter-clockwise. `first` cells lie along edges 0 and 2, `second` along edges 1 and 3.
@@ -36,11 +37,10 @@ struct Block {
 };
 
 /// Straight line between two corners.
-EdgeCurve straight(std::array<double, 2> from, std::array<double, 2> to);
+EdgeCurve straight(Vec<2> from, Vec<2> to);
 /// Part of an ellipse (of a circle where a = b) about `centre` with half axes a, b, whose parameter's angle runs from
 /// that of `from` to that of `to` the shorter way. [length]
-EdgeCurve elliptic(std::array<double, 2> from, std::array<double, 2> to, std::array<double, 2> centre, double a,
-                   double b);
+EdgeCurve elliptic(Vec<2> from, Vec<2> to, Vec<2> centre, double a, double b);
 
 /// The mesh of blocks 0, 1, ...: nodes by transfinite interpolation between the edges, those of different blocks that
 /// coincide are one. Each side has the name that its block gives it and `<block's number>.bottom`, `.right`, `.top`,

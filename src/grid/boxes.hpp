@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
@@ -97,9 +98,9 @@ struct Locator {
 /// side of cell (i, j, k).
 struct StaggeredGrid {
   int dim = 2;
-  std::array<int, 3> n{1, 1, 1};       ///< cells along each axis
-  std::array<double, 3> low{0, 0, 0};  ///< the box's lowest corner [length]
-  std::array<double, 3> d{1, 1, 1};    ///< a cell's sides [length]
+  std::array<int, 3> n{1, 1, 1};  ///< cells along each axis
+  Vec<3> low{0, 0, 0};            ///< the box's lowest corner [length]
+  Vec<3> d{1, 1, 1};              ///< a cell's sides [length]
 
   bool operator==(const StaggeredGrid&) const = default;
 
@@ -108,7 +109,7 @@ struct StaggeredGrid {
   double area(int axis) const { return volume() / d[at(axis)]; }  ///< of a face across the axis
   double middle(int axis, int i) const { return low[at(axis)] + (i + 0.5) * d[at(axis)]; }
   /// A cell's middle; z is 0 in the plane.
-  std::array<double, 3> middle(const std::array<int, 3>& c) const {
+  Vec<3> middle(const std::array<int, 3>& c) const {
     return {middle(0, c[0]), middle(1, c[1]), dim == 3 ? middle(2, c[2]) : 0};
   }
   double face_place(int axis, int i) const { return low[at(axis)] + i * d[at(axis)]; }

@@ -12,17 +12,17 @@ namespace tether {
 namespace {
 
 /// The corners of a facet: an edge in the plane, a triangle in space.
-using Corners = std::array<Vector, 3>;
+using Corners = std::array<Vec<3>, 3>;
 
-double size_of(const Vector& a) { return std::sqrt(dot(a, a)); }
+double size_of(const Vec<3>& a) { return std::sqrt(dot(a, a)); }
 
 /// Whether two numbers are of opposite signs and both larger than `near`.
 bool opposite(double a, double b, double near) { return (a > near && b < -near) || (a < -near && b > near); }
 
 /// In the plane: whether each edge has its ends on both sides of the other's line; then where they cross.
-bool edges_cross(const Corners& a, const Corners& b, double near, Vector& place) {
-  const auto off = [](const Corners& line, const Vector& x) {
-    const Vector way = minus(line[1], line[0]), to = minus(x, line[0]);
+bool edges_cross(const Corners& a, const Corners& b, double near, Vec<3>& place) {
+  const auto off = [](const Corners& line, const Vec<3>& x) {
+    const Vec<3> way = minus(line[1], line[0]), to = minus(x, line[0]);
     return (way[0] * to[1] - way[1] * to[0]) / size_of(way);
   };
   const double from = off(b, a[0]), to = off(b, a[1]);
@@ -33,8 +33,8 @@ bool edges_cross(const Corners& a, const Corners& b, double near, Vector& place)
 }
 
 /// In space: whether an edge goes through a triangle, farther from its rim than `near`.
-bool goes_through(const Vector& from, const Vector& to, const Corners& triangle, double near, Vector& place) {
-  Vector normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
+bool goes_through(const Vec<3>& from, const Vec<3>& to, const Corners& triangle, double near, Vec<3>& place) {
+  Vec<3> normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
   const double twice = size_of(normal);
   if (twice == 0) return false;
   for (double& n : normal) n /= twice;
@@ -43,13 +43,13 @@ bool goes_through(const Vector& from, const Vector& to, const Corners& triangle,
   const double part = before / (before - after);
   for (std::size_t i = 0; i < 3; ++i) place[i] = from[i] + part * (to[i] - from[i]);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vector edge = minus(triangle[(k + 1) % 3], triangle[k]);
+    const Vec<3> edge = minus(triangle[(k + 1) % 3], triangle[k]);
     if (dot(normal, cross(edge, minus(place, triangle[k]))) <= near * size_of(edge)) return false;
   }
   return true;
 }
 
-bool triangles_cross(const Corners& a, const Corners& b, double near, Vector& place) {
+bool triangles_cross(const Corners& a, const Corners& b, double near, Vec<3>& place) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (goes_through(a[k], a[(k + 1) % 3], b, near, place) || goes_through(b[k], b[(k + 1) % 3], a, near, place))
       return true;
@@ -80,7 +80,7 @@ std::vector<std::size_t> OverlapFinder::facets_near(const Part& part, const Part
 }
 
 bool OverlapFinder::cross(const Part& part, const Part& other, std::span<const double> q, double near,
-                          Vector& at_place) const {
+                          Vec<3>& at_place) const {
   const std::size_t d = at(dim_);
   const auto corners_of = [&](const Part& of, std::size_t f) {
     Corners corners{};

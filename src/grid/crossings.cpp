@@ -11,16 +11,16 @@ namespace tether {
 namespace {
 
 /// By A. Van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
-double solid_angle(const Vector& a, const Vector& b, const Vector& c) {
+double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
   const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
   return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
 }  // namespace
 
-double turns_about(const SolidSurface& surface, std::span<const double> q, const Vector& x, int but_part) {
+double turns_about(const SolidSurface& surface, std::span<const double> q, const Vec<3>& x, int but_part) {
   double angle = 0;
-  std::array<Vector, 3> to{};
+  std::array<Vec<3>, 3> to{};
   for (std::size_t s = 0; s < surface.side_count(); ++s) {
     if (surface.part[s] == but_part) continue;
     const auto nodes = surface.side(s);
@@ -41,10 +41,10 @@ struct EdgeSide {
   double twice_area = 0;
   bool left = false;
 };
-EdgeSide side_of_edge(int i, const Vector& x, int j, const Vector& y, std::size_t b, std::size_t c, double pb,
+EdgeSide side_of_edge(int i, const Vec<3>& x, int j, const Vec<3>& y, std::size_t b, std::size_t c, double pb,
                       double pc) {
   const bool turned = j < i;
-  const Vector &from = turned ? y : x, &to = turned ? x : y;
+  const Vec<3>&from = turned ? y : x, &to = turned ? x : y;
   const double along_b = to[b] - from[b], along_c = to[c] - from[c];
   const double area = along_b * (pc - from[c]) - along_c * (pb - from[b]);
   const bool left = area != 0 ? area > 0 : along_c != 0 ? along_c < 0 : along_b > 0;
@@ -90,7 +90,7 @@ class Sweep {
 
   void cross_edge(std::size_t s) {
     const auto nodes = surface_.side(s);
-    const Vector x = place_of(q_, nodes[0], 2), y = place_of(q_, nodes[1], 2);
+    const Vec<3> x = place_of(q_, nodes[0], 2), y = place_of(q_, nodes[1], 2);
     const double low = std::min(x[b_], y[b_]), high = std::max(x[b_], y[b_]);
     for (int j = line_behind(b_, low); j < grid_.n[b_]; ++j) {
       const double line = grid_.middle(static_cast<int>(b_), j);
@@ -99,14 +99,14 @@ class Sweep {
       const double t = (line - x[b_]) / (y[b_] - x[b_]);
       std::array<int, 3> place{};
       place[b_] = j;
-      const Vector normal{y[1] - x[1], -(y[0] - x[0]), 0};
+      const Vec<3> normal{y[1] - x[1], -(y[0] - x[0]), 0};
       add(s, {1 - t, t, 0}, (1 - t) * x[axis_] + t * y[axis_], normal[axis_] < 0 ? 1 : -1, place);
     }
   }
 
   void cross_triangle(std::size_t s) {
     const auto nodes = surface_.side(s);
-    std::array<Vector, 3> x;
+    std::array<Vec<3>, 3> x;
     for (std::size_t a = 0; a < 3; ++a) x[a] = place_of(q_, nodes[a], 3);
     const auto [low_b, high_b] = std::minmax({x[0][b_], x[1][b_], x[2][b_]});
     const auto [low_c, high_c] = std::minmax({x[0][c_], x[1][c_], x[2][c_]});
@@ -116,7 +116,7 @@ class Sweep {
     }
   }
 
-  void cross_triangle_by(std::size_t s, std::span<const int> nodes, const std::array<Vector, 3>& x, int j, int k) {
+  void cross_triangle_by(std::size_t s, std::span<const int> nodes, const std::array<Vec<3>, 3>& x, int j, int k) {
     const double pb = grid_.middle(static_cast<int>(b_), j), pc = grid_.middle(static_cast<int>(c_), k);
     std::array<EdgeSide, 3> edge;  // opposite to each node
     for (std::size_t a = 0; a < 3; ++a) {
@@ -126,7 +126,7 @@ class Sweep {
     if (edge[0].left != edge[1].left || edge[1].left != edge[2].left) return;
     const double twice = edge[0].twice_area + edge[1].twice_area + edge[2].twice_area;
     if (twice == 0) return;
-    Vector share;
+    Vec<3> share;
     double place = 0;
     for (std::size_t a = 0; a < 3; ++a) share[a] = edge[a].twice_area / twice, place += share[a] * x[a][axis_];
     std::array<int, 3> at_line{};
@@ -134,7 +134,7 @@ class Sweep {
     add(s, share, place, edge[0].left ? -1 : 1, at_line);  // left: the normal is along the axis
   }
 
-  void add(std::size_t s, const Vector& share, double place, int turn, std::array<int, 3> line) {
+  void add(std::size_t s, const Vec<3>& share, double place, int turn, std::array<int, 3> line) {
     const double box = (place - grid_.low[axis_]) / grid_.d[axis_];
     if (box > grid_.n[axis_] + 1) return;
     const int face = std::max(static_cast<int>(std::ceil(box - 0.5)), 0);

@@ -12,12 +12,12 @@
 namespace tether {
 
 /// How often the surfaces of all bodies but one go round x: 1 within a solid, more where several overlap, 0 outside.
-double turns_about(const SolidSurface& surface, std::span<const double> q, const Vector& x, int but_part);
+double turns_about(const SolidSurface& surface, std::span<const double> q, const Vec<3>& x, int but_part);
 
 /// Where the line between the middles of two neighbouring cells meets the solids' surface.
 struct Crossing {
   int side = 0;
-  Vector share{};    ///< of the side's nodes
+  Vec<3> share{};    ///< of the side's nodes
   double place = 0;  ///< along the line's axis [length]
 };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "base/vec.hpp"
 #include "grid/shapes.hpp"
 
 namespace tether {
@@ -45,7 +46,7 @@ std::vector<int> corners_of(ElementKind kind, const int* side) {
 /// Whether a node lies within a side, to 1e-6 of its size: in the plane of its corners and on the inner side of each of
 /// its edges, not at a corner.
 bool lies_within(const Mesh& mesh, const std::vector<int>& corners, int node) {
-  using V = std::array<double, 3>;
+  using V = Vec<3>;
   const auto dim = static_cast<std::size_t>(mesh.dim());
   const auto at = [&](int n) {
     V v{};

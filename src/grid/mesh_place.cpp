@@ -42,7 +42,7 @@ Point<Shapes> inside(Point<Shapes> s) {
 
 /// What separates x from the place that s stands for.
 template <class Shapes>
-Point<Shapes> remainder(const Mesh& mesh, std::size_t e, const std::array<double, 3>& x, const Point<Shapes>& s) {
+Point<Shapes> remainder(const Mesh& mesh, std::size_t e, const Vec<3>& x, const Point<Shapes>& s) {
   const auto N = Shapes::values(s);
   Point<Shapes> r{};
   for (std::size_t a = 0; a < N.size(); ++a) {
@@ -74,7 +74,7 @@ Point<Shapes> correction(const Mesh& mesh, std::size_t e, const Point<Shapes>& s
 
 /// The place in the reference element by Newton's method from its middle, kept within it or not far from it.
 template <class Shapes>
-Point<Shapes> reference_place(const Mesh& mesh, std::size_t e, const std::array<double, 3>& x) {
+Point<Shapes> reference_place(const Mesh& mesh, std::size_t e, const Vec<3>& x) {
   Point<Shapes> s{};
   if constexpr (is_simplex_of<Shapes>) s.fill(1.0 / Shapes::nodes);
   for (int k = 0; k < most_iterations; ++k) {
@@ -105,7 +105,7 @@ struct Outline {
     for (std::size_t i = 0; i < low.size(); ++i) size = std::max(size, high[i] - low[i]);
   }
   /// No place of the element is nearer to x.
-  double away(const std::array<double, 3>& x) const {
+  double away(const Vec<3>& x) const {
     Point<Shapes> r{};
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::max({low[i] - x[i], x[i] - high[i], 0.0});
     return std::max(length<Shapes>(r) - 0.5 * size, 0.0);
@@ -124,7 +124,7 @@ MeshPlace place_at(const Mesh& mesh, std::size_t e, const Point<Shapes>& s) {
 }
 
 template <class Shapes>
-NearestPlace nearest_of(const Mesh& mesh, const std::array<double, 3>& x) {
+NearestPlace nearest_of(const Mesh& mesh, const Vec<3>& x) {
   NearestPlace best{{}, 0, std::numeric_limits<double>::infinity(), 0};
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const Outline<Shapes> outline(mesh, e);
@@ -146,7 +146,7 @@ double MeshPlace::of(std::span<const double> values, std::size_t per_node, std::
   return sum;
 }
 
-NearestPlace nearest_place(const Mesh& mesh, const std::array<double, 3>& x) {
+NearestPlace nearest_place(const Mesh& mesh, const Vec<3>& x) {
   return with_shapes(mesh.kind, [&](auto shapes) { return nearest_of<decltype(shapes)>(mesh, x); });
 }
 
@@ -176,9 +176,9 @@ double length_along(const std::array<Edge, 4>& sides, const Edge& edge) {
   return length_of(edge) / std::hypot(s, t);
 }
 
-std::array<double, 2> middle(const Mesh& mesh, std::span<const double> x, std::size_t e) {
+Vec<2> middle(const Mesh& mesh, std::span<const double> x, std::size_t e) {
   const int count = node_count_of(mesh.kind);
-  std::array<double, 2> sum{};
+  Vec<2> sum{};
   for (int a = 0; a < count; ++a) {
     for (std::size_t i = 0; i < 2; ++i) sum[i] += x[2 * at(mesh.element(e)[a]) + i] / count;
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 #include "grid/point_finder.hpp"
 
@@ -31,7 +32,7 @@ struct NearestPlace {
 /// The place of the mesh nearest to `x`, whose components beyond the mesh's dimension do not count. Where several
 /// elements share the place the first of them has it; a place at a node, as near as rounding tells, is the node alone.
 /// A distance that is not small compared with the element is an upper bound of the distance. The mesh has an element.
-NearestPlace nearest_place(const Mesh& mesh, const std::array<double, 3>& x);
+NearestPlace nearest_place(const Mesh& mesh, const Vec<3>& x);
 
 /// How far apart nodes stand along an edge of a body's element, and those of the mesh below it in the same direction.
 /// Of biquadratic elements that is half their length. [length]

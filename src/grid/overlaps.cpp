@@ -33,7 +33,7 @@ void add_facets(const Mesh& mesh, const int* side, std::vector<int>& facets) {
 /// Twice the area that the edge from a to b and x span in the plane of y and z, with the sign of the turn; where that
 /// is zero, of x a little farther along y or, failing that, along z. The other way round it is the same with another
 /// sign, to the last bit.
-double turn(const Vector& a, const Vector& b, const Vector& x, bool swapped) {
+double turn(const Vec<3>& a, const Vec<3>& b, const Vec<3>& x, bool swapped) {
   if (swapped) return -turn(b, a, x, false);
   const double y = b[1] - a[1], z = b[2] - a[2];
   const double twice = y * (x[2] - a[2]) - z * (x[1] - a[1]);
@@ -41,17 +41,17 @@ double turn(const Vector& a, const Vector& b, const Vector& x, bool swapped) {
 }
 
 /// +1 where a line from x along the first axis leaves the body through an edge, -1 where it enters, 0 where it passes.
-int crossing(const Vector& a, const Vector& b, const Vector& x, bool swapped) {
+int crossing(const Vec<3>& a, const Vec<3>& b, const Vec<3>& x, bool swapped) {
   const bool up = a[1] <= x[1] && x[1] < b[1], down = b[1] <= x[1] && x[1] < a[1];
   if (!up && !down) return 0;
-  const Vector &from = swapped ? b : a, &to = swapped ? a : b;
+  const Vec<3>&from = swapped ? b : a, &to = swapped ? a : b;
   double left = (to[0] - from[0]) * (x[1] - from[1]) - (to[1] - from[1]) * (x[0] - from[0]);
   if (swapped) left = -left;
   return up && left > 0 ? 1 : down && left < 0 ? -1 : 0;
 }
 
 /// The same through a triangle.
-int crossing(std::span<const int> nodes, const std::array<Vector, 3>& corners, const Vector& x) {
+int crossing(std::span<const int> nodes, const std::array<Vec<3>, 3>& corners, const Vec<3>& x) {
   std::array<double, 3> turns{};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
@@ -64,18 +64,18 @@ int crossing(std::span<const int> nodes, const std::array<Vector, 3>& corners, c
   return leaves && before < 0 ? 1 : enters && before > 0 ? -1 : 0;
 }
 
-double size_of(const Vector& a) { return std::sqrt(dot(a, a)); }
+double size_of(const Vec<3>& a) { return std::sqrt(dot(a, a)); }
 
 /// From the origin to the edge from a to b.
-double distance_to(const Vector& a, const Vector& b) {
-  const Vector way = minus(b, a);
+double distance_to(const Vec<3>& a, const Vec<3>& b) {
+  const Vec<3> way = minus(b, a);
   const double square = dot(way, way), part = square > 0 ? std::clamp(-dot(a, way) / square, 0.0, 1.0) : 0;
   return size_of({a[0] + part * way[0], a[1] + part * way[1], a[2] + part * way[2]});
 }
 
 /// From the origin to a triangle: to its plane where the foot lies in it, to an edge else. The same for an edge, b = c.
-double distance_to(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector normal = cross(minus(b, a), minus(c, a));
+double distance_to(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
+  const Vec<3> normal = cross(minus(b, a), minus(c, a));
   const bool within = dot(normal, cross(a, b)) > 0 && dot(normal, cross(b, c)) > 0 && dot(normal, cross(c, a)) > 0;
   if (within) return std::abs(dot(normal, a)) / size_of(normal);
   return std::min({distance_to(a, b), distance_to(b, c), distance_to(c, a)});
@@ -100,7 +100,7 @@ OverlapFinder::OverlapFinder(const Mesh& mesh) : dim_(mesh.dim()), parts_(at(cou
   for (Part& p : parts_) {
     std::sort(p.rim.begin(), p.rim.end());
     p.rim.erase(std::unique(p.rim.begin(), p.rim.end()), p.rim.end());
-    const Vector size = minus(p.high, p.low);
+    const Vec<3> size = minus(p.high, p.low);
     rounding_.push_back(touching * std::sqrt(dot(size, size)));
   }
 }
@@ -109,7 +109,7 @@ void OverlapFinder::find_boxes(std::span<const double> q) {
   for (Part& part : parts_) {
     part.low = part.high = place(q, part.nodes.front());
     for (const int node : part.nodes) {
-      const Vector x = place(q, node);
+      const Vec<3> x = place(q, node);
       for (std::size_t i = 0; i < 3; ++i) {
         part.low[i] = std::min(part.low[i], x[i]), part.high[i] = std::max(part.high[i], x[i]);
       }
@@ -154,7 +154,7 @@ void OverlapFinder::sort_facets(const Part& part, std::span<const double> q) {
 
 /// Calls f(facet's nodes) for the facets in the column of x.
 template <class Function>
-void OverlapFinder::for_column(const Part& part, const Vector& x, const Function& f) const {
+void OverlapFinder::for_column(const Part& part, const Vec<3>& x, const Function& f) const {
   const std::size_t d = at(dim_);
   std::array<int, 3> c{};
   for (std::size_t i = 1; i < d; ++i)
@@ -165,7 +165,7 @@ void OverlapFinder::for_column(const Part& part, const Vector& x, const Function
 }
 
 /// How often the body's surface goes round x: its exits less its entries on a line from there.
-int OverlapFinder::turns(const Part& part, std::span<const double> q, const Vector& x) const {
+int OverlapFinder::turns(const Part& part, std::span<const double> q, const Vec<3>& x) const {
   for (std::size_t i = 0; i < at(dim_); ++i) {
     if (x[i] < part.low[i] || x[i] > part.high[i]) return 0;
   }
@@ -180,10 +180,10 @@ int OverlapFinder::turns(const Part& part, std::span<const double> q, const Vect
 }
 
 /// Whether x is as near to a body's surface as counts as touching: what is so near reaches into a column about it.
-bool OverlapFinder::touches(const Part& part, std::span<const double> q, const Vector& x, double near) const {
+bool OverlapFinder::touches(const Part& part, std::span<const double> q, const Vec<3>& x, double near) const {
   bool touches = false;
   const auto look = [&](std::span<const int> nodes) {
-    const Vector a = minus(place(q, nodes[0]), x), b = minus(place(q, nodes[1]), x),
+    const Vec<3> a = minus(place(q, nodes[0]), x), b = minus(place(q, nodes[1]), x),
                  c = dim_ == 2 ? b : minus(place(q, nodes[2]), x);
     touches = touches || distance_to(a, b, c) < near;
   };
@@ -198,16 +198,16 @@ bool OverlapFinder::touches(const Part& part, std::span<const double> q, const V
 /// Whether a node of another body at x lies in the body and does not touch it; or one of its own surface: then places a
 /// little away from it all lie in the body, and some twice. The ways there are along no axis, so that they do not lead
 /// along surfaces.
-bool OverlapFinder::is_deep_in(const Part& part, std::span<const double> q, const Vector& x, bool its_own) const {
-  constexpr std::array<Vector, 2> in_plane{{{0.8253, 0.5647, 0}, {-0.5647, 0.8253, 0}}};
-  constexpr std::array<Vector, 3> in_space{
+bool OverlapFinder::is_deep_in(const Part& part, std::span<const double> q, const Vec<3>& x, bool its_own) const {
+  constexpr std::array<Vec<3>, 2> in_plane{{{0.8253, 0.5647, 0}, {-0.5647, 0.8253, 0}}};
+  constexpr std::array<Vec<3>, 3> in_space{
       {{0.7431, 0.5563, 0.3719}, {-0.5563, 0.7983, -0.2307}, {-0.3719, -0.2307, 0.8991}}};
   const double away = rounding_[static_cast<std::size_t>(&part - parts_.data())];
   if (!its_own) return turns(part, q, x) > 0 && !touches(part, q, x, away);
-  const std::span<const Vector> ways =
-      dim_ == 2 ? std::span<const Vector>(in_plane) : std::span<const Vector>(in_space);
+  const std::span<const Vec<3>> ways =
+      dim_ == 2 ? std::span<const Vec<3>>(in_plane) : std::span<const Vec<3>>(in_space);
   int most = 0;
-  for (const Vector& way : ways) {
+  for (const Vec<3>& way : ways) {
     for (const double by : {away, -away}) {
       const int about = turns(part, q, {x[0] + by * way[0], x[1] + by * way[1], x[2] + by * way[2]});
       if (about < 1) return false;
@@ -231,7 +231,7 @@ Overlap OverlapFinder::find(std::span<const double> q) {
     for (std::size_t a = 0; a < parts_.size(); ++a) {
       if (a != b && !meet(parts_[a], parts_[b], rounding_[b])) continue;
       for (const int node : a == b ? parts_[a].rim : parts_[a].nodes) {
-        const Vector x = place(q, node);
+        const Vec<3> x = place(q, node);
         if (!is_deep_in(parts_[b], q, x, a == b)) continue;
         if (found.nodes++ == 0) found = {1, node, static_cast<int>(a), static_cast<int>(b), x};
       }

@@ -14,13 +14,13 @@ struct Overlap {
   std::size_t nodes = 0;
   int node = -1;              ///< the first of them
   int part = -1, other = -1;  ///< the connected body that it belongs to, and the one that it lies in
-  Vector place{};             ///< where it is [length]
+  Vec<3> place{};             ///< where it is [length]
 };
 
 /// Two bodies whose sides go through each other, and where.
 struct CrossedSides {
   int part = -1, other = -1;  ///< -1: none do
-  Vector place{};             ///< [length]
+  Vec<3> place{};             ///< [length]
 };
 
 /// Looks for nodes inside other bodies. Bodies whose boxes are apart cost a pass over the nodes; where boxes meet, a
@@ -41,11 +41,11 @@ class OverlapFinder {
   /// A connected body: its nodes, those of its surface, and the surface as edges or triangles.
   struct Part {
     std::vector<int> nodes, rim, facets;
-    Vector low{}, high{};
+    Vec<3> low{}, high{};
   };
   /// Facets of one body by the columns of a lattice across x that they reach into.
   struct Columns {
-    Vector low{};
+    Vec<3> low{};
     std::array<double, 3> per_length{};
     std::array<int, 3> n{1, 1, 1};
     std::vector<std::size_t> start;
@@ -54,14 +54,14 @@ class OverlapFinder {
 
   void find_boxes(std::span<const double> q);
   std::vector<std::size_t> facets_near(const Part& part, const Part& other, std::span<const double> q) const;
-  bool cross(const Part& part, const Part& other, std::span<const double> q, double near, Vector& place) const;
+  bool cross(const Part& part, const Part& other, std::span<const double> q, double near, Vec<3>& place) const;
   void sort_facets(const Part& part, std::span<const double> q);
-  int turns(const Part& part, std::span<const double> q, const Vector& x) const;
-  bool touches(const Part& part, std::span<const double> q, const Vector& x, double near) const;
+  int turns(const Part& part, std::span<const double> q, const Vec<3>& x) const;
+  bool touches(const Part& part, std::span<const double> q, const Vec<3>& x, double near) const;
   template <class Function>
-  void for_column(const Part& part, const Vector& x, const Function& f) const;
-  bool is_deep_in(const Part& part, std::span<const double> q, const Vector& x, bool its_own) const;
-  Vector place(std::span<const double> q, int node) const { return place_of(q, node, dim_); }
+  void for_column(const Part& part, const Vec<3>& x, const Function& f) const;
+  bool is_deep_in(const Part& part, std::span<const double> q, const Vec<3>& x, bool its_own) const;
+  Vec<3> place(std::span<const double> q, int node) const { return place_of(q, node, dim_); }
 
   int dim_;
   std::vector<Part> parts_;

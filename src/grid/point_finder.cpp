@@ -11,14 +11,12 @@
 namespace tether {
 namespace {
 
-using Place = std::array<double, 2>;
-
 constexpr double tolerance = 1e-9;  // by which a place may be outside, of an element's size
 constexpr double farthest = 4;      // in the reference element: where a search has lost its way
 
-double length(const Place& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1]); }
-double largest(const Place& s) { return std::max(std::abs(s[0]), std::abs(s[1])); }
-Place clamped(const Place& s) { return {std::clamp(s[0], -1.0, 1.0), std::clamp(s[1], -1.0, 1.0)}; }
+double length(const Vec<2>& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1]); }
+double largest(const Vec<2>& s) { return std::max(std::abs(s[0]), std::abs(s[1])); }
+Vec<2> clamped(const Vec<2>& s) { return {std::clamp(s[0], -1.0, 1.0), std::clamp(s[1], -1.0, 1.0)}; }
 
 const double* node(const Mesh& mesh, std::size_t e, std::size_t a) {
   return &mesh.x[2 * static_cast<std::size_t>(mesh.element(e)[a])];
@@ -27,9 +25,9 @@ const double* node(const Mesh& mesh, std::size_t e, std::size_t a) {
 /// What separates x from the place that s stands for; node by node, as differences within an element lose nothing to
 /// its distance from the origin.
 template <class Shapes>
-Place remainder(const Mesh& mesh, std::size_t e, const Place& x, const Place& s) {
+Vec<2> remainder(const Mesh& mesh, std::size_t e, const Vec<2>& x, const Vec<2>& s) {
   const auto N = Shapes::values(s);
-  Place r{};
+  Vec<2> r{};
   for (std::size_t a = 0; a < N.size(); ++a) {
     const double* at = node(mesh, e, a);
     r[0] += N[a] * (x[0] - at[0]), r[1] += N[a] * (x[1] - at[1]);
@@ -39,7 +37,7 @@ Place remainder(const Mesh& mesh, std::size_t e, const Place& x, const Place& s)
 
 /// dx_i / ds_j, row-major.
 template <class Shapes>
-std::array<double, 4> slopes(const Mesh& mesh, std::size_t e, const Place& s) {
+std::array<double, 4> slopes(const Mesh& mesh, std::size_t e, const Vec<2>& s) {
   const auto G = Shapes::gradients(s);
   std::array<double, 4> J{};
   for (std::size_t a = 0; a < G.size() / 2; ++a) {
@@ -56,22 +54,22 @@ std::array<double, 4> inverse(const std::array<double, 4>& J) {
   return {J[3] / det, -J[1] / det, -J[2] / det, J[0] / det};
 }
 
-Place times(const std::array<double, 4>& m, const Place& v) {
+Vec<2> times(const std::array<double, 4>& m, const Vec<2>& v) {
   return {m[0] * v[0] + m[1] * v[1], m[2] * v[0] + m[3] * v[1]};
 }
 
 /// s of x by Newton's method from s, each step halved until it comes nearer, until `enough` or nothing is left.
 /// Returns how far from x the place of s still is.
 template <class Shapes>
-double search(const Mesh& mesh, std::size_t e, const Place& x, double enough, Place& s) {
-  Place r = remainder<Shapes>(mesh, e, x, s);
+double search(const Mesh& mesh, std::size_t e, const Vec<2>& x, double enough, Vec<2>& s) {
+  Vec<2> r = remainder<Shapes>(mesh, e, x, s);
   for (int step = 0; step < 40 && length(r) > enough; ++step) {
-    const Place full = times(inverse(slopes<Shapes>(mesh, e, s)), r);
+    const Vec<2> full = times(inverse(slopes<Shapes>(mesh, e, s)), r);
     bool nearer = false;
     double part = 1;
     for (int halved = 0; halved < 10 && !nearer; ++halved, part /= 2) {
-      const Place next{s[0] + part * full[0], s[1] + part * full[1]};
-      const Place rest = remainder<Shapes>(mesh, e, x, next);
+      const Vec<2> next{s[0] + part * full[0], s[1] + part * full[1]};
+      const Vec<2> rest = remainder<Shapes>(mesh, e, x, next);
       nearer = length(rest) < length(r);
       if (nearer) s = next, r = rest;
     }
@@ -98,7 +96,7 @@ std::array<double, 2> range(const Mesh& mesh, std::size_t e, std::size_t i) {
 template <class Shapes>
 double least_stretch(const Mesh& mesh, std::size_t e) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Place& corner : {Place{-1, -1}, Place{1, -1}, Place{-1, 1}, Place{1, 1}}) {
+  for (const Vec<2>& corner : {Vec<2>{-1, -1}, Vec<2>{1, -1}, Vec<2>{-1, 1}, Vec<2>{1, 1}}) {
     const auto J = slopes<Shapes>(mesh, e, corner);
     const double norm = std::sqrt(J[0] * J[0] + J[1] * J[1] + J[2] * J[2] + J[3] * J[3]);
     least = std::min(least, std::abs(determinant(J)) / norm);
@@ -136,8 +134,8 @@ PointFinder::Outline PointFinder::outline_of(std::size_t e) const {
   for (std::size_t k = 0; k <= last; ++k) {
     const double unit = 2.0 / static_cast<double>(line);
     const std::size_t i = k % (line + 1), j = k / (line + 1);
-    const Place s{unit * static_cast<double>(i) - 1, unit * static_cast<double>(j) - 1};
-    const Place at = times(J, s);
+    const Vec<2> s{unit * static_cast<double>(i) - 1, unit * static_cast<double>(j) - 1};
+    const Vec<2> at = times(J, s);
     const double* to = node(*mesh_, e, k);
     o.affine = o.affine && length({o.centre[0] + at[0] - to[0], o.centre[1] + at[1] - to[1]}) <= 0.25 * rounding_;
   }
@@ -149,12 +147,12 @@ PointFinder::Outline PointFinder::outline_of(std::size_t e) const {
 
 /// About as many bins as elements, in the proportions of the mesh.
 void PointFinder::fill_bins() {
-  Place high = outlines_[0].high;
+  Vec<2> high = outlines_[0].high;
   low_ = outlines_[0].low;
   for (const Outline& o : outlines_) {
     for (std::size_t i = 0; i < 2; ++i) low_[i] = std::min(low_[i], o.low[i]), high[i] = std::max(high[i], o.high[i]);
   }
-  const Place size{high[0] - low_[0], high[1] - low_[1]};
+  const Vec<2> size{high[0] - low_[0], high[1] - low_[1]};
   const double width = std::sqrt(size[0] * size[1] / static_cast<double>(outlines_.size()));
   for (std::size_t i = 0; i < 2; ++i) {
     const double most = static_cast<double>(outlines_.size());
@@ -183,9 +181,9 @@ std::size_t PointFinder::bin(double x, std::size_t axis) const {
 
 /// s of x in element e or outside of it, from the guess that its corners give; nothing where x is far away.
 template <class Shapes>
-std::optional<Place> PointFinder::reference_place(std::size_t e, const Place& x) const {
+std::optional<Vec<2>> PointFinder::reference_place(std::size_t e, const Vec<2>& x) const {
   const Outline& o = outlines_[e];
-  Place s = times(o.to_reference, {x[0] - o.centre[0], x[1] - o.centre[1]});
+  Vec<2> s = times(o.to_reference, {x[0] - o.centre[0], x[1] - o.centre[1]});
   if (o.affine) return s;
   s = clamped(s);
   if (search<Shapes>(*mesh_, e, x, o.enough, s) <= rounding_) return s;
@@ -195,10 +193,10 @@ std::optional<Place> PointFinder::reference_place(std::size_t e, const Place& x)
 /// The same for elements much bent, in which a search may go astray, and come to an s outside that stands for the same
 /// place: from nine starts until one leads inside.
 template <class Shapes>
-std::optional<Place> PointFinder::reference_place_bent(std::size_t e, const Place& x) const {
+std::optional<Vec<2>> PointFinder::reference_place_bent(std::size_t e, const Vec<2>& x) const {
   constexpr std::array<double, 3> starts{0, -0.8, 0.8};
   for (std::size_t k = 0; k < 9 && !outlines_[e].affine; ++k) {
-    Place s{starts[k % 3], starts[k / 3]};
+    Vec<2> s{starts[k % 3], starts[k / 3]};
     const double left = search<Shapes>(*mesh_, e, x, outlines_[e].enough, s);
     if (left <= rounding_ && largest(s) <= 1) return s;
   }
@@ -207,16 +205,16 @@ std::optional<Place> PointFinder::reference_place_bent(std::size_t e, const Plac
 
 /// The element of lowest number near x for which `place` gives a place inside, or the nearest within its tolerance.
 template <class Shapes, class ReferencePlace>
-std::optional<PointFinder::Found> PointFinder::find_near(const Place& x, const ReferencePlace& place) const {
+std::optional<PointFinder::Found> PointFinder::find_near(const Vec<2>& x, const ReferencePlace& place) const {
   Found nearest;
   double least = std::numeric_limits<double>::infinity();
   const std::size_t b = bin(x[1], 1) * count_[0] + bin(x[0], 0);
   for (auto k = static_cast<std::size_t>(start_[b]); k < static_cast<std::size_t>(start_[b + 1]); ++k) {
     const auto e = static_cast<std::size_t>(list_[k]);
     if (!outlines_[e].may_hold(x)) continue;
-    const std::optional<Place> s = place(e);
+    const std::optional<Vec<2>> s = place(e);
     if (!s) continue;
-    const Place in = clamped(*s);
+    const Vec<2> in = clamped(*s);
     const double outside = in == *s ? 0 : length(remainder<Shapes>(*mesh_, e, x, in));
     if (outside <= rounding_) return Found{list_[k], in};
     if (outside <= outlines_[e].within && outside < least) nearest = {list_[k], in}, least = outside;
@@ -226,7 +224,7 @@ std::optional<PointFinder::Found> PointFinder::find_near(const Place& x, const R
 }
 
 template <class Shapes>
-std::optional<PointFinder::Found> PointFinder::find_of(const Place& x, int hint) const {
+std::optional<PointFinder::Found> PointFinder::find_of(const Vec<2>& x, int hint) const {
   if (hint >= 0 && static_cast<std::size_t>(hint) < outlines_.size()) {
     const auto e = static_cast<std::size_t>(hint);
     const auto s = outlines_[e].may_hold(x) ? reference_place<Shapes>(e, x) : std::nullopt;
@@ -236,7 +234,7 @@ std::optional<PointFinder::Found> PointFinder::find_of(const Place& x, int hint)
   return found ? found : find_near<Shapes>(x, [&](std::size_t e) { return reference_place_bent<Shapes>(e, x); });
 }
 
-std::optional<PointFinder::Found> PointFinder::find(Place x, int hint) const {
+std::optional<PointFinder::Found> PointFinder::find(Vec<2> x, int hint) const {
   if (outlines_.empty() || !std::isfinite(x[0]) || !std::isfinite(x[1])) return std::nullopt;
   return mesh_->kind == ElementKind::quad4 ? find_of<ShapesOf<ElementKind::quad4>>(x, hint)
                                            : find_of<ShapesOf<ElementKind::quad9>>(x, hint);

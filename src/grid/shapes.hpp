@@ -51,7 +51,7 @@ struct Line {
 
 /// Product of `d` lines: quadrilaterals and hexahedra.
 template <int d, int p>
-struct Box {
+struct Brick {
   static constexpr int dim = d, line = p + 1;
   static constexpr int nodes = d == 1 ? line : d == 2 ? line * line : line * line * line;
   static constexpr int points = nodes;
@@ -123,24 +123,24 @@ struct Simplex {
 template <ElementKind kind>
 struct ShapesOf;
 template <>
-struct ShapesOf<ElementKind::quad4> : Box<2, 1> {
-  using Side = Box<1, 1>;
+struct ShapesOf<ElementKind::quad4> : Brick<2, 1> {
+  using Side = Brick<1, 1>;
 };
 template <>
-struct ShapesOf<ElementKind::quad9> : Box<2, 2> {
-  using Side = Box<1, 2>;
+struct ShapesOf<ElementKind::quad9> : Brick<2, 2> {
+  using Side = Brick<1, 2>;
 };
 template <>
 struct ShapesOf<ElementKind::tri3> : Simplex<2> {
-  using Side = Box<1, 1>;
+  using Side = Brick<1, 1>;
 };
 template <>
-struct ShapesOf<ElementKind::hex8> : Box<3, 1> {
-  using Side = Box<2, 1>;
+struct ShapesOf<ElementKind::hex8> : Brick<3, 1> {
+  using Side = Brick<2, 1>;
 };
 template <>
-struct ShapesOf<ElementKind::hex27> : Box<3, 2> {
-  using Side = Box<2, 2>;
+struct ShapesOf<ElementKind::hex27> : Brick<3, 2> {
+  using Side = Brick<2, 2>;
 };
 template <>
 struct ShapesOf<ElementKind::tet4> : Simplex<3> {

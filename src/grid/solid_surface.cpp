@@ -43,18 +43,18 @@ SolidSurface surface_of(const Mesh& mesh) {
   return surface;
 }
 
-Vector place_of(std::span<const double> q, int node, int dim) {
+Vec<3> place_of(std::span<const double> q, int node, int dim) {
   const std::size_t first = static_cast<std::size_t>(node) * static_cast<std::size_t>(dim);
   return {q[first], q[first + 1], dim == 3 ? q[first + 2] : 0};
 }
 
-Vector area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q) {
+Vec<3> area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q) {
   const auto nodes = surface.side(side);
-  const Vector a = place_of(q, nodes[0], surface.dim), b = place_of(q, nodes[1], surface.dim);
-  const Vector e{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const Vec<3> a = place_of(q, nodes[0], surface.dim), b = place_of(q, nodes[1], surface.dim);
+  const Vec<3> e{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   if (surface.dim == 2) return {e[1], -e[0], 0};
-  const Vector c = place_of(q, nodes[2], surface.dim);
-  const Vector f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  const Vec<3> c = place_of(q, nodes[2], surface.dim);
+  const Vec<3> f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   return {0.5 * (e[1] * f[2] - e[2] * f[1]), 0.5 * (e[2] * f[0] - e[0] * f[2]), 0.5 * (e[0] * f[1] - e[1] * f[0])};
 }
 
@@ -66,9 +66,9 @@ std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<cons
   for (std::size_t s = 0; s < surface.side_count(); ++s) {
     const auto sheet = static_cast<std::size_t>(surface.sheet[s]);
     if (origin[sheet] < 0) origin[sheet] = surface.side(s)[0];
-    const Vector from = place_of(q, origin[sheet], surface.dim), area = area_of_side(surface, s, q);
+    const Vec<3> from = place_of(q, origin[sheet], surface.dim), area = area_of_side(surface, s, q);
     for (const int node : surface.side(s)) {
-      const Vector x = place_of(q, node, surface.dim);
+      const Vec<3> x = place_of(q, node, surface.dim);
       for (std::size_t i = 0; i < 3; ++i) volumes[sheet] += (x[i] - from[i]) * area[i] / (surface.dim * surface.dim);
     }
   }

@@ -6,17 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
-
-using Vector = std::array<double, 3>;
-
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// The surface of solids made of triangles or tetrahedra: edges in the plane, triangles in space. Places q have dim
 /// numbers a node.
@@ -40,13 +33,13 @@ struct SolidSurface {
 SolidSurface surface_of(const Mesh& mesh);
 
 /// Place of a node; z is 0 in the plane.
-Vector place_of(std::span<const double> q, int node, int dim);
+Vec<3> place_of(std::span<const double> q, int node, int dim);
 
 /// Volume enclosed by each sheet, per unit depth in the plane: positive where the solid is inside, negative around a
 /// cavity [volume].
 std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<const double> q);
 
 /// A side's area times its normal out of the solid, per unit depth in the plane [area].
-Vector area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q);
+Vec<3> area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q);
 
 }  // namespace tether

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "grid/ways_across.hpp"
 
 namespace tether {
@@ -75,7 +76,7 @@ ElementsAcross thin_direction(const Mesh& mesh, const std::vector<Way>& all) {
 /// What is left is the mean element: its volume and its extent across give its length.
 void measure_elements(const Mesh& mesh, const std::vector<std::size_t>& elements, ElementsAcross& across) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  std::array<double, 3> low, high;
+  Vec<3> low, high;
   low.fill(std::numeric_limits<double>::infinity()), high.fill(-std::numeric_limits<double>::infinity());
   double volume = 0;
   std::set<int> regions;

@@ -6,19 +6,11 @@
 
 namespace tether {
 
-bool AxisBox::contains(const std::array<double, 3>& place) const {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double slack = 1e-9 * (high[i] - low[i]);
-    if (place[i] < low[i] - slack || place[i] > high[i] + slack) return false;
-  }
-  return true;
-}
-
-AxisBox cells_of(const AxisBox& box, const StaggeredGrid& grid) {
-  AxisBox cells = box;
+Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid) {
+  Box<3> cells = box;
   for (int axis = 0; axis < grid.dim; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    const double slack = 1e-9 * (box.high[i] - box.low[i]) / grid.d[i];  // as contains() has it
+    const double slack = Box<3>::rounding * (box.high[i] - box.low[i]) / grid.d[i];
     const double first = std::ceil((box.low[i] - grid.low[i]) / grid.d[i] - 0.5 - slack),
                  last = std::floor((box.high[i] - grid.low[i]) / grid.d[i] - 0.5 + slack);
     cells.low[i] = grid.low[i] + std::max(first, 0.0) * grid.d[i];
@@ -45,8 +37,8 @@ namespace {
 constexpr double rounding = 1e-9;  // of a face
 
 /// A face's extent along the axes of its side; of length 0 across.
-AxisBox extent_of(int side, const StaggeredGrid& grid, const std::array<int, 3>& place) {
-  AxisBox box;
+Box<3> extent_of(int side, const StaggeredGrid& grid, const std::array<int, 3>& place) {
+  Box<3> box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     box.low[i] = grid.low[i] + place[i] * grid.d[i];
@@ -62,10 +54,10 @@ std::array<std::size_t, 2> axes_along(int side) {
 }
 
 /// Places of a face and its patches where one of them begins or ends, along an axis.
-std::vector<double> cuts(const AxisBox& face, const std::vector<AxisBox>& patches, std::size_t axis) {
+std::vector<double> cuts(const Box<3>& face, const std::vector<Box<3>>& patches, std::size_t axis) {
   const double slack = rounding * (face.high[axis] - face.low[axis]);
   std::vector<double> places{face.low[axis], face.high[axis]};
-  for (const AxisBox& patch : patches) {
+  for (const Box<3>& patch : patches) {
     for (const double x : {patch.low[axis], patch.high[axis]}) {
       if (x > face.low[axis] + slack && x < face.high[axis] - slack) places.push_back(x);
     }
@@ -75,7 +67,7 @@ std::vector<double> cuts(const AxisBox& face, const std::vector<AxisBox>& patche
 }
 
 /// Of each patch the part of a face that it has, where the last of those that reach there has a place.
-std::vector<double> parts(int side, const AxisBox& face, const std::vector<AxisBox>& patches) {
+std::vector<double> parts(int side, const Box<3>& face, const std::vector<Box<3>>& patches) {
   const auto [a, b] = axes_along(side);
   const std::vector<double> along = cuts(face, patches, a), other = cuts(face, patches, b);
   std::vector<double> part(patches.size(), 0.0);
@@ -84,7 +76,7 @@ std::vector<double> parts(int side, const AxisBox& face, const std::vector<AxisB
     for (std::size_t j = 0; j + 1 < other.size(); ++j) {
       const double x = 0.5 * (along[i] + along[i + 1]), y = 0.5 * (other[j] + other[j + 1]);
       for (std::size_t k = patches.size(); k-- > 0;) {
-        const AxisBox& patch = patches[k];
+        const Box<3>& patch = patches[k];
         if (x < patch.low[a] || x > patch.high[a] || y < patch.low[b] || y > patch.high[b]) continue;
         part[k] += (along[i + 1] - along[i]) * (other[j + 1] - other[j]) / area;
         break;
@@ -110,7 +102,7 @@ void for_faces(int side, const StaggeredGrid& grid, const Function& f) {
 
 }  // namespace
 
-std::vector<FacePart> faces_of(int side, const AxisBox& patch, const StaggeredGrid& grid) {
+std::vector<FacePart> faces_of(int side, const Box<3>& patch, const StaggeredGrid& grid) {
   std::vector<FacePart> faces;
   for_faces(side, grid, [&](std::size_t face, const std::array<int, 3>& place) {
     const double part = parts(side, extent_of(side, grid, place), {patch})[0];
@@ -132,7 +124,7 @@ SideFaces::SideFaces(const Coupled& coupled) {
 }
 
 void SideFaces::add_side(const Coupled& coupled, int side) {
-  std::vector<AxisBox> patches;
+  std::vector<Box<3>> patches;
   std::vector<int> jets;  // of each patch, -1 of an opening
   for (const Opening& opening : coupled.openings) {
     if (opening.side == side) patches.push_back(opening.patch), jets.push_back(-1);

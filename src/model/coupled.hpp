@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "base/words.hpp"
 #include "grid/boxes.hpp"
 #include "model/flow.hpp"
@@ -47,16 +48,8 @@ inline constexpr std::array<Word<BoxSide>, 3> words<BoxSide>{
 enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, side_front };
 constexpr std::array<const char*, 6> box_side_names{"left", "right", "bottom", "top", "back", "front"};
 
-/// A box with sides along the axes [length]; in the plane its z is that of the grid's layer of cells. Cells belong to
-/// an obstacle or a void when their middles lie in it.
-struct AxisBox {
-  std::array<double, 3> low{}, high{};
-  /// Whether a place lies in it or, as near as rounding tells, on its edge.
-  bool contains(const std::array<double, 3>& place) const;
-};
-
-/// What the cells make of a box whose middles lie in it.
-AxisBox cells_of(const AxisBox& box, const StaggeredGrid& grid);
+/// What the cells whose middles lie in a box make of it. In the plane its z is that of the grid's layer of cells.
+Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid);
 
 /// The axis across a side of the box, and whether the side is at its lower end.
 constexpr int axis_of_side(int side) { return side / 2; }
@@ -65,14 +58,14 @@ constexpr bool is_low_side(int side) { return side % 2 == 0; }
 /// Part of a side that is open.
 struct Opening {
   int side = side_left;
-  AxisBox patch;   ///< as a jet's
+  Box<3> patch;    ///< as a jet's
   int number = 0;  ///< of the deck's opening, from 1
 };
 
 /// Part of a side that fluid is blown in through.
 struct Jet {
   int side = side_left;
-  AxisBox patch;           ///< its part of the side; along the side's own axis both ends are the side's place
+  Box<3> patch;            ///< its part of the side; along the side's own axis both ends are the side's place
   double speed = 0;        ///< into the box [velocity]
   Amplitude amplitude;     ///< factor of the speed
   double smoke = 0;        ///< density of what comes in
@@ -83,7 +76,7 @@ struct Jet {
 /// Smoke that a box holds at the start; where boxes overlap their smoke adds up, and a cell that lies in one in part
 /// has that part of it.
 struct SmokeBox {
-  AxisBox box;
+  Box<3> box;
   double density = 0, temperature = 0;
 };
 
@@ -91,7 +84,7 @@ struct SmokeBox {
 /// moves as a whole.
 struct Spring {
   std::vector<int> nodes;
-  std::array<double, 3> stiffness{};  ///< of all together [force/length]
+  Vec<3> stiffness{};  ///< of all together [force/length]
   int number = 0;
 };
 
@@ -110,11 +103,11 @@ struct Coupled {
   double level = 0;  ///< height at which the fluid beyond open sides has no pressure [length]
   std::vector<Opening> openings;
   std::vector<Jet> jets;
-  std::vector<AxisBox> obstacles;  ///< at rest, that fluid and solids do not enter
-  std::vector<AxisBox> voids;      ///< whose cells hold no fluid: pressure zero
-  bool cavities_only = false;      ///< fluid only where solids enclose it, void around them
-  std::array<double, 3> start{};   ///< velocity of the fluid at the start
-  bool smoke = false;              ///< whether density and temperature of smoke are carried along
+  std::vector<Box<3>> obstacles;  ///< at rest, that fluid and solids do not enter
+  std::vector<Box<3>> voids;      ///< whose cells hold no fluid: pressure zero
+  bool cavities_only = false;     ///< fluid only where solids enclose it, void around them
+  Vec<3> start{};                 ///< velocity of the fluid at the start
+  bool smoke = false;             ///< whether density and temperature of smoke are carried along
   std::vector<SmokeBox> smoke_boxes;
   double smoke_weight = 0;  ///< acceleration downwards by a density of 1 [acceleration]
   double smoke_lift = 0;    ///< acceleration upwards by a temperature of 1 [acceleration]
@@ -147,7 +140,7 @@ struct FacePart {
 };
 
 /// The faces, of those across the side's axis, that a patch of a side reaches into, in ascending order.
-std::vector<FacePart> faces_of(int side, const AxisBox& patch, const StaggeredGrid& grid);
+std::vector<FacePart> faces_of(int side, const Box<3>& patch, const StaggeredGrid& grid);
 /// The cell that a face of a side belongs to.
 std::size_t cell_at(int side, const StaggeredGrid& grid, std::size_t face);
 

@@ -16,8 +16,8 @@ int rank_of(Boundary boundary) {
 
 }  // namespace
 
-std::array<double, 2> FlowVector::at(double x, double y, double t) const {
-  std::array<double, 2> v{};
+Vec<2> FlowVector::at(double x, double y, double t) const {
+  Vec<2> v{};
   if (absent()) return v;
   const double size = factor.at(t);
   for (std::size_t i = 0; i < 2; ++i) {

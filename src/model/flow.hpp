@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/expression.hpp"
+#include "base/vec.hpp"
 #include "base/words.hpp"
 #include "grid/mesh.hpp"
 #include "model/solids.hpp"
@@ -53,7 +54,7 @@ struct FlowVector {
   std::array<std::shared_ptr<const Expression>, 2> component{};
   Amplitude factor;
   /// Throws RunError where an expression has no finite value.
-  std::array<double, 2> at(double x, double y, double t) const;
+  Vec<2> at(double x, double y, double t) const;
   /// Whether it is zero by the deck's word.
   bool absent() const { return !component[0] && !component[1]; }
 };
@@ -72,15 +73,15 @@ struct FlowSide {
 struct ForceSide {
   std::string name;
   Sides sides;
-  std::array<double, 2> centre{};  // [length]
-  std::vector<int> bodies = {};    ///< regions of the solids, from 0
-  Sides body_sides = {};           ///< of the solids' mesh
+  Vec<2> centre{};               // [length]
+  std::vector<int> bodies = {};  ///< regions of the solids, from 0
+  Sides body_sides = {};         ///< of the solids' mesh
 };
 
 /// A rectangle of tracers, nx x ny of them at the middles of its equal parts, that go with the fluid from the start.
-struct TracerBox {
-  std::array<int, 2> count{};             // along x and y; 0: none
-  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [length]
+struct TracerGrid {
+  std::array<int, 2> count{};  // along x and y; 0: none
+  Box<2> box;                  // [length]
 };
 
 /// An incompressible Newtonian fluid on a plane mesh that stays where it is, as the deck's groups $mesh and $flow
@@ -104,9 +105,9 @@ struct Flow {
   double tolerance = 1e-6;       ///< of Newton's method: residual over the largest force
   double speed = 0, length = 0;  ///< of the Reynolds number and of drag and lift coefficients; 0: not given
   std::vector<ForceSide> forces;
-  std::vector<std::array<double, 2>> probes;    ///< places in the mesh where the flow is recorded [length]
+  std::vector<Vec<2>> probes;                   ///< places in the mesh where the flow is recorded [length]
   std::vector<std::array<int, 2>> differences;  ///< of the pressures at two of them, from 0
-  TracerBox tracers;
+  TracerGrid tracers;
   std::vector<double> volume_penalty;  ///< of each region of the solids, 0 for none [stress]
   std::vector<bool> volume_by_fluid;   ///< of each, whether the fluid's pressure holds its volume, or its own law
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/expression.hpp"
+#include "base/vec.hpp"
 #include "base/words.hpp"
 #include "grid/mesh.hpp"
 #include "grid/mesh_place.hpp"
@@ -39,16 +40,16 @@ inline constexpr std::array<Word<Integrator>, 4> words<Integrator>{{{Integrator:
 struct SolidRegion {
   std::string name;
   ElasticLaw law;
-  double density = 0;                // of the reference shape [mass/volume]
-  std::array<double, 3> velocity{};  // at the start
-  std::array<double, 3> spin{};      // angular velocity about the region's centre of mass at the start [1/time]
+  double density = 0;  // of the reference shape [mass/volume]
+  Vec<3> velocity{};   // at the start
+  Vec<3> spin{};       // angular velocity about the region's centre of mass at the start [1/time]
 };
 
 /// A dead load on sides [force/area] or, without any, in the volume of a region [force/volume].
 struct Load {
   Sides sides;
   int region = -1;  // from 0
-  std::array<double, 3> force{};
+  Vec<3> force{};
   Amplitude amplitude;
 };
 
@@ -56,7 +57,7 @@ struct Load {
 struct Support {
   std::vector<int> nodes;
   std::array<bool, 3> fixed{};
-  std::array<double, 3> displacement{};
+  Vec<3> displacement{};
   Amplitude amplitude;
   int number = 0;  ///< of the deck's support, from 1; 0 of a wall
 };

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "model/coupled.hpp"
 #include "model/solids.hpp"
 
@@ -33,7 +34,7 @@ double measure(const Mesh& mesh, const int* nodes, int edges) {
 
 /// A connected part of the mesh.
 struct BodyOfMesh {
-  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  Vec<3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
   double mass = 0, surface_mass = 0, surface = 0;
   double modulus = infinity;  ///< the smallest of its regions [stress]
   double volume = 0;
@@ -110,7 +111,7 @@ double way_out(const Coupled& coupled, const BodyOfMesh& body) {
     if (coupled.sides[2 * i] != BoxSide::wall) consider(body.low[i] - grid.low[i]);
     if (coupled.sides[2 * i + 1] != BoxSide::wall) consider(grid.high(axis) - body.high[i]);
   }
-  for (const AxisBox& empty : coupled.voids) {
+  for (const Box<3>& empty : coupled.voids) {
     int across = 0;
     double gap = -infinity;
     for (int axis = 0; axis < grid.dim; ++axis) {
@@ -125,7 +126,7 @@ double way_out(const Coupled& coupled, const BodyOfMesh& body) {
 
 /// A flat plate's, of the body's two greatest extents.
 double added_broadside(double density, const BodyOfMesh& body, int dim) {
-  std::array<double, 3> extent{};
+  Vec<3> extent{};
   for (std::size_t i = 0; i < at(dim); ++i) extent[i] = body.high[i] - body.low[i];
   std::sort(extent.rbegin(), extent.rend());
   const double chord = dim == 2 ? extent[0] : extent[1], length = dim == 2 ? 1 : extent[0];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/diagnostics.hpp"
+#include "base/vec.hpp"
 #include "model/coupled.hpp"
 #include "model/size.hpp"
 #include "model/solids.hpp"
@@ -42,7 +43,7 @@ std::string systems_text(const Coupled& coupled) {
 }
 
 /// Of a part of a side, per unit depth in the plane.
-double area_of(int side, const AxisBox& patch) {
+double area_of(int side, const Box<3>& patch) {
   double area = 1;
   for (int axis = 0; axis < 3; ++axis) {
     if (axis != axis_of_side(side))

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
@@ -30,7 +31,7 @@ struct Group {
 
 struct Node {
   long long number = 0;
-  std::array<double, 3> x{};  // [length]
+  Vec<3> x{};  // [length]
   int line = 0;
 };
 

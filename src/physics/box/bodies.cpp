@@ -14,7 +14,7 @@ constexpr double infinity = 1e300;
 
 /// Lowest and highest places of a body's surface.
 struct Extent {
-  Vector low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  Vec<3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
 };
 
 std::vector<Extent> extents_of(const SolidSurface& surface, std::span<const double> q) {
@@ -22,7 +22,7 @@ std::vector<Extent> extents_of(const SolidSurface& surface, std::span<const doub
   for (std::size_t s = 0; s < surface.side_count(); ++s) {
     Extent& of = extents[at(surface.part[s])];
     for (const int node : surface.side(s)) {
-      const Vector x = place_of(q, node, surface.dim);
+      const Vec<3> x = place_of(q, node, surface.dim);
       for (std::size_t i = 0; i < 3; ++i)
         of.low[i] = std::min(of.low[i], x[i]), of.high[i] = std::max(of.high[i], x[i]);
     }

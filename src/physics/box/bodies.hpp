@@ -25,7 +25,7 @@ struct ThinBodies {
   std::size_t cells = 0;     ///< that count as wholly fluid or solid for it
   std::size_t of_cells = 0;  ///< cells that the bodies' surface goes through
   int body = -1;             ///< whose surface goes through the first of them, from 0
-  Vector place{};            ///< of that one's middle [length]
+  Vec<3> place{};            ///< of that one's middle [length]
 };
 ThinBodies thin_bodies(const Placement& placed, const SolidSurface& surface);
 

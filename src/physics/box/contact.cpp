@@ -14,9 +14,9 @@ constexpr double rounding = 1e-9;  // of a cell
 constexpr int chances = 3;         // of block pivoting
 
 /// The unit vector along x, or against it; zero of none.
-Vector towards(const Vector& x, double sign) {
+Vec<3> towards(const Vec<3>& x, double sign) {
   const double size = sign * std::sqrt(dot(x, x));
-  return size == 0 ? Vector{} : Vector{x[0] / size, x[1] / size, x[2] / size};
+  return size == 0 ? Vec<3>{} : Vec<3>{x[0] / size, x[1] / size, x[2] / size};
 }
 
 }  // namespace
@@ -34,10 +34,10 @@ void Contact::begin(std::span<const double> q, std::span<const double> u, double
   const double size = *std::max_element(scene_.grid.d.begin(), scene_.grid.d.begin() + scene_.grid.dim);
   for (const int node : nodes_) {
     if (!scene_.contact) break;
-    const Vector x = place_of(q, node, scene_.grid.dim), v = place_of(u, node, scene_.grid.dim);
+    const Vec<3> x = place_of(q, node, scene_.grid.dim), v = place_of(u, node, scene_.grid.dim);
     const double reach = size + 2 * h * std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     meet_walls(at(node), x, reach);
-    for (const AxisBox& box : scene_.obstacles) meet_obstacle(box, at(node), x, reach);
+    for (const Box<3>& box : scene_.obstacles) meet_obstacle(box, at(node), x, reach);
   }
   std::vector<Touch> kept(touches.size(), Touch::away);
   for (Meeting& meeting : meetings_) {
@@ -51,7 +51,7 @@ void Contact::begin(std::span<const double> q, std::span<const double> u, double
   touches = std::move(kept);
 }
 
-void Contact::meet_walls(std::size_t node, const Vector& x, double reach) {
+void Contact::meet_walls(std::size_t node, const Vec<3>& x, double reach) {
   for (int side = 0; side < 2 * scene_.grid.dim; ++side) {
     if (scene_.sides[at(side)] != BoxSide::wall) continue;
     const int axis = axis_of_side(side);
@@ -63,7 +63,7 @@ void Contact::meet_walls(std::size_t node, const Vector& x, double reach) {
 }
 
 /// At the face of the box that the node is least far behind, or farthest before, of those that are a wall there.
-void Contact::meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach) {
+void Contact::meet_obstacle(const Box<3>& box, std::size_t node, const Vec<3>& x, double reach) {
   Meeting nearest;
   nearest.gap = -INFINITY;
   for (std::size_t axis = 0; axis < dim_; ++axis) {
@@ -77,11 +77,11 @@ void Contact::meet_obstacle(const AxisBox& box, std::size_t node, const Vector& 
 
 /// Whether a face of the box has another obstacle before it, where a node at x is nearest: obstacles side by side, or
 /// one in another, are one.
-bool Contact::is_covered(const AxisBox& box, std::size_t axis, double up, const Vector& x) const {
-  Vector before = x;
+bool Contact::is_covered(const Box<3>& box, std::size_t axis, double up, const Vec<3>& x) const {
+  Vec<3> before = x;
   for (std::size_t i = 0; i < dim_; ++i) before[i] = std::clamp(x[i], box.low[i], box.high[i]);
   before[axis] = (up > 0 ? box.high[axis] : box.low[axis]) + up * rounding * scene_.grid.d[axis];
-  return std::any_of(scene_.obstacles.begin(), scene_.obstacles.end(), [&](const AxisBox& other) {
+  return std::any_of(scene_.obstacles.begin(), scene_.obstacles.end(), [&](const Box<3>& other) {
     bool holds = &other != &box;
     for (std::size_t i = 0; i < dim_; ++i) holds = holds && before[i] >= other.low[i] && before[i] <= other.high[i];
     return holds;
@@ -156,7 +156,7 @@ bool Contact::all_at_once(std::size_t wrong) {
 }
 
 /// Behind the wall, and where it is an obstacle's, in the obstacle: beside that its face goes on as no wall.
-bool Contact::is_behind(const Meeting& meeting, const Vector& x) const {
+bool Contact::is_behind(const Meeting& meeting, const Vec<3>& x) const {
   const std::size_t axis = meeting.axis;
   if (meeting.side * (x[axis] - meeting.place) >= -rounding * scene_.grid.d[axis]) return false;
   for (std::size_t i = 0; meeting.box != nullptr && i < dim_; ++i) {
@@ -173,7 +173,7 @@ bool Contact::is_behind(const Meeting& meeting, const Vector& x) const {
 Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u1, std::span<const double> reactions,
                     std::span<const double> inertia) const {
   if (now == Touch::away) {
-    Vector x = meeting.from;
+    Vec<3> x = meeting.from;
     for (std::size_t i = 0; i < dim_; ++i) x[i] += 0.5 * h_ * (meeting.before[i] + u1[meeting.node * dim_ + i]);
     if (!is_behind(meeting, x)) return Touch::away;
     if (meeting.released) return Touch::rebounds;
@@ -189,8 +189,8 @@ Touch Contact::next(Meeting& meeting, Touch now, std::span<const double> u1, std
 }
 
 /// A node's values along the wall.
-Vector Contact::along_wall(const Meeting& meeting, std::span<const double> values) const {
-  Vector along{};
+Vec<3> Contact::along_wall(const Meeting& meeting, std::span<const double> values) const {
+  Vec<3> along{};
   for (std::size_t i = 0; i < dim_; ++i) along[i] = i == meeting.axis ? 0 : values[meeting.node * dim_ + i];
   return along;
 }
@@ -204,11 +204,11 @@ Touch Contact::rubbed(Meeting& meeting, Touch now, double pressed, std::span<con
                       std::span<const double> reactions) const {
   if (now == Touch::grips) return now;
   const double most = scene_.friction * pressed;
-  Vector first = meeting.before;
+  Vec<3> first = meeting.before;
   first[meeting.axis] = 0;
-  const Vector last = along_wall(meeting, u1), way{first[0] + last[0], first[1] + last[1], first[2] + last[2]};
+  const Vec<3> last = along_wall(meeting, u1), way{first[0] + last[0], first[1] + last[1], first[2] + last[2]};
   if (now == Touch::sticks) {
-    const Vector held = along_wall(meeting, reactions);
+    const Vec<3> held = along_wall(meeting, reactions);
     const bool driven = dot(held, first) > 0;
     if (!driven && (meeting.turned || std::sqrt(dot(held, held)) <= most)) return now;
     meeting.driven = driven;

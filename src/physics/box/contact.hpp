@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/solid_surface.hpp"
 #include "model/coupled.hpp"
 
@@ -48,18 +49,18 @@ class Contact {
  private:
   struct Meeting {
     std::size_t node = 0, axis = 0;
-    double side = 1;               // +1: the node stays above the place
-    double place = 0;              // of the wall [length]
-    double gap = 0;                // at the step's start [length]
-    Vector from{};                 // where the node is then [length]
-    const AxisBox* box = nullptr;  // the obstacle; null: a side of the box
-    bool touching = false;         // the node's velocity across is held because of this one
-    Vector before{};               // the node's velocity then
-    bool released = false;         // in this step, after which it can but rebound
-    bool turned = false;           // in this step, by friction: more of it than mu allows may hold it
-    bool driven = false;           // in this step, along its way by what halted it: it is not halted again
-    Vector along{};                // unit vector of the friction on a node that slides; zero: not known yet
-    double friction = 0;           // on it [force]
+    double side = 1;              // +1: the node stays above the place
+    double place = 0;             // of the wall [length]
+    double gap = 0;               // at the step's start [length]
+    Vec<3> from{};                // where the node is then [length]
+    const Box<3>* box = nullptr;  // the obstacle; null: a side of the box
+    bool touching = false;        // the node's velocity across is held because of this one
+    Vec<3> before{};              // the node's velocity then
+    bool released = false;        // in this step, after which it can but rebound
+    bool turned = false;          // in this step, by friction: more of it than mu allows may hold it
+    bool driven = false;          // in this step, along its way by what halted it: it is not halted again
+    Vec<3> along{};               // unit vector of the friction on a node that slides; zero: not known yet
+    double friction = 0;          // on it [force]
   };
   double lift(const Meeting& meeting) const;
   /// By which (5) ends on the wall.
@@ -67,16 +68,16 @@ class Contact {
     return -meeting.before[meeting.axis] - 2 * meeting.side * meeting.gap / h_;
   }
   std::size_t unknown(const Meeting& meeting) const { return meeting.node * dim_ + meeting.axis; }
-  void meet_walls(std::size_t node, const Vector& x, double reach);
-  void meet_obstacle(const AxisBox& box, std::size_t node, const Vector& x, double reach);
-  bool is_covered(const AxisBox& box, std::size_t axis, double up, const Vector& x) const;
-  bool is_behind(const Meeting& meeting, const Vector& x) const;
+  void meet_walls(std::size_t node, const Vec<3>& x, double reach);
+  void meet_obstacle(const Box<3>& box, std::size_t node, const Vec<3>& x, double reach);
+  bool is_covered(const Box<3>& box, std::size_t axis, double up, const Vec<3>& x) const;
+  bool is_behind(const Meeting& meeting, const Vec<3>& x) const;
   Touch next(Meeting& meeting, Touch now, std::span<const double> u1, std::span<const double> reactions,
              std::span<const double> inertia) const;
   bool all_at_once(std::size_t wrong);
   Touch rubbed(Meeting& meeting, Touch now, double pressed, std::span<const double> u1,
                std::span<const double> reactions) const;
-  Vector along_wall(const Meeting& meeting, std::span<const double> values) const;
+  Vec<3> along_wall(const Meeting& meeting, std::span<const double> values) const;
 
   const Coupled& scene_;
   std::size_t dim_;

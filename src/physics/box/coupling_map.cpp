@@ -57,7 +57,7 @@ class MapByPressures {
 
  private:
   void add(const SurfacePiece& piece, std::size_t before) {
-    const Vector& area = of_.pieces.area[at(piece.side)];
+    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, area);
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
@@ -76,7 +76,7 @@ class MapByPressures {
 
   /// The pressure of the side, with parts of cells linear towards it from the cell that the piece is in.
   void add_before_side(const SurfacePiece& piece, int side) {
-    const Vector& area = of_.pieces.area[at(piece.side)];
+    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       for (int axis = 0; axis < dim_; ++axis) {
@@ -92,9 +92,9 @@ class MapByPressures {
 
   /// One pressure all over the piece. Parts of cells say nothing about what is thinner than half a cell.
   void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure) {
-    const Vector& area = of_.pieces.area[at(piece.side)];
+    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     const auto nodes = of_.surface.side(at(piece.side));
-    Vector share{};
+    Vec<3> share{};
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       for (std::size_t a = 0; a < nodes.size(); ++a)
         share[a] += of_.pieces.points[k].part * of_.pieces.points[k].share[a];
@@ -114,14 +114,14 @@ class MapByPressures {
   void add_film_weight(const SurfacePiece& piece, const FilmPressures& films, std::size_t number,
                        const std::vector<std::pair<std::size_t, double>>& pressure) {
     if (of_.outside == nullptr) return;
-    const auto at_rest = [&](const Vector& x) { return of_.outside->pressure(x[1]); };
+    const auto at_rest = [&](const Vec<3>& x) { return of_.outside->pressure(x[1]); };
     double whole = films.outside_on(number, [](std::size_t) { return 1.0; });  // parts of rims, and these at rest
     double rims = films.outside_on(number, [&](std::size_t rim) { return at_rest(of_.pieces.pieces[rim].middle); });
     for (const auto& [cell, weight] : pressure) {
       if (of_.numbers.of_cell[cell] < 0) continue;  // void
       whole += weight, rims += weight * at_rest(of_.domain.grid.middle(of_.domain.grid.place_of_cell(cell)));
     }
-    const Vector& area = of_.pieces.area[at(piece.side)];
+    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const double p = whole * at_rest(point.x) - rims;
@@ -133,10 +133,10 @@ class MapByPressures {
   /// The pressure of the fluid outside on what is beyond an open side, and its share of that in a film.
   void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number) {
     if (of_.outside == nullptr) return;
-    const Vector& area = of_.pieces.area[at(piece.side)];
+    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     const int beyond = side_before(piece.middle);
     const double in_film = beyond >= 0 ? 0 : films.outside_on(number, [&](std::size_t rim) {
-      const Vector& x = of_.pieces.pieces[rim].middle;
+      const Vec<3>& x = of_.pieces.pieces[rim].middle;
       const int side = open_side_[rim] >= 0 ? open_side_[rim] : side_before(x);
       return side < 0 ? 0 : of_.outside->pressure_beyond(side, x[1]);
     });
@@ -153,7 +153,7 @@ class MapByPressures {
   }
 
   /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
-  int side_before(const Vector& x) const {
+  int side_before(const Vec<3>& x) const {
     const StaggeredGrid& grid = of_.domain.grid;
     int beyond = -1;
     for (int side = 0; side < 2 * dim_; ++side) {
@@ -164,7 +164,7 @@ class MapByPressures {
     return beyond;
   }
 
-  void see(const SurfacePiece& piece, int region, const Vector& area) {
+  void see(const SurfacePiece& piece, int region, const Vec<3>& area) {
     double part = 0;
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) part += of_.pieces.points[k].part;
     seen_[at(of_.surface.sheet[at(piece.side)] * of_.domain.regions + region)] +=

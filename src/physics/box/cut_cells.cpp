@@ -152,8 +152,8 @@ class Neighbourhood {
 /// at a corner.
 bool is_plate(const SurfacePieces& pieces, const Crossings& crossings, int lowest, int highest) {
   constexpr double facing = -0.5;
-  const Vector &a = pieces.area[at(crossings.all[at(lowest)].side)],
-               &b = pieces.area[at(crossings.all[at(highest)].side)];
+  const Vec<3>&a = pieces.area[at(crossings.all[at(lowest)].side)],
+        &b = pieces.area[at(crossings.all[at(highest)].side)];
   return dot(a, b) < facing * std::sqrt(dot(a, a) * dot(b, b));
 }
 

@@ -16,17 +16,17 @@ namespace {
 
 constexpr double rounding = 1e-6;  // of a cell: surfaces that are nearer to each other touch
 
-double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+double length(const Vec<3>& a) { return std::sqrt(dot(a, a)); }
 
 /// Less its part along a normal of length 1.
-Vector along_plane(const Vector& a, const Vector& normal) {
+Vec<3> along_plane(const Vec<3>& a, const Vec<3>& normal) {
   const double across = dot(a, normal);
   return {a[0] - across * normal[0], a[1] - across * normal[1], a[2] - across * normal[2]};
 }
 
-Vector unit(const Vector& a) {
+Vec<3> unit(const Vec<3>& a) {
   const double size = length(a);
-  return size > 0 ? Vector{a[0] / size, a[1] / size, a[2] / size} : Vector{};
+  return size > 0 ? Vec<3>{a[0] / size, a[1] / size, a[2] / size} : Vec<3>{};
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ bool FilmPressures::lets_out(int axis, int end) const {
 bool FilmPressures::is_in_another_solid(const SurfacePiece& piece) const {
   const int part = of_.surface.part[at(piece.side)];
   if (of_.surface.parts < 2) return false;
-  const Vector normal = unit(of_.pieces.area[at(piece.side)]);
-  Vector x = piece.middle;
+  const Vec<3> normal = unit(of_.pieces.area[at(piece.side)]);
+  Vec<3> x = piece.middle;
   for (std::size_t i = 0; i < at(of_.surface.dim); ++i) x[i] -= rounding * of_.domain.grid.d[i] * normal[i];
   return turns_about(of_.surface, of_.q, x, part) > 0.5;
 }
@@ -169,7 +169,7 @@ void FilmPressures::link_films() {
 /// To a rim by the way along the film's own plane: the rim may be round a corner.
 double FilmPressures::conductance(std::size_t film, std::size_t other) const {
   const SurfacePiece &a = of_.pieces.pieces[film], &b = of_.pieces.pieces[other];
-  const Vector way = minus(b.middle, a.middle);
+  const Vec<3> way = minus(b.middle, a.middle);
   const double least = rounding * *std::min_element(of_.domain.grid.d.begin(), of_.domain.grid.d.end());
   const double far =
       kind_[other] == Kind::film ? length(way) : length(along_plane(way, unit(of_.pieces.area[at(a.side)])));
@@ -209,12 +209,12 @@ std::vector<std::pair<std::size_t, double>> FilmPressures::on(std::size_t piece)
   std::vector<std::pair<std::size_t, double>> sum;
   if (number_.empty() || number_[piece] < 0) return sum;
   const SurfacePiece& film = of_.pieces.pieces[piece];
-  const Vector normal = unit(of_.pieces.area[at(film.side)]);
+  const Vec<3> normal = unit(of_.pieces.area[at(film.side)]);
   std::map<std::size_t, double> weight;
   for (const Share& share : shares_[at(number_[piece])]) {
     if (kind_[at(share.rim)] == Kind::outlet) continue;
-    const Vector along = along_plane(minus(of_.pieces.pieces[at(share.rim)].middle, film.middle), normal);
-    const Vector x{film.middle[0] + along[0], film.middle[1] + along[1], film.middle[2] + along[2]};
+    const Vec<3> along = along_plane(minus(of_.pieces.pieces[at(share.rim)].middle, film.middle), normal);
+    const Vec<3> x{film.middle[0] + along[0], film.middle[1] + along[1], film.middle[2] + along[2]};
     const PressureStencil stencil = of_.sampler.at(x, at(of_.before[at(share.rim)]), 1);
     for (std::size_t s = 0; s < stencil.size; ++s) weight[stencil.cell[s]] += share.part * stencil.weight[s];
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -44,11 +45,11 @@ FlowBox::FlowBox(const Coupled& scene)
       kind_(scene.grid.cell_count(), CellKind::fluid),
       side_faces_(std::make_shared<const SideFaces>(scene)) {
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
-    const Vector middle = scene.grid.middle(scene.grid.place_of_cell(cell));
-    for (const AxisBox& box : scene.voids) {
+    const Vec<3> middle = scene.grid.middle(scene.grid.place_of_cell(cell));
+    for (const Box<3>& box : scene.voids) {
       if (box.contains(middle)) kind_[cell] = CellKind::empty;
     }
-    for (const AxisBox& box : scene.obstacles) {
+    for (const Box<3>& box : scene.obstacles) {
       if (box.contains(middle)) kind_[cell] = CellKind::wall;
     }
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "physics/box/outside.hpp"
 
 namespace tether::coupled {
@@ -30,7 +31,7 @@ class CellJoins {
 /// Where something is: a cell, and how far it is between the cell's lower and upper sides, from 0 to 1 on each axis.
 struct FlowPlace {
   std::array<int, 3> cell{};
-  std::array<double, 3> at{};
+  Vec<3> at{};
 };
 
 /// A velocity found between faces: by those that can be reached, which are `whole` where no solid comes between; it

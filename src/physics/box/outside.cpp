@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 
 namespace tether::coupled {
 
@@ -32,14 +33,14 @@ std::vector<std::uint8_t> cells_for_fluid(const Coupled& scene) {
   for (std::size_t c = 0; c < fluid.size(); ++c) {
     const auto middle = scene.grid.middle(scene.grid.place_of_cell(c));
     for (const auto* boxes : {&scene.obstacles, &scene.voids}) {
-      for (const AxisBox& box : *boxes) fluid[c] = box.contains(middle) ? 0 : fluid[c];
+      for (const Box<3>& box : *boxes) fluid[c] = box.contains(middle) ? 0 : fluid[c];
     }
   }
   return fluid;
 }
 
 /// The part of a cell that lies in a box.
-double part_in(const AxisBox& box, const StaggeredGrid& grid, const std::array<int, 3>& cell) {
+double part_in(const Box<3>& box, const StaggeredGrid& grid, const std::array<int, 3>& cell) {
   constexpr double rounding = 1e-9;  // of a cell
   double part = 1;
   for (int axis = 0; axis < grid.dim; ++axis) {

@@ -13,8 +13,8 @@ namespace {
 std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
 
 /// Whether the way from `from` to `to` meets the side, its ends left out by rounding's measure.
-bool meets_edge(const Vector& a, const Vector& b, const Vector& from, const Vector& to) {
-  const Vector way = minus(to, from), edge = minus(b, a), gap = minus(a, from);
+bool meets_edge(const Vec<3>& a, const Vec<3>& b, const Vec<3>& from, const Vec<3>& to) {
+  const Vec<3> way = minus(to, from), edge = minus(b, a), gap = minus(a, from);
   const double det = way[0] * edge[1] - way[1] * edge[0];
   if (det == 0) return false;
   const double t = (gap[0] * edge[1] - gap[1] * edge[0]) / det, s = (gap[0] * way[1] - gap[1] * way[0]) / det;
@@ -22,11 +22,11 @@ bool meets_edge(const Vector& a, const Vector& b, const Vector& from, const Vect
 }
 
 /// T. Moeller and B. Trumbore, J. Graphics Tools 2 (1997) 21-28.
-bool meets_triangle(const std::array<Vector, 3>& x, const Vector& from, const Vector& to) {
-  const Vector way = minus(to, from), e = minus(x[1], x[0]), f = minus(x[2], x[0]), p = cross(way, f);
+bool meets_triangle(const std::array<Vec<3>, 3>& x, const Vec<3>& from, const Vec<3>& to) {
+  const Vec<3> way = minus(to, from), e = minus(x[1], x[0]), f = minus(x[2], x[0]), p = cross(way, f);
   const double det = dot(e, p);
   if (det == 0) return false;
-  const Vector gap = minus(from, x[0]), r = cross(gap, e);
+  const Vec<3> gap = minus(from, x[0]), r = cross(gap, e);
   const double u = dot(gap, p) / det, v = dot(way, r) / det, t = dot(f, r) / det;
   return u >= 0 && v >= 0 && u + v <= 1 && t > 1e-9 && t <= 1;
 }
@@ -50,14 +50,14 @@ PressureSampler::PressureSampler(const SolidSurface& surface, std::span<const do
   }
 }
 
-bool PressureSampler::is_hidden_by(int side, const Vector& from, const Vector& to) const {
-  std::array<Vector, 3> x{};
+bool PressureSampler::is_hidden_by(int side, const Vec<3>& from, const Vec<3>& to) const {
+  std::array<Vec<3>, 3> x{};
   const auto nodes = surface_.side(at_index(side));
   for (std::size_t a = 0; a < nodes.size(); ++a) x[a] = place_of(q_, nodes[a], surface_.dim);
   return surface_.dim == 2 ? meets_edge(x[0], x[1], from, to) : meets_triangle(x, from, to);
 }
 
-bool PressureSampler::sees(const SurfacePiece& piece, const Vector& to) const {
+bool PressureSampler::sees(const SurfacePiece& piece, const Vec<3>& to) const {
   const StaggeredGrid& grid = domain_.grid;
   std::array<int, 3> low{}, high{};
   for (std::size_t i = 0; i < at_index(grid.dim); ++i) {
@@ -95,7 +95,7 @@ int PressureSampler::nearest(const SurfacePiece& piece, const std::array<int, 3>
         if (!grid.has_cell(c)) continue;
         const CellKind kind = domain_.kind[grid.cell(c)];
         if (kind != CellKind::fluid && kind != CellKind::empty) continue;
-        const Vector way = minus(grid.middle(c), piece.middle);
+        const Vec<3> way = minus(grid.middle(c), piece.middle);
         if (dot(way, pieces_.area[at_index(piece.side)]) > 0) candidates.push_back({dot(way, way), grid.cell(c)});
       }
     }
@@ -114,7 +114,7 @@ int PressureSampler::cell_before(const SurfacePiece& piece) const {
   for (std::size_t i = 0; i < at_index(grid.dim); ++i) {
     if (piece.middle[i] < grid.low[i] || piece.middle[i] > grid.high(static_cast<int>(i))) return -1;
   }
-  const Vector& area = pieces_.area[at_index(piece.side)];
+  const Vec<3>& area = pieces_.area[at_index(piece.side)];
   const double size = std::sqrt(dot(area, area));
   if (size == 0) return -1;
   std::array<int, 3> middle{};
@@ -134,10 +134,10 @@ int PressureSampler::joined(const std::array<int, 3>& cell, int axis, int end) c
   return open ? static_cast<int>(domain_.grid.cell(other)) : -1;
 }
 
-PressureStencil PressureSampler::at(const Vector& x, std::size_t cell, double behind) const {
+PressureStencil PressureSampler::at(const Vec<3>& x, std::size_t cell, double behind) const {
   const StaggeredGrid& grid = domain_.grid;
   const auto place = grid.place_of_cell(cell);
-  const Vector middle = grid.middle(place);
+  const Vec<3> middle = grid.middle(place);
   PressureStencil stencil;
   stencil.add(cell, 1);
   for (int axis = 0; axis < grid.dim; ++axis) {
@@ -164,10 +164,10 @@ class BeforePieces {
 
   /// `before` is the cell that the piece faces, or -1; a side counts where it is nearer than that one's middle.
   int side_before(const SurfacePiece& piece, int before) const {
-    const Vector& area = pieces_.area[at(piece.side)];
+    const Vec<3>& area = pieces_.area[at(piece.side)];
     const double size = std::sqrt(dot(area, area));
     if (size == 0 || !is_near_a_side(piece.middle)) return -1;
-    const Vector normal{area[0] / size, area[1] / size, area[2] / size};
+    const Vec<3> normal{area[0] / size, area[1] / size, area[2] / size};
     double nearest = before < 0 ? INFINITY : distance(piece.middle, before);
     int found = -1;
     for (int side = 0; side < 2 * grid_.dim; ++side) {
@@ -183,32 +183,32 @@ class BeforePieces {
   }
 
  private:
-  bool is_near_a_side(const Vector& x) const {
+  bool is_near_a_side(const Vec<3>& x) const {
     bool near = false;
     for (int side = 0; side < 2 * grid_.dim; ++side)
       near = near || std::abs(gap_to(side, x)) <= 0.5 * grid_.d[at(axis_of_side(side))];
     return near;
   }
 
-  double distance(const Vector& x, int cell) const {
-    const Vector way = minus(grid_.middle(grid_.place_of_cell(at(cell))), x);
+  double distance(const Vec<3>& x, int cell) const {
+    const Vec<3> way = minus(grid_.middle(grid_.place_of_cell(at(cell))), x);
     return std::sqrt(dot(way, way));
   }
 
-  double gap_to(int side, const Vector& x) const {
+  double gap_to(int side, const Vec<3>& x) const {
     const int axis = axis_of_side(side);
     return is_low_side(side) ? x[at(axis)] - grid_.low[at(axis)] : grid_.high(axis) - x[at(axis)];
   }
 
   /// Along the normal; -1: the side is half a cell away or more, or the normal does not lead there within a cell.
-  double way_to(int side, const Vector& x, const Vector& normal) const {
+  double way_to(int side, const Vec<3>& x, const Vec<3>& normal) const {
     const int axis = axis_of_side(side);
     const double gap = gap_to(side, x), along = std::abs(normal[at(axis)]), d = grid_.d[at(axis)];
     return gap >= 0 && gap <= 0.5 * d && gap <= along * d && along > 0 ? gap / along : -1;
   }
 
   /// Whether the side is open at a place next to it but for solids, and no obstacle or void is before it.
-  bool is_open(int side, const Vector& x) const {
+  bool is_open(int side, const Vec<3>& x) const {
     const int axis = axis_of_side(side);
     std::array<int, 3> cell{};
     for (std::size_t i = 0; i < at(grid_.dim); ++i)
@@ -222,8 +222,8 @@ class BeforePieces {
   }
 
   /// Where the normal meets the side: whether it is open, and no other solid is before it.
-  bool lets_out(int side, const SurfacePiece& piece, const Vector& normal, double way) const {
-    Vector x = piece.middle;
+  bool lets_out(int side, const SurfacePiece& piece, const Vec<3>& normal, double way) const {
+    Vec<3> x = piece.middle;
     for (std::size_t i = 0; i < at(grid_.dim); ++i) x[i] += way * normal[i];
     return is_open(side, x) && sampler_.sees(piece, x);
   }

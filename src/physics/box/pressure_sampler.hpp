@@ -36,15 +36,15 @@ class PressureSampler {
   /// a linear one would change where x lies on the other side of the cell. B takes it twice, for the force and for the
   /// flux: by halves the strip between the cell's middle and the surface weighs what it should, to second order. In a
   /// film there is no such strip: `behind` 1 takes all of what a linear one would change.
-  PressureStencil at(const Vector& x, std::size_t cell, double behind = 0.5) const;
+  PressureStencil at(const Vec<3>& x, std::size_t cell, double behind = 0.5) const;
   /// Whether no other side of the surface is between a piece and a place.
-  bool sees(const SurfacePiece& piece, const Vector& to) const;
+  bool sees(const SurfacePiece& piece, const Vec<3>& to) const;
   /// Of the solids' nodes.
   std::span<const double> places() const { return q_; }
 
  private:
   int nearest(const SurfacePiece& piece, const std::array<int, 3>& middle, int reach) const;
-  bool is_hidden_by(int side, const Vector& from, const Vector& to) const;
+  bool is_hidden_by(int side, const Vec<3>& from, const Vec<3>& to) const;
   /// The neighbour along an axis, in the direction of `end`, that an open face joins; -1 where there is none.
   int joined(const std::array<int, 3>& cell, int axis, int end) const;
 

@@ -143,7 +143,7 @@ void CoupledStep::check(const CoupledState& state) const {
   const fem::ShapeVolumes shape = solids_.system.elements->shape(state.q);
   if (shape.least > 0) return;
   const int node = solids_.system.solids.mesh.element(shape.worst)[0];
-  const Vector x = place_of(state.q, node, surface_.dim);
+  const Vec<3> x = place_of(state.q, node, surface_.dim);
   throw RunError(fmt::format(
       "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, {}", state.time,
       state.steps + 1, shape.worst + 1, x[0], x[1], surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : "",
@@ -168,7 +168,7 @@ void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState
   state.unmeasured = 1;
   std::size_t cell = 0;
   while (at_.domain.region[cell] != region) ++cell;
-  const Vector x = coupled_.grid.middle(coupled_.grid.place_of_cell(cell));
+  const Vec<3> x = coupled_.grid.middle(coupled_.grid.place_of_cell(cell));
   messages_.push_back(
       fmt::format("t = {:.6g}: the fluid about ({:.6g}, {:.6g}{}) is closed in by a body and sides of the box, and "
                   "jets fill or empty "

@@ -11,7 +11,7 @@ namespace {
 
 /// A corner of what is left of a side.
 struct Corner {
-  Vector x{}, share{};
+  Vec<3> x{}, share{};
 };
 
 Corner between(const Corner& a, const Corner& b, double t) {
@@ -100,7 +100,7 @@ class Cutter {
       const Corner &a = polygon.corners[0], &b = polygon.corners[k], &c = polygon.corners[k + 1];
       const double part = part_of(a.share, b.share, c.share);
       if (part == 0) continue;
-      for (const auto& w : {Vector{4, 1, 1}, Vector{1, 4, 1}, Vector{1, 1, 4}}) {
+      for (const auto& w : {Vec<3>{4, 1, 1}, Vec<3>{1, 4, 1}, Vec<3>{1, 1, 4}}) {
         Corner point;
         for (std::size_t i = 0; i < 3; ++i) {
           point.x[i] = (w[0] * a.x[i] + w[1] * b.x[i] + w[2] * c.x[i]) / 6;
@@ -111,7 +111,7 @@ class Cutter {
     }
     finish();
   }
-  static double part_of(const Vector& a, const Vector& b, const Vector& c) {
+  static double part_of(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
     return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
   }
 

@@ -11,8 +11,8 @@ namespace tether::coupled {
 
 /// A point of quadrature on the surface.
 struct SurfacePoint {
-  Vector x{};       ///< where it is [length]
-  Vector share{};   ///< of the side's nodes, their sum is 1
+  Vec<3> x{};       ///< where it is [length]
+  Vec<3> share{};   ///< of the side's nodes, their sum is 1
   double part = 0;  ///< of the side's area that it stands for
 };
 
@@ -20,7 +20,7 @@ struct SurfacePoint {
 struct SurfacePiece {
   int side = 0;
   std::size_t first = 0, count = 0;  ///< of its points
-  Vector middle{};                   ///< [length]
+  Vec<3> middle{};                   ///< [length]
   std::array<int, 3> cell{};         ///< of the grid that holds it, which may lie outside the grid
 };
 
@@ -29,7 +29,7 @@ struct SurfacePiece {
 struct SurfacePieces {
   std::vector<SurfacePiece> pieces;
   std::vector<SurfacePoint> points;
-  std::vector<Vector> area;  ///< of each side, out of the solid [area]
+  std::vector<Vec<3>> area;  ///< of each side, out of the solid [area]
 };
 
 SurfacePieces cut_surface(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid,

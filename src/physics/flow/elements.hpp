@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/vec.hpp"
 #include "grid/shapes.hpp"
 #include "model/flow.hpp"
 #include "physics/flow/unknowns.hpp"
@@ -46,7 +47,7 @@ struct FlowPower {
 /// A force on the fluid at a node [force].
 struct NodeForce {
   std::size_t node = 0;
-  std::array<double, 2> force{};
+  Vec<2> force{};
 };
 
 /// The elements of a flow: integrals over its mesh, and over its sides.
@@ -71,7 +72,7 @@ class FlowElements {
   /// half of what that on the side itself gives.
   virtual std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const = 0;
   /// The fluid's stress at a place s of the reference element of element e: xx, yy, xy [stress].
-  virtual std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const std::array<double, 2>& s) const = 0;
+  virtual std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const Vec<2>& s) const = 0;
   /// dv/dx - du/dy, the mean around each node [1/time].
   virtual std::vector<double> vorticity(std::span<const double> v) const = 0;
   /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations.
@@ -89,7 +90,7 @@ class FlowElements {
 
 /// Calls f with the functions of a fluid's element (quad4 or quad9) at a place s of the reference element.
 template <class Function>
-void with_values_at(ElementKind kind, const std::array<double, 2>& s, const Function& f) {
+void with_values_at(ElementKind kind, const Vec<2>& s, const Function& f) {
   if (kind == ElementKind::quad4)
     f(ShapesOf<ElementKind::quad4>::values(s));
   else

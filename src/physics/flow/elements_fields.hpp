@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/vec.hpp"
 #include "physics/flow/elements_of_shape.hpp"
 #include "physics/flow/unknowns.hpp"
 
@@ -113,8 +114,7 @@ std::vector<NodeForce> FlowElementsOf<V, P>::corner_forces(const FlowMoment& m, 
 
 /// sigma of (38): xx, yy, xy.
 template <class V, class P>
-std::array<double, 3> FlowElementsOf<V, P>::stress_at(const FlowMoment& m, std::size_t e,
-                                                      const std::array<double, 2>& s) const {
+std::array<double, 3> FlowElementsOf<V, P>::stress_at(const FlowMoment& m, std::size_t e, const Vec<2>& s) const {
   const auto map = jacobian_at<V>(mesh_, e, s);
   const Velocities vt = (1 - m.theta) * gathered(e, m.v0) + m.theta * gathered(e, m.v1);
   const Eigen::Matrix2d L = vt * Eigen::Map<const Velocities>(map.gradients.data()).transpose();
@@ -174,7 +174,7 @@ std::vector<double> FlowElementsOf<V, P>::pressure_at_nodes(std::span<const doub
     const Pressures at = pressures(e, p);
     constexpr int line = NV == 4 ? 2 : 3;
     for (int a = 0; a < NV; ++a) {
-      const std::array<double, 2> s{2.0 * (a % line) / (line - 1) - 1, 2.0 * (a / line) / (line - 1) - 1};
+      const Vec<2> s{2.0 * (a % line) / (line - 1) - 1, 2.0 * (a / line) / (line - 1) - 1};
       all[static_cast<std::size_t>(mesh_.element(e)[a])] = at.dot(Eigen::Map<const Pressures>(P::values(s).data()));
     }
   }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/shapes.hpp"
 #include "physics/flow/elements.hpp"
 #include "physics/flow/kernels.hpp"
@@ -96,7 +97,7 @@ class FlowElementsOf final : public FlowElements {
   std::array<double, 3> momentum(std::span<const double> v) const override;
   FlowPower power(const FlowMoment& m) const override;
   std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const override;
-  std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const std::array<double, 2>& s) const override;
+  std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const Vec<2>& s) const override;
   std::vector<double> vorticity(std::span<const double> v) const override;
   SparseMatrix laplacian() const override;
   std::vector<double> stream_source(std::span<const double> v) const override;

@@ -74,9 +74,7 @@ PlaneForce FlowForces::on_body_sides(const FlowState& state, const FlowMoment& m
 
 namespace {
 
-using Place = std::array<double, 2>;
-
-Place beyond(const Place& at, const Place& normal, double way) {
+Vec<2> beyond(const Vec<2>& at, const Vec<2>& normal, double way) {
   return {at[0] + way * normal[0], at[1] + way * normal[1]};
 }
 
@@ -85,27 +83,27 @@ Place beyond(const Place& at, const Place& normal, double way) {
 BodySideForces::BodySideForces(const Flow& flow, const FlowElements& elements, const Mesh& solids)
     : elements_(elements), fluid_(flow.mesh), solids_(solids), finder_(flow.mesh) {}
 
-PlaneForce BodySideForces::of(const Sides& sides, std::span<const double> places, const Place& centre,
+PlaneForce BodySideForces::of(const Sides& sides, std::span<const double> places, const Vec<2>& centre,
                               const FlowMoment& m) const {
   return order_of(solids_.kind) == 2 ? along<2>(sides, places, centre, m) : along<1>(sides, places, centre, m);
 }
 
 /// The mesh's sides go round the body counter-clockwise.
 template <int p>
-PlaneForce BodySideForces::along(const Sides& sides, std::span<const double> places, const Place& centre,
+PlaneForce BodySideForces::along(const Sides& sides, std::span<const double> places, const Vec<2>& centre,
                                  const FlowMoment& m) const {
   PlaneForce sum;
   for (std::size_t first = 0; first < sides.size(); first += p + 1) {
     for (std::size_t q = 0; q < 3; ++q) {
       const double s = Line<2>::gauss_places()[q], weight = Line<2>::gauss_weights()[q];
       const auto N = Line<p>::values(s), dN = Line<p>::slopes(s);
-      Place at{}, along{};
+      Vec<2> at{}, along{};
       for (std::size_t a = 0; a <= p; ++a) {
         const double* x = &places[2 * static_cast<std::size_t>(sides[first + a])];
         for (std::size_t i = 0; i < 2; ++i) at[i] += N[a] * x[i], along[i] += dN[a] * x[i];
       }
       const double length = std::hypot(along[0], along[1]), area = weight * length;
-      const Place normal{along[1] / length, -along[0] / length};
+      const Vec<2> normal{along[1] / length, -along[0] / length};
       const auto [xx, yy, xy] = stress_outside(at, normal, m);
       sum.add(area * (xx * normal[0] + xy * normal[1]), area * (xy * normal[0] + yy * normal[1]), at[0] - centre[0],
               at[1] - centre[1]);
@@ -115,7 +113,7 @@ PlaneForce BodySideForces::along(const Sides& sides, std::span<const double> pla
 }
 
 /// Square root of the area between the corners of the fluid's element at a place, 0 outside of the mesh.
-double BodySideForces::size_at(const Place& at) const {
+double BodySideForces::size_at(const Vec<2>& at) const {
   const auto found = finder_.find(at);
   if (!found) return 0;
   const int line = order_of(fluid_.kind), count = node_count_of(fluid_.kind);
@@ -126,7 +124,8 @@ double BodySideForces::size_at(const Place& at) const {
 }
 
 /// From one and two elements away, or nearer where the fluid ends before that; none where it ends within a tenth.
-std::array<double, 3> BodySideForces::stress_outside(const Place& at, const Place& normal, const FlowMoment& m) const {
+std::array<double, 3> BodySideForces::stress_outside(const Vec<2>& at, const Vec<2>& normal,
+                                                     const FlowMoment& m) const {
   constexpr double least = 0.1;
   const double size = size_at(at);
   for (double part = 1; size > 0 && part > least / 2; part /= 2) {

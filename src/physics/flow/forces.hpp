@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/point_finder.hpp"
 #include "model/flow.hpp"
 #include "physics/flow/columns.hpp"
@@ -27,16 +28,13 @@ class BodySideForces {
   BodySideForces(const Flow& flow, const FlowElements& elements, const Mesh& solids);
 
   /// On these sides, with nodes at `places`, about a centre.
-  PlaneForce of(const Sides& sides, std::span<const double> places, const std::array<double, 2>& centre,
-                const FlowMoment& m) const;
+  PlaneForce of(const Sides& sides, std::span<const double> places, const Vec<2>& centre, const FlowMoment& m) const;
 
  private:
   template <int p>
-  PlaneForce along(const Sides& sides, std::span<const double> places, const std::array<double, 2>& centre,
-                   const FlowMoment& m) const;
-  std::array<double, 3> stress_outside(const std::array<double, 2>& at, const std::array<double, 2>& normal,
-                                       const FlowMoment& m) const;
-  double size_at(const std::array<double, 2>& at) const;
+  PlaneForce along(const Sides& sides, std::span<const double> places, const Vec<2>& centre, const FlowMoment& m) const;
+  std::array<double, 3> stress_outside(const Vec<2>& at, const Vec<2>& normal, const FlowMoment& m) const;
+  double size_at(const Vec<2>& at) const;
 
   const FlowElements& elements_;
   const Mesh& fluid_;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 #include "grid/shapes.hpp"
 
@@ -140,7 +141,7 @@ constexpr std::size_t index_count = static_cast<std::size_t>(n);
 template <class V>
 struct SidePoint {
   std::size_t element = 0;
-  std::array<double, 2> place;           ///< in the reference element
+  Vec<2> place;                          ///< in the reference element
   Eigen::Vector2d normal;                ///< outward, as long as the point's part of the side [length]
   Eigen::Matrix<double, V::nodes, 1> N;  ///< all of the element's functions there
   Eigen::Matrix<double, 2, V::nodes> G;  ///< and their gradients [1/length]
@@ -170,7 +171,7 @@ inline std::map<std::pair<int, int>, ElementSide> sides_by_ends(const Mesh& mesh
 /// Appends the points of quadrature of these sides of a mesh of quadrilaterals.
 template <class V>
 void add_side_points(const Mesh& mesh, const Sides& sides, std::vector<SidePoint<V>>& points) {
-  using Line = Box<1, V::line - 1>;
+  using Line = Brick<1, V::line - 1>;
   const auto by_ends = sides_by_ends(mesh);
   const auto per_side = static_cast<std::size_t>(V::line);
   for (std::size_t first = 0; first < sides.size(); first += per_side) {
@@ -179,7 +180,7 @@ void add_side_points(const Mesh& mesh, const Sides& sides, std::vector<SidePoint
     const double along = (axis == 0) == (end == 1) ? 1 : -1;  // whether the side runs with the element's coordinate
     for (int k = 0; k < Line::points; ++k) {
       const double t = Line::place(k)[0];
-      std::array<double, 2> s;
+      Vec<2> s;
       s[static_cast<std::size_t>(axis)] = end == 1 ? 1 : -1, s[static_cast<std::size_t>(1 - axis)] = along * t;
       const auto slopes = Line::gradients({t});
       Eigen::Vector2d tangent = Eigen::Vector2d::Zero();

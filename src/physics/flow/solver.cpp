@@ -8,6 +8,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_time.hpp"
 
@@ -120,7 +121,7 @@ void FlowSolver::tell_of_failures(long long before) {
 bool FlowSolver::has_light_bodies() const {
   if (!step_.immersed()) return false;
   const Solids& solids = step_.immersed()->solids();
-  const auto moves = [](const Support& support) { return support.displacement != std::array<double, 3>{}; };
+  const auto moves = [](const Support& support) { return support.displacement != Vec<3>{}; };
   return std::ranges::none_of(solids.supports, moves) &&
          std::ranges::any_of(solids.regions, [&](const auto& region) { return region.density < flow_.density; });
 }

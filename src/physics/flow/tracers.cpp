@@ -17,7 +17,7 @@ class Shape {
   Shape(const Shape&) = delete;
   Shape& operator=(const Shape&) = delete;
 
-  bool holds(const std::array<double, 2>& x) const {
+  bool holds(const Vec<2>& x) const {
     if (finder_) return finder_->find(x).has_value();
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       if (triangle_holds(e, x)) return true;
@@ -27,7 +27,7 @@ class Shape {
 
  private:
   /// Whether the place is on the left of all three edges.
-  bool triangle_holds(std::size_t e, const std::array<double, 2>& x) const {
+  bool triangle_holds(std::size_t e, const Vec<2>& x) const {
     const int* nodes = mesh_.element(e);
     for (int k = 0; k < 3; ++k) {
       const double* a = &mesh_.x[2 * static_cast<std::size_t>(nodes[k])];
@@ -44,7 +44,7 @@ class Shape {
 /// What fields of tracers are made from.
 struct TracerSource {
   const FlowState& state;
-  std::vector<std::array<double, 2>> velocity;
+  std::vector<Vec<2>> velocity;
 };
 
 const ColumnTable<ColumnSetting, TracerSource>& tracer_table() {
@@ -68,14 +68,14 @@ const ColumnTable<ColumnSetting, TracerSource>& tracer_table() {
 FlowTracers::FlowTracers(const Flow& flow) : flow_(flow), finder_(flow.mesh) {}
 
 void FlowTracers::start(const Solids* solids, FlowState& state) const {
-  const TracerBox& box = flow_.tracers;
-  if (box.count[0] == 0) return;
+  const auto& [count, box] = flow_.tracers;
+  if (count[0] == 0) return;
   std::optional<Shape> shape;
   if (solids) shape.emplace(*solids, state.q);
-  for (int j = 0; j < box.count[1]; ++j) {
-    for (int i = 0; i < box.count[0]; ++i) {
-      const std::array<double, 2> x{box.x0 + (i + 0.5) * (box.x1 - box.x0) / box.count[0],
-                                    box.y0 + (j + 0.5) * (box.y1 - box.y0) / box.count[1]};
+  for (int j = 0; j < count[1]; ++j) {
+    for (int i = 0; i < count[0]; ++i) {
+      const Vec<2> x{box.low[0] + (i + 0.5) * (box.high[0] - box.low[0]) / count[0],
+                     box.low[1] + (j + 0.5) * (box.high[1] - box.low[1]) / count[1]};
       if (!finder_.find(x) || (shape && shape->holds(x))) continue;
       state.tracers.insert(state.tracers.end(), x.begin(), x.end());
     }
@@ -83,8 +83,8 @@ void FlowTracers::start(const Solids* solids, FlowState& state) const {
   state.tracer_left.assign(state.tracers.size() / 2, 0);
 }
 
-std::array<double, 2> FlowTracers::velocity(std::span<const double> v, const PointFinder::Found& at) const {
-  std::array<double, 2> sum{};
+Vec<2> FlowTracers::velocity(std::span<const double> v, const PointFinder::Found& at) const {
+  Vec<2> sum{};
   const int* nodes = flow_.mesh.element(static_cast<std::size_t>(at.element));
   const auto add = [&](const auto& N) {
     for (std::size_t a = 0; a < N.size(); ++a) {
@@ -125,7 +125,7 @@ Snapshot FlowTracers::fields(const FlowState& state) const {
   TracerSource source{state, {}};
   for (std::size_t n = 0; n < count; ++n) {
     const auto at = finder_.find({state.tracers[2 * n], state.tracers[2 * n + 1]});
-    source.velocity.push_back(at && state.tracer_left[n] == 0 ? velocity(state.v, *at) : std::array<double, 2>{});
+    source.velocity.push_back(at && state.tracer_left[n] == 0 ? velocity(state.v, *at) : Vec<2>{});
   }
   return Columns<TracerSource>(tracer_table(), ColumnSetting{}).snapshot(state.time, count, source);
 }

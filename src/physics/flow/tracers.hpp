@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/point_finder.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
@@ -29,7 +30,7 @@ class FlowTracers {
   Snapshot fields(const FlowState& state) const;
 
  private:
-  std::array<double, 2> velocity(std::span<const double> v, const PointFinder::Found& at) const;
+  Vec<2> velocity(std::span<const double> v, const PointFinder::Found& at) const;
 
   const Flow& flow_;
   PointFinder finder_;

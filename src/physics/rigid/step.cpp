@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/vec.hpp"
 #include "physics/rigid/constrained.hpp"
 #include "physics/rigid/reduced.hpp"
 #include "physics/rigid/state.hpp"
@@ -75,7 +76,7 @@ RigidBody body_of(const Rigid& rigid, const Mesh& mesh, const SparseMatrix& mass
 
 /// A dead load on the sides or in the volume of a mesh, by its parts at the nodes [area] or [volume] (26)-(28).
 RigidForces spread_load(const RigidFrame& frame, const Mesh& mesh, const std::vector<double>& parts,
-                        const std::array<double, 3>& force) {
+                        const Vec<3>& force) {
   std::vector<double> forces(mesh.x.size());
   for (std::size_t k = 0; k < forces.size(); ++k) forces[k] = parts[k / 3] * force[k % 3];
   return rigid_point_forces(frame, mesh.x, forces, RigidDirection::fixed);

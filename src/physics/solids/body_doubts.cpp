@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "grid/shapes.hpp"
 
 namespace tether::fem {
@@ -68,7 +69,7 @@ void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubt
                                std::vector<std::string>& messages) const {
   if (told.left_grid != 0) return;
   const auto dim = at(solids_.mesh.dim());
-  const std::array<double, 2> low{grid_.x0, grid_.y0}, high{grid_.x1, grid_.y1};
+  const Vec<2> low{grid_.x0, grid_.y0}, high{grid_.x1, grid_.y1};
   constexpr std::array<std::array<const char*, 2>, 2> names{{{"xleft", "xright"}, {"ybot", "ytop"}}};
   for (std::size_t k = 0; k < q.size(); ++k) {
     const std::size_t i = k % dim;
@@ -155,7 +156,7 @@ void BodyOverlaps::look(std::span<const double> q, double time, OverlapCount& co
   count.now = static_cast<long long>(found.nodes);
   if (count.now > 0 && count.most == 0) {
     const bool own = found.part == found.other;
-    const Vector& x = found.place;
+    const Vec<3>& x = found.place;
     messages.push_back(fmt::format(
         "t = {:.6g}: node {} of {} at ({:.6g}, {:.6g}{}) lies inside {}: nothing stops bodies at one another, what "
         "follows is wrong where they overlap (nodes_inside counts such nodes)",

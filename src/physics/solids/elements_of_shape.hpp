@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vec.hpp"
 #include "grid/shapes.hpp"
 #include "physics/solids/elements.hpp"
 
@@ -91,7 +92,7 @@ class ElementsOf final : public Elements {
     const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::place(k));
     gradients_.push_back(Eigen::Map<const Places>(map.gradients.data()));
     weights_.push_back(map.determinant * Shapes::weight(k));
-    std::array<double, 2> place{};
+    Vec<2> place{};
     for (int a = 0; a < nodes; ++a) {
       const double* x = &mesh_.x[static_cast<std::size_t>(mesh_.element(e)[a]) * dim];
       for (std::size_t i = 0; i < 2; ++i) place[i] += values_[index(k)][index(a)] * x[i];
@@ -102,7 +103,7 @@ class ElementsOf final : public Elements {
   double density(std::size_t e) const { return solids_.regions[static_cast<std::size_t>(mesh_.region[e])].density; }
   const Places& gradients(std::size_t e, int k) const { return gradients_[e * points + index(k)]; }
   double weight(std::size_t e, int k) const { return weights_[e * points + index(k)]; }
-  const std::array<double, 2>& place(std::size_t e, int k) const { return places_[e * points + index(k)]; }
+  const Vec<2>& place(std::size_t e, int k) const { return places_[e * points + index(k)]; }
 
   Places gathered(std::size_t e, std::span<const double> q) const {
     Places at;
@@ -189,7 +190,7 @@ class ElementsOf final : public Elements {
   std::array<std::array<double, nodes>, points> values_;
   std::vector<Places> gradients_;
   std::vector<double> weights_;
-  std::vector<std::array<double, 2>> places_;
+  std::vector<Vec<2>> places_;
 };
 
 template <class Shapes>

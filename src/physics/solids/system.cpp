@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/vec.hpp"
 #include "physics/solids/make_elements.hpp"
 
 namespace tether::fem {
@@ -111,14 +112,14 @@ std::vector<double> first_velocities(const SolidSystem& system) {
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     const SolidRegion& region = solids.regions[r];
     const std::vector<double>& weights = system.region_weights[r];
-    std::array<double, 3> centre{};
+    Vec<3> centre{};
     double total = 0;
     for (std::size_t n = 0; n < weights.size(); ++n) {
       total += weights[n];
       for (std::size_t i = 0; i < d; ++i) centre[i] += weights[n] * solids.mesh.x[n * d + i];
     }
     for (std::size_t n = 0; n < weights.size(); ++n) {
-      std::array<double, 3> arm{};
+      Vec<3> arm{};
       for (std::size_t i = 0; i < d; ++i) arm[i] = solids.mesh.x[n * d + i] - centre[i] / total;
       const double m = weights[n];
       mass[n] += m;

@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "base/vec.hpp"
 #include "read/box/box.hpp"
 #include "read/mesh/sides.hpp"
 #include "read/values.hpp"
@@ -96,7 +97,7 @@ void add_springs(const Deck& deck, const Solids& solids, Coupled& coupled, Diagn
     spring.nodes = nodes_named(deck, at[0], solids, diagnostics);
     for (int i = 1; i <= 3; ++i)
       spring.stiffness[static_cast<std::size_t>(i - 1)] = deck.real("coupled", "spring", i, at[0]);
-    if (spring.stiffness == std::array<double, 3>{})
+    if (spring.stiffness == Vec<3>{})
       refuse(deck, "spring_on", at, fmt::format("spring {} has no stiffness: spring(1,{}) is not given", at[0], at[0]),
              "write its stiffness in x, y and z, force per length", diagnostics);
     if (solids.mesh.dim() == 2 && spring.stiffness[2] != 0)
@@ -142,9 +143,9 @@ class PatchReader {
     const auto side = std::find(box_side_names.begin(), box_side_names.end(), deck_.text("coupled", on(), k_));
     return static_cast<int>(side - box_side_names.begin());
   }
-  AxisBox patch_of(int side) {
+  Box<3> patch_of(int side) {
     const StaggeredGrid& grid = coupled_.grid;
-    AxisBox patch;
+    Box<3> patch;
     if (axis_of_side(side) >= grid.dim) {
       error(
           on(), {k_, 1},

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "base/vec.hpp"
 #include "read/box/box.hpp"
 #include "read/box/checks.hpp"
 #include "read/limits.hpp"
@@ -108,13 +109,13 @@ namespace {
 enum class HeldBy { middles_of_cells, parts_of_cells };
 
 /// Reads box k of obstacle, void or smoke_box, or reports why there is none.
-std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const StaggeredGrid& grid, HeldBy by,
-                              Diagnostics& diagnostics) {
+std::optional<Box<3>> box_of(const Deck& deck, const char* name, int k, const StaggeredGrid& grid, HeldBy by,
+                             Diagnostics& diagnostics) {
   const auto refuse = [&](int i, const std::string& message, const std::string& hint) {
     diagnostics.add(deck.remark(Severity::error, "coupled", name, {i, k}, message, hint));
     return std::nullopt;
   };
-  AxisBox box;
+  Box<3> box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     const int first = 2 * axis + 1;
@@ -148,10 +149,10 @@ std::optional<AxisBox> box_of(const Deck& deck, const char* name, int k, const S
 }
 
 /// Warns of a box whose edges are not at faces of the grid, with what its cells make of it.
-void tell_rounding(const Deck& deck, const char* name, int k, const AxisBox& box, const StaggeredGrid& grid,
+void tell_rounding(const Deck& deck, const char* name, int k, const Box<3>& box, const StaggeredGrid& grid,
                    Diagnostics& diagnostics) {
   constexpr double rounding = 1e-3;  // of a cell
-  const AxisBox got = cells_of(box, grid);
+  const Box<3> got = cells_of(box, grid);
   double size = 1, size_got = 1;
   std::string places;
   bool off = false;
@@ -170,10 +171,10 @@ void tell_rounding(const Deck& deck, const char* name, int k, const AxisBox& box
                   "place its edges at faces of the grid, or use more nodes"));
 }
 
-std::vector<AxisBox> boxes_of(const Deck& deck, const char* name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
+std::vector<Box<3>> boxes_of(const Deck& deck, const char* name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
   std::set<int> numbers;
   for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[1]);
-  std::vector<AxisBox> boxes;
+  std::vector<Box<3>> boxes;
   for (const int k : numbers) {
     const auto box = box_of(deck, name, k, grid, HeldBy::middles_of_cells, diagnostics);
     if (!box) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/vec.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "model/coupled.hpp"
 #include "model/solids.hpp"
@@ -14,18 +15,16 @@
 namespace tether {
 namespace {
 
-using Place = std::array<double, 3>;
-
 /// A node's place; in the plane with the middle of the grid's layer of cells as z.
-Place place_of(const Mesh& mesh, int node) {
+Vec<3> place_of(const Mesh& mesh, int node) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  Place place{0, 0, 0.5};
+  Vec<3> place{0, 0, 0.5};
   std::copy_n(&mesh.x[static_cast<std::size_t>(node) * dim], dim, place.begin());
   return place;
 }
 
 /// Whether a place lies in a box by more than a part of the box's size; a negative part: within it or so near to it.
-bool deep_in(const AxisBox& box, const Place& place, double part) {
+bool deep_in(const Box<3>& box, const Vec<3>& place, double part) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double depth = part * (box.high[i] - box.low[i]);
     if (place[i] <= box.low[i] + depth || place[i] >= box.high[i] - depth) return false;
@@ -33,8 +32,8 @@ bool deep_in(const AxisBox& box, const Place& place, double part) {
   return true;
 }
 
-AxisBox box_of(const StaggeredGrid& grid) {
-  AxisBox box;
+Box<3> box_of(const StaggeredGrid& grid) {
+  Box<3> box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     box.low[i] = grid.low[i], box.high[i] = grid.high(axis);
@@ -43,17 +42,17 @@ AxisBox box_of(const StaggeredGrid& grid) {
 }
 
 /// Where a node of a body cannot be, or nothing.
-const char* wrong_place(const Coupled& coupled, const AxisBox& box, const Place& place) {
+const char* wrong_place(const Coupled& coupled, const Box<3>& box, const Vec<3>& place) {
   constexpr double rounding = 1e-9;
   if (!deep_in(box, place, -rounding)) return "outside the box";
   const bool blocked = std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(),
-                                   [&](const AxisBox& obstacle) { return deep_in(obstacle, place, rounding); });
+                                   [&](const Box<3>& obstacle) { return deep_in(obstacle, place, rounding); });
   return blocked ? "in an obstacle" : nullptr;
 }
 
 void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Diagnostics& diagnostics) {
   const std::vector<int> regions = regions_of(deck, false);
-  const AxisBox box = box_of(coupled.grid);
+  const Box<3> box = box_of(coupled.grid);
   std::set<int> told;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int a = 0; a < node_count_of(mesh.kind); ++a) {
@@ -70,11 +69,11 @@ void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Di
 }
 
 /// Whether a place lies in a triangle or tetrahedron, ends included.
-bool in_element(const Mesh& mesh, std::size_t e, const Place& place) {
+bool in_element(const Mesh& mesh, std::size_t e, const Vec<3>& place) {
   const int dim = mesh.dim();
   Eigen::MatrixXd edges(dim, dim);
   Eigen::VectorXd to(dim);
-  const Place first = place_of(mesh, mesh.element(e)[0]);
+  const Vec<3> first = place_of(mesh, mesh.element(e)[0]);
   for (int i = 0; i < dim; ++i) {
     const auto axis = static_cast<std::size_t>(i);
     for (int a = 0; a < dim; ++a) edges(i, a) = place_of(mesh, mesh.element(e)[a + 1])[axis] - first[axis];
@@ -86,12 +85,12 @@ bool in_element(const Mesh& mesh, std::size_t e, const Place& place) {
 }
 
 /// Of each face of a jet the middle of what the jet has of it, and a place half a cell before that.
-std::vector<Place> places_of(const Jet& jet, const StaggeredGrid& grid) {
+std::vector<Vec<3>> places_of(const Jet& jet, const StaggeredGrid& grid) {
   const auto across = static_cast<std::size_t>(axis_of_side(jet.side));
-  std::vector<Place> places;
+  std::vector<Vec<3>> places;
   for (const FacePart& of_jet : faces_of(jet.side, jet.patch, grid)) {
     const auto cell = grid.place_of_cell(cell_at(jet.side, grid, of_jet.face));
-    Place place{};
+    Vec<3> place{};
     for (std::size_t i = 0; i < 3; ++i) {
       const double low = grid.low[i] + cell[i] * grid.d[i];
       place[i] = 0.5 * (std::max(low, jet.patch.low[i]) + std::min(low + grid.d[i], jet.patch.high[i]));
@@ -110,8 +109,8 @@ double area_before_obstacles(const Jet& jet, const Coupled& coupled) {
   double area = 0;
   for (const FacePart& of_jet : faces_of(jet.side, jet.patch, grid)) {
     const auto cell = grid.place_of_cell(cell_at(jet.side, grid, of_jet.face));
-    const Place middle{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
-    const auto holds = [&](const AxisBox& obstacle) { return obstacle.contains(middle); };
+    const Vec<3> middle{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
+    const auto holds = [&](const Box<3>& obstacle) { return obstacle.contains(middle); };
     if (std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(), holds))
       area += of_jet.part * grid.area(axis_of_side(jet.side));
   }
@@ -119,16 +118,16 @@ double area_before_obstacles(const Jet& jet, const Coupled& coupled) {
 }
 
 /// The element that has one of these places, or none.
-std::optional<std::size_t> element_at(const Mesh& mesh, const std::vector<Place>& places) {
+std::optional<std::size_t> element_at(const Mesh& mesh, const std::vector<Vec<3>>& places) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    Place low = place_of(mesh, mesh.element(e)[0]), high = low;
+    Vec<3> low = place_of(mesh, mesh.element(e)[0]), high = low;
     for (int a = 1; a < node_count_of(mesh.kind); ++a) {
-      const Place node = place_of(mesh, mesh.element(e)[a]);
+      const Vec<3> node = place_of(mesh, mesh.element(e)[a]);
       for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], node[i]), high[i] = std::max(high[i], node[i]);
     }
-    const AxisBox about{low, high};
+    const Box<3> about{low, high};
     if (std::any_of(places.begin(), places.end(),
-                    [&](const Place& place) { return about.contains(place) && in_element(mesh, e, place); }))
+                    [&](const Vec<3>& place) { return about.contains(place) && in_element(mesh, e, place); }))
       return e;
   }
   return std::nullopt;
@@ -138,9 +137,9 @@ void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled
   const auto refuse = [&](const std::string& message, const std::string& hint) {
     diagnostics.add(deck.remark(Severity::error, "coupled", "jet_on", {jet.number, 1}, message, hint));
   };
-  const std::vector<Place> places = places_of(jet, coupled.grid);
+  const std::vector<Vec<3>> places = places_of(jet, coupled.grid);
   for (std::size_t k = 0; k < coupled.obstacles.size(); ++k) {
-    if (std::any_of(places.begin(), places.end(), [&](const Place& p) { return coupled.obstacles[k].contains(p); }))
+    if (std::any_of(places.begin(), places.end(), [&](const Vec<3>& p) { return coupled.obstacles[k].contains(p); }))
       return refuse(fmt::format("jet {} comes in through an obstacle", jet.number),
                     "a jet comes in where the cell behind the side holds fluid");
   }

@@ -6,6 +6,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "grid/crossings.hpp"
 #include "model/coupled.hpp"
 #include "model/solids.hpp"
@@ -31,7 +32,7 @@ class Regions {
   int count() const { return static_cast<int>(closed_.size()); }
   bool closed(int region) const { return closed_[static_cast<std::size_t>(region)]; }
   /// The middle of the region's first cell.
-  std::array<double, 3> place(int region) const {
+  Vec<3> place(int region) const {
     const auto found = std::find(region_.begin(), region_.end(), region) - region_.begin();
     const auto cell = grid_.place_of_cell(static_cast<std::size_t>(found));
     return {grid_.middle(0, cell[0]), grid_.middle(1, cell[1]), grid_.middle(2, cell[2])};
@@ -52,11 +53,11 @@ class Regions {
  private:
   enum : int { none = -1, empty = -2, wall = -3 };
 
-  void mark(const std::vector<AxisBox>& boxes, int kind) {
+  void mark(const std::vector<Box<3>>& boxes, int kind) {
     for (std::size_t c = 0; c < region_.size() && !boxes.empty(); ++c) {
       const auto at = grid_.place_of_cell(c);
-      const std::array<double, 3> middle{grid_.middle(0, at[0]), grid_.middle(1, at[1]), grid_.middle(2, at[2])};
-      if (std::any_of(boxes.begin(), boxes.end(), [&](const AxisBox& box) { return box.contains(middle); }))
+      const Vec<3> middle{grid_.middle(0, at[0]), grid_.middle(1, at[1]), grid_.middle(2, at[2])};
+      if (std::any_of(boxes.begin(), boxes.end(), [&](const Box<3>& box) { return box.contains(middle); }))
         region_[c] = kind;
     }
   }
@@ -127,7 +128,7 @@ Balance balance_at(const Coupled& coupled, const std::vector<double>& areas, dou
 }
 
 /// "(x, y)" or "(x, y, z)".
-std::string text_of(const std::array<double, 3>& place, int dim) {
+std::string text_of(const Vec<3>& place, int dim) {
   return dim == 2 ? fmt::format("({:.6g}, {:.6g})", place[0], place[1])
                   : fmt::format("({:.6g}, {:.6g}, {:.6g})", place[0], place[1], place[2]);
 }
@@ -213,7 +214,7 @@ bool encloses_cells(const Coupled& coupled, const Mesh& mesh) {
   for (std::size_t c = 0; c < marked.size(); ++c) {
     const auto cell = grid.place_of_cell(c);
     const std::array middle{grid.middle(0, cell[0]), grid.middle(1, cell[1]), grid.middle(2, cell[2])};
-    const auto holds = [&](const AxisBox& box) { return box.contains(middle); };
+    const auto holds = [&](const Box<3>& box) { return box.contains(middle); };
     if (std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(), holds) ||
         std::any_of(coupled.voids.begin(), coupled.voids.end(), holds))
       marked[c] = true;

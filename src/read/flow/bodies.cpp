@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "grid/mesh_place.hpp"
@@ -21,8 +22,6 @@
 
 namespace tether {
 namespace {
-
-using Place = std::array<double, 2>;
 
 /// By how much a body may be outside of the fluid, in lengths of the fluid's side there: on a round wall with eight
 /// sides or more these, and likewise a body's, are off the circle by less.
@@ -70,16 +69,14 @@ class BodyChecks {
   /// Of each region the first node of the fluid's edge that is deep in it: a hole that none of its sides meets.
   void holes() {
     const Sides surface = boundary_of(mesh_);
-    PlaneBox all = box_of_side(mesh_, surface.data());
+    Box<2> all = box_of_side(mesh_, surface.data());
     for (std::size_t s = 0; s < surface.size(); s += per_side()) {
-      const PlaneBox box = box_of_side(mesh_, &surface[s]);
-      for (std::size_t i = 0; i < 2; ++i)
-        all.low[i] = std::min(all.low[i], box.low[i]), all.high[i] = std::max(all.high[i], box.high[i]);
+      all.add(box_of_side(mesh_, &surface[s]));
     }
     const auto step = static_cast<std::size_t>(side_node_count_of(flow_.mesh.kind));
     for (const FlowSide& side : flow_.sides) {
       for (std::size_t s = 0; s < side.sides.size(); s += step) {
-        const Place at = node_place(flow_.mesh, side.sides[s]), end = node_place(flow_.mesh, side.sides[s + step - 1]);
+        const Vec<2> at = node_place(flow_.mesh, side.sides[s]), end = node_place(flow_.mesh, side.sides[s + step - 1]);
         if (!all.meets({at, at})) continue;
         const double length = std::hypot(end[0] - at[0], end[1] - at[1]);
         if (nearest_of_sides(mesh_, surface, at).away > most_outside * length) check_hole(side, at);
@@ -101,7 +98,7 @@ class BodyChecks {
         remark_on_region(deck_, Severity::error, number(r), fmt::format("region {}: {}", number(r), message), hint));
   }
   void place_node(int r, int node, Moved& moved) {
-    const Place at = node_place(mesh_, node);
+    const Vec<2> at = node_place(mesh_, node);
     if (const FlowSide* inflow = edge_.inflow_at(at))
       return refuse(r, fmt::format("its node at {} lies on the inflow '{}'", place_text(mesh_, node), inflow->name),
                     "an immersed body goes with the fluid, and there its velocity is prescribed");
@@ -123,16 +120,16 @@ class BodyChecks {
         "the sides of elements come only near to a curved wall"));
     return true;
   }
-  bool is_within(const Place& at) const {
+  bool is_within(const Vec<2>& at) const {
     if (finder_.find(at)) return true;
     const OnEdge edge = edge_.nearest(at);
     return edge.away <= most_outside * edge.length;
   }
   void check_middle(std::size_t e) {
     const int count = node_count_of(mesh_.kind);
-    Place middle{};
+    Vec<2> middle{};
     for (int a = 0; a < count; ++a) {
-      const Place at = node_place(mesh_, mesh_.element(e)[a]);
+      const Vec<2> at = node_place(mesh_, mesh_.element(e)[a]);
       middle[0] += at[0] / count, middle[1] += at[1] / count;
     }
     if (!is_within(middle))
@@ -143,13 +140,13 @@ class BodyChecks {
   void check_side(int r, const int* side) {
     const double shortest = edge_.shortest_in(box_of_side(mesh_, side));
     if (!std::isfinite(shortest)) return;
-    const Place from = side_place(mesh_, side, -1), middle = side_place(mesh_, side, 0),
-                to = side_place(mesh_, side, 1);
+    const Vec<2> from = side_place(mesh_, side, -1), middle = side_place(mesh_, side, 0),
+                 to = side_place(mesh_, side, 1);
     const double length =
         std::hypot(middle[0] - from[0], middle[1] - from[1]) + std::hypot(to[0] - middle[0], to[1] - middle[1]);
     const int parts = static_cast<int>(std::clamp(std::ceil(4 * length / shortest), 4.0, 4000.0));
     for (int k = 1; k < parts; ++k) {
-      const Place at = side_place(mesh_, side, 2.0 * k / parts - 1);
+      const Vec<2> at = side_place(mesh_, side, 2.0 * k / parts - 1);
       if (is_within(at)) continue;
       return refuse(r,
                     fmt::format("the side of its element from {} to {} lies outside the fluid at ({:.6g}, {:.6g})",
@@ -157,7 +154,7 @@ class BodyChecks {
                     within);
     }
   }
-  void check_hole(const FlowSide& side, const Place& at) {
+  void check_hole(const FlowSide& side, const Vec<2>& at) {
     const NearestPlace nearest = nearest_place(mesh_, {at[0], at[1], 0});
     if (nearest.away > 1e-9 * nearest.element_size) return;
     refuse(mesh_.region[nearest.element],

@@ -13,31 +13,29 @@
 namespace tether {
 namespace {
 
-using Point2 = std::array<double, 2>;
-
 constexpr double tolerance = 1e-9;  // of the mesh's size
 
-double apart(const Point2& a, const Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double apart(const Vec<2>& a, const Vec<2>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 std::size_t per_side(const Mesh& mesh) { return static_cast<std::size_t>(side_node_count_of(mesh.kind)); }
 
 /// Sum of the nodes' places by weights, values or slopes of the side's functions.
 template <class Weights>
-Point2 weighted(const Mesh& mesh, const int* side, const Weights& weights) {
-  Point2 sum{};
+Vec<2> weighted(const Mesh& mesh, const int* side, const Weights& weights) {
+  Vec<2> sum{};
   for (std::size_t a = 0; a < weights.size(); ++a) {
-    const Point2 x = node_place(mesh, side[a]);
+    const Vec<2> x = node_place(mesh, side[a]);
     sum[0] += weights[a] * x[0], sum[1] += weights[a] * x[1];
   }
   return sum;
 }
 
 template <int p>
-Point2 nearest_place_of(const Mesh& mesh, const int* side, const Point2& at) {
+Vec<2> nearest_place_of(const Mesh& mesh, const int* side, const Vec<2>& at) {
   double s = 0;
   for (int k = 0; k < 20; ++k) {
-    const Point2 x = weighted(mesh, side, Line<p>::values(s)), along = weighted(mesh, side, Line<p>::slopes(s));
-    const Point2 off{at[0] - x[0], at[1] - x[1]};
+    const Vec<2> x = weighted(mesh, side, Line<p>::values(s)), along = weighted(mesh, side, Line<p>::slopes(s));
+    const Vec<2> off{at[0] - x[0], at[1] - x[1]};
     const double step = (off[0] * along[0] + off[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
     const double next = std::clamp(s + step, -1.0, 1.0);
     if (std::abs(next - s) < 1e-15) break;
@@ -53,41 +51,33 @@ double size_of(const Mesh& mesh) {
 
 }  // namespace
 
-Point2 node_place(const Mesh& mesh, int node) {
+Vec<2> node_place(const Mesh& mesh, int node) {
   const auto n = 2 * static_cast<std::size_t>(node);
   return {mesh.x[n], mesh.x[n + 1]};
 }
 
-Point2 side_place(const Mesh& mesh, const int* side, double s) {
+Vec<2> side_place(const Mesh& mesh, const int* side, double s) {
   return order_of(mesh.kind) == 1 ? weighted(mesh, side, Line<1>::values(s)) : weighted(mesh, side, Line<2>::values(s));
-}
-
-bool PlaneBox::meets(const PlaneBox& other) const {
-  return low[0] <= other.high[0] && high[0] >= other.low[0] && low[1] <= other.high[1] && high[1] >= other.low[1];
 }
 
 /// A parabola goes beyond its three nodes by no more than an eighth of what separates its ends from its vertex, which
 /// is less than the extent of its nodes: half of that is plenty.
-PlaneBox box_of_side(const Mesh& mesh, const int* side) {
-  PlaneBox box{node_place(mesh, side[0]), node_place(mesh, side[0])};
-  for (std::size_t a = 1; a < per_side(mesh); ++a) {
-    const Point2 x = node_place(mesh, side[a]);
-    for (std::size_t i = 0; i < 2; ++i)
-      box.low[i] = std::min(box.low[i], x[i]), box.high[i] = std::max(box.high[i], x[i]);
-  }
+Box<2> box_of_side(const Mesh& mesh, const int* side) {
+  Box<2> box{node_place(mesh, side[0]), node_place(mesh, side[0])};
+  for (std::size_t a = 1; a < per_side(mesh); ++a) box.add(node_place(mesh, side[a]));
   const double more = order_of(mesh.kind) == 1 ? 0 : 0.5 * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   for (std::size_t i = 0; i < 2; ++i) box.low[i] -= more, box.high[i] += more;
   return box;
 }
 
-OnEdge nearest_of_side(const Mesh& mesh, const int* side, const Point2& at) {
-  const Point2 place =
+OnEdge nearest_of_side(const Mesh& mesh, const int* side, const Vec<2>& at) {
+  const Vec<2> place =
       order_of(mesh.kind) == 1 ? nearest_place_of<1>(mesh, side, at) : nearest_place_of<2>(mesh, side, at);
   const double length = apart(node_place(mesh, side[0]), node_place(mesh, side[per_side(mesh) - 1]));
   return {place, apart(place, at), length, side, nullptr};
 }
 
-OnEdge nearest_of_sides(const Mesh& mesh, const Sides& sides, const Point2& at) {
+OnEdge nearest_of_sides(const Mesh& mesh, const Sides& sides, const Vec<2>& at) {
   OnEdge nearest;
   for (std::size_t s = 0; s < sides.size(); s += per_side(mesh)) {
     const OnEdge here = nearest_of_side(mesh, &sides[s], at);
@@ -107,7 +97,7 @@ FlowEdge::FlowEdge(const Flow& flow) : flow_(flow) {
   }
 }
 
-OnEdge FlowEdge::nearest(const Point2& at) const {
+OnEdge FlowEdge::nearest(const Vec<2>& at) const {
   OnEdge nearest;
   for (const FlowSide& side : flow_.sides) {
     OnEdge here = nearest_of_sides(flow_.mesh, side.sides, at);
@@ -117,7 +107,7 @@ OnEdge FlowEdge::nearest(const Point2& at) const {
   return nearest;
 }
 
-const FlowSide* FlowEdge::inflow_at(const Point2& at) const {
+const FlowSide* FlowEdge::inflow_at(const Vec<2>& at) const {
   const double within = tolerance * size_of(flow_.mesh);
   for (const FlowSide& side : flow_.sides) {
     if (side.boundary != Boundary::inflow) continue;
@@ -126,7 +116,7 @@ const FlowSide* FlowEdge::inflow_at(const Point2& at) const {
   return nullptr;
 }
 
-double FlowEdge::shortest_in(const PlaneBox& box) const {
+double FlowEdge::shortest_in(const Box<2>& box) const {
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < boxes_.size(); ++s) {
     if (boxes_[s].meets(box)) shortest = std::min(shortest, lengths_[s]);
@@ -145,8 +135,8 @@ double element_size(const Mesh& mesh, const int* side) {
     const std::span nodes(mesh.element(e), count);
     if (std::any_of(ends.begin(), ends.end(), [&](int n) { return std::ranges::find(nodes, n) == nodes.end(); }))
       continue;
-    const Point2 a = node_place(mesh, nodes[0]), b = node_place(mesh, nodes[line]);
-    const Point2 c = node_place(mesh, nodes[count - 1]), d = node_place(mesh, nodes[count - 1 - line]);
+    const Vec<2> a = node_place(mesh, nodes[0]), b = node_place(mesh, nodes[line]);
+    const Vec<2> c = node_place(mesh, nodes[count - 1]), d = node_place(mesh, nodes[count - 1 - line]);
     return std::sqrt(0.5 * std::abs((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0])));
   }
   return 0;
@@ -154,7 +144,7 @@ double element_size(const Mesh& mesh, const int* side) {
 
 /// A place on a curved wall is outside the elements beside it, whose edges only come near to the curve, and so may be
 /// one of few digits: what is less than half an element away is meant to be on the edge.
-void place_probe(const Deck& deck, int k, const PointFinder& finder, const Flow& flow, Point2& probe,
+void place_probe(const Deck& deck, int k, const PointFinder& finder, const Flow& flow, Vec<2>& probe,
                  Diagnostics& diagnostics) {
   if (finder.find(probe)) return;
   const OnEdge edge = FlowEdge(flow).nearest(probe);

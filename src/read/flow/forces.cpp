@@ -198,7 +198,7 @@ class ProbeReader {
     if (!counted[0] || !counted[1])
       return refuse("tracers", {counted[0] ? 1 : 2, 1}, "tracers has one of its two numbers", "along x, along y");
     const auto extent = extent_of_mesh();
-    TracerBox& tracers = flow_.tracers;
+    TracerGrid& tracers = flow_.tracers;
     tracers = {{deck_.integer("flow", "tracers", 1), deck_.integer("flow", "tracers", 2)},
                extent[0],
                extent[1],
@@ -209,7 +209,7 @@ class ProbeReader {
       return refuse("tracer_box", box[0], fmt::format("tracer_box has {} of its four numbers", box.size()),
                     "xleft, xright, ybot, ytop");
     const auto number = [&](int k) { return deck_.real("flow", "tracer_box", k); };
-    tracers.x0 = number(1), tracers.x1 = number(2), tracers.y0 = number(3), tracers.y1 = number(4);
+    tracers.box = {{number(1), number(3)}, {number(2), number(4)}};
     check_box(extent);
   }
 
@@ -239,12 +239,13 @@ class ProbeReader {
     return extent;
   }
   void check_box(const std::array<double, 4>& extent) {
-    const TracerBox& box = flow_.tracers;
-    if (!(box.x0 < box.x1) || !(box.y0 < box.y1))
-      return refuse("tracer_box", {box.x0 < box.x1 ? 4 : 2, 1}, "the box of tracers is empty",
+    const auto& [low, high] = flow_.tracers.box;
+    if (!(low[0] < high[0]) || !(low[1] < high[1]))
+      return refuse("tracer_box", {low[0] < high[0] ? 4 : 2, 1}, "the box of tracers is empty",
                     "xleft, xright, ybot, ytop, the lower first");
     const double slack = 1e-9 * std::max(extent[1] - extent[0], extent[3] - extent[2]);
-    const std::array<double, 4> beyond{extent[0] - box.x0, box.x1 - extent[1], extent[2] - box.y0, box.y1 - extent[3]};
+    const std::array<double, 4> beyond{extent[0] - low[0], high[0] - extent[1], extent[2] - low[1],
+                                       high[1] - extent[3]};
     for (std::size_t k = 0; k < 4; ++k) {
       if (beyond[k] <= slack) continue;
       return refuse("tracer_box", {static_cast<int>(k) + 1, 1},

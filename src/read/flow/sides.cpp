@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "base/vec.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "read/flow/flow.hpp"
 #include "read/mesh/sides.hpp"
@@ -176,8 +177,6 @@ std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnost
 
 namespace {
 
-using Place = std::array<double, 2>;
-
 constexpr double tolerance = 1e-9;  // of the mesh's size
 
 std::vector<int> nodes_of(const Sides& sides) {
@@ -200,7 +199,7 @@ class Twins {
   std::array<std::string, 2> join(const FlowSide& side, const FlowSide& partner) {
     const std::vector<int> from = nodes_of(side.sides), to = nodes_of(partner.sides);
     const std::array ends{extent_of(from), extent_of(to)};
-    Place move;
+    Vec<2> move;
     for (std::size_t i = 0; i < 2; ++i) {
       move[i] = ends[1][0][i] - ends[0][0][i];
       if (std::abs(ends[1][1][i] - ends[0][1][i] - move[i]) > within_)
@@ -230,8 +229,8 @@ class Twins {
  private:
   double at(int node, std::size_t i) const { return mesh_.x[2 * static_cast<std::size_t>(node) + i]; }
   /// Lowest and highest coordinates.
-  std::array<Place, 2> extent_of(const std::vector<int>& nodes) const {
-    std::array<Place, 2> extent{Place{at(nodes[0], 0), at(nodes[0], 1)}, Place{at(nodes[0], 0), at(nodes[0], 1)}};
+  std::array<Vec<2>, 2> extent_of(const std::vector<int>& nodes) const {
+    std::array<Vec<2>, 2> extent{Vec<2>{at(nodes[0], 0), at(nodes[0], 1)}, Vec<2>{at(nodes[0], 0), at(nodes[0], 1)}};
     for (const int node : nodes) {
       for (std::size_t i = 0; i < 2; ++i) {
         extent[0][i] = std::min(extent[0][i], at(node, i)), extent[1][i] = std::max(extent[1][i], at(node, i));
@@ -239,7 +238,7 @@ class Twins {
     }
     return extent;
   }
-  bool is_moved(int node, int other, const Place& move) const {
+  bool is_moved(int node, int other, const Vec<2>& move) const {
     return std::abs(at(other, 0) - at(node, 0) - move[0]) <= within_ &&
            std::abs(at(other, 1) - at(node, 1) - move[1]) <= within_;
   }

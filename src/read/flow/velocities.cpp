@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/diagnostics.hpp"
+#include "base/vec.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "grid/shapes.hpp"
 #include "read/flow/checks.hpp"
@@ -12,8 +13,6 @@
 
 namespace tether {
 namespace {
-
-using Vector = std::array<double, 2>;
 
 constexpr double straight = 1e-9;  // part of a wall's velocity that rounding may turn
 constexpr int times = 20;          // at which walls and the balance are looked at
@@ -47,7 +46,7 @@ class VelocityChecks {
   }
 
  private:
-  Vector place(int node) const {
+  Vec<2> place(int node) const {
     const auto n = 2 * static_cast<std::size_t>(node);
     return {flow_.mesh.x[n], flow_.mesh.x[n + 1]};
   }
@@ -57,7 +56,7 @@ class VelocityChecks {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!vector.component[i]) continue;
       for (const int node : nodes) {
-        const Vector x = place(node);
+        const Vec<2> x = place(node);
         const double value = (*vector.component[i])(std::array{x[0], x[1], t});
         if (std::isfinite(value)) continue;
         diagnostics_.add(
@@ -73,13 +72,13 @@ class VelocityChecks {
   }
   /// Unit vectors along an element side at its nodes.
   template <int p>
-  std::array<Vector, p + 1> tangents(const int* side) const {
-    std::array<Vector, p + 1> tangents{};
+  std::array<Vec<2>, p + 1> tangents(const int* side) const {
+    std::array<Vec<2>, p + 1> tangents{};
     for (std::size_t b = 0; b <= p; ++b) {
       const auto slopes = Line<p>::slopes(2.0 * static_cast<double>(b) / p - 1);
-      Vector& t = tangents[b];
+      Vec<2>& t = tangents[b];
       for (std::size_t a = 0; a <= p; ++a) {
-        const Vector x = place(side[a]);
+        const Vec<2> x = place(side[a]);
         t[0] += slopes[a] * x[0], t[1] += slopes[a] * x[1];
       }
       const double length = std::hypot(t[0], t[1]);
@@ -87,14 +86,14 @@ class VelocityChecks {
     }
     return tangents;
   }
-  static double sine(const Vector& a, const Vector& b) { return std::abs(a[0] * b[1] - a[1] * b[0]); }
+  static double sine(const Vec<2>& a, const Vec<2>& b) { return std::abs(a[0] * b[1] - a[1] * b[0]); }
 
   /// How much the direction of a wall at each of its nodes is in doubt, as the sine of an angle: a curved wall, or one
   /// with a corner, turns from element to element, and at its ends as much as at the other nodes of the last one; a
   /// straight one does not.
   template <int p>
   std::vector<double> doubts(const FlowSide& side) const {
-    std::vector<Vector> first(flow_.mesh.node_count(), Vector{});
+    std::vector<Vec<2>> first(flow_.mesh.node_count(), Vec<2>{});
     std::vector<double> doubt(flow_.mesh.node_count(), 0);
     std::vector<int> elements(flow_.mesh.node_count(), 0);
     const auto at = [&](std::size_t s) { return static_cast<std::size_t>(side.sides[s]); };
@@ -133,7 +132,7 @@ class VelocityChecks {
       for (std::size_t a = 0; a <= p; ++a) {
         const int node = side.sides[s + a];
         if (holders[static_cast<std::size_t>(node)].side != number) continue;
-        const Vector x = place(node), v = side.velocity.at(x[0], x[1], time);
+        const Vec<2> x = place(node), v = side.velocity.at(x[0], x[1], time);
         const double through = sine(v, along[a]);
         if (through <= (straight + doubt[static_cast<std::size_t>(node)]) * std::hypot(v[0], v[1])) continue;
         diagnostics_.add(
@@ -165,8 +164,6 @@ void check_flow_velocities(const Deck& deck, const Clock& clock, const Flow& flo
 
 namespace {
 
-using Vector = std::array<double, 2>;
-
 constexpr double most = 1e-6;       // net over gross flux of a fluid that cannot leave
 constexpr double rounding = 1e-12;  // of speed times length of the boundary
 
@@ -183,8 +180,8 @@ bool is_closed(const FlowSide& side) { return side.boundary != Boundary::open &&
 
 /// The velocity at the nodes as the discrete system has it: none where it is not prescribed, which on closed sides is
 /// along slip walls alone, where it has no part in the flux.
-std::vector<Vector> nodal_velocities(const Flow& flow, const std::vector<Holder>& holders, double t) {
-  std::vector<Vector> v(holders.size(), Vector{});
+std::vector<Vec<2>> nodal_velocities(const Flow& flow, const std::vector<Holder>& holders, double t) {
+  std::vector<Vec<2>> v(holders.size(), Vec<2>{});
   for (std::size_t n = 0; n < v.size(); ++n) {
     if (holders[n].side < 0) continue;
     const std::size_t at = 2 * static_cast<std::size_t>(holders[n].node);
@@ -195,12 +192,12 @@ std::vector<Vector> nodal_velocities(const Flow& flow, const std::vector<Holder>
 
 /// Adds the integrals of v . n and |v| over an element side whose nodes go round the fluid counter-clockwise.
 template <int p>
-void add_side(const Mesh& mesh, const int* side, const std::vector<Vector>& v, Flux& flux) {
+void add_side(const Mesh& mesh, const int* side, const std::vector<Vec<2>>& v, Flux& flux) {
   double net = 0;
   for (std::size_t q = 0; q <= p; ++q) {
     const double s = Line<p>::gauss_places()[q], weight = Line<p>::gauss_weights()[q];
     const auto N = Line<p>::values(s), dN = Line<p>::slopes(s);
-    Vector at{}, along{};
+    Vec<2> at{}, along{};
     for (std::size_t a = 0; a <= p; ++a) {
       const auto node = static_cast<std::size_t>(side[a]);
       for (std::size_t i = 0; i < 2; ++i) at[i] += N[a] * v[node][i], along[i] += dN[a] * mesh.x[2 * node + i];
@@ -213,7 +210,7 @@ void add_side(const Mesh& mesh, const int* side, const std::vector<Vector>& v, F
 }
 
 Flux flux_at(const Flow& flow, const std::vector<Holder>& holders, double t) {
-  const std::vector<Vector> v = nodal_velocities(flow, holders, t);
+  const std::vector<Vec<2>> v = nodal_velocities(flow, holders, t);
   const auto per_side = static_cast<std::size_t>(side_node_count_of(flow.mesh.kind));
   Flux flux;
   for (const FlowSide& side : flow.sides) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "base/vec.hpp"
 #include "deck/words.hpp"
 #include "grid/block_mesh.hpp"
 #include "model/flow.hpp"
@@ -10,8 +11,6 @@
 
 namespace tether {
 namespace {
-
-using Place = std::array<double, 2>;
 
 /// One region as a block; tells what is wrong with it.
 class BlockReader {
@@ -26,7 +25,7 @@ class BlockReader {
             "give nvi, xvi and yvi of its corners, counter-clockwise");
       return std::nullopt;
     }
-    std::array<Place, 4> corners;
+    std::array<Vec<2>, 4> corners;
     for (int k = 1; k <= 4; ++k) {
       if (!deck_.given("reg", "xvi", k, r_) || !deck_.given("reg", "yvi", k, r_)) {
         error("reg", "nvi", {r_, 1}, fmt::format("vertex {} is not given", k), "nvi vertices need an x and a y each");
@@ -55,10 +54,10 @@ class BlockReader {
   void error(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, group, name, at, fmt::format("region {}: {}", r_, message), hint));
   }
-  EdgeCurve curve(int k, Place from, Place to) {
+  EdgeCurve curve(int k, Vec<2> from, Vec<2> to) {
     const auto kind = word<MeshEdge>(deck_, "mesh", "edge", k, r_);
     if (kind == MeshEdge::line) return straight(from, to);
-    const Place centre{deck_.real("mesh", "edge_xc", k, r_), deck_.real("mesh", "edge_yc", k, r_)};
+    const Vec<2> centre{deck_.real("mesh", "edge_xc", k, r_), deck_.real("mesh", "edge_yc", k, r_)};
     double a = std::hypot(from[0] - centre[0], from[1] - centre[1]), b = a;
     if (kind == MeshEdge::ellipse) {
       if (!deck_.given("mesh", "edge_a", k, r_) || !deck_.given("mesh", "edge_b", k, r_)) {
@@ -68,7 +67,7 @@ class BlockReader {
       }
       a = deck_.real("mesh", "edge_a", k, r_), b = deck_.real("mesh", "edge_b", k, r_);
     }
-    for (const Place& end : {from, to}) {
+    for (const Vec<2>& end : {from, to}) {
       const double off = std::hypot((end[0] - centre[0]) / a, (end[1] - centre[1]) / b) - 1;
       if (std::abs(off) < 1e-3) continue;
       error("mesh", "edge", {k, r_},

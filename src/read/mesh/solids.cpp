@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/vec.hpp"
 #include "deck/spelling.hpp"
 #include "read/materials.hpp"
 #include "read/mesh/mesh_of_deck.hpp"
@@ -68,7 +69,7 @@ Integrator integrator_of(const Deck& deck) {
 constexpr double most_outside = 1e-6;
 
 /// What the history calls the place: its node, if it is one, and where it is at the start.
-std::string tracked_name(const MeshPlace& place, const std::array<double, 3>& at, int dim) {
+std::string tracked_name(const MeshPlace& place, const Vec<3>& at, int dim) {
   const std::string where = dim == 3 ? fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2])
                                      : fmt::format("({:.6g}, {:.6g})", at[0], at[1]);
   return place.nodes.size() == 1 ? fmt::format("node {} at {}", place.nodes[0] + 1, where) : "place " + where;
@@ -79,8 +80,8 @@ void track_places(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   const int dim = solids.mesh.dim();
   for (const Subscript at : deck.given_elements("points", "tracked_at")) {
     if (at[0] != 1 || !deck.given("points", "tracked_at", 2, at[1])) continue;
-    const std::array<double, 3> x{deck.real("points", "tracked_at", 1, at[1]),
-                                  deck.real("points", "tracked_at", 2, at[1]), deck.real("mesh", "tracked_z", at[1])};
+    const Vec<3> x{deck.real("points", "tracked_at", 1, at[1]), deck.real("points", "tracked_at", 2, at[1]),
+                   deck.real("mesh", "tracked_z", at[1])};
     NearestPlace nearest = nearest_place(solids.mesh, x);
     std::string name = tracked_name(nearest.place, x, dim);
     if (nearest.away > most_outside * nearest.element_size)

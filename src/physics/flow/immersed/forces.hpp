@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/point_finder.hpp"
 #include "physics/flow/elements.hpp"
 #include "physics/flow/immersed/rates.hpp"
@@ -25,10 +26,10 @@ struct PlaneForce {
 
 /// What a body has got in the last step: body_forces of FlowState has 9 numbers a body, in this order.
 struct BodyForce {
-  PlaneForce fluid;                ///< of the fluid, about the body's centre
-  std::array<double, 2> hold{};    ///< of supports and walls [force]
-  std::array<double, 2> change{};  ///< of the body's momentum by time [force]
-  std::array<double, 2> centre{};  ///< of the body [length]
+  PlaneForce fluid;  ///< of the fluid, about the body's centre
+  Vec<2> hold{};     ///< of supports and walls [force]
+  Vec<2> change{};   ///< of the body's momentum by time [force]
+  Vec<2> centre{};   ///< of the body [length]
   static constexpr std::size_t size = 9;
 };
 BodyForce body_force(std::span<const double> body_forces, std::size_t body);

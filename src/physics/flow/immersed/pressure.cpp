@@ -85,8 +85,7 @@ void ImmersedPressure::add_point(std::span<const double> x, std::size_t e, std::
   double area = 0;
   set_pressure(point, *found, area);
   point.tau = extension_part / std::hypot(step_.viscosity / area, flow_.density * step_.rate);
-  const auto b =
-      flow_.acceleration.absent() ? std::array<double, 2>{} : flow_.acceleration.at(place[0], place[1], step_.time);
+  const auto b = flow_.acceleration.absent() ? Vec<2>{} : flow_.acceleration.at(place[0], place[1], step_.time);
   point.source = {step_.loaded * flow_.density * b[0], step_.loaded * flow_.density * (b[1] + gravity_)};
   at_.push_back(point);
   const Eigen::Matrix2d to_present = F.inverse().transpose();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra/eigen_sparse.hpp"
+#include "base/vec.hpp"
 #include "grid/point_finder.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
@@ -61,7 +62,7 @@ class ImmersedPressure {
     double volume = 0, reference = 0, tau = 0;  // volume now and in the reference shape; tau with eps
     std::array<double, 4> q{};                  // the pressure's functions
     std::array<double, 8> slope{};              // and their gradients
-    std::array<double, 2> source{};             // rho b
+    Vec<2> source{};                            // rho b
   };
   void add_point(std::span<const double> x, std::size_t e, std::size_t k);
   void set_pressure(Point& point, const PointFinder::Found& found, double& area) const;

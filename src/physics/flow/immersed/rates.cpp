@@ -119,8 +119,8 @@ void add_body_inertia(const Mesh& mesh, const BodyMotion& motion, int region, do
   });
 }
 
-std::vector<std::array<double, 2>> body_points(const Mesh& mesh, std::span<const double> x) {
-  std::vector<std::array<double, 2>> points;
+std::vector<Vec<2>> body_points(const Mesh& mesh, std::span<const double> x) {
+  std::vector<Vec<2>> points;
   with_shapes(mesh, [&]<class Shapes>(const Shapes&) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       const auto places = gathered<Shapes>(mesh, e, x);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether::fem {
@@ -16,9 +17,9 @@ struct BodyMotion {
 
 /// Integrals over a body, of plane bodies per unit depth.
 struct BodyRates {
-  double volume = 0;                     ///< at the start
-  std::array<double, 2> centre{};        ///< mean of its places [length]
-  std::array<double, 2> acceleration{};  ///< dv/dt [volume length/time2]
+  double volume = 0;      ///< at the start
+  Vec<2> centre{};        ///< mean of its places [length]
+  Vec<2> acceleration{};  ///< dv/dt [volume length/time2]
 };
 
 /// Of each region of a plane mesh; dv/dt = rate + (v . grad) v by the mesh's own functions, as ExcessInertia has it.
@@ -30,7 +31,7 @@ void add_body_inertia(const Mesh& mesh, const BodyMotion& motion, int region, do
                       std::span<double> f);
 
 /// Places of the points of quadrature of a mesh whose nodes stand at x, element by element.
-std::vector<std::array<double, 2>> body_points(const Mesh& mesh, std::span<const double> x);
+std::vector<Vec<2>> body_points(const Mesh& mesh, std::span<const double> x);
 /// Adds the region's <grad N_A, sigma> there, of a stress xx, yy, xy at each of these points [force].
 void add_body_stress(const Mesh& mesh, std::span<const double> x, int region,
                      std::span<const std::array<double, 3>> stress, std::span<double> f);

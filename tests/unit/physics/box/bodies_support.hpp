@@ -33,7 +33,7 @@ Mesh lattice(int dim, Cell n, const Keep& keep, const Map& map) {
     int& known = number[at(c[0] + (n[0] + 1) * (c[1] + (n[1] + 1) * c[2]))];
     if (known >= 0) return known;
     known = static_cast<int>(mesh.x.size()) / dim;
-    const Vector x = map(Vector{double(c[0]) / n[0], double(c[1]) / n[1], dim == 3 ? double(c[2]) / n[2] : 0});
+    const Vec<3> x = map(Vec<3>{double(c[0]) / n[0], double(c[1]) / n[1], dim == 3 ? double(c[2]) / n[2] : 0});
     mesh.x.insert(mesh.x.end(), x.begin(), x.begin() + dim);
     return known;
   };
@@ -64,20 +64,20 @@ Mesh lattice(int dim, Cell n, const Keep& keep, const Map& map) {
 inline bool all(const Cell&) { return true; }
 
 /// A block with these sides and middle, turned by an angle about z and, in space, half of it about x.
-inline auto turned_block(const Vector& middle, const Vector& sides, double angle) {
-  return [=](const Vector& s) {
-    Vector x{(s[0] - 0.5) * sides[0], (s[1] - 0.5) * sides[1], (s[2] - 0.5) * sides[2]};
+inline auto turned_block(const Vec<3>& middle, const Vec<3>& sides, double angle) {
+  return [=](const Vec<3>& s) {
+    Vec<3> x{(s[0] - 0.5) * sides[0], (s[1] - 0.5) * sides[1], (s[2] - 0.5) * sides[2]};
     x = {std::cos(angle) * x[0] - std::sin(angle) * x[1], std::sin(angle) * x[0] + std::cos(angle) * x[1], x[2]};
     if (sides[2] > 0) {
       const double a = 0.5 * angle;
       x = {x[0], std::cos(a) * x[1] - std::sin(a) * x[2], std::sin(a) * x[1] + std::cos(a) * x[2]};
     }
-    return Vector{middle[0] + x[0], middle[1] + x[1], middle[2] + x[2]};
+    return Vec<3>{middle[0] + x[0], middle[1] + x[1], middle[2] + x[2]};
   };
 }
 
 /// A square (cube) of three squares (cubes) along each axis whose middle one is left out, cut finer by `by`.
-inline Mesh hollow_block(int dim, int by, const Vector& middle, double side, double angle) {
+inline Mesh hollow_block(int dim, int by, const Vec<3>& middle, double side, double angle) {
   const auto keep = [=](const Cell& c) {
     bool inner = true;
     for (int a = 0; a < dim; ++a) inner = inner && c[at(a)] / by == 1;
@@ -86,7 +86,7 @@ inline Mesh hollow_block(int dim, int by, const Vector& middle, double side, dou
   return lattice(dim, {3 * by, 3 * by, 3 * by}, keep, turned_block(middle, {side, side, dim == 3 ? side : 0}, angle));
 }
 
-inline Mesh solid_block(int dim, int n, const Vector& middle, double side, double angle) {
+inline Mesh solid_block(int dim, int n, const Vec<3>& middle, double side, double angle) {
   return lattice(dim, {n, n, n}, all, turned_block(middle, {side, side, dim == 3 ? side : 0}, angle));
 }
 
@@ -149,7 +149,7 @@ struct Surroundings {
   }
   Surroundings(const Coupled& coupled, const Mesh& mesh) : Surroundings(coupled, mesh, mesh.x) {}
 
-  int region_at(const Vector& x) const {
+  int region_at(const Vec<3>& x) const {
     Cell c{};
     for (std::size_t a = 0; a < at(domain.grid.dim); ++a)
       c[a] = static_cast<int>(std::floor((x[a] - domain.grid.low[a]) / domain.grid.d[a]));

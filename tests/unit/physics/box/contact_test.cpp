@@ -44,7 +44,7 @@ class Touching : public testing::Test {
     contact.hold(touches, held, chosen);
     return {held.begin(), held.begin() + 2};
   }
-  Vector friction_of(const Contact& contact) const {
+  Vec<3> friction_of(const Contact& contact) const {
     std::vector<double> forces(6, 0.0);
     contact.add_friction(forces);
     return {forces[0], forces[1], 0};
@@ -189,13 +189,13 @@ TEST_F(Touching, RubsByFrictionTimesWhatPresses) {
   EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
   EXPECT_TRUE(solved(contact, {0, 0}, -7, 2));
   EXPECT_EQ(held_by(contact), (std::vector{0, 1}));
-  EXPECT_EQ(friction_of(contact), (Vector{-1, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{-1, 0, 0}));
   EXPECT_TRUE(solved(contact, {0.4, 0}, 0, 3));
-  EXPECT_EQ(friction_of(contact), (Vector{-1.5, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{-1.5, 0, 0}));
   EXPECT_FALSE(solved(contact, {0.3, 0}, 0, 3));
   EXPECT_TRUE(solved(contact, {-0.3, 0}, 0, 3));
   EXPECT_EQ(touches[1], Touch::sticks);
-  EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{0, 0, 0}));
   EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
   EXPECT_FALSE(solved(contact, {0, 0}, -9, 3));
 }
@@ -208,11 +208,11 @@ TEST_F(Touching, IsNotPushedAlongTheWall) {
   EXPECT_TRUE(solved(contact, {1, -1}, 0, 0));
   EXPECT_TRUE(solved(contact, {0, 0}, 0.1, 2));
   EXPECT_EQ(touches[1], Touch::slides);
-  EXPECT_EQ(friction_of(contact), (Vector{-1, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{-1, 0, 0}));
   EXPECT_FALSE(solved(contact, {-0.9, 0}, 0, 2));
   EXPECT_TRUE(solved(contact, {-1.1, 0}, 0, 2));
   EXPECT_EQ(touches[1], Touch::grips);
-  EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{0, 0, 0}));
   EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
   EXPECT_EQ(chosen[0], -u0[0]);
   Contact then = at_place(0.3, 0);
@@ -226,10 +226,10 @@ TEST_F(Touching, SticksUpToFrictionTimesWhatPresses) {
   Contact contact = at_place(0.3, 0);
   EXPECT_EQ(held_by(contact), (std::vector{1, 1}));
   EXPECT_FALSE(solved(contact, {0, 0}, -0.99, 2));
-  EXPECT_EQ(friction_of(contact), (Vector{0, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{0, 0, 0}));
   EXPECT_TRUE(solved(contact, {0, 0}, -1.5, 2));
   EXPECT_EQ(touches[1], Touch::slides);
-  EXPECT_EQ(friction_of(contact), (Vector{-1, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{-1, 0, 0}));
 }
 
 /// An obstacle just above the floor: one of them holds the node, and rubs it once.
@@ -239,7 +239,7 @@ TEST_F(Touching, IsWithOneOfTwoWallsAcrossAnAxis) {
   Contact contact = at_place(0.3, 0.051, 1, -1);
   EXPECT_TRUE(solved(contact, {1, -1}, 0, 0));
   EXPECT_TRUE(solved(contact, {0, 0}, -7, 2));
-  EXPECT_EQ(friction_of(contact), (Vector{-1, 0, 0}));
+  EXPECT_EQ(friction_of(contact), (Vec<3>{-1, 0, 0}));
 }
 
 /// In a slot narrower than two cells the node that lies on the floor is not pulled by the ceiling.

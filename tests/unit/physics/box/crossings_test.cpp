@@ -13,9 +13,9 @@ namespace {
 
 using namespace support;
 
-using Inside = std::function<bool(const Vector&)>;
+using Inside = std::function<bool(const Vec<3>&)>;
 
-Vector middle_of(const StaggeredGrid& grid, std::size_t cell) {
+Vec<3> middle_of(const StaggeredGrid& grid, std::size_t cell) {
   const Cell c = grid.place_of_cell(cell);
   return {grid.middle(0, c[0]), grid.middle(1, c[1]), grid.dim == 3 ? grid.middle(2, c[2]) : 0};
 }
@@ -23,24 +23,24 @@ Vector middle_of(const StaggeredGrid& grid, std::size_t cell) {
 void expect_inside(const Mesh& mesh, const StaggeredGrid& grid, const Inside& solid, const Inside& cavity) {
   const Crossings found = find_crossings(surface_of(mesh), mesh.x, grid);
   for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    const Vector x = middle_of(grid, c);
+    const Vec<3> x = middle_of(grid, c);
     ASSERT_EQ(found.inside[c] != 0, solid(x)) << x[0] << " " << x[1] << " " << x[2];
     ASSERT_EQ(found.in_cavity[c] != 0, cavity(x)) << x[0] << " " << x[1] << " " << x[2];
   }
 }
 
-bool nowhere(const Vector&) { return false; }
+bool nowhere(const Vec<3>&) { return false; }
 
 /// Whether a place lies in the block of turned_block(middle, {side, ...}, angle).
-Inside in_block(int dim, const Vector& middle, double side, double angle) {
+Inside in_block(int dim, const Vec<3>& middle, double side, double angle) {
   const auto to = turned_block({0, 0, 0}, {1, 1, dim == 3 ? 1.0 : 0.0}, angle);
-  std::array<Vector, 3> axes{};
+  std::array<Vec<3>, 3> axes{};
   for (std::size_t a = 0; a < at(dim); ++a) {
-    Vector end{0.5, 0.5, 0.5};
+    Vec<3> end{0.5, 0.5, 0.5};
     end[a] = 1.5;
     axes[a] = to(end);
   }
-  return [=](const Vector& x) {
+  return [=](const Vec<3>& x) {
     for (std::size_t a = 0; a < at(dim); ++a) {
       double along = 0;
       for (std::size_t i = 0; i < at(dim); ++i) along += axes[a][i] * (x[i] - middle[i]);
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Coupled, Crossed, testing::Values(2, 3));
 TEST_P(Crossed, MarksTheCellsInATurnedBlock) {
   const int dim = GetParam();
   for (const double angle : {0.0, 0.3, 1.1, 2.0}) {
-    const Vector middle{0.47, 0.53, 0.49};
+    const Vec<3> middle{0.47, 0.53, 0.49};
     expect_inside(solid_block(dim, 3, middle, 0.5, angle), fluid_in_box(dim, 19).grid,
                   in_block(dim, middle, 0.5, angle), nowhere);
   }
@@ -64,20 +64,20 @@ TEST_P(Crossed, MarksTheCellsInATurnedBlock) {
 
 TEST_P(Crossed, TellsCavitiesFromSolids) {
   const int dim = GetParam();
-  const Vector middle{0.47, 0.53, 0.49};
+  const Vec<3> middle{0.47, 0.53, 0.49};
   const Inside outer = in_block(dim, middle, 0.75, 0.3), inner = in_block(dim, middle, 0.25, 0.3);
   expect_inside(
       hollow_block(dim, 1, middle, 0.75, 0.3), fluid_in_box(dim, 17).grid,
-      [&](const Vector& x) { return outer(x) && !inner(x); }, inner);
+      [&](const Vec<3>& x) { return outer(x) && !inner(x); }, inner);
 }
 
 TEST_P(Crossed, CountsWhatSticksOutOfTheBoxAndTakesOverlappingSolidsAsOne) {
   const int dim = GetParam();
-  const Vector one{0.05, 0.1, 0.9}, other{0.3, 0.3, 0.7};
+  const Vec<3> one{0.05, 0.1, 0.9}, other{0.3, 0.3, 0.7};
   const Inside a = in_block(dim, one, 0.6, 0.5), b = in_block(dim, other, 0.4, 0.1);
   expect_inside(
       together(solid_block(dim, 2, one, 0.6, 0.5), solid_block(dim, 2, other, 0.4, 0.1)), fluid_in_box(dim, 15).grid,
-      [&](const Vector& x) { return a(x) || b(x); }, nowhere);
+      [&](const Vec<3>& x) { return a(x) || b(x); }, nowhere);
 }
 
 /// Nodes, edges and sides on the lines: a cell is in the solid or not, but no line goes in without coming out.
@@ -137,9 +137,9 @@ TEST_P(Crossed, SaysWhereOnItsSideItIs) {
       for (const int k : {low, high}) {
         const Crossing& one = found.all[at(k)];
         const Cell face = grid.place_of_face(axis, f);
-        Vector x{};
+        Vec<3> x{};
         for (std::size_t a = 0; a < at(dim); ++a) {
-          const Vector node = place_of(mesh.x, surface.side(at(one.side))[a], dim);
+          const Vec<3> node = place_of(mesh.x, surface.side(at(one.side))[a], dim);
           for (std::size_t i = 0; i < 3; ++i) x[i] += one.share[a] * node[i];
         }
         for (int b = 0; b < dim; ++b) EXPECT_NEAR(x[at(b)], b == axis ? one.place : grid.middle(b, face[at(b)]), 1e-14);

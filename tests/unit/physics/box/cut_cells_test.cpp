@@ -59,7 +59,7 @@ TEST_P(Cut, LeavesCellsBetweenPlanesWhole) {
 /// Fluid of density 1 under a weight of 1 in a box that is open at the top: the pressure y_top - y leaves it at rest.
 struct AtRest {
   double left = 0;  // flux that is left, of one step of length 1
-  Vector lift{};
+  Vec<3> lift{};
 };
 AtRest rest_of(int dim, int n, CouplingMode mode, const Mesh& mesh) {
   Coupled coupled = box_of(dim, n, mode);
@@ -94,8 +94,8 @@ TEST_P(Cut, LiftIsTheWeightOfTheFluidThatTheSolidHolds) {
 TEST_P(Cut, LiftOfWhatStandsOutAtAnOpenSideIsThatOfItsPartInside) {
   const int dim = GetParam();
   for (const double depth : {0.02, 0.2}) {
-    const Mesh mesh = lattice(dim, {3, 3, 3}, all, [=](const Vector& s) {
-      return Vector{0.31 + 0.4 * s[0], 1 - depth + 0.5 * s[1], 0.33 + 0.4 * s[2]};
+    const Mesh mesh = lattice(dim, {3, 3, 3}, all, [=](const Vec<3>& s) {
+      return Vec<3>{0.31 + 0.4 * s[0], 1 - depth + 0.5 * s[1], 0.33 + 0.4 * s[2]};
     });
     const AtRest rest = rest_of(dim, 16, CouplingMode::cut_cell, mesh);
     EXPECT_NEAR(rest.lift[1] / (depth * std::pow(0.4, dim - 1)), 1, 1e-11) << depth;
@@ -114,7 +114,7 @@ TEST(WholeCells, LiftIsOfOrderOne) {
 }
 
 /// Box and body move with one velocity: D v + B u.
-std::vector<double> flux_of_common_motion(const Surroundings& about, const CouplingMatrix& B, const Vector& velocity,
+std::vector<double> flux_of_common_motion(const Surroundings& about, const CouplingMatrix& B, const Vec<3>& velocity,
                                           std::size_t unknowns) {
   const FlowDomain& domain = about.domain;
   FaceValues v = face_values(domain.grid);
@@ -178,15 +178,15 @@ TEST_P(Cut, ABodyThatMovesWithTheFluidMakesNoFlowByCrossings) {
 }
 
 /// A plate turned about z, much longer than the box.
-Mesh plate(int dim, double thickness, double angle, const Vector& middle) {
-  return lattice(dim, {1, 20, 2}, all, [=](const Vector& s) {
+Mesh plate(int dim, double thickness, double angle, const Vec<3>& middle) {
+  return lattice(dim, {1, 20, 2}, all, [=](const Vec<3>& s) {
     const double x = (s[0] - 0.5) * thickness, y = (s[1] - 0.5) * 3;
-    return Vector{middle[0] + std::cos(angle) * x - std::sin(angle) * y,
+    return Vec<3>{middle[0] + std::cos(angle) * x - std::sin(angle) * y,
                   middle[1] + std::sin(angle) * x + std::cos(angle) * y, 2 * s[2] - 0.5};
   });
 }
 
-bool divides(int dim, CouplingMode mode, double thickness, double angle, const Vector& middle, const AxisBox* floor) {
+bool divides(int dim, CouplingMode mode, double thickness, double angle, const Vec<3>& middle, const Box<3>* floor) {
   Coupled coupled = box_of(dim, dim == 2 ? 16 : 10, mode);
   if (floor != nullptr) coupled.obstacles.push_back(*floor);
   const Surroundings about(coupled, plate(dim, thickness, angle, middle));
@@ -206,7 +206,7 @@ TEST_P(Cut, ShellsDoNotLeak) {
     const double inner = std::max(0.2, 1 - 2 * (2.125 + 1.875 * r[0]) / n / side);
     const auto block = turned_block({0.5 + 0.04 * r[1], 0.5 + 0.04 * r[2], 0.5 + 0.04 * r[3]},
                                     {side, side, dim == 3 ? side : 0}, 3 * r[4]);
-    const auto shell = [&](Vector s) {
+    const auto shell = [&](Vec<3> s) {
       for (double& x : s) x = x < 0.2 ? 0 : x > 0.8 ? 1 : 0.5 + (x < 0.5 ? -inner : inner) / 2;
       return block(s);
     };
@@ -224,12 +224,12 @@ TEST_P(Cut, ShellsDoNotLeak) {
 /// From one side of the box to the other, through corners and along the middles of cells, some far thinner than a
 /// cell: no open faces lead from one side of the plate to the other. Neither at an obstacle.
 TEST_P(Cut, PlatesDoNotLeak) {
-  const AxisBox floor{{0, 0, 0}, {1, 0.2, 1}};
+  const Box<3> floor{{0, 0, 0}, {1, 0.2, 1}};
   for (const CouplingMode mode : {CouplingMode::symmetric, CouplingMode::cut_cell}) {
     for (const double thickness : {1e-4, 0.03, 0.06, 0.1, 0.15}) {
       for (const double angle : {0.0, 0.2, 0.78539816339744831, 1.1}) {
         for (const double y : {0.5, 0.5625}) {
-          for (const AxisBox* obstacle : {static_cast<const AxisBox*>(nullptr), &floor}) {
+          for (const Box<3>* obstacle : {static_cast<const Box<3>*>(nullptr), &floor}) {
             EXPECT_TRUE(divides(GetParam(), mode, thickness, angle, {0.53125, y, 0.5}, obstacle))
                 << word_of(mode) << " " << thickness << " " << angle << " " << y << " " << (obstacle != nullptr);
           }

@@ -31,20 +31,20 @@ class Films : public testing::TestWithParam<Kind> {
     return coupled;
   }
   /// With this lowest corner; its height .3 is not one of the cells'.
-  Mesh block(const Vector& low) const {
-    return lattice(dim(), {3, 2, 3}, all, [=](const Vector& s) {
-      return Vector{low[0] + 0.4 * s[0], low[1] + 0.3 * s[1], low[2] + 0.4 * s[2]};
+  Mesh block(const Vec<3>& low) const {
+    return lattice(dim(), {3, 2, 3}, all, [=](const Vec<3>& s) {
+      return Vec<3>{low[0] + 0.4 * s[0], low[1] + 0.3 * s[1], low[2] + 0.4 * s[2]};
     });
   }
   double volume() const { return dim() == 2 ? 0.12 : 0.048; }
   /// Of a pressure that is a function of the place.
   template <class Pressure>
-  Vector force(const Surroundings& about, const Pressure& pressure) const {
+  Vec<3> force(const Surroundings& about, const Pressure& pressure) const {
     std::vector<double> p;
     const StaggeredGrid& grid = about.domain.grid;
     for (const std::size_t cell : about.numbers.cell) p.push_back(pressure(grid.middle(grid.place_of_cell(cell))));
     const std::vector<double> forces = transposed_product(about.map.B, p);
-    Vector sum{};
+    Vec<3> sum{};
     for (std::size_t k = 0; k < forces.size(); ++k) sum[k % at(dim())] += forces[k];
     return sum;
   }
@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(Coupled, Films,
 
 /// At walls, a hair and nearly half a cell from them, and on an obstacle.
 TEST_P(Films, AConstantPressurePressesFromAllSides) {
-  for (const Vector& low : {Vector{0.31, 0, 0.31}, Vector{0.31, 1e-4, 0.31}, Vector{0.31, 0.03, 0.31},
-                            Vector{0.01, 0.02, 0.33}, Vector{0.31, 0.25, 0.31}}) {
+  for (const Vec<3>& low : {Vec<3>{0.31, 0, 0.31}, Vec<3>{0.31, 1e-4, 0.31}, Vec<3>{0.31, 0.03, 0.31},
+                            Vec<3>{0.01, 0.02, 0.33}, Vec<3>{0.31, 0.25, 0.31}}) {
     Coupled coupled = box();
     if (low[1] == 0.25) coupled.obstacles.push_back({{0, 0, 0}, {1, 0.25, 1}});
     const Mesh mesh = block(low);
@@ -78,10 +78,10 @@ TEST_P(Films, AConstantPressurePressesFromAllSides) {
 TEST_P(Films, ABlockNearAWallFloats) {
   const bool cut = GetParam().mode == CouplingMode::cut_cell;
   const double top = cut ? 0.04 * volume() : 0.5 / cells * volume() / 0.3;  // half of what lies above the surface
-  for (const Vector& low : {Vector{0.31, 0, 0.31}, Vector{0.31, 0.01, 0.31}, Vector{0.31, 0.03, 0.31},
-                            Vector{0, 0.35, 0.31}, Vector{0.02, 0.35, 0.31}}) {
+  for (const Vec<3>& low : {Vec<3>{0.31, 0, 0.31}, Vec<3>{0.31, 0.01, 0.31}, Vec<3>{0.31, 0.03, 0.31},
+                            Vec<3>{0, 0.35, 0.31}, Vec<3>{0.02, 0.35, 0.31}}) {
     const Surroundings about(box(), block(low));
-    const Vector lift = force(about, [](const Vector& x) { return 2 - x[1]; });
+    const Vec<3> lift = force(about, [](const Vec<3>& x) { return 2 - x[1]; });
     EXPECT_NEAR(lift[0], 0, low[0] < 0.1 ? 0.04 * volume() : 1e-6) << low[0] << " " << low[1];
     EXPECT_NEAR(lift[1], volume(), top) << low[0] << " " << low[1];
   }
@@ -89,8 +89,8 @@ TEST_P(Films, ABlockNearAWallFloats) {
 
 /// Linear between both ends of a film: no moment about the block's middle that would turn it to the wall.
 TEST(Films2D, TheFilmAtASideFallsWithTheHeight) {
-  const Mesh mesh = lattice(2, {3, 3, 1}, all, [](const Vector& s) {
-    return Vector{0.01 + 0.3 * s[0], 0.3125 + 0.375 * s[1], 0};
+  const Mesh mesh = lattice(2, {3, 3, 1}, all, [](const Vec<3>& s) {
+    return Vec<3>{0.01 + 0.3 * s[0], 0.3125 + 0.375 * s[1], 0};
   });
   const Surroundings about(fluid_in_box(2, cells), mesh);
   std::vector<double> p;
@@ -106,8 +106,8 @@ TEST(Films2D, TheFilmAtASideFallsWithTheHeight) {
 
 /// A block that reaches from wall to wall divides the fluid: nothing gets between it and the walls.
 TEST_P(Films, ASealHasNoFilm) {
-  const Mesh mesh = lattice(dim(), {3, 6, 3}, all, [](const Vector& s) {
-    return Vector{0.31 + 0.4 * s[0], 0.01 + 0.98 * s[1], s[2]};
+  const Mesh mesh = lattice(dim(), {3, 6, 3}, all, [](const Vec<3>& s) {
+    return Vec<3>{0.31 + 0.4 * s[0], 0.01 + 0.98 * s[1], s[2]};
   });
   Coupled coupled = box();
   coupled.mode = CouplingMode::symmetric;  // parts of cells know this gap, and let the fluid pass
@@ -137,8 +137,8 @@ TEST_P(Films, BlocksInEachOtherHaveNoFilm) {
 TEST(Films2D, EndAtAnOpenSide) {
   Coupled coupled = fluid_in_box(2, cells);
   coupled.sides[3] = BoxSide::open;
-  const Mesh mesh = lattice(2, {3, 6, 1}, all, [](const Vector& s) {
-    return Vector{0.01 + 0.3 * s[0], 0.5 + 0.6 * s[1], 0};
+  const Mesh mesh = lattice(2, {3, 6, 1}, all, [](const Vec<3>& s) {
+    return Vec<3>{0.01 + 0.3 * s[0], 0.5 + 0.6 * s[1], 0};
   });
   const Surroundings about(coupled, mesh);
   std::vector<double> p;
@@ -155,7 +155,7 @@ TEST(Winding, CountsTheBodiesAboutAPlace) {
     const Mesh mesh =
         together(solid_block(dim, 2, {0.4, 0.5, 0.5}, 0.4, 0.3), hollow_block(dim, 1, {0.5, 0.5, 0.5}, 0.9, 0));
     const SolidSurface surface = surface_of(mesh);
-    const auto turns = [&](const Vector& x, int but) {
+    const auto turns = [&](const Vec<3>& x, int but) {
       return turns_about(surface, mesh.x, {x[0], x[1], dim == 3 ? x[2] : 0}, but);
     };
     EXPECT_NEAR(turns({0.3, 0.5, 0.5}, -1), 2, 1e-12);

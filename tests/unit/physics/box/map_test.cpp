@@ -92,12 +92,12 @@ TEST_P(Mapped, AConstantPressurePressesOnEachNodesArea) {
   const std::vector<double> forces = transposed_product(about.map.B, std::vector<double>(about.numbers.cell.size(), 3));
   std::vector<double> expected(mesh.x.size(), 0.0);
   for (std::size_t s = 0; s < about.surface.side_count(); ++s) {
-    const Vector area = area_of_side(about.surface, s, mesh.x);
+    const Vec<3> area = area_of_side(about.surface, s, mesh.x);
     for (const int node : about.surface.side(s)) {
       for (std::size_t i = 0; i < at(dim); ++i) expected[at(node * dim) + i] -= 3 * area[i] / dim;
     }
   }
-  Vector sum{};
+  Vec<3> sum{};
   for (std::size_t k = 0; k < forces.size(); ++k) {
     EXPECT_NEAR(forces[k], expected[k], 1e-13);
     sum[k % at(dim)] += forces[k];
@@ -120,9 +120,9 @@ TEST_P(Mapped, TheAreasThatRegionsSeeAreTheSheets) {
 TEST_P(Mapped, TheSidesOfAPlateFeelTheirOwnFluid) {
   const int dim = GetParam().dim;
   for (const double angle : {0.0, 0.3}) {
-    const auto plate = [&](const Vector& s) {
+    const auto plate = [&](const Vec<3>& s) {
       const double x = (s[0] - 0.5) * 0.013, y = (s[1] - 0.5) * 2;
-      return Vector{0.51 + std::cos(angle) * x - std::sin(angle) * y, 0.51 + std::sin(angle) * x + std::cos(angle) * y,
+      return Vec<3>{0.51 + std::cos(angle) * x - std::sin(angle) * y, 0.51 + std::sin(angle) * x + std::cos(angle) * y,
                     s[2] * 1.2 - 0.1};
     };
     const Mesh mesh = lattice(dim, {1, 12, 3}, all, plate);
@@ -145,8 +145,8 @@ TEST(PressureStencils, AreLinearTowardsNeighbours) {
   const Surroundings about(fluid_in_box(2, 10), mesh);
   const PressureSampler sampler(about.surface, mesh.x, about.pieces, about.domain);
   const StaggeredGrid& grid = about.domain.grid;
-  const auto p = [](const Vector& x) { return 2 + 3 * x[0] - x[1]; };
-  const auto found = [&](const Vector& x, const Cell& cell) {
+  const auto p = [](const Vec<3>& x) { return 2 + 3 * x[0] - x[1]; };
+  const auto found = [&](const Vec<3>& x, const Cell& cell) {
     const PressureStencil stencil = sampler.at(x, grid.cell(cell));
     double sum = 0, weights = 0;
     for (std::size_t k = 0; k < stencil.size; ++k) {

@@ -60,8 +60,8 @@ TEST_P(ClosedRegions, BringTheirVolumesBack) {
 
 /// A block from floor to ceiling parts the box; what it takes is shared, and where one part is open none of it is.
 TEST_P(ClosedRegions, ThatSeeOneSheetShare) {
-  const Mesh mesh = lattice(dim, {1, 1, 1}, all, [](const Vector& s) {
-    return Vector{0.3 + 0.2 * s[0], 1.2 * s[1] - 0.1, 1.2 * s[2] - 0.1};
+  const Mesh mesh = lattice(dim, {1, 1, 1}, all, [](const Vec<3>& s) {
+    return Vec<3>{0.3 + 0.2 * s[0], 1.2 * s[1] - 0.1, 1.2 * s[2] - 0.1};
   });
   Coupled coupled = fluid_in_box(dim, 10);
   Values q = mesh.x;

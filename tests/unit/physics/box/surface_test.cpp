@@ -26,10 +26,10 @@ TEST_P(InBothDimensions, ASolidEnclosesItsVolumeWithSidesThatCancel) {
   EXPECT_EQ(surface.sheets, 1);
   EXPECT_EQ(surface.cavity, std::vector<std::uint8_t>{0});
   EXPECT_NEAR(enclosed_volumes(surface, block_of(dim).x)[0], std::pow(0.4, dim), 1e-15);
-  Vector sum{};
+  Vec<3> sum{};
   double size = 0;
   for (std::size_t s = 0; s < surface.side_count(); ++s) {
-    const Vector area = area_of_side(surface, s, block_of(dim).x);
+    const Vec<3> area = area_of_side(surface, s, block_of(dim).x);
     for (std::size_t i = 0; i < 3; ++i) sum[i] += area[i];
     size += std::hypot(area[0], area[1], area[2]);
   }
@@ -64,7 +64,7 @@ TEST_P(InBothDimensions, AVolumeFarFromTheOriginKeepsItsDigits) {
   EXPECT_NEAR(enclosed_volumes(surface, mesh.x)[0], near, 1e-15);
 }
 
-double polynomial(int degree, const Vector& x) {
+double polynomial(int degree, const Vec<3>& x) {
   const double line = 0.3 + x[0] - 0.7 * x[1] + 0.4 * x[2], other = 1 - 0.2 * x[0] + x[1] + 2 * x[2];
   return degree == 0 ? 1 : degree == 1 ? line : line * other;
 }
@@ -72,9 +72,9 @@ double polynomial(int degree, const Vector& x) {
 /// Of a polynomial of degree 2 over a side: by the middles of edges, and by Simpson's rule on an edge.
 double exact_integral(const SolidSurface& surface, std::span<const double> q, std::size_t side, int degree) {
   const auto nodes = surface.side(side);
-  const Vector area = area_of_side(surface, side, q);
+  const Vec<3> area = area_of_side(surface, side, q);
   const auto middle = [&](std::size_t a, std::size_t b) {
-    const Vector x = place_of(q, nodes[a], surface.dim), y = place_of(q, nodes[b], surface.dim);
+    const Vec<3> x = place_of(q, nodes[a], surface.dim), y = place_of(q, nodes[b], surface.dim);
     return polynomial(degree, {(x[0] + y[0]) / 2, (x[1] + y[1]) / 2, (x[2] + y[2]) / 2});
   };
   const double mean = surface.dim == 2 ? (middle(0, 0) + middle(1, 1) + 4 * middle(0, 1)) / 6
@@ -93,13 +93,13 @@ TEST_P(InBothDimensions, PiecesOfSidesIntegrateExactlyAndLieInOneBox) {
     for (auto& sums : integrals) sums.assign(surface.side_count(), 0.0);
     for (const SurfacePiece& piece : cut.pieces) {
       std::array<double, 3> low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-      const Vector area = cut.area[at(piece.side)];
+      const Vec<3> area = cut.area[at(piece.side)];
       for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
         const SurfacePoint& point = cut.points[k];
         EXPECT_NEAR(point.share[0] + point.share[1] + point.share[2], 1, 1e-14);
-        Vector by_share{};
+        Vec<3> by_share{};
         for (std::size_t a = 0; a < at(dim); ++a) {
-          const Vector x = place_of(mesh.x, surface.side(at(piece.side))[a], dim);
+          const Vec<3> x = place_of(mesh.x, surface.side(at(piece.side))[a], dim);
           for (std::size_t i = 0; i < 3; ++i) by_share[i] += point.share[a] * x[i];
         }
         for (std::size_t i = 0; i < at(dim); ++i) {

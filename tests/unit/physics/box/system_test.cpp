@@ -32,8 +32,8 @@ struct Problem {
 
   Problem(int dim, bool open, bool hold_all, double poisson = 0.3) : coupled(fluid_in_box(dim, dim == 2 ? 14 : 10)) {
     if (open) coupled.sides[side_right] = BoxSide::open;
-    const Mesh plate = lattice(dim, {1, 4, 3}, all, [](const Vector& s) {
-      return Vector{0.87 + 0.02 * s[0], 0.3 + 0.3 * s[1], 0.3 + 0.3 * s[2]};
+    const Mesh plate = lattice(dim, {1, 4, 3}, all, [](const Vec<3>& s) {
+      return Vec<3>{0.87 + 0.02 * s[0], 0.3 + 0.3 * s[1], 0.3 + 0.3 * s[2]};
     });
     solids = elastic(together(hollow_block(dim, 1, {0.42, 0.48, 0.51}, 0.6, 0.3), plate), 20, poisson, 1.5);
     about = std::make_unique<Surroundings>(coupled, solids.mesh);

@@ -18,7 +18,7 @@ using coupled::support::lattice;
 using coupled::support::together;
 using coupled::support::turned_block;
 
-Mesh block(int dim, int n, const Vector& middle, double side, double angle = 0) {
+Mesh block(int dim, int n, const Vec<3>& middle, double side, double angle = 0) {
   return lattice(dim, {n, n, n}, all, turned_block(middle, {side, side, dim == 3 ? side : 0}, angle));
 }
 
@@ -30,7 +30,7 @@ std::size_t by_winding(const Mesh& mesh) {
   const std::vector<int> parts = parts_of(mesh);
   std::size_t count = 0;
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    const Vector x = place_of(mesh.x, static_cast<int>(n), mesh.dim());
+    const Vec<3> x = place_of(mesh.x, static_cast<int>(n), mesh.dim());
     count += std::abs(turns_about(surface, mesh.x, x, parts[n])) > 0.5 ? 1 : 0;
   }
   return count;
@@ -42,7 +42,7 @@ TEST(OverlapFinder, AreThoseThatWindingsFind) {
   for (const int dim : {2, 3}) {
     std::size_t total = 0;
     for (int k = 0; k < 20; ++k) {
-      const Vector away{0.8 * number(random), 0.8 * number(random), dim == 3 ? 0.8 * number(random) : 0};
+      const Vec<3> away{0.8 * number(random), 0.8 * number(random), dim == 3 ? 0.8 * number(random) : 0};
       const Mesh mesh = together(block(dim, 3, {}, 1, number(random)), block(dim, 4, away, 0.7, number(random)));
       EXPECT_EQ(nodes_inside(mesh), by_winding(mesh)) << dim << " " << k;
       total += by_winding(mesh);
@@ -122,21 +122,21 @@ TEST(OverlapFinder, SidesThatCrossWithoutANodeInside) {
 /// A strip that is rolled up through itself; one that is open has no such node, notch or not.
 TEST(OverlapFinder, OfABodyWithItself) {
   const auto rolled = [](double turn) {
-    return lattice(2, {40, 2, 1}, all, [turn](const Vector& s) {
+    return lattice(2, {40, 2, 1}, all, [turn](const Vec<3>& s) {
       const double angle = turn * s[0], radius = 1 - 0.2 * s[1];
-      return Vector{-radius * std::cos(angle), radius * std::sin(angle), 0};
+      return Vec<3>{-radius * std::cos(angle), radius * std::sin(angle), 0};
     });
   };
   EXPECT_EQ(nodes_inside(rolled(5.9)), 0u);
   EXPECT_EQ(nodes_inside(rolled(3.0)), 0u);
   const auto keep = [](const coupled::support::Cell& c) { return c[0] < 2 || c[1] != 1; };
   EXPECT_EQ(nodes_inside(lattice(2, {4, 3, 1}, keep, turned_block({}, {1, 1, 0}, 0.4))), 0u);
-  const auto notch = [&](const Vector& s) {
-    return Vector{s[0], s[1] + (s[0] > 0.6 && s[1] > 0.3 && s[1] < 0.6 ? 0.2 : 0), 0};
+  const auto notch = [&](const Vec<3>& s) {
+    return Vec<3>{s[0], s[1] + (s[0] > 0.6 && s[1] > 0.3 && s[1] < 0.6 ? 0.2 : 0), 0};
   };
   EXPECT_EQ(nodes_inside(lattice(2, {4, 3, 1}, keep, notch)), 0u);
-  const auto closed = [&](const Vector& s) {
-    return Vector{s[0], s[1] + (s[0] > 0.6 && s[1] > 0.3 && s[1] < 0.4 ? 0.5 : 0), 0};
+  const auto closed = [&](const Vec<3>& s) {
+    return Vec<3>{s[0], s[1] + (s[0] > 0.6 && s[1] > 0.3 && s[1] < 0.4 ? 0.5 : 0), 0};
   };
   EXPECT_GT(nodes_inside(lattice(2, {4, 3, 1}, keep, closed)), 0u);
 }

@@ -98,10 +98,10 @@ TEST(FlowScene, HasWhatTheDeckSays) {
   EXPECT_EQ(flow.probes, (std::vector<std::array<double, 2>>{{1, .5}, {1.5, .25}}));
   EXPECT_EQ(flow.differences, (std::vector<std::array<int, 2>>{{1, 0}}));
   EXPECT_EQ(flow.tracers.count, (std::array{20, 10}));
-  EXPECT_EQ(flow.tracers.x0, .5);
-  EXPECT_EQ(flow.tracers.x1, 1.5);
-  EXPECT_EQ(flow.tracers.y0, .25);
-  EXPECT_EQ(flow.tracers.y1, .75);
+  EXPECT_EQ(flow.tracers.box.low[0], .5);
+  EXPECT_EQ(flow.tracers.box.high[0], 1.5);
+  EXPECT_EQ(flow.tracers.box.low[1], .25);
+  EXPECT_EQ(flow.tracers.box.high[1], .75);
   ASSERT_EQ(flow.forces.size(), 1u);
   EXPECT_EQ(flow.forces[0].name, "1.bottom");
   EXPECT_EQ(flow.forces[0].sides, flow.mesh.sides.at("1.bottom"));
@@ -113,9 +113,10 @@ TEST(FlowScene, SteadyIsAnIntegrator) {
 }
 
 TEST(FlowScene, TracersWithoutABoxFillTheFluid) {
-  const TracerBox box = channel("tracers=3,2").scene.flow()->tracers;
-  EXPECT_EQ(box.count, (std::array{3, 2}));
-  EXPECT_EQ((std::array{box.x0, box.x1, box.y0, box.y1}), (std::array<double, 4>{0, 2, 0, 1}));
+  const auto [count, box] = channel("tracers=3,2").scene.flow()->tracers;
+  EXPECT_EQ(count, (std::array{3, 2}));
+  EXPECT_EQ(box.low, (Vec<2>{0, 0}));
+  EXPECT_EQ(box.high, (Vec<2>{2, 1}));
 }
 
 TEST(FlowScene, FluidOutsideHasNoPressureAtTheTop) {

@@ -6,7 +6,7 @@
 namespace tether::published {
 namespace {
 
-PublishedQuantity number(const std::string& name, Per per = Per::scene) { return {name, Dimension::number, name, per}; }
+Quantity number(const std::string& name, Per per = Per::scene) { return {name, Dimension::number, name, per}; }
 
 HistoryLayout layout_of(const MadeUpRun& run) {
   HistoryLayout layout;
