@@ -197,13 +197,9 @@ class ProbeReader {
     }
     if (!counted[0] || !counted[1])
       return refuse("tracers", {counted[0] ? 1 : 2, 1}, "tracers has one of its two numbers", "along x, along y");
-    const auto extent = extent_of_mesh();
+    const Box<2> extent = extent_of_mesh();
     TracerGrid& tracers = flow_.tracers;
-    tracers = {{deck_.integer("flow", "tracers", 1), deck_.integer("flow", "tracers", 2)},
-               extent[0],
-               extent[1],
-               extent[2],
-               extent[3]};
+    tracers = {.count = {deck_.integer("flow", "tracers", 1), deck_.integer("flow", "tracers", 2)}, .box = extent};
     if (box.empty()) return;
     if (box.size() < 4)
       return refuse("tracer_box", box[0], fmt::format("tracer_box has {} of its four numbers", box.size()),
@@ -229,29 +225,26 @@ class ProbeReader {
     return found == number_.end() ? 0 : found->second;
   }
   /// xleft, xright, ybot, ytop.
-  std::array<double, 4> extent_of_mesh() const {
+  Box<2> extent_of_mesh() const {
     const std::vector<double>& x = flow_.mesh.x;
-    std::array extent{x[0], x[0], x[1], x[1]};
-    for (std::size_t n = 0; n < x.size(); ++n) {
-      const std::size_t i = n % 2 * 2;
-      extent[i] = std::min(extent[i], x[n]), extent[i + 1] = std::max(extent[i + 1], x[n]);
-    }
+    Box<2> extent{{x[0], x[1]}, {x[0], x[1]}};
+    for (std::size_t n = 0; n < x.size(); n += 2) extent.add(Vec<2>{x[n], x[n + 1]});
     return extent;
   }
-  void check_box(const std::array<double, 4>& extent) {
+  void check_box(const Box<2>& extent) {
     const auto& [low, high] = flow_.tracers.box;
     if (!(low[0] < high[0]) || !(low[1] < high[1]))
       return refuse("tracer_box", {low[0] < high[0] ? 4 : 2, 1}, "the box of tracers is empty",
                     "xleft, xright, ybot, ytop, the lower first");
-    const double slack = 1e-9 * std::max(extent[1] - extent[0], extent[3] - extent[2]);
-    const std::array<double, 4> beyond{extent[0] - low[0], high[0] - extent[1], extent[2] - low[1],
-                                       high[1] - extent[3]};
+    const double slack = 1e-9 * std::max(extent.high[0] - extent.low[0], extent.high[1] - extent.low[1]);
+    const std::array<double, 4> beyond{extent.low[0] - low[0], high[0] - extent.high[0], extent.low[1] - low[1],
+                                       high[1] - extent.high[1]};
     for (std::size_t k = 0; k < 4; ++k) {
       if (beyond[k] <= slack) continue;
       return refuse("tracer_box", {static_cast<int>(k) + 1, 1},
                     fmt::format("the box of tracers goes beyond the fluid by {:.6g}", beyond[k]),
-                    fmt::format("the fluid lies between x = {:.6g} and {:.6g}, y = {:.6g} and {:.6g}", extent[0],
-                                extent[1], extent[2], extent[3]));
+                    fmt::format("the fluid lies between x = {:.6g} and {:.6g}, y = {:.6g} and {:.6g}", extent.low[0],
+                                extent.high[0], extent.low[1], extent.high[1]));
     }
   }
 

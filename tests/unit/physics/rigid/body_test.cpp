@@ -76,7 +76,7 @@ TEST(RigidBody, mass_matrix_gives_the_kinetic_energy_of_the_points) {
   const Box box;
   const MassPoints points = gauss_points(box);
   const RigidInertia inertia = inertia_of(box, skew());
-  const RigidColumns v = RigidColumns::Random();  // any motion of the frame, not a rigid one only
+  const RigidColumns v = any_numbers<RigidColumns>();  // any motion of the frame, not a rigid one only
   double sum = 0;
   for (std::size_t k = 0; k < points.masses.size(); ++k) {
     const Vector3d theta = skew().convective(Vector3d(points.positions.data() + 3 * k));

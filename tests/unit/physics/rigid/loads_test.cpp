@@ -33,7 +33,7 @@ TEST(RigidLoads, forces_at_points_have_their_work_resultant_and_moment) {
   const std::vector<double> at{0.3, 0.1, -0.2, -0.5, 0.4, 0.9}, force{1, -2, 3, 0.5, 0.7, -0.4};
   for (const RigidDirection direction : {RigidDirection::fixed, RigidDirection::turning}) {
     const RigidForces load = rigid_point_forces(frame, at, force, direction);
-    const RigidColumns q = moved(frame, turn), F = rigid_generalized_forces(load, q), dq = RigidColumns::Random();
+    const RigidColumns q = moved(frame, turn), F = rigid_generalized_forces(load, q), dq = any_numbers<RigidColumns>();
     Vector3d sum = Vector3d::Zero(), turning = Vector3d::Zero();
     double work = 0;
     for (std::size_t k = 0; k < 6; k += 3) {

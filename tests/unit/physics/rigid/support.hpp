@@ -20,6 +20,13 @@ using Eigen::Vector3d;
 
 using Step = RigidReport (*)(const RigidBody&, const RigidForces&, double, RigidState&, const RigidNewtonRule&);
 
+/// Numbers of both signs in -1 .. 1 without any order, the same ones in each run.
+template <class Matrix>
+Matrix any_numbers() {
+  return Matrix::NullaryExpr(
+      [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + 2.3 * i * (1 + j) + 5.1 * j); });
+}
+
 /// A box, axes along x, y, z, as the Gauss points of its trilinear elements (nx x ny x nz of 2 x 2 x 2 points).
 struct Box {
   Vector3d low{-0.5, -0.3, -0.1}, high{0.5, 0.3, 0.1};
