@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grid/carried_nodes.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "algebra/dense.hpp"
 #include "base/numbers.hpp"
 
 namespace tether {
@@ -228,7 +228,7 @@ void CarriedNodes::keep_linear_fields(int node, Row& row) const {
     missing.tail<2>() -= part * A.col(k).tail<2>();
   }
   if (missing.norm() <= 1e-13 * A.bottomRows<2>().norm()) return;
-  const Eigen::VectorXd change = A.completeOrthogonalDecomposition().solve(missing);
+  const Eigen::VectorXd change = smallest_solution(A, missing);
   for (Eigen::Index k = 0; k < size; ++k) row[static_cast<std::size_t>(k)].second += change[k];
 }
 

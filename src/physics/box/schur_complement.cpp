@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/box/schur_complement.hpp"
 
-#include <Eigen/Cholesky>
 #include <utility>
 
+#include "algebra/dense.hpp"
 #include "algebra/krylov.hpp"
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
@@ -67,7 +67,7 @@ std::vector<double> RegionConstants::found(QuasidefiniteSolver& factors, std::sp
     for (Eigen::Index j = 0; j < count; ++j) schur(i, j) = tether::dot(border, solved[static_cast<std::size_t>(j)]);
     right[i] = tether::dot(border, x) - right_[static_cast<std::size_t>(i)];
   }
-  const Eigen::VectorXd c = schur.ldlt().solve(right);
+  const Eigen::VectorXd c = solve_symmetric(schur, right);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& column = solved[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < column.size(); ++k) x[k] -= column[k] * c[i];
@@ -145,7 +145,7 @@ void SchurComplement::set_up_constants() {
     multiply({x.data(), size}, {y.data(), size});
     stiffness_.col(c) = y.tail(count);
   }
-  stiffness_ = stiffness_.completeOrthogonalDecomposition().pseudoInverse().eval();
+  stiffness_ = pseudo_inverse(stiffness_);
 }
 
 /// A^-1 of forces.

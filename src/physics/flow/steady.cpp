@@ -2,12 +2,12 @@
 #include "physics/flow/steady.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "algebra/dense.hpp"
 #include "base/diagnostics.hpp"
 
 namespace tether::fem {
@@ -27,7 +27,7 @@ std::vector<double> MixedRounds::next(std::span<const double> q0, std::span<cons
       const auto n = static_cast<std::size_t>(k);
       of_ways.col(k) = ways_[n + 1] - ways_[n], of_ends.col(k) = ends_[n + 1] - ends_[n];
     }
-    mixed -= of_ends * of_ways.colPivHouseholderQr().solve(ways_.back());
+    mixed -= of_ends * least_squares(of_ways, ways_.back());
   }
   return {mixed.begin(), mixed.end()};
 }

@@ -9,6 +9,8 @@
 
 namespace tether::mpm {
 
+static_assert(lists_each_array_once<Points>(Points::rows()), "an array of the points has no row, or two");
+
 CellSort::CellSort(std::size_t points) { keys_.reserve(points); }
 
 template <class Number>

@@ -80,8 +80,6 @@ struct Points {
     });
   }
 };
-static_assert(lists_each_array_once<Points>(Points::rows()), "an array of the points has no row, or two");
-
 /// Sums over points at a node, mapped at the start of a step (3.15)-(3.18).
 struct NodeSums {
   Pair momentum{}, force{};

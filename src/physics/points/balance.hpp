@@ -96,6 +96,4 @@ struct Balance {
   /// What steps of finite length make of the work, with this energy stored now [energy].
   double integration(double stored_now) const { return stored - stored_now - work - fall; }
 };
-static_assert(lists_each_number_once<Balance>(Balance::rows()), "a number of the balance has no row, or two");
-
 }  // namespace tether::mpm

@@ -6,6 +6,10 @@
 #include "loops/points.hpp"
 
 namespace tether::mpm {
+
+static_assert(lists_each_number_once<Balance>(Balance::rows()), "a number of the balance has no row, or two");
+
+static_assert(lists_each_number_once<StateNumbers>(StateNumbers::rows()), "a number of the state has no row, or two");
 namespace {
 
 /// Sums at the nodes that hold points, in the order of the list of these nodes.

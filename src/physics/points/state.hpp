@@ -71,8 +71,6 @@ struct StateNumbers {
     };
   }
 };
-static_assert(lists_each_number_once<StateNumbers>(StateNumbers::rows()), "a number of the state has no row, or two");
-
 /// All that changes while a scene runs.
 struct State : StateNumbers {
   Points points;

@@ -10,6 +10,8 @@
 #include "reference/riemann.hpp"
 
 namespace tether::mpm {
+
+static_assert(lists_each_number_once<Passed>(Passed::rows()), "a number of what passed has no row, or two");
 namespace {
 
 bool has_waves(const EdgeGas& gas) {

@@ -57,8 +57,6 @@ struct Passed {
                       NumberField{"edge_stored", &P::stored},         NumberField{"edge_back", &P::back}};
   }
 };
-static_assert(lists_each_number_once<Passed>(Passed::rows()), "a number of what passed has no row, or two");
-
 /// The strips of gas beyond open edges. Their points are real ones, so that nodes at the edge have whole masses and
 /// pressures, but they are a reservoir: after each step they stand where the velocity on the edge carried them, with
 /// that velocity and with the energy that makes the pressure on the edge. What crosses the edge inward becomes free,

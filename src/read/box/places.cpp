@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <set>
 
+#include "algebra/dense.hpp"
 #include "base/vec.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "model/coupled.hpp"
@@ -79,7 +79,7 @@ bool in_element(const Mesh& mesh, std::size_t e, const Vec<3>& place) {
     for (int a = 0; a < dim; ++a) edges(i, a) = place_of(mesh, mesh.element(e)[a + 1])[axis] - first[axis];
     to[i] = place[axis] - first[axis];
   }
-  const Eigen::VectorXd part = edges.partialPivLu().solve(to);
+  const Eigen::VectorXd part = solve(edges, to);
   constexpr double rounding = 1e-9;
   return part.minCoeff() >= -rounding && part.sum() <= 1 + rounding;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <string_view>
 
+#include "algebra/dense.hpp"
 #include "deck/spelling.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "grid/overlaps.hpp"
@@ -194,11 +194,7 @@ class Motions {
     if (found == of_node_.end()) return;
     add(row(node, axis, found->second.front()));
   }
-  int left() const {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equations_);
-    qr.setThreshold(1e-12);
-    return static_cast<int>(equations_.cols() - qr.rank());
-  }
+  int left() const { return static_cast<int>(equations_.cols() - rank(equations_, 1e-12)); }
 
  private:
   Eigen::Index unknowns() const { return static_cast<Eigen::Index>(number_.size()) * count_; }
