@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/numbers.hpp"
 
 namespace tether {
 
@@ -31,8 +32,8 @@ class KrylovBasis {
 
  private:
   std::span<const double> vector(int k) const { return {&vectors_[static_cast<std::size_t>(k) * n_], n_}; }
-  double& h(int i, int k) { return h_[static_cast<std::size_t>(k) * static_cast<std::size_t>(most_ + 1) + i]; }
-  double h(int i, int k) const { return h_[static_cast<std::size_t>(k) * static_cast<std::size_t>(most_ + 1) + i]; }
+  double& h(int i, int k) { return h_[at(k) * at(most_ + 1) + at(i)]; }
+  double h(int i, int k) const { return h_[at(k) * at(most_ + 1) + at(i)]; }
   void take_off(std::span<double> w);
   double rotate();
 

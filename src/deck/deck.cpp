@@ -135,7 +135,7 @@ Place Deck::place_within(std::string_view group, std::string_view name, Subscrip
   for (std::size_t k = 0; k < offset; ++k) {
     while (at_end()) ++line, column = 0;
     if (column >= lines[line].size()) break;
-    column += lines[line].compare(column, 2, std::string(2, quote)) == 0 ? 2 : 1;
+    column += lines[line].compare(column, 2, std::string(2, quote)) == 0 ? 2U : 1U;
   }
   while (at_end()) ++line, column = 0;
   return {place.file, static_cast<int>(line) + 1, static_cast<int>(column) + 1};

@@ -79,7 +79,6 @@ std::string_view content_of(std::string_view line) {
 }
 
 std::vector<std::string_view> words_of(std::string_view content) {
-  constexpr std::string_view separators = " \t,;";
   std::vector<std::string_view> words;
   for (auto at = content.find_first_not_of(separators); at != std::string_view::npos;) {
     const auto end = std::min(content.find_first_of(separators, at), content.size());

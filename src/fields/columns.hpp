@@ -140,7 +140,7 @@ struct ColumnGroup {
   using Row = Column<Setting, Source>;
 
   ColumnGroup(std::vector<Row> rows) : columns(std::move(rows)) {}
-  ColumnGroup(When<Setting> when, std::vector<Row> rows) : when(std::move(when)), columns(std::move(rows)) {}
+  ColumnGroup(When<Setting> condition, std::vector<Row> rows) : when(std::move(condition)), columns(std::move(rows)) {}
   /// The same of what setting and source are derived from.
   template <class BaseSetting, class BaseSource>
   requires(!std::same_as<ColumnGroup<BaseSetting, BaseSource>, ColumnGroup>)

@@ -73,7 +73,7 @@ constexpr bool lists_each_array_once(const Rows& rows) {
   std::size_t bytes = 0, pairs = 0, same = 0;
   each_row(rows, [&](const auto& one) {
     bytes += sizeof(std::vector<NumberOf<decltype(one), Owner>>);
-    each_row(rows, [&](const auto& other) { ++pairs, same += same_array(one, other) ? 1 : 0; });
+    each_row(rows, [&](const auto& other) { ++pairs, same += same_array(one, other) ? 1U : 0U; });
   });
   return bytes == sizeof(Owner) && same * same == pairs;  // each row is the same as itself alone
 }

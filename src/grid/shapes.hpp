@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/numbers.hpp"
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
@@ -12,18 +14,22 @@ namespace tether {
 // Shape functions of the finite elements: values and gradients in the reference element, and points and weights of
 // their quadrature. Templates chosen once a run.
 
+/// A number a node, or a number a point of quadrature.
+template <int count>
+using Values = std::array<double, std::size_t{count}>;
+
 /// One-dimensional Lagrange functions of order p over -1 .. 1, nodes from left to right.
 template <int p>
 struct Line {
   static constexpr int nodes = p + 1;
-  static std::array<double, nodes> values(double s) {
+  static Values<nodes> values(double s) {
     if constexpr (p == 1) {
       return {0.5 * (1 - s), 0.5 * (1 + s)};
     } else {
       return {0.5 * s * (s - 1), 1 - s * s, 0.5 * s * (s + 1)};
     }
   }
-  static std::array<double, nodes> slopes(double s) {
+  static Values<nodes> slopes(double s) {
     if constexpr (p == 1) {
       return {-0.5, 0.5};
     } else {
@@ -31,7 +37,7 @@ struct Line {
     }
   }
   /// Gauss points p + 1: exact to order 2 p + 1, which is what a mass matrix of these functions needs.
-  static std::array<double, nodes> gauss_places() {
+  static Values<nodes> gauss_places() {
     if constexpr (p == 1) {
       const double s = 1 / std::sqrt(3.0);
       return {-s, s};
@@ -40,7 +46,7 @@ struct Line {
       return {-s, 0, s};
     }
   }
-  static std::array<double, nodes> gauss_weights() {
+  static Values<nodes> gauss_weights() {
     if constexpr (p == 1) {
       return {1, 1};
     } else {
@@ -56,40 +62,41 @@ struct Brick {
   static constexpr int nodes = d == 1 ? line : d == 2 ? line * line : line * line * line;
   static constexpr int points = nodes;
 
-  static std::array<double, nodes> values(const std::array<double, d>& s) {
-    std::array<std::array<double, line>, d> N;
-    for (int k = 0; k < d; ++k) N[k] = Line<p>::values(s[k]);
-    std::array<double, nodes> product;
+  static Values<nodes> values(const Vec<d>& s) {
+    std::array<Values<line>, std::size_t{d}> N;
+    for (int k = 0; k < d; ++k) N[at(k)] = Line<p>::values(s[at(k)]);
+    Values<nodes> product;
     for (int a = 0; a < nodes; ++a) {
-      product[a] = 1;
-      for (int k = 0, rest = a; k < d; ++k, rest /= line) product[a] *= N[k][rest % line];
+      product[at(a)] = 1;
+      for (int k = 0, rest = a; k < d; ++k, rest /= line) product[at(a)] *= N[at(k)][at(rest % line)];
     }
     return product;
   }
   /// Gradient of node a: numbers d a .. d a + d - 1.
-  static std::array<double, std::size_t{nodes} * d> gradients(const std::array<double, d>& s) {
-    std::array<std::array<double, line>, d> N, dN;
-    for (int k = 0; k < d; ++k) N[k] = Line<p>::values(s[k]), dN[k] = Line<p>::slopes(s[k]);
-    std::array<double, std::size_t{nodes} * d> product;
+  static Values<nodes * d> gradients(const Vec<d>& s) {
+    std::array<Values<line>, std::size_t{d}> N, dN;
+    for (int k = 0; k < d; ++k) N[at(k)] = Line<p>::values(s[at(k)]), dN[at(k)] = Line<p>::slopes(s[at(k)]);
+    Values<nodes * d> product;
     for (int a = 0; a < nodes; ++a) {
       for (int i = 0; i < d; ++i) {
         double value = 1;
-        for (int k = 0, rest = a; k < d; ++k, rest /= line) value *= k == i ? dN[k][rest % line] : N[k][rest % line];
-        product[a * d + i] = value;
+        for (int k = 0, rest = a; k < d; ++k, rest /= line)
+          value *= k == i ? dN[at(k)][at(rest % line)] : N[at(k)][at(rest % line)];
+        product[at(a * d + i)] = value;
       }
     }
     return product;
   }
-  static std::array<double, d> place(int point) {
-    const auto at = Line<p>::gauss_places();
-    std::array<double, d> s;
-    for (int k = 0, rest = point; k < d; ++k, rest /= line) s[k] = at[rest % line];
+  static Vec<d> place(int point) {
+    const auto places = Line<p>::gauss_places();
+    Vec<d> s;
+    for (int k = 0, rest = point; k < d; ++k, rest /= line) s[at(k)] = places[at(rest % line)];
     return s;
   }
   static double weight(int point) {
     const auto w = Line<p>::gauss_weights();
     double product = 1;
-    for (int k = 0, rest = point; k < d; ++k, rest /= line) product *= w[rest % line];
+    for (int k = 0, rest = point; k < d; ++k, rest /= line) product *= w[at(rest % line)];
     return product;
   }
 };
@@ -99,21 +106,21 @@ template <int d>
 struct Simplex {
   static constexpr int dim = d, nodes = d + 1, points = d == 1 ? 2 : d + 1;
 
-  static std::array<double, nodes> values(const std::array<double, d>& s) {
-    std::array<double, nodes> N{1};
-    for (int k = 0; k < d; ++k) N[0] -= s[k], N[k + 1] = s[k];
+  static Values<nodes> values(const Vec<d>& s) {
+    Values<nodes> N{1};
+    for (int k = 0; k < d; ++k) N[0] -= s[at(k)], N[at(k + 1)] = s[at(k)];
     return N;
   }
-  static std::array<double, std::size_t{nodes} * d> gradients(const std::array<double, d>&) {
-    std::array<double, std::size_t{nodes} * d> G{};
-    for (int k = 0; k < d; ++k) G[k] = -1, G[(k + 1) * d + k] = 1;
+  static Values<nodes * d> gradients(const Vec<d>&) {
+    Values<nodes * d> G{};
+    for (int k = 0; k < d; ++k) G[at(k)] = -1, G[at((k + 1) * d + k)] = 1;
     return G;
   }
   /// Source: the symmetric rules of order 2 (A. H. Stroud, Approximate Calculation of Multiple Integrals, 1971).
-  static std::array<double, d> place(int point) {
+  static Vec<d> place(int point) {
     const double near = d == 2 ? 2.0 / 3 : (5 + 3 * std::sqrt(5.0)) / 20, far = (1 - near) / d;
-    std::array<double, d> s;
-    for (int k = 0; k < d; ++k) s[k] = point == k + 1 ? near : far;
+    Vec<d> s;
+    for (int k = 0; k < d; ++k) s[at(k)] = point == k + 1 ? near : far;
     return s;
   }
   static double weight(int) { return d == 2 ? 1.0 / 6 : 1.0 / 24; }
@@ -172,7 +179,7 @@ auto with_shapes(ElementKind kind, const Function& f) {
 template <class Shapes>
 struct Jacobian {
   double determinant = 0;
-  std::array<double, static_cast<std::size_t>(Shapes::nodes* Shapes::dim)> gradients{};
+  Values<Shapes::nodes * Shapes::dim> gradients{};
 };
 
 /// Inverse (in place) and determinant of a 2 x 2 or 3 x 3 matrix, row-major.
@@ -191,22 +198,22 @@ inline double invert(std::array<double, 9>& m) {
 }
 
 template <class Shapes>
-Jacobian<Shapes> jacobian_at(const Mesh& mesh, std::size_t e, const std::array<double, Shapes::dim>& s) {
+Jacobian<Shapes> jacobian_at(const Mesh& mesh, std::size_t e, const Vec<Shapes::dim>& s) {
   constexpr int dim = Shapes::dim;
   const auto G = Shapes::gradients(s);
   const int* nodes = mesh.element(e);
-  std::array<double, static_cast<std::size_t>(dim * dim)> J{};  // dx_i / ds_j
+  Values<dim * dim> J{};  // dx_i / ds_j
   for (int a = 0; a < Shapes::nodes; ++a) {
-    const double* x = &mesh.x[static_cast<std::size_t>(nodes[a]) * dim];
+    const double* x = &mesh.x[at(nodes[a]) * dim];
     for (int i = 0; i < dim; ++i) {
-      for (int j = 0; j < dim; ++j) J[i * dim + j] += x[i] * G[a * dim + j];
+      for (int j = 0; j < dim; ++j) J[at(i * dim + j)] += x[i] * G[at(a * dim + j)];
     }
   }
   Jacobian<Shapes> result;
   result.determinant = invert(J);
   for (int a = 0; a < Shapes::nodes; ++a) {
     for (int i = 0; i < dim; ++i) {
-      for (int j = 0; j < dim; ++j) result.gradients[a * dim + i] += G[a * dim + j] * J[j * dim + i];
+      for (int j = 0; j < dim; ++j) result.gradients[at(a * dim + i)] += G[at(a * dim + j)] * J[at(j * dim + i)];
     }
   }
   return result;

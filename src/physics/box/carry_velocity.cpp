@@ -69,7 +69,7 @@ class Carrier {
   // velocity half the time on. It is not whole where the path was cut short.
   FlowValue at_end_of_path(const FaceValues& carried, int axis, std::size_t f, const FlowPlace& middle,
                            double time) const {
-    std::array<double, dim> u{};
+    Vec<dim> u{};
     for (int b = 0; b < dim; ++b) {
       const auto c = static_cast<std::size_t>(b);
       u[c] = b == axis ? v_[c][f] : paths_.component(v_, b, middle);
@@ -82,7 +82,7 @@ class Carrier {
     return found;
   }
 
-  std::array<double, dim> way(std::array<double, dim> u, double time) const {
+  Vec<dim> way(Vec<dim> u, double time) const {
     for (std::size_t b = 0; b < dim; ++b) u[b] *= time / grid_.d[b];
     return u;
   }

@@ -111,7 +111,7 @@ int unmeasured_region(const FlowDomain& domain, const CouplingMap& map, const Re
   for (std::size_t s = 0; s < cavity.size(); ++s) {
     const auto sees = [&](std::size_t r) { return map.area_seen[s * count + r] > 0; };
     std::size_t seen = 0;
-    for (std::size_t r = 0; r < count; ++r) seen += sees(r) ? 1 : 0;
+    for (std::size_t r = 0; r < count; ++r) seen += sees(r) ? 1U : 0U;
     for (std::size_t r = 0; r < count; ++r) {
       if (!sees(r)) continue;
       if (cavity[s] != 0) in_cavity[r] = 1;

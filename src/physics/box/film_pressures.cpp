@@ -196,10 +196,10 @@ void FilmPressures::share_rims() {
   Eigen::SparseMatrix<double> laplace(count, count);
   laplace.setFromTriplets(entries.begin(), entries.end());
   parts = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplace).solve(parts).eval();
-  shares_.resize(at(count));
+  shares_.resize(static_cast<std::size_t>(count));
   for (const auto& [rim, column] : rims) {
     for (Eigen::Index row = 0; row < count; ++row) {
-      if (parts(row, column) != 0) shares_[at(row)].push_back({rim, parts(row, column)});
+      if (parts(row, column) != 0) shares_[static_cast<std::size_t>(row)].push_back({rim, parts(row, column)});
     }
   }
 }

@@ -67,7 +67,7 @@ class FlowPaths {
 
   /// Goes on by `way` [cells], cell by cell. What would leave the box goes on along its side; at any other face that is
   /// not open the path ends. False where it was cut short so.
-  bool follow(FlowPlace& place, std::array<double, dim> way) const {
+  bool follow(FlowPlace& place, Vec<dim> way) const {
     if (nothing_beside(place, way)) return go(place, way);
     bool uncut = true;
     for (double left = 1;;) {
@@ -88,8 +88,8 @@ class FlowPaths {
   }
 
   /// All components at a place.
-  std::array<double, dim> velocity(const FaceValues& v, const FlowPlace& place) const {
-    std::array<double, dim> u;
+  Vec<dim> velocity(const FaceValues& v, const FlowPlace& place) const {
+    Vec<dim> u;
     for (int a = 0; a < dim; ++a) u[static_cast<std::size_t>(a)] = component(v, a, place);
     return u;
   }
@@ -121,14 +121,14 @@ class FlowPaths {
   };
 
   // Whether all cells in reach are joined.
-  bool nothing_beside(const FlowPlace& place, const std::array<double, dim>& way) const {
+  bool nothing_beside(const FlowPlace& place, const Vec<dim>& way) const {
     const int room = joins_.room(grid_.cell(place.cell));
     bool within = room > 0;
     for (const double cells : way) within = within && std::abs(cells) <= room;  // a number that is none is not
     return within;
   }
 
-  static bool go(FlowPlace& place, const std::array<double, dim>& way) {
+  static bool go(FlowPlace& place, const Vec<dim>& way) {
     constexpr int below = 256;  // more than there is room for: so that numbers are cut off downwards
     for (std::size_t b = 0; b < dim; ++b) {
       const double to = place.at[b] + way[b];
@@ -141,7 +141,7 @@ class FlowPaths {
   enum class Crossing { through, side_of_box, barred };
 
   // Crosses the face in the way if it can; else takes its axis out of the way.
-  Crossing cross(FlowPlace& place, std::size_t axis, std::array<double, dim>& way) const {
+  Crossing cross(FlowPlace& place, std::size_t axis, Vec<dim>& way) const {
     const bool up = way[axis] > 0;
     place.at[axis] = up ? 1 : 0;
     if (joins_.joined(grid_.cell(place.cell), static_cast<int>(2 * axis) + up)) {

@@ -102,7 +102,7 @@ double Outside::lifted(double y) const {
   const auto above = std::upper_bound(place_.begin(), place_.end(), y);
   if (above == place_.begin()) return lifted_.front();
   if (above == place_.end()) return lifted_.back();
-  const std::size_t k = at(above - place_.begin());
+  const std::size_t k = static_cast<std::size_t>(above - place_.begin());
   const double part = (y - place_[k - 1]) / (place_[k] - place_[k - 1]);
   return (1 - part) * lifted_[k - 1] + part * lifted_[k];
 }

@@ -89,12 +89,12 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
 }
 
 /// K' acts on the step's way by the paper's step, by the trapezoidal rule on half of it.
-void SolidEquations::add_lifts(std::span<const double> lifts, std::span<double> b) const {
+void SolidEquations::add_lifts(std::span<const double> lifts, std::span<double> right) const {
   if (std::all_of(lifts.begin(), lifts.end(), [](double lift) { return lift == 0; })) return;
   const double part = scene_.integrator == CoupledIntegrator::paper ? 1 : 0.5;
-  std::vector<double> force(b.size());
+  std::vector<double> force(right.size());
   stiffness_.multiply(lifts, force);
-  for (std::size_t k = 0; k < b.size(); ++k) b[k] -= part * (force[k] + spring_[k] * lifts[k]);
+  for (std::size_t k = 0; k < right.size(); ++k) right[k] -= part * (force[k] + spring_[k] * lifts[k]);
 }
 
 /// The paper's step has K' act on the whole of the way and damping by u1, the trapezoidal rule on half of the way and

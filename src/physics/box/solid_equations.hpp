@@ -18,8 +18,9 @@ class SolidEquations {
 
   /// Makes A and b of the step of length h from places q and velocities u at `time`.
   void assemble(std::span<const double> q, std::span<const double> u, double time, double h);
-  /// Adds to b what the solids' stiffness does when the step takes them farther than (5) by `lifts` [length].
-  void add_lifts(std::span<const double> lifts, std::span<double> b) const;
+  /// Adds to a right side what the solids' stiffness does when the step takes them farther than (5) by `lifts`
+  /// [length].
+  void add_lifts(std::span<const double> lifts, std::span<double> right) const;
   /// What the solids' own forces take on the way of a step from velocities u0 to u1, as its equations have them: of K
   /// with springs and lifts, and of damping.
   struct Taken {

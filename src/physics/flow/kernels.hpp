@@ -89,24 +89,24 @@ struct FlowPoint {
 
   /// Adds their derivatives by the velocities v1 and the pressures.
   void add_tangent(const FlowConstants& c, LocalMatrix& K) const {
-    for (int b = 0; b < NV; ++b) {
-      // dR_m/dv1_b = inertia 1 + across L
-      const double inertia = c.rho * (c.rate * N[b] + c.theta * carried[b]);
-      const double across = c.newton ? c.rho * c.theta * N[b] : 0;
+    for (int n = 0; n < NV; ++n) {
+      // dR_m/dv1_n = inertia 1 + across L
+      const double inertia = c.rho * (c.rate * N[n] + c.theta * carried[n]);
+      const double across = c.newton ? c.rho * c.theta * N[n] : 0;
       const Eigen::Matrix2d dR = inertia * Eigen::Matrix2d::Identity() + across * L;
       for (int a = 0; a < NV; ++a) {
-        Eigen::Matrix2d k = N[a] * dR + c.mu * c.theta * (G.col(b) * G.col(a).transpose());
-        k.diagonal().array() += c.mu * c.theta * G.col(a).dot(G.col(b));
-        if constexpr (stabilised) k += stabilised_derivative(c, a, b, dR);
-        K.template block<2, 2>(2 * a, 2 * b) += weight * k;
+        Eigen::Matrix2d k = N[a] * dR + c.mu * c.theta * (G.col(n) * G.col(a).transpose());
+        k.diagonal().array() += c.mu * c.theta * G.col(a).dot(G.col(n));
+        if constexpr (stabilised) k += stabilised_derivative(c, a, n, dR);
+        K.template block<2, 2>(2 * a, 2 * n) += weight * k;
       }
       for (int q = 0; q < NP; ++q) {
-        Eigen::RowVector2d k = P[q] * G.col(b).transpose();
+        Eigen::RowVector2d k = P[q] * G.col(n).transpose();
         if constexpr (stabilised) {
           k += tau / c.rho * (G.col(q).transpose() * dR);
-          k -= tau * tau * tau / c.rho * c.theta * N[b] * G.col(q).dot(residual) * tau_slope.transpose();
+          k -= tau * tau * tau / c.rho * c.theta * N[n] * G.col(q).dot(residual) * tau_slope.transpose();
         }
-        K.template block<1, 2>(2 * NV + q, 2 * b) += weight * k;
+        K.template block<1, 2>(2 * NV + q, 2 * n) += weight * k;
       }
     }
     for (int q = 0; q < NP; ++q) {
@@ -122,14 +122,14 @@ struct FlowPoint {
   }
 
  private:
-  /// Of the SUPG and LSIC terms of node a by v1 of node b.
-  Eigen::Matrix2d stabilised_derivative(const FlowConstants& c, int a, int b, const Eigen::Matrix2d& dR) const {
-    Eigen::Matrix2d k = tau * carried[a] * dR + tau_L * G.col(a) * G.col(b).transpose();
+  /// Of the SUPG and LSIC terms of node a by v1 of node n.
+  Eigen::Matrix2d stabilised_derivative(const FlowConstants& c, int a, int n, const Eigen::Matrix2d& dR) const {
+    Eigen::Matrix2d k = tau * carried[a] * dR + tau_L * G.col(a) * G.col(n).transpose();
     if (!c.newton) return k;
-    k += tau * c.theta * N[b] * residual * G.col(a).transpose();
+    k += tau * c.theta * N[n] * residual * G.col(a).transpose();
     // d tau = -tau^3 (G v) . dv, d tau_L = tau_L tau^2 (G v) . dv
     const Eigen::Vector2d by_tau = -tau * tau * tau * carried[a] * residual + tau_L * tau * tau * divergence * G.col(a);
-    k += c.theta * N[b] * by_tau * tau_slope.transpose();
+    k += c.theta * N[n] * by_tau * tau_slope.transpose();
     return k;
   }
 };

@@ -115,7 +115,7 @@ std::size_t FlowTracers::count_inside(const Solids& solids, const FlowState& sta
   const Shape shape(solids, state.q);
   std::size_t count = 0;
   for (std::size_t n = 0; n < state.tracer_left.size(); ++n)
-    count += shape.holds({state.tracers[2 * n], state.tracers[2 * n + 1]}) ? 1 : 0;
+    count += shape.holds({state.tracers[2 * n], state.tracers[2 * n + 1]}) ? 1U : 0U;
   return count;
 }
 

@@ -41,8 +41,8 @@ struct Motion {
 };
 
 /// Sums over a body in the order of its points' numbers, so that constant sums stay constant to the last bit.
-Motion motion_of(std::span<const std::size_t> body, const Points& P, Pair D) {
-  Motion motion{D};
+Motion motion_of(std::span<const std::size_t> body, const Points& P, Pair offset) {
+  Motion motion{offset};
   for (const std::size_t p : body) motion.add(P, p);
   return motion;
 }
@@ -175,8 +175,6 @@ PointSums sums_of(const State& state, const Scene& scene) {
 }
 
 namespace {
-
-using D = Dimension;
 
 /// What fields of points are made from: point k of the scene stands in slot order.slots[k].
 struct PointSource {

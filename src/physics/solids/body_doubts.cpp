@@ -25,7 +25,7 @@ constexpr double grazing = 1e-3;
 template <class Shapes>
 double left_out_of(const Mesh& mesh, std::size_t e, std::span<const double> q) {
   constexpr int dim = Shapes::dim;
-  std::array<double, dim> middle{};
+  Vec<dim> middle{};
   for (int k = 0; k < Shapes::points; ++k) {
     for (int i = 0; i < dim; ++i) middle[at(i)] += Shapes::place(k)[at(i)] / Shapes::points;
   }

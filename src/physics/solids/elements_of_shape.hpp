@@ -169,7 +169,7 @@ class ElementsOf final : public Elements {
 
   template <class Matrix>
   static void add_point_tangent(const PointStress<dim>& s, const Places& G, double w, double inertia,
-                                const std::array<double, nodes>& N, Matrix& K) {
+                                const Values<nodes>& N, Matrix& K) {
     const Places SG = s.geometric * full<dim>(s.S) * G;
     Eigen::Matrix<double, component_count<dim>(), unknowns> left, right;
     for (int a = 0; a < nodes; ++a) {
@@ -187,7 +187,7 @@ class ElementsOf final : public Elements {
 
   const Solids& solids_;
   const Mesh& mesh_;
-  std::array<std::array<double, nodes>, points> values_;
+  std::array<Values<nodes>, std::size_t{points}> values_;
   std::vector<Places> gradients_;
   std::vector<double> weights_;
   std::vector<Vec<2>> places_;
@@ -216,7 +216,7 @@ template <class Shapes>
 std::vector<double> ElementsOf<Shapes>::lumped_mass() const {
   std::vector<double> lumped(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    std::array<double, nodes> diagonal{};
+    Values<nodes> diagonal{};
     double mass = 0, trace = 0;
     for (int k = 0; k < points; ++k) {
       const double w = weight(e, k) * density(e);

@@ -140,7 +140,6 @@ void add_motion(const SolidState& state, const SolidSystem& system, const std::v
 
 ColumnGroup<ColumnSetting, SolidSums> work_columns() {
   using Row = Column<ColumnSetting, SolidSums>;
-  using D = Dimension;
   return {{Row("energy_loads", D::energy, "work that loads have done on the bodies", &SolidSums::of_loads)
                .booked(Book::gained),
            Row("energy_supports", D::energy, "work of supports and walls that move", &SolidSums::of_supports)

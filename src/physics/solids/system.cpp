@@ -43,7 +43,7 @@ SolidSystem::SolidSystem(const Solids& of, double gravity)
   const auto d = static_cast<std::size_t>(dim());
   for (const Support& support : solids.supports) {
     for (const int node : support.nodes) {
-      for (std::size_t i = 0; i < d; ++i) held[static_cast<std::size_t>(node) * d + i] |= support.fixed[i] ? 1 : 0;
+      for (std::size_t i = 0; i < d; ++i) held[at(node) * d + i] = support.fixed[i] ? 1 : held[at(node) * d + i];
     }
   }
 }

@@ -72,8 +72,8 @@ class VelocityChecks {
   }
   /// Unit vectors along an element side at its nodes.
   template <int p>
-  std::array<Vec<2>, p + 1> tangents(const int* side) const {
-    std::array<Vec<2>, p + 1> tangents{};
+  std::array<Vec<2>, std::size_t{p + 1}> tangents(const int* side) const {
+    std::array<Vec<2>, std::size_t{p + 1}> tangents{};
     for (std::size_t b = 0; b <= p; ++b) {
       const auto slopes = Line<p>::slopes(2.0 * static_cast<double>(b) / p - 1);
       Vec<2>& t = tangents[b];

@@ -26,7 +26,7 @@ std::string lacks_for_piston(const Scene& scene);
 template <class Law>
 std::size_t count_bodies(const Scene& scene) {
   std::size_t count = 0;
-  for (const Body& body : scene.bodies) count += std::holds_alternative<Law>(body.material) ? 1 : 0;
+  for (const Body& body : scene.bodies) count += std::holds_alternative<Law>(body.material) ? 1U : 0U;
   return count;
 }
 
