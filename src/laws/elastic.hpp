@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/vec.hpp"
 #include "base/words.hpp"
 #include "laws/elastic_response.hpp"
 #include "laws/tensors.hpp"
@@ -131,8 +132,8 @@ struct Membrane {
   double sound_speed(double density) const { return std::sqrt(E / density); }
 
   /// sigma_1' t (x) t in global axes.
-  static Stress turned(double tangent_stress, const Vec2& t) {
-    return {tangent_stress * t.x * t.x, tangent_stress * t.y * t.y, tangent_stress * t.x * t.y};
+  static Stress turned(double tangent_stress, const Vec<2>& t) {
+    return {tangent_stress * t[0] * t[0], tangent_stress * t[1] * t[1], tangent_stress * t[0] * t[1]};
   }
 };
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace tether {
+#include "base/vec.hpp"
 
-struct Vec2 {
-  double x = 0, y = 0;
-};
+namespace tether {
 
 /// In-plane components of the Cauchy stress, and the one across the plane, which about an axis is the hoop's [stress];
 /// tension is positive.
@@ -39,8 +37,8 @@ inline Stress turned(const Stress& s, double angle) {
 }
 
 /// t . d . t, the rate at which a line along the unit vector t stretches (5.2).
-inline double along(const StrainRate& d, const Vec2& t) {
-  return d.xx * t.x * t.x + d.yy * t.y * t.y + 2 * d.xy * t.x * t.y;
+inline double along(const StrainRate& d, const Vec<2>& t) {
+  return d.xx * t[0] * t[0] + d.yy * t[1] * t[1] + 2 * d.xy * t[0] * t[1];
 }
 
 }  // namespace tether

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/vec.hpp"
 #include "laws/tensors.hpp"
 
 namespace tether {
@@ -38,7 +39,7 @@ class StringPoints {
   double strain(std::size_t p) const {
     const std::size_t a = before(p), b = behind(p);
     const double dx = P_.x[b] - P_.x[a], dy = P_.y[b] - P_.y[a], length = std::hypot(dx, dy);
-    const Vec2 t = length > 0 ? Vec2{dx / length, dy / length} : Vec2{};
+    const Vec<2> t = length > 0 ? Vec<2>{dx / length, dy / length} : Vec<2>{};
     return along({P_.sxx[p], P_.syy[p], P_.sxy[p]}, t) / law_.E;
   }
   Bar bar(std::size_t a, std::size_t b) const {

@@ -14,7 +14,7 @@ bool is_fluid(const Material& material) {
   return std::holds_alternative<IdealGas>(material) || std::holds_alternative<LinearFluid>(material);
 }
 
-Pair pair_of(const Vec2& n) { return pair(n.x, n.y); }
+Pair pair_of(const Vec<2>& n) { return pair(n[0], n[1]); }
 
 /// Half the distance of a body's points: of a solid by its volume, of a membrane half its thickness.
 std::vector<double> radii(const Scene& scene) {
@@ -84,7 +84,7 @@ void Contact::open(const Frame& frame) {
   sums_.assign(n, NodeSums{});
   motion_.assign(n, NodeMotion{});
   convected_.assign(n, Pair{});
-  normal_.assign(n, Vec2{});
+  normal_.assign(n, Vec<2>{});
   field_.assign(n, 0);
   if (near_.size() < n) near_.resize(n);
   for (std::size_t k = 0; k < n; ++k) near_[k].clear();
@@ -149,8 +149,8 @@ void Contact::decide(const Points& points, const std::vector<Range>& ranges, con
       if (group_of_[b] != static_cast<int>(g)) continue;
       normals_[g].take({points.x, points.y}, ranges[b]);
       for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        const Vec2 n = normals_[g].outward(nodes_[k]);
-        if (n.x != 0 || n.y != 0) normal_[index(static_cast<int>(k), static_cast<int>(g))] = n;
+        const Vec<2> n = normals_[g].outward(nodes_[k]);
+        if (n[0] != 0 || n[1] != 0) normal_[index(static_cast<int>(k), static_cast<int>(g))] = n;
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "physics/points/arrays.hpp"
@@ -108,7 +109,7 @@ class Contact {
   std::vector<NodeSums> sums_;     // of each shared node and group, as all below
   std::vector<NodeMotion> motion_;
   std::vector<Pair> convected_;
-  std::vector<Vec2> normal_;
+  std::vector<Vec<2>> normal_;
   std::vector<int> field_;  // the lowest group that shares its field
   std::vector<std::vector<Near>> near_;
   std::vector<Pair> pushed_;  // of each group at one node: its impulses [momentum]

@@ -10,12 +10,12 @@
 
 namespace tether::mpm {
 
-Vec2 tangent_at(const Points& points, Range string, std::size_t p, bool closed) {
+Vec<2> tangent_at(const Points& points, Range string, std::size_t p, bool closed) {
   const std::size_t before = p > string.begin ? p - 1 : closed ? string.end - 1 : p;
   const std::size_t behind = p + 1 < string.end ? p + 1 : closed ? string.begin : p;
   const double dx = points.x[behind] - points.x[before], dy = points.y[behind] - points.y[before];
   const double length = std::sqrt(dx * dx + dy * dy);
-  return length > 0 ? Vec2{dx / length, dy / length} : Vec2{};
+  return length > 0 ? Vec<2>{dx / length, dy / length} : Vec<2>{};
 }
 
 void stretch_along_tangents(Points& P, Range string, double dt) {
@@ -27,11 +27,11 @@ void stretch_along_tangents(Points& P, Range string, double dt) {
 
 void turn_tangents(Points& P, Range string, bool closed) {
   for_points(string, [&](std::size_t p) {
-    const Vec2 t = tangent_at(P, string, p, closed);
-    if (t.x == 0 && t.y == 0) return;
-    const double cosine = t.x * P.tx[p] + t.y * P.ty[p];
+    const Vec<2> t = tangent_at(P, string, p, closed);
+    if (t[0] == 0 && t[1] == 0) return;
+    const double cosine = t[0] * P.tx[p] + t[1] * P.ty[p];
     P.strain[p] *= cosine * cosine;
-    P.tx[p] = t.x, P.ty[p] = t.y;
+    P.tx[p] = t[0], P.ty[p] = t[1];
   });
 }
 
@@ -185,7 +185,7 @@ void Elements::add_ambient(const Points& P) {
 
 /// A mirrored end has its own image for a neighbour.
 void Elements::set_tangents(Points& P) const {
-  const auto set = [&P](std::size_t p, const Vec2& t) { P.tx[p] = t.x, P.ty[p] = t.y; };
+  const auto set = [&P](std::size_t p, const Vec<2>& t) { P.tx[p] = t[0], P.ty[p] = t[1]; };
   for_points(range_, [&](std::size_t p) { set(p, tangent_at(P, range_, p, closed_)); });
   for (const Element& element : elements_) {
     if (element.mirror < 0) continue;
@@ -195,7 +195,7 @@ void Elements::set_tangents(Points& P) const {
     const Pair image = pair(P.x[p], P.y[p]) + shape(P, element).along;
     const Pair way = (first ? 1.0 : -1.0) * (pair(P.x[inner], P.y[inner]) - image);
     const double length = std::sqrt(way[0] * way[0] + way[1] * way[1]);
-    set(p, length > 0 ? Vec2{way[0] / length, way[1] / length} : Vec2{});
+    set(p, length > 0 ? Vec<2>{way[0] / length, way[1] / length} : Vec<2>{});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/vec.hpp"
 #include "laws/tensors.hpp"
 #include "loops/points.hpp"
 #include "model/scene.hpp"
@@ -12,7 +13,7 @@ namespace tether::mpm {
 
 /// Unit tangent at a point of a string from its neighbours p - 1 and p + 1 along it, one-sided at its ends (7.1); a
 /// closed one has none. A string's slots stay in the order of its file. Zero where the neighbours coincide.
-Vec2 tangent_at(const Points& points, Range string, std::size_t p, bool closed = false);
+Vec<2> tangent_at(const Points& points, Range string, std::size_t p, bool closed = false);
 
 /// eps_1' += dt t . eps' . t with the rates of this step (5.2), (5.4); about an axis the hoop's, too.
 void stretch_along_tangents(Points& points, Range string, double dt);

@@ -64,7 +64,7 @@ void BodyNormals::take(const PlaceArrays& places, Range body) {
   color_.add(places, body);
 }
 
-Vec2 BodyNormals::outward(int node) const {
+Vec<2> BodyNormals::outward(int node) const {
   const int i = node % nx_, j = node / nx_;
   const Pair inward = color_.gradient(i, j);  // the colour grows into the body
   const double length = std::sqrt(inward[0] * inward[0] + inward[1] * inward[1]);

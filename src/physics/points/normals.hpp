@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "base/vec.hpp"
 #include "laws/tensors.hpp"
 #include "model/method.hpp"
 #include "physics/points/normals_cells.hpp"
@@ -42,7 +43,7 @@ class BodyNormals {
   void take(const PlaceArrays& places, Range body);
   /// Unit normal at a node, out of the body (9.11). Zero where its colour has no slope: inside, away from it, and on a
   /// membrane's own line.
-  Vec2 outward(int node) const;
+  Vec<2> outward(int node) const;
 
  private:
   int nx_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/vec.hpp"
 #include "loops/points.hpp"
 #include "model/size.hpp"
 #include "physics/points/arrays.hpp"
@@ -59,12 +60,12 @@ struct StartPoints {
   void operator()(const Membrane& law) {
     Points& P = state.points;
     for_points(range, [&](std::size_t p) {
-      const Vec2 t = tangent_at(P, range, p, body.closed);
-      P.tx[p] = t.x, P.ty[p] = t.y;
+      const Vec<2> t = tangent_at(P, range, p, body.closed);
+      P.tx[p] = t[0], P.ty[p] = t[1];
     });
     if (state.normals) state.find_tangents(number);
     for_points(range, [&](std::size_t p) {
-      const Vec2 t{P.tx[p], P.ty[p]};
+      const Vec<2> t{P.tx[p], P.ty[p]};
       P.strain[p] = along({P.sxx[p], P.syy[p], P.sxy[p]}, t) / law.E;
       P.hoop[p] = 0;
       law_update<true>(law, P, p, {}, {}, found);

@@ -14,29 +14,30 @@ namespace {
 
 /// The edge of the grid at which a membrane ends, left, right, bottom, top; -1 where there is none within half a cell
 /// of its end, which lies half a piece beyond its last point.
-int side_at(const BackgroundGrid& grid, const Vec2& at, const Vec2& before) {
-  const double half_a_piece = 0.5 * std::hypot((at.x - before.x) / grid.dx, (at.y - before.y) / grid.dy);
-  const double cells[] = {(at.x - grid.x0) / grid.dx, (grid.x1 - at.x) / grid.dx, (at.y - grid.y0) / grid.dy,
-                          (grid.y1 - at.y) / grid.dy};
+int side_at(const BackgroundGrid& grid, const Vec<2>& at, const Vec<2>& before) {
+  const double half_a_piece = 0.5 * std::hypot((at[0] - before[0]) / grid.dx, (at[1] - before[1]) / grid.dy);
+  const double cells[] = {(at[0] - grid.x0) / grid.dx, (grid.x1 - at[0]) / grid.dx, (at[1] - grid.y0) / grid.dy,
+                          (grid.y1 - at[1]) / grid.dy};
   const auto nearest = std::min_element(std::begin(cells), std::end(cells));
   return *nearest <= 0.5 + half_a_piece ? static_cast<int>(nearest - std::begin(cells)) : -1;
 }
 
 /// Whether a ray from the place to the right crosses the closed outline an odd number of times.
-bool is_inside(const std::vector<Vec2>& outline, const Vec2& at) {
+bool is_inside(const std::vector<Vec<2>>& outline, const Vec<2>& at) {
   bool inside = false;
   for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++) {
-    const Vec2 &a = outline[before], &b = outline[k];
-    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    const Vec<2>&a = outline[before], &b = outline[k];
+    if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+      inside = !inside;
   }
   return inside;
 }
 
 /// Distance of a place from the piece between two others.
-double distance(const Vec2& a, const Vec2& b, const Vec2& at) {
-  const double x = b.x - a.x, y = b.y - a.y, squared = x * x + y * y;
-  const double part = squared > 0 ? std::clamp(((at.x - a.x) * x + (at.y - a.y) * y) / squared, 0.0, 1.0) : 0;
-  return std::hypot(at.x - a.x - part * x, at.y - a.y - part * y);
+double distance(const Vec<2>& a, const Vec<2>& b, const Vec<2>& at) {
+  const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
+  const double part = squared > 0 ? std::clamp(((at[0] - a[0]) * x + (at[1] - a[1]) * y) / squared, 0.0, 1.0) : 0;
+  return std::hypot(at[0] - a[0] - part * x, at[1] - a[1] - part * y);
 }
 
 }  // namespace
@@ -68,16 +69,16 @@ LeakWatch::Outline LeakWatch::outline(const Parting& parting, const BackgroundGr
   const int first = parting.first_side, last = parting.last_side;
   if (first == last) return points;
   const double far = (grid.x1 - grid.x0) + (grid.y1 - grid.y0);
-  const auto beyond = [&](int side, Vec2 at) {
-    if (side == 0) at.x = grid.x0 - far;
-    if (side == 1) at.x = grid.x1 + far;
-    if (side == 2) at.y = grid.y0 - far;
-    if (side == 3) at.y = grid.y1 + far;
+  const auto beyond = [&](int side, Vec<2> at) {
+    if (side == 0) at[0] = grid.x0 - far;
+    if (side == 1) at[0] = grid.x1 + far;
+    if (side == 2) at[1] = grid.y0 - far;
+    if (side == 3) at[1] = grid.y1 + far;
     return at;
   };
   const bool across = (first < 2) == (last < 2);  // from an edge to the opposite one
   const int round = first < 2 ? 3 : 1;
-  const Vec2 start = beyond(first, points.front()), end = beyond(last, points.back());
+  const Vec<2> start = beyond(first, points.front()), end = beyond(last, points.back());
   points.push_back(end);
   points.push_back(across ? beyond(round, end) : beyond(first, end));
   if (across) points.push_back(beyond(round, start));
@@ -95,7 +96,7 @@ std::size_t LeakWatch::passed(const Parting& parting, const State& state, const 
   for (const Range range : state.gas) {
     for_points(range, [&](std::size_t p) {
       const auto number = static_cast<std::size_t>(P.id[p]);
-      const Vec2 at{P.x[p], P.y[p]};
+      const Vec<2> at{P.x[p], P.y[p]};
       if (number >= parting.inside.size() || is_inside(around, at) == (parting.inside[number] != 0)) return;
       double nearest = 2 * deep_;
       for (std::size_t k = 0; k < pieces; ++k)

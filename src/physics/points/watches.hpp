@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "model/scene.hpp"
 #include "model/string_gaps.hpp"
 #include "physics/points/state.hpp"
@@ -22,7 +23,7 @@ class LeakWatch {
   void look(State& state, const Scene& scene, std::vector<std::string>& messages) const;
 
  private:
-  using Outline = std::vector<Vec2>;
+  using Outline = std::vector<Vec<2>>;
   /// A membrane that parts the grid.
   struct Parting {
     std::size_t body = 0;

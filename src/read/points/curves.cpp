@@ -19,20 +19,20 @@ using std::numbers::pi;
 /// Relative errors at which quadrature and inversion stop, far below what they are asked for (1e-12).
 constexpr double quadrature_accuracy = 1e-14, inversion_accuracy = 1e-13;
 
-Vec2 lerp(const Vec2& a, const Vec2& b, double t) { return {std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t)}; }
+Vec<2> lerp(const Vec<2>& a, const Vec<2>& b, double t) { return {std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t)}; }
 
 // Places: t runs from 0 to 1 along a stretch, and both ends are met exactly.
 
-Vec2 place(const Straight& line, double t) { return lerp(line.a, line.b, t); }
+Vec<2> place(const Straight& line, double t) { return lerp(line.a, line.b, t); }
 
-Vec2 place(const EllipseArc& arc, double t) {
+Vec<2> place(const EllipseArc& arc, double t) {
   const double u = std::lerp(arc.from, arc.to, t);
-  return {arc.centre.x + arc.a * boost::math::cos_pi(u), arc.centre.y + arc.b * boost::math::sin_pi(u)};
+  return {arc.centre[0] + arc.a * boost::math::cos_pi(u), arc.centre[1] + arc.b * boost::math::sin_pi(u)};
 }
 
-Vec2 place(const Cubic& cubic, double t) {  // de Casteljau
+Vec<2> place(const Cubic& cubic, double t) {  // de Casteljau
   const auto& c = cubic.control;
-  const Vec2 a = lerp(c[0], c[1], t), b = lerp(c[1], c[2], t), d = lerp(c[2], c[3], t);
+  const Vec<2> a = lerp(c[0], c[1], t), b = lerp(c[1], c[2], t), d = lerp(c[2], c[3], t);
   return lerp(lerp(a, b, t), lerp(b, d, t), t);
 }
 
@@ -47,9 +47,9 @@ double speed(const EllipseArc& arc, double t) {
 
 double speed(const Cubic& cubic, double t) {
   const auto& c = cubic.control;
-  const auto step = [&](std::size_t k) { return Vec2{c[k + 1].x - c[k].x, c[k + 1].y - c[k].y}; };
-  const Vec2 slope = lerp(lerp(step(0), step(1), t), lerp(step(1), step(2), t), t);
-  return 3 * std::hypot(slope.x, slope.y);
+  const auto step = [&](std::size_t k) { return Vec<2>{c[k + 1][0] - c[k][0], c[k + 1][1] - c[k][1]}; };
+  const Vec<2> slope = lerp(lerp(step(0), step(1), t), lerp(step(1), step(2), t), t);
+  return 3 * std::hypot(slope[0], slope[1]);
 }
 
 // Lengths from 0 to t.
@@ -121,49 +121,51 @@ double parameter_at(const AnyStretch& stretch, double s, double length) {
   return t;
 }
 
-Vec2 place(const Stretch& stretch, double t) {
+Vec<2> place(const Stretch& stretch, double t) {
   return std::visit([t](const auto& any) { return place(any, t); }, stretch);
 }
 
-Stretch cubic(const Vec2& a, const Vec2& slope_a, const Vec2& b, const Vec2& slope_b, double h) {
-  return Cubic{
-      {a, {a.x + slope_a.x * h / 3, a.y + slope_a.y * h / 3}, {b.x - slope_b.x * h / 3, b.y - slope_b.y * h / 3}, b}};
+Stretch cubic(const Vec<2>& a, const Vec<2>& slope_a, const Vec<2>& b, const Vec<2>& slope_b, double h) {
+  return Cubic{{a,
+                {a[0] + slope_a[0] * h / 3, a[1] + slope_a[1] * h / 3},
+                {b[0] - slope_b[0] * h / 3, b[1] - slope_b[1] * h / 3},
+                b}};
 }
 
 /// The equations of a spline's slopes at its knots: row k of a matrix, and its right-hand side. All rows are diagonally
 /// dominant, so that elimination needs no pivots; a spline has 100 knots at most.
 struct Slopes {
   std::vector<std::vector<double>> matrix;
-  std::vector<Vec2> right;
+  std::vector<Vec<2>> right;
 
   explicit Slopes(std::size_t knots) : matrix(knots, std::vector<double>(knots, 0.0)), right(knots) {}
 
   /// Of the chord of length h from a at knot i to b at knot j: its share of the condition that the second derivative
   /// on its side of either knot be the one on the other side, or zero where there is none.
-  void add_chord(std::size_t i, const Vec2& a, std::size_t j, const Vec2& b, double h) {
-    const Vec2 pull{3 * (b.x - a.x) / (h * h), 3 * (b.y - a.y) / (h * h)};
+  void add_chord(std::size_t i, const Vec<2>& a, std::size_t j, const Vec<2>& b, double h) {
+    const Vec<2> pull{3 * (b[0] - a[0]) / (h * h), 3 * (b[1] - a[1]) / (h * h)};
     for (const auto& [knot, other] : {std::pair{i, j}, std::pair{j, i}}) {
       matrix[knot][knot] += 2 / h, matrix[knot][other] += 1 / h;
-      right[knot].x += pull.x, right[knot].y += pull.y;
+      right[knot][0] += pull[0], right[knot][1] += pull[1];
     }
   }
-  std::vector<Vec2> solution() &&;
+  std::vector<Vec<2>> solution() &&;
 };
 
-std::vector<Vec2> Slopes::solution() && {
+std::vector<Vec<2>> Slopes::solution() && {
   const std::size_t n = right.size();
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t row = k + 1; row < n; ++row) {
       const double factor = matrix[row][k] / matrix[k][k];
       for (std::size_t c = k; c < n; ++c) matrix[row][c] -= factor * matrix[k][c];
-      right[row].x -= factor * right[k].x, right[row].y -= factor * right[k].y;
+      right[row][0] -= factor * right[k][0], right[row][1] -= factor * right[k][1];
     }
   }
   for (std::size_t k = n; k-- > 0;) {
     for (std::size_t c = k + 1; c < n; ++c) {
-      right[k].x -= matrix[k][c] * right[c].x, right[k].y -= matrix[k][c] * right[c].y;
+      right[k][0] -= matrix[k][c] * right[c][0], right[k][1] -= matrix[k][c] * right[c][1];
     }
-    right[k].x /= matrix[k][k], right[k].y /= matrix[k][k];
+    right[k][0] /= matrix[k][k], right[k][1] /= matrix[k][k];
   }
   return std::move(right);
 }
@@ -173,7 +175,7 @@ double pieces_of(double n, EndPoints ends) { return n - 0.5 * (ends.first ? 1 : 
 
 }  // namespace
 
-double distance(const Vec2& a, const Vec2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double distance(const Vec<2>& a, const Vec<2>& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
 Curve::Curve(std::vector<Stretch> stretches) : stretches_(std::move(stretches)) {
   assert(!stretches_.empty());
@@ -183,10 +185,10 @@ Curve::Curve(std::vector<Stretch> stretches) : stretches_(std::move(stretches)) 
   }
 }
 
-Vec2 Curve::first() const { return place(stretches_.front(), 0); }
-Vec2 Curve::last() const { return place(stretches_.back(), 1); }
+Vec<2> Curve::first() const { return place(stretches_.front(), 0); }
+Vec<2> Curve::last() const { return place(stretches_.back(), 1); }
 
-Vec2 Curve::at(double s) const {
+Vec<2> Curve::at(double s) const {
   if (!(s > 0)) return first();
   if (s >= length()) return last();
   // The last stretch that begins at or before s: never one without a length.
@@ -197,17 +199,17 @@ Vec2 Curve::at(double s) const {
                     stretches_[k]);
 }
 
-Curve polyline(const std::vector<Vec2>& vertices) {
+Curve polyline(const std::vector<Vec<2>>& vertices) {
   std::vector<Stretch> lines;
   for (std::size_t k = 1; k < vertices.size(); ++k) lines.emplace_back(Straight{vertices[k - 1], vertices[k]});
   return Curve(std::move(lines));
 }
 
-Curve ellipse_arc(const Vec2& centre, double a, double b, double from, double to) {
+Curve ellipse_arc(const Vec<2>& centre, double a, double b, double from, double to) {
   return Curve({EllipseArc{centre, a, b, from / 180, to / 180}});
 }
 
-Curve spline(const std::vector<Vec2>& vertices) {
+Curve spline(const std::vector<Vec<2>>& vertices) {
   std::vector<double> chords;
   double total = 0;
   for (std::size_t k = 1; k < vertices.size(); ++k) {
@@ -220,7 +222,7 @@ Curve spline(const std::vector<Vec2>& vertices) {
   for (std::size_t k = 0; k < chords.size(); ++k) {
     slopes.add_chord(k, vertices[k], (k + 1) % knots, vertices[k + 1], chords[k]);
   }
-  const std::vector<Vec2> slope = std::move(slopes).solution();
+  const std::vector<Vec<2>> slope = std::move(slopes).solution();
   std::vector<Stretch> cubics;
   for (std::size_t k = 0; k < chords.size(); ++k) {
     cubics.push_back(cubic(vertices[k], slope[k], vertices[k + 1], slope[(k + 1) % knots], chords[k]));

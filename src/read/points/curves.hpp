@@ -7,26 +7,27 @@
 #include <variant>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "laws/tensors.hpp"
 
 namespace tether {
 
 /// A straight stretch from a to b.
 struct Straight {
-  Vec2 a, b;  // [length]
+  Vec<2> a, b;  // [length]
 };
 
 /// (xc + a cos(pi u), yc + b sin(pi u)), u running from `from` to `to`: in half turns, so that a quarter of a turn ends
 /// exactly on an axis.
 struct EllipseArc {
-  Vec2 centre;          // [length]
+  Vec<2> centre;        // [length]
   double a = 0, b = 0;  // half axes [length]
   double from = 0, to = 2;
 };
 
 /// A cubic stretch in Bezier's form: it begins and ends exactly at its first and last control point.
 struct Cubic {
-  std::array<Vec2, 4> control;  // [length]
+  std::array<Vec<2>, 4> control;  // [length]
 };
 
 using Stretch = std::variant<Straight, EllipseArc, Cubic>;
@@ -38,10 +39,10 @@ class Curve {
   explicit Curve(std::vector<Stretch> stretches);
 
   double length() const { return begins_.back(); }  // [length]
-  Vec2 first() const;
-  Vec2 last() const;
+  Vec<2> first() const;
+  Vec<2> last() const;
   /// The place at arc length s from the first end, to 1e-12 of the length; s is cut to 0 .. length().
-  Vec2 at(double s) const;
+  Vec<2> at(double s) const;
   const std::vector<Stretch>& stretches() const { return stretches_; }
 
  private:
@@ -50,16 +51,16 @@ class Curve {
 };
 
 /// Straight lines between consecutive vertices, 2 at least.
-Curve polyline(const std::vector<Vec2>& vertices);
+Curve polyline(const std::vector<Vec<2>>& vertices);
 
 /// From and to in degrees of the parameter, counter-clockwise from x; below `from` it runs clockwise.
-Curve ellipse_arc(const Vec2& centre, double a, double b, double from, double to);
+Curve ellipse_arc(const Vec<2>& centre, double a, double b, double from, double to);
 
 /// The cubic spline through 2 vertices or more, no two consecutive ones at one place. Its parameter is the chord
 /// length, which keeps it free of loops where vertices stand at uneven distances. Its ends are natural (no curvature
 /// there): a clamped one would need end slopes, which a deck has no place for. Where the last vertex is the first, to
 /// 1e-9 of the chords' length, it closes smoothly: slope and curvature run through the seam.
-Curve spline(const std::vector<Vec2>& vertices);
+Curve spline(const std::vector<Vec<2>>& vertices);
 
 /// One after the other, as they stand.
 Curve joined(const std::vector<Curve>& curves);
@@ -67,7 +68,7 @@ Curve joined(const std::vector<Curve>& curves);
 /// Distance between two places over which the ends of curves count as one, as a part of the whole length.
 constexpr double same_place = 1e-9;
 
-double distance(const Vec2& a, const Vec2& b);
+double distance(const Vec<2>& a, const Vec<2>& b);
 
 /// Whether the last end meets the first one.
 bool is_closed(const Curve& curve);
@@ -79,7 +80,7 @@ struct EndPoints {
 
 /// Points along a curve at equal distances.
 struct Seeds {
-  std::vector<Vec2> places;    // [length]
+  std::vector<Vec<2>> places;  // [length]
   std::vector<double> pieces;  ///< what of the curve belongs to each point; they sum up to its length [length]
 };
 

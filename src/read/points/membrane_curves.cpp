@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/points/membrane_curves.hpp"
+#include "base/vec.hpp"
 #include "deck/words.hpp"
 #include "read/values.hpp"
 
@@ -93,7 +94,7 @@ class CurveReader {
             line && last > 2 ? "a polyline takes more" : fmt::format("give x(1,{0}) and y(1,{0}) onward", k_));
       return std::nullopt;
     }
-    std::vector<Vec2> vertices;
+    std::vector<Vec<2>> vertices;
     for (int v = 1; v <= last; ++v) {
       if (!vertex_given(v)) return std::nullopt;
       vertices.push_back({deck_.real("membrane", "x", v, k_), deck_.real("membrane", "y", v, k_)});
@@ -112,7 +113,7 @@ class CurveReader {
   }
 
   /// Whether consecutive vertices are apart, and a spline that closes has three different ones.
-  bool apart(const std::vector<Vec2>& vertices) const {
+  bool apart(const std::vector<Vec<2>>& vertices) const {
     for (std::size_t v = 1; v < vertices.size(); ++v) {
       if (distance(vertices[v - 1], vertices[v]) > 0) continue;
       const int number = static_cast<int>(v) + 1;
@@ -157,14 +158,14 @@ void check_joints(const Deck& deck, const std::vector<NumberedCurve>& curves, Di
   for (const auto& [k, curve] : curves) length += curve.length();
   for (std::size_t n = 1; n < curves.size(); ++n) {
     const auto& [k, curve] = curves[n];
-    const Vec2 end = curves[n - 1].curve.last(), begin = curve.first();
+    const Vec<2> end = curves[n - 1].curve.last(), begin = curve.first();
     const double gap = distance(end, begin);
     if (gap <= same_place * length) continue;
     const bool turned = distance(end, curve.last()) <= same_place * length;
     diagnostics.add(deck.remark(
         Severity::error, "membrane", "curve", {k, 1},
         fmt::format("curve {} begins at ({:.6g}, {:.6g}), {:.3g} from ({:.6g}, {:.6g}), where curve {} ends", k,
-                    begin.x, begin.y, gap, end.x, end.y, curves[n - 1].k),
+                    begin[0], begin[1], gap, end[0], end[1], curves[n - 1].k),
         turned ? "its other end would meet: give it the other way round"
                : "curves of one membrane are joined in the order of their numbers"));
   }

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "base/vec.hpp"
 #include "deck/words.hpp"
 #include "model/string_gaps.hpp"
 #include "read/bodies.hpp"
@@ -132,19 +133,19 @@ void check_places(const MembraneReader& reader, const Seeds& points, const std::
   } outside, on_axis;
   double s = 0;
   for (std::size_t k = 0; k < points.places.size(); ++k) {
-    const Vec2& at = points.places[k];
+    const Vec<2>& at = points.places[k];
     const double middle = s + 0.5 * points.pieces[k];
     s += points.pieces[k];
-    if (!scene.grid.contains(at.x, at.y)) outside.note(k, middle);
-    if (scene.geometry == Geometry::axisymmetric && at.x == 0) on_axis.note(k, middle);
+    if (!scene.grid.contains(at[0], at[1])) outside.note(k, middle);
+    if (scene.geometry == Geometry::axisymmetric && at[0] == 0) on_axis.note(k, middle);
   }
   const BackgroundGrid& grid = scene.grid;
   const auto tell = [&](const Wrong& wrong, const char* what, const std::string& hint) {
     if (wrong.count == 0) return;
-    const Vec2& at = points.places[wrong.first];
+    const Vec<2>& at = points.places[wrong.first];
     reader.error("curve", {curve_at(curves, wrong.s), 1},
                  fmt::format("points {}: {} of {}, the first at ({:.6g}, {:.6g})", what, wrong.count,
-                             points.places.size(), at.x, at.y),
+                             points.places.size(), at[0], at[1]),
                  hint);
   };
   tell(outside, "outside the grid",
@@ -154,9 +155,9 @@ void check_places(const MembraneReader& reader, const Seeds& points, const std::
 
 void append(const Seeds& seeds, double thickness, double density, Geometry geometry, PointSet& points) {
   for (std::size_t k = 0; k < seeds.places.size(); ++k) {
-    const Vec2& at = seeds.places[k];
-    const double volume = thickness * seeds.pieces[k] * depth(geometry, at.x);
-    points.x.push_back(at.x), points.y.push_back(at.y);
+    const Vec<2>& at = seeds.places[k];
+    const double volume = thickness * seeds.pieces[k] * depth(geometry, at[0]);
+    points.x.push_back(at[0]), points.y.push_back(at[1]);
     points.vx.push_back(0), points.vy.push_back(0);
     points.sxx.push_back(0), points.syy.push_back(0), points.sxy.push_back(0);
     points.volume.push_back(volume), points.mass.push_back(density * volume);

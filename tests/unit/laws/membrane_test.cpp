@@ -168,11 +168,11 @@ TEST(MembraneTurned, AlongASlantAndAlongItsOpposite) {
 TEST(MembraneTurned, WorksOnTheStretchAlongTheTangentOnly) {
   const StrainRate d{0.3, -0.7, 0.2};
   for (const double angle : {0.0, 0.4, 1.9, -2.5}) {
-    const Vec2 t{std::cos(angle), std::sin(angle)};
+    const Vec<2> t{std::cos(angle), std::sin(angle)};
     const Stress s = Membrane::turned(100, t);
     EXPECT_NEAR(power(s, d), 100 * along(d, t), 1e-13);
-    EXPECT_NEAR(s.xx * -t.y + s.xy * t.x, 0, 1e-13);
-    EXPECT_NEAR(s.xy * -t.y + s.yy * t.x, 0, 1e-13);
+    EXPECT_NEAR(s.xx * -t[1] + s.xy * t[0], 0, 1e-13);
+    EXPECT_NEAR(s.xy * -t[1] + s.yy * t[0], 0, 1e-13);
   }
 }
 

@@ -35,7 +35,7 @@ constexpr Walls closed{Wall::axis, Wall::free_slip, Wall::free_slip, Wall::free_
 TEST_P(AboutTheAxis, ATranslationAlongItIsExactAndFreeOfStress) {
   Scene free = scene(BackgroundGrid(11, 21, 0, 1, -1, 1), 0.01, open_around);
   add_body(free, plane_strain(3, 0.3), lattice(0.05, 0, 0.5, -0.5, 0.1), 1.3);
-  set_velocities(free, [](double, double) { return Vec2{0, 0.3}; });
+  set_velocities(free, [](double, double) { return Vec<2>{0, 0.3}; });
   Running run(std::move(free));
   run.steps(150);
   const auto x = run.field("x"), y = run.field("y"), szz = run.field("szz"), sxx = run.field("sxx");
@@ -53,7 +53,7 @@ TEST_P(AboutTheAxis, WrittenStrainsAreThoseOfTheMotion) {
   Scene free = scene(BackgroundGrid(11, 21, 0, 1, -1, 1), dt, open_around);
   const PlaneElastic law = plane_strain(3, 0.3);
   add_body(free, law, lattice(0.1 / 3, 0, 0.8, -0.8, 0.8), 1.3);
-  set_velocities(free, [=](double x, double y) { return Vec2{a * x, b * y}; });
+  set_velocities(free, [=](double x, double y) { return Vec<2>{a * x, b * y}; });
   Running run(std::move(free));
   run.steps(1);
   const auto xx = run.field("strain_xx"), yy = run.field("strain_yy"), pressure = run.field("pressure");
@@ -103,7 +103,7 @@ struct Collapse {
 Collapse collapse(Scene scene, const IdealGas& gas, double h) {
   scene.method.ledger = false;  // what the first transfer loses would heat gas this cold
   add_body(scene, gas, lattice(h / 3, 0, 1, -1, 1), 1, 1e-4);
-  set_velocities(scene, [](double x, double y) { return Vec2{-x, -y}; });
+  set_velocities(scene, [](double x, double y) { return Vec<2>{-x, -y}; });
   Running run(std::move(scene));
   run.until(0.2);
   const double rho = 1 / std::pow(1 - run.time(), 3), energy = 1e-4 * std::pow(rho, 0.4);
@@ -198,7 +198,7 @@ Vibration vibration(Scene scene, int cells, const PlaneElastic& law) {
   const double h = 1.0 / cells, exact = 2 * pi / (first_root * std::sqrt(law.lambda + 2 * law.G));
   const auto mode = [](double r) { return std::cyl_bessel_j(1.0, first_root * r); };
   add_body(scene, law, lattice(h / 2, 0, 1, 0, 2 * h), 1);
-  set_velocities(scene, [&](double x, double) { return Vec2{1e-3 * mode(x), 0}; });
+  set_velocities(scene, [&](double x, double) { return Vec<2>{1e-3 * mode(x), 0}; });
   Running run(std::move(scene));
   const double energy = run.value("energy_total");
   const PointSet& P = run.scene().points;

@@ -78,7 +78,7 @@ Scene blocks(const Method& method, Geometry geometry) {
   add_body(scene, plane_strain(20, 0.3), lattice(0.1, 0.2, 0.8, 0.1, 0.9), 1.3);
   add_body(scene, plane_strain(50, 0.2), lattice(0.1, 1, 1.9, 0.2, 0.8), 2);
   scene.gravity = -3;
-  set_velocities(scene, [](double x, double y) { return Vec2{x < 0.9 ? 1.1 : -0.8, -0.5 + 0.3 * x * y}; });
+  set_velocities(scene, [](double x, double y) { return Vec<2>{x < 0.9 ? 1.1 : -0.8, -0.5 + 0.3 * x * y}; });
   return scene;
 }
 
@@ -125,7 +125,7 @@ TEST_P(EnergyBalance, OfGasAndASolid) {
   if (GetParam().kernel == Kernel::linear) gas.rule = DensityRule::continuity;
   add_body(scene, gas, lattice(0.1, 0, 2.4, 0, 1.2), 1.3, 2);
   add_body(scene, plane_strain(300, 0.3), lattice(0.1, 0, 2.4, 1.4, 1.8), 4);
-  set_velocities(scene, [](double x, double y) { return Vec2{0.1 * std::sin(2 * x), y > 1.3 ? -1.0 : 0.2}; });
+  set_velocities(scene, [](double x, double y) { return Vec<2>{0.1 * std::sin(2 * x), y > 1.3 ? -1.0 : 0.2}; });
   EXPECT_LT(closed(std::move(scene), 10, 10).drift, 1e-12);
 }
 

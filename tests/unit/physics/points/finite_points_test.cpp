@@ -33,7 +33,7 @@ Turn turned(const Material& law, int N, double cfl) {
   const double spin = 0.3, h = 1.0 / N, dt = cfl * h / neo_hookean().sound_speed(1);
   Scene scene = scene_on(BackgroundGrid(4 * N + 1, 4 * N + 1, -2, 2, -2, 2), all_walls(Wall::open), dt, robust_set());
   add_body(scene, law, lattice(0.5 * h, -0.5, 0.5, -0.5, 0.5), 1);
-  set_velocities(scene, [&](double x, double y) { return Vec2{-spin * y, spin * x}; });
+  set_velocities(scene, [&](double x, double y) { return Vec<2>{-spin * y, spin * x}; });
   Running run(std::move(scene));
   const double angular = run.value("angular_momentum_z");
   run.steps(1);

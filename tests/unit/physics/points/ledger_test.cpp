@@ -113,7 +113,7 @@ Scene open_scene() {
 
 void stir_all(Scene& scene, double scale = 1) {
   set_velocities(scene, [=](double x, double y) {
-    return Vec2{scale * (0.3 * std::sin(3 * x) - 0.5 * y), scale * 0.6 * x * std::cos(2 * y)};
+    return Vec<2>{scale * (0.3 * std::sin(3 * x) - 0.5 * y), scale * 0.6 * x * std::cos(2 * y)};
   });
 }
 
@@ -150,7 +150,9 @@ const Violent violent_scenes[] = {
        Scene scene = open_scene();
        add_body(scene, robust_gas(0.02), lattice(0.1, -1, 1, -1, 1, in_blob), 1.3, 0.05);
        add_body(scene, Membrane{300, 0, false}, line(-1.6, 1.5, 1.6, 1.6, 60, 0.05), 2);
-       set_velocities(scene, [](double x, double y) { return y > 1.4 ? Vec2{0.3 * x * x, std::cos(4 * x)} : Vec2{}; });
+       set_velocities(scene, [](double x, double y) {
+         return y > 1.4 ? Vec<2>{0.3 * x * x, std::cos(4 * x)} : Vec<2>{};
+       });
        return scene;
      }},
     {"PinnedStringInGas",
@@ -186,7 +188,9 @@ const Violent violent_scenes[] = {
        add_body(scene, robust_gas(0.02), lattice(0.1, 0, 1, -1, 1, in_blob), 1.3, 3);
        add_body(scene, taut, arc(0, 0, 1.2, 0.95, -0.5, 0.5, 30, 0.05), 2);
        scene.ambient = 0.7;
-       set_velocities(scene, [](double x, double y) { return Vec2{0.3 * x * std::cos(3 * y), 0.3 * std::sin(2 * x)}; });
+       set_velocities(scene, [](double x, double y) {
+         return Vec<2>{0.3 * x * std::cos(3 * y), 0.3 * std::sin(2 * x)};
+       });
        return scene;
      }},
     {"BagThatHitsARigidBlock",
@@ -194,7 +198,7 @@ const Violent violent_scenes[] = {
        Scene scene = open_scene();
        add_bag(scene);
        add_body(scene, plane_strain(1e-14, 0), lattice(0.1, -1.2, -0.9, -1.9, -1.3), 3);  // too soft for a stress
-       set_velocities(scene, [](double, double y) { return Vec2{0, y < -1.2 ? 0.4 : -0.1}; });
+       set_velocities(scene, [](double, double y) { return Vec<2>{0, y < -1.2 ? 0.4 : -0.1}; });
        return scene;
      }},
     // Loose bodies, the third between the others: the ledger's gas is elsewhere.
@@ -206,7 +210,7 @@ const Violent violent_scenes[] = {
        add_body(scene, plane_strain(1e-14, 0), lattice(0.1, 0.3, 1, -0.6, 0.8), 2);
        add_body(scene, plane_strain(1e-14, 0), lattice(0.1, 0, 0.3, -0.5, 0.5), 0.5);
        set_velocities(scene, [](double x, double y) {
-         return x < -1.4 ? Vec2{} : x < 0 ? Vec2{0.2, 0.05} : x > 0.3 ? Vec2{-0.3, 0} : Vec2{0.2 * y, 0};
+         return x < -1.4 ? Vec<2>{} : x < 0 ? Vec<2>{0.2, 0.05} : x > 0.3 ? Vec<2>{-0.3, 0} : Vec<2>{0.2 * y, 0};
        });
        return scene;
      }},
@@ -241,7 +245,7 @@ TEST(Ledger, TakesBackWhatElementsGiveTooMuch) {
   Scene scene = open_scene();
   add_body(scene, robust_gas(0.02), lattice(0.1, -1.9, -1.6, -1.9, -1.6), 1.3, 0.05);
   add_body(scene, Membrane{300, 0, false}, line(-1, 1, 1, 1, 40, 0.05), 2);
-  set_velocities(scene, [](double x, double y) { return y > 0.5 ? Vec2{0.5 * std::sin(1.5 * x), 0} : Vec2{}; });
+  set_velocities(scene, [](double x, double y) { return y > 0.5 ? Vec<2>{0.5 * std::sin(1.5 * x), 0} : Vec<2>{}; });
   Running run(std::move(scene));
   const double before = run.value("energy_total");
   double least = 0;

@@ -56,7 +56,7 @@ class Mirror : public testing::TestWithParam<Corner> {
   void stir(double scale) {
     for (Scene* scene : {&quarter_, &whole_}) {
       set_velocities(*scene, [=](double x, double y) {
-        return Vec2{scale * std::sin(x) * (1 - 0.4 * y * y), scale * (x * x - 0.8) * std::sin(2 * y)};
+        return Vec<2>{scale * std::sin(x) * (1 - 0.4 * y * y), scale * (x * x - 0.8) * std::sin(2 * y)};
       });
     }
   }
@@ -118,7 +118,7 @@ TEST_P(Mirror, ContactOnTheWalls) {
   for (Scene* scene : {&quarter_, &whole_}) {
     set_velocities(*scene, [](double x, double y) {
       const bool inner = std::abs(x) < 0.8 && std::abs(y) < 0.7;
-      return inner ? Vec2{0.3 * x, 0.2 * y} : Vec2{-0.2 * x, -0.3 * y};
+      return inner ? Vec<2>{0.3 * x, 0.2 * y} : Vec<2>{-0.2 * x, -0.3 * y};
     });
   }
   expect_same(80, {"x", "y", "vx", "vy", "sxx", "syy", "sxy"});

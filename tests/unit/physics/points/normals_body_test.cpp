@@ -39,9 +39,9 @@ BodyNormals normals_of(const Body& body, const Walls& walls = open_walls) {
 }
 
 void expect_normal(const BodyNormals& normals, int i, int j, double x, double y) {
-  const Vec2 n = normals.outward(j * 11 + i);
-  EXPECT_NEAR(n.x, x, 1e-12) << i << ", " << j;
-  EXPECT_NEAR(n.y, y, 1e-12) << i << ", " << j;
+  const Vec<2> n = normals.outward(j * 11 + i);
+  EXPECT_NEAR(n[0], x, 1e-12) << i << ", " << j;
+  EXPECT_NEAR(n[1], y, 1e-12) << i << ", " << j;
 }
 
 // A bar over x 3..7, y 2..8: its faces' normals on the face and on the nodes beside it, inside and out.
@@ -80,8 +80,8 @@ TEST(BodyNormalsTest, OfAnEdgeAt45DegreesInCellsThatAreNotSquare) {
   BodyNormals normals(BackgroundGrid(11, 21, 0, 10, 0, 10), open_walls);
   normals.take({body.x, body.y}, {0, body.x.size()});
   for (int i = 3; i <= 6; ++i) {
-    const Vec2 n = normals.outward(2 * (9 - i) * 11 + i);
-    EXPECT_NEAR(std::atan2(n.y, n.x) * 180 / std::numbers::pi, 45, 6);
+    const Vec<2> n = normals.outward(2 * (9 - i) * 11 + i);
+    EXPECT_NEAR(std::atan2(n[1], n[0]) * 180 / std::numbers::pi, 45, 6);
   }
 }
 

@@ -95,11 +95,11 @@ inline std::vector<PointAt> line(double xa, double ya, double xb, double yb, int
   return points;
 }
 
-inline void set_velocities(Scene& scene, const std::function<Vec2(double, double)>& v) {
+inline void set_velocities(Scene& scene, const std::function<Vec<2>(double, double)>& v) {
   PointSet& P = scene.points;
   for (std::size_t p = 0; p < P.size(); ++p) {
-    const Vec2 of = v(P.x[p], P.y[p]);
-    P.vx[p] = of.x, P.vy[p] = of.y;
+    const Vec<2> of = v(P.x[p], P.y[p]);
+    P.vx[p] = of[0], P.vy[p] = of[1];
   }
 }
 

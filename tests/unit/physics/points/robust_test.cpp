@@ -21,7 +21,7 @@ bool in_blob(double x, double y) { return x * x + y * y < 0.7 || (x > 0 && std::
 
 void stir_all(Scene& scene) {
   set_velocities(scene, [](double x, double y) {
-    return Vec2{0.4 + 0.3 * std::sin(3 * x) - 0.5 * y, 0.2 + 0.6 * x * std::cos(2 * y)};
+    return Vec<2>{0.4 + 0.3 * std::sin(3 * x) - 0.5 * y, 0.2 + 0.6 * x * std::cos(2 * y)};
   });
 }
 
@@ -176,7 +176,7 @@ TEST(FreeFall, IsExact) {
     Scene scene = free_scene(0.01);
     body.add(scene);
     scene.gravity = -0.5;
-    set_velocities(scene, [](double, double) { return Vec2{0.3, 0.7}; });
+    set_velocities(scene, [](double, double) { return Vec<2>{0.3, 0.7}; });
     const PointSet start = scene.points;
     Running run(std::move(scene));
     run.steps(100);
@@ -216,7 +216,7 @@ TEST(Walls, AFixedOneTakesTheTangentialMomentum) {
     add_body(scene, robust_gas(0.02), lattice(0.1, 0, 2, 0, 1), 1, 2);
     set_velocities(scene, [](double x, double y) {
       using std::numbers::pi;
-      return Vec2{0.2 * std::sin(pi * x / 2) * std::cos(pi * y), -0.1 * std::cos(pi * x / 2) * std::sin(pi * y)};
+      return Vec<2>{0.2 * std::sin(pi * x / 2) * std::cos(pi * y), -0.1 * std::cos(pi * x / 2) * std::sin(pi * y)};
     });
     Running run(std::move(scene));
     const double before = run.value("energy_kinetic");

@@ -52,7 +52,7 @@ Scene everything(const Saved& saved) {
   scene.pinned = {scene.bodies[2].first, scene.bodies[2].first + scene.bodies[2].count - 1};
   scene.ambient = 0.3;
   scene.gravity = -0.2;
-  set_velocities(scene, [](double x, double) { return x > 1.05 && x < 1.45 ? Vec2{-0.8, 0.1} : Vec2{0.2 * x, 0}; });
+  set_velocities(scene, [](double x, double) { return x > 1.05 && x < 1.45 ? Vec<2>{-0.8, 0.1} : Vec<2>{0.2 * x, 0}; });
   return scene;
 }
 

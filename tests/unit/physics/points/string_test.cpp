@@ -31,10 +31,10 @@ TEST(String, TangentsFollowTheNeighbours) {
     EXPECT_NEAR(state.points.ty[p], 0.8, 1e-15);
   }
   state.points.x[3] = state.points.x[1], state.points.y[3] = state.points.y[1] + 2;  // its far end swings up
-  const Vec2 inner = tangent_at(state.points, {0, 4}, 2), end = tangent_at(state.points, {0, 4}, 3);
-  EXPECT_NEAR(inner.x, 0, 1e-15);
-  EXPECT_NEAR(inner.y, 1, 1e-15);
-  EXPECT_NEAR(end.x, -0.6 / std::hypot(0.6, 1.2), 1e-15);
+  const Vec<2> inner = tangent_at(state.points, {0, 4}, 2), end = tangent_at(state.points, {0, 4}, 3);
+  EXPECT_NEAR(inner[0], 0, 1e-15);
+  EXPECT_NEAR(inner[1], 1, 1e-15);
+  EXPECT_NEAR(end[0], -0.6 / std::hypot(0.6, 1.2), 1e-15);
 }
 
 TEST(String, AnInitialStressIsAnInitialStrain) {

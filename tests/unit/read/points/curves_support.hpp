@@ -9,9 +9,9 @@
 
 namespace tether::test {
 
-inline void expect_near(const Vec2& here, const Vec2& there, double error) {
-  EXPECT_NEAR(here.x, there.x, error);
-  EXPECT_NEAR(here.y, there.y, error);
+inline void expect_near(const Vec<2>& here, const Vec<2>& there, double error) {
+  EXPECT_NEAR(here[0], there[0], error);
+  EXPECT_NEAR(here[1], there[1], error);
 }
 
 /// Integral by Simpson's rule on 20000 panels: another way to a length than the code's own.

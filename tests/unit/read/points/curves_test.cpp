@@ -29,16 +29,16 @@ TEST(Polylines, PiecesRunRoundCorners) {
   EXPECT_EQ(sides.length(), 12);
   EXPECT_TRUE(is_closed(sides));
   const Seeds points = seeds(sides, 6, {});
-  const std::vector<Vec2> expected{{1, 0}, {3, 0}, {3, 2}, {3, 4}, {1.8, 2.4}, {0.6, 0.8}};
+  const std::vector<Vec<2>> expected{{1, 0}, {3, 0}, {3, 2}, {3, 4}, {1.8, 2.4}, {0.6, 0.8}};
   for (std::size_t k = 0; k < 6; ++k) expect_near(points.places[k], expected[k], 1e-15);
 }
 
 TEST(Polylines, EndsAreMetExactly) {
   const Curve line = polyline({{0.1, 0.7}, {1.0 / 3, 2.0 / 7}});
-  EXPECT_EQ(line.at(line.length()).x, 1.0 / 3);
-  EXPECT_EQ(line.at(line.length()).y, 2.0 / 7);
-  EXPECT_EQ(line.at(-1).x, 0.1);
-  EXPECT_EQ(line.at(99).y, 2.0 / 7);
+  EXPECT_EQ(line.at(line.length())[0], 1.0 / 3);
+  EXPECT_EQ(line.at(line.length())[1], 2.0 / 7);
+  EXPECT_EQ(line.at(-1)[0], 0.1);
+  EXPECT_EQ(line.at(99)[1], 2.0 / 7);
 }
 
 TEST(Arcs, PointsStandAtEqualAngles) {
@@ -55,11 +55,11 @@ TEST(Arcs, PointsStandAtEqualAngles) {
 
 /// So that a membrane that ends on a wall or on the axis does not end behind it by a rounding.
 TEST(Arcs, QuartersOfATurnEndExactlyOnTheAxes) {
-  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.7, 0, 90).last().x, 0);
-  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, 0, 180).last().y, 0);
-  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, 180, 360).last().y, 0);
-  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, -90, 90).first().x, 0);
-  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, 0, -270).last().x, 0);
+  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.7, 0, 90).last()[0], 0);
+  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, 0, 180).last()[1], 0);
+  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, 180, 360).last()[1], 0);
+  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, -90, 90).first()[0], 0);
+  EXPECT_EQ(ellipse_arc({0, 0}, 0.7, 0.3, 0, -270).last()[0], 0);
 }
 
 class EllipseOfAxes : public testing::TestWithParam<std::pair<double, double>> {};
@@ -77,7 +77,7 @@ TEST_P(EllipseOfAxes, PointsStandAtEqualArcLengths) {
   EXPECT_NEAR(arc.length(), length, 1e-10 * length);
   double u = pi / 9;
   for (std::size_t k = 0; k < 9; ++k) {
-    const double w = std::atan2(points.places[k].y / b, points.places[k].x / a);
+    const double w = std::atan2(points.places[k][1] / b, points.places[k][0] / a);
     EXPECT_NEAR(ellipse_length(a, b, u, w), length / (k == 0 ? 18 : 9), 1e-10 * length) << k;
     u = w;
   }
@@ -99,7 +99,7 @@ TEST(Ellipses, FlatOnes) {
     EXPECT_NEAR(flat.length(), 4, 1e-9);
     const Seeds points = seeds(flat, 8, {});
     const std::vector<double> x{0.75, 0.25, -0.25, -0.75, -0.75, -0.25, 0.25, 0.75};
-    for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(points.places[k].x, x[k], 1e-9) << b;
+    for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(points.places[k][0], x[k], 1e-9) << b;
   }
 }
 
@@ -148,7 +148,7 @@ TEST(SeedsAtEnds, StandThereWithHalfAPiece) {
   const Curve line = polyline({{0, 0}, {3, 0}});
   const auto places = [&](std::size_t n, EndPoints ends) {
     std::vector<double> x;
-    for (const Vec2& at : seeds(line, n, ends).places) x.push_back(at.x);
+    for (const Vec<2>& at : seeds(line, n, ends).places) x.push_back(at[0]);
     return x;
   };
   EXPECT_EQ(places(4, {true, true}), (std::vector<double>{0, 1, 2, 3}));

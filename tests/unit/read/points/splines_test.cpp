@@ -10,15 +10,15 @@ namespace {
 
 using std::numbers::pi;
 
-const std::vector<Vec2> bend{{0, 0}, {1, 0.2}, {1.5, 1}, {1.4, 3}, {0.5, 3.5}};
+const std::vector<Vec<2>> bend{{0, 0}, {1, 0.2}, {1.5, 1}, {1.4, 3}, {0.5, 3.5}};
 
-std::vector<Vec2> controls(const Stretch& stretch) {
+std::vector<Vec<2>> controls(const Stretch& stretch) {
   const auto& control = std::get<Cubic>(stretch).control;
   return {control.begin(), control.end()};
 }
 
 /// First (n = 1) or second derivative with respect to the chord length, at the begin or at the end of a stretch.
-Vec2 derivative(const Stretch& stretch, int n, bool at_end) {
+Vec<2> derivative(const Stretch& stretch, int n, bool at_end) {
   auto c = controls(stretch);
   const double h = distance(c[0], c[3]);
   const auto d = [&](auto get) {
@@ -26,7 +26,7 @@ Vec2 derivative(const Stretch& stretch, int n, bool at_end) {
     if (n == 1) return 3 * (at_end ? c3 - c2 : c1 - c0) / h;
     return 6 * (at_end ? c3 - 2 * c2 + c1 : c2 - 2 * c1 + c0) / (h * h);
   };
-  return {d([](const Vec2& v) { return v.x; }), d([](const Vec2& v) { return v.y; })};
+  return {d([](const Vec<2>& v) { return v[0]; }), d([](const Vec<2>& v) { return v[1]; })};
 }
 
 TEST(Splines, RunThroughTheirVerticesSmoothlyAndEndWithoutCurvature) {
@@ -65,22 +65,23 @@ TEST(Splines, OfVerticesOnALineAreTheLine) {
   expect_near(spline({{1, 1}, {2, 1}}).at(0.25), {1.25, 1}, 1e-15);
 }
 
-Vec2 bernstein(const std::vector<Vec2>& c, double t) {
+Vec<2> bernstein(const std::vector<Vec<2>>& c, double t) {
   const double q = 1 - t;
   const double w0 = q * q * q, w1 = 3 * q * q * t, w2 = 3 * q * t * t, w3 = t * t * t;
-  return {w0 * c[0].x + w1 * c[1].x + w2 * c[2].x + w3 * c[3].x, w0 * c[0].y + w1 * c[1].y + w2 * c[2].y + w3 * c[3].y};
+  return {w0 * c[0][0] + w1 * c[1][0] + w2 * c[2][0] + w3 * c[3][0],
+          w0 * c[0][1] + w1 * c[1][1] + w2 * c[2][1] + w3 * c[3][1]};
 }
 
-double bernstein_speed(const std::vector<Vec2>& c, double t) {
+double bernstein_speed(const std::vector<Vec<2>>& c, double t) {
   const double q = 1 - t;
   const auto slope = [&](double c0, double c1, double c2, double c3) {
     return 3 * (q * q * (c1 - c0) + 2 * q * t * (c2 - c1) + t * t * (c3 - c2));
   };
-  return std::hypot(slope(c[0].x, c[1].x, c[2].x, c[3].x), slope(c[0].y, c[1].y, c[2].y, c[3].y));
+  return std::hypot(slope(c[0][0], c[1][0], c[2][0], c[3][0]), slope(c[0][1], c[1][1], c[2][1], c[3][1]));
 }
 
 /// The last one turns sharply back at its middle vertex.
-class SplineThrough : public testing::TestWithParam<std::vector<Vec2>> {};
+class SplineThrough : public testing::TestWithParam<std::vector<Vec<2>>> {};
 
 TEST_P(SplineThrough, IsMeasuredAlongItsLength) {
   const Curve curve = spline(GetParam());
@@ -97,20 +98,20 @@ TEST_P(SplineThrough, IsMeasuredAlongItsLength) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Curves, SplineThrough,
-                         testing::Values(bend, std::vector<Vec2>{{0, 0}, {0.01, 0}, {1, 1}},
-                                         std::vector<Vec2>{{0, 0}, {1, 0.5}, {0.02, 0.02}}));
+                         testing::Values(bend, std::vector<Vec<2>>{{0, 0}, {0.01, 0}, {1, 1}},
+                                         std::vector<Vec<2>>{{0, 0}, {1, 0.5}, {0.02, 0.02}}));
 
 /// Through n vertices of a circle: length and places err by n^-4.
 TEST(Splines, ApproachACircleInFourthOrder) {
   std::vector<double> errors;
   for (const int n : {8, 16, 32}) {
-    std::vector<Vec2> vertices;
+    std::vector<Vec<2>> vertices;
     for (int k = 0; k < n; ++k) vertices.push_back({std::cos(2 * pi * k / n), std::sin(2 * pi * k / n)});
     vertices.push_back(vertices.front());
     const Curve circle = spline(vertices);
     double error = std::abs(circle.length() / (2 * pi) - 1);
-    for (const Vec2& at : seeds(circle, 100, {}).places) {
-      error = std::max(error, std::abs(std::hypot(at.x, at.y) - 1));
+    for (const Vec<2>& at : seeds(circle, 100, {}).places) {
+      error = std::max(error, std::abs(std::hypot(at[0], at[1]) - 1));
     }
     errors.push_back(error);
   }
