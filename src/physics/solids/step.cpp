@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/process.hpp"
 
@@ -28,17 +29,28 @@ double largest(const std::vector<double>& f) {
 /// long steps of soft ones, a second attempt takes care.
 constexpr NewtonRule whole{12, 0}, careful{25, 6};
 
-StressAt rule_of(Integrator integrator) {
-  return integrator == Integrator::energy     ? StressAt::gradient
-         : integrator == Integrator::midpoint ? StressAt::middle
-                                              : StressAt::end;
+constexpr StepForces equilibrium{.at = StressAt::end};
+
+StepForces forces_of(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::energy:
+      return {.at = StressAt::gradient, .dynamic = true, .loads_at = 0.5, .tangent = Definite::general};
+    case Integrator::midpoint:
+      return {.at = StressAt::middle, .dynamic = true, .loads_at = 0.5};
+    case Integrator::trapezoid:
+      return {.at = StressAt::end, .dynamic = true, .mean = true};
+    case Integrator::central:
+    case Integrator::equilibrium:
+      break;
+  }
+  return equilibrium;
 }
 
 }  // namespace
 
 SolidStep::SolidStep(const SolidSystem& system)
     : system_(system),
-      dynamic_(system.solids.integrator != Integrator::equilibrium),
+      rule_(forces_of(system.solids.integrator)),
       rigid_guess_(system.solids.mesh, system.weights, system.held),
       solver_(system.dim()),
       K_(system.pattern.matrix()),
@@ -63,7 +75,7 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     return {std::isfinite(norm(state.v)), {}};
   }
   find_outer_forces(state.time, dt);
-  if (dynamic_) system_.move_supports(state.time + dt, slope_width * dt, moved_);
+  if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
   NewtonReport report;
   for (const NewtonRule& rule : {whole, careful}) {
     guess(state, dt);
@@ -76,8 +88,7 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
 }
 
 NewtonReport SolidStep::settle(SolidState& state, double at) {
-  const bool dynamic = dynamic_;
-  dynamic_ = false;
+  const StepForces own = std::exchange(rule_, equilibrium);
   system_.external_forces(at, outer_);
   NewtonReport report;
   for (const NewtonRule& rule : {whole, careful}) {
@@ -87,14 +98,14 @@ NewtonReport SolidStep::settle(SolidState& state, double at) {
     if (report.converged) break;
   }
   if (report.converged) state.q = q1_;
-  dynamic_ = dynamic;
+  rule_ = own;
   return report;
 }
 
 /// Where Newton's method starts: with the velocity carried on, or as rigid bodies would move on, whichever leaves the
 /// smaller residual.
 void SolidStep::guess(const SolidState& state, double dt) {
-  if (!dynamic_) {
+  if (!rule_.dynamic) {
     q1_ = state.q;
     return system_.place_supports(state.time + dt, q1_);
   }
@@ -111,8 +122,7 @@ void SolidStep::guess(const SolidState& state, double dt) {
 
 /// Of loads and gravity, where the integrator takes its stress.
 void SolidStep::find_outer_forces(double time, double dt) {
-  if (!dynamic_) return system_.external_forces(time + dt, outer_);
-  if (system_.solids.integrator != Integrator::trapezoid) return system_.external_forces(time + 0.5 * dt, outer_);
+  if (!rule_.mean) return system_.external_forces(time + rule_.loads_at * dt, outer_);
   system_.external_forces(time, inner_);
   system_.external_forces(time + dt, outer_);
   for (std::size_t k = 0; k < outer_.size(); ++k) outer_[k] = 0.5 * (outer_[k] + inner_[k]);
@@ -121,14 +131,13 @@ void SolidStep::find_outer_forces(double time, double dt) {
 /// (13) between q0 and q1; of the trapezoidal rule the mean of both ends.
 void SolidStep::find_inner_forces(std::span<const double> q0, bool again) {
   const Elements& elements = *system_.elements;
-  const bool mean = dynamic_ && system_.solids.integrator == Integrator::trapezoid;
   std::fill(inner_.begin(), inner_.end(), 0.0);
-  if (mean && !again) {
+  if (rule_.mean && !again) {
     std::fill(start_.begin(), start_.end(), 0.0);
     elements.add_forces(StressAt::end, q0, q0, start_);
   }
-  elements.add_forces(dynamic_ ? rule_of(system_.solids.integrator) : StressAt::end, q0, q1_, inner_);
-  if (!mean) return;
+  elements.add_forces(rule_.at, q0, q1_, inner_);
+  if (!rule_.mean) return;
   for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = 0.5 * (inner_[k] + start_[k]);
 }
 
@@ -149,7 +158,7 @@ void SolidStep::add_damping(double dt, std::span<const double> q0) {
 double SolidStep::find_residual(const SolidState& state, double dt) {
   std::fill(inertia_.begin(), inertia_.end(), 0.0);
   std::fill(damping_.begin(), damping_.end(), 0.0);
-  if (dynamic_) {
+  if (rule_.dynamic) {
     add_damping(dt, state.q);
     for (std::size_t k = 0; k < q1_.size(); ++k) {
       scratch_[k] =
@@ -218,22 +227,19 @@ double SolidStep::next_correction() {
 bool SolidStep::correct(const SolidState& state, double dt) {
   const Seconds from = seconds_now();
   const Solids& solids = system_.solids;
-  const bool mean = dynamic_ && solids.integrator == Integrator::trapezoid;
-  const double share = mean ? 0.5 : 1, inertia = dynamic_ ? 2 / (dt * dt) + solids.alpha / dt : 0;
+  const double share = rule_.mean ? 0.5 : 1, inertia = rule_.dynamic ? 2 / (dt * dt) + solids.alpha / dt : 0;
   K_.set_zero();
-  system_.elements->add_tangent(dynamic_ ? rule_of(solids.integrator) : StressAt::end, state.q, q1_, inertia / share,
-                                system_.pattern, K_);
+  system_.elements->add_tangent(rule_.at, state.q, q1_, inertia / share, system_.pattern, K_);
   stiffest_ = 0;
   for (double& value : K_.value) stiffest_ = std::max(stiffest_, value *= share);
-  if (dynamic_ && solids.beta != 0) {
+  if (rule_.dynamic && solids.beta != 0) {
     for (std::size_t k = 0; k < K_.value.size(); ++k) K_.value[k] += solids.beta / dt * K0_.value[k];
   }
   hold(K_, system_.held, stiffest_);
   for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
   cost_.assembly += seconds_now() - from;
   const Seconds solve_from = seconds_now();
-  const bool symmetric = !dynamic_ || solids.integrator != Integrator::energy;
-  const bool regular = solver_.factorise(K_, symmetric ? Definite::positive : Definite::general);
+  const bool regular = solver_.factorise(K_, rule_.tangent);
   if (regular) solver_.solve(change_, change_);
   cost_.solve += seconds_now() - solve_from;
   cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis = solver_.analysis();
@@ -241,29 +247,36 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   return regular && std::isfinite(norm(change_));
 }
 
-/// Work of loads, of supports, and of damping, and the new state. In (17) the mean velocity does the work; that of a
-/// supported node need not be its way over the step, and its inertia works along the mean.
 void SolidStep::accept(SolidState& state, double dt) {
-  double loads = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it with the other sign
-  double supports = 0;
-  if (!dynamic_) add_work_of_equilibrium(state);
+  const double falling = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // outer_ has it, too
+  if (rule_.dynamic) {
+    accept_motion(state, dt, falling);
+  } else {
+    accept_equilibrium(state);
+    state.of_loads += falling;
+  }
+  state.q = q1_;
+}
+
+/// Work of loads, of supports, and of damping, and the new velocity. In (17) the mean velocity does the work; that of a
+/// supported node need not be its way over the step, and its inertia works along the mean. `falling` is the change of
+/// gravity's energy, which takes gravity out of the loads' work.
+void SolidStep::accept_motion(SolidState& state, double dt, double falling) {
+  double loads = falling, supports = 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : 2 * way / dt - state.v[k];
-    if (dynamic_) {
-      const double inertial_way = 0.5 * dt * (state.v[k] + v1);
-      loads += outer_[k] * way;
-      if (system_.held[k]) supports += inertia_[k] * inertial_way + (inner_[k] + damping_[k] - outer_[k]) * way;
-    }
+    const double inertial_way = 0.5 * dt * (state.v[k] + v1);
+    loads += outer_[k] * way;
+    if (system_.held[k]) supports += inertia_[k] * inertial_way + (inner_[k] + damping_[k] - outer_[k]) * way;
     state.damped += damping_[k] * way;
-    state.v[k] = dynamic_ ? v1 : 0;
-    state.q[k] = q1_[k];
+    state.v[k] = v1;
   }
   state.of_loads += loads, state.of_supports += supports;
 }
 
 /// From equilibrium to equilibrium loads and the forces of supports work with the mean of both ends: exactly where the
 /// body answers linearly, and with the square of the step else.
-void SolidStep::add_work_of_equilibrium(SolidState& state) {
+void SolidStep::accept_equilibrium(SolidState& state) {
   system_.external_forces(state.time, start_);
   std::fill(scratch_.begin(), scratch_.end(), 0.0);
   system_.elements->add_forces(StressAt::end, state.q, state.q, scratch_);
@@ -272,6 +285,7 @@ void SolidStep::add_work_of_equilibrium(SolidState& state) {
     const double way = q1_[k] - state.q[k], load = 0.5 * (start_[k] + outer_[k]);
     loads += load * way;
     if (system_.held[k]) supports += (0.5 * (scratch_[k] + inner_[k]) - load) * way;
+    state.v[k] = 0;
   }
   state.of_loads += loads, state.of_supports += supports;
 }

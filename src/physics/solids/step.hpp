@@ -21,6 +21,15 @@ struct NewtonReport {
   std::vector<double> residuals;  ///< of each iteration, over the largest force
 };
 
+/// Which forces an implicit integrator balances in a step.
+struct StepForces {
+  StressAt at = StressAt::end;  ///< where between the step's ends the stress is taken
+  bool dynamic = false;         ///< with inertia and damping, (17); else equilibrium at the step's end
+  bool mean = false;            ///< inner and outer forces are the mean of both ends (trapezoidal rule)
+  double loads_at = 1;          ///< part of the step after which the loads are taken, unless they are a mean
+  Definite tangent = Definite::positive;
+};
+
 /// Part of a step over which the velocities of supports are measured, to both sides of its end.
 constexpr double slope_width = 1e-3;
 
@@ -56,13 +65,14 @@ class SolidStep {
   double rounding() const;
   bool correct(const SolidState& state, double dt);
   void accept(SolidState& state, double dt);
-  void add_work_of_equilibrium(SolidState& state);
+  void accept_motion(SolidState& state, double dt, double falling);
+  void accept_equilibrium(SolidState& state);
   void add_damping(double dt, std::span<const double> q0);
   void find_accelerations(std::span<const double> q, std::span<const double> v, double time, std::span<double> a);
   void explicit_step(SolidState& state, double dt);
 
   const SolidSystem& system_;
-  bool dynamic_;
+  StepForces rule_;
   RigidGuess rigid_guess_;
   SparseSolver solver_;
   SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
