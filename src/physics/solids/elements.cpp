@@ -14,13 +14,30 @@ Symmetric<dim> right_cauchy_green(const Square<dim>& F) {
 }
 
 /// A law at a place of the shape at the start, as one that answers to C: what follows is compiled once for all laws.
+/// What is not asked of it is not computed.
 template <int dim>
 struct LawAt {
   const ElasticLaw& law;
   ReferencePlace place;
 
-  Response<dim> operator()(const Symmetric<dim>& C) const {
+  Response<dim> response(const Symmetric<dim>& C) const {
     return std::visit([&](const auto& one) { return one.template respond<dim>(C, place); }, law);
+  }
+  Symmetric<dim> stress(const Symmetric<dim>& C) const {
+    return std::visit([&](const auto& one) { return one.template respond<dim>(C, place).S; }, law);
+  }
+  double energy(const Symmetric<dim>& C) const {
+    return std::visit([&](const auto& one) { return one.template respond<dim>(C, place).energy; }, law);
+  }
+  /// S and, where it is asked, D.
+  template <bool with_modulus>
+  void answer(const Symmetric<dim>& C, PointStress<dim>& at) const {
+    if constexpr (with_modulus) {
+      const Response<dim> there = response(C);
+      at.S = there.S, at.D = there.D;
+    } else {
+      at.S = stress(C);
+    }
   }
 };
 
@@ -29,54 +46,56 @@ struct LawAt {
 /// points of Gauss, exact but for |dC|^5.
 template <int dim>
 double lacking_stress(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const Symmetric<dim>& middle, double dC2,
-                      const LawAt<dim>& respond) {
+                      const LawAt<dim>& law) {
   constexpr double small = 1e-6, gauss = 0.21132486540518711775;
   const Symmetric<dim> dC = C1 - C0;
-  if (dC2 > small) return (2 * (respond(C1).energy - respond(C0).energy) - contract<dim>(middle, dC)) / dC2;
-  const Symmetric<dim> before = respond(Symmetric<dim>(C0 + gauss * dC)).S,
-                       after = respond(Symmetric<dim>(C1 - gauss * dC)).S;
+  if (dC2 > small) return (2 * (law.energy(C1) - law.energy(C0)) - contract<dim>(middle, dC)) / dC2;
+  const Symmetric<dim> before = law.stress(C0 + gauss * dC), after = law.stress(C1 - gauss * dC);
   return contract<dim>(Symmetric<dim>(0.5 * ((before - middle) + (after - middle))), dC) / dC2;
 }
 
 /// Gonzalez' stress between C0 and C1 and its derivative by C1 (O. Gonzalez, Comput. Methods Appl. Mech. Engrg 190
 /// (2000) 1763-1783): S_m + s dC. Steps so small that s dC is below rounding do without it, their tangent sooner: what
 /// it has of dC is of no use to Newton's method then.
-template <int dim>
-void discrete_gradient(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const LawAt<dim>& respond,
+template <bool with_modulus, int dim>
+void discrete_gradient(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const LawAt<dim>& law,
                        PointStress<dim>& at) {
   constexpr double no_stress = 1e-16, no_tangent = 1e-12;  // of |dC|^2
-  const Response<dim> middle = respond(Symmetric<dim>(0.5 * (C0 + C1)));
-  const Symmetric<dim> dC = C1 - C0;
-  const double dC2 = contract<dim>(dC, dC);
-  at.S = middle.S, at.D = 0.5 * middle.D;
-  if (dC2 < no_stress) return;
-  const double s = lacking_stress<dim>(C0, C1, middle.S, dC2, respond);
-  at.S += s * dC;
-  if (dC2 < no_tangent) return;
-  const Symmetric<dim> w = contraction_weights<dim>();
-  // ds by dE1, shears twice: dC1 = 2 dE1
-  const Symmetric<dim> ds =
-      (2 * (respond(C1).S - middle.S) - 4 * s * dC - 0.5 * middle.D.transpose() * w.cwiseProduct(dC)) / dC2;
-  at.D += dC * ds.transpose();
-  for (int k = 0; k < component_count<dim>(); ++k) at.D(k, k) += 2 * s / w[k];
+  law.template answer<with_modulus>(0.5 * (C0 + C1), at);
+  const Symmetric<dim> dC = C1 - C0, middle = at.S;
+  const double dC2 = contract<dim>(dC, dC), s = dC2 < no_stress ? 0 : lacking_stress<dim>(C0, C1, middle, dC2, law);
+  if (dC2 >= no_stress) at.S += s * dC;
+  if constexpr (with_modulus) {
+    const SymmetricMap<dim> D = at.D;
+    at.D = 0.5 * D;
+    if (dC2 < no_tangent) return;
+    const Symmetric<dim> w = contraction_weights<dim>();
+    // ds by dE1, shears twice: dC1 = 2 dE1
+    const Symmetric<dim> ds =
+        (2 * (law.stress(C1) - middle) - 4 * s * dC - 0.5 * D.transpose() * w.cwiseProduct(dC)) / dC2;
+    at.D += dC * ds.transpose();
+    for (int k = 0; k < component_count<dim>(); ++k) at.D(k, k) += 2 * s / w[k];
+  }
 }
 
 /// A law of finite strains by the step's rule.
-template <int dim>
-PointStress<dim> finite_stress(StressAt rule, const Square<dim>& F0, const Square<dim>& F1, const LawAt<dim>& respond) {
-  if (rule == StressAt::end) {
-    const Response<dim> end = respond(right_cauchy_green<dim>(F1));
-    return {F1, F1, end.S, end.D, 1};
-  }
+template <bool with_modulus, int dim>
+PointStress<dim> finite_stress(StressAt rule, const Square<dim>& F0, const Square<dim>& F1, const LawAt<dim>& law) {
   PointStress<dim> at;
+  if (rule == StressAt::end) {
+    law.template answer<with_modulus>(right_cauchy_green<dim>(F1), at);
+    at.A = at.F = F1, at.geometric = 1;
+    return at;
+  }
   const Square<dim> middle = 0.5 * (F0 + F1);
   at.A = middle, at.geometric = 0.5;
   if (rule == StressAt::middle) {
-    const Response<dim> there = respond(right_cauchy_green<dim>(middle));
-    at.F = middle, at.S = there.S, at.D = 0.5 * there.D;
+    law.template answer<with_modulus>(right_cauchy_green<dim>(middle), at);
+    at.F = middle;
+    if constexpr (with_modulus) at.D *= 0.5;
   } else {
     at.F = F1;
-    discrete_gradient<dim>(right_cauchy_green<dim>(F0), right_cauchy_green<dim>(F1), respond, at);
+    discrete_gradient<with_modulus, dim>(right_cauchy_green<dim>(F0), right_cauchy_green<dim>(F1), law, at);
   }
   return at;
 }
@@ -88,12 +107,14 @@ Symmetric<dim> small_strain(const Square<dim>& F) {
 }
 
 /// A law of small strains: its energy is quadratic, so that the middle is the discrete gradient, too.
-template <int dim>
-PointStress<dim> linear_stress(StressAt rule, const Square<dim>& F0, const Square<dim>& F1, const LawAt<dim>& respond) {
+template <bool with_modulus, int dim>
+PointStress<dim> linear_stress(StressAt rule, const Square<dim>& F0, const Square<dim>& F1, const LawAt<dim>& law) {
   const bool end = rule == StressAt::end;
-  const Square<dim> F = end ? F1 : Square<dim>(0.5 * (F0 + F1)), one = Square<dim>::Identity();
-  const Response<dim> there = respond(small_strain<dim>(F));
-  return {one, one, there.S, end ? there.D : SymmetricMap<dim>(0.5 * there.D), 0};
+  PointStress<dim> at;
+  law.template answer<with_modulus>(small_strain<dim>(end ? F1 : Square<dim>(0.5 * (F0 + F1))), at);
+  if constexpr (with_modulus) at.D *= end ? 1 : 0.5;
+  at.A = at.F = Square<dim>::Identity(), at.geometric = 0;
+  return at;
 }
 
 bool small_strains(const ElasticLaw& any) {
@@ -108,16 +129,22 @@ Symmetric<dim> strain_of(const ElasticLaw& law, const Square<dim>& F) {
 
 }  // namespace
 
-template <int dim>
+template <int dim, bool with_modulus>
 PointStress<dim> point_stress(StressAt rule, const ElasticLaw& law, const Square<dim>& F0, const Square<dim>& F1,
                               double X, double Y) {
-  const LawAt<dim> respond{law, {X, Y}};
-  return small_strains(law) ? linear_stress<dim>(rule, F0, F1, respond) : finite_stress<dim>(rule, F0, F1, respond);
+  const LawAt<dim> here{law, {X, Y}};
+  return small_strains(law) ? linear_stress<with_modulus>(rule, F0, F1, here)
+                            : finite_stress<with_modulus>(rule, F0, F1, here);
 }
 
 template <int dim>
 Response<dim> response_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y) {
-  return LawAt<dim>{law, {X, Y}}(strain_of<dim>(law, F));
+  return LawAt<dim>{law, {X, Y}}.response(strain_of<dim>(law, F));
+}
+
+template <int dim>
+double energy_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y) {
+  return LawAt<dim>{law, {X, Y}}.energy(strain_of<dim>(law, F));
 }
 
 Across across_at(const ElasticLaw& any, const Square<2>& F) {
@@ -147,12 +174,18 @@ GradientModulus<dim> convex(const GradientModulus<dim>& H) {
   return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();
 }
 
-template PointStress<2> point_stress<2>(StressAt, const ElasticLaw&, const Square<2>&, const Square<2>&, double,
-                                        double);
-template PointStress<3> point_stress<3>(StressAt, const ElasticLaw&, const Square<3>&, const Square<3>&, double,
-                                        double);
+template PointStress<2> point_stress<2, true>(StressAt, const ElasticLaw&, const Square<2>&, const Square<2>&, double,
+                                              double);
+template PointStress<2> point_stress<2, false>(StressAt, const ElasticLaw&, const Square<2>&, const Square<2>&, double,
+                                               double);
+template PointStress<3> point_stress<3, true>(StressAt, const ElasticLaw&, const Square<3>&, const Square<3>&, double,
+                                              double);
+template PointStress<3> point_stress<3, false>(StressAt, const ElasticLaw&, const Square<3>&, const Square<3>&, double,
+                                               double);
 template Response<2> response_at<2>(const ElasticLaw&, const Square<2>&, double, double);
 template Response<3> response_at<3>(const ElasticLaw&, const Square<3>&, double, double);
+template double energy_at<2>(const ElasticLaw&, const Square<2>&, double, double);
+template double energy_at<3>(const ElasticLaw&, const Square<3>&, double, double);
 template GradientModulus<2> gradient_modulus<2>(const PointStress<2>&);
 template GradientModulus<3> gradient_modulus<3>(const PointStress<3>&);
 template GradientModulus<2> convex<2>(const GradientModulus<2>&);

@@ -81,12 +81,16 @@ struct PointStress {
 };
 
 /// The stress of any law between the deformation gradients F0 and F1, by a step's rule, at the place X, Y of the shape
-/// at the start.
-template <int dim>
+/// at the start. D is set where the modulus is asked.
+template <int dim, bool with_modulus>
 PointStress<dim> point_stress(StressAt rule, const ElasticLaw& law, const Square<dim>& F0, const Square<dim>& F1,
                               double X, double Y);
 
-/// Energy density and second Piola-Kirchhoff stress at F.
+/// Energy density at F, at the place X, Y of the shape at the start.
+template <int dim>
+double energy_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y);
+
+/// Energy density, second Piola-Kirchhoff stress and modulus there.
 template <int dim>
 Response<dim> response_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y);
 

@@ -59,7 +59,7 @@ class ElementsOf final : public Elements {
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const Places at0 = gathered(e, q0), at1 = gathered(e, q1), by = gathered(e, change);
       for (int k = 0; k < points; ++k) {
-        const auto s = stress(at, e, k, at0, at1);
+        const auto s = stress<true>(at, e, k, at0, at1);
         Symmetric<dim> strain = Symmetric<dim>::Zero();
         for (int a = 0; a < nodes; ++a) strain += strain_map<dim>(s.F, gradients(e, k).col(a)) * by.col(a);
         Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
@@ -72,7 +72,8 @@ class ElementsOf final : public Elements {
     double energy = 0;
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const Places at = gathered(e, q);
-      for (int k = 0; k < points; ++k) energy += weight(e, k) * response(e, k, deformation(at, e, k)).energy;
+      for (int k = 0; k < points; ++k)
+        energy += weight(e, k) * energy_at<dim>(law(e), deformation(at, e, k), place(e, k)[0], place(e, k)[1]);
     }
     return energy;
   }
@@ -117,9 +118,10 @@ class ElementsOf final : public Elements {
     return response_at<dim>(law(e), F, place(e, k)[0], place(e, k)[1]);
   }
 
+  template <bool with_modulus>
   PointStress<dim> stress(StressAt rule, std::size_t e, int k, const Places& at0, const Places& at1) const {
-    return point_stress<dim>(rule, law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],
-                             place(e, k)[1]);
+    return point_stress<dim, with_modulus>(rule, law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],
+                                           place(e, k)[1]);
   }
 
   void add_element_forces(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
@@ -127,7 +129,7 @@ class ElementsOf final : public Elements {
     const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
     Places sum = Places::Zero();
     for (int k = 0; k < points; ++k) {
-      const auto s = stress(rule, e, k, at0, at1);
+      const auto s = stress<false>(rule, e, k, at0, at1);
       sum += weight(e, k) * (s.A * full<dim>(s.S)) * gradients(e, k);
     }
     for (int a = 0; a < nodes; ++a) {
@@ -142,7 +144,7 @@ class ElementsOf final : public Elements {
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
-      auto s = stress(rule, e, k, at0, at1);
+      auto s = stress<true>(rule, e, k, at0, at1);
       if (!stresses.empty()) s.S = Eigen::Map<const Symmetric<dim>>(&stresses[(e * points + index(k)) * parts]);
       add_point_tangent(s, gradients(e, k), weight(e, k), inertia * density(e), values_[index(k)], K);
     }
@@ -153,7 +155,7 @@ class ElementsOf final : public Elements {
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
-      GradientModulus<dim> H = gradient_modulus<dim>(stress(StressAt::end, e, k, at, at));
+      GradientModulus<dim> H = gradient_modulus<dim>(stress<true>(StressAt::end, e, k, at, at));
       if (made_convex) H = convex<dim>(H);
       for (int b = 0; b < nodes; ++b) {
         Eigen::Matrix<double, dim * dim, dim> by = decltype(by)::Zero();  // dP by the place of node b
