@@ -13,12 +13,12 @@
 namespace tether {
 namespace {
 
-std::string key_of(std::string_view group, std::string_view name) { return fmt::format("{}.{}", group, name); }
+std::string key_of(AnyVariable variable) { return fmt::format("{}.{}", variable.group(), variable.name()); }
 
 template <typename Type>
-Type get(const DeckValue& value, std::string_view group, std::string_view name) {
+Type get(const DeckValue& value, AnyVariable variable) {
   const auto* data = std::get_if<Type>(&value.data);
-  if (data == nullptr) throw std::logic_error(fmt::format("{}.{} is of another type", group, name));
+  if (data == nullptr) throw std::logic_error(fmt::format("{} is of another type", key_of(variable)));
   return *data;
 }
 
@@ -36,56 +36,47 @@ std::vector<std::string> Deck::possible_groups() const {
   return groups;
 }
 
-const DeckValue* Deck::find(std::string_view group, std::string_view name, int i, int j) const {
-  const auto variable = contents_.values.find(key_of(group, name));
-  if (variable == contents_.values.end()) return nullptr;
-  const auto element = variable->second.find({i, j});
-  return element == variable->second.end() ? nullptr : &element->second;
+const DeckValue* Deck::find(AnyVariable variable, int i, int j) const {
+  const auto all = contents_.values.find(key_of(variable));
+  if (all == contents_.values.end()) return nullptr;
+  const auto element = all->second.find({i, j});
+  return element == all->second.end() ? nullptr : &element->second;
 }
 
-DeckValue Deck::value(std::string_view group, std::string_view name, int i, int j) const {
-  if (const auto* given = find(group, name, i, j)) return *given;
-  const auto* variable = find_variable(group, name);
-  if (variable == nullptr) throw std::logic_error(fmt::format("the table has no variable {}.{}", group, name));
-  const auto fallback = default_value(*variable);
-  if (!fallback) throw std::logic_error(fmt::format("{}.{} is not given and has no default", group, name));
+DeckValue Deck::value(AnyVariable variable, int i, int j) const {
+  if (const auto* given = find(variable, i, j)) return *given;
+  const auto fallback = default_value(variable.row());
+  if (!fallback) throw std::logic_error(fmt::format("{} is not given and has no default", key_of(variable)));
   return *fallback;
 }
 
-int Deck::integer(std::string_view group, std::string_view name, int i, int j) const {
-  return static_cast<int>(get<long long>(value(group, name, i, j), group, name));
+int Deck::integer(IntegerVariable variable, int i, int j) const {
+  return static_cast<int>(get<long long>(value(variable, i, j), variable));
 }
 
-double Deck::real(std::string_view group, std::string_view name, int i, int j) const {
-  return get<double>(value(group, name, i, j), group, name);
+double Deck::real(RealVariable variable, int i, int j) const { return get<double>(value(variable, i, j), variable); }
+
+bool Deck::logical(LogicalVariable variable, int i, int j) const { return get<bool>(value(variable, i, j), variable); }
+
+std::string Deck::text(TextVariable variable, int i, int j) const {
+  return get<std::string>(value(variable, i, j), variable);
 }
 
-bool Deck::logical(std::string_view group, std::string_view name, int i, int j) const {
-  return get<bool>(value(group, name, i, j), group, name);
-}
+bool Deck::given(AnyVariable variable, int i, int j) const { return find(variable, i, j) != nullptr; }
 
-std::string Deck::text(std::string_view group, std::string_view name, int i, int j) const {
-  return get<std::string>(value(group, name, i, j), group, name);
-}
-
-bool Deck::given(std::string_view group, std::string_view name, int i, int j) const {
-  return find(group, name, i, j) != nullptr;
-}
-
-std::vector<Subscript> Deck::given_elements(std::string_view group, std::string_view name) const {
+std::vector<Subscript> Deck::given_elements(AnyVariable variable) const {
   std::vector<Subscript> elements;
-  const auto variable = contents_.values.find(key_of(group, name));
-  if (variable == contents_.values.end()) return elements;
-  for (const auto& [at, value] : variable->second) elements.push_back(at);
+  const auto all = contents_.values.find(key_of(variable));
+  if (all == contents_.values.end()) return elements;
+  for (const auto& [at, value] : all->second) elements.push_back(at);
   std::stable_sort(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
   return elements;
 }
 
 bool Deck::complete() const {
   const auto table = variables();
-  return std::all_of(table.begin(), table.end(), [this](const Variable& variable) {
-    return !variable.required || given(variable.group, variable.name);
-  });
+  return std::all_of(table.begin(), table.end(),
+                     [this](const Variable& variable) { return !variable.required || given(AnyVariable(variable)); });
 }
 
 Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) const {
@@ -112,8 +103,12 @@ Deck Deck::with_mesh_named(const std::string& file) const {
   return Deck(std::move(contents));
 }
 
-Place Deck::place(std::string_view group, std::string_view name, int i, int j) const {
-  if (const auto* given = find(group, name, i, j)) return given->place;
+Place Deck::place(AnyVariable variable, int i, int j) const {
+  if (const auto* given = find(variable, i, j)) return given->place;
+  return place_of_group(variable.group());
+}
+
+Place Deck::place_of_group(std::string_view group) const {
   const auto opened = contents_.groups.find(std::string(group));
   return opened == contents_.groups.end() ? Place{contents_.file, 0, 0} : opened->second;
 }
@@ -123,8 +118,8 @@ const std::vector<std::string>& Deck::lines_of(const Place& place) const {
 }
 
 /// From the opening quote on: a quote within the text is written twice, and the text may go on over ends of lines.
-Place Deck::place_within(std::string_view group, std::string_view name, Subscript at, std::size_t offset) const {
-  Place place = this->place(group, name, at[0], at[1]);
+Place Deck::place_within(AnyVariable variable, Subscript at, std::size_t offset) const {
+  Place place = this->place(variable, at[0], at[1]);
   const auto& lines = lines_of(place);
   auto line = static_cast<std::size_t>(place.line) - 1;
   if (place.line < 1 || line >= lines.size()) return place;
@@ -147,17 +142,23 @@ std::string Deck::line_text(const Place& place) const {
   return place.line > 0 && index < lines.size() ? lines[index] : "";
 }
 
-Diagnostic Deck::remark(Severity severity, std::string_view group, std::string_view name, Subscript at,
-                        std::string message, std::string hint) const {
-  const auto where = place(group, name, at[0], at[1]);
-  const bool moot = severity == Severity::error && !given(group, name, at[0], at[1]) &&
-                    contents_.failed.count(key_of(group, name)) > 0;
+Diagnostic Deck::remark(Severity severity, AnyVariable variable, Subscript at, std::string message,
+                        std::string hint) const {
+  const auto where = place(variable, at[0], at[1]);
+  const bool moot =
+      severity == Severity::error && !given(variable, at[0], at[1]) && contents_.failed.count(key_of(variable)) > 0;
   return {severity, where, line_text(where), std::move(message), std::move(hint), moot};
 }
 
-Diagnostic Deck::remark_within(Severity severity, std::string_view group, std::string_view name, Subscript at,
-                               std::size_t offset, std::string message, std::string hint) const {
-  const auto where = place_within(group, name, at, offset);
+Diagnostic Deck::remark_on_group(Severity severity, std::string_view group, std::string message,
+                                 std::string hint) const {
+  const auto where = place_of_group(group);
+  return {severity, where, line_text(where), std::move(message), std::move(hint), false};
+}
+
+Diagnostic Deck::remark_within(Severity severity, AnyVariable variable, Subscript at, std::size_t offset,
+                               std::string message, std::string hint) const {
+  const auto where = place_within(variable, at, offset);
   return {severity, where, line_text(where), std::move(message), std::move(hint)};
 }
 

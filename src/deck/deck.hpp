@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/diagnostics.hpp"
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 
@@ -27,8 +27,8 @@ struct Trailer {
   std::string text;
 };
 
-/// What a deck says, each value with its place; immutable once read. Names are lower case and must stand in the table
-/// of variables (anything else is a programmer's mistake). A value that the deck does not give has the table's default.
+/// What a deck says, each value with its place; immutable once read. Variables are handles of the table's rows. A value
+/// that the deck does not give has the table's default.
 class Deck {
  public:
   /// Built by the reader only.
@@ -57,21 +57,21 @@ class Deck {
   /// The groups of the table that such a deck may have, in its order; $published where it has it.
   std::vector<std::string> possible_groups() const;
 
-  // The value of an element, given or default. Throws std::logic_error where the table has no such variable, where it
-  // is of another type, and where it has neither: ask given() first for a variable without a default.
   /// Whether every required variable is given, so that a scene can be made of it.
   bool complete() const;
 
-  int integer(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
-  double real(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
-  bool logical(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
-  std::string text(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  // The value of an element, given or default: deck.real("reg.matr", 1, r). Throws std::logic_error where it has
+  // neither: ask given() first for a variable without a default.
+  int integer(IntegerVariable variable, int i = 1, int j = 1) const;
+  double real(RealVariable variable, int i = 1, int j = 1) const;
+  bool logical(LogicalVariable variable, int i = 1, int j = 1) const;
+  std::string text(TextVariable variable, int i = 1, int j = 1) const;
   /// Of any type; a default's place is empty.
-  DeckValue value(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  DeckValue value(AnyVariable variable, int i = 1, int j = 1) const;
 
-  bool given(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  bool given(AnyVariable variable, int i = 1, int j = 1) const;
   /// All elements the deck gives, in column-major order.
-  std::vector<Subscript> given_elements(std::string_view group, std::string_view name) const;
+  std::vector<Subscript> given_elements(AnyVariable variable) const;
 
   /// The same deck with these lines of particle data behind its groups, in place of the file that it names; without the
   /// notes behind the data from the first one on that would open a group.
@@ -85,22 +85,26 @@ class Deck {
   Deck with_mesh_named(const std::string& file) const;
 
   /// Where an element was given; else where its group opens; else the file as a whole.
-  Place place(std::string_view group, std::string_view name, int i = 1, int j = 1) const;
+  Place place(AnyVariable variable, int i = 1, int j = 1) const;
   /// Where byte `offset` (from 0) of a text that the deck gives stands within its quotes.
-  Place place_within(std::string_view group, std::string_view name, Subscript at, std::size_t offset) const;
+  Place place_within(AnyVariable variable, Subscript at, std::size_t offset) const;
   /// The text of a line of the deck (empty for line 0), for diagnostics.
   std::string line_text(const Place& place) const;
   /// A remark on an element's value, at its place, with its line; an error is moot where the deck tried in vain to give
   /// the element, which was told.
-  Diagnostic remark(Severity severity, std::string_view group, std::string_view name, Subscript at, std::string message,
+  Diagnostic remark(Severity severity, AnyVariable variable, Subscript at, std::string message,
                     std::string hint = {}) const;
+  /// A remark on a group as a whole, where it opens.
+  Diagnostic remark_on_group(Severity severity, std::string_view group, std::string message,
+                             std::string hint = {}) const;
   /// The same on one byte of a text.
-  Diagnostic remark_within(Severity severity, std::string_view group, std::string_view name, Subscript at,
-                           std::size_t offset, std::string message, std::string hint = {}) const;
+  Diagnostic remark_within(Severity severity, AnyVariable variable, Subscript at, std::size_t offset,
+                           std::string message, std::string hint = {}) const;
 
  private:
   const std::vector<std::string>& lines_of(const Place& place) const;
-  const DeckValue* find(std::string_view group, std::string_view name, int i, int j) const;
+  const DeckValue* find(AnyVariable variable, int i, int j) const;
+  Place place_of_group(std::string_view group) const;
   Contents contents_;
 };
 

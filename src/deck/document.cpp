@@ -16,17 +16,17 @@ bool shows_region_defaults(const Variable& variable) {
 }
 
 std::string assignment(const Deck& deck, const Variable& variable, Subscript at) {
-  const auto value = deck.value(variable.group, variable.name, at[0], at[1]);
+  const auto value = deck.value(AnyVariable(variable), at[0], at[1]);
   return fmt::format("{} = {}\n", element_name(variable, at), value_text(value));
 }
 
 /// The elements that are given, and those of regions 1..nreg whose defaults are shown, in column-major order.
 std::vector<Subscript> shown_elements(const Deck& deck, const Variable& variable) {
-  auto shown = deck.given_elements(variable.group, variable.name);
+  auto shown = deck.given_elements(AnyVariable(variable));
   if (variable.rank == 0 && shown.empty() && !variable.fallback.empty()) shown.push_back({1, 1});
   if (!shows_region_defaults(variable)) return shown;
-  for (int region = 1; region <= deck.integer("reg", "nreg"); ++region) {
-    if (!deck.given(variable.group, variable.name, region)) shown.push_back({region, 1});
+  for (int region = 1; region <= deck.integer("reg.nreg"); ++region) {
+    if (!deck.given(AnyVariable(variable), region)) shown.push_back({region, 1});
   }
   std::sort(shown.begin(), shown.end());
   return shown;
@@ -71,7 +71,7 @@ std::string check_line(const Deck& deck, const Variable& variable, Subscript at,
   const auto fallback = default_value(variable);
   std::string value = "-", origin = fallback ? "default" : "not given", place;
   if (given) {
-    const auto written = deck.value(variable.group, variable.name, at[0], at[1]);
+    const auto written = deck.value(AnyVariable(variable), at[0], at[1]);
     value = value_text(written);
     origin = "given";
     const bool on_command_line = written.place.file == override_file;
@@ -84,7 +84,7 @@ std::string check_line(const Deck& deck, const Variable& variable, Subscript at,
 }
 
 std::string check_lines(const Deck& deck, const Variable& variable) {
-  const auto elements = deck.given_elements(variable.group, variable.name);
+  const auto elements = deck.given_elements(AnyVariable(variable));
   if (elements.empty()) return check_line(deck, variable, {1, 1}, false);
   std::string text;
   for (const auto& at : elements) text += check_line(deck, variable, at, true);

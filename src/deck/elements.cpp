@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "deck/opener.hpp"
 #include "deck/spelling.hpp"
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "deck/parser.hpp"
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 

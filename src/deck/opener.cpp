@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 namespace {

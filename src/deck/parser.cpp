@@ -7,7 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "deck/opener.hpp"
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 namespace {

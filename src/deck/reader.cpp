@@ -19,29 +19,28 @@ namespace {
 void check_study(const Deck& deck, Diagnostics& diagnostics) {
   for (const auto& group : group_names()) {
     if (group == study_group || !deck.has_group(group)) continue;
-    return diagnostics.add(deck.remark(Severity::error, study_group, "", {1, 1},
-                                       fmt::format("${} stands beside ${}", study_group, group),
-                                       "A study deck for 'tether sweep' has no other group; it names decks to run."));
+    return diagnostics.add(
+        deck.remark_on_group(Severity::error, study_group, fmt::format("${} stands beside ${}", study_group, group),
+                             "A study deck for 'tether sweep' has no other group; it names decks to run."));
   }
 }
 
 /// Whether a region that nreg does not count has what makes one: then nreg is the likely mistake.
 bool is_described(const Deck& deck, int region) {
-  return deck.given("reg", "densir", region) || deck.given("reg", "xvi", 1, region) ||
-         deck.given("reg", "yvi", 1, region);
+  return deck.given("reg.densir", region) || deck.given("reg.xvi", 1, region) || deck.given("reg.yvi", 1, region);
 }
 
 /// Box 12 sets vrx(2), Box 9 gives five nvi: of one and two regions.
 void check_regions_beyond_nreg(const Deck& deck, Diagnostics& diagnostics) {
-  const int nreg = deck.integer("reg", "nreg");
+  const int nreg = deck.integer("reg.nreg");
   for (const auto& variable : variables()) {
     if (variable.group != "reg" || variable.rank == 0) continue;
     const auto region = static_cast<std::size_t>(variable.rank - 1);  // the last subscript
-    const auto elements = deck.given_elements("reg", variable.name);
+    const auto elements = deck.given_elements(AnyVariable(variable));
     const auto beyond = std::find_if(elements.begin(), elements.end(), [&](auto at) { return at[region] > nreg; });
     if (beyond == elements.end()) continue;
     const Severity severity = is_described(deck, (*beyond)[region]) ? Severity::warning : Severity::remark;
-    diagnostics.add(deck.remark(severity, "reg", variable.name, *beyond,
+    diagnostics.add(deck.remark(severity, AnyVariable(variable), *beyond,
                                 fmt::format("{} is set but nreg = {}", element_name(variable, *beyond), nreg),
                                 "Values of regions above nreg are not used."));
   }
@@ -49,12 +48,12 @@ void check_regions_beyond_nreg(const Deck& deck, Diagnostics& diagnostics) {
 
 /// Boxes 10 and 11 set rex(3) and, for rix(3), rix(2) once more.
 void check_inner_ellipses(const Deck& deck, Diagnostics& diagnostics) {
-  constexpr std::array<std::array<const char*, 2>, 2> axes{{{"rex", "rix"}, {"rey", "riy"}}};
+  constexpr std::array<std::array<AnyVariable, 2>, 2> axes{{{"reg.rex", "reg.rix"}, {"reg.rey", "reg.riy"}}};
   for (const auto& [outer, inner] : axes) {
-    if (deck.given_elements("reg", inner).empty()) continue;
-    for (const auto& at : deck.given_elements("reg", outer)) {
-      if (at[0] > deck.integer("reg", "nreg") || deck.given("reg", inner, at[0])) continue;
-      diagnostics.add(deck.remark(Severity::warning, "reg", outer, at,
+    if (deck.given_elements(inner).empty()) continue;
+    for (const auto& at : deck.given_elements(outer)) {
+      if (at[0] > deck.integer("reg.nreg") || deck.given(inner, at[0])) continue;
+      diagnostics.add(deck.remark(Severity::warning, outer, at,
                                   fmt::format("{}({}) is set but {}({}) never is", outer, at[0], inner, at[0]),
                                   fmt::format("{}({}) is taken as 0.", inner, at[0])));
     }
@@ -62,20 +61,19 @@ void check_inner_ellipses(const Deck& deck, Diagnostics& diagnostics) {
 }
 
 /// True if a coordinate of a region's vertex is given and outside lower .. upper of the grid.
-bool is_outside(const Deck& deck, const char* coordinate, Subscript at, const char* lower, const char* upper) {
-  if (!deck.given("reg", coordinate, at[0], at[1]) || !deck.given("in", lower) || !deck.given("in", upper))
-    return false;
-  const double value = deck.real("reg", coordinate, at[0], at[1]);
-  return value < deck.real("in", lower) || value > deck.real("in", upper);
+bool is_outside(const Deck& deck, RealVariable coordinate, Subscript at, RealVariable lower, RealVariable upper) {
+  if (!deck.given(coordinate, at[0], at[1]) || !deck.given(lower) || !deck.given(upper)) return false;
+  const double value = deck.real(coordinate, at[0], at[1]);
+  return value < deck.real(lower) || value > deck.real(upper);
 }
 
 void check_vertices(const Deck& deck, Diagnostics& diagnostics) {
-  for (int region = 1; region <= deck.integer("reg", "nreg"); ++region) {
-    for (int vertex = 1; vertex <= deck.integer("reg", "nvi", region); ++vertex) {
-      const bool x = is_outside(deck, "xvi", {vertex, region}, "xleft", "xright");
-      const bool y = is_outside(deck, "yvi", {vertex, region}, "ybot", "ytop");
+  for (int region = 1; region <= deck.integer("reg.nreg"); ++region) {
+    for (int vertex = 1; vertex <= deck.integer("reg.nvi", region); ++vertex) {
+      const bool x = is_outside(deck, "reg.xvi", {vertex, region}, "in.xleft", "in.xright");
+      const bool y = is_outside(deck, "reg.yvi", {vertex, region}, "in.ybot", "in.ytop");
       if (!x && !y) continue;
-      diagnostics.add(deck.remark(Severity::warning, "reg", x ? "xvi" : "yvi", {vertex, region},
+      diagnostics.add(deck.remark(Severity::warning, x ? AnyVariable("reg.xvi") : "reg.yvi", {vertex, region},
                                   fmt::format("vertex {} of region {} is outside the grid", vertex, region),
                                   "Only the part of the region inside the grid can hold points."));
       break;
@@ -87,19 +85,19 @@ void check_vertices(const Deck& deck, Diagnostics& diagnostics) {
 void check_outputs_off(const Deck& deck, Diagnostics& diagnostics) {
   std::string off;
   Subscript first{};
-  for (const auto& at : deck.given_elements("in", "tiout")) {
-    if (deck.integer("in", "iout", at[0]) != 0) continue;
+  for (const auto& at : deck.given_elements("in.tiout")) {
+    if (deck.integer("in.iout", at[0]) != 0) continue;
     if (off.empty()) first = at;
     off += (off.empty() ? "" : ", ") + std::to_string(at[0]);
   }
   if (off.empty()) return;
-  diagnostics.add(deck.remark(Severity::remark, "in", "tiout", first,
+  diagnostics.add(deck.remark(Severity::remark, "in.tiout", first,
                               fmt::format("tiout is set for outputs that are off (iout = 0): {}", off)));
 }
 
 void check_regrig(const Deck& deck, Diagnostics& diagnostics) {
-  if (!deck.has_group("regrig") || deck.given("regrig", "nregrig")) return;
-  diagnostics.add(deck.remark(Severity::remark, "regrig", "nregrig", {1, 1}, "$regrig is there without nregrig",
+  if (!deck.has_group("regrig") || deck.given("regrig.nregrig")) return;
+  diagnostics.add(deck.remark(Severity::remark, "regrig.nregrig", {1, 1}, "$regrig is there without nregrig",
                               "nregrig is taken as 0."));
 }
 
@@ -125,8 +123,8 @@ void check_required(const Deck& deck, const std::set<std::string>& mentioned,
     missing += (count++ == 0 ? "" : ", ") + std::string(variable.name);
   }
   if (count == 0) return;
-  diagnostics.add(deck.remark(Severity::error, "in", "", {1, 1},
-                              fmt::format("$in lacks {}, which {} no default", missing, count == 1 ? "has" : "have")));
+  diagnostics.add(deck.remark_on_group(
+      Severity::error, "in", fmt::format("$in lacks {}, which {} no default", missing, count == 1 ? "has" : "have")));
 }
 
 void check_deck(const Deck& deck, Diagnostics& diagnostics) {

@@ -10,7 +10,7 @@
 
 #include "base/numbers.hpp"
 #include "base/text.hpp"
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 namespace {

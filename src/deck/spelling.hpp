@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/variables.hpp"
+#include "deck/table.hpp"
 
 namespace tether {
 

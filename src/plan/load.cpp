@@ -38,8 +38,8 @@ std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& 
 Loaded load_scene(const Deck& given_deck, const DeckOptions& options, Diagnostics& diagnostics) {
   const Deck deck = load_mesh(given_deck, diagnostics);
   if (deck.is_study() && !diagnostics.has_errors()) {
-    diagnostics.add(deck.remark(Severity::error, study_group, "", {1, 1}, "this is a study of many runs, none itself",
-                                "tether sweep runs it; with --dry-run it lists the runs"));
+    diagnostics.add(deck.remark_on_group(Severity::error, study_group, "this is a study of many runs, none itself",
+                                         "tether sweep runs it; with --dry-run it lists the runs"));
   }
   std::optional<std::filesystem::path> given;
   if (!options.particles.empty()) given = options.particles;

@@ -35,7 +35,7 @@ void apply_points_group(const Deck& deck, std::size_t file_first, std::size_t fi
 
 /// Pins these points, which are a membrane's. Warns at `pinned` of the group where the scene's method measures strain
 /// at points: a pin then holds little.
-void pin_points(const Deck& deck, const char* group, Subscript at, const std::vector<std::size_t>& points, Scene& scene,
-                Diagnostics& diagnostics);
+void pin_points(const Deck& deck, AnyVariable pinned, Subscript at, const std::vector<std::size_t>& points,
+                Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace tether

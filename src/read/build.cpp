@@ -30,24 +30,24 @@ std::string title_of(const Deck& deck) {
 }
 
 Walls walls_of(const Deck& deck) {
-  const auto wall = [&](const char* name) { return find_word<Wall>(std::to_string(deck.integer("in", name))).value(); };
-  return {wall("wl"), wall("wr"), wall("wb"), wall("wt")};
+  const auto wall = [&](IntegerVariable name) { return find_word<Wall>(std::to_string(deck.integer(name))).value(); };
+  return {wall("in.wl"), wall("in.wr"), wall("in.wb"), wall("in.wt")};
 }
 
 /// Of the coupled path, where sides of the box stop bodies by contact and hold none.
 constexpr Walls open_walls{Wall::open, Wall::open, Wall::open, Wall::open};
 
 Clock clock_of(const Deck& deck, Path path, Diagnostics& diagnostics) {
-  const double tstep = deck.real("in", "tstep");
-  const double dtmax = deck.given("in", "dtmax") ? deck.real("in", "dtmax") : tstep;
+  const double tstep = deck.real("in.tstep");
+  const double dtmax = deck.given("in.dtmax") ? deck.real("in.dtmax") : tstep;
   if (tstep > dtmax) {
     diagnostics.add(
-        deck.remark(Severity::warning, "in", "tstep", {1, 1},
+        deck.remark(Severity::warning, "in.tstep", {1, 1},
                     fmt::format("tstep = {:.6g} is above dtmax = {:.6g}: steps are no longer than dtmax", tstep, dtmax),
                     "write dtmax, too"));
   }
-  const double cfl = path == Path::coupled ? 0 : path == Path::fem ? deck.real("fem", "cfl") : cfl_of(deck);
-  return {deck.real("in", "tmax"), std::min(tstep, dtmax), cfl};
+  const double cfl = path == Path::coupled ? 0 : path == Path::fem ? deck.real("fem.cfl") : cfl_of(deck);
+  return {deck.real("in.tmax"), std::min(tstep, dtmax), cfl};
 }
 
 /// Whether nodes from low to high are told apart in floating point, and 1/dx too.
@@ -58,16 +58,16 @@ bool resolvable(double low, double high, int nodes) {
 
 /// Whether the grid can be made; tells where not.
 bool check_axes(const Deck& deck, Diagnostics& diagnostics) {
-  const auto ordered = [&](const char* low, const char* high, const char* nodes) {
-    const double a = deck.real("in", low), b = deck.real("in", high);
-    if (b > a && resolvable(a, b, deck.integer("in", nodes))) return true;
+  const auto ordered = [&](RealVariable low, RealVariable high, IntegerVariable nodes) {
+    const double a = deck.real(low), b = deck.real(high);
+    if (b > a && resolvable(a, b, deck.integer(nodes))) return true;
     const char* what = b > a ? "so close to" : "not above";
-    diagnostics.add(deck.remark(Severity::error, "in", high, {1, 1},
+    diagnostics.add(deck.remark(Severity::error, high, {1, 1},
                                 fmt::format("{} = {:.6g} is {} {} = {:.6g}", high, b, what, low, a),
                                 "the nodes would coincide"));
     return false;
   };
-  const bool x = ordered("xleft", "xright", "nx"), y = ordered("ybot", "ytop", "ny");
+  const bool x = ordered("in.xleft", "in.xright", "in.nx"), y = ordered("in.ybot", "in.ytop", "in.ny");
   return x && y;
 }
 
@@ -75,14 +75,14 @@ bool check_axes(const Deck& deck, Diagnostics& diagnostics) {
 bool check_memory(const Deck& deck, const BackgroundGrid& grid, std::size_t rows, Diagnostics& diagnostics) {
   const std::string too_large = memory_refusal(grid, static_cast<double>(rows));
   if (too_large.empty()) return true;
-  diagnostics.add(deck.remark(Severity::error, "in", "nx", {1, 1}, too_large, "use fewer nodes"));
+  diagnostics.add(deck.remark(Severity::error, "in.nx", {1, 1}, too_large, "use fewer nodes"));
   return false;
 }
 
 void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, Scene& scene,
                 Diagnostics& diagnostics) {
-  const int igen = deck.integer("in", "igen");
-  const int regions = igen == 0 ? 0 : deck.integer("reg", "nreg");
+  const int igen = deck.integer("in.igen");
+  const int regions = igen == 0 ? 0 : deck.integer("reg.nreg");
   for (int r = 1; r <= regions; ++r) add_region(deck, r, scene, diagnostics);
   const std::size_t file_first = scene.points.size();
   const std::size_t file_body = scene.bodies.size();
@@ -97,16 +97,16 @@ void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, 
     tell_file_gaps(*particles, scene.bodies[file_body], scene, diagnostics);
   }
   if (scene.points.size() == 0 && !diagnostics.has_errors()) {
-    diagnostics.add(deck.remark(Severity::error, "in", "igen", {1, 1}, "the deck describes no point",
+    diagnostics.add(deck.remark(Severity::error, "in.igen", {1, 1}, "the deck describes no point",
                                 "igen 0 reads a particle file, 1 the regions of $reg, 3 both"));
   }
 }
 
 /// The pressure around membranes, which without one acts on nothing.
 double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
-  const double pressure = deck.real("fluid", "pambient");
+  const double pressure = deck.real("fluid.pambient");
   if (pressure != 0 && !find_body<Membrane>(scene) && !diagnostics.has_errors()) {
-    diagnostics.add(deck.remark(Severity::warning, "fluid", "pambient", {1, 1},
+    diagnostics.add(deck.remark(Severity::warning, "fluid.pambient", {1, 1},
                                 fmt::format("pambient = {:.6g} has no effect: there is no membrane", pressure)));
   }
   return pressure;
@@ -124,7 +124,7 @@ void note_restless_gas(const Deck& deck, const Scene& scene, Diagnostics& diagno
   const double restless = 60 * std::min(scene.grid.dx, scene.grid.dy) / fastest;
   if (!(restless < scene.clock.tmax) || diagnostics.has_errors()) return;
   diagnostics.add(deck.remark(
-      Severity::remark, "mpm", "kernel", {1, 1},
+      Severity::remark, "mpm.kernel", {1, 1},
       fmt::format(
           "gas by linear shape functions does not stay at rest over several cells both ways: from about t = {:.3g}, "
           "60 dx/c, on its pressures may be off by some per cent of themselves",
@@ -147,9 +147,9 @@ void check_curves(const Deck& deck, const Method& method, Diagnostics& diagnosti
 
 /// Regions that $fem is to divide, where nothing says how; strings alone become bars.
 bool lacks_mesh(const Deck& deck) {
-  if (!deck.has_group("fem") || deck.integer("in", "igen") == 0) return false;
-  for (const char* name : {"law", "fix_on", "load_on", "static"}) {
-    if (!deck.given_elements("fem", name).empty()) return deck.integer("reg", "nreg") > 0;
+  if (!deck.has_group("fem") || deck.integer("in.igen") == 0) return false;
+  for (const AnyVariable name : Variables{"fem.law", "fem.fix_on", "fem.load_on", "fem.static"}) {
+    if (!deck.given_elements(name).empty()) return deck.integer("reg.nreg") > 0;
   }
   return false;
 }
@@ -173,12 +173,12 @@ void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
   const bool of_points =
       !deck.has_group("mesh") && !deck.has_group("rigid") && !deck.has_group("coupled") && !has_flow(deck);
   if (!of_points) return;
-  if (deck.given("in", "xleft")) check_axis(deck, diagnostics);
+  if (deck.given("in.xleft")) check_axis(deck, diagnostics);
   Walls walls = walls_of(deck);
   edges_of(deck, walls, diagnostics);
   check_curves(deck, method, diagnostics);
-  if (deck.integer("in", "igen") == 0) return;
-  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) check_region(deck, r, diagnostics);
+  if (deck.integer("in.igen") == 0) return;
+  for (int r = 1; r <= deck.integer("reg.nreg"); ++r) check_region(deck, r, diagnostics);
 }
 
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Path path, Diagnostics& diagnostics) {
@@ -190,14 +190,14 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
     return scene;
   }
   scene.title = title_of(deck);
-  scene.units = word<Units>(deck, "in", "units");
-  scene.grid = BackgroundGrid(deck.integer("in", "nx"), deck.integer("in", "ny"), deck.real("in", "xleft"),
-                              deck.real("in", "xright"), deck.real("in", "ybot"), deck.real("in", "ytop"));
+  scene.units = word<Units>(deck, "in.units");
+  scene.grid = BackgroundGrid(deck.integer("in.nx"), deck.integer("in.ny"), deck.real("in.xleft"),
+                              deck.real("in.xright"), deck.real("in.ybot"), deck.real("in.ytop"));
   if (!check_memory(deck, scene.grid, particles ? particles->rows.size() : 0, diagnostics)) return scene;
   scene.geometry = geometry_of(deck);
   scene.walls = path == Path::coupled ? open_walls : walls_of(deck);
   if (path == Path::mpm) scene.edges = edges_of(deck, scene.walls, diagnostics);
-  scene.gravity = deck.real("in", "gravc");
+  scene.gravity = deck.real("in.gravc");
   scene.clock = clock_of(deck, path, diagnostics);
   scene.method = method_of(deck, diagnostics);
   if (path == Path::fem) scene.method.membrane_strain = MembraneStrain::element;  // bars, whose nodes a pin holds
@@ -208,9 +208,10 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   } else if (deck.has_group("mesh") || deck.has_group("rigid")) {
     add_solids(deck, scene, diagnostics);
   } else if (lacks_mesh(deck)) {
-    diagnostics.add(deck.remark(Severity::error, "fem", "", {1, 1}, "$fem has no mesh to act on",
-                                "add $mesh, whose cells(1,r) divide region r of $reg, or whose file names a mesh; "
-                                "without $fem the regions are of material points"));
+    diagnostics.add(
+        deck.remark_on_group(Severity::error, "fem", "$fem has no mesh to act on",
+                             "add $mesh, whose cells(1,r) divide region r of $reg, or whose file names a mesh; "
+                             "without $fem the regions are of material points"));
   } else {
     add_bodies(deck, particles, scene, diagnostics);
     check_edges(deck, scene, diagnostics);

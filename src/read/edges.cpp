@@ -11,8 +11,9 @@
 namespace tether {
 namespace {
 
-constexpr std::array wall_names{"wl", "wr", "wb", "wt"};
-constexpr std::array numbers{"edge_density", "edge_energy", "edge_u", "edge_v", "edge_region"};
+constexpr std::array<IntegerVariable, 4> wall_names{"in.wl", "in.wr", "in.wb", "in.wt"};
+constexpr std::array<AnyVariable, 5> numbers{"mpm.edge_density", "mpm.edge_energy", "mpm.edge_u", "mpm.edge_v",
+                                             "mpm.edge_region"};
 
 /// Cells before an open edge in which nothing but gas may stand at the start: there it would share nodes with the
 /// strip.
@@ -25,41 +26,41 @@ class EdgeReader {
 
   Edge read(Wall& wall) const {
     Edge edge;
-    edge.kind = word<EdgeKind>(deck_, "mpm", "edge", k_);
+    edge.kind = word<EdgeKind>(deck_, "mpm.edge", k_);
     if (!edge.open()) {
-      for (const char* name : numbers) tell_idle(name, "edge({0}) is a wall: {1}({0}) has no effect");
+      for (const AnyVariable name : numbers) tell_idle(name, "edge({0}) is a wall: {1}({0}) has no effect");
       return edge;
     }
     check_wall();
     wall = Wall::open;
-    edge.has_outside = given("edge_density") && given("edge_energy");
-    if (given("edge_density")) edge.density = deck_.real("mpm", "edge_density", k_);
-    if (given("edge_energy")) edge.energy = deck_.real("mpm", "edge_energy", k_);
-    edge.u = deck_.real("mpm", "edge_u", k_), edge.v = deck_.real("mpm", "edge_v", k_);
+    edge.has_outside = given("mpm.edge_density") && given("mpm.edge_energy");
+    if (given("mpm.edge_density")) edge.density = deck_.real("mpm.edge_density", k_);
+    if (given("mpm.edge_energy")) edge.energy = deck_.real("mpm.edge_energy", k_);
+    edge.u = deck_.real("mpm.edge_u", k_), edge.v = deck_.real("mpm.edge_v", k_);
     edge.kind == EdgeKind::inflow ? check_inflow(edge) : check_outflow(edge);
     return edge;
   }
 
  private:
-  bool given(const char* name) const { return deck_.given("mpm", name, k_); }
-  void add(Severity severity, const char* name, const std::string& what, const std::string& hint) const {
-    diagnostics_.add(deck_.remark(severity, "mpm", name, {k_, 1}, what, hint));
+  bool given(AnyVariable name) const { return deck_.given(name, k_); }
+  void add(Severity severity, AnyVariable name, const std::string& what, const std::string& hint) const {
+    diagnostics_.add(deck_.remark(severity, name, {k_, 1}, what, hint));
   }
-  void tell_idle(const char* name, const char* what) const {
+  void tell_idle(AnyVariable name, const char* what) const {
     if (given(name)) add(Severity::warning, name, fmt::format(fmt::runtime(what), k_, name), "leave it out");
   }
   void check_wall() const {
-    const char* name = wall_names[static_cast<std::size_t>(k_ - 1)];
-    if (!deck_.given("in", name) || static_cast<Wall>(deck_.integer("in", name)) == Wall::open) return;
-    diagnostics_.add(deck_.remark(
-        Severity::warning, "in", name, {1, 1},
-        fmt::format("{} = {} gives way to edge({}) of $mpm, an open edge", name, deck_.integer("in", name), k_),
-        fmt::format("leave {0} out or write {0}=1", name)));
+    const IntegerVariable name = wall_names[static_cast<std::size_t>(k_ - 1)];
+    if (!deck_.given(name) || static_cast<Wall>(deck_.integer(name)) == Wall::open) return;
+    diagnostics_.add(
+        deck_.remark(Severity::warning, name, {1, 1},
+                     fmt::format("{} = {} gives way to edge({}) of $mpm, an open edge", name, deck_.integer(name), k_),
+                     fmt::format("leave {0} out or write {0}=1", name)));
   }
   void check_inflow(const Edge& edge) const {
-    for (const char* name : {"edge_density", "edge_energy", across()}) {
+    for (const AnyVariable name : Variables{"mpm.edge_density", "mpm.edge_energy", across()}) {
       if (given(name)) continue;
-      add(Severity::error, "edge", fmt::format("an inflow needs {}({}), which is not given", name, k_),
+      add(Severity::error, "mpm.edge", fmt::format("an inflow needs {}({}), which is not given", name, k_),
           "edge_density, edge_energy and the velocity across the edge are the state of the gas that comes in");
     }
     const double inward = (k_ <= 2 ? edge.u : edge.v) * (k_ % 2 == 1 ? 1 : -1);
@@ -70,15 +71,15 @@ class EdgeReader {
     }
   }
   void check_outflow(const Edge& edge) const {
-    if (!edge.has_outside && (given("edge_density") || given("edge_energy"))) {
-      add(Severity::error, given("edge_density") ? "edge_density" : "edge_energy",
+    if (!edge.has_outside && (given("mpm.edge_density") || given("mpm.edge_energy"))) {
+      add(Severity::error, given("mpm.edge_density") ? AnyVariable("mpm.edge_density") : "mpm.edge_energy",
           fmt::format("edge({}) is an outflow with half a state outside", k_),
           "give edge_density and edge_energy, or neither");
     }
-    for (const char* name : {"edge_u", "edge_v", "edge_region"})
+    for (const AnyVariable name : Variables{"mpm.edge_u", "mpm.edge_v", "mpm.edge_region"})
       tell_idle(name, "edge({0}) is an outflow: {1}({0}) has no effect");
   }
-  const char* across() const { return k_ <= 2 ? "edge_u" : "edge_v"; }
+  AnyVariable across() const { return k_ <= 2 ? AnyVariable("mpm.edge_u") : "mpm.edge_v"; }
 
   const Deck& deck_;
   int k_;  // from 1
@@ -111,13 +112,13 @@ std::size_t gas_at(const Scene& scene, std::size_t k, bool& found) {
 void choose_gas(const Deck& deck, std::size_t k, Scene& scene, Diagnostics& diagnostics) {
   Edge& edge = scene.edges.of[k];
   const int number = static_cast<int>(k) + 1;
-  if (deck.given("mpm", "edge_region", number)) {
-    const int region = deck.integer("mpm", "edge_region", number);
+  if (deck.given("mpm.edge_region", number)) {
+    const int region = deck.integer("mpm.edge_region", number);
     edge.body = static_cast<std::size_t>(region - 1);
     const bool gas =
         edge.body < scene.bodies.size() && std::holds_alternative<IdealGas>(scene.bodies[edge.body].material);
     if (gas) return;
-    diagnostics.add(deck.remark(Severity::error, "mpm", "edge_region", {number, 1},
+    diagnostics.add(deck.remark(Severity::error, "mpm.edge_region", {number, 1},
                                 fmt::format("region {} is no gas", region), "name the region whose gas comes in"));
     edge.body = 0;
     return;
@@ -125,7 +126,7 @@ void choose_gas(const Deck& deck, std::size_t k, Scene& scene, Diagnostics& diag
   bool found = false;
   edge.body = gas_at(scene, k, found);
   if (found) return;
-  diagnostics.add(deck.remark(Severity::error, "mpm", "edge", {number, 1},
+  diagnostics.add(deck.remark(Severity::error, "mpm.edge", {number, 1},
                               fmt::format("no gas stands at the {} edge, and there are several", edge_names[k]),
                               fmt::format("say with edge_region({}) which comes in", number)));
 }
@@ -140,7 +141,7 @@ void keep_clear(const Deck& deck, std::size_t k, const Scene& scene, Diagnostics
       nearest = std::min(nearest, inward(scene.grid, k, scene.points.x[p], scene.points.y[p]));
     if (nearest >= clear_cells * h) continue;
     diagnostics.add(deck.remark(
-        Severity::error, "mpm", "edge", {static_cast<int>(k) + 1, 1},
+        Severity::error, "mpm.edge", {static_cast<int>(k) + 1, 1},
         fmt::format("{} is {:.3g} cells from the {} edge, through which only gas passes", body.name,
                     std::max(0.0, nearest / h), edge_names[k]),
         fmt::format("keep solids, membranes and linear fluids at least {} cells off, or make the grid larger",
@@ -153,7 +154,7 @@ void check_axis_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostic
   const double needed = (strip_cells + 2) * scene.grid.dx;
   if (scene.geometry != Geometry::axisymmetric || !scene.edges.of[0].open() || scene.grid.x0 >= needed) return;
   diagnostics.add(deck.remark(
-      Severity::error, "mpm", "edge", {1, 1},
+      Severity::error, "mpm.edge", {1, 1},
       fmt::format("about an axis the left edge at r = {:.6g} cannot be open: {} cells beyond it must lie off the axis",
                   scene.grid.x0, strip_cells + 2),
       fmt::format("xleft must be at least {:.6g}; an edge on the axis has wl=5", needed)));
@@ -169,7 +170,7 @@ void tell_corners(const Deck& deck, const Scene& scene, Diagnostics& diagnostics
     for (const std::size_t up : {2U, 3U}) {
       if (!enters(across) || !enters(up)) continue;
       diagnostics.add(deck.remark(
-          Severity::warning, "mpm", "edge", {static_cast<int>(up) + 1, 1},
+          Severity::warning, "mpm.edge", {static_cast<int>(up) + 1, 1},
           fmt::format(
               "gas flows in at the {} and at the {} edge: near their corner its density is uneven by {}",
               edge_names[across], edge_names[up],
@@ -198,7 +199,7 @@ void check_edges(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   for (std::size_t k = 0; k < 4; ++k) {
     if (!scene.edges.of[k].open()) continue;
     if (!gas) {
-      diagnostics.add(deck.remark(Severity::error, "mpm", "edge", {static_cast<int>(k) + 1, 1},
+      diagnostics.add(deck.remark(Severity::error, "mpm.edge", {static_cast<int>(k) + 1, 1},
                                   "an open edge is for gas, and there is none", "leave it out; wl=1 is an open wall"));
       return;
     }

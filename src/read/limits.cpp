@@ -22,13 +22,13 @@ constexpr Limits default_limits{.quality = {0.1, 0.001},
                                 .cfl = {4, 0}};
 
 /// Reads one limit; `low` says that smaller numbers are worse.
-Limit limit_of(const Deck& deck, const char* name, Limit limit, bool low, Diagnostics& diagnostics) {
-  if (deck.given("limits", name, 1)) limit.warn = deck.real("limits", name, 1);
-  if (deck.given("limits", name, 2)) limit.stop = deck.real("limits", name, 2);
+Limit limit_of(const Deck& deck, AnyVariable name, Limit limit, bool low, Diagnostics& diagnostics) {
+  if (deck.given(name, 1)) limit.warn = deck.real(name, 1);
+  if (deck.given(name, 2)) limit.stop = deck.real(name, 2);
   const bool wrong = limit.warn != 0 && limit.stop != 0 && (low ? limit.stop > limit.warn : limit.stop < limit.warn);
   if (wrong)
     diagnostics.add(
-        deck.remark(Severity::error, "limits", name, {deck.given("limits", name, 2) ? 2 : 1, 1},
+        deck.remark(Severity::error, name, {deck.given(name, 2) ? 2 : 1, 1},
                     fmt::format("{}: the run stops at {:.6g}, before it warns at {:.6g}", name, limit.stop, limit.warn),
                     "the first number warns, the second stops; 0 switches off"));
   return limit;
@@ -38,15 +38,15 @@ Limit limit_of(const Deck& deck, const char* name, Limit limit, bool low, Diagno
 
 Limits limits_of(const Deck& deck, Diagnostics& diagnostics) {
   Limits limits = default_limits;
-  const auto read = [&](const char* name, Limit& limit, bool low) {
+  const auto read = [&](AnyVariable name, Limit& limit, bool low) {
     limit = limit_of(deck, name, limit, low, diagnostics);
   };
-  read("quality", limits.quality, true);
-  read("volume", limits.volume, true);
-  read("energy_step", limits.energy_step, false);
-  read("energy_growth", limits.energy_growth, false);
-  read("splitting", limits.splitting, false);
-  read("cfl", limits.cfl, false);
+  read("limits.quality", limits.quality, true);
+  read("limits.volume", limits.volume, true);
+  read("limits.energy_step", limits.energy_step, false);
+  read("limits.energy_growth", limits.energy_growth, false);
+  read("limits.splitting", limits.splitting, false);
+  read("limits.cfl", limits.cfl, false);
   return limits;
 }
 
@@ -92,13 +92,13 @@ constexpr double default_records = 200;
 double shortest(const Deck& deck, std::initializer_list<int> switches, Diagnostics& diagnostics) {
   double interval = 0;
   for (const int k : switches) {
-    if (deck.integer("in", "iout", k) != 1) continue;
-    if (!deck.given("in", "tiout", k)) {
-      diagnostics.add(deck.remark(Severity::error, "in", "iout", {k, 1},
+    if (deck.integer("in.iout", k) != 1) continue;
+    if (!deck.given("in.tiout", k)) {
+      diagnostics.add(deck.remark(Severity::error, "in.iout", {k, 1},
                                   fmt::format("iout({})=1 needs its interval tiout({})", k, k), "give it, or write 0"));
       continue;
     }
-    const double given = deck.real("in", "tiout", k);
+    const double given = deck.real("in.tiout", k);
     if (interval == 0 || given < interval) interval = given;
   }
   return interval;
@@ -106,11 +106,11 @@ double shortest(const Deck& deck, std::initializer_list<int> switches, Diagnosti
 
 /// Switches that are on but write nothing: numbers without a meaning.
 void warn_of_idle_switches(const Deck& deck, Diagnostics& diagnostics) {
-  for (const Subscript at : deck.given_elements("in", "iout")) {
+  for (const Subscript at : deck.given_elements("in.iout")) {
     const int k = at[0];
     const bool writes = k == 13 || (k >= 30 && k <= 41);
-    if (writes || deck.integer("in", "iout", k) != 1) continue;
-    diagnostics.add(deck.remark(Severity::warning, "in", "iout", at, fmt::format("iout({})=1 writes nothing", k),
+    if (writes || deck.integer("in.iout", k) != 1) continue;
+    diagnostics.add(deck.remark(Severity::warning, "in.iout", at, fmt::format("iout({})=1 writes nothing", k),
                                 "13 and 30 to 41 have a meaning"));
   }
 }
@@ -125,7 +125,7 @@ OutputIntervals outputs_of(const Deck& deck, const Scene& scene, Diagnostics& di
   outputs.grid = shortest(deck, {30, 31, 37, 39}, diagnostics);
   outputs.checkpoint = shortest(deck, {41}, diagnostics);
   if (outputs.history == 0) outputs.history = scene.clock.tmax / default_records;
-  outputs.tracked_angle = deck.integer("in", "iout", 38) == 1 && scene.tracked.size() >= 2;
+  outputs.tracked_angle = deck.integer("in.iout", 38) == 1 && scene.tracked.size() >= 2;
   return outputs;
 }
 

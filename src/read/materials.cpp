@@ -13,32 +13,34 @@ namespace tether {
 namespace {
 
 /// A word of $reg, or where it has none and there is a mesh, of $fem.
-std::string word_of_region(const Deck& deck, const char* name, int r) {
-  if (deck.given("reg", name, r)) return deck.text("reg", name, r);
-  return deck.has_group("mesh") || deck.has_group("fem") ? deck.text("fem", name, r) : "";
+std::string word_of_region(const Deck& deck, TextVariable of_reg, TextVariable of_fem, int r) {
+  if (deck.given(of_reg, r)) return deck.text(of_reg, r);
+  return deck.has_group("mesh") || deck.has_group("fem") ? deck.text(of_fem, r) : "";
 }
 
 }  // namespace
 
-std::string law_word(const Deck& deck, int r) { return word_of_region(deck, "law", r); }
+std::string law_word(const Deck& deck, int r) { return word_of_region(deck, "reg.law", "fem.law", r); }
 
 ElasticConstants elastic_constants(const Deck& deck, int r, Plane plane) {
-  const std::string volumetric = word_of_region(deck, "volumetric", r);
-  return {.E = deck.real("reg", "matr", 1, r),
-          .nu = deck.real("reg", "matr", 2, r),
+  const std::string volumetric = word_of_region(deck, "reg.volumetric", "fem.volumetric", r);
+  return {.E = deck.real("reg.matr", 1, r),
+          .nu = deck.real("reg.matr", 2, r),
           .plane = plane,
           .volumetric = find_word<Volumetric>(volumetric).value_or(Volumetric::log),
-          .centre_x = deck.real("fem", "fibre_x", r),
-          .centre_y = deck.real("fem", "fibre_y", r)};
+          .centre_x = deck.real("fem.fibre_x", r),
+          .centre_y = deck.real("fem.fibre_y", r)};
 }
 
 void check_law_words(const Deck& deck, int r, Diagnostics& diagnostics) {
-  for (const char* name : {"law", "volumetric"}) {
-    if (!deck.given("reg", name, r) || !deck.given("fem", name, r)) continue;
-    const std::string here = deck.text("reg", name, r), there = deck.text("fem", name, r);
+  constexpr std::array<std::array<TextVariable, 2>, 2> words{
+      {{"reg.law", "fem.law"}, {"reg.volumetric", "fem.volumetric"}}};
+  for (const auto& [name, of_fem] : words) {
+    if (!deck.given(name, r) || !deck.given(of_fem, r)) continue;
+    const std::string here = deck.text(name, r), there = deck.text(of_fem, r);
     if (here == there) continue;
     diagnostics.add(
-        deck.remark(Severity::error, "reg", name, {r, 1},
+        deck.remark(Severity::error, name, {r, 1},
                     fmt::format("region {} has two of it: {} = '{}' here and '{}' in $fem", r, name, here, there),
                     "leave one of them away"));
   }
@@ -83,11 +85,11 @@ std::optional<Material> finite(const Deck& deck, int r, int ipath, const Refuse&
 /// Of words that say how elastic regions answer, where region r is none of theirs.
 void warn_of_unused_law(const Deck& deck, int r, int ipath, Diagnostics& diagnostics) {
   const bool elastic = ipath == 0 || ipath == 2;
-  for (const char* name : {"law", "volumetric"}) {
-    const bool used = elastic && (name == std::string_view("law") || law_word(deck, r) == NeoHookean::word);
-    if (used || !deck.given("reg", name, r)) continue;
+  for (const AnyVariable name : Variables{"reg.law", "reg.volumetric"}) {
+    const bool used = elastic && (name == "reg.law" || law_word(deck, r) == NeoHookean::word);
+    if (used || !deck.given(name, r)) continue;
     diagnostics.add(deck.remark(
-        Severity::warning, "reg", name, {r, 1},
+        Severity::warning, name, {r, 1},
         fmt::format("{} has no effect: region {} is {}", name, r, elastic ? "not neo-hookean" : "not elastic"),
         "leave it away"));
   }
@@ -104,21 +106,21 @@ Material string(const Deck& deck, double E, double nu, const Refuse& refuse) {
 
 std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& diagnostics) {
   IdealGas law;
-  law.gm1 = deck.real("fluid", "gm1");
-  law.mu = deck.real("fluid", "mu");
-  law.lambda = deck.real("fluid", "lambda");
-  law.coef1 = deck.real("fluid", "coef1");
-  law.coef2 = deck.real("fluid", "coef2");
+  law.gm1 = deck.real("fluid.gm1");
+  law.mu = deck.real("fluid.mu");
+  law.lambda = deck.real("fluid.lambda");
+  law.coef1 = deck.real("fluid.coef1");
+  law.coef2 = deck.real("fluid.coef2");
   const ViscosityOf own = is_robust(deck) ? ViscosityOf::local : ViscosityOf::deck;
-  if (word_or(deck, "mpm", "viscosity", own) == ViscosityOf::local)
+  if (word_or(deck, "mpm.viscosity", own) == ViscosityOf::local)
     law.lambda = law.coef1 = law.coef2 = 1, law.local_speed = true;
   law.rule = ipath == 9 ? DensityRule::quadratic : DensityRule::continuity;
   if (is_robust(deck)) law.rule = DensityRule::grid;
-  if (!deck.given("mpm", "density")) return law;
-  law.rule = word<DensityRule>(deck, "mpm", "density");
+  if (!deck.given("mpm.density")) return law;
+  law.rule = word<DensityRule>(deck, "mpm.density");
   if (law.rule != (ipath == 9 ? DensityRule::quadratic : DensityRule::continuity)) {
     diagnostics.add(deck.remark(
-        Severity::remark, "mpm", "density", {1, 1},
+        Severity::remark, "mpm.density", {1, 1},
         fmt::format("density = '{}' wins over ipath(4,{}) = {} of region {}", word_of(law.rule), r, ipath, r)));
   }
   return law;
@@ -127,26 +129,26 @@ std::optional<Material> gas(const Deck& deck, int ipath, int r, Diagnostics& dia
 }  // namespace
 
 Membrane membrane_law(const Deck& deck, int b, double E, double nu) {
-  return {E, nu, deck.logical("membrane", "wrinkle", b), word<Membrane::Kind>(deck, "membrane", "law", b)};
+  return {E, nu, deck.logical("membrane.wrinkle", b), word<Membrane::Kind>(deck, "membrane.law", b)};
 }
 
 std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& diagnostics) {
-  const int ipath = deck.given("reg", "ipath", 4, r) ? deck.integer("reg", "ipath", 4, r) : -1;
-  const double first = deck.real("reg", "matr", 1, r);
+  const int ipath = deck.given("reg.ipath", 4, r) ? deck.integer("reg.ipath", 4, r) : -1;
+  const double first = deck.real("reg.matr", 1, r);
   const Refuse refuse = [&](int constant, const std::string& message, const std::string& hint) {
     diagnostics.add(
-        deck.remark(Severity::error, "reg", "matr", {constant, r}, fmt::format("region {}: {}", r, message), hint));
+        deck.remark(Severity::error, "reg.matr", {constant, r}, fmt::format("region {}: {}", r, message), hint));
   };
   if (ipath == 2 && geometry_of(deck) == Geometry::axisymmetric) {
-    diagnostics.add(deck.remark(Severity::error, "reg", "ipath", {4, r},
-                                fmt::format("region {}: {}", r, no_plane_stress), use_three_stresses));
+    diagnostics.add(deck.remark(Severity::error, "reg.ipath", {4, r}, fmt::format("region {}: {}", r, no_plane_stress),
+                                use_three_stresses));
   }
   warn_of_unused_law(deck, r, ipath, diagnostics);
   switch (ipath) {
     case 0:
     case 2:
       if (is_finite(law_word(deck, r))) return finite(deck, r, ipath, refuse);
-      return elastic(ipath, first, deck.real("reg", "matr", 2, r), refuse);
+      return elastic(ipath, first, deck.real("reg.matr", 2, r), refuse);
     case 7:
     case 9:
       return gas(deck, ipath, r, diagnostics);
@@ -158,7 +160,7 @@ std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& di
       break;
   }
   diagnostics.add(deck.remark(
-      Severity::error, "reg", "ipath", {4, r},
+      Severity::error, "reg.ipath", {4, r},
       ipath == -1 ? fmt::format("region {}: ipath(4,{}) is not given", r, r)
                   : fmt::format("region {}: ipath(4) = {} names no law", r, ipath),
       "0 plane strain, 2 plane stress, 7 gas with continuity density, 9 gas with quadratic density, 8 linear fluid"));

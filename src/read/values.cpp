@@ -8,20 +8,20 @@
 
 namespace tether {
 
-std::shared_ptr<const Expression> expression_of(const Deck& deck, const std::string& group, const std::string& name,
-                                                int k, std::vector<std::string> variables, Diagnostics& diagnostics) {
+std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable name, int k,
+                                                std::vector<std::string> variables, Diagnostics& diagnostics) {
   try {
-    return std::make_shared<const Expression>(deck.text(group, name, k), std::move(variables));
+    return std::make_shared<const Expression>(deck.text(name, k), std::move(variables));
   } catch (const ExpressionError& error) {
-    diagnostics.add(deck.remark_within(Severity::error, group, name, {k, 1}, error.at(), error.what(), error.hint()));
+    diagnostics.add(deck.remark_within(Severity::error, name, {k, 1}, error.at(), error.what(), error.hint()));
     return nullptr;
   }
 }
 
 std::vector<int> regions_of(const Deck& deck, bool fluid) {
   std::vector<int> regions;
-  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) {
-    if ((deck.text("fem", "law", r) == fluid_word) == fluid) regions.push_back(r);
+  for (int r = 1; r <= deck.integer("reg.nreg"); ++r) {
+    if ((deck.text("fem.law", r) == fluid_word) == fluid) regions.push_back(r);
   }
   return regions;
 }
@@ -62,24 +62,23 @@ namespace {
 /// The group's variables of one table.
 struct Named {
   const Deck& deck;
-  const std::string& group;
-  const std::string& what;
+  AnyVariable what;
   int k;
   Diagnostics& diagnostics;
 
-  std::string name(const char* part) const { return what + part; }
-  void refuse(const std::string& variable, Subscript at, const std::string& message, const std::string& hint) const {
-    diagnostics.add(deck.remark(Severity::error, group, variable, at, message, hint));
+  AnyVariable name(const char* part) const { return what.with(part); }
+  void refuse(AnyVariable variable, Subscript at, const std::string& message, const std::string& hint) const {
+    diagnostics.add(deck.remark(Severity::error, variable, at, message, hint));
   }
 };
 
 /// The times and factors as far as they ascend; what is wrong with them is told.
 Amplitude table_of(const Named& of) {
-  const std::string times = of.name("_time"), factors = of.name("_factor");
-  const auto number = [&](const std::string& name, int i) { return of.deck.real(of.group, name, i, of.k); };
+  const AnyVariable times = of.name("_time"), factors = of.name("_factor");
+  const auto number = [&](RealVariable name, int i) { return of.deck.real(name, i, of.k); };
   Amplitude amplitude;
   for (int i = 1; i <= table_count; ++i) {
-    const bool time = of.deck.given(of.group, times, i, of.k), factor = of.deck.given(of.group, factors, i, of.k);
+    const bool time = of.deck.given(times, i, of.k), factor = of.deck.given(factors, i, of.k);
     if (time != factor) {
       of.refuse(time ? times : factors, {i, of.k},
                 fmt::format("{}({},{}) is not given", time ? factors : times, i, of.k),
@@ -101,31 +100,32 @@ Amplitude table_of(const Named& of) {
 
 /// A load that comes and goes within one step may never be seen.
 void warn_of_short(const Named& of, const Amplitude& amplitude) {
-  const double step = of.deck.real("in", "tstep");
+  const double step = of.deck.real("in.tstep");
   if (amplitude.time.size() < 3 || amplitude.factor.front() != amplitude.factor.back() ||
       amplitude.time.back() - amplitude.time.front() >= step)
     return;
-  of.diagnostics.add(of.deck.remark(Severity::warning, of.group, of.name("_time"), {1, of.k},
+  of.diagnostics.add(of.deck.remark(Severity::warning, of.name("_time"), {1, of.k},
                                     fmt::format("{} comes and goes within one step of {:.4g}", amplitude.of, step),
                                     "steps take their loads at their middle or end: lower tstep"));
 }
 
 }  // namespace
 
-Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
-                       Diagnostics& diagnostics) {
-  const Named of{deck, group, what, k, diagnostics};
+Amplitude amplitude_of(const Deck& deck, AnyVariable what, int k, Diagnostics& diagnostics) {
+  const Named of{deck, what, k, diagnostics};
   Amplitude amplitude = table_of(of);
-  amplitude.of = fmt::format("{} {}", what == "fix" ? "support" : what, k);
+  amplitude.of = fmt::format("{} {}", what == "fem.fix" ? "support" : what.name(), k);
   warn_of_short(of, amplitude);
-  const std::string name = of.name("_expression");
-  if (deck.given(group, name, k)) {
+  // The sides of a flow have none: their velocities are expressions of time themselves.
+  const Variable* formula = find_variable(what.group(), fmt::format("{}_expression", what));
+  if (formula && deck.given(AnyVariable(*formula), k)) {
+    const TextVariable name{AnyVariable(*formula)};
     if (!amplitude.time.empty())
       of.refuse(name, {k, 1}, fmt::format("{} has a table and an expression", amplitude.of),
                 fmt::format("leave {0}_time and {0}_factor away, or this", what));
-    amplitude.expression = expression_of(deck, group, name, k, {"t"}, diagnostics);
-  } else if (amplitude.time.empty() && group == "fem" && deck.logical("fem", "static")) {
-    amplitude.time = {0, deck.real("in", "tmax")}, amplitude.factor = {0, 1};
+    amplitude.expression = expression_of(deck, name, k, {"t"}, diagnostics);
+  } else if (amplitude.time.empty() && what.group() == "fem" && deck.logical("fem.static")) {
+    amplitude.time = {0, deck.real("in.tmax")}, amplitude.factor = {0, 1};
   }
   return amplitude;
 }

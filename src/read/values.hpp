@@ -18,22 +18,22 @@ namespace tether {
 /// The enumerator that a deck's text stands for, at (i, j) of a variable whose choices are the words of E. Throws
 /// std::logic_error where the table has other choices.
 template <class E>
-E word(const Deck& deck, std::string_view group, std::string_view name, int i = 1, int j = 1) {
-  const std::string text = deck.text(group, name, i, j);
+E word(const Deck& deck, TextVariable variable, int i = 1, int j = 1) {
+  const std::string text = deck.text(variable, i, j);
   if (const auto found = find_word<E>(text)) return *found;
-  throw std::logic_error("'" + text + "' is no word of " + std::string(group) + "." + std::string(name));
+  throw std::logic_error("'" + text + "' is no word of " + std::string(variable.name()));
 }
 
 /// The same, or `otherwise` where the deck does not give the variable.
 template <class E>
-E word_or(const Deck& deck, std::string_view group, std::string_view name, E otherwise) {
-  return deck.given(group, name) ? word<E>(deck, group, name) : otherwise;
+E word_or(const Deck& deck, TextVariable variable, E otherwise) {
+  return deck.given(variable) ? word<E>(deck, variable) : otherwise;
 }
 
 /// The expression in these variables that a text of the deck is, or null where it is wrong, which is told under the
 /// byte that is.
-std::shared_ptr<const Expression> expression_of(const Deck& deck, const std::string& group, const std::string& name,
-                                                int k, std::vector<std::string> variables, Diagnostics& diagnostics);
+std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable name, int k,
+                                                std::vector<std::string> variables, Diagnostics& diagnostics);
 
 /// Whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
 bool has_flow(const Deck& deck);
@@ -50,9 +50,8 @@ std::string path_hint(const std::string& example);
 /// The file of that name, counted from the deck's folder.
 std::filesystem::path path_beside(const Deck& deck, const std::string& name);
 
-/// The factor that $group gives as what_time and what_factor in column k, or as what_expression(k); where it gives
-/// neither, a static problem's grows in proportion to time.
-Amplitude amplitude_of(const Deck& deck, const std::string& group, const std::string& what, int k,
-                       Diagnostics& diagnostics);
+/// The factor that the deck gives as what_time and what_factor in column k, or as what_expression(k) ("fem.load");
+/// where it gives neither, a static problem's grows in proportion to time.
+Amplitude amplitude_of(const Deck& deck, AnyVariable what, int k, Diagnostics& diagnostics);
 
 }  // namespace tether

@@ -29,20 +29,20 @@ bool must_agree(const Variable& variable, Subscript at) {
 }
 
 std::string text_of(const Deck& deck, const Variable& variable, Subscript at) {
-  const bool any = deck.given(variable.group, variable.name, at[0], at[1]) || !variable.fallback.empty();
-  return any ? value_text(deck.value(variable.group, variable.name, at[0], at[1])) : "not given";
+  const bool any = deck.given(AnyVariable(variable), at[0], at[1]) || !variable.fallback.empty();
+  return any ? value_text(deck.value(AnyVariable(variable), at[0], at[1])) : "not given";
 }
 
 /// Loads of statics without a table grow until tmax: another one would change what they were.
 bool ends_a_ramp(const Deck& now, const Variable& variable) {
-  return variable.group == "in" && variable.name == "tmax" && now.logical("fem", "static");
+  return variable.group == "in" && variable.name == "tmax" && now.logical("fem.static");
 }
 
 /// Adds an error for each element of a variable that is not the same in both decks.
 void compare(const Deck& before, const Deck& now, const Variable& variable, Diagnostics& diagnostics) {
   std::set<Subscript> elements;
   for (const Deck* deck : {&before, &now}) {
-    for (const Subscript at : deck->given_elements(variable.group, variable.name)) elements.insert(at);
+    for (const Subscript at : deck->given_elements(AnyVariable(variable))) elements.insert(at);
   }
   for (const Subscript at : elements) {
     const auto then = text_of(before, variable, at), here = text_of(now, variable, at);
@@ -71,9 +71,9 @@ void check_same_run(const std::string& checkpoint_deck, const std::string& deck)
 void check_end(const Checkpoint& checkpoint, const std::string& deck_effective) {
   Diagnostics ignored;
   const Deck deck = read_deck(deck_effective, "deck", {}, ignored);
-  if (!deck.given("in", "tmax") || checkpoint.time <= deck.real("in", "tmax")) return;
+  if (!deck.given("in.tmax") || checkpoint.time <= deck.real("in.tmax")) return;
   throw InputError(
-      fmt::format("the checkpoint is of t = {:.6g}, behind tmax = {:.6g}", checkpoint.time, deck.real("in", "tmax")),
+      fmt::format("the checkpoint is of t = {:.6g}, behind tmax = {:.6g}", checkpoint.time, deck.real("in.tmax")),
       "give the run's own tmax, or a later one");
 }
 

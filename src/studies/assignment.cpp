@@ -124,7 +124,7 @@ class AssignmentReader {
 
 Cell Assignment::cell(std::size_t k) const {
   Diagnostics none;
-  const auto data = deck_of(override_text(k), none).value(group, name, first[0], first[1]).data;
+  const auto data = deck_of(override_text(k), none).value({group, name}, first[0], first[1]).data;
   if (const auto* integer = std::get_if<long long>(&data)) return static_cast<double>(*integer);
   if (const auto* real = std::get_if<double>(&data)) return *real;
   if (const auto* text = std::get_if<std::string>(&data)) return *text;

@@ -35,16 +35,16 @@ class StudyReader {
     study_.file = deck_.file();
     study_.text = deck_.text();
     study_.title = fmt::format("{}", fmt::join(deck_.header(), "\n"));
-    const std::string mode = text("mode");
+    const std::string mode = text("study.mode");
     study_.mode = mode == "grid" ? Mode::grid : mode == "ensemble" ? Mode::ensemble : Mode::bisect;
     if (!diagnostics_.has_errors()) check_mode(deck_, study_.mode, remarks_);  // what was not read is not missing
     read_decks();
-    for (const auto& at : given("set")) read_set(at[0]);
-    for (const auto& at : given("axis")) read_axis(at[0]);
-    for (const auto& at : given("linked")) link(at[0]);
-    for (const auto& at : given("quantities")) study_.quantities.push_back(quantity("quantities", at[0]));
-    study_.order = text("order");
-    if (study_.mode != Mode::grid && is_given("vary")) read_vary();
+    for (const auto& at : given("study.set")) read_set(at[0]);
+    for (const auto& at : given("study.axis")) read_axis(at[0]);
+    for (const auto& at : given("study.linked")) link(at[0]);
+    for (const auto& at : given("study.quantities")) study_.quantities.push_back(quantity("study.quantities", at[0]));
+    study_.order = text("study.order");
+    if (study_.mode != Mode::grid && is_given("study.vary")) read_vary();
     if (study_.mode == Mode::ensemble) read_ensemble();
     if (study_.mode == Mode::bisect) read_bisection();
     check_decks(deck_, study_, remarks_, diagnostics_);
@@ -54,52 +54,52 @@ class StudyReader {
   }
 
  private:
-  std::vector<Subscript> given(const char* name) const { return deck_.given_elements(study_group, name); }
-  bool is_given(const char* name) const { return deck_.given(study_group, name); }
-  std::string text(const char* name, int k = 1) const { return deck_.text(study_group, name, k); }
-  double number(const char* name) const { return deck_.real(study_group, name); }
+  std::vector<Subscript> given(AnyVariable name) const { return deck_.given_elements(name); }
+  bool is_given(AnyVariable name) const { return deck_.given(name); }
+  std::string text(TextVariable name, int k = 1) const { return deck_.text(name, k); }
+  double number(RealVariable name) const { return deck_.real(name); }
 
   void read_decks() {
-    if (given("decks").empty()) remarks_.error("decks", 1, "the study names no deck", "decks='../sod.in'");
-    for (const auto& at : given("decks")) {
-      const std::string name = text("decks", at[0]), mistake = path_mistake(name);
+    if (given("study.decks").empty()) remarks_.error("study.decks", 1, "the study names no deck", "decks='../sod.in'");
+    for (const auto& at : given("study.decks")) {
+      const std::string name = text("study.decks", at[0]), mistake = path_mistake(name);
       if (!mistake.empty()) {
-        remarks_.error("decks", at[0], "the deck's path " + mistake,
+        remarks_.error("study.decks", at[0], "the deck's path " + mistake,
                        "write a path from the study deck's folder, at most one folder up");
         continue;
       }
       const std::string file = (fs::path(deck_.file()).parent_path() / name).lexically_normal().string();
       const auto same = [&](const BaseDeck& other) { return other.file == file; };
       if (std::any_of(study_.decks.begin(), study_.decks.end(), same))
-        remarks_.error("decks", at[0], "this deck stands there twice");
+        remarks_.error("study.decks", at[0], "this deck stands there twice");
       try {
         study_.decks.push_back({at[0], file, read_file(file)});
       } catch (const FileError& error) {
-        remarks_.error("decks", at[0], error.what(), "the path counts from the study deck's folder");
+        remarks_.error("study.decks", at[0], error.what(), "the path counts from the study deck's folder");
       }
     }
   }
 
   void read_set(int k) {
-    const std::string value = text("set", k);
+    const std::string value = text("study.set", k);
     const Assignment assignment = read_assignment(value, Taken::together);
-    remarks_.tell("set", k, assignment.mistakes);
+    remarks_.tell("study.set", k, assignment.mistakes);
     if (!assignment.mistakes.empty()) return;
-    own("set", k, assignment.all);
+    own("study.set", k, assignment.all);
     study_.sets.push_back(value);
   }
 
   void read_axis(int k) {
-    const Assignment assignment = read_assignment(text("axis", k), Taken::one_by_one);
-    remarks_.tell("axis", k, assignment.mistakes);
+    const Assignment assignment = read_assignment(text("study.axis", k), Taken::one_by_one);
+    remarks_.tell("study.axis", k, assignment.mistakes);
     if (!assignment.mistakes.empty()) return;
-    own("axis", k, assignment.one_value);
+    own("study.axis", k, assignment.one_value);
     Axis axis{assignment.variable, {}, {}, study_.axes.size()};
     for (std::size_t v = 0; v < assignment.values.size(); ++v) {
       axis.overrides.push_back(assignment.override_text(v));
       axis.cells.push_back(assignment.cell(v));
     }
-    if (deck_.integer(study_group, "linked", k) == 0) tell_of_doubles(k, axis, assignment.values);
+    if (deck_.integer("study.linked", k) == 0) tell_of_doubles(k, axis, assignment.values);
     numbers_[k] = study_.axes.size();
     study_.axes.push_back(std::move(axis));
   }
@@ -109,20 +109,20 @@ class StudyReader {
     std::set<Cell> seen;
     for (std::size_t v = 0; v < values.size(); ++v) {
       if (!seen.insert(axis.cells[v]).second)
-        remarks_.error("axis", k, fmt::format("the value {} stands there twice", values[v]));
+        remarks_.error("study.axis", k, fmt::format("the value {} stands there twice", values[v]));
     }
   }
 
   void link(int k) {
-    const int leader = deck_.integer(study_group, "linked", k);
+    const int leader = deck_.integer("study.linked", k);
     if (leader == 0) return;
-    if (!deck_.given(study_group, "axis", k) || !deck_.given(study_group, "axis", leader) || leader >= k)
-      return remarks_.error("linked", k, fmt::format("axis {} cannot move along with axis {}", k, leader),
+    if (!deck_.given("study.axis", k) || !deck_.given("study.axis", leader) || leader >= k)
+      return remarks_.error("study.linked", k, fmt::format("axis {} cannot move along with axis {}", k, leader),
                             "linked(2)=1 lets axis 2 move along with axis 1: both are there, the lower number leads");
     if (numbers_.count(k) == 0 || numbers_.count(leader) == 0) return;  // told with its axis
     Axis &axis = study_.axes[numbers_[k]], &first = study_.axes[numbers_[leader]];
     if (axis.cells.size() != first.cells.size()) {
-      remarks_.error("linked", k,
+      remarks_.error("study.linked", k,
                      fmt::format("axis {} has {} values, axis {} has {}: axes that move together have equally many", k,
                                  axis.cells.size(), leader, first.cells.size()));
     }
@@ -130,7 +130,7 @@ class StudyReader {
   }
 
   /// The column of a quantity; "" where its text is a mistake, which is told.
-  std::string quantity(const char* name, int k = 1) {
+  std::string quantity(TextVariable name, int k = 1) {
     std::string as_given = text(name, k);
     if (!is_history_value(as_given)) return as_given;
     const auto [value, mistakes] = read_history_value(as_given);
@@ -141,40 +141,41 @@ class StudyReader {
   }
 
   void read_vary() {
-    const Assignment varied = read_assignment(text("vary") + "=0.0", Taken::name_alone);
-    remarks_.tell("vary", 1, varied.mistakes);
+    const Assignment varied = read_assignment(text("study.vary") + "=0.0", Taken::name_alone);
+    remarks_.tell("study.vary", 1, varied.mistakes);
     if (!varied.mistakes.empty()) return;
-    if (find_variable(varied.group, varied.name)->type != ValueType::real)
-      return remarks_.error("vary", 1, fmt::format("{} is no real number", varied.variable));
-    own("vary", 1, varied.one_value);
+    if (AnyVariable(varied.group, varied.name).row().type != ValueType::real)
+      return remarks_.error("study.vary", 1, fmt::format("{} is no real number", varied.variable));
+    own("study.vary", 1, varied.one_value);
     study_.vary = {varied.variable, varied.group, varied.name, varied.first};
   }
 
   void read_ensemble() {
-    if (is_given("fraction")) study_.fraction = number("fraction");
-    if (is_given("runs")) study_.runs = deck_.integer(study_group, "runs");
+    if (is_given("study.fraction")) study_.fraction = number("study.fraction");
+    if (is_given("study.runs")) study_.runs = deck_.integer("study.runs");
   }
 
   void read_bisection() {
-    study_.criterion.key = quantity("criterion");
-    if (is_given("at_least")) study_.criterion.at_least = number("at_least");
-    if (is_given("at_most")) study_.criterion.at_most = number("at_most");
-    const bool bounded = is_given("at_least") || is_given("at_most");
+    study_.criterion.key = quantity("study.criterion");
+    if (is_given("study.at_least")) study_.criterion.at_least = number("study.at_least");
+    if (is_given("study.at_most")) study_.criterion.at_most = number("study.at_most");
+    const bool bounded = is_given("study.at_least") || is_given("study.at_most");
     if (!bounded && study_.criterion.key == exit_code_key) study_.criterion.at_most = exit_done;
     if (!bounded && study_.criterion.key != exit_code_key)
-      remarks_.error("criterion", 1, "the criterion has no bound", "at_most=100.0, or at_least");
+      remarks_.error("study.criterion", 1, "the criterion has no bound", "at_most=100.0, or at_least");
     if (study_.criterion.at_least > study_.criterion.at_most)
-      remarks_.error("at_least", 1, "nothing lies between at_least and at_most");
-    if (!is_given("low") || !is_given("high")) return;
-    study_.interval = {number("low"), number("high"), number("tolerance")};
-    if (!(study_.interval.low < study_.interval.high)) remarks_.error("high", 1, "a bisection's high is above its low");
-    for (const char* end : {"low", "high"}) {
+      remarks_.error("study.at_least", 1, "nothing lies between at_least and at_most");
+    if (!is_given("study.low") || !is_given("study.high")) return;
+    study_.interval = {number("study.low"), number("study.high"), number("study.tolerance")};
+    if (!(study_.interval.low < study_.interval.high))
+      remarks_.error("study.high", 1, "a bisection's high is above its low");
+    for (const AnyVariable end : Variables{"study.low", "study.high"}) {
       if (!study_.vary.variable.empty()) tell_of_value(end, number(end));
     }
   }
 
   /// Whether the varied variable may have this value.
-  void tell_of_value(const char* at, double value) {
+  void tell_of_value(AnyVariable at, double value) {
     const auto text = fmt::format("{}={}", study_.vary.variable, value);
     for (const auto& mistake : read_assignment(text, Taken::one_by_one).mistakes)
       remarks_.error(at, 1, mistake.message, mistake.hint);
@@ -182,7 +183,8 @@ class StudyReader {
 
   bool check_number_of_runs() {
     const double count = count_combinations(study_) * (study_.mode == Mode::ensemble ? study_.runs : 1);
-    if (count > most_runs) remarks_.error("axis", 1, fmt::format("the study has {:.3g} runs, more than 100000", count));
+    if (count > most_runs)
+      remarks_.error("study.axis", 1, fmt::format("the study has {:.3g} runs, more than 100000", count));
     return count <= most_runs;
   }
 
@@ -191,20 +193,21 @@ class StudyReader {
     for (const Combination& combination : combinations(study_)) {
       if (diagnostics_.has_errors()) return;
       const Deck deck = read_deck(study_, combination);
-      const auto& [variable, group, name, at] = study_.vary;
-      const bool any = deck.given(group, name, at[0], at[1]) || !find_variable(group, name)->fallback.empty();
-      const double own = any ? deck.real(group, name, at[0], at[1]) : 0;
+      const Subscript& at = study_.vary.at;
+      const RealVariable name(study_.vary.group, study_.vary.name);
+      const bool any = deck.given(name, at[0], at[1]) || !name.row().fallback.empty();
+      const double own = any ? deck.real(name, at[0], at[1]) : 0;
       if (own == 0)
-        remarks_.error("vary", 1,
-                       fmt::format("{} is {} in {}: it has no fraction", variable, any ? "0" : "not given",
+        remarks_.error("study.vary", 1,
+                       fmt::format("{} is {} in {}: it has no fraction", study_.vary.variable, any ? "0" : "not given",
                                    study_.decks[combination.deck].file));
-      for (const double end : {1 - study_.fraction, 1 + study_.fraction}) tell_of_value("fraction", own * end);
+      for (const double end : {1 - study_.fraction, 1 + study_.fraction}) tell_of_value("study.fraction", own * end);
       study_.own_values.push_back(own);
     }
   }
 
   /// Notes the elements of the decks that something sets; no two may set one.
-  void own(const std::string& name, int k, const std::set<std::string>& elements) {
+  void own(AnyVariable name, int k, const std::set<std::string>& elements) {
     for (const auto& element : elements) {
       const auto [owner, fresh] = owners_.try_emplace(element, fmt::format("{}({})", name, k));
       if (!fresh) return remarks_.error(name, k, fmt::format("{} is set by {}, too", element, owner->second));

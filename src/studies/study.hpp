@@ -82,8 +82,8 @@ struct BaseDeck {
 /// A value of the runs' histories, and which text of $study wants it.
 struct WantedValue {
   HistoryValue value;
-  std::string variable;  ///< "quantities" or "criterion"
-  int number = 1;        ///< quantities(number)
+  TextVariable variable;  ///< quantities or criterion
+  int number = 1;         ///< quantities(number)
 };
 
 /// What a study deck says. Its axes, sets and quantities suit the table of variables and the decks.

@@ -24,14 +24,14 @@ constexpr std::size_t longest_shown_line = 1000;
 
 }  // namespace
 
-void StudyRemarks::error(const std::string& name, int k, const std::string& message, const std::string& hint) {
-  add(deck_.remark(Severity::error, group_, name, {k, 1}, message, hint));
+void StudyRemarks::error(AnyVariable name, int k, const std::string& message, const std::string& hint) {
+  add(deck_.remark(Severity::error, name, {k, 1}, message, hint));
 }
 
-void StudyRemarks::tell(const std::string& name, int k, const std::vector<Mistake>& mistakes) {
-  const std::string text = deck_.text(group_, name, k);
+void StudyRemarks::tell(TextVariable name, int k, const std::vector<Mistake>& mistakes) {
+  const std::string text = deck_.text(name, k);
   for (const auto& mistake : mistakes) {
-    auto remark = deck_.remark(Severity::error, group_, name, {k, 1}, mistake.message, mistake.hint);
+    auto remark = deck_.remark(Severity::error, name, {k, 1}, mistake.message, mistake.hint);
     const auto quote = static_cast<std::size_t>(remark.place.column);  // the text begins behind it
     const bool as_written = remark.line_text.compare(std::min(quote, remark.line_text.size()), text.size(), text) == 0;
     if (as_written) remark.place.column += mistake.column;
@@ -48,19 +48,19 @@ namespace {
 
 /// For which modes a variable of $study is, and which of them need it.
 struct Rule {
-  const char* name;
+  AnyVariable name;
   bool grid, ensemble, bisect;
   bool required;
   bool is_for(Mode mode) const { return mode == Mode::grid ? grid : mode == Mode::ensemble ? ensemble : bisect; }
 };
 
 constexpr std::array rules{
-    Rule{"order", true, false, false, false},    Rule{"quantities", true, true, false, true},
-    Rule{"vary", false, true, true, true},       Rule{"fraction", false, true, false, true},
-    Rule{"runs", false, true, false, true},      Rule{"low", false, false, true, true},
-    Rule{"high", false, false, true, true},      Rule{"tolerance", false, false, true, false},
-    Rule{"criterion", false, false, true, true}, Rule{"at_least", false, false, true, false},
-    Rule{"at_most", false, false, true, false},
+    Rule{"study.order", true, false, false, false},    Rule{"study.quantities", true, true, false, true},
+    Rule{"study.vary", false, true, true, true},       Rule{"study.fraction", false, true, false, true},
+    Rule{"study.runs", false, true, false, true},      Rule{"study.low", false, false, true, true},
+    Rule{"study.high", false, false, true, true},      Rule{"study.tolerance", false, false, true, false},
+    Rule{"study.criterion", false, false, true, true}, Rule{"study.at_least", false, false, true, false},
+    Rule{"study.at_most", false, false, true, false},
 };
 
 /// Keys of summary.txt that are numbers of the run itself; the table has the cost of the whole process anyhow.
@@ -104,18 +104,18 @@ bool is_of_history(const Study& study, const std::string& key) {
 
 void check_quantities(const Deck& deck, const Study& study, const std::vector<std::string>& known,
                       StudyRemarks& remarks) {
-  const auto given = deck.given_elements(study_group, "quantities");
+  const auto given = deck.given_elements("study.quantities");
   std::vector<std::string> before;
   for (std::size_t k = 0; k < given.size(); ++k) {
     const std::string key = study.quantities[k];
     if (key.empty()) continue;  // told
     if (contains(fixed_columns(), key))
-      remarks.error("quantities", given[k][0], fmt::format("every table has {}", key), "Leave it out.");
+      remarks.error("study.quantities", given[k][0], fmt::format("every table has {}", key), "Leave it out.");
     else if (!contains(known, key) && !is_of_history(study, key))
-      remarks.error("quantities", given[k][0], fmt::format("no run writes {} into its summary", key),
+      remarks.error("study.quantities", given[k][0], fmt::format("no run writes {} into its summary", key),
                     meant_key(key, known));
     else if (contains(before, key))
-      remarks.error("quantities", given[k][0], fmt::format("{} stands there twice", key));
+      remarks.error("study.quantities", given[k][0], fmt::format("{} stands there twice", key));
     before.push_back(key);
   }
 }
@@ -124,7 +124,7 @@ void check_criterion(const Study& study, std::vector<std::string> known, StudyRe
   known.insert(known.begin(), exit_code_key);
   const std::string& key = study.criterion.key;
   if (key.empty() || contains(known, key) || is_of_history(study, key)) return;
-  remarks.error("criterion", 1, fmt::format("no run writes {} into its summary", key), meant_key(key, known));
+  remarks.error("mpm.criterion", 1, fmt::format("no run writes {} into its summary", key), meant_key(key, known));
 }
 
 void check_order(const Study& study, const std::vector<std::string>& known, StudyRemarks& remarks) {
@@ -133,10 +133,10 @@ void check_order(const Study& study, const std::vector<std::string>& known, Stud
   for (const Axis& axis : study.axes) {
     if (std::holds_alternative<double>(axis.cells.front())) columns.push_back(axis.variable);
   }
-  if (study.axes.empty()) remarks.error("order", 1, "an order is told along axis 1, and there is none");
+  if (study.axes.empty()) remarks.error("mpm.order", 1, "an order is told along axis 1, and there is none");
   if (contains(columns, study.order)) return;
   const bool could_be = contains(known, study.order);
-  remarks.error("order", 1, fmt::format("the table has no column {} of numbers", study.order),
+  remarks.error("mpm.order", 1, fmt::format("the table has no column {} of numbers", study.order),
                 could_be ? fmt::format("Add '{}' to quantities.", study.order) : meant(study.order, columns));
 }
 
@@ -148,7 +148,7 @@ Deck read_base(const Study& study, std::size_t k, Diagnostics& diagnostics) {
 
 /// Its mistakes; those of overrides were told at the study's axes and sets.
 void tell_of(const Deck& deck, int number, const Diagnostics& found, StudyRemarks& remarks, Diagnostics& diagnostics) {
-  if (deck.is_study()) return remarks.error("decks", number, "this deck is a study itself");
+  if (deck.is_study()) return remarks.error("study.decks", number, "this deck is a study itself");
   for (const auto& error : found.errors()) {
     if (error.place.file != override_file) diagnostics.add(error);
   }
@@ -157,13 +157,13 @@ void tell_of(const Deck& deck, int number, const Diagnostics& found, StudyRemark
 }  // namespace
 
 void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks) {
-  const std::string word = deck.text(study_group, "mode");
+  const std::string word = deck.text("study.mode");
   for (const Rule& rule : rules) {
-    const bool given = !deck.given_elements(study_group, rule.name).empty();
+    const bool given = !deck.given_elements(rule.name).empty();
     if (given && !rule.is_for(mode)) {
       remarks.error(rule.name, 1, fmt::format("{} is not for mode '{}'", rule.name, word));
     } else if (!given && rule.is_for(mode) && rule.required) {
-      remarks.error("mode", 1, fmt::format("a study of mode '{}' needs {}", word, rule.name));
+      remarks.error("coupled.mode", 1, fmt::format("a study of mode '{}' needs {}", word, rule.name));
     }
   }
 }
@@ -174,7 +174,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     Diagnostics found;
     const Deck base = read_base(study, k, found);
     tell_of(base, study.decks[k].number, found, remarks, diagnostics);
-    keys.add(base.text("reference", "solution"));
+    keys.add(base.text("reference.solution"));
     if (!base.has_group("mesh") && !base.has_group("coupled")) keys.add_those_of_points();
     if (base.has_group("mesh")) keys.add_those_of_meshes();
     if (base.has_group("flow")) keys.add_those_of_flows();

@@ -14,20 +14,18 @@ namespace tether {
 class StudyRemarks {
  public:
   /// The references must outlive this.
-  StudyRemarks(const Deck& deck, Diagnostics& diagnostics, std::string_view group = study_group)
-      : deck_(deck), diagnostics_(diagnostics), group_(group) {}
+  StudyRemarks(const Deck& deck, Diagnostics& diagnostics) : deck_(deck), diagnostics_(diagnostics) {}
 
-  /// At the group's name(k), else at the group.
-  void error(const std::string& name, int k, const std::string& message, const std::string& hint = {});
+  /// At name(k), else at its group.
+  void error(AnyVariable name, int k, const std::string& message, const std::string& hint = {});
   /// Those of the text that stands in name(k), each at its column where the deck has the text on one line.
-  void tell(const std::string& name, int k, const std::vector<Mistake>& mistakes);
+  void tell(TextVariable name, int k, const std::vector<Mistake>& mistakes);
 
  private:
   void add(Diagnostic remark);
 
   const Deck& deck_;
   Diagnostics& diagnostics_;
-  std::string_view group_;
 };
 
 // What is checked of a study as a whole, before its first run; mistakes are told at the study deck's places.

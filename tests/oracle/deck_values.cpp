@@ -38,8 +38,8 @@ void show_remarks(const Diagnostics& diagnostics) {
 
 void show_values(const Deck& deck) {
   for (const auto& variable : variables()) {
-    for (const auto& at : deck.given_elements(variable.group, variable.name)) {
-      const auto value = deck.value(variable.group, variable.name, at[0], at[1]);
+    for (const auto& at : deck.given_elements(AnyVariable(variable))) {
+      const auto value = deck.value(AnyVariable(variable), at[0], at[1]);
       fmt::print("V {} {} {}\n", variable.group, element_name(variable, at), std::visit(Spelling{}, value.data));
     }
   }

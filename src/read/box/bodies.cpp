@@ -14,9 +14,9 @@
 namespace tether {
 namespace {
 
-void refuse(const Deck& deck, const char* name, Subscript at, const std::string& message, const std::string& hint,
+void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
             Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::error, "coupled", name, at, message, hint));
+  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
 }
 
 std::vector<int> without_twins(std::vector<int> nodes) {
@@ -37,15 +37,15 @@ std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
 
 /// What spring_on(k) names, which is told where there is nothing of that name.
 std::vector<int> nodes_named(const Deck& deck, int k, const Solids& solids, Diagnostics& diagnostics) {
-  const std::string on = deck.text("coupled", "spring_on", k);
+  const std::string on = deck.text("coupled.spring_on", k);
   if (!on.starts_with("region ")) {
-    const Sides* sides = named_sides(deck, "coupled", "spring_on", k, solids.mesh, diagnostics);
+    const Sides* sides = named_sides(deck, "coupled.spring_on", k, solids.mesh, diagnostics);
     return sides ? without_twins(*sides) : std::vector<int>{};
   }
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     if (solids.regions[r].name == on) return nodes_of_region(solids.mesh, static_cast<int>(r));
   }
-  refuse(deck, "spring_on", {k, 1}, fmt::format("there is no {}", on), "regions are 1 to nreg", diagnostics);
+  refuse(deck, "coupled.spring_on", {k, 1}, fmt::format("there is no {}", on), "regions are 1 to nreg", diagnostics);
   return {};
 }
 
@@ -70,7 +70,7 @@ void check_moved(const Deck& deck, int k, const Support& hinge, const Solids& so
       return std::binary_search(other.nodes.begin(), other.nodes.end(), node);
     });
     if (!moves || !same) continue;
-    refuse(deck, "hinge", {1, k}, fmt::format("hinge {} holds a node that {} moves", k, other.amplitude.of),
+    refuse(deck, "coupled.hinge", {1, k}, fmt::format("hinge {} holds a node that {} moves", k, other.amplitude.of),
            "leave one of them away", diagnostics);
   }
 }
@@ -90,18 +90,19 @@ std::vector<int> nodes_in_line(const Mesh& mesh, std::size_t node) {
 }  // namespace
 
 void add_springs(const Deck& deck, const Solids& solids, Coupled& coupled, Diagnostics& diagnostics) {
-  check_all_act(deck, "coupled", "spring", "spring_on", {"spring"}, diagnostics);
-  for (const Subscript at : deck.given_elements("coupled", "spring_on")) {
+  check_all_act(deck, "spring", "coupled.spring_on", {"coupled.spring"}, diagnostics);
+  for (const Subscript at : deck.given_elements("coupled.spring_on")) {
     Spring spring;
     spring.number = at[0];
     spring.nodes = nodes_named(deck, at[0], solids, diagnostics);
     for (int i = 1; i <= 3; ++i)
-      spring.stiffness[static_cast<std::size_t>(i - 1)] = deck.real("coupled", "spring", i, at[0]);
+      spring.stiffness[static_cast<std::size_t>(i - 1)] = deck.real("coupled.spring", i, at[0]);
     if (spring.stiffness == Vec<3>{})
-      refuse(deck, "spring_on", at, fmt::format("spring {} has no stiffness: spring(1,{}) is not given", at[0], at[0]),
+      refuse(deck, "coupled.spring_on", at,
+             fmt::format("spring {} has no stiffness: spring(1,{}) is not given", at[0], at[0]),
              "write its stiffness in x, y and z, force per length", diagnostics);
     if (solids.mesh.dim() == 2 && spring.stiffness[2] != 0)
-      refuse(deck, "spring", {3, at[0]}, fmt::format("spring {} acts along z, but the mesh is plane", at[0]),
+      refuse(deck, "coupled.spring", {3, at[0]}, fmt::format("spring {} acts along z, but the mesh is plane", at[0]),
              "leave its third stiffness away", diagnostics);
     coupled.springs.push_back(std::move(spring));
   }
@@ -109,11 +110,11 @@ void add_springs(const Deck& deck, const Solids& solids, Coupled& coupled, Diagn
 
 void add_hinges(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   std::set<int> numbers;
-  for (const Subscript at : deck.given_elements("coupled", "hinge")) numbers.insert(at[1]);
+  for (const Subscript at : deck.given_elements("coupled.hinge")) numbers.insert(at[1]);
   for (const int k : numbers) {
-    const bool x = deck.given("coupled", "hinge", 1, k), y = deck.given("coupled", "hinge", 2, k);
+    const bool x = deck.given("coupled.hinge", 1, k), y = deck.given("coupled.hinge", 2, k);
     if (!x || !y) {
-      refuse(deck, "hinge",
+      refuse(deck, "coupled.hinge",
              {x   ? 1
               : y ? 2
                   : 3,
@@ -122,8 +123,8 @@ void add_hinges(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
       continue;
     }
     Support support;
-    support.nodes = nodes_in_line(solids.mesh, nearest_node(solids.mesh, deck.real("coupled", "hinge", 1, k),
-                                                            deck.real("coupled", "hinge", 2, k)));
+    support.nodes = nodes_in_line(
+        solids.mesh, nearest_node(solids.mesh, deck.real("coupled.hinge", 1, k), deck.real("coupled.hinge", 2, k)));
     support.fixed = {true, true, solids.mesh.dim() == 3};
     support.amplitude.of = fmt::format("hinge {}", k);
     check_moved(deck, k, support, solids, diagnostics);
@@ -136,11 +137,11 @@ namespace {
 /// Reads the part of a side that a jet or an opening is: `name` is the deck's variable of its places.
 class PatchReader {
  public:
-  PatchReader(const Deck& deck, const char* name, int k, const Coupled& coupled, Diagnostics& diagnostics)
+  PatchReader(const Deck& deck, RealVariable name, int k, const Coupled& coupled, Diagnostics& diagnostics)
       : deck_(deck), name_(name), k_(k), coupled_(coupled), diagnostics_(diagnostics) {}
 
   int side() const {
-    const auto side = std::find(box_side_names.begin(), box_side_names.end(), deck_.text("coupled", on(), k_));
+    const auto side = std::find(box_side_names.begin(), box_side_names.end(), deck_.text(on(), k_));
     return static_cast<int>(side - box_side_names.begin());
   }
   Box<3> patch_of(int side) {
@@ -166,25 +167,25 @@ class PatchReader {
     }
     return patch;
   }
-  std::string on() const { return std::string(name_) + "_on"; }
+  AnyVariable on() const { return name_.with("_on"); }
   /// "jet 2" or "opening 1".
-  std::string what() const { return fmt::format("{} {}", name_ == std::string_view("jet") ? "jet" : "opening", k_); }
-  void error(const std::string& name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, "coupled", name, at, message, hint));
+  std::string what() const { return fmt::format("{} {}", name_ == "coupled.jet" ? "jet" : "opening", k_); }
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
 
  private:
   /// From low to high, the side's ends, narrower where the deck says so.
   void read_extent(int first, double& low, double& high) {
-    const bool given = deck_.given("coupled", name_, first, k_);
-    if (given != deck_.given("coupled", name_, first + 1, k_)) {
+    const bool given = deck_.given(name_, first, k_);
+    if (given != deck_.given(name_, first + 1, k_)) {
       const int there = given ? first : first + 1, other = given ? first + 1 : first;
       error(name_, {there, k_}, fmt::format("{0}({1},{2}) is not given, but {0}({3},{2}) is", name_, other, k_, there),
             "it has a lowest and a highest place along an axis, or all of the side");
       return;
     }
     if (!given) return;
-    const double a = deck_.real("coupled", name_, first, k_), b = deck_.real("coupled", name_, first + 1, k_);
+    const double a = deck_.real(name_, first, k_), b = deck_.real(name_, first + 1, k_);
     const double slack = 1e-9 * (high - low);
     if (!(b > a)) {
       error(name_, {first + 1, k_}, fmt::format("{}: {:.6g} is not above {:.6g}", what(), b, a), "the lowest first");
@@ -197,37 +198,38 @@ class PatchReader {
   }
 
   const Deck& deck_;
-  const char* name_;
+  RealVariable name_;
   int k_;
   const Coupled& coupled_;
   Diagnostics& diagnostics_;
 };
 
 Jet jet_of(const Deck& deck, int k, const Coupled& coupled, Diagnostics& diagnostics) {
-  PatchReader reader(deck, "jet", k, coupled, diagnostics);
+  PatchReader reader(deck, "coupled.jet", k, coupled, diagnostics);
   Jet jet;
   jet.number = k;
   jet.side = reader.side();
   jet.patch = reader.patch_of(jet.side);
-  if (!deck.given("coupled", "jet_speed", k)) {
-    reader.error("jet_on", {k, 1}, fmt::format("jet {} has no speed: jet_speed({}) is not given", k, k),
+  if (!deck.given("coupled.jet_speed", k)) {
+    reader.error("coupled.jet_on", {k, 1}, fmt::format("jet {} has no speed: jet_speed({}) is not given", k, k),
                  "it is positive into the box");
   } else {
-    jet.speed = deck.real("coupled", "jet_speed", k);
+    jet.speed = deck.real("coupled.jet_speed", k);
   }
-  jet.amplitude = amplitude_of(deck, "coupled", "jet", k, diagnostics);
-  jet.smoke = deck.real("coupled", "jet_smoke", k);
-  jet.temperature = deck.real("coupled", "jet_temperature", k);
+  jet.amplitude = amplitude_of(deck, "coupled.jet", k, diagnostics);
+  jet.smoke = deck.real("coupled.jet_smoke", k);
+  jet.temperature = deck.real("coupled.jet_temperature", k);
   return jet;
 }
 
 }  // namespace
 
 void add_jets(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
-  check_all_act(deck, "coupled", "jet", "jet_on",
-                {"jet", "jet_speed", "jet_time", "jet_factor", "jet_expression", "jet_smoke", "jet_temperature"},
+  check_all_act(deck, "jet", "coupled.jet_on",
+                {"coupled.jet", "coupled.jet_speed", "coupled.jet_time", "coupled.jet_factor", "coupled.jet_expression",
+                 "coupled.jet_smoke", "coupled.jet_temperature"},
                 diagnostics);
-  for (const Subscript at : deck.given_elements("coupled", "jet_on")) {
+  for (const Subscript at : deck.given_elements("coupled.jet_on")) {
     coupled.jets.push_back(jet_of(deck, at[0], coupled, diagnostics));
     const Jet& jet = coupled.jets.back();
     coupled.smoke |= jet.smoke != 0 || jet.temperature != 0;
@@ -235,15 +237,15 @@ void add_jets(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
 }
 
 void add_openings(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
-  check_all_act(deck, "coupled", "open", "open_on", {"open"}, diagnostics);
-  for (const Subscript at : deck.given_elements("coupled", "open_on")) {
-    PatchReader reader(deck, "open", at[0], coupled, diagnostics);
+  check_all_act(deck, "open", "coupled.open_on", {"coupled.open"}, diagnostics);
+  for (const Subscript at : deck.given_elements("coupled.open_on")) {
+    PatchReader reader(deck, "coupled.open", at[0], coupled, diagnostics);
     Opening opening;
     opening.number = at[0];
     opening.side = reader.side();
     opening.patch = reader.patch_of(opening.side);
     if (coupled.sides[static_cast<std::size_t>(opening.side)] != BoxSide::wall)
-      diagnostics.add(deck.remark(Severity::warning, "coupled", "open_on", at,
+      diagnostics.add(deck.remark(Severity::warning, "coupled.open_on", at,
                                   fmt::format("opening {} has no effect: all of that side is open", opening.number),
                                   fmt::format("leave side({}) away", opening.side + 1)));
     coupled.openings.push_back(opening);

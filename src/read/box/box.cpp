@@ -17,48 +17,48 @@ StaggeredGrid grid_of(const Deck& deck, const BackgroundGrid& plane) {
   grid.n = {plane.nx - 1, plane.ny - 1, 1};
   grid.low = {plane.x0, plane.y0, 0};
   grid.d = {(plane.x1 - plane.x0) / grid.n[0], (plane.y1 - plane.y0) / grid.n[1], 1};
-  if (!deck.given("coupled", "nz")) return grid;
+  if (!deck.given("coupled.nz")) return grid;
   grid.dim = 3;
-  grid.n[2] = deck.integer("coupled", "nz") - 1;
-  grid.low[2] = deck.real("coupled", "zback");
-  grid.d[2] = (deck.real("coupled", "zfront") - grid.low[2]) / grid.n[2];
+  grid.n[2] = deck.integer("coupled.nz") - 1;
+  grid.low[2] = deck.real("coupled.zback");
+  grid.d[2] = (deck.real("coupled.zfront") - grid.low[2]) / grid.n[2];
   return grid;
 }
 
 void read_method(const Deck& deck, Coupled& coupled) {
-  coupled.mode = word<CouplingMode>(deck, "coupled", "mode");
-  coupled.integrator = word<CoupledIntegrator>(deck, "coupled", "integrator");
-  coupled.advection = word<Advection>(deck, "coupled", "advection");
-  coupled.systems = word<Systems>(deck, "coupled", "solver");
-  coupled.tolerance = deck.real("coupled", "tolerance");
-  coupled.contact = deck.logical("coupled", "contact");
-  coupled.friction = deck.real("coupled", "friction");
-  coupled.volume_term = deck.logical("coupled", "volume_term");
-  coupled.area_repair = deck.logical("coupled", "area_repair");
-  coupled.convex = deck.logical("coupled", "convex");
+  coupled.mode = word<CouplingMode>(deck, "coupled.mode");
+  coupled.integrator = word<CoupledIntegrator>(deck, "coupled.integrator");
+  coupled.advection = word<Advection>(deck, "coupled.advection");
+  coupled.systems = word<Systems>(deck, "coupled.solver");
+  coupled.tolerance = deck.real("coupled.tolerance");
+  coupled.contact = deck.logical("coupled.contact");
+  coupled.friction = deck.real("coupled.friction");
+  coupled.volume_term = deck.logical("coupled.volume_term");
+  coupled.area_repair = deck.logical("coupled.area_repair");
+  coupled.convex = deck.logical("coupled.convex");
 }
 
 void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
-  if (deck.given("coupled", "density")) {
-    coupled.density = deck.real("coupled", "density");
+  if (deck.given("coupled.density")) {
+    coupled.density = deck.real("coupled.density");
   } else {
-    diagnostics.add(deck.remark(Severity::error, "coupled", "density", {1, 1}, "the fluid has no density",
+    diagnostics.add(deck.remark(Severity::error, "coupled.density", {1, 1}, "the fluid has no density",
                                 "write density=... in $coupled; densir of $reg is that of the solids"));
   }
-  coupled.viscosity = deck.real("coupled", "viscosity");
-  coupled.start = {deck.real("coupled", "u0"), deck.real("coupled", "v0"), deck.real("coupled", "w0")};
-  coupled.cavities_only = word<FluidIn>(deck, "coupled", "fluid_in") == FluidIn::cavities;
+  coupled.viscosity = deck.real("coupled.viscosity");
+  coupled.start = {deck.real("coupled.u0"), deck.real("coupled.v0"), deck.real("coupled.w0")};
+  coupled.cavities_only = word<FluidIn>(deck, "coupled.fluid_in") == FluidIn::cavities;
   for (int side = 0; side < 6; ++side)
-    coupled.sides[static_cast<std::size_t>(side)] = word<BoxSide>(deck, "coupled", "side", side + 1);
-  coupled.level = deck.given("coupled", "level") ? deck.real("coupled", "level") : coupled.grid.high(1);
-  coupled.smoke_weight = deck.real("coupled", "smoke_weight");
-  coupled.smoke_lift = deck.real("coupled", "smoke_lift");
+    coupled.sides[static_cast<std::size_t>(side)] = word<BoxSide>(deck, "coupled.side", side + 1);
+  coupled.level = deck.given("coupled.level") ? deck.real("coupled.level") : coupled.grid.high(1);
+  coupled.smoke_weight = deck.real("coupled.smoke_weight");
+  coupled.smoke_lift = deck.real("coupled.smoke_lift");
 }
 
 /// Whether a mesh, which may be a file's, can go through the fluid.
 bool check_mesh(const Deck& deck, const Mesh& mesh, const StaggeredGrid& grid, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& message, const char* hint) {
-    diagnostics.add(deck.remark(Severity::error, "mesh", "file", {1, 1}, message, hint));
+    diagnostics.add(deck.remark(Severity::error, "mesh.file", {1, 1}, message, hint));
     return false;
   };
   if (!is_simplex(mesh.kind))

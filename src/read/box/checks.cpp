@@ -24,39 +24,40 @@ class CoupledChecks {
 
   /// What has a use beside bodies on a mesh by finite elements, and none here.
   void others() {
-    constexpr std::pair<const char*, int> walls[] = {{"wl", 1}, {"wr", 2}, {"wb", 3}, {"wt", 4}};
-    for (const auto& [wall, side] : walls)
-      unused("in", wall, fmt::format("side({}) of $coupled says what that side is, and bodies stop at it", side));
-    for (const char* name : {"static", "settle"}) {
-      if (deck_.logical("fem", name))
-        error("fem", name, {1, 1}, "solids in a fluid have no equilibrium of their own", "leave it away");
+    int side = 0;
+    for (const AnyVariable wall : Variables{"in.wl", "in.wr", "in.wb", "in.wt"})
+      unused(wall, fmt::format("side({}) of $coupled says what that side is, and bodies stop at it", ++side));
+    for (const AnyVariable name : Variables{"fem.static", "fem.settle"}) {
+      if (deck_.logical(name))
+        error(name, {1, 1}, "solids in a fluid have no equilibrium of their own", "leave it away");
     }
-    unused("fem", "integrator", "integrator of $coupled is that of the solids");
-    unused("fem", "tolerance", "solids take one linear step, as the paper's; tolerance of $coupled is the solver's");
-    unused("fem", "cfl", "steps are tstep");
+    unused("fem.integrator", "integrator of $coupled is that of the solids");
+    unused("fem.tolerance", "solids take one linear step, as the paper's; tolerance of $coupled is the solver's");
+    unused("fem.cfl", "steps are tstep");
   }
   /// What $coupled says of a third dimension that a plane box does not have.
   void plane() {
     if (coupled_.grid.dim == 3) return;
     for (const int side : {5, 6}) {
-      if (word<BoxSide>(deck_, "coupled", "side", side) != BoxSide::wall)
-        flat("side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
+      if (word<BoxSide>(deck_, "coupled.side", side) != BoxSide::wall)
+        flat("coupled.side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
     }
-    if (coupled_.start[2] != 0) flat("w0", {1, 1}, "the fluid starts along z");
-    in_depth("jet", 3), in_depth("open", 3), in_depth("obstacle", 5), in_depth("void", 5), in_depth("smoke_box", 5);
+    if (coupled_.start[2] != 0) flat("coupled.w0", {1, 1}, "the fluid starts along z");
+    in_depth("coupled.jet", 3), in_depth("coupled.open", 3), in_depth("coupled.obstacle", 5),
+        in_depth("coupled.void", 5), in_depth("coupled.smoke_box", 5);
   }
   /// Parts of the method that do nothing without others.
   void method() {
     if (coupled_.friction > 0 && !coupled_.contact)
-      error("coupled", "friction", {1, 1}, "there is no friction without contact",
+      error("coupled.friction", {1, 1}, "there is no friction without contact",
             "leave friction away, or contact=.false.");
-    if (coupled_.mode != CouplingMode::splitting) unused("coupled", "area_repair", "mode='splitting' repairs areas");
-    if (coupled_.systems == Systems::direct) unused("coupled", "tolerance", "factors need none");
+    if (coupled_.mode != CouplingMode::splitting) unused("coupled.area_repair", "mode='splitting' repairs areas");
+    if (coupled_.systems == Systems::direct) unused("coupled.tolerance", "factors need none");
     level();
     if (coupled_.smoke) return;
-    for (const char* name : {"smoke_weight", "smoke_lift"})
+    for (const AnyVariable name : Variables{"coupled.smoke_weight", "coupled.smoke_lift"})
       unused(
-          "coupled", name,
+          name,
           "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it, box_smoke(k) or box_temperature(k) has it");
   }
   /// Viscosity goes by explicit steps of its own, such that a face's velocity changes by no more than it differs from
@@ -66,9 +67,9 @@ class CoupledChecks {
     double around = 0;
     for (int axis = 0; axis < coupled_.grid.dim; ++axis)
       around += 2 / (coupled_.grid.d[at(axis)] * coupled_.grid.d[at(axis)]);
-    const double steps = deck_.real("in", "tstep") * coupled_.viscosity / coupled_.density * around;
+    const double steps = deck_.real("in.tstep") * coupled_.viscosity / coupled_.density * around;
     if (steps > most)
-      error("coupled", "viscosity", {1, 1},
+      error("coupled.viscosity", {1, 1},
             fmt::format("viscosity takes {:.3g} steps of its own in each step, more than {:.0e}", steps, most),
             "shorter steps, larger cells or less viscosity");
   }
@@ -76,7 +77,7 @@ class CoupledChecks {
   void friction_of_bodies() {
     if (coupled_.viscosity == 0 || !deck_.has_group("mesh")) return;
     diagnostics_.add(deck_.remark(
-        Severity::warning, "coupled", "viscosity", {1, 1},
+        Severity::warning, "coupled.viscosity", {1, 1},
         "a viscous fluid slips along bodies: it rubs at walls and obstacles alone, bodies feel its pressure and no "
         "drag "
         "of friction",
@@ -86,18 +87,18 @@ class CoupledChecks {
   /// What the deck says of bodies, which it has none of.
   void no_bodies() {
     if (deck_.has_group("mesh")) return;
-    for (const char* name : {"spring_on", "hinge"}) {
-      for (const Subscript at : deck_.given_elements("coupled", name)) {
-        error("coupled", name, at, "there is no body to hold: the deck has no $mesh",
-              "regions of $reg and $mesh are bodies");
+    for (const AnyVariable name : Variables{"coupled.spring_on", "coupled.hinge"}) {
+      for (const Subscript at : deck_.given_elements(name)) {
+        error(name, at, "there is no body to hold: the deck has no $mesh", "regions of $reg and $mesh are bodies");
         break;
       }
     }
     if (coupled_.cavities_only)
-      error("coupled", "fluid_in", {1, 1}, "the grid is all void: no body encloses fluid, the deck has no $mesh",
+      error("coupled.fluid_in", {1, 1}, "the grid is all void: no body encloses fluid, the deck has no $mesh",
             "write fluid_in='box', or add bodies");
-    for (const char* name : {"contact", "friction", "volume_term", "convex"})
-      unused("coupled", name, "the deck has no $mesh");
+    for (const AnyVariable name :
+         Variables{"coupled.contact", "coupled.friction", "coupled.volume_term", "coupled.convex"})
+      unused(name, "the deck has no $mesh");
     check_mesh_deck(deck_, diagnostics_);
     for (const Variable& variable : variables()) {
       if (is_of_bodies(variable)) unused_in_fluid(variable);
@@ -109,10 +110,10 @@ class CoupledChecks {
   void level() {
     const bool open =
         std::count(coupled_.sides.begin(), coupled_.sides.end(), BoxSide::open) > 0 || !coupled_.openings.empty();
-    const bool given = deck_.given("coupled", "level");
-    if (given && !open) unused("coupled", "level", "no side is open: side(k)='open' is");
-    if (given || !open || coupled_.voids.empty() || deck_.real("in", "gravc") == 0) return;
-    diagnostics_.add(deck_.remark(Severity::warning, "coupled", "void", {1, 1},
+    const bool given = deck_.given("coupled.level");
+    if (given && !open) unused("coupled.level", "no side is open: side(k)='open' is");
+    if (given || !open || coupled_.voids.empty() || deck_.real("in.gravc") == 0) return;
+    diagnostics_.add(deck_.remark(Severity::warning, "coupled.void", {1, 1},
                                   fmt::format("fluid beyond the open sides has a pressure of zero at ytop = {:.6g}, "
                                               "voids have it everywhere",
                                               coupled_.level),
@@ -122,33 +123,33 @@ class CoupledChecks {
   static bool is_of_bodies(const Variable& variable) {
     return variable.group == "reg" || variable.group == "fem" || variable.name == "tracked_at";
   }
-  void error(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, group, name, at, message, hint));
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
   bool is_default(const Variable& variable, Subscript at) const {
-    return value_text(deck_.value(variable.group, variable.name, at[0], at[1])) == variable.fallback;
+    return value_text(deck_.value(AnyVariable(variable), at[0], at[1])) == variable.fallback;
   }
-  void unused(const char* group, const char* name, const std::string& hint) {
-    if (!deck_.given(group, name) || is_default(*find_variable(group, name), {1, 1})) return;
-    diagnostics_.add(deck_.remark(Severity::warning, group, name, {1, 1},
-                                  fmt::format("{} of ${} has no effect", name, group), hint));
+  void unused(AnyVariable name, const std::string& hint) {
+    if (!deck_.given(name) || is_default(name.row(), {1, 1})) return;
+    diagnostics_.add(deck_.remark(Severity::warning, name, {1, 1},
+                                  fmt::format("{} of ${} has no effect", name, name.group()), hint));
   }
   void unused_in_fluid(const Variable& variable) {
-    for (const Subscript at : deck_.given_elements(variable.group, variable.name)) {
+    for (const Subscript at : deck_.given_elements(AnyVariable(variable))) {
       if (is_default(variable, at)) continue;
       diagnostics_.add(
-          deck_.remark(Severity::warning, variable.group, variable.name, at,
+          deck_.remark(Severity::warning, AnyVariable(variable), at,
                        fmt::format("{} of ${} has no effect: there is no body", variable.name, variable.group),
                        "add $mesh, whose cells divide the regions of $reg"));
       return;
     }
   }
-  void flat(const char* name, Subscript at, const std::string& what) {
-    error("coupled", name, at, what + ", but the box is plane", "with nz, zback and zfront it is three-dimensional");
+  void flat(AnyVariable name, Subscript at, const std::string& what) {
+    error(name, at, what + ", but the box is plane", "with nz, zback and zfront it is three-dimensional");
   }
   /// Places from number `first` on are along z.
-  void in_depth(const char* name, int first) {
-    for (const Subscript at : deck_.given_elements("coupled", name)) {
+  void in_depth(AnyVariable name, int first) {
+    for (const Subscript at : deck_.given_elements(name)) {
       if (at[0] >= first) return flat(name, at, fmt::format("{} {} has places along z", name, at[1]));
     }
   }

@@ -19,7 +19,7 @@ namespace {
 class Frame {
  public:
   Frame(const Deck& deck, Diagnostics& diagnostics)
-      : deck_(deck), diagnostics_(diagnostics), space_(deck.given("coupled", "nz")) {}
+      : deck_(deck), diagnostics_(diagnostics), space_(deck.given("coupled.nz")) {}
 
   bool check() {
     groups();
@@ -31,65 +31,68 @@ class Frame {
   }
 
  private:
-  void no(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, group, name, at, message, hint));
+  void no_group(const char* group, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark_on_group(Severity::error, group, message, hint));
+    good_ = false;
+  }
+  void no(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
     good_ = false;
   }
   void groups() {
     if (deck_.has_group("flow")) {
-      no("flow", "", {1, 1}, "$flow stands beside $coupled", "a deck has one fluid: by $flow on a mesh, or in the box");
+      no_group("flow", "$flow stands beside $coupled", "a deck has one fluid: by $flow on a mesh, or in the box");
     } else if (has_flow(deck_)) {
-      no("fem", "law", {regions_of(deck_, true)[0], 1}, "a region of $reg is a fluid beside $coupled",
+      no("fem.law", {regions_of(deck_, true)[0], 1}, "a region of $reg is a fluid beside $coupled",
          "$coupled describes the fluid, regions are solids");
     }
     if (deck_.has_group("rigid"))
-      no("rigid", "", {1, 1}, "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are");
+      no_group("rigid", "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are");
     if (geometry_of(deck_) == Geometry::axisymmetric)
-      no("in", "cyl", {1, 1}, "a fluid in a box has no axis", "write cyl=0.");
+      no("in.cyl", {1, 1}, "a fluid in a box has no axis", "write cyl=0.");
   }
   void depth() {
-    for (const char* end : {"zback", "zfront"}) {
-      if (deck_.given("coupled", end) == space_) continue;
-      const char* there = space_ ? "nz" : end;
-      no("coupled", there, {1, 1}, fmt::format("{} is not given, but {} is", space_ ? end : "nz", there),
+    for (const AnyVariable end : Variables{"coupled.zback", "coupled.zfront"}) {
+      if (deck_.given(end) == space_) continue;
+      const AnyVariable nz = "coupled.nz", there = space_ ? nz : end;
+      no(there, {1, 1}, fmt::format("{} is not given, but {} is", space_ ? end : nz, there),
          "a box in space has nz, zback and zfront; in the plane leave them away");
       return;
     }
     if (!space_) return;
-    const double low = deck_.real("coupled", "zback"), high = deck_.real("coupled", "zfront");
-    const double size = (high - low) / (deck_.integer("coupled", "nz") - 1);
+    const double low = deck_.real("coupled.zback"), high = deck_.real("coupled.zfront");
+    const double size = (high - low) / (deck_.integer("coupled.nz") - 1);
     if (high > low && std::isfinite(size) && std::isfinite(1 / size) && low + size > low && high - size < high) return;
-    no("coupled", "zfront", {1, 1}, fmt::format("zfront = {:.6g} is not above zback = {:.6g}", high, low),
+    no("coupled.zfront", {1, 1}, fmt::format("zfront = {:.6g} is not above zback = {:.6g}", high, low),
        "the nodes would coincide");
   }
   void cells() {
-    const auto few = [&](const char* group, const char* name) {
-      if (deck_.integer(group, name) < 3)
-        no(group, name, {1, 1}, "the box has fewer than 2 cells along an axis",
+    const auto few = [&](AnyVariable name) {
+      if (deck_.integer(name) < 3)
+        no(name, {1, 1}, "the box has fewer than 2 cells along an axis",
            fmt::format("{} counts nodes: write 3 or more", name));
     };
-    few("in", "nx"), few("in", "ny");
-    if (space_) few("coupled", "nz");
+    few("in.nx"), few("in.ny");
+    if (space_) few("coupled.nz");
   }
   void memory() {
     StaggeredGrid grid;
-    grid.n = {deck_.integer("in", "nx") - 1, deck_.integer("in", "ny") - 1,
-              space_ ? deck_.integer("coupled", "nz") - 1 : 1};
+    grid.n = {deck_.integer("in.nx") - 1, deck_.integer("in.ny") - 1, space_ ? deck_.integer("coupled.nz") - 1 : 1};
     const std::string too_large = memory_refusal(grid);
-    if (!too_large.empty()) no(space_ ? "coupled" : "in", space_ ? "nz" : "nx", {1, 1}, too_large, "use fewer nodes");
+    if (!too_large.empty()) no(space_ ? AnyVariable("coupled.nz") : "in.nx", {1, 1}, too_large, "use fewer nodes");
   }
   void mesh() {
-    const auto z = deck_.given_elements("mesh", "z");
-    if (deck_.text("mesh", "file").empty()) {
-      const std::string element = deck_.given("mesh", "element") ? deck_.text("mesh", "element") : "q1";
+    const auto z = deck_.given_elements("mesh.z");
+    if (deck_.text("mesh.file").empty()) {
+      const std::string element = deck_.given("mesh.element") ? deck_.text("mesh.element") : "q1";
       if (element != "p1")
-        no("mesh", "element", {1, 1}, fmt::format("bodies in the fluid are not made of elements '{}'", element),
+        no("mesh.element", {1, 1}, fmt::format("bodies in the fluid are not made of elements '{}'", element),
            "write element='p1' in $mesh: triangles, in space tetrahedra");
       if (!space_ && !z.empty())
-        no("mesh", "z", z[0], "the mesh is three-dimensional, but the box is plane",
+        no("mesh.z", z[0], "the mesh is three-dimensional, but the box is plane",
            "give nz, zback and zfront of $coupled, or leave z away");
       if (space_ && z.empty())
-        no("coupled", "nz", {1, 1}, "the box is three-dimensional, but the mesh is plane",
+        no("coupled.nz", {1, 1}, "the box is three-dimensional, but the mesh is plane",
            "give z of the regions in $mesh, or leave nz, zback and zfront away");
     }
   }
@@ -109,10 +112,10 @@ namespace {
 enum class HeldBy { middles_of_cells, parts_of_cells };
 
 /// Reads box k of obstacle, void or smoke_box, or reports why there is none.
-std::optional<Box<3>> box_of(const Deck& deck, const char* name, int k, const StaggeredGrid& grid, HeldBy by,
+std::optional<Box<3>> box_of(const Deck& deck, RealVariable name, int k, const StaggeredGrid& grid, HeldBy by,
                              Diagnostics& diagnostics) {
   const auto refuse = [&](int i, const std::string& message, const std::string& hint) {
-    diagnostics.add(deck.remark(Severity::error, "coupled", name, {i, k}, message, hint));
+    diagnostics.add(deck.remark(Severity::error, name, {i, k}, message, hint));
     return std::nullopt;
   };
   Box<3> box;
@@ -122,12 +125,12 @@ std::optional<Box<3>> box_of(const Deck& deck, const char* name, int k, const St
     box.low[i] = grid.low[i], box.high[i] = grid.high(axis);
     if (axis >= grid.dim) continue;
     for (const int end : {first, first + 1}) {
-      if (!deck.given("coupled", name, end, k))
-        return refuse(deck.given("coupled", name, first, k) ? first : 1,
+      if (!deck.given(name, end, k))
+        return refuse(deck.given(name, first, k) ? first : 1,
                       fmt::format("{} {}: {}({},{}) is not given", name, k, name, end, k),
                       "a box has a lowest and a highest place along each axis");
     }
-    const double low = deck.real("coupled", name, first, k), high = deck.real("coupled", name, first + 1, k);
+    const double low = deck.real(name, first, k), high = deck.real(name, first + 1, k);
     if (!(high > low))
       return refuse(first + 1, fmt::format("{} {}: {:.6g} is not above {:.6g}", name, k, high, low),
                     "the lowest place first, along x, y, z");
@@ -149,7 +152,7 @@ std::optional<Box<3>> box_of(const Deck& deck, const char* name, int k, const St
 }
 
 /// Warns of a box whose edges are not at faces of the grid, with what its cells make of it.
-void tell_rounding(const Deck& deck, const char* name, int k, const Box<3>& box, const StaggeredGrid& grid,
+void tell_rounding(const Deck& deck, AnyVariable name, int k, const Box<3>& box, const StaggeredGrid& grid,
                    Diagnostics& diagnostics) {
   constexpr double rounding = 1e-3;  // of a cell
   const Box<3> got = cells_of(box, grid);
@@ -165,15 +168,15 @@ void tell_rounding(const Deck& deck, const char* name, int k, const Box<3>& box,
   }
   if (!off) return;
   diagnostics.add(
-      deck.remark(Severity::warning, "coupled", name, {1, k},
+      deck.remark(Severity::warning, name, {1, k},
                   fmt::format("for the fluid {} {} is made of the cells from {}: {:.4g} in place of {:.4g}, {:+.2g} %",
                               name, k, places, size_got, size, 100 * (size_got / size - 1)),
                   "place its edges at faces of the grid, or use more nodes"));
 }
 
-std::vector<Box<3>> boxes_of(const Deck& deck, const char* name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
+std::vector<Box<3>> boxes_of(const Deck& deck, RealVariable name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
   std::set<int> numbers;
-  for (const Subscript at : deck.given_elements("coupled", name)) numbers.insert(at[1]);
+  for (const Subscript at : deck.given_elements(name)) numbers.insert(at[1]);
   std::vector<Box<3>> boxes;
   for (const int k : numbers) {
     const auto box = box_of(deck, name, k, grid, HeldBy::middles_of_cells, diagnostics);
@@ -186,21 +189,21 @@ std::vector<Box<3>> boxes_of(const Deck& deck, const char* name, const Staggered
 
 void add_smoke_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   std::set<int> numbers;
-  for (const Subscript at : deck.given_elements("coupled", "smoke_box")) numbers.insert(at[1]);
-  for (const char* name : {"box_smoke", "box_temperature"}) {
-    for (const Subscript at : deck.given_elements("coupled", name)) {
+  for (const Subscript at : deck.given_elements("coupled.smoke_box")) numbers.insert(at[1]);
+  for (const AnyVariable name : Variables{"coupled.box_smoke", "coupled.box_temperature"}) {
+    for (const Subscript at : deck.given_elements(name)) {
       if (numbers.contains(at[0])) continue;
-      diagnostics.add(deck.remark(Severity::error, "coupled", name, at,
+      diagnostics.add(deck.remark(Severity::error, name, at,
                                   fmt::format("{}({}) is in no box: smoke_box(1,{}) is not given", name, at[0], at[0]),
                                   "smoke_box says where it is: lowest and highest x, y and, in space, z"));
     }
   }
   for (const int k : numbers) {
-    const auto box = box_of(deck, "smoke_box", k, coupled.grid, HeldBy::parts_of_cells, diagnostics);
+    const auto box = box_of(deck, "coupled.smoke_box", k, coupled.grid, HeldBy::parts_of_cells, diagnostics);
     if (!box) continue;
-    const double density = deck.real("coupled", "box_smoke", k), warmth = deck.real("coupled", "box_temperature", k);
+    const double density = deck.real("coupled.box_smoke", k), warmth = deck.real("coupled.box_temperature", k);
     if (density == 0 && warmth == 0)
-      diagnostics.add(deck.remark(Severity::warning, "coupled", "smoke_box", {1, k},
+      diagnostics.add(deck.remark(Severity::warning, "coupled.smoke_box", {1, k},
                                   fmt::format("smoke_box {} holds neither smoke nor warmth", k),
                                   fmt::format("box_smoke({}) or box_temperature({}) says how much", k, k)));
     coupled.smoke_boxes.push_back({*box, density, warmth});
@@ -211,8 +214,8 @@ void add_smoke_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostic
 }  // namespace
 
 void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
-  coupled.obstacles = boxes_of(deck, "obstacle", coupled.grid, diagnostics);
-  coupled.voids = boxes_of(deck, "void", coupled.grid, diagnostics);
+  coupled.obstacles = boxes_of(deck, "coupled.obstacle", coupled.grid, diagnostics);
+  coupled.voids = boxes_of(deck, "coupled.void", coupled.grid, diagnostics);
   add_smoke_boxes(deck, coupled, diagnostics);
 }
 

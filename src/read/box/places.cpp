@@ -61,7 +61,7 @@ void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Di
       if (!wrong || !told.insert(mesh.region[e]).second) continue;
       const int r = regions[static_cast<std::size_t>(mesh.region[e])];
       diagnostics.add(
-          deck.remark(Severity::error, "reg", "xvi", {1, r},
+          deck.remark(Severity::error, "reg.xvi", {1, r},
                       fmt::format("region {}: its node {} at {} lies {}", r, node + 1, place_text(mesh, node), wrong),
                       "bodies start in the box of $in and zback to zfront of $coupled, beside its obstacles"));
     }
@@ -135,7 +135,7 @@ std::optional<std::size_t> element_at(const Mesh& mesh, const std::vector<Vec<3>
 
 void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled& coupled, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& message, const std::string& hint) {
-    diagnostics.add(deck.remark(Severity::error, "coupled", "jet_on", {jet.number, 1}, message, hint));
+    diagnostics.add(deck.remark(Severity::error, "coupled.jet_on", {jet.number, 1}, message, hint));
   };
   const std::vector<Vec<3>> places = places_of(jet, coupled.grid);
   for (std::size_t k = 0; k < coupled.obstacles.size(); ++k) {
@@ -146,7 +146,7 @@ void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled
   const double lost = area_before_obstacles(jet, coupled);
   if (lost > 0)
     diagnostics.add(
-        deck.remark(Severity::warning, "coupled", "jet_on", {jet.number, 1},
+        deck.remark(Severity::warning, "coupled.jet_on", {jet.number, 1},
                     fmt::format("jet {} loses an area of {:.4g} to cells that belong to an obstacle", jet.number, lost),
                     "place the obstacle's edge at faces of the grid"));
   const auto element = mesh ? element_at(*mesh, places) : std::nullopt;

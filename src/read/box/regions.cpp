@@ -143,7 +143,7 @@ void check_region(const Deck& deck, const Clock& clock, const Coupled& coupled, 
       const Balance balance = balance_at(coupled, areas, t);
       if (std::abs(balance.net) <= most * balance.gross) continue;
       return diagnostics.add(deck.remark(
-          Severity::error, "coupled", "jet_on", {coupled.jets[static_cast<std::size_t>(first)].number, 1},
+          Severity::error, "coupled.jet_on", {coupled.jets[static_cast<std::size_t>(first)].number, 1},
           fmt::format("the region about {} is closed, and at t = {:.6g} jets bring {:.6g} into it",
                       text_of(regions.place(region), coupled.grid.dim), t, balance.net),
           "a fluid keeps its volume: open a side, or let as much out by a jet of negative speed (volume per time)"));
@@ -158,14 +158,14 @@ void check_region(const Deck& deck, const Clock& clock, const Coupled& coupled, 
 void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics) {
   const Regions regions(coupled);
   if (regions.count() == 0) {
-    const char* name = coupled.obstacles.empty() ? "void" : "obstacle";
-    diagnostics.add(deck.remark(Severity::error, "coupled", name, deck.given_elements("coupled", name).front(),
+    const AnyVariable name = coupled.obstacles.empty() ? AnyVariable("coupled.void") : "coupled.obstacle";
+    diagnostics.add(deck.remark(Severity::error, name, deck.given_elements(name).front(),
                                 "no cell of the grid holds fluid: obstacles and voids fill the box",
                                 "a cell belongs to the box that its middle lies in"));
   }
   if (coupled.cavities_only) {  // around which is nothing
     if (!encloses_cells(coupled, scene.solids()->mesh))
-      diagnostics.add(deck.remark(Severity::error, "coupled", "fluid_in", {1, 1},
+      diagnostics.add(deck.remark(Severity::error, "coupled.fluid_in", {1, 1},
                                   "the grid is all void: no body encloses a cell of it",
                                   "write fluid_in='box', or use more nodes"));
     return;

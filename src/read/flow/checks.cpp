@@ -23,146 +23,144 @@ class FlowChecks {
   bool frame() {
     const std::vector<int> fluids = regions_of(deck_, true);
     if (fluids.empty()) {
-      error("flow", "", {1, 1}, "no region is a fluid", "write law(r)='fluid' in $fem for the region r that is");
+      error_of_group("flow", "no region is a fluid", "write law(r)='fluid' in $fem for the region r that is");
       return false;
     }
     bool good = true;
-    const auto no = [&](const char* group, const char* name, Subscript at, const char* message, const char* hint) {
-      error(group, name, at, message, hint);
+    const auto no = [&](AnyVariable name, Subscript at, const char* message, const char* hint) {
+      error(name, at, message, hint);
       good = false;
     };
     if (deck_.has_group("rigid"))
-      no("rigid", "", {1, 1}, "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are");
+      error_of_group("rigid", "rigid bodies in a fluid are not modelled", "leave $rigid away: elastic bodies are"),
+          good = false;
     if (!deck_.has_group("mesh"))
-      no("fem", "law", {fluids[0], 1}, "a fluid has no mesh", "add $mesh, whose cells(1,r) divide the regions of $reg");
-    if (const auto z = deck_.given_elements("mesh", "z"); !z.empty())
-      no("mesh", "z", z[0], "a fluid is plane: its mesh has no z", "leave z away");
+      no("fem.law", {fluids[0], 1}, "a fluid has no mesh", "add $mesh, whose cells(1,r) divide the regions of $reg");
+    if (const auto z = deck_.given_elements("mesh.z"); !z.empty())
+      no("mesh.z", z[0], "a fluid is plane: its mesh has no z", "leave z away");
     return check_sources(deck_, diagnostics_) && good;
   }
   void steps() {
-    const std::string name = deck_.text("fem", "integrator");
+    const std::string name = deck_.text("fem.integrator");
     if (name != "energy" && name != "midpoint")
-      error("fem", "integrator", {1, 1}, fmt::format("there are no steps by '{}' beside a fluid", name),
+      error("fem.integrator", {1, 1}, fmt::format("there are no steps by '{}' beside a fluid", name),
             "immersed solids go by energy or midpoint; integrator of $flow is the fluid's");
-    for (const char* switched : {"static", "settle"}) {
-      if (deck_.logical("fem", switched))
-        error("fem", switched, {1, 1}, "solids beside a fluid have no equilibrium of their own",
+    for (const AnyVariable switched : Variables{"fem.static", "fem.settle"}) {
+      if (deck_.logical(switched))
+        error(switched, {1, 1}, "solids beside a fluid have no equilibrium of their own",
               "leave it away; steady of $flow looks for a steady flow");
     }
-    if (word<FlowIntegrator>(deck_, "flow", "integrator") == FlowIntegrator::euler &&
-        !is_default("fem", "integrator", {1, 1}))
-      warn("fem", "integrator", {1, 1}, "integrator of $fem has no effect: the fluid goes by backward Euler",
+    if (word<FlowIntegrator>(deck_, "flow.integrator") == FlowIntegrator::euler &&
+        !is_default("fem.integrator", {1, 1}))
+      warn("fem.integrator", {1, 1}, "integrator of $fem has no effect: the fluid goes by backward Euler",
            "solids' stress is then that of each step's end; it matters beside integrator='midpoint' of $flow");
-    if (!deck_.logical("flow", "steady")) return;
-    if (deck_.given("flow", "tracers", 1))
-      warn("flow", "tracers", {1, 1},
+    if (!deck_.logical("flow.steady")) return;
+    if (deck_.given("flow.tracers", 1))
+      warn("flow.tracers", {1, 1},
            "tracers of a steady flow go through the steps that lead up to it, which take no time",
            "leave them away, or steady");
     if (!regions_of(deck_, false).empty()) resting_bodies();
-    if (word<FlowIntegrator>(deck_, "flow", "integrator") != FlowIntegrator::midpoint)
-      warn("flow", "integrator", {1, 1}, "integrator has no effect: the flow is steady", "");
+    if (word<FlowIntegrator>(deck_, "flow.integrator") != FlowIntegrator::midpoint)
+      warn("flow.integrator", {1, 1}, "integrator has no effect: the flow is steady", "");
   }
   void resting_bodies() {
-    for (const Subscript at : deck_.given_elements("fem", "fix")) {
-      if (deck_.real("fem", "fix", at[0], at[1]) != 0)
-        error("fem", "fix", at,
-              "a support that moves has no steady flow about it: the bodies' places are found at rest",
+    for (const Subscript at : deck_.given_elements("fem.fix")) {
+      if (deck_.real("fem.fix", at[0], at[1]) != 0)
+        error("fem.fix", at, "a support that moves has no steady flow about it: the bodies' places are found at rest",
               "write 0, or leave steady of $flow away");
     }
   }
   void solids() {
     if (!regions_of(deck_, false).empty()) return;
-    for (const char* on : {"load_on", "fix_on"}) {
-      for (const Subscript at : deck_.given_elements("fem", on))
-        error("fem", on, at, "there is no elastic body to act on: all regions are a fluid",
+    for (const AnyVariable on : Variables{"fem.load_on", "fem.fix_on"}) {
+      for (const Subscript at : deck_.given_elements(on))
+        error(on, at, "there is no elastic body to act on: all regions are a fluid",
               "boundary_on of $flow names sides of the fluid, bx and by are its body force");
     }
-    for (const Subscript at : deck_.given_elements("points", "tracked_at")) {
+    for (const Subscript at : deck_.given_elements("points.tracked_at")) {
       if (at[0] == 1)
-        error("points", "tracked_at", at, "there is no node to track: all regions are a fluid, whose nodes stay",
+        error("points.tracked_at", at, "there is no node to track: all regions are a fluid, whose nodes stay",
               "probe(1,k)=x,y of $flow records the flow at a place");
     }
-    if (deck_.given("mesh", "element"))
-      warn("mesh", "element", {1, 1}, "element of $mesh has no effect: all regions are a fluid",
+    if (deck_.given("mesh.element"))
+      warn("mesh.element", {1, 1}, "element of $mesh has no effect: all regions are a fluid",
            "element of $flow is the fluid's");
   }
   /// Scalars of $fem that mean nothing beside a fluid.
   void solver() {
-    for (const char* name : {"alpha", "beta", "cfl", "tolerance"}) {
-      if (!deck_.given("fem", name) || is_default("fem", name, {1, 1})) continue;
-      warn("fem", name, {1, 1}, fmt::format("{} of $fem has no effect beside a fluid", name),
-           name == std::string_view("tolerance") ? "tolerance of $flow counts" : "");
+    for (const AnyVariable name : Variables{"fem.alpha", "fem.beta", "fem.cfl", "fem.tolerance"}) {
+      if (!deck_.given(name) || is_default(name, {1, 1})) continue;
+      warn(name, {1, 1}, fmt::format("{} of $fem has no effect beside a fluid", name),
+           name == "fem.tolerance" ? "tolerance of $flow counts" : "");
     }
   }
   /// What is said of the fluid beyond open sides, where there is none, or no gravity that it matters in.
   void outside() {
     bool open = false;
-    for (const Subscript at : deck_.given_elements("flow", "boundary"))
-      open |= (deck_.given("flow", "boundary", at[0]) &&
-               word<Boundary>(deck_, "flow", "boundary", at[0]) == Boundary::open);
-    const bool acts = open && deck_.real("in", "gravc") != 0;
-    for (const char* name : {"outside", "level"}) {
-      const bool same = !deck_.given("flow", name) || is_default("flow", name, {1, 1});
-      const bool of_nothing =
-          name == std::string_view("level") && word<FlowOutside>(deck_, "flow", "outside") == FlowOutside::nothing;
+    for (const Subscript at : deck_.given_elements("flow.boundary"))
+      open |= (deck_.given("flow.boundary", at[0]) && word<Boundary>(deck_, "flow.boundary", at[0]) == Boundary::open);
+    const bool acts = open && deck_.real("in.gravc") != 0;
+    for (const AnyVariable name : Variables{"flow.outside", "flow.level"}) {
+      const bool same = !deck_.given(name) || is_default(name, {1, 1});
+      const bool of_nothing = name == "flow.level" && word<FlowOutside>(deck_, "flow.outside") == FlowOutside::nothing;
       if (!same && (!acts || of_nothing))
-        warn("flow", name, {1, 1}, fmt::format("{} of $flow has no effect", name),
+        warn(name, {1, 1}, fmt::format("{} of $flow has no effect", name),
              of_nothing ? "outside='void' has nothing beyond open sides" : "it is of open sides under gravc");
     }
   }
   /// What a body says of its start: it starts with the fluid.
   void starts() {
     for (const int r : regions_of(deck_, false)) {
-      const std::array<std::pair<const char*, const char*>, 3> velocities{
-          {{"reg", "vrx"}, {"reg", "vry"}, {"fem", "vrz"}}};
-      for (const auto& [group, name] : velocities) start_of_body(group, name, {r, 1}, r);
-      for (const int i : {1, 2, 3}) start_of_body("fem", "spin", {i, r}, r);
+      for (const AnyVariable name : Variables{"reg.vrx", "reg.vry", "fem.vrz"}) start_of_body(name, {r, 1}, r);
+      for (const int i : {1, 2, 3}) start_of_body("fem.spin", {i, r}, r);
     }
   }
   /// What is said of a region that is a fluid and means solids alone, or the other way.
   void regions() {
     for (const int r : regions_of(deck_, true)) {
-      check_unused("fem", "volumetric", {r, 1}), check_unused("fem", "vrz", {r, 1});
-      check_unused("fem", "spin", {1, r}), check_unused("fem", "spin", {2, r}), check_unused("fem", "spin", {3, r});
-      check_unused("flow", "penalty", {r, 1});
-      if (deck_.given("reg", "ipath", 4, r) && deck_.integer("reg", "ipath", 4, r) != 0)
-        warn("reg", "ipath", {4, r}, fmt::format("ipath(4,{}) has no effect: region {} is a fluid", r, r), "");
-      check_start("u0", "vrx", r), check_start("v0", "vry", r);
+      check_unused("fem.volumetric", {r, 1}), check_unused("fem.vrz", {r, 1});
+      check_unused("fem.spin", {1, r}), check_unused("fem.spin", {2, r}), check_unused("fem.spin", {3, r});
+      check_unused("flow.penalty", {r, 1});
+      if (deck_.given("reg.ipath", 4, r) && deck_.integer("reg.ipath", 4, r) != 0)
+        warn("reg.ipath", {4, r}, fmt::format("ipath(4,{}) has no effect: region {} is a fluid", r, r), "");
+      check_start("flow.u0", "reg.vrx", r), check_start("flow.v0", "reg.vry", r);
     }
   }
 
  private:
-  void error(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, group, name, at, message, hint));
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
-  void warn(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::warning, group, name, at, message, hint));
+  void error_of_group(const char* group, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark_on_group(Severity::error, group, message, hint));
   }
-  bool is_default(const char* group, const char* name, Subscript at) const {
-    return value_text(deck_.value(group, name, at[0], at[1])) == find_variable(group, name)->fallback;
+  void warn(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::warning, name, at, message, hint));
   }
-  void check_unused(const char* group, const char* name, Subscript at) {
-    if (!deck_.given(group, name, at[0], at[1]) || is_default(group, name, at)) return;
-    const Variable& variable = *find_variable(group, name);
-    warn(group, name, at,
+  bool is_default(AnyVariable name, Subscript at) const {
+    return value_text(deck_.value(name, at[0], at[1])) == name.row().fallback;
+  }
+  void check_unused(AnyVariable name, Subscript at) {
+    if (!deck_.given(name, at[0], at[1]) || is_default(name, at)) return;
+    const Variable& variable = name.row();
+    warn(name, at,
          fmt::format("{} has no effect: region {} is a fluid", element_name(variable, at),
                      variable.rank == 1 ? at[0] : at[1]),
          "");
   }
-  void start_of_body(const char* group, const char* name, Subscript at, int r) {
-    if (!deck_.given(group, name, at[0], at[1]) || is_default(group, name, at)) return;
-    warn(group, name, at,
-         fmt::format("{} has no effect: region {} starts with the fluid's velocity",
-                     element_name(*find_variable(group, name), at), r),
+  void start_of_body(AnyVariable name, Subscript at, int r) {
+    if (!deck_.given(name, at[0], at[1]) || is_default(name, at)) return;
+    warn(name, at,
+         fmt::format("{} has no effect: region {} starts with the fluid's velocity", element_name(name.row(), at), r),
          "u0 and v0 of $flow are the fluid's velocity at the start, and so the body's");
   }
   /// A velocity of a region that the fluid does not start with.
-  void check_start(const char* variable, const char* of_region, int r) {
+  void check_start(AnyVariable variable, RealVariable of_region, int r) {
     const int first = regions_of(deck_, true).front();
-    const double v = deck_.real("reg", of_region, r);
-    const bool whole = deck_.given("flow", variable);
-    if (whole ? v == 0 : v == deck_.real("reg", of_region, first)) return;
-    warn("reg", of_region, {r, 1},
+    const double v = deck_.real(of_region, r);
+    const bool whole = deck_.given(variable);
+    if (whole ? v == 0 : v == deck_.real(of_region, first)) return;
+    warn(of_region, {r, 1},
          whole ? fmt::format("{}({}) has no effect: {} of $flow is there", of_region, r, variable)
                : fmt::format("{}({}) has no effect: the fluid starts as its region {} does", of_region, r, first),
          whole ? "" : fmt::format("{} of $flow is a velocity at the start that varies in place", variable));

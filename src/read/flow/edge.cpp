@@ -149,7 +149,7 @@ void place_probe(const Deck& deck, int k, const PointFinder& finder, const Flow&
   if (finder.find(probe)) return;
   const OnEdge edge = FlowEdge(flow).nearest(probe);
   const auto remark = [&](Severity severity, const std::string& message, const char* hint) {
-    diagnostics.add(deck.remark(severity, "flow", "probe", {1, k}, message, hint));
+    diagnostics.add(deck.remark(severity, "flow.probe", {1, k}, message, hint));
   };
   const std::string at = fmt::format("probe {} at ({:.6g}, {:.6g})", k, probe[0], probe[1]);
   if (!edge.side || edge.away >= 0.5 * element_size(flow.mesh, edge.side))
@@ -167,9 +167,8 @@ void place_probe(const Deck& deck, int k, const PointFinder& finder, const Flow&
 void place_probes(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
   const PointFinder finder(flow.mesh);
   auto probe = flow.probes.begin();
-  for (const Subscript at : deck.given_elements("flow", "probe")) {
-    if (at[0] == 1 && deck.given("flow", "probe", 2, at[1]))
-      place_probe(deck, at[1], finder, flow, *probe++, diagnostics);
+  for (const Subscript at : deck.given_elements("flow.probe")) {
+    if (at[0] == 1 && deck.given("flow.probe", 2, at[1])) place_probe(deck, at[1], finder, flow, *probe++, diagnostics);
   }
 }
 

@@ -16,44 +16,44 @@
 namespace tether {
 namespace {
 
-void refuse(const Deck& deck, const char* group, const char* name, Subscript at, const std::string& message,
-            const std::string& hint, Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::error, group, name, at, message, hint));
+void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
+            Diagnostics& diagnostics) {
+  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
 }
 
 /// Density and viscosity, in which all regions of the fluid agree.
 void read_material(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
   const std::vector<int> regions = regions_of(deck, true);
   for (const int r : regions) {
-    const auto error = [&](const char* name, Subscript at, const std::string& message, const char* hint) {
-      refuse(deck, "reg", name, at, fmt::format("region {}: {}", r, message), hint, diagnostics);
+    const auto error = [&](AnyVariable name, Subscript at, const std::string& message, const char* hint) {
+      refuse(deck, name, at, fmt::format("region {}: {}", r, message), hint, diagnostics);
     };
-    const double viscosity = deck.real("reg", "matr", 1, r);
-    if (!deck.given("reg", "densir", r)) {
-      error("densir", {r, 1}, fmt::format("densir({}) is not given", r), "every region needs its density");
+    const double viscosity = deck.real("reg.matr", 1, r);
+    if (!deck.given("reg.densir", r)) {
+      error("reg.densir", {r, 1}, fmt::format("densir({}) is not given", r), "every region needs its density");
       continue;
     }
-    const double density = deck.real("reg", "densir", r);
+    const double density = deck.real("reg.densir", r);
     if (r == regions.front()) flow.density = density, flow.viscosity = viscosity;
     if (!(viscosity > 0))
-      error("matr", {1, r}, fmt::format("the viscosity must be > 0, not {:.6g}", viscosity),
+      error("reg.matr", {1, r}, fmt::format("the viscosity must be > 0, not {:.6g}", viscosity),
             "matr(1,r) is mu of a fluid");
     constexpr const char* one = "the regions of a fluid are one fluid, of one density and one viscosity";
     if (density != flow.density)
-      error("densir", {r, 1},
+      error("reg.densir", {r, 1},
             fmt::format("the density {:.6g} is not {:.6g} of region {}", density, flow.density, regions[0]), one);
     if (viscosity != flow.viscosity)
-      error("matr", {1, r},
+      error("reg.matr", {1, r},
             fmt::format("the viscosity {:.6g} is not {:.6g} of region {}", viscosity, flow.viscosity, regions[0]), one);
   }
 }
 
 /// The velocity at the start: u0, v0, or that of the first region where they are not given.
 FlowVector start_of(const Deck& deck, Diagnostics& diagnostics) {
-  FlowVector start = flow_vector_of(deck, {"u0", "v0"}, 1, "u0, v0 of $flow", diagnostics);
+  FlowVector start = flow_vector_of(deck, {"flow.u0", "flow.v0"}, 1, "u0, v0 of $flow", diagnostics);
   const int first = regions_of(deck, true).front();
-  const std::array given{deck.given("flow", "u0"), deck.given("flow", "v0")};
-  const std::array v{deck.real("reg", "vrx", first), deck.real("reg", "vry", first)};
+  const std::array given{deck.given("flow.u0"), deck.given("flow.v0")};
+  const std::array v{deck.real("reg.vrx", first), deck.real("reg.vry", first)};
   for (std::size_t i = 0; i < 2; ++i) {
     if (given[i] || v[i] == 0) continue;
     start.component[i] =
@@ -63,24 +63,24 @@ FlowVector start_of(const Deck& deck, Diagnostics& diagnostics) {
 }
 
 void read_method(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
-  flow.element = word<FlowElement>(deck, "flow", "element");
+  flow.element = word<FlowElement>(deck, "flow.element");
   flow.integrator =
-      deck.logical("flow", "steady") ? FlowIntegrator::steady : word<FlowIntegrator>(deck, "flow", "integrator");
-  flow.linearisation = word<Linearisation>(deck, "flow", "linearisation");
-  flow.systems = word<Systems>(deck, "flow", "solver");
-  flow.tolerance = deck.real("flow", "tolerance");
-  const bool speed = deck.given("flow", "speed"), length = deck.given("flow", "length");
+      deck.logical("flow.steady") ? FlowIntegrator::steady : word<FlowIntegrator>(deck, "flow.integrator");
+  flow.linearisation = word<Linearisation>(deck, "flow.linearisation");
+  flow.systems = word<Systems>(deck, "flow.solver");
+  flow.tolerance = deck.real("flow.tolerance");
+  const bool speed = deck.given("flow.speed"), length = deck.given("flow.length");
   if (speed != length)
-    refuse(deck, "flow", speed ? "speed" : "length", {1, 1},
+    refuse(deck, speed ? AnyVariable("flow.speed") : "flow.length", {1, 1},
            fmt::format("{} is not given, but {} is", speed ? "length" : "speed", speed ? "speed" : "length"),
            "the Reynolds number and coefficients take both", diagnostics);
-  if (speed && length) flow.speed = deck.real("flow", "speed"), flow.length = deck.real("flow", "length");
+  if (speed && length) flow.speed = deck.real("flow.speed"), flow.length = deck.real("flow.length");
 }
 
 /// Of the regions of the solids, in their order.
 std::vector<double> penalties_of(const Deck& deck) {
   std::vector<double> penalties;
-  for (const int r : regions_of(deck, false)) penalties.push_back(deck.real("flow", "penalty", r));
+  for (const int r : regions_of(deck, false)) penalties.push_back(deck.real("flow.penalty", r));
   return penalties;
 }
 
@@ -89,7 +89,7 @@ std::vector<bool> volumes_by_fluid_of(const Deck& deck) {
   std::vector<bool> by_fluid;
   for (const int r : regions_of(deck, false))
     by_fluid.push_back(law_word(deck, r) == HoopFibre::word ||
-                       word<VolumeOf>(deck, "flow", "volume", r) == VolumeOf::fluid);
+                       word<VolumeOf>(deck, "flow.volume", r) == VolumeOf::fluid);
   return by_fluid;
 }
 
@@ -121,7 +121,7 @@ void check_one_fluid(const Deck& deck, const Flow& flow, Diagnostics& diagnostic
   const int r = regions[static_cast<std::size_t>(mesh.region[e])];
   const int first = regions[static_cast<std::size_t>(mesh.region[0])];
   const std::string at = place_text(mesh, mesh.element(e)[0]);
-  refuse(deck, "fem", "law", {r, 1},
+  refuse(deck, "fem.law", {r, 1},
          r == first ? fmt::format("the fluid of region {} does not hang together: a part of it is at {}", r, at)
                     : fmt::format("the fluid of region {} does not hang together with that of region {}", r, first),
          "parts are joined by whole sides, in Gmsh by 'Coherence'; fluids that nothing joins take a deck each",
@@ -142,9 +142,9 @@ Flow flow_on(const Deck& deck, Mesh mesh, const Solids* solids, Diagnostics& dia
   flow.sides = flow_sides_of(deck, flow.mesh, diagnostics);
   flow.twin = twins_of(deck, flow.mesh, flow.sides, diagnostics);
   if (!diagnostics.has_errors()) check_one_fluid(deck, flow, diagnostics);
-  flow.fluid_outside = word<FlowOutside>(deck, "flow", "outside") == FlowOutside::fluid;
-  flow.level = deck.given("flow", "level") ? deck.real("flow", "level") : highest(flow.mesh);
-  flow.acceleration = flow_vector_of(deck, {"bx", "by"}, 1, "bx, by of $flow", diagnostics);
+  flow.fluid_outside = word<FlowOutside>(deck, "flow.outside") == FlowOutside::fluid;
+  flow.level = deck.given("flow.level") ? deck.real("flow.level") : highest(flow.mesh);
+  flow.acceleration = flow_vector_of(deck, {"flow.bx", "flow.by"}, 1, "bx, by of $flow", diagnostics);
   flow.start = start_of(deck, diagnostics);
   flow.forces = force_sides_of(deck, flow.mesh, solids, diagnostics);
   add_probes(deck, flow, diagnostics);
@@ -155,12 +155,12 @@ Flow flow_on(const Deck& deck, Mesh mesh, const Solids* solids, Diagnostics& dia
 
 }  // namespace
 
-FlowVector flow_vector_of(const Deck& deck, const std::array<const char*, 2>& names, int k, const std::string& of,
+FlowVector flow_vector_of(const Deck& deck, const std::array<TextVariable, 2>& names, int k, const std::string& of,
                           Diagnostics& diagnostics) {
   FlowVector vector;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!deck.given("flow", names[i], k)) continue;
-    vector.component[i] = expression_of(deck, "flow", names[i], k, {"x", "y", "t"}, diagnostics);
+    if (!deck.given(names[i], k)) continue;
+    vector.component[i] = expression_of(deck, names[i], k, {"x", "y", "t"}, diagnostics);
   }
   vector.factor.of = of;
   return vector;

@@ -19,7 +19,7 @@ namespace tether {
 void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// The vector whose components are the texts of $flow with these names and the number k; `of` is what it belongs to.
-FlowVector flow_vector_of(const Deck& deck, const std::array<const char*, 2>& names, int k, const std::string& of,
+FlowVector flow_vector_of(const Deck& deck, const std::array<TextVariable, 2>& names, int k, const std::string& of,
                           Diagnostics& diagnostics);
 
 /// All of the boundary, by boundary_on; of a periodic pair both sides, one behind the other.

@@ -40,8 +40,8 @@ class ForceReader {
       : deck_(deck), k_(k), mesh_(mesh), solids_(solids), diagnostics_(diagnostics) {}
 
   ForceSide read() {
-    force_.name = deck_.text("flow", "force_on", k_);
-    force_.centre = {deck_.real("flow", "force_x", k_), deck_.real("flow", "force_y", k_)};
+    force_.name = deck_.text("flow.force_on", k_);
+    force_.centre = {deck_.real("flow.force_x", k_), deck_.real("flow.force_y", k_)};
     if (mesh_.sides.contains(force_.name) || body_sides(force_.name)) {
       add(force_.name);
       return force_;
@@ -55,7 +55,7 @@ class ForceReader {
 
  private:
   void refuse(const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, "flow", "force_on", {k_, 1}, message, hint));
+    diagnostics_.add(deck_.remark(Severity::error, "flow.force_on", {k_, 1}, message, hint));
   }
   /// A name that both meshes have is the fluid's where it is on the boundary of the fluid.
   void add(const std::string& name) {
@@ -155,9 +155,9 @@ class ForceReader {
 
 std::vector<ForceSide> force_sides_of(const Deck& deck, const Mesh& mesh, const Solids* solids,
                                       Diagnostics& diagnostics) {
-  check_all_act(deck, "flow", "force", "force_on", {"force_x", "force_y"}, diagnostics);
+  check_all_act(deck, "force", "flow.force_on", {"flow.force_x", "flow.force_y"}, diagnostics);
   std::vector<ForceSide> forces;
-  for (const Subscript at : deck.given_elements("flow", "force_on"))
+  for (const Subscript at : deck.given_elements("flow.force_on"))
     forces.push_back(ForceReader(deck, at[0], mesh, solids, diagnostics).read());
   return forces;
 }
@@ -171,57 +171,58 @@ class ProbeReader {
       : deck_(deck), flow_(flow), diagnostics_(diagnostics) {}
 
   void probes() {
-    for (const Subscript at : deck_.given_elements("flow", "probe")) {
+    for (const Subscript at : deck_.given_elements("flow.probe")) {
       const int k = at[1];
-      if (!both_given("probe", at, "a place has an x and a y") || at[0] == 2) continue;
+      if (!both_given("flow.probe", at, "a place has an x and a y") || at[0] == 2) continue;
       number_[k] = static_cast<int>(flow_.probes.size());
-      flow_.probes.push_back({deck_.real("flow", "probe", 1, k), deck_.real("flow", "probe", 2, k)});
+      flow_.probes.push_back({deck_.real("flow.probe", 1, k), deck_.real("flow.probe", 2, k)});
     }
   }
   void differences() {
-    for (const Subscript at : deck_.given_elements("flow", "difference")) {
+    for (const Subscript at : deck_.given_elements("flow.difference")) {
       const int k = at[1];
-      if (!both_given("difference", at, "a difference is one of two probes")) continue;
-      if (!deck_.given("flow", "probe", 1, deck_.integer("flow", "difference", at[0], k)))
-        refuse("difference", at, fmt::format("there is no probe {}", deck_.integer("flow", "difference", at[0], k)),
+      if (!both_given("flow.difference", at, "a difference is one of two probes")) continue;
+      if (!deck_.given("flow.probe", 1, deck_.integer("flow.difference", at[0], k)))
+        refuse("flow.difference", at, fmt::format("there is no probe {}", deck_.integer("flow.difference", at[0], k)),
                "the numbers are those of probe(1:2,k)");
       if (at[0] == 2) flow_.differences.push_back({probe(1, k), probe(2, k)});
     }
   }
   void tracers() {
-    const bool counted[] = {deck_.given("flow", "tracers", 1), deck_.given("flow", "tracers", 2)};
-    const auto box = deck_.given_elements("flow", "tracer_box");
+    const bool counted[] = {deck_.given("flow.tracers", 1), deck_.given("flow.tracers", 2)};
+    const auto box = deck_.given_elements("flow.tracer_box");
     if (!counted[0] && !counted[1]) {
-      if (!box.empty()) refuse("tracer_box", box[0], "there are no tracers in this box", "tracers=20,10 places some");
+      if (!box.empty())
+        refuse("flow.tracer_box", box[0], "there are no tracers in this box", "tracers=20,10 places some");
       return;
     }
     if (!counted[0] || !counted[1])
-      return refuse("tracers", {counted[0] ? 1 : 2, 1}, "tracers has one of its two numbers", "along x, along y");
+      return refuse("flow.tracers", {counted[0] ? 1 : 2, 1}, "tracers has one of its two numbers", "along x, along y");
     const Box<2> extent = extent_of_mesh();
     TracerGrid& tracers = flow_.tracers;
-    tracers = {.count = {deck_.integer("flow", "tracers", 1), deck_.integer("flow", "tracers", 2)}, .box = extent};
+    tracers = {.count = {deck_.integer("flow.tracers", 1), deck_.integer("flow.tracers", 2)}, .box = extent};
     if (box.empty()) return;
     if (box.size() < 4)
-      return refuse("tracer_box", box[0], fmt::format("tracer_box has {} of its four numbers", box.size()),
+      return refuse("flow.tracer_box", box[0], fmt::format("tracer_box has {} of its four numbers", box.size()),
                     "xleft, xright, ybot, ytop");
-    const auto number = [&](int k) { return deck_.real("flow", "tracer_box", k); };
+    const auto number = [&](int k) { return deck_.real("flow.tracer_box", k); };
     tracers.box = {{number(1), number(3)}, {number(2), number(4)}};
     check_box(extent);
   }
 
  private:
-  void refuse(const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, "flow", name, at, message, hint));
+  void refuse(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
   /// Whether both elements of a column are given, which is told at the one that is.
-  bool both_given(const char* name, Subscript at, const char* hint) {
+  bool both_given(AnyVariable name, Subscript at, const char* hint) {
     const int other = 3 - at[0];
-    if (deck_.given("flow", name, other, at[1])) return true;
+    if (deck_.given(name, other, at[1])) return true;
     refuse(name, at, fmt::format("{}({},{}) is not given", name, other, at[1]), hint);
     return false;
   }
   int probe(int i, int k) const {
-    const auto found = number_.find(deck_.integer("flow", "difference", i, k));
+    const auto found = number_.find(deck_.integer("flow.difference", i, k));
     return found == number_.end() ? 0 : found->second;
   }
   /// xleft, xright, ybot, ytop.
@@ -234,14 +235,14 @@ class ProbeReader {
   void check_box(const Box<2>& extent) {
     const auto& [low, high] = flow_.tracers.box;
     if (!(low[0] < high[0]) || !(low[1] < high[1]))
-      return refuse("tracer_box", {low[0] < high[0] ? 4 : 2, 1}, "the box of tracers is empty",
+      return refuse("flow.tracer_box", {low[0] < high[0] ? 4 : 2, 1}, "the box of tracers is empty",
                     "xleft, xright, ybot, ytop, the lower first");
     const double slack = 1e-9 * std::max(extent.high[0] - extent.low[0], extent.high[1] - extent.low[1]);
     const std::array<double, 4> beyond{extent.low[0] - low[0], high[0] - extent.high[0], extent.low[1] - low[1],
                                        high[1] - extent.high[1]};
     for (std::size_t k = 0; k < 4; ++k) {
       if (beyond[k] <= slack) continue;
-      return refuse("tracer_box", {static_cast<int>(k) + 1, 1},
+      return refuse("flow.tracer_box", {static_cast<int>(k) + 1, 1},
                     fmt::format("the box of tracers goes beyond the fluid by {:.6g}", beyond[k]),
                     fmt::format("the fluid lies between x = {:.6g} and {:.6g}, y = {:.6g} and {:.6g}", extent.low[0],
                                 extent.high[0], extent.low[1], extent.high[1]));

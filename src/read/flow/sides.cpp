@@ -56,39 +56,40 @@ class SideReader {
       : deck_(deck), mesh_(mesh), parts_(mesh), diagnostics_(diagnostics) {}
 
   std::vector<FlowSide> read() {
-    check_all_act(deck_, "flow", "boundary", "boundary_on",
-                  {"boundary", "boundary_u", "boundary_v", "boundary_time", "boundary_factor", "boundary_with"},
+    check_all_act(deck_, "boundary", "flow.boundary_on",
+                  {"flow.boundary", "flow.boundary_u", "flow.boundary_v", "flow.boundary_time", "flow.boundary_factor",
+                   "flow.boundary_with"},
                   diagnostics_);
     std::vector<FlowSide> sides;
-    for (const Subscript at : deck_.given_elements("flow", "boundary_on")) read_side(at[0], sides);
+    for (const Subscript at : deck_.given_elements("flow.boundary_on")) read_side(at[0], sides);
     if (Sides rest = parts_.rest(); !rest.empty()) sides.push_back({"other walls", Boundary::no_slip, rest, {}, 0});
     return sides;
   }
 
  private:
-  void refuse(const char* name, int k, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, "flow", name, {k, 1}, message, hint));
+  void refuse(AnyVariable name, int k, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, {k, 1}, message, hint));
   }
   void read_side(int k, std::vector<FlowSide>& sides) {
-    const Sides* named = take("boundary_on", k);
-    if (!deck_.given("flow", "boundary", k))
-      return refuse("boundary_on", k, fmt::format("boundary({}) is not given: what side {} is", k, k), kinds);
+    const Sides* named = take("flow.boundary_on", k);
+    if (!deck_.given("flow.boundary", k))
+      return refuse("flow.boundary_on", k, fmt::format("boundary({}) is not given: what side {} is", k, k), kinds);
     FlowSide side;
-    side.name = deck_.text("flow", "boundary_on", k), side.number = k;
-    side.boundary = word<Boundary>(deck_, "flow", "boundary", k);
+    side.name = deck_.text("flow.boundary_on", k), side.number = k;
+    side.boundary = word<Boundary>(deck_, "flow.boundary", k);
     read_velocity(k, side);
     const Sides* partner = partner_of(k, side.boundary);
     if (!named) return;
     side.sides = *named;
     if (side.boundary == Boundary::slip) check_along_an_axis(k, side);
     sides.push_back(side);
-    if (partner) sides.push_back({deck_.text("flow", "boundary_with", k), Boundary::periodic, *partner, {}, k});
+    if (partner) sides.push_back({deck_.text("flow.boundary_with", k), Boundary::periodic, *partner, {}, k});
   }
   /// The sides that variable(k) names, which from now on nothing else may have; null where there are none.
-  const Sides* take(const char* variable, int k) {
-    const Sides* sides = named_sides(deck_, "flow", variable, k, mesh_, diagnostics_);
+  const Sides* take(TextVariable variable, int k) {
+    const Sides* sides = named_sides(deck_, variable, k, mesh_, diagnostics_);
     if (!sides) return nullptr;
-    const std::string name = deck_.text("flow", variable, k);
+    const std::string name = deck_.text(variable, k);
     for (std::size_t s = 0; s < sides->size(); s += parts_.per_side()) {
       const auto part = parts_.find(&(*sides)[s]);
       const int by = part ? parts_.taken(*part) : 0;
@@ -109,24 +110,25 @@ class SideReader {
     return sides;
   }
   void read_velocity(int k, FlowSide& side) {
-    const std::string kind = deck_.text("flow", "boundary", k);
-    const bool has = deck_.given("flow", "boundary_u", k) || deck_.given("flow", "boundary_v", k);
+    const std::string kind = deck_.text("flow.boundary", k);
+    const bool has = deck_.given("flow.boundary_u", k) || deck_.given("flow.boundary_v", k);
     if (side.boundary != Boundary::moving && side.boundary != Boundary::inflow) return check_no_velocity(k, kind);
     if (!has)
-      refuse("boundary", k, fmt::format("side {}, '{}', has no velocity", k, kind),
+      refuse("flow.boundary", k, fmt::format("side {}, '{}', has no velocity", k, kind),
              fmt::format("give it by boundary_u({0}) and boundary_v({0}), expressions in x, y, t", k));
     const std::string of = fmt::format("boundary {} ({})", k, side.name);
-    side.velocity = flow_vector_of(deck_, {"boundary_u", "boundary_v"}, k, of, diagnostics_);
-    side.velocity.factor = amplitude_of(deck_, "flow", "boundary", k, diagnostics_);
+    side.velocity = flow_vector_of(deck_, {"flow.boundary_u", "flow.boundary_v"}, k, of, diagnostics_);
+    side.velocity.factor = amplitude_of(deck_, "flow.boundary", k, diagnostics_);
     side.velocity.factor.of = of;
   }
   void check_no_velocity(int k, const std::string& kind) {
-    for (const char* name : {"boundary_u", "boundary_v", "boundary_time", "boundary_factor"}) {
-      const bool table = find_variable("flow", name)->rank == 2;
-      for (const Subscript at : deck_.given_elements("flow", name)) {
+    for (const AnyVariable name :
+         Variables{"flow.boundary_u", "flow.boundary_v", "flow.boundary_time", "flow.boundary_factor"}) {
+      const bool table = name.row().rank == 2;
+      for (const Subscript at : deck_.given_elements(name)) {
         if (at[table ? 1 : 0] != k) continue;
         diagnostics_.add(deck_.remark(
-            Severity::error, "flow", name, at, fmt::format("{} has no effect on side {}, which is '{}'", name, k, kind),
+            Severity::error, name, at, fmt::format("{} has no effect on side {}, which is '{}'", name, k, kind),
             "moving walls and inflows have a velocity: leave it away, or write one of these"));
         return;
       }
@@ -134,15 +136,15 @@ class SideReader {
   }
   /// The partner of a periodic side, or null.
   const Sides* partner_of(int k, Boundary boundary) {
-    const bool given = deck_.given("flow", "boundary_with", k);
+    const bool given = deck_.given("flow.boundary_with", k);
     if (boundary == Boundary::periodic && !given)
-      refuse("boundary", k, fmt::format("the periodic side {} has no partner", k),
+      refuse("flow.boundary", k, fmt::format("the periodic side {} has no partner", k),
              fmt::format("boundary_with({}) names the side that is its image", k));
     if (boundary != Boundary::periodic && given)
-      refuse("boundary_with", k,
-             fmt::format("boundary_with has no effect on side {}, which is '{}'", k, deck_.text("flow", "boundary", k)),
+      refuse("flow.boundary_with", k,
+             fmt::format("boundary_with has no effect on side {}, which is '{}'", k, deck_.text("flow.boundary", k)),
              "periodic sides have a partner");
-    return boundary == Boundary::periodic && given ? take("boundary_with", k) : nullptr;
+    return boundary == Boundary::periodic && given ? take("flow.boundary_with", k) : nullptr;
   }
   void check_along_an_axis(int k, const FlowSide& side) {
     double size = 0;
@@ -155,7 +157,7 @@ class SideReader {
           across[i] = std::max(across[i], std::abs(coordinate(side.sides[s + a], i) - coordinate(side.sides[s], i)));
       }
       if (std::min(across[0], across[1]) <= 1e-9 * size) continue;
-      return refuse("boundary", k,
+      return refuse("flow.boundary", k,
                     fmt::format("'{}' is neither along x nor along y at {}: slip along it is not modelled", side.name,
                                 place_text(mesh_, side.sides[s])),
                     "make it no-slip, or place it along an axis");
@@ -265,7 +267,7 @@ std::vector<int> twins_of(const Deck& deck, const Mesh& mesh, const std::vector<
     if (sides[s].boundary != Boundary::periodic || sides[s].number != sides[s - 1].number) continue;
     const auto [message, hint] = twins.join(sides[s - 1], sides[s]);
     if (message.empty()) continue;
-    diagnostics.add(deck.remark(Severity::error, "flow", "boundary_with", {sides[s].number, 1}, message, hint));
+    diagnostics.add(deck.remark(Severity::error, "flow.boundary_with", {sides[s].number, 1}, message, hint));
   }
   return twins.twins();
 }

@@ -27,10 +27,10 @@ class VelocityChecks {
   bool finite() {
     std::vector<int> all(flow_.mesh.node_count());
     std::iota(all.begin(), all.end(), 0);
-    bool finite = is_finite(flow_.start, {"u0", "v0"}, 1, all, 0);
-    finite &= is_finite(flow_.acceleration, {"bx", "by"}, 1, all, t_);
+    bool finite = is_finite(flow_.start, {"flow.u0", "flow.v0"}, 1, all, 0);
+    finite &= is_finite(flow_.acceleration, {"flow.bx", "flow.by"}, 1, all, t_);
     for (const FlowSide& side : flow_.sides)
-      finite &= is_finite(side.velocity, {"boundary_u", "boundary_v"}, side.number, side.sides, t_);
+      finite &= is_finite(side.velocity, {"flow.boundary_u", "flow.boundary_v"}, side.number, side.sides, t_);
     return finite;
   }
   void walls() {
@@ -50,7 +50,7 @@ class VelocityChecks {
     const auto n = 2 * static_cast<std::size_t>(node);
     return {flow_.mesh.x[n], flow_.mesh.x[n + 1]};
   }
-  bool is_finite(const FlowVector& vector, const std::array<const char*, 2>& names, int k,
+  bool is_finite(const FlowVector& vector, const std::array<AnyVariable, 2>& names, int k,
                  const std::vector<int>& nodes, double t) {
     bool all = true;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -60,7 +60,7 @@ class VelocityChecks {
         const double value = (*vector.component[i])(std::array{x[0], x[1], t});
         if (std::isfinite(value)) continue;
         diagnostics_.add(
-            deck_.remark(Severity::error, "flow", names[i], {k, 1},
+            deck_.remark(Severity::error, names[i], {k, 1},
                          fmt::format("'{}' gives {} at {}, t = {:.6g}", vector.component[i]->text(), value,
                                      place_text(flow_.mesh, node), t),
                          "it must have a finite value wherever it is asked: at each node of its side, or of the mesh"));
@@ -136,7 +136,7 @@ class VelocityChecks {
         const double through = sine(v, along[a]);
         if (through <= (straight + doubt[static_cast<std::size_t>(node)]) * std::hypot(v[0], v[1])) continue;
         diagnostics_.add(
-            deck_.remark(Severity::error, "flow", "boundary", {side.number, 1},
+            deck_.remark(Severity::error, "flow.boundary", {side.number, 1},
                          fmt::format("at t = {:.6g} the velocity ({:.6g}, {:.6g}) of '{}' at {} goes through the wall "
                                      "by {:.6g}",
                                      time, v[0], v[1], side.name, place_text(flow_.mesh, node), through),
@@ -248,7 +248,7 @@ void check_flow_balance(const Deck& deck, const Clock& clock, const Flow& flow, 
       const Flux flux = flux_at(flow, holders, t);
       if (flux.balanced()) continue;
       return diagnostics.add(deck.remark(
-          Severity::error, "flow", "boundary_on", {blamed->number, 1},
+          Severity::error, "flow.boundary_on", {blamed->number, 1},
           fmt::format(
               "at t = {:.6g} the prescribed velocities bring {:.6g} into the fluid and {:.6g} out of it, and no "
               "side is open",

@@ -20,7 +20,7 @@ namespace {
 
 void warn(const Deck& deck, const Variable& variable, Subscript at, const std::string& message, const std::string& hint,
           Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::warning, variable.group, variable.name, at, message, hint));
+  diagnostics.add(deck.remark(Severity::warning, AnyVariable(variable), at, message, hint));
 }
 
 /// Whether a deck with a mesh has a use for a variable of the groups that points have, too.
@@ -39,8 +39,8 @@ void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
   const bool box = deck.has_group("coupled");
   for (const Variable& variable : variables()) {
     if (is_of_meshes(variable)) continue;
-    for (const Subscript at : deck.given_elements(variable.group, variable.name)) {
-      if (value_text(deck.value(variable.group, variable.name, at[0], at[1])) == variable.fallback) continue;
+    for (const Subscript at : deck.given_elements(AnyVariable(variable))) {
+      if (value_text(deck.value(AnyVariable(variable), at[0], at[1])) == variable.fallback) continue;
       warn(deck, variable, at,
            fmt::format("{} of ${} has no effect {}", variable.name, variable.group,
                        box ? "beside $coupled" : "on a mesh"),
@@ -53,12 +53,12 @@ void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
 }
 
 void warn_of_point_outputs(const Deck& deck, Diagnostics& diagnostics) {
-  if (deck.given("flow", "tracers", 1)) return;  // which are written as points
+  if (deck.given("flow.tracers", 1)) return;  // which are written as points
   const bool box = deck.has_group("coupled");
   for (const int k : {13, 32, 35, 36, 40}) {
-    if (deck.integer("in", "iout", k) != 1) continue;
+    if (deck.integer("in.iout", k) != 1) continue;
     diagnostics.add(deck.remark(
-        Severity::warning, "in", "iout", {k, 1},
+        Severity::warning, "in.iout", {k, 1},
         fmt::format("iout({})=1 writes nothing: {} no points", k, box ? "fluid and elements have" : "a mesh has"),
         box ? "iout(39)=1, tiout(39)=... writes the fields of fluid and elements"
             : "iout(39)=1, tiout(39)=... writes the mesh with its fields into mesh.nc"));
@@ -67,14 +67,14 @@ void warn_of_point_outputs(const Deck& deck, Diagnostics& diagnostics) {
 
 /// Of numbers of regions that there are none of.
 void warn_of_absent_regions(const Deck& deck, Diagnostics& diagnostics) {
-  const int regions = deck.integer("reg", "nreg");
+  const int regions = deck.integer("reg.nreg");
   for (const Variable& variable : variables()) {
     const bool by_second = variable.rank == 2 && variable.n2 == region_count;
     const bool by_first = variable.rank == 1 && variable.n1 == region_count;
     const bool of_loads = variable.name.starts_with("load") || variable.name.starts_with("fix");
     const bool of_meshes = variable.group == "mesh" || variable.group == "fem" || variable.name == "penalty";
     if (!of_meshes || of_loads || !(by_first || by_second)) continue;
-    for (const Subscript at : deck.given_elements(variable.group, variable.name)) {
+    for (const Subscript at : deck.given_elements(AnyVariable(variable))) {
       const int r = by_second ? at[1] : at[0];
       if (r <= regions) continue;
       warn(deck, variable, at, fmt::format("{} has no effect: there is no region {}", variable.name, r),
@@ -90,7 +90,7 @@ void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics) {
   if (!deck.has_group("rigid") && !deck.has_group("coupled") && geometry_of(deck) == Geometry::axisymmetric) {
     const bool flow = has_flow(deck);
     diagnostics.add(
-        deck.remark(Severity::error, "in", "cyl", {1, 1},
+        deck.remark(Severity::error, "in.cyl", {1, 1},
                     fmt::format("{} on a mesh {} no axis", flow ? "a fluid" : "elastic bodies", flow ? "has" : "have"),
                     flow ? "write cyl=0.: a fluid is plane"
                          : "write cyl=0.; a ring of revolution is a mesh in space, by z of the regions in $mesh"));
@@ -102,12 +102,12 @@ void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics) {
 
 void check_wall(const Deck& deck, const Mesh& mesh, const GridEdge& edge, std::size_t held, Diagnostics& diagnostics) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  const bool low = edge.variable == std::string_view("wl") || edge.variable == std::string_view("wb");
+  const bool low = edge.variable == "in.wl" || edge.variable == "in.wb";
   const auto behind = [&](double x) { return (low ? edge.place - x : x - edge.place) > 1e-9 * edge.size; };
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     if (held == 0 || !behind(mesh.x[n * dim + edge.axis])) continue;
     diagnostics.add(deck.remark(
-        Severity::error, "in", edge.variable, {1, 1},
+        Severity::error, edge.variable, {1, 1},
         fmt::format("the edge {} = {:.6g} of the grid goes through the body: its wall would hold {} nodes inside of it",
                     edge.axis == 0 ? "x" : "y", edge.place, held),
         fmt::format("write {}=1, or place the edge elsewhere", edge.variable)));
@@ -136,7 +136,7 @@ void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& d
       }
     }
     if (!other) continue;
-    diagnostics.add(deck.remark(Severity::error, "fem", "fix_on", {support.number, 1},
+    diagnostics.add(deck.remark(Severity::error, "fem.fix_on", {support.number, 1},
                                 fmt::format("{} and {} move the same nodes along {} to different places",
                                             other->amplitude.of, support.amplitude.of, "xyz"[axis]),
                                 "leave that direction away in one of them"));
@@ -155,9 +155,9 @@ void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnos
     while (parts[static_cast<std::size_t>(mesh.element(e)[0])] != part) ++e;
     return fmt::format("body {} ({})", part + 1, solids.regions[static_cast<std::size_t>(mesh.region[e])].name);
   };
-  const bool file = !deck.text("mesh", "file").empty();
+  const bool file = !deck.text("mesh.file").empty();
   diagnostics.add(deck.remark(
-      Severity::warning, file ? "mesh" : "reg", file ? "file" : "nreg", {1, 1},
+      Severity::warning, file ? AnyVariable("mesh.file") : "reg.nreg", {1, 1},
       found.nodes == 0 ? fmt::format("{} and {} overlap at the start: their sides cross at ({:.6g}, {:.6g}{})",
                                      name(crossed.part), name(crossed.other), crossed.place[0], crossed.place[1],
                                      mesh.dim() == 3 ? fmt::format(", {:.6g}", crossed.place[2]) : "")

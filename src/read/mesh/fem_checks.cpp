@@ -20,15 +20,15 @@ constexpr double one_place = 1e-12;
 constexpr const char* use_points = "strings alone become bars; --path mpm runs it by material points";
 
 void check_regions(const Deck& deck, Diagnostics& diagnostics) {
-  const int regions = deck.integer("in", "igen") == 0 ? 0 : deck.integer("reg", "nreg");
+  const int regions = deck.integer("in.igen") == 0 ? 0 : deck.integer("reg.nreg");
   for (int r = 1; r <= regions; ++r) {
-    const int ipath = deck.given("reg", "ipath", 4, r) ? deck.integer("reg", "ipath", 4, r) : -1;
+    const int ipath = deck.given("reg.ipath", 4, r) ? deck.integer("reg.ipath", 4, r) : -1;
     const char* what = ipath == 7 || ipath == 9   ? "a gas"
                        : ipath == 8               ? "a linear fluid"
                        : ipath == 0 || ipath == 2 ? "a solid of points without a mesh"
                                                   : nullptr;
     if (!what) continue;  // told already: it names no law
-    diagnostics.add(deck.remark(Severity::error, "reg", "ipath", {4, r},
+    diagnostics.add(deck.remark(Severity::error, "reg.ipath", {4, r},
                                 fmt::format("region {}: the fem path cannot represent {}", r, what), use_points));
   }
 }
@@ -43,10 +43,10 @@ void check_file(const ParticleFile& file, Diagnostics& diagnostics) {
 void check_membrane_laws(const Deck& deck, const std::optional<ParticleFile>& particles, Diagnostics& diagnostics) {
   for (int b = 1; b <= membrane_count; ++b) {
     const bool of_file = b == 1 && particles && particles->ipath[3] == 8;
-    if (word<Membrane::Kind>(deck, "membrane", "law", b) != Membrane::Kind::plane_stress ||
+    if (word<Membrane::Kind>(deck, "membrane.law", b) != Membrane::Kind::plane_stress ||
         (!of_file && curve_numbers(deck, b).empty()))
       continue;
-    diagnostics.add(deck.remark(Severity::error, "membrane", "law", {b, 1},
+    diagnostics.add(deck.remark(Severity::error, "membrane.law", {b, 1},
                                 fmt::format("the fem path cannot represent plane stress: law({})", b),
                                 "a bar carries along itself only: law='uniaxial'; --path mpm has plane stress"));
   }
@@ -62,8 +62,7 @@ void tell_at_point(const Deck& deck, const std::optional<ParticleFile>& particle
   }
   for (int b = 1; b <= membrane_count; ++b) {
     if (body.name != fmt::format("membrane {}", b)) continue;
-    diagnostics.add(
-        deck.remark(Severity::error, "membrane", "curve", {curve_numbers(deck, b).front(), 1}, message, hint));
+    diagnostics.add(deck.remark(Severity::error, "membrane.curve", {curve_numbers(deck, b).front(), 1}, message, hint));
   }
 }
 
@@ -89,9 +88,10 @@ void check_lengths(const Deck& deck, const std::optional<ParticleFile>& particle
 /// Of what the deck asks of material points, other than what they do by themselves.
 void warn_of_the_other_method(const Deck& deck, Diagnostics& diagnostics) {
   for (const Variable& variable : variables()) {
-    if (variable.group != "mpm" || !deck.given("mpm", variable.name)) continue;
-    if (value_text(deck.value("mpm", variable.name)) == variable.fallback) continue;
-    diagnostics.add(deck.remark(Severity::warning, "mpm", variable.name, {1, 1},
+    const AnyVariable name(variable);
+    if (variable.group != "mpm" || !deck.given(name)) continue;
+    if (value_text(deck.value(name)) == variable.fallback) continue;
+    diagnostics.add(deck.remark(Severity::warning, name, {1, 1},
                                 fmt::format("{} of $mpm has no effect on the fem path", variable.name)));
   }
 }
@@ -101,11 +101,11 @@ void warn_of_the_other_method(const Deck& deck, Diagnostics& diagnostics) {
 void check_fem(const Deck& deck, const std::optional<ParticleFile>& particles, const Scene& scene,
                Diagnostics& diagnostics) {
   if (geometry_of(deck) == Geometry::axisymmetric) {
-    diagnostics.add(deck.remark(Severity::error, "in", "cyl", {1, 1}, "the fem path is plane: it has no axis",
+    diagnostics.add(deck.remark(Severity::error, "in.cyl", {1, 1}, "the fem path is plane: it has no axis",
                                 "write cyl=0.; --path mpm runs bodies of revolution"));
   }
-  if (deck.real("fluid", "pambient") != 0) {
-    diagnostics.add(deck.remark(Severity::error, "fluid", "pambient", {1, 1},
+  if (deck.real("fluid.pambient") != 0) {
+    diagnostics.add(deck.remark(Severity::error, "fluid.pambient", {1, 1},
                                 "the fem path has no pressure outside membranes", "write pambient=0."));
   }
   check_regions(deck, diagnostics);
@@ -119,8 +119,8 @@ void drop_grid_outputs(const Deck& deck, Scene& scene, Diagnostics& diagnostics)
   if (!std::holds_alternative<Bars>(scene.physics) || scene.outputs.grid == 0) return;
   scene.outputs.grid = 0;
   for (const int k : {30, 31, 37, 39}) {
-    if (deck.integer("in", "iout", k) != 1) continue;
-    diagnostics.add(deck.remark(Severity::warning, "in", "iout", {k, 1},
+    if (deck.integer("in.iout", k) != 1) continue;
+    diagnostics.add(deck.remark(Severity::warning, "in.iout", {k, 1},
                                 fmt::format("iout({})=1 writes nothing: bars have no grid", k)));
   }
 }

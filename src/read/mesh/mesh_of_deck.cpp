@@ -19,19 +19,18 @@ class BlockReader {
       : deck_(deck), r_(r), solid_(solid), diagnostics_(diagnostics) {}
 
   std::optional<Block> read() {
-    if (deck_.integer("reg", "nvi", r_) != 4) {
-      error("reg", "nvi", {r_, 1},
-            fmt::format("a block of a mesh has 4 vertices, not {}", deck_.integer("reg", "nvi", r_)),
+    if (deck_.integer("reg.nvi", r_) != 4) {
+      error("reg.nvi", {r_, 1}, fmt::format("a block of a mesh has 4 vertices, not {}", deck_.integer("reg.nvi", r_)),
             "give nvi, xvi and yvi of its corners, counter-clockwise");
       return std::nullopt;
     }
     std::array<Vec<2>, 4> corners;
     for (int k = 1; k <= 4; ++k) {
-      if (!deck_.given("reg", "xvi", k, r_) || !deck_.given("reg", "yvi", k, r_)) {
-        error("reg", "nvi", {r_, 1}, fmt::format("vertex {} is not given", k), "nvi vertices need an x and a y each");
+      if (!deck_.given("reg.xvi", k, r_) || !deck_.given("reg.yvi", k, r_)) {
+        error("reg.nvi", {r_, 1}, fmt::format("vertex {} is not given", k), "nvi vertices need an x and a y each");
         return std::nullopt;
       }
-      corners[static_cast<std::size_t>(k - 1)] = {deck_.real("reg", "xvi", k, r_), deck_.real("reg", "yvi", k, r_)};
+      corners[static_cast<std::size_t>(k - 1)] = {deck_.real("reg.xvi", k, r_), deck_.real("reg.yvi", k, r_)};
     }
     Block block;
     for (int k = 1; k <= 4; ++k) {
@@ -39,38 +38,38 @@ class BlockReader {
       block.edges[edge] = curve(k, corners[edge], corners[(edge + 1) % 4]);
     }
     for (int k = 1; k <= 3; ++k) {
-      block.cells[static_cast<std::size_t>(k - 1)] = deck_.integer("mesh", "cells", k, r_);
-      block.grading[static_cast<std::size_t>(k - 1)] = deck_.real("mesh", "grading", k, r_);
-      block.grading_middle[static_cast<std::size_t>(k - 1)] = deck_.real("mesh", "grading_middle", k, r_);
+      block.cells[static_cast<std::size_t>(k - 1)] = deck_.integer("mesh.cells", k, r_);
+      block.grading[static_cast<std::size_t>(k - 1)] = deck_.real("mesh.grading", k, r_);
+      block.grading_middle[static_cast<std::size_t>(k - 1)] = deck_.real("mesh.grading_middle", k, r_);
     }
     check_gradings(block);
     block.number = r_;
-    for (int k = 1; k <= 6; ++k) block.names[static_cast<std::size_t>(k - 1)] = deck_.text("mesh", "side", k, r_);
+    for (int k = 1; k <= 6; ++k) block.names[static_cast<std::size_t>(k - 1)] = deck_.text("mesh.side", k, r_);
     if (solid_) read_depth(block);
     return block;
   }
 
  private:
-  void error(const char* group, const char* name, Subscript at, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, group, name, at, fmt::format("region {}: {}", r_, message), hint));
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, fmt::format("region {}: {}", r_, message), hint));
   }
   EdgeCurve curve(int k, Vec<2> from, Vec<2> to) {
-    const auto kind = word<MeshEdge>(deck_, "mesh", "edge", k, r_);
+    const auto kind = word<MeshEdge>(deck_, "mesh.edge", k, r_);
     if (kind == MeshEdge::line) return straight(from, to);
-    const Vec<2> centre{deck_.real("mesh", "edge_xc", k, r_), deck_.real("mesh", "edge_yc", k, r_)};
+    const Vec<2> centre{deck_.real("mesh.edge_xc", k, r_), deck_.real("mesh.edge_yc", k, r_)};
     double a = std::hypot(from[0] - centre[0], from[1] - centre[1]), b = a;
     if (kind == MeshEdge::ellipse) {
-      if (!deck_.given("mesh", "edge_a", k, r_) || !deck_.given("mesh", "edge_b", k, r_)) {
-        error("mesh", "edge", {k, r_}, fmt::format("edge {} is an ellipse without half axes", k),
+      if (!deck_.given("mesh.edge_a", k, r_) || !deck_.given("mesh.edge_b", k, r_)) {
+        error("mesh.edge", {k, r_}, fmt::format("edge {} is an ellipse without half axes", k),
               "give edge_a and edge_b");
         return straight(from, to);
       }
-      a = deck_.real("mesh", "edge_a", k, r_), b = deck_.real("mesh", "edge_b", k, r_);
+      a = deck_.real("mesh.edge_a", k, r_), b = deck_.real("mesh.edge_b", k, r_);
     }
     for (const Vec<2>& end : {from, to}) {
       const double off = std::hypot((end[0] - centre[0]) / a, (end[1] - centre[1]) / b) - 1;
       if (std::abs(off) < 1e-3) continue;
-      error("mesh", "edge", {k, r_},
+      error("mesh.edge", {k, r_},
             fmt::format("edge {} does not go through ({:.6g}, {:.6g}): it passes {:.2g} of its radius beside it", k,
                         end[0], end[1], std::abs(off)),
             "both vertices lie on the curve");
@@ -82,22 +81,22 @@ class BlockReader {
     for (int k = 1; k <= 3; ++k) {
       const auto axis = static_cast<std::size_t>(k - 1);
       if (block.grading[axis] == 1 || block.grading_middle[axis] == 1) continue;
-      error("mesh", "grading_middle", {k, r_},
+      error("mesh.grading_middle", {k, r_},
             fmt::format("grading({0},{1}) and grading_middle({0},{1}) are both given", k, r_),
             "cells grow from the first to the last, or from both ends to the middle: leave one away");
     }
   }
   void read_depth(Block& block) {
     for (const int k : {1, 2}) {
-      if (deck_.given("mesh", "z", k, r_)) continue;
-      const Subscript other = deck_.given_elements("mesh", "z").front();
-      error("mesh", "z", other, fmt::format("z({},{}) is not given, but z({},{}) is", k, r_, other[0], other[1]),
+      if (deck_.given("mesh.z", k, r_)) continue;
+      const Subscript other = deck_.given_elements("mesh.z").front();
+      error("mesh.z", other, fmt::format("z({},{}) is not given, but z({},{}) is", k, r_, other[0], other[1]),
             "all regions have a lowest and a highest z, or none has");
       return;
     }
-    block.z_low = deck_.real("mesh", "z", 1, r_), block.z_high = deck_.real("mesh", "z", 2, r_);
+    block.z_low = deck_.real("mesh.z", 1, r_), block.z_high = deck_.real("mesh.z", 2, r_);
     if (block.z_high > block.z_low) return;
-    error("mesh", "z", {2, r_}, fmt::format("z = {:.6g} is not above {:.6g}", block.z_high, block.z_low),
+    error("mesh.z", {2, r_}, fmt::format("z = {:.6g} is not above {:.6g}", block.z_high, block.z_low),
           "the lowest first");
   }
 
@@ -111,8 +110,8 @@ class BlockReader {
 /// says otherwise.
 ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
   if (fluid)
-    return word<FlowElement>(deck, "flow", "element") == FlowElement::q1q1 ? ElementKind::quad4 : ElementKind::quad9;
-  switch (word_or(deck, "mesh", "element", deck.has_group("flow") ? BodyElement::q2 : BodyElement::q1)) {
+    return word<FlowElement>(deck, "flow.element") == FlowElement::q1q1 ? ElementKind::quad4 : ElementKind::quad9;
+  switch (word_or(deck, "mesh.element", deck.has_group("flow") ? BodyElement::q2 : BodyElement::q1)) {
     case BodyElement::q1:
       return solid ? ElementKind::hex8 : ElementKind::quad4;
     case BodyElement::q2:
@@ -125,7 +124,7 @@ ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
 
 std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>& regions, bool fluid,
                                         Diagnostics& diagnostics) {
-  const bool solid = !fluid && !deck.given_elements("mesh", "z").empty();
+  const bool solid = !fluid && !deck.given_elements("mesh.z").empty();
   std::vector<Block> blocks;
   for (const int r : regions) {
     if (auto block = BlockReader(deck, r, solid, diagnostics).read()) blocks.push_back(std::move(*block));
@@ -136,7 +135,7 @@ std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>
   for (const MeshFlaw& flaw : flaws) {
     const int r = number_of(blocks, flaw.region);
     diagnostics.add(
-        deck.remark(Severity::error, "reg", "xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message), flaw.hint));
+        deck.remark(Severity::error, "reg.xvi", {1, r}, fmt::format("region {}: {}", r, flaw.message), flaw.hint));
   }
   return flaws.empty() ? std::optional(std::move(mesh)) : std::nullopt;
 }
@@ -145,12 +144,12 @@ std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>
 
 DeckMeshes meshes_of(const Deck& deck, Diagnostics& diagnostics) {
   DeckMeshes meshes;
-  if (deck.integer("reg", "nreg") == 0) {
-    diagnostics.add(deck.remark(Severity::error, "reg", "nreg", {1, 1}, "a mesh needs a region at least",
+  if (deck.integer("reg.nreg") == 0) {
+    diagnostics.add(deck.remark(Severity::error, "reg.nreg", {1, 1}, "a mesh needs a region at least",
                                 "nreg counts the blocks that the mesh is made of, or the physical groups of its file"));
     return meshes;
   }
-  if (!deck.text("mesh", "file").empty()) meshes = meshes_of_file(deck, diagnostics);
+  if (!deck.text("mesh.file").empty()) meshes = meshes_of_file(deck, diagnostics);
   for (const bool fluid : {true, false}) {
     const std::vector<int> regions = regions_of(deck, fluid);
     if (regions.empty() || is_of_file(deck, regions.front())) continue;

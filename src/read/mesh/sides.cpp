@@ -13,10 +13,10 @@ namespace tether {
 std::array<GridEdge, 4> edges_of(const Scene& scene) {
   const BackgroundGrid& grid = scene.grid;
   const double width = grid.x1 - grid.x0, height = grid.y1 - grid.y0;
-  return {{{"wl", 0, grid.x0, width, scene.walls.left},
-           {"wr", 0, grid.x1, width, scene.walls.right},
-           {"wb", 1, grid.y0, height, scene.walls.bottom},
-           {"wt", 1, grid.y1, height, scene.walls.top}}};
+  return {{{"in.wl", 0, grid.x0, width, scene.walls.left},
+           {"in.wr", 0, grid.x1, width, scene.walls.right},
+           {"in.wb", 1, grid.y0, height, scene.walls.bottom},
+           {"in.wt", 1, grid.y1, height, scene.walls.top}}};
 }
 
 std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
@@ -42,28 +42,26 @@ std::string hint_for(const std::string& name, const Mesh& mesh) {
 
 }  // namespace
 
-const Sides* named_sides(const Deck& deck, const std::string& group, const std::string& variable, int k,
-                         const Mesh& mesh, Diagnostics& diagnostics) {
-  const std::string name = deck.text(group, variable, k);
+const Sides* named_sides(const Deck& deck, TextVariable variable, int k, const Mesh& mesh, Diagnostics& diagnostics) {
+  const std::string name = deck.text(variable, k);
   const auto found = mesh.sides.find(name);
   if (found != mesh.sides.end()) return &found->second;
-  diagnostics.add(deck.remark(Severity::error, group, variable, {k, 1}, fmt::format("no side is called '{}'", name),
+  diagnostics.add(deck.remark(Severity::error, variable, {k, 1}, fmt::format("no side is called '{}'", name),
                               hint_for(name, mesh)));
   return nullptr;
 }
 
-void check_all_act(const Deck& deck, const std::string& group, const std::string& what, const std::string& on,
-                   const std::vector<std::string>& others, Diagnostics& diagnostics) {
+void check_all_act(const Deck& deck, const char* what, AnyVariable on, Variables others, Diagnostics& diagnostics) {
   std::set<int> told;
-  for (const std::string& name : others) {
-    const bool listed = find_variable(group, name)->rank == 1;
-    for (const Subscript at : deck.given_elements(group, name)) {
+  for (const AnyVariable name : others) {
+    const bool listed = name.row().rank == 1;
+    for (const Subscript at : deck.given_elements(name)) {
       const int k = at[listed ? 0 : 1];
-      if (deck.given(group, on, k) || !told.insert(k).second) continue;
-      Diagnostic nothing = deck.remark(Severity::error, group, name, at,
+      if (deck.given(on, k) || !told.insert(k).second) continue;
+      Diagnostic nothing = deck.remark(Severity::error, name, at,
                                        fmt::format("{} {} acts on nothing: {}({}) is not given", what, k, on, k),
                                        fmt::format("{}({}) names a side", on, k));
-      nothing.moot = deck.remark(Severity::error, group, on, {k, 1}, "").moot;  // it was given in vain
+      nothing.moot = deck.remark(Severity::error, on, {k, 1}, "").moot;  // it was given in vain
       diagnostics.add(std::move(nothing));
     }
   }

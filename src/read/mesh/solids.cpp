@@ -20,24 +20,23 @@ namespace {
 
 /// The law of a region, whose numbers are told where they are out of range.
 ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
-  const auto error = [&](const char* group, const char* name, Subscript at, const std::string& message,
-                         const std::string& hint) {
-    diagnostics.add(deck.remark(Severity::error, group, name, at, fmt::format("region {}: {}", r, message), hint));
+  const auto error = [&](AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics.add(deck.remark(Severity::error, name, at, fmt::format("region {}: {}", r, message), hint));
   };
   check_law_words(deck, r, diagnostics);
   const std::string name = law_word(deck, r);
-  const double E = deck.real("reg", "matr", 1, r), nu = deck.real("reg", "matr", 2, r);
-  if (!(E > 0)) error("reg", "matr", {1, r}, fmt::format("the modulus must be > 0, not {:.6g}", E), "matr(1,r) is E");
+  const double E = deck.real("reg.matr", 1, r), nu = deck.real("reg.matr", 2, r);
+  if (!(E > 0)) error("reg.matr", {1, r}, fmt::format("the modulus must be > 0, not {:.6g}", E), "matr(1,r) is E");
   if (name == HoopFibre::word) return HoopFibre::of(elastic_constants(deck, r, Plane::strain));
-  const int ipath = deck.given("reg", "ipath", 4, r) ? deck.integer("reg", "ipath", 4, r) : 0;
+  const int ipath = deck.given("reg.ipath", 4, r) ? deck.integer("reg.ipath", 4, r) : 0;
   if (ipath != 0 && ipath != 2)
-    error("reg", "ipath", {4, r}, fmt::format("ipath(4) = {} is no elastic law", ipath),
+    error("reg.ipath", {4, r}, fmt::format("ipath(4) = {} is no elastic law", ipath),
           "a mesh takes 0, plane strain or space, and 2, plane stress");
   if (ipath == 2 && dim == 3)
-    error("reg", "ipath", {4, r}, "plane stress has no meaning in space",
+    error("reg.ipath", {4, r}, "plane stress has no meaning in space",
           fmt::format("write ipath(4,{})=0, the law in space, or leave z of $mesh away", r));
   if (!(nu > -1) || !(nu < 0.5)) {
-    error("reg", "matr", {2, r}, fmt::format("Poisson's ratio {:.6g} is out of range", nu), "-1 < nu < 0.5");
+    error("reg.matr", {2, r}, fmt::format("Poisson's ratio {:.6g} is out of range", nu), "-1 < nu < 0.5");
     return StVenantKirchhoff{};
   }
   const ElasticConstants given = elastic_constants(deck, r, ipath == 2 ? Plane::stress : Plane::strain);
@@ -48,12 +47,12 @@ SolidRegion region_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics
   SolidRegion region;
   region.name = fmt::format("region {}", r);
   if (!deck.has_group("rigid")) region.law = law_of(deck, r, dim, diagnostics);
-  region.velocity = {deck.real("reg", "vrx", r), deck.real("reg", "vry", r), deck.real("fem", "vrz", r)};
-  for (int i = 1; i <= 3; ++i) region.spin[static_cast<std::size_t>(i - 1)] = deck.real("fem", "spin", i, r);
-  if (deck.given("reg", "densir", r)) {
-    region.density = deck.real("reg", "densir", r);
+  region.velocity = {deck.real("reg.vrx", r), deck.real("reg.vry", r), deck.real("fem.vrz", r)};
+  for (int i = 1; i <= 3; ++i) region.spin[static_cast<std::size_t>(i - 1)] = deck.real("fem.spin", i, r);
+  if (deck.given("reg.densir", r)) {
+    region.density = deck.real("reg.densir", r);
   } else {
-    diagnostics.add(deck.remark(Severity::error, "reg", "densir", {r, 1},
+    diagnostics.add(deck.remark(Severity::error, "reg.densir", {r, 1},
                                 fmt::format("region {}: densir({}) is not given", r, r),
                                 "every region needs its density"));
   }
@@ -61,8 +60,8 @@ SolidRegion region_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics
 }
 
 Integrator integrator_of(const Deck& deck) {
-  if (deck.logical("fem", "static")) return Integrator::equilibrium;
-  return word<Integrator>(deck, "fem", "integrator");
+  if (deck.logical("fem.static")) return Integrator::equilibrium;
+  return word<Integrator>(deck, "fem.integrator");
 }
 
 /// Part of an element by which a tracked place may lie outside of the bodies: more than rounding of the deck's digits.
@@ -78,15 +77,15 @@ std::string tracked_name(const MeshPlace& place, const Vec<3>& at, int dim) {
 /// The places of tracked_at, each within an element; one that lies in no body is a mistake.
 void track_places(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   const int dim = solids.mesh.dim();
-  for (const Subscript at : deck.given_elements("points", "tracked_at")) {
-    if (at[0] != 1 || !deck.given("points", "tracked_at", 2, at[1])) continue;
-    const Vec<3> x{deck.real("points", "tracked_at", 1, at[1]), deck.real("points", "tracked_at", 2, at[1]),
-                   deck.real("mesh", "tracked_z", at[1])};
+  for (const Subscript at : deck.given_elements("points.tracked_at")) {
+    if (at[0] != 1 || !deck.given("points.tracked_at", 2, at[1])) continue;
+    const Vec<3> x{deck.real("points.tracked_at", 1, at[1]), deck.real("points.tracked_at", 2, at[1]),
+                   deck.real("mesh.tracked_z", at[1])};
     NearestPlace nearest = nearest_place(solids.mesh, x);
     std::string name = tracked_name(nearest.place, x, dim);
     if (nearest.away > most_outside * nearest.element_size)
       diagnostics.add(deck.remark(
-          Severity::error, "points", "tracked_at", {1, at[1]},
+          Severity::error, "points.tracked_at", {1, at[1]},
           fmt::format("{} lies in no body: it is about {:.3g} outside of the nearest element, {:.2g} of its size",
                       name.substr(name.find('(')), nearest.away, nearest.away / nearest.element_size),
           dim == 3 ? "tracked_at(1:2,k) and tracked_z(k) of $mesh are the place at the start"
@@ -102,35 +101,30 @@ void check_free_motions(const Deck& deck, const Solids& solids, Diagnostics& dia
   const int parts = count_parts(solids.mesh), left = rests || damped ? free_motions(solids) : 0;
   if (rests && left > 0) {
     diagnostics.add(deck.remark(
-        Severity::error, "fem", solids.from_equilibrium ? "settle" : "static", {1, 1},
+        Severity::error, solids.from_equilibrium ? AnyVariable("fem.settle") : "fem.static", {1, 1},
         fmt::format("the supports leave {} rigid motion{}{} free: there is no equilibrium", left, left > 1 ? "s" : "",
                     parts > 1 ? fmt::format(" of one of {} parts that nothing joins", parts) : ""),
         "hold more by fix_on and fix, or by a wall that the body stands at"));
   }
   if (damped && left > 0)
-    diagnostics.add(deck.remark(Severity::warning, "fem", "beta", {1, 1},
+    diagnostics.add(deck.remark(Severity::warning, "fem.beta", {1, 1},
                                 "beta damps the turning of a body that nothing holds, as if it were strain",
                                 "it acts with the stiffness of the shape at the start; alpha damps all motion"));
 }
 
 /// What only motions have, of a deck that has none.
 void check_equilibria(const Deck& deck, Diagnostics& diagnostics) {
-  if (!deck.logical("fem", "static")) return;
-  const std::array<std::pair<const char*, const char*>, 8> moving{{{"reg", "vrx"},
-                                                                   {"reg", "vry"},
-                                                                   {"fem", "vrz"},
-                                                                   {"fem", "spin"},
-                                                                   {"fem", "alpha"},
-                                                                   {"fem", "beta"},
-                                                                   {"fem", "integrator"},
-                                                                   {"fem", "cfl"}}};
-  for (const auto& [group, name] : moving) {
-    for (const Subscript at : deck.given_elements(group, name)) {
-      if (value_text(deck.value(group, name, at[0], at[1])) == find_variable(group, name)->fallback) continue;
-      diagnostics.add(deck.remark(
-          Severity::warning, group, name, at,
-          fmt::format("{} of ${} has no effect: static=.true. looks for equilibria, which have no motion", name, group),
-          ""));
+  if (!deck.logical("fem.static")) return;
+  const Variables moving{"reg.vrx",   "reg.vry",  "fem.vrz",        "fem.spin",
+                         "fem.alpha", "fem.beta", "fem.integrator", "fem.cfl"};
+  for (const AnyVariable name : moving) {
+    for (const Subscript at : deck.given_elements(name)) {
+      if (value_text(deck.value(name, at[0], at[1])) == name.row().fallback) continue;
+      diagnostics.add(
+          deck.remark(Severity::warning, name, at,
+                      fmt::format("{} of ${} has no effect: static=.true. looks for equilibria, which have no motion",
+                                  name, name.group()),
+                      ""));
       break;
     }
   }
@@ -149,15 +143,15 @@ void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
 }
 
 void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
-  const int dim = mesh ? mesh->dim() : deck.given_elements("mesh", "z").empty() ? 2 : 3;
+  const int dim = mesh ? mesh->dim() : deck.given_elements("mesh.z").empty() ? 2 : 3;
   Solids solids;
   for (const int r : regions_of(deck, false)) solids.regions.push_back(region_of(deck, r, dim, diagnostics));
   if (!mesh) return;
   solids.mesh = std::move(*mesh);
   solids.integrator = integrator_of(deck);
-  if (!has_flow(deck)) solids.alpha = deck.real("fem", "alpha"), solids.beta = deck.real("fem", "beta");
-  solids.tolerance = deck.real("fem", "tolerance");
-  solids.from_equilibrium = deck.logical("fem", "settle");
+  if (!has_flow(deck)) solids.alpha = deck.real("fem.alpha"), solids.beta = deck.real("fem.beta");
+  solids.tolerance = deck.real("fem.tolerance");
+  solids.from_equilibrium = deck.logical("fem.settle");
   check_equilibria(deck, diagnostics);
   add_loads(deck, solids, diagnostics);
   track_places(deck, solids, diagnostics);
@@ -177,9 +171,9 @@ namespace {
 
 constexpr const char* plane_hint = "x and y are all there is; with z of the regions in $mesh there are bodies in space";
 
-void refuse(const Deck& deck, const char* name, Subscript at, const std::string& message, const std::string& hint,
+void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
             Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::error, "fem", name, at, message, hint));
+  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
 }
 
 std::string region_hint(const Deck& deck) {
@@ -206,44 +200,46 @@ void add_wall(const Deck& deck, const GridEdge& edge, Solids& solids, Diagnostic
 }  // namespace
 
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
-  check_all_act(deck, "fem", "load", "load_on", {"load", "load_time", "load_factor", "load_expression"}, diagnostics);
-  for (const Subscript at : deck.given_elements("fem", "load_on")) {
+  check_all_act(deck, "load", "fem.load_on", {"fem.load", "fem.load_time", "fem.load_factor", "fem.load_expression"},
+                diagnostics);
+  for (const Subscript at : deck.given_elements("fem.load_on")) {
     const int k = at[0];
     Load load;
-    const std::string on = deck.text("fem", "load_on", k);
+    const std::string on = deck.text("fem.load_on", k);
     if (on.starts_with("region ")) {
       const auto named = std::find_if(solids.regions.begin(), solids.regions.end(),
                                       [&](const SolidRegion& region) { return region.name == on; });
       load.region = static_cast<int>(named - solids.regions.begin());
       if (named == solids.regions.end()) {
-        refuse(deck, "load_on", at, fmt::format("there is no {}", on), region_hint(deck), diagnostics);
+        refuse(deck, "fem.load_on", at, fmt::format("there is no {}", on), region_hint(deck), diagnostics);
         continue;
       }
-    } else if (const Sides* sides = named_sides(deck, "fem", "load_on", k, solids.mesh, diagnostics)) {
+    } else if (const Sides* sides = named_sides(deck, "fem.load_on", k, solids.mesh, diagnostics)) {
       load.sides = *sides;
     }
     bool sized = false;
     for (int i = 1; i <= 3; ++i) {
-      load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem", "load", i, k);
-      sized |= deck.given("fem", "load", i, k);
+      load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem.load", i, k);
+      sized |= deck.given("fem.load", i, k);
     }
     if (!sized)
-      refuse(deck, "load_on", at, fmt::format("load {} has no size: load(1,{}) is not given", k, k),
+      refuse(deck, "fem.load_on", at, fmt::format("load {} has no size: load(1,{}) is not given", k, k),
              fmt::format("write load(1:2,{0})=0.,-1., force per area along x and y", k), diagnostics);
     if (solids.mesh.dim() == 2 && load.force[2] != 0)
-      refuse(deck, "load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
+      refuse(deck, "fem.load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
              diagnostics);
-    load.amplitude = amplitude_of(deck, "fem", "load", k, diagnostics);
+    load.amplitude = amplitude_of(deck, "fem.load", k, diagnostics);
     solids.loads.push_back(std::move(load));
   }
 }
 
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics) {
-  check_all_act(deck, "fem", "support", "fix_on", {"fix", "fix_time", "fix_factor", "fix_expression"}, diagnostics);
+  check_all_act(deck, "support", "fem.fix_on", {"fem.fix", "fem.fix_time", "fem.fix_factor", "fem.fix_expression"},
+                diagnostics);
   for (const GridEdge& edge : edges_of(scene)) add_wall(deck, edge, solids, diagnostics);
-  for (const Subscript at : deck.given_elements("fem", "fix_on")) {
+  for (const Subscript at : deck.given_elements("fem.fix_on")) {
     const int k = at[0];
-    const Sides* sides = named_sides(deck, "fem", "fix_on", k, solids.mesh, diagnostics);
+    const Sides* sides = named_sides(deck, "fem.fix_on", k, solids.mesh, diagnostics);
     if (!sides) continue;
     Support support;
     support.nodes = *sides, support.number = k;
@@ -251,15 +247,16 @@ void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnost
     support.nodes.erase(std::unique(support.nodes.begin(), support.nodes.end()), support.nodes.end());
     for (int i = 1; i <= 3; ++i) {
       const auto axis = static_cast<std::size_t>(i - 1);
-      support.fixed[axis] = deck.given("fem", "fix", i, k);
-      if (support.fixed[axis]) support.displacement[axis] = deck.real("fem", "fix", i, k);
+      support.fixed[axis] = deck.given("fem.fix", i, k);
+      if (support.fixed[axis]) support.displacement[axis] = deck.real("fem.fix", i, k);
     }
     if (support.fixed == std::array<bool, 3>{})
-      refuse(deck, "fix_on", at, fmt::format("support {} holds no direction", k),
+      refuse(deck, "fem.fix_on", at, fmt::format("support {} holds no direction", k),
              fmt::format("write fix(1,{0})=0,0{1}", k, solids.mesh.dim() == 3 ? ",0" : ""), diagnostics);
     if (solids.mesh.dim() == 2 && support.fixed[2])
-      refuse(deck, "fix", {3, k}, fmt::format("support {} holds z, but the mesh is plane", k), plane_hint, diagnostics);
-    support.amplitude = amplitude_of(deck, "fem", "fix", k, diagnostics);
+      refuse(deck, "fem.fix", {3, k}, fmt::format("support {} holds z, but the mesh is plane", k), plane_hint,
+             diagnostics);
+    support.amplitude = amplitude_of(deck, "fem.fix", k, diagnostics);
     solids.supports.push_back(std::move(support));
   }
 }

@@ -18,38 +18,38 @@ namespace {
 class CurveReader {
  public:
   CurveReader(const Deck& deck, int k, Diagnostics& diagnostics)
-      : deck_(deck), k_(k), diagnostics_(diagnostics), kind_(word<CurveKind>(deck, "membrane", "curve", k)) {}
+      : deck_(deck), k_(k), diagnostics_(diagnostics), kind_(word<CurveKind>(deck, "membrane.curve", k)) {}
 
   std::optional<Curve> read() const {
     const bool round = kind_ == CurveKind::arc || kind_ == CurveKind::ellipse;
     warn_of_idle_values(round);
     auto curve = round ? ellipse() : through_vertices();
     if (!curve || curve->length() > 0) return curve;
-    error("curve", {k_, 1}, "it has no length", "its ends are at one place");
+    error("membrane.curve", {k_, 1}, "it has no length", "its ends are at one place");
     return std::nullopt;
   }
 
  private:
-  void tell(Severity severity, const char* name, Subscript at, const std::string& message,
+  void tell(Severity severity, AnyVariable name, Subscript at, const std::string& message,
             const std::string& hint) const {
-    diagnostics_.add(deck_.remark(severity, "membrane", name, at, fmt::format("curve {}: {}", k_, message), hint));
+    diagnostics_.add(deck_.remark(severity, name, at, fmt::format("curve {}: {}", k_, message), hint));
   }
-  void error(const char* name, Subscript at, const std::string& message, const std::string& hint) const {
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) const {
     tell(Severity::error, name, at, message, hint);
   }
-  double real(const char* name) const { return deck_.real("membrane", name, k_); }
+  double real(RealVariable name) const { return deck_.real(name, k_); }
 
-  bool needs(const char* name, const char* hint) const {
-    if (deck_.given("membrane", name, k_)) return true;
-    error("curve", {k_, 1}, fmt::format("{}({}) is not given", name, k_), hint);
+  bool needs(AnyVariable name, const char* hint) const {
+    if (deck_.given(name, k_)) return true;
+    error("membrane.curve", {k_, 1}, fmt::format("{}({}) is not given", name, k_), hint);
     return false;
   }
 
   /// Number of the last vertex that has an x or a y; 0 where there is none.
   int last_vertex() const {
     int last = 0;
-    for (const char* name : {"x", "y"}) {
-      for (const Subscript at : deck_.given_elements("membrane", name)) {
+    for (const AnyVariable name : Variables{"membrane.x", "membrane.y"}) {
+      for (const Subscript at : deck_.given_elements(name)) {
         if (at[1] == k_) last = std::max(last, at[0]);
       }
     }
@@ -57,39 +57,41 @@ class CurveReader {
   }
 
   void warn_of_idle_values(bool round) const {
-    const auto warn = [&](const char* name, Subscript at, const std::string& element) {
+    const auto warn = [&](AnyVariable name, Subscript at, const std::string& element) {
       tell(Severity::warning, name, at, fmt::format("{} has no effect on a curve '{}'", element, word_of(kind_)),
            round ? "it has a centre, half axes and two angles" : "it has vertices");
     };
     if (round && last_vertex() > 0) {
-      const char* name = deck_.given("membrane", "x", last_vertex(), k_) ? "x" : "y";
+      const AnyVariable name = deck_.given("membrane.x", last_vertex(), k_) ? AnyVariable("membrane.x") : "membrane.y";
       warn(name, {last_vertex(), k_}, fmt::format("{}({},{})", name, last_vertex(), k_));
     }
-    for (const char* name : {"xc", "yc", "a", "b", "from", "to"}) {
-      const bool used = round && !(kind_ == CurveKind::arc && name == std::string("b"));
-      if (!used && deck_.given("membrane", name, k_)) warn(name, {k_, 1}, fmt::format("{}({})", name, k_));
+    for (const AnyVariable name :
+         Variables{"membrane.xc", "membrane.yc", "membrane.a", "membrane.b", "membrane.from", "membrane.to"}) {
+      const bool used = round && !(kind_ == CurveKind::arc && name == "membrane.b");
+      if (!used && deck_.given(name, k_)) warn(name, {k_, 1}, fmt::format("{}({})", name, k_));
     }
   }
 
   std::optional<Curve> ellipse() const {
     const bool arc = kind_ == CurveKind::arc;
     const char* hint = arc ? "an arc needs its radius a" : "an ellipse needs its half axes a and b";
-    const bool has_a = needs("a", hint), has_b = arc || needs("b", hint);
-    const double from = real("from"), to = real("to");
+    const bool has_a = needs("membrane.a", hint), has_b = arc || needs("membrane.b", hint);
+    const double from = real("membrane.from"), to = real("membrane.to");
     const bool over = std::abs(to - from) > 360;
     if (over) {
-      error("curve", {k_, 1}, fmt::format("from {:.6g} to {:.6g} degrees it covers itself", from, to),
+      error("membrane.curve", {k_, 1}, fmt::format("from {:.6g} to {:.6g} degrees it covers itself", from, to),
             "a whole turn is 360 degrees");
     }
     if (!has_a || !has_b || over) return std::nullopt;
-    return ellipse_arc({real("xc"), real("yc")}, real("a"), real(arc ? "a" : "b"), from, to);
+    return ellipse_arc({real("membrane.xc"), real("membrane.yc")}, real("membrane.a"),
+                       real(arc ? RealVariable("membrane.a") : "membrane.b"), from, to);
   }
 
   std::optional<Curve> through_vertices() const {
     const bool line = kind_ == CurveKind::line;
     const int last = last_vertex();
     if (last < 2 || (line && last > 2)) {
-      error("curve", {k_, 1},
+      error("membrane.curve", {k_, 1},
             fmt::format("a {} has {} vertices, not {}", word_of(kind_), line ? "2" : "at least 2", last),
             line && last > 2 ? "a polyline takes more" : fmt::format("give x(1,{0}) and y(1,{0}) onward", k_));
       return std::nullopt;
@@ -97,16 +99,16 @@ class CurveReader {
     std::vector<Vec<2>> vertices;
     for (int v = 1; v <= last; ++v) {
       if (!vertex_given(v)) return std::nullopt;
-      vertices.push_back({deck_.real("membrane", "x", v, k_), deck_.real("membrane", "y", v, k_)});
+      vertices.push_back({deck_.real("membrane.x", v, k_), deck_.real("membrane.y", v, k_)});
     }
     if (!apart(vertices)) return std::nullopt;
     return kind_ == CurveKind::spline ? spline(vertices) : polyline(vertices);
   }
 
   bool vertex_given(int v) const {
-    const bool x = deck_.given("membrane", "x", v, k_), y = deck_.given("membrane", "y", v, k_);
+    const bool x = deck_.given("membrane.x", v, k_), y = deck_.given("membrane.y", v, k_);
     if (x && y) return true;
-    const char* there = x ? "x" : y ? "y" : "curve";
+    const AnyVariable there = x ? AnyVariable("membrane.x") : y ? AnyVariable("membrane.y") : "membrane.curve";
     error(there, x || y ? Subscript{v, k_} : Subscript{k_, 1},
           fmt::format("{}({},{}) is not given", x ? "y" : "x", v, k_), "each vertex needs an x and a y");
     return false;
@@ -117,13 +119,14 @@ class CurveReader {
     for (std::size_t v = 1; v < vertices.size(); ++v) {
       if (distance(vertices[v - 1], vertices[v]) > 0) continue;
       const int number = static_cast<int>(v) + 1;
-      error("x", {number, k_}, fmt::format("vertices {} and {} are at one place", number - 1, number),
+      error("membrane.x", {number, k_}, fmt::format("vertices {} and {} are at one place", number - 1, number),
             "leave one of them out");
       return false;
     }
     if (kind_ != CurveKind::spline || vertices.size() != 3 || distance(vertices.front(), vertices.back()) > 0)
       return true;
-    error("curve", {k_, 1}, "a closed spline needs 3 vertices and the first once more, not 2", "two make no loop");
+    error("membrane.curve", {k_, 1}, "a closed spline needs 3 vertices and the first once more, not 2",
+          "two make no loop");
     return false;
   }
 
@@ -135,12 +138,12 @@ class CurveReader {
 
 }  // namespace
 
-bool gives_curves(const Deck& deck) { return !deck.given_elements("membrane", "curve").empty(); }
+bool gives_curves(const Deck& deck) { return !deck.given_elements("membrane.curve").empty(); }
 
 std::vector<int> curve_numbers(const Deck& deck, int b) {
   std::vector<int> numbers;
-  for (const Subscript at : deck.given_elements("membrane", "curve")) {
-    if (deck.integer("membrane", "body", at[0]) == b) numbers.push_back(at[0]);
+  for (const Subscript at : deck.given_elements("membrane.curve")) {
+    if (deck.integer("membrane.body", at[0]) == b) numbers.push_back(at[0]);
   }
   return numbers;
 }
@@ -163,7 +166,7 @@ void check_joints(const Deck& deck, const std::vector<NumberedCurve>& curves, Di
     if (gap <= same_place * length) continue;
     const bool turned = distance(end, curve.last()) <= same_place * length;
     diagnostics.add(deck.remark(
-        Severity::error, "membrane", "curve", {k, 1},
+        Severity::error, "membrane.curve", {k, 1},
         fmt::format("curve {} begins at ({:.6g}, {:.6g}), {:.3g} from ({:.6g}, {:.6g}), where curve {} ends", k,
                     begin[0], begin[1], gap, end[0], end[1], curves[n - 1].k),
         turned ? "its other end would meet: give it the other way round"
@@ -173,13 +176,14 @@ void check_joints(const Deck& deck, const std::vector<NumberedCurve>& curves, Di
 
 void check_kinds(const Deck& deck, Diagnostics& diagnostics) {
   std::vector<int> told;
-  for (const char* name : {"body", "x", "y", "xc", "yc", "a", "b", "from", "to"}) {
-    for (const Subscript at : deck.given_elements("membrane", name)) {
-      const bool vertex = name == std::string("x") || name == std::string("y");
+  for (const AnyVariable name : Variables{"membrane.body", "membrane.x", "membrane.y", "membrane.xc", "membrane.yc",
+                                          "membrane.a", "membrane.b", "membrane.from", "membrane.to"}) {
+    for (const Subscript at : deck.given_elements(name)) {
+      const bool vertex = name == "membrane.x" || name == "membrane.y";
       const int k = vertex ? at[1] : at[0];
-      if (deck.given("membrane", "curve", k) || std::find(told.begin(), told.end(), k) != told.end()) continue;
+      if (deck.given("membrane.curve", k) || std::find(told.begin(), told.end(), k) != told.end()) continue;
       told.push_back(k);
-      diagnostics.add(deck.remark(Severity::error, "membrane", name, at, fmt::format("curve({}) is not given", k),
+      diagnostics.add(deck.remark(Severity::error, name, at, fmt::format("curve({}) is not given", k),
                                   "line, polyline, arc, ellipse or spline"));
     }
   }

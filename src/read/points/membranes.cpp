@@ -23,51 +23,51 @@ class MembraneReader {
   MembraneReader(const Deck& deck, int b, Diagnostics& diagnostics)
       : deck_(deck), b_(b), diagnostics_(diagnostics), first_curve_(curve_numbers(deck, b).front()) {}
 
-  void error(const char* name, Subscript at, const std::string& message, const std::string& hint) const {
-    diagnostics_.add(deck_.remark(Severity::error, "membrane", name, at, labelled(message), hint));
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) const {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, labelled(message), hint));
   }
-  void error(const char* name, const std::string& message, const std::string& hint) const {
+  void error(AnyVariable name, const std::string& message, const std::string& hint) const {
     error(name, {b_, 1}, message, hint);
   }
   void error_at_curve(const std::string& message, const std::string& hint) const {
-    error("curve", {first_curve_, 1}, message, hint);
+    error("membrane.curve", {first_curve_, 1}, message, hint);
   }
 
   /// At what says how many points there are.
   void add(const GapRemark& remark) const {
-    const char* name = deck_.given("membrane", "count", b_) ? "count" : "spacing";
-    diagnostics_.add(deck_.remark(remark.severity, "membrane", name, {b_, 1}, labelled(remark.message), remark.hint));
+    const AnyVariable name = deck_.given("membrane.count", b_) ? AnyVariable("membrane.count") : "membrane.spacing";
+    diagnostics_.add(deck_.remark(remark.severity, name, {b_, 1}, labelled(remark.message), remark.hint));
   }
 
   /// A value that every membrane of curves needs; 1 where it is not given.
-  double required(const char* name) const {
-    if (deck_.given("membrane", name, b_)) return deck_.real("membrane", name, b_);
+  double required(RealVariable name) const {
+    if (deck_.given(name, b_)) return deck_.real(name, b_);
     error_at_curve(fmt::format("{}({}) is not given", name, b_),
                    "a membrane needs density, young, thickness, and count or spacing");
     return 1;
   }
   Membrane law() const {
-    const double nu = deck_.real("membrane", "poisson", b_);
-    const Membrane law = membrane_law(deck_, b_, required("young"), nu);
+    const double nu = deck_.real("membrane.poisson", b_);
+    const Membrane law = membrane_law(deck_, b_, required("membrane.young"), nu);
     const bool uniaxial = law.kind == Membrane::Kind::uniaxial;
     if (uniaxial && nu != 0) {
-      diagnostics_.add(deck_.remark(Severity::warning, "membrane", "poisson", {b_, 1},
+      diagnostics_.add(deck_.remark(Severity::warning, "membrane.poisson", {b_, 1},
                                     labelled(fmt::format("poisson({0}) has no effect: law({0}) is 'uniaxial'", b_)),
                                     fmt::format("law({})='plane-stress' uses it", b_)));
     }
-    if (!uniaxial && !(nu > -1)) error("poisson", "Poisson's ratio -1 is out of range", "-1 < nu <= 0.5");
+    if (!uniaxial && !(nu > -1)) error("membrane.poisson", "Poisson's ratio -1 is out of range", "-1 < nu <= 0.5");
     return law;
   }
   EndPoints ends() const {
-    const auto pinned = word<PinnedEnds>(deck_, "membrane", "pinned", b_);
+    const auto pinned = word<PinnedEnds>(deck_, "membrane.pinned", b_);
     return {pinned == PinnedEnds::first || pinned == PinnedEnds::both,
             pinned == PinnedEnds::last || pinned == PinnedEnds::both};
   }
   /// The deck must say how many points there are, in one way only.
   void check_count() const {
-    const bool count = deck_.given("membrane", "count", b_), spacing = deck_.given("membrane", "spacing", b_);
+    const bool count = deck_.given("membrane.count", b_), spacing = deck_.given("membrane.spacing", b_);
     if (count && spacing) {
-      error("spacing", fmt::format("count({0}) and spacing({0}) are both given", b_), "leave one of them out");
+      error("membrane.spacing", fmt::format("count({0}) and spacing({0}) are both given", b_), "leave one of them out");
     }
     if (!count && !spacing) {
       error_at_curve(fmt::format("neither count({0}) nor spacing({0}) is given", b_),
@@ -76,10 +76,10 @@ class MembraneReader {
   }
   /// The number of points, small enough to be held; 0 where there cannot be so few or so many.
   std::size_t count(const Curve& curve, bool closed, const Scene& scene) const {
-    const bool given = deck_.given("membrane", "count", b_);
-    const char* name = given ? "count" : "spacing";
-    const double n = given ? deck_.integer("membrane", "count", b_)
-                           : seed_count(curve, deck_.real("membrane", "spacing", b_), ends());
+    const bool given = deck_.given("membrane.count", b_);
+    const AnyVariable name = given ? AnyVariable("membrane.count") : "membrane.spacing";
+    const double n =
+        given ? deck_.integer("membrane.count", b_) : seed_count(curve, deck_.real("membrane.spacing", b_), ends());
     const int least = closed ? 3 : 2;
     if (n < least) {
       error(name, fmt::format("too few points on a length of {:.6g}: {:.0f}", curve.length(), n),
@@ -143,7 +143,7 @@ void check_places(const MembraneReader& reader, const Seeds& points, const std::
   const auto tell = [&](const Wrong& wrong, const char* what, const std::string& hint) {
     if (wrong.count == 0) return;
     const Vec<2>& at = points.places[wrong.first];
-    reader.error("curve", {curve_at(curves, wrong.s), 1},
+    reader.error("membrane.curve", {curve_at(curves, wrong.s), 1},
                  fmt::format("points {}: {} of {}, the first at ({:.6g}, {:.6g})", what, wrong.count,
                              points.places.size(), at[0], at[1]),
                  hint);
@@ -169,15 +169,15 @@ void pin_ends(const Deck& deck, int b, EndPoints ends, Scene& scene, Diagnostics
   std::vector<std::size_t> pinned;
   if (ends.first) pinned.push_back(body.first);
   if (ends.last) pinned.push_back(body.first + body.count - 1);
-  if (!pinned.empty()) pin_points(deck, "membrane", {b, 1}, pinned, scene, diagnostics);
+  if (!pinned.empty()) pin_points(deck, "membrane.pinned", {b, 1}, pinned, scene, diagnostics);
 }
 
 /// Masses on the first and the last point, which keep their volume.
 void weigh_ends(const Deck& deck, int b, Scene& scene) {
   const Body& body = scene.bodies.back();
-  if (deck.given("membrane", "heavy", 1, b)) scene.points.mass[body.first] = deck.real("membrane", "heavy", 1, b);
-  if (deck.given("membrane", "heavy", 2, b)) {
-    scene.points.mass[body.first + body.count - 1] = deck.real("membrane", "heavy", 2, b);
+  if (deck.given("membrane.heavy", 1, b)) scene.points.mass[body.first] = deck.real("membrane.heavy", 1, b);
+  if (deck.given("membrane.heavy", 2, b)) {
+    scene.points.mass[body.first + body.count - 1] = deck.real("membrane.heavy", 2, b);
   }
 }
 
@@ -187,7 +187,7 @@ std::optional<Seeds> points_of(const MembraneReader& reader, const Curve& curve,
   const EndPoints ends = reader.ends();
   const bool pinned = ends.first || ends.last;
   if (closed && pinned)
-    reader.error("pinned", "it is closed and has no end to pin", "leave it open, or write pinned='none'");
+    reader.error("membrane.pinned", "it is closed and has no end to pin", "leave it open, or write pinned='none'");
   const std::size_t n = reader.count(curve, closed, scene);
   if (n == 0 || (closed && pinned)) return std::nullopt;
   return seeds(curve, n, ends);
@@ -199,7 +199,7 @@ void add_membrane(const Deck& deck, int b, Scene& scene, Diagnostics& diagnostic
   const auto curves = curves_of(deck, b, diagnostics);
   if (curves.size() == curve_numbers(deck, b).size()) check_joints(deck, curves, diagnostics);
   const Membrane law = reader.law();
-  const double density = reader.required("density"), thickness = reader.required("thickness");
+  const double density = reader.required("membrane.density"), thickness = reader.required("membrane.thickness");
   reader.check_count();
   if (diagnostics.errors().size() > errors_before) return;
 
@@ -219,17 +219,18 @@ void add_membrane(const Deck& deck, int b, Scene& scene, Diagnostics& diagnostic
 /// Tells of the first value of a membrane that has no curve. Of the first one the particle file's string takes the law.
 void check_without_curves(const Deck& deck, int b, Diagnostics& diagnostics) {
   for (const int end : {1, 2}) {
-    if (!deck.given("membrane", "heavy", end, b)) continue;
+    if (!deck.given("membrane.heavy", end, b)) continue;
     return diagnostics.add(
-        deck.remark(Severity::error, "membrane", "heavy", {end, b},
+        deck.remark(Severity::error, "membrane.heavy", {end, b},
                     fmt::format("heavy({},{}) is given, and no curve belongs to membrane {}", end, b, b),
                     "rows of a particle file have their masses from heavy in $points"));
   }
-  for (const char* name :
-       {"count", "spacing", "thickness", "density", "young", "poisson", "pinned", "law", "wrinkle"}) {
-    const bool of_file = b == 1 && (name == std::string("law") || name == std::string("wrinkle"));
-    if (of_file || !deck.given("membrane", name, b)) continue;
-    return diagnostics.add(deck.remark(Severity::error, "membrane", name, {b, 1},
+  for (const AnyVariable name :
+       Variables{"membrane.count", "membrane.spacing", "membrane.thickness", "membrane.density", "membrane.young",
+                 "membrane.poisson", "membrane.pinned", "membrane.law", "membrane.wrinkle"}) {
+    const bool of_file = b == 1 && (name == "membrane.law" || name == "membrane.wrinkle");
+    if (of_file || !deck.given(name, b)) continue;
+    return diagnostics.add(deck.remark(Severity::error, name, {b, 1},
                                        fmt::format("{}({}) is given, and no curve belongs to membrane {}", name, b, b),
                                        fmt::format("give one: curve(k)='line', body(k)={}", b)));
   }

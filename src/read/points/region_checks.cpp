@@ -26,7 +26,7 @@ struct FilledRegion {
 
 std::vector<FilledRegion> filled_regions(const Deck& deck, const Scene& scene) {
   std::vector<FilledRegion> regions;
-  for (int r = 1; r <= deck.integer("reg", "nreg"); ++r) {
+  for (int r = 1; r <= deck.integer("reg.nreg"); ++r) {
     const auto named = [r](const Body& body) { return body.name == fmt::format("region {}", r); };
     const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(), named);
     const auto shape = body == scene.bodies.end() ? std::nullopt : region_shape(deck, r);
@@ -50,8 +50,7 @@ constexpr double told_difference = 0.03;
 
 void tell(Severity severity, const Deck& deck, int region, const std::string& message, const std::string& hint,
           Diagnostics& diagnostics) {
-  diagnostics.add(
-      deck.remark(severity, "reg", "xvi", {1, region}, fmt::format("region {}: {}", region, message), hint));
+  diagnostics.add(deck.remark(severity, "reg.xvi", {1, region}, fmt::format("region {}: {}", region, message), hint));
 }
 
 /// What a region's points hold differs from what is drawn by up to half a lattice spacing at each of its sides. Across

@@ -17,66 +17,67 @@ class RegionReader {
  public:
   RegionReader(const Deck& deck, int r, Diagnostics& diagnostics) : deck_(deck), r_(r), diagnostics_(diagnostics) {}
 
-  double real(const char* name) const { return deck_.real("reg", name, r_); }
-  void error(const char* name, Subscript at, const std::string& message, const std::string& hint) const {
-    diagnostics_.add(deck_.remark(Severity::error, "reg", name, at, fmt::format("region {}: {}", r_, message), hint));
+  double real(AnyVariable name) const { return deck_.real(name, r_); }
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) const {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, fmt::format("region {}: {}", r_, message), hint));
   }
   std::optional<RegionShape> shape() const {
-    const int vertices = deck_.integer("reg", "nvi", r_);
+    const int vertices = deck_.integer("reg.nvi", r_);
     if (vertices < 3) {
-      error("nvi", {r_, 1}, fmt::format("a polygon has at least 3 vertices, not {}", vertices),
+      error("reg.nvi", {r_, 1}, fmt::format("a polygon has at least 3 vertices, not {}", vertices),
             "give nvi, xvi and yvi");
       return std::nullopt;
     }
     RegionShape shape;
     for (int k = 1; k <= vertices; ++k) {
       if (!vertex_given(k)) return std::nullopt;
-      shape.polygon.x.push_back(deck_.real("reg", "xvi", k, r_));
-      shape.polygon.y.push_back(deck_.real("reg", "yvi", k, r_));
+      shape.polygon.x.push_back(deck_.real("reg.xvi", k, r_));
+      shape.polygon.y.push_back(deck_.real("reg.yvi", k, r_));
     }
     if (const auto sides = shape.polygon.crossing()) {
       const auto text = [vertices](std::size_t k) {
         return fmt::format("{}-{}", k + 1, (k + 1) % static_cast<std::size_t>(vertices) + 1);
       };
-      error("xvi", {static_cast<int>(sides->second) + 1, r_},
+      error("reg.xvi", {static_cast<int>(sides->second) + 1, r_},
             fmt::format("its outline crosses itself: side {} of its vertices passes through side {}",
                         text(sides->second), text(sides->first)),
             "vertices go round the region in their order");
       return std::nullopt;
     }
-    shape.outer = {real("xcenter"), real("ycenter"), real("rex"), real("rey")};
-    shape.inner = {real("xcenter"), real("ycenter"), real("rix"), real("riy")};
+    shape.outer = {real("reg.xcenter"), real("reg.ycenter"), real("reg.rex"), real("reg.rey")};
+    shape.inner = {real("reg.xcenter"), real("reg.ycenter"), real("reg.rix"), real("reg.riy")};
     return shape;
   }
   /// Points along one side of a cell, or 0 where nprg is no square.
   int lattice() const {
-    const int nprg = deck_.integer("reg", "nprg", r_);
+    const int nprg = deck_.integer("reg.nprg", r_);
     const long long side = std::lround(std::sqrt(nprg));
     if (side * side == nprg) return static_cast<int>(side);
-    error("nprg", {r_, 1}, fmt::format("nprg = {} is no square", nprg),
+    error("reg.nprg", {r_, 1}, fmt::format("nprg = {} is no square", nprg),
           "points per cell: 1, 4, 9, 16, 25, 36, 49, 64 ...");
     return 0;
   }
   double density() const {
-    if (deck_.given("reg", "densir", r_)) return real("densir");
-    error("densir", {r_, 1}, fmt::format("densir({}) is not given", r_), "every region needs its density");
+    if (deck_.given("reg.densir", r_)) return real("reg.densir");
+    error("reg.densir", {r_, 1}, fmt::format("densir({}) is not given", r_), "every region needs its density");
     return 1;
   }
   /// Initial specific internal energy, of a gas only.
   double energy(const Material& material) const {
     if (!std::holds_alternative<IdealGas>(material)) return 0;
-    if (!deck_.given("fluid", "siep", r_)) {
-      error("ipath", {4, r_}, fmt::format("a gas needs siep({}), its initial specific internal energy", r_),
+    if (!deck_.given("fluid.siep", r_)) {
+      error("reg.ipath", {4, r_}, fmt::format("a gas needs siep({}), its initial specific internal energy", r_),
             "give it in $fluid");
     }
-    return deck_.real("fluid", "siep", r_);
+    return deck_.real("fluid.siep", r_);
   }
 
  private:
   bool vertex_given(int k) const {
-    for (const char* name : {"xvi", "yvi"}) {
-      if (deck_.given("reg", name, k, r_)) continue;
-      error("nvi", {r_, 1}, fmt::format("{}({},{}) is not given", name, k, r_), "nvi vertices need an x and a y each");
+    for (const AnyVariable name : Variables{"reg.xvi", "reg.yvi"}) {
+      if (deck_.given(name, k, r_)) continue;
+      error("reg.nvi", {r_, 1}, fmt::format("{}({},{}) is not given", name, k, r_),
+            "nvi vertices need an x and a y each");
       return false;
     }
     return true;
@@ -167,10 +168,11 @@ void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics)
   const CellSpan rows(shape->polygon.y, grid.y0, grid.dy, grid.cells_y());
   const double there = static_cast<double>(scene.points.size());
   const std::string too_large = memory_refusal(grid, there + columns.count() * rows.count() * side * side);
-  if (!too_large.empty()) return reader.error("nprg", {r, 1}, too_large, "use fewer points per cell or a coarser grid");
+  if (!too_large.empty())
+    return reader.error("reg.nprg", {r, 1}, too_large, "use fewer points per cell or a coarser grid");
 
   const double area = grid.dx * grid.dy / (side * side);
-  const Lattice lattice{side, area, density, reader.real("vrx"), reader.real("vry"), scene.geometry};
+  const Lattice lattice{side, area, density, reader.real("reg.vrx"), reader.real("reg.vry"), scene.geometry};
   const std::size_t first = scene.points.size();
   for (int j = rows.first; j <= rows.last; ++j) {
     for (int i = columns.first; i <= columns.last; ++i) fill_cell(i, j, grid, *shape, lattice, scene.points);
@@ -178,7 +180,7 @@ void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics)
   const std::size_t count = scene.points.size() - first;
   if (count == 0) {
     const bool outside = columns.count() * rows.count() == 0;
-    return reader.error("xvi", {1, r}, outside ? "it lies wholly outside the grid" : "it holds no point",
+    return reader.error("reg.xvi", {1, r}, outside ? "it lies wholly outside the grid" : "it holds no point",
                         outside ? fmt::format("the grid spans x {:.6g} to {:.6g}, y {:.6g} to {:.6g}", grid.x0, grid.x1,
                                               grid.y0, grid.y1)
                                 : "check its vertices, its ellipses and nprg");

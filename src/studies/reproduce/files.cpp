@@ -118,11 +118,12 @@ double RunFiles::deck_value(const std::string& element) const {
   const Assignment at = read_assignment(element + "=0", Taken::name_alone);
   if (!at.mistakes.empty()) throw FileError(fmt::format("no deck has a number {}", element));
   const Deck& deck = loaded().deck;
-  const Variable& variable = *find_variable(at.group, at.name);
-  const bool has_value = deck.given(at.group, at.name, at.first[0], at.first[1]) || !variable.fallback.empty();
+  const AnyVariable name(at.group, at.name);
+  const Variable& variable = name.row();
+  const bool has_value = deck.given(name, at.first[0], at.first[1]) || !variable.fallback.empty();
   if (!has_value) return std::numeric_limits<double>::quiet_NaN();
-  if (variable.type == ValueType::integer) return deck.integer(at.group, at.name, at.first[0], at.first[1]);
-  return variable.type == ValueType::real ? deck.real(at.group, at.name, at.first[0], at.first[1])
+  if (variable.type == ValueType::integer) return deck.integer(name, at.first[0], at.first[1]);
+  return variable.type == ValueType::real ? deck.real(name, at.first[0], at.first[1])
                                           : std::numeric_limits<double>::quiet_NaN();
 }
 

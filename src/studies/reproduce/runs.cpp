@@ -183,8 +183,8 @@ class Planner {
     int k = 0;
     for (const double factor : ensemble_factors(varied_fraction, varied_runs)) {
       auto overrides = method.overrides;
-      overrides.push_back(fmt::format("in.tstep={}", factor * deck.real("in", "tstep")));
-      if (deck.given("in", "dtmax")) overrides.push_back(fmt::format("in.dtmax={}", factor * deck.real("in", "dtmax")));
+      overrides.push_back(fmt::format("in.tstep={}", factor * deck.real("in.tstep")));
+      if (deck.given("in.dtmax")) overrides.push_back(fmt::format("in.dtmax={}", factor * deck.real("in.dtmax")));
       if (cfl_of(deck) > 0) overrides.push_back(fmt::format("mpm.cfl={}", factor * cfl_of(deck)));
       add_run(role, problem_->deck, overrides, fmt::format("{}-{}", name, ++k));
     }

@@ -65,7 +65,7 @@ TEST_P(Boxes, ReadAsPrinted) {
   EXPECT_EQ(reading.warnings(), GetParam().warnings);
   std::size_t values = 0;
   for (const auto& variable : variables()) {
-    values += reading.deck.given_elements(variable.group, variable.name).size();
+    values += reading.deck.given_elements(AnyVariable(variable)).size();
   }
   EXPECT_EQ(values, GetParam().values);
 }
@@ -89,9 +89,9 @@ TEST(BoxSlips, ThatDoNoHarmAreRemarks) {
 
 INSTANTIATE_TEST_SUITE_P(Thesis, Boxes, testing::ValuesIn(boxes()));
 
-std::vector<double> column(const Deck& deck, const char* name, int region, int count) {
+std::vector<double> column(const Deck& deck, RealVariable name, int region, int count) {
   std::vector<double> values;
-  for (int k = 1; k <= count; ++k) values.push_back(deck.real("reg", name, k, region));
+  for (int k = 1; k <= count; ++k) values.push_back(deck.real(name, k, region));
   return values;
 }
 
@@ -100,63 +100,63 @@ using Reals = std::vector<double>;
 TEST(BoxValues, Sod) {
   const auto deck = read(box_text("box01_sod.in")).deck;
   EXPECT_EQ(deck.header(), (Texts{"'\"ary'\"", "\"sods problem\" '"}));
-  EXPECT_EQ(deck.integer("in", "nx"), 101);
-  EXPECT_EQ(deck.real("in", "tstep"), 1e-4);
-  EXPECT_EQ(deck.real("in", "tiout", 37), 0.25);
-  EXPECT_EQ(deck.integer("in", "iout", 39), 1);
-  EXPECT_FALSE(deck.logical("in", "large"));
-  EXPECT_EQ(deck.real("fluid", "siep", 2), 2.0);
-  EXPECT_EQ(column(deck, "xvi", 2, 4), (Reals{0.5, 1, 1, 0.5}));
-  EXPECT_EQ(column(deck, "matr", 2, 7), (Reals{1e5, 0, 1e26, 2e25, 1e20, 100, 0}));
-  EXPECT_EQ(deck.integer("reg", "ipath", 4, 2), 9);
-  EXPECT_EQ(deck.real("reg", "densir", 2), 0.125);
-  EXPECT_FALSE(deck.given("reg", "xcenter", 2));
-  EXPECT_EQ(deck.place("reg", "densir", 2).line, 37);
-  EXPECT_EQ(deck.place("reg", "densir", 2).column, 26);
+  EXPECT_EQ(deck.integer("in.nx"), 101);
+  EXPECT_EQ(deck.real("in.tstep"), 1e-4);
+  EXPECT_EQ(deck.real("in.tiout", 37), 0.25);
+  EXPECT_EQ(deck.integer("in.iout", 39), 1);
+  EXPECT_FALSE(deck.logical("in.large"));
+  EXPECT_EQ(deck.real("fluid.siep", 2), 2.0);
+  EXPECT_EQ(column(deck, "reg.xvi", 2, 4), (Reals{0.5, 1, 1, 0.5}));
+  EXPECT_EQ(column(deck, "reg.matr", 2, 7), (Reals{1e5, 0, 1e26, 2e25, 1e20, 100, 0}));
+  EXPECT_EQ(deck.integer("reg.ipath", 4, 2), 9);
+  EXPECT_EQ(deck.real("reg.densir", 2), 0.125);
+  EXPECT_FALSE(deck.given("reg.xcenter", 2));
+  EXPECT_EQ(deck.place("reg.densir", 2).line, 37);
+  EXPECT_EQ(deck.place("reg.densir", 2).column, 26);
 }
 
 TEST(BoxValues, GasExpansionGoesOnInFluid) {
   const auto deck = read(box_text("box02_gasexp.in")).deck;
-  EXPECT_EQ(deck.real("in", "tiout", 33), 0.02);
-  EXPECT_EQ(deck.real("fluid", "siep"), 250.0);
-  EXPECT_EQ(deck.real("in", "tmax"), 0.02);
+  EXPECT_EQ(deck.real("in.tiout", 33), 0.02);
+  EXPECT_EQ(deck.real("fluid.siep"), 250.0);
+  EXPECT_EQ(deck.real("in.tmax"), 0.02);
 }
 
 TEST(BoxValues, SpringHasNoCommaBeforeItsLastLines) {
   const auto deck = read(box_text("box03_springmass.in")).deck;
-  EXPECT_EQ(deck.real("in", "gravc"), -250.0);
-  EXPECT_EQ(deck.integer("in", "methd"), 0);
-  EXPECT_EQ(deck.real("in", "tstep"), 0.18e-5);
-  EXPECT_EQ(deck.integer("reg", "nreg"), 0);
+  EXPECT_EQ(deck.real("in.gravc"), -250.0);
+  EXPECT_EQ(deck.integer("in.methd"), 0);
+  EXPECT_EQ(deck.real("in.tstep"), 0.18e-5);
+  EXPECT_EQ(deck.integer("reg.nreg"), 0);
 }
 
 TEST(BoxValues, MembraneExpansion) {
   const auto deck = read(box_text("box09_membrane.in")).deck;
-  EXPECT_EQ(deck.integer("in", "ny"), 33);
-  EXPECT_EQ(deck.integer("in", "iprint"), 0);
-  EXPECT_EQ(deck.real("in", "tiout", 32), 2.0);
-  EXPECT_EQ(deck.real("in", "tiout", 41), 2.0);
-  EXPECT_EQ(deck.real("fluid", "siep", 2), 250.0);
-  EXPECT_EQ(deck.integer("reg", "nvi", 5), 4);
-  EXPECT_EQ(column(deck, "yvi", 2, 4), (Reals{0.65, 0.65, 0.74, 0.9}));
+  EXPECT_EQ(deck.integer("in.ny"), 33);
+  EXPECT_EQ(deck.integer("in.iprint"), 0);
+  EXPECT_EQ(deck.real("in.tiout", 32), 2.0);
+  EXPECT_EQ(deck.real("in.tiout", 41), 2.0);
+  EXPECT_EQ(deck.real("fluid.siep", 2), 250.0);
+  EXPECT_EQ(deck.integer("reg.nvi", 5), 4);
+  EXPECT_EQ(column(deck, "reg.yvi", 2, 4), (Reals{0.65, 0.65, 0.74, 0.9}));
 }
 
 TEST(BoxValues, AirbagOfTenVertices) {
   const auto deck = read(box_text("box10_cyl200.in")).deck;
-  EXPECT_EQ(column(deck, "xvi", 1, 10), (Reals{0, 0.14, 0.22, 0.26, 0.28, 0.26, 0.22, 0.18, 0.14, 0}));
-  EXPECT_EQ(column(deck, "yvi", 2, 3), (Reals{0.299, 0.318, 0.299}));
-  EXPECT_EQ(deck.real("reg", "vry", 3), -3.9);
-  EXPECT_EQ(deck.real("in", "cyl"), 1.0);
-  EXPECT_FALSE(deck.given("reg", "rix", 3));
-  EXPECT_EQ(deck.real("reg", "rex", 3), 100.0);
-  EXPECT_EQ(deck.integer("regrig", "nregrig"), 0);
+  EXPECT_EQ(column(deck, "reg.xvi", 1, 10), (Reals{0, 0.14, 0.22, 0.26, 0.28, 0.26, 0.22, 0.18, 0.14, 0}));
+  EXPECT_EQ(column(deck, "reg.yvi", 2, 3), (Reals{0.299, 0.318, 0.299}));
+  EXPECT_EQ(deck.real("reg.vry", 3), -3.9);
+  EXPECT_EQ(deck.real("in.cyl"), 1.0);
+  EXPECT_FALSE(deck.given("reg.rix", 3));
+  EXPECT_EQ(deck.real("reg.rex", 3), 100.0);
+  EXPECT_EQ(deck.integer("regrig.nregrig"), 0);
 }
 
 TEST(BoxValues, PistonWithoutRegrig) {
   const auto deck = read(box_text("box12_piston.in")).deck;
   EXPECT_FALSE(deck.has_group("regrig"));
-  EXPECT_EQ(deck.integer("regrig", "nregrig"), 0);
-  EXPECT_EQ(column(deck, "matr", 1, 2), (Reals{1.58e6, 0.3}));
+  EXPECT_EQ(deck.integer("regrig.nregrig"), 0);
+  EXPECT_EQ(column(deck, "reg.matr", 1, 2), (Reals{1.58e6, 0.3}));
   EXPECT_EQ(deck.header().back(), " '\"Olson-Bathe (1983) spring-piston-fluid'\"");
 }
 

@@ -25,12 +25,11 @@ void expect_same_values(const Deck& a, const Deck& b) {
     if (variable.rank > 0 && variable.n1 > 100) continue;
     for (int j = 1; j <= variable.n2; ++j) {
       for (int i = 1; i <= variable.n1; ++i) {
-        const bool known = a.given(variable.group, variable.name, i, j) || !variable.fallback.empty();
-        const bool known_b = b.given(variable.group, variable.name, i, j) || !variable.fallback.empty();
+        const bool known = a.given(AnyVariable(variable), i, j) || !variable.fallback.empty();
+        const bool known_b = b.given(AnyVariable(variable), i, j) || !variable.fallback.empty();
         ASSERT_EQ(known, known_b) << variable.group << '.' << variable.name << ' ' << i << ' ' << j;
         if (!known) continue;
-        EXPECT_EQ(bits(a.value(variable.group, variable.name, i, j)),
-                  bits(b.value(variable.group, variable.name, i, j)))
+        EXPECT_EQ(bits(a.value(AnyVariable(variable), i, j)), bits(b.value(AnyVariable(variable), i, j)))
             << variable.group << '.' << variable.name << ' ' << i << ' ' << j;
       }
     }
@@ -61,9 +60,9 @@ TEST(EffectiveDeck, KeepsEveryBit) {
   const auto second = read(effective_deck(first.deck));
   EXPECT_EQ(second.errors(), Texts{});
   expect_same_values(first.deck, second.deck);
-  EXPECT_EQ(second.deck.real("points", "heavy", 100000), 0.3);
-  EXPECT_TRUE(second.deck.logical("points", "tracked", 99999));
-  EXPECT_EQ(second.deck.given_elements("points", "tracked").size(), 1U);
+  EXPECT_EQ(second.deck.real("points.heavy", 100000), 0.3);
+  EXPECT_TRUE(second.deck.logical("points.tracked", 99999));
+  EXPECT_EQ(second.deck.given_elements("points.tracked").size(), 1U);
 }
 
 TEST(EffectiveDeck, ShowsDefaultsThatAreUsed) {

@@ -210,7 +210,7 @@ TEST(Errors, UnknownGroups) {
 TEST(Errors, ABlankBeforeTheGroupsName) {
   const auto reading = read(with_in("$\n& fluid mu=2. /\n"));
   EXPECT_EQ(reading.errors(), (Texts{"4:1: blanks before the group's name 'fluid'"}));
-  EXPECT_EQ(reading.deck.real("fluid", "mu"), 2.0);
+  EXPECT_EQ(reading.deck.real("fluid.mu"), 2.0);
 }
 
 TEST(Errors, AnOpenGroupAtTheEnd) {

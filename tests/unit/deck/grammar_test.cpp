@@ -14,15 +14,14 @@ Reading good(Reading reading) {
 
 std::vector<int> iout(const Deck& deck, int first, int last) {
   std::vector<int> values;
-  for (int i = first; i <= last; ++i)
-    values.push_back(deck.given("in", "iout", i) ? deck.integer("in", "iout", i) : -1);
+  for (int i = first; i <= last; ++i) values.push_back(deck.given("in.iout", i) ? deck.integer("in.iout", i) : -1);
   return values;
 }
 
 std::vector<int> ipath(const Deck& deck, int region) {
   std::vector<int> values;
   for (int i = 1; i <= 4; ++i)
-    values.push_back(deck.given("reg", "ipath", i, region) ? deck.integer("reg", "ipath", i, region) : -1);
+    values.push_back(deck.given("reg.ipath", i, region) ? deck.integer("reg.ipath", i, region) : -1);
   return values;
 }
 
@@ -35,39 +34,39 @@ TEST(Grammar, HeaderLinesAreKeptVerbatim) {
 
 TEST(Grammar, NamesAreOfAnyCase) {
   const auto reading = good(read("$IN Nx=11,NY=21,xLEFT=0.,xright=1.,ybot=0.,ytop=2.,tmax=1.,tstep=.1 $END\n"));
-  EXPECT_EQ(reading.deck.integer("in", "nx"), 11);
-  EXPECT_EQ(reading.deck.place("in", "ny").column, 14);
+  EXPECT_EQ(reading.deck.integer("in.nx"), 11);
+  EXPECT_EQ(reading.deck.place("in.ny").column, 14);
 }
 
 TEST(Grammar, AGroupClosesInManyWays) {
   for (const char* end : {"/", "$", "&", " $ ", "\t&\t! done", "$end", "&END rest", "/ rest = 1", "cyl=1 $",
                           "cyl=1 $End", "cyl=1/", "cyl=1$end", "cyl=1&", "cyl=$"}) {
     const auto reading = good(read(with_in(std::string(end) + "\n$reg nreg=1 /\n")));
-    EXPECT_EQ(reading.deck.integer("reg", "nreg"), 1) << end;
+    EXPECT_EQ(reading.deck.integer("reg.nreg"), 1) << end;
     EXPECT_EQ(reading.warnings(), Texts{}) << end;
   }
 }
 
 TEST(Grammar, AGroupOpensWithDollarOrAmpersandBehindBlanks) {
   const auto reading = good(read(with_in("/\n \t&fluid mu=2. /\n  $reg,nreg=3/\n")));
-  EXPECT_EQ(reading.deck.real("fluid", "mu"), 2.0);
-  EXPECT_EQ(reading.deck.integer("reg", "nreg"), 3);
+  EXPECT_EQ(reading.deck.real("fluid.mu"), 2.0);
+  EXPECT_EQ(reading.deck.integer("reg.nreg"), 3);
   EXPECT_TRUE(reading.deck.has_group("fluid"));
   EXPECT_FALSE(reading.deck.has_group("mpm"));
 }
 
 TEST(Grammar, GroupsComeInAnyOrder) {
   const auto reading = good(read("$reg nreg=2 /\n" + with_in("$\n")));
-  EXPECT_EQ(reading.deck.integer("reg", "nreg"), 2);
-  EXPECT_EQ(reading.deck.place("reg", "nreg").line, 1);
+  EXPECT_EQ(reading.deck.integer("reg.nreg"), 2);
+  EXPECT_EQ(reading.deck.place("reg.nreg").line, 1);
 }
 
 TEST(Grammar, BlanksAndNewLinesAroundTheEqualSign) {
   const auto reading = good(read_in("gravc\n =\n\t-9.81 cyl =\n1"));
-  EXPECT_EQ(reading.deck.real("in", "gravc"), -9.81);
-  EXPECT_EQ(reading.deck.place("in", "gravc").line, 5);
-  EXPECT_EQ(reading.deck.place("in", "gravc").column, 2);
-  EXPECT_EQ(reading.deck.real("in", "cyl"), 1.0);
+  EXPECT_EQ(reading.deck.real("in.gravc"), -9.81);
+  EXPECT_EQ(reading.deck.place("in.gravc").line, 5);
+  EXPECT_EQ(reading.deck.place("in.gravc").column, 2);
+  EXPECT_EQ(reading.deck.real("in.cyl"), 1.0);
 }
 
 TEST(Grammar, BlanksInSubscripts) {
@@ -77,8 +76,8 @@ TEST(Grammar, BlanksInSubscripts) {
 
 TEST(Grammar, AnUnsubscriptedArrayFillsFromItsFirstElement) {
   const auto reading = good(read_reg("nreg=2, xcenter=0.25e0, nprg=9 4"));
-  EXPECT_EQ(reading.deck.given_elements("reg", "xcenter"), (std::vector<Subscript>{{1, 1}}));
-  EXPECT_EQ(reading.deck.integer("reg", "nprg", 2), 4);
+  EXPECT_EQ(reading.deck.given_elements("reg.xcenter"), (std::vector<Subscript>{{1, 1}}));
+  EXPECT_EQ(reading.deck.integer("reg.nprg", 2), 4);
 }
 
 TEST(Grammar, ASubscriptFillsOnwardInColumnMajorOrder) {
@@ -97,7 +96,7 @@ TEST(Grammar, RunningOnFromInsideAColumnIsTold) {
 
 TEST(Grammar, GivenElementsComeInColumnMajorOrder) {
   const auto reading = good(read_reg("nreg=2, xvi(1,2)=5.,6. xvi(1,1)=1.,2."));
-  EXPECT_EQ(reading.deck.given_elements("reg", "xvi"), (std::vector<Subscript>{{1, 1}, {2, 1}, {1, 2}, {2, 2}}));
+  EXPECT_EQ(reading.deck.given_elements("reg.xvi"), (std::vector<Subscript>{{1, 1}, {2, 1}, {1, 2}, {2, 2}}));
 }
 
 TEST(Grammar, Sections) {
@@ -128,17 +127,17 @@ TEST(Grammar, RepeatCountsAndNulls) {
   EXPECT_EQ(iout(good(read_in("iout=1 , , 0")).deck, 1, 3), (Integers{1, -1, 0}));
   EXPECT_EQ(iout(good(read_in("iout=2* 1")).deck, 1, 3), (Integers{-1, -1, 1}));
   EXPECT_EQ(iout(good(read_in("iout=60*1")).deck, 1, 60), Integers(60, 1));
-  EXPECT_EQ(good(read_in("iout=60*")).deck.given_elements("in", "iout").size(), 0U);
-  EXPECT_EQ(good(read_in("cyl=1*1 gravc=1*")).deck.real("in", "cyl"), 1.0);
+  EXPECT_EQ(good(read_in("iout=60*")).deck.given_elements("in.iout").size(), 0U);
+  EXPECT_EQ(good(read_in("cyl=1*1 gravc=1*")).deck.real("in.cyl"), 1.0);
 }
 
 TEST(Grammar, NullValuesKeepTheDefault) {
   const auto reading = good(read_in("wl=,wr= wt=,,,wb=0,,"));
-  EXPECT_FALSE(reading.deck.given("in", "wl"));
-  EXPECT_FALSE(reading.deck.given("in", "wr"));
-  EXPECT_FALSE(reading.deck.given("in", "wt"));
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 6);
-  EXPECT_EQ(reading.deck.integer("in", "wb"), 0);
+  EXPECT_FALSE(reading.deck.given("in.wl"));
+  EXPECT_FALSE(reading.deck.given("in.wr"));
+  EXPECT_FALSE(reading.deck.given("in.wt"));
+  EXPECT_EQ(reading.deck.integer("in.wl"), 6);
+  EXPECT_EQ(reading.deck.integer("in.wb"), 0);
 }
 
 TEST(Grammar, NullsMayRunPastAnArraysEnd) {
@@ -152,71 +151,71 @@ TEST(Grammar, ANewLineSeparatesLikeABlank) {
 
 TEST(Grammar, SemicolonsAreCommasWithAWarning) {
   const auto reading = good(read_in("wl=1;wr=4"));
-  EXPECT_EQ(reading.deck.integer("in", "wr"), 4);
+  EXPECT_EQ(reading.deck.integer("in.wr"), 4);
   EXPECT_EQ(reading.warnings(), (Texts{"3:5: ';' is taken for a comma"}));
 }
 
 TEST(Grammar, Comments) {
   const auto reading = good(read_in("wl=1!wr=4\n! $in, it's\nwt=4 ! /"));
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 1);
-  EXPECT_EQ(reading.deck.integer("in", "wt"), 4);
-  EXPECT_FALSE(reading.deck.given("in", "wr"));
+  EXPECT_EQ(reading.deck.integer("in.wl"), 1);
+  EXPECT_EQ(reading.deck.integer("in.wt"), 4);
+  EXPECT_FALSE(reading.deck.given("in.wr"));
 }
 
 TEST(Grammar, Reals) {
   const auto reading = good(read_in("tiout=1.d-4,1.5+3,.5,2.,3,+4.e0,1.q2"));
   const std::vector<double> expected{1e-4, 1500, 0.5, 2, 3, 4, 100};
   for (std::size_t k = 0; k < expected.size(); ++k) {
-    EXPECT_EQ(reading.deck.real("in", "tiout", static_cast<int>(k) + 1), expected[k]);
+    EXPECT_EQ(reading.deck.real("in.tiout", static_cast<int>(k) + 1), expected[k]);
   }
 }
 
 TEST(Grammar, ATrailingDotIsDroppedWithAWarning) {
   const auto reading = good(read_in("iout(32)=1,tiout(32)=2.00.,"));
-  EXPECT_EQ(reading.deck.real("in", "tiout", 32), 2.0);
+  EXPECT_EQ(reading.deck.real("in.tiout", 32), 2.0);
   EXPECT_EQ(reading.warnings(), (Texts{"3:22: the last '.' of '2.00.' is dropped: tiout(32) = 2.00"}));
 }
 
 TEST(Grammar, WholeRealsForIntegersWithAWarning) {
   const auto reading = good(read_in("wl=4.0 miter=3e1 wr=1."));
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 4);
-  EXPECT_EQ(reading.deck.integer("in", "miter"), 30);
+  EXPECT_EQ(reading.deck.integer("in.wl"), 4);
+  EXPECT_EQ(reading.deck.integer("in.miter"), 30);
   EXPECT_EQ(reading.warnings().size(), 3U);
   EXPECT_EQ(reading.warnings().front(), "3:4: wl is an integer; '4.0' is taken for 4");
 }
 
 TEST(Grammar, IntegersOfFullSize) {
-  EXPECT_EQ(good(read_in("miter=-2147483648")).deck.integer("in", "miter"), -2147483647 - 1);
-  EXPECT_EQ(good(read_in("miter=+2147483647")).deck.integer("in", "miter"), 2147483647);
+  EXPECT_EQ(good(read_in("miter=-2147483648")).deck.integer("in.miter"), -2147483647 - 1);
+  EXPECT_EQ(good(read_in("miter=+2147483647")).deck.integer("in.miter"), 2147483647);
 }
 
 TEST(Grammar, Logicals) {
   for (const char* text : {"t", "T", ".t.", ".TRUE.", "true", ".true", "tea"}) {
-    EXPECT_TRUE(good(read_in(std::string("large=") + text)).deck.logical("in", "large")) << text;
+    EXPECT_TRUE(good(read_in(std::string("large=") + text)).deck.logical("in.large")) << text;
   }
   for (const char* text : {"f", ".F.", ".false.", "FALSE"}) {
-    EXPECT_FALSE(good(read_in(std::string("large=") + text)).deck.logical("in", "large")) << text;
+    EXPECT_FALSE(good(read_in(std::string("large=") + text)).deck.logical("in.large")) << text;
   }
 }
 
 TEST(Grammar, TextsInEitherQuote) {
-  EXPECT_EQ(good(read_in("particles='a/b!$&\"c'")).deck.text("in", "particles"), "a/b!$&\"c");
-  EXPECT_EQ(good(read_in("particles=\"it's\"")).deck.text("in", "particles"), "it's");
-  EXPECT_EQ(good(read_in("particles='it''s'")).deck.text("in", "particles"), "it's");
-  EXPECT_EQ(good(read_in("particles=1*'x'")).deck.text("in", "particles"), "x");
-  EXPECT_EQ(good(read_in("particles=''")).deck.text("in", "particles"), "");
-  EXPECT_EQ(good(read_in("particles='gr\xc3\xbc\xc3\x9f'")).deck.text("in", "particles"), "gr\xc3\xbc\xc3\x9f");
+  EXPECT_EQ(good(read_in("particles='a/b!$&\"c'")).deck.text("in.particles"), "a/b!$&\"c");
+  EXPECT_EQ(good(read_in("particles=\"it's\"")).deck.text("in.particles"), "it's");
+  EXPECT_EQ(good(read_in("particles='it''s'")).deck.text("in.particles"), "it's");
+  EXPECT_EQ(good(read_in("particles=1*'x'")).deck.text("in.particles"), "x");
+  EXPECT_EQ(good(read_in("particles=''")).deck.text("in.particles"), "");
+  EXPECT_EQ(good(read_in("particles='gr\xc3\xbc\xc3\x9f'")).deck.text("in.particles"), "gr\xc3\xbc\xc3\x9f");
 }
 
 TEST(Grammar, ATextGoesOnOverLinesEvenOverSuchAsOpenGroups) {
   const auto reading = good(read_in("particles='a\n$reg\nb' wl=4"));
-  EXPECT_EQ(reading.deck.text("in", "particles"), "a$regb");
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 4);
+  EXPECT_EQ(reading.deck.text("in.particles"), "a$regb");
+  EXPECT_EQ(reading.deck.integer("in.wl"), 4);
   EXPECT_FALSE(reading.deck.has_group("reg"));
 }
 
 TEST(Grammar, ChoicesAreOfAnyCaseAndComeInLowerCase) {
-  EXPECT_EQ(good(read(with_in("$\n$mpm order='USL' /\n"))).deck.text("mpm", "order"), "usl");
+  EXPECT_EQ(good(read(with_in("$\n$mpm order='USL' /\n"))).deck.text("mpm.order"), "usl");
 }
 
 TEST(Grammar, LineEndsAndByteOrderMark) {
@@ -225,8 +224,8 @@ TEST(Grammar, LineEndsAndByteOrderMark) {
     std::string other = "\xef\xbb\xbf";
     for (const char c : text) other += c == '\n' ? std::string(end) : std::string(1, c);
     const auto reading = good(read(other));
-    EXPECT_EQ(reading.deck.integer("reg", "nreg"), 2);
-    EXPECT_EQ(reading.deck.place("in", "iout", 13).line, 3);
+    EXPECT_EQ(reading.deck.integer("reg.nreg"), 2);
+    EXPECT_EQ(reading.deck.place("in.iout", 13).line, 3);
     EXPECT_EQ(reading.deck.text(), other);
   }
 }

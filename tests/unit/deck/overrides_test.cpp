@@ -12,18 +12,18 @@ TEST(Overrides, ReplaceSilently) {
   const auto reading = read(deck_text, {"in.tmax=0.5d0", "IN.Wl = 4", "reg.nprg(2)=9", "reg.ipath(1,2)=3,3,3,7"});
   EXPECT_EQ(reading.errors(), Texts{});
   EXPECT_EQ(reading.warnings(), Texts{});
-  EXPECT_EQ(reading.deck.real("in", "tmax"), 0.5);
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 4);
-  EXPECT_EQ(reading.deck.integer("reg", "nprg", 1), 4);
-  EXPECT_EQ(reading.deck.integer("reg", "nprg", 2), 9);
-  EXPECT_EQ(reading.deck.integer("reg", "ipath", 4, 2), 7);
+  EXPECT_EQ(reading.deck.real("in.tmax"), 0.5);
+  EXPECT_EQ(reading.deck.integer("in.wl"), 4);
+  EXPECT_EQ(reading.deck.integer("reg.nprg", 1), 4);
+  EXPECT_EQ(reading.deck.integer("reg.nprg", 2), 9);
+  EXPECT_EQ(reading.deck.integer("reg.ipath", 4, 2), 7);
 }
 
 /// Once the last of them held without a word, where a deck that sets a value twice is warned of.
 TEST(Overrides, OfOneValueTwiceAreWarnedOf) {
   const auto reading = read(deck_text, {"in.tmax=.5", "in.wl=4", "in.tmax=.25", "reg.nprg=9", "reg.nprg(2)=9"});
   EXPECT_EQ(reading.warnings(), (Texts{"3:9: tmax is set twice by --set; the later value holds"}));
-  EXPECT_EQ(reading.deck.real("in", "tmax"), 0.25);
+  EXPECT_EQ(reading.deck.real("in.tmax"), 0.25);
 }
 
 TEST(Overrides, OfAWordOfferNoQuotesAroundWhatIsNoChoice) {
@@ -35,23 +35,23 @@ TEST(Overrides, OfAWordOfferNoQuotesAroundWhatIsNoChoice) {
 
 TEST(Overrides, HavePlacesOfTheirOwn) {
   const auto reading = read(deck_text, {"in.wl=4", "in.tmax=0.5"});
-  const auto place = reading.deck.place("in", "tmax");
+  const auto place = reading.deck.place("in.tmax");
   EXPECT_EQ(place.file, "--set");
   EXPECT_EQ(place.line, 2);
   EXPECT_EQ(place.column, 9);
   EXPECT_EQ(reading.deck.line_text(place), "in.tmax=0.5");
-  EXPECT_EQ(to_text(reading.deck.remark(Severity::error, "in", "tmax", {1, 1}, "too short")),
+  EXPECT_EQ(to_text(reading.deck.remark(Severity::error, "in.tmax", {1, 1}, "too short")),
             "--set:2:9: error: too short\n  in.tmax=0.5\n          ^\n");
 }
 
 TEST(Overrides, OpenGroupsThatTheDeckLacks) {
   const auto deck = read(deck_text, {"mpm.order='usl'"}).deck;
   EXPECT_TRUE(deck.has_group("mpm"));
-  EXPECT_EQ(deck.text("mpm", "order"), "usl");
+  EXPECT_EQ(deck.text("mpm.order"), "usl");
 }
 
 TEST(Overrides, TextsMayHoldWhatClosesGroups) {
-  EXPECT_EQ(read(deck_text, {"in.particles='../particles/a.par'"}).deck.text("in", "particles"), "../particles/a.par");
+  EXPECT_EQ(read(deck_text, {"in.particles='../particles/a.par'"}).deck.text("in.particles"), "../particles/a.par");
 }
 
 TEST(Overrides, CanGiveWhatIsRequired) {

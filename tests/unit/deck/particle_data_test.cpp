@@ -20,10 +20,10 @@ std::string joined(const Texts& lines) {
 TEST(ParticleData, StandInPlaceOfTheFileThatTheDeckNames) {
   const auto deck = read(with_in("igen=0 particles='a.par'\n$\nold data\n")).deck;
   const auto with_data = deck.with_particle_data(data);
-  EXPECT_EQ(with_data.text("in", "particles"), "");
+  EXPECT_EQ(with_data.text("in.particles"), "");
   EXPECT_EQ(with_data.trailer().text, joined(data));
-  EXPECT_EQ(with_data.integer("in", "igen"), 0);
-  EXPECT_EQ(deck.text("in", "particles"), "a.par");
+  EXPECT_EQ(with_data.integer("in.igen"), 0);
+  EXPECT_EQ(deck.text("in.particles"), "a.par");
   EXPECT_EQ(deck.trailer().text, "old data\n");
 }
 

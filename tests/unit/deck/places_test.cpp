@@ -35,7 +35,7 @@ TEST(Places, BlanksBeforeEndCloseTheGroup) {
   EXPECT_EQ(reading.errors(), (Texts{"3:6: blanks before 'end'", "5:1: blanks before 'end'"}));
   EXPECT_EQ(reading.diagnostics.errors()[0].hint, "Write '$end'.");
   EXPECT_EQ(reading.diagnostics.errors()[1].hint, "Write '&end'.");
-  EXPECT_EQ(reading.deck.integer("reg", "nreg"), 2);
+  EXPECT_EQ(reading.deck.integer("reg.nreg"), 2);
   EXPECT_TRUE(reading.deck.has_group("mpm"));
 }
 
@@ -53,9 +53,9 @@ TEST(Places, AQuoteInsideAText) {
 TEST(Places, AnUnclosedTextEndsWithItsFirstWord) {
   const auto reading = read(with_in("units='si wl=4,\nwr=4 ! it's\n$\n"));
   EXPECT_EQ(reading.errors(), (Texts{"3:7: 's' right behind the quote that closes this text"}));
-  EXPECT_EQ(reading.deck.text("in", "units"), "si");
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 4);
-  EXPECT_EQ(reading.deck.integer("in", "wr"), 4);
+  EXPECT_EQ(reading.deck.text("in.units"), "si");
+  EXPECT_EQ(reading.deck.integer("in.wl"), 4);
+  EXPECT_EQ(reading.deck.integer("in.wr"), 4);
   EXPECT_EQ(read(with_in("units='cgs,wl=7/\n")).errors(),
             (Texts{"3:7: this quote is never closed", "3:15: wl = 7 is out of range"}));
 }
@@ -70,9 +70,9 @@ TEST(Places, ATextMayStandBeforeAnyMark) {
 /// Byte by byte: quotes written twice, ends of lines that a text goes on over, the closing quote.
 TEST(Places, WithinAText) {
   const auto reading = read_in("particles='it''s\n.par',wl=4,\nunits='si'");
-  EXPECT_EQ(reading.deck.text("in", "particles"), "it's.par");
+  EXPECT_EQ(reading.deck.text("in.particles"), "it's.par");
   const auto at = [&](std::size_t offset) {
-    const Place place = reading.deck.place_within("in", "particles", {1, 1}, offset);
+    const Place place = reading.deck.place_within("in.particles", {1, 1}, offset);
     return std::pair(place.line, place.column);
   };
   EXPECT_EQ(at(0), std::pair(3, 12));
@@ -80,10 +80,10 @@ TEST(Places, WithinAText) {
   EXPECT_EQ(at(3), std::pair(3, 16));
   EXPECT_EQ(at(4), std::pair(4, 1));
   EXPECT_EQ(at(8), std::pair(4, 5));
-  const Diagnostic remark = reading.deck.remark_within(Severity::error, "in", "particles", {1, 1}, 4, "here");
+  const Diagnostic remark = reading.deck.remark_within(Severity::error, "in.particles", {1, 1}, 4, "here");
   EXPECT_EQ(to_text(remark), "a.in:4:1: error: here\n  .par',wl=4,\n  ^\n");
   const auto set = read(with_in("$\n"), {"in.units='si'"});
-  const Place place = set.deck.place_within("in", "units", {1, 1}, 1);
+  const Place place = set.deck.place_within("in.units", {1, 1}, 1);
   EXPECT_EQ((std::pair{place.line, place.column}), std::pair(1, 12));
 }
 

@@ -16,8 +16,8 @@ TEST(StudyDeck, NeedsNothingOfARun) {
   EXPECT_EQ(reading.warnings(), Texts{});
   EXPECT_TRUE(reading.deck.is_study());
   EXPECT_FALSE(reading.deck.complete());
-  EXPECT_EQ(reading.deck.text("study", "mode"), "grid");
-  EXPECT_EQ(reading.deck.text("study", "quantities", 2), "steps");
+  EXPECT_EQ(reading.deck.text("study.mode"), "grid");
+  EXPECT_EQ(reading.deck.text("study.quantities", 2), "steps");
 }
 
 TEST(StudyDeck, HasNoOtherGroup) {

@@ -20,8 +20,8 @@ TEST(Warnings, AssignedTwice) {
   EXPECT_EQ(reading.errors(), Texts{});
   EXPECT_EQ(reading.warnings(), (Texts{"4:11: wl is set twice, first at 3:4; the later value holds",
                                        "5:26: iout(13) is set twice, first at 5:10; the later value holds"}));
-  EXPECT_EQ(reading.deck.integer("in", "wl"), 1);
-  EXPECT_EQ(reading.deck.integer("in", "iout", 13), 0);
+  EXPECT_EQ(reading.deck.integer("in.wl"), 1);
+  EXPECT_EQ(reading.deck.integer("in.iout", 13), 0);
 }
 
 TEST(Warnings, AssignedTwiceIsToldOnceAnItem) {
@@ -32,8 +32,8 @@ TEST(Warnings, AssignedTwiceIsToldOnceAnItem) {
 TEST(Warnings, AGroupTwice) {
   const auto reading = read(with_in("$\n$reg nreg=2 /\n$reg nprg(2)=9 /\n"));
   EXPECT_EQ(reading.warnings(), (Texts{"5:1: $reg is there twice, first at line 4; the later values hold"}));
-  EXPECT_EQ(reading.deck.integer("reg", "nreg"), 2);
-  EXPECT_EQ(reading.deck.integer("reg", "nprg", 2), 9);
+  EXPECT_EQ(reading.deck.integer("reg.nreg"), 2);
+  EXPECT_EQ(reading.deck.integer("reg.nprg", 2), 9);
 }
 
 TEST(Warnings, AnUnknownGroupClosesAnOpenOne) {

@@ -17,17 +17,17 @@ Deck deck_of(const std::string& groups) {
 }
 
 TEST(Word, IsTheEnumeratorOfTheDecksText) {
-  EXPECT_EQ(word<Systems>(deck_of("$coupled solver='KRYLOV' $\n"), "coupled", "solver"), Systems::krylov);
-  EXPECT_EQ(word<Systems>(deck_of(""), "coupled", "solver"), Systems::automatic);
+  EXPECT_EQ(word<Systems>(deck_of("$coupled solver='KRYLOV' $\n"), "coupled.solver"), Systems::krylov);
+  EXPECT_EQ(word<Systems>(deck_of(""), "coupled.solver"), Systems::automatic);
 }
 
 TEST(Word, OfAVariableThatIsNotGivenIsWhatTheReaderSays) {
-  EXPECT_EQ(word_or(deck_of("$mpm order='usl' $\n"), "mpm", "order", StressOrder::usf), StressOrder::usl);
-  EXPECT_EQ(word_or(deck_of(""), "mpm", "order", StressOrder::usf), StressOrder::usf);
+  EXPECT_EQ(word_or(deck_of("$mpm order='usl' $\n"), "mpm.order", StressOrder::usf), StressOrder::usl);
+  EXPECT_EQ(word_or(deck_of(""), "mpm.order", StressOrder::usf), StressOrder::usf);
 }
 
 TEST(Word, OfAnotherEnumerationIsAMistakeOfTheProgram) {
-  EXPECT_THROW(word<StressOrder>(deck_of("$coupled solver='direct' $\n"), "coupled", "solver"), std::logic_error);
+  EXPECT_THROW(word<StressOrder>(deck_of("$coupled solver='direct' $\n"), "coupled.solver"), std::logic_error);
 }
 
 }  // namespace

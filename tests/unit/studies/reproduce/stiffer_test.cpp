@@ -28,7 +28,7 @@ class Stiffer : public test::TemporaryFolder {
     options.overrides = overrides(problem, raised);
     Diagnostics diagnostics;
     const Deck deck = load_deck(file.string(), options, diagnostics);
-    const std::string particles = deck.text("in", "particles");
+    const std::string particles = deck.text("in.particles");
     if (!particles.empty() && raised == Raised::E) options.particles = stiffer_points(file.parent_path() / particles);
     const fs::path run = folder / problem.name / std::to_string(static_cast<int>(raised));
     fs::create_directories(run);
@@ -70,15 +70,15 @@ class Stiffer : public test::TemporaryFolder {
     Diagnostics diagnostics;
     const Deck deck = load_deck(file, {}, diagnostics);
     std::vector<std::string> sets;
-    const auto raise = [&](const char* group, const char* name, int i, int j, const std::string& element) {
-      if (deck.given(group, name, i, j))
-        sets.push_back(std::string(group) + "." + element + "=" + std::to_string(1.1 * deck.real(group, name, i, j)));
+    const auto raise = [&](RealVariable name, int i, int j, const std::string& element) {
+      if (deck.given(name, i, j))
+        sets.push_back(std::string(name.group()) + "." + element + "=" + std::to_string(1.1 * deck.real(name, i, j)));
     };
     for (int k = 1; k <= 4; ++k) {
       const std::string at = std::to_string(k);
-      if (raised == Raised::siep) raise("fluid", "siep", k, 1, "siep(" + at + ")");
-      if (raised == Raised::E) raise("reg", "matr", 1, k, "matr(1," + at + ")");
-      if (raised == Raised::E) raise("membrane", "young", k, 1, "young(" + at + ")");
+      if (raised == Raised::siep) raise("fluid.siep", k, 1, "siep(" + at + ")");
+      if (raised == Raised::E) raise("reg.matr", 1, k, "matr(1," + at + ")");
+      if (raised == Raised::E) raise("membrane.young", k, 1, "young(" + at + ")");
     }
     return sets;
   }

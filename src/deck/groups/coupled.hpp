@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 #include "deck/words.hpp"
 #include "model/coupled.hpp"
 #include "model/flow.hpp"
 
-namespace tether {
-namespace {
+namespace tether::coupled_table {
 
 using bounds::above_zero;
 using bounds::none;
 using enum ValueType;
-constexpr int nl = load_count, nt = table_count;
-constexpr std::string_view sides = "left|right|bottom|top|back|front";
+inline constexpr int nl = load_count, nt = table_count;
+inline constexpr std::string_view sides = "left|right|bottom|top|back|front";
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
-constexpr std::array rows{
+inline constexpr std::array coupled_rows{
     Variable{"coupled", "mode", text, 0, 1, 1, "", -none, none, choices<CouplingMode>, "'cut-cell'",
              "How fluid and solids are solved: simultaneously by one map and its transpose, with the open parts of "
              "faces; the same with cells that are wholly fluid or solid; one after the other; or simultaneously by two "
@@ -106,8 +107,4 @@ constexpr std::array rows{
              "x and y, about which a body can turn, and z does not count."},
 };
 
-}  // namespace
-
-std::span<const Variable> coupled_variables() { return rows; }
-
-}  // namespace tether
+}  // namespace tether::coupled_table

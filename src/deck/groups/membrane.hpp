@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 #include "deck/words.hpp"
 #include "laws/elastic.hpp"
 #include "model/method.hpp"
 
-namespace tether {
-namespace {
+namespace tether::membrane_table {
 
 using bounds::above_zero;
 using bounds::none;
 using enum ValueType;
 
-constexpr int nb = membrane_count;
-constexpr int nc = curve_count;
-constexpr int nv = curve_vertex_count;
+inline constexpr int nb = membrane_count;
+inline constexpr int nc = curve_count;
+inline constexpr int nv = curve_vertex_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
-constexpr std::array rows{
+inline constexpr std::array membrane_rows{
     Variable{"membrane", "law", text, 1, nb, 1, "", -none, none, choices<Membrane::Kind>, "'uniaxial'",
              "Law of membrane b (1 is the particle file's, too): stress along the tangent only, or in the whole "
              "surface."},
@@ -71,8 +72,4 @@ constexpr std::array rows{
              "Ends of membrane b that a pin holds; they are points at the very ends of its curves."},
 };
 
-}  // namespace
-
-std::span<const Variable> membrane_variables() { return rows; }
-
-}  // namespace tether
+}  // namespace tether::membrane_table

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
 #include "base/numbers.hpp"
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 #include "deck/words.hpp"
 #include "laws/walls.hpp"
 
-namespace tether {
-namespace {
+namespace tether::thesis_table {
 
 using bounds::above_zero;
 using bounds::largest_integer;
@@ -15,9 +16,9 @@ using bounds::none;
 using bounds::smallest_integer;
 using enum ValueType;
 
-constexpr std::string_view wall_kinds = choices<Wall>;
+inline constexpr std::string_view wall_kinds = choices<Wall>;
 
-constexpr std::string_view iout_meaning =
+inline constexpr std::string_view iout_meaning =
     "1 writes output i every tiout(i): 13 point snapshots; 30 grid velocity; 31 grid mass; 32 membrane points and "
     "stress; 33 histories of points and bodies; 34 energies; 35 strain of points; 36 pressure; 37 density on the grid; "
     "38 tracked angle and ends; 39 grid fields (pressure, velocity, energy, density); 40 normals; 41 checkpoint. Any "
@@ -27,7 +28,7 @@ constexpr std::string_view iout_meaning =
     "not print these meanings: they are tether's own.";
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning[, effect[, required]]
-constexpr std::array in_rows{
+inline constexpr std::array in_rows{
     Variable{"in", "nx", integer, 0, 1, 1, "", 2, 1e9, "", "", "Nodes of the background grid in x.", Effect::used,
              true},
     Variable{"in", "ny", integer, 0, 1, 1, "", 2, 1e9, "", "", "Nodes of the background grid in y.", Effect::used,
@@ -74,7 +75,7 @@ constexpr std::array in_rows{
 };
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning[, effect]
-constexpr std::array fluid_rows{
+inline constexpr std::array fluid_rows{
     Variable{"fluid", "mu", real, 0, 1, 1, "stress*time", 0, none, "", "0.0", "Shear viscosity of the gas."},
     Variable{"fluid", "gm1", real, 0, 1, 1, "", above_zero, none, "", "0.4",
              "gamma - 1 of the gas, gamma the ratio of its specific heats."},
@@ -89,11 +90,11 @@ constexpr std::array fluid_rows{
              "Pressure outside a membrane that encloses gas."},
 };
 
-constexpr int nr = region_count;
-constexpr int nv = vertex_count;
+inline constexpr int nr = region_count;
+inline constexpr int nv = vertex_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning[, effect]
-constexpr std::array reg_rows{
+inline constexpr std::array reg_rows{
     Variable{"regrig", "nregrig", integer, 0, 1, 1, "", 0, largest_integer, "", "0",
              "Number of rigid regions of the old code.", Effect::none},
     Variable{"reg", "nreg", integer, 0, 1, 1, "", 0, nr, "", "0", "Number of regions that are filled with points."},
@@ -136,10 +137,4 @@ constexpr std::array reg_rows{
              "Velocity of region r in y at the start."},
 };
 
-}  // namespace
-
-std::span<const Variable> in_variables() { return in_rows; }
-std::span<const Variable> fluid_variables() { return fluid_rows; }
-std::span<const Variable> region_variables() { return reg_rows; }
-
-}  // namespace tether
+}  // namespace tether::thesis_table

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 #include "deck/words.hpp"
 #include "model/flow.hpp"
 
-namespace tether {
-namespace {
+namespace tether::flow_table {
 
 using bounds::above_zero;
 using bounds::none;
 using enum ValueType;
-constexpr int nr = region_count, nl = load_count, nt = table_count;
+inline constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
-constexpr std::array rows{
+inline constexpr std::array flow_rows{
     Variable{"flow", "element", text, 0, 1, 1, "", -none, none, choices<FlowElement>, "'q2q1'",
              "Elements of the fluid: bilinear velocity and pressure, stabilised, or biquadratic velocity and bilinear "
              "pressure. Those of immersed bodies are element of $mesh."},
@@ -86,8 +87,4 @@ constexpr std::array rows{
              "Volumetric penalty of the immersed region r, which holds its area together."},
 };
 
-}  // namespace
-
-std::span<const Variable> flow_variables() { return rows; }
-
-}  // namespace tether
+}  // namespace tether::flow_table

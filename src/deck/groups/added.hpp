@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 #include "deck/words.hpp"
 #include "laws/fluids.hpp"
 #include "model/method.hpp"
 #include "model/scene.hpp"
 
-namespace tether {
-namespace {
+namespace tether::added_table {
 
 using bounds::above_zero;
 using bounds::none;
 using enum ValueType;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
-constexpr std::array rows{
+inline constexpr std::array added_rows{
     Variable{"points", "heavy", real, 1, point_count, 1, "mass", above_zero, none, "", "",
              "Mass of the point of row i of the particle file, instead of its own; its volume and density stay."},
     Variable{"points", "tracked", logical, 1, point_count, 1, "", -none, none, "", ".false.",
@@ -98,8 +99,4 @@ constexpr std::array rows{
              "Cells that a fluid in a box crosses in a step: warning, stop above. 4 and 0."},
 };
 
-}  // namespace
-
-std::span<const Variable> added_variables() { return rows; }
-
-}  // namespace tether
+}  // namespace tether::added_table

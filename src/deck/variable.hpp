@@ -2,7 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -55,30 +54,6 @@ constexpr int curve_count = 40;        ///< curves of all membranes
 constexpr int curve_vertex_count = 100;
 constexpr int load_count = 40;   ///< loads, and supports, of a mesh
 constexpr int table_count = 50;  ///< times of one of them
-
-/// All rows, those of a group together, in the order in which decks and documents show them.
-std::span<const Variable> variables();
-/// The row of group.name (lower case), or null.
-const Variable* find_variable(std::string_view group, std::string_view name);
-/// All groups, in the order of the table.
-std::vector<std::string> group_names();
-bool is_group(std::string_view name);
-
-/// Whether a group chooses the path of a deck by being there.
-bool chooses_path(std::string_view group);
-
-// The parts of THE table; variables() joins them.
-std::span<const Variable> in_variables();
-std::span<const Variable> fluid_variables();
-std::span<const Variable> region_variables();  ///< $regrig and $reg
-std::span<const Variable> membrane_variables();
-std::span<const Variable> added_variables();  ///< the other groups that the old code did not have
-std::span<const Variable> fem_variables();    ///< $mesh and $fem
-std::span<const Variable> rigid_variables();
-std::span<const Variable> flow_variables();
-std::span<const Variable> coupled_variables();
-std::span<const Variable> study_variables();
-std::span<const Variable> published_variables();
 
 namespace bounds {
 constexpr double none = std::numeric_limits<double>::infinity();

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 
-namespace tether {
-namespace {
+namespace tether::study_table {
 
 using bounds::above_zero;
 using bounds::none;
 using enum ValueType;
 
-constexpr int most_decks = 20, most_axes = 20, most_sets = 50, most_quantities = 30;
+inline constexpr int most_decks = 20, most_axes = 20, most_sets = 50, most_quantities = 30;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
-constexpr std::array study_rows{
+inline constexpr std::array study_rows{
     Variable{study_group, "mode", text, 0, 1, 1, "", -none, none, "grid|ensemble|bisect", "'grid'",
              "All combinations of the axes; or several runs of each with a value varied about its own; or the largest "
              "value of each for which a criterion holds."},
@@ -51,7 +52,7 @@ constexpr std::array study_rows{
              "Bisection: the criterion holds up to this value."},
 };
 
-constexpr int most_rows = 40, most_overrides = 20;
+inline constexpr int most_rows = 40, most_overrides = 20;
 
 constexpr Variable text_of_problem(std::string_view name, std::string_view fallback, std::string_view meaning,
                                    std::string_view choices = "") {
@@ -65,7 +66,7 @@ constexpr Variable text_of_row(std::string_view name, std::string_view fallback,
   return {published_group, name, text, 1, most_rows, 1, "", -none, none, choices, fallback, meaning};
 }
 
-constexpr std::array published_rows{
+inline constexpr std::array published_rows{
     text_of_problem("name", "''", "Name of the problem for 'tether reproduce'; without it the deck's file name."),
     text_of_problem("source", "''", "What published the numbers: 'thesis'."),
     text_of_problem("place", "''", "Where that has them: '4.1, Figs 13, 14'."),
@@ -106,9 +107,4 @@ constexpr std::array published_rows{
     text_of_row("robust_to_theory", "''", "The same for the robust method."),
 };
 
-}  // namespace
-
-std::span<const Variable> study_variables() { return study_rows; }
-std::span<const Variable> published_variables() { return published_rows; }
-
-}  // namespace tether
+}  // namespace tether::study_table

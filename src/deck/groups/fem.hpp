@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
 #include <array>
 
-#include "deck/variables.hpp"
+#include "deck/variable.hpp"
 #include "deck/words.hpp"
 #include "laws/hyperelastic.hpp"
 #include "model/solids.hpp"
 
-namespace tether {
-namespace {
+namespace tether::fem_table {
 
 using bounds::above_zero;
 using bounds::none;
 using enum ValueType;
-constexpr int nr = region_count, nl = load_count, nt = table_count;
+inline constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
-constexpr std::array fem_rows{
+inline constexpr std::array fem_rows{
     Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, choices<BodyElement>, "",
              "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or "
              "tetrahedra; q2 of bodies in a flow and q1 of others where it is not given."},
@@ -97,7 +98,7 @@ constexpr std::array fem_rows{
              "is."},
 };
 
-constexpr std::array rigid_rows{
+inline constexpr std::array rigid_rows{
     Variable{"rigid", "form", text, 0, 1, 1, "", -none, none, choices<RigidForm>, "'reduced'",
              "How a step of the rigid body is solved: in the null space of the constraints (6 unknowns, 3 with a pin), "
              "or with 12 coordinates and a multiplier for each constraint (18, 21). Both give one motion."},
@@ -131,9 +132,4 @@ constexpr std::array rigid_rows{
              "Whether force k turns with the body; else it keeps its direction."},
 };
 
-}  // namespace
-
-std::span<const Variable> fem_variables() { return fem_rows; }
-std::span<const Variable> rigid_variables() { return rigid_rows; }
-
-}  // namespace tether
+}  // namespace tether::fem_table

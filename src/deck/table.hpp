@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <concepts>
+#include <initializer_list>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck/groups/added.hpp"
+#include "deck/groups/coupled.hpp"
+#include "deck/groups/fem.hpp"
+#include "deck/groups/flow.hpp"
+#include "deck/groups/membrane.hpp"
+#include "deck/groups/study.hpp"
+#include "deck/groups/thesis.hpp"
+#include "deck/variable.hpp"
+
+namespace tether {
+
+/// THE table: all rows, those of a group together, in the order in which decks and documents show them.
+inline constexpr auto variable_table = [] {
+  constexpr std::array<std::span<const Variable>, 11> parts{
+      thesis_table::in_rows,       thesis_table::fluid_rows, thesis_table::reg_rows,      membrane_table::membrane_rows,
+      added_table::added_rows,     fem_table::fem_rows,      fem_table::rigid_rows,       flow_table::flow_rows,
+      coupled_table::coupled_rows, study_table::study_rows,  study_table::published_rows,
+  };
+  constexpr std::size_t count = [&] {
+    std::size_t sum = 0;
+    for (const auto part : parts) sum += part.size();
+    return sum;
+  }();
+  std::array<Variable, count> rows{};
+  std::size_t k = 0;
+  for (const auto part : parts) {
+    for (const Variable& row : part) rows[k++] = row;
+  }
+  return rows;
+}();
+constexpr std::span<const Variable> variables() { return variable_table; }
+
+/// The row of group.name (lower case), or null.
+constexpr const Variable* find_variable(std::string_view group, std::string_view name) {
+  for (const Variable& row : variable_table) {
+    if (row.name == name && row.group == group) return &row;
+  }
+  return nullptr;
+}
+
+/// All groups, in the order of the table.
+std::vector<std::string> group_names();
+bool is_group(std::string_view name);
+
+/// Whether a group chooses the path of a deck by being there.
+bool chooses_path(std::string_view group);
+
+/// A variable of the table, of any type, by its name "flow.speed": a name without a row does not compile.
+class AnyVariable {
+ public:
+  consteval AnyVariable(const char* full_name) : row_(&row_of(full_name)) {}  // NOLINT: written as a text
+  /// One whose name is known only while the program runs. Throws std::logic_error where the table has no such row.
+  AnyVariable(std::string_view group, std::string_view name);
+  explicit constexpr AnyVariable(const Variable& row) : row_(&row) {}
+
+  constexpr const Variable& row() const { return *row_; }
+  constexpr std::string_view group() const { return row_->group; }
+  constexpr std::string_view name() const { return row_->name; }
+  /// The variable of the same group whose name begins with this one's: "coupled.jet" and "_on" are coupled.jet_on.
+  AnyVariable with(std::string_view ending) const;
+  constexpr bool operator==(AnyVariable other) const { return row_ == other.row_; }
+
+ private:
+  static constexpr const Variable& row_of(std::string_view full_name) {
+    const std::size_t dot = full_name.find('.');
+    const Variable* row =
+        dot == full_name.npos ? nullptr : find_variable(full_name.substr(0, dot), full_name.substr(dot + 1));
+    if (row == nullptr) throw std::logic_error("the table of variables has no such name");
+    return *row;
+  }
+  const Variable* row_;
+};
+
+/// One of a given type: a row of another type does not compile.
+template <ValueType type>
+class TypedVariable : public AnyVariable {
+ public:
+  consteval TypedVariable(const char* full_name) : AnyVariable(full_name) { check(); }  // NOLINT: written as a text
+  /// Throws std::logic_error where the row is of another type.
+  TypedVariable(std::string_view group, std::string_view name) : AnyVariable(group, name) { check(); }
+  constexpr TypedVariable(AnyVariable any)  // NOLINT: a name of a list of names
+      : AnyVariable(any) {
+    check();
+  }
+
+ private:
+  constexpr void check() const {
+    if (row().type != type) throw std::logic_error("the table of variables has that name with another type");
+  }
+};
+
+/// Names that a loop goes through: for (const AnyVariable name : Variables{"reg.vrx", "reg.vry"}).
+using Variables = std::initializer_list<AnyVariable>;
+using IntegerVariable = TypedVariable<ValueType::integer>;
+using RealVariable = TypedVariable<ValueType::real>;
+using LogicalVariable = TypedVariable<ValueType::logical>;
+using TextVariable = TypedVariable<ValueType::text>;
+
+}  // namespace tether
+
+/// A message writes a variable by its name alone.
+template <std::derived_from<tether::AnyVariable> Handle>
+struct fmt::formatter<Handle> : fmt::formatter<std::string_view> {
+  template <class Context>
+  auto format(const tether::AnyVariable& variable, Context& context) const {
+    return fmt::formatter<std::string_view>::format(variable.name(), context);
+  }
+};
