@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,51 @@
 
 namespace tether {
 
-/// How fluid and solids are solved: simultaneously with a symmetric map, whose cells are wholly fluid or not; the same
-/// with the open parts of faces; one after the other; or simultaneously as the paper writes it, with two maps that are
-/// not each other's transpose.
+/// The modes in which fluid and solids are solved; `couplings` says what each does.
 enum class CouplingMode { symmetric, cut_cell, splitting, paper };
 template <>
 inline constexpr std::array<Word<CouplingMode>, 4> words<CouplingMode>{{{CouplingMode::cut_cell, "cut-cell"},
                                                                         {CouplingMode::symmetric, "symmetric"},
                                                                         {CouplingMode::splitting, "splitting"},
                                                                         {CouplingMode::paper, "paper"}}};
+
+/// What a mode of coupling does: the one place where modes differ.
+struct Coupling {
+  CouplingMode mode;
+  bool cuts_faces;    ///< faces are open in part where bodies cut them; else cells are wholly fluid or not
+  bool simultaneous;  ///< fluid and solids in one system; else one after the other
+  bool two_maps;      ///< the solids' motion displaces fluid by a map that is not the transpose of the pressures'
+  std::string_view meaning;  ///< for the plan
+};
+inline constexpr std::array couplings{
+    Coupling{.mode = CouplingMode::symmetric,
+             .cuts_faces = false,
+             .simultaneous = true,
+             .two_maps = false,
+             .meaning = "simultaneous, power across the interface balances to rounding"},
+    Coupling{.mode = CouplingMode::cut_cell,
+             .cuts_faces = true,
+             .simultaneous = true,
+             .two_maps = false,
+             .meaning = "simultaneous, with the open parts of faces; power balances to rounding"},
+    Coupling{.mode = CouplingMode::splitting,
+             .cuts_faces = false,
+             .simultaneous = false,
+             .two_maps = false,
+             .meaning = "solids and fluid one after the other"},
+    Coupling{.mode = CouplingMode::paper,
+             .cuts_faces = false,
+             .simultaneous = true,
+             .two_maps = true,
+             .meaning = "simultaneous by two maps, whose powers differ; would take cut-cell"},
+};
+/// The row of a mode. Throws std::logic_error where it has none.
+constexpr const Coupling& coupling_of(CouplingMode mode) {
+  for (const Coupling& coupling : couplings) {
+    if (coupling.mode == mode) return coupling;
+  }
+  throw std::logic_error("a mode of coupling without a row");
+}
 
 /// The step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule.
 enum class CoupledIntegrator { paper, trapezoid };
@@ -92,7 +129,7 @@ struct Spring {
 /// deck's groups $in and $coupled describe it.
 struct Coupled {
   StaggeredGrid grid;
-  CouplingMode mode = CouplingMode::cut_cell;
+  Coupling coupling = coupling_of(CouplingMode::cut_cell);
   CoupledIntegrator integrator = CoupledIntegrator::paper;
   Advection advection = Advection::maccormack;
   Systems systems = Systems::automatic;

@@ -18,18 +18,8 @@ namespace {
 /// Whether splitting would hold is told apart, where the solver's matrices can be asked.
 std::string mode_text(const Scene& scene) {
   if (!scene.solids()) return "there is no body: one projection a step";
-  const std::string_view own = word_of(scene.coupled()->mode);
-  switch (scene.coupled()->mode) {
-    case CouplingMode::symmetric:
-      return fmt::format("{}: simultaneous, power across the interface balances to rounding", own);
-    case CouplingMode::cut_cell:
-      return fmt::format("{}: simultaneous, with the open parts of faces; power balances to rounding", own);
-    case CouplingMode::paper:
-      return fmt::format("{}: simultaneous by two maps, whose powers differ; would take cut-cell", own);
-    case CouplingMode::splitting:
-      break;
-  }
-  return fmt::format("{}: solids and fluid one after the other", own);
+  const Coupling& coupling = scene.coupled()->coupling;
+  return fmt::format("{}: {}", word_of(coupling.mode), coupling.meaning);
 }
 
 /// By what the systems are solved, and why.
@@ -123,7 +113,7 @@ std::vector<Term> body_terms(const Scene& scene) {
       {"step of the solids", true,
        paper ? "the paper's: backward Euler in the velocity, damps by h omega/4" : "trapezoidal rule: of order 2"},
       term("closed regions", c.volume_term, "found each step, their volumes held", "volume_term = .false."),
-      term("repair of areas", c.mode == CouplingMode::splitting && c.area_repair,
+      term("repair of areas", !c.coupling.simultaneous && c.area_repair,
            "balances the walls' velocities of closed regions", "the mode needs none, or area_repair = .false."),
       term("convex stiffness", c.convex, "K' of each element is made positive semi-definite", "convex = .false."),
       term("contact", c.contact, fmt::format("with walls and obstacles, friction {:.4g}", c.friction),

@@ -162,7 +162,7 @@ CoupledSums CoupledFields::sums_of(const CoupledState& state) const {
   s.strain = solids.system.elements->strain_energy(state.q) + solids.spring_energy(state.q);
   s.potential = solids.system.gravity_energy(state.q);
   s.total = s.kinetic + s.strain + s.potential;
-  s.fluid_volume = fluid_volume(domain, coupled.mode == CouplingMode::cut_cell);
+  s.fluid_volume = fluid_volume(domain, coupled.coupling.cuts_faces);
   s.mass = coupled.density * s.fluid_volume + sum_of(solids.system.weights);
   s.pressure_energy = pressure_energy(state), s.regions = static_cast<double>(domain.regions);
   s.smoke_mass = sum_of(state.smoke.smoke);

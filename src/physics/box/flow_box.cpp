@@ -241,7 +241,7 @@ void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain) {
 
 Placement Placer::at(std::span<const double> q) const {
   Placement at;
-  const bool cut = scene_.mode == CouplingMode::cut_cell;
+  const bool cut = scene_.coupling.cuts_faces;
   at.pieces = cut_surface(surface_, q, scene_.grid, cut ? 2 : 1);
   at.crossings = find_crossings(surface_, q, scene_.grid);
   at.domain = box_.around(at.crossings);
@@ -258,12 +258,12 @@ Placement Placer::at(std::span<const double> q) const {
 }
 
 void Placer::map(std::span<const double> q, Placement& at) const {
-  const CutCells* cut = scene_.mode == CouplingMode::cut_cell ? &at.cut : nullptr;
+  const CutCells* cut = scene_.coupling.cuts_faces ? &at.cut : nullptr;
   at.numbers = number_pressures(at.domain);
   const PressureSampler sampler(surface_, q, at.pieces, at.domain);
   const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers, &outside_};
   at.map = map_by_pressures(of, sampler, cut, q.size());
-  if (scene_.mode == CouplingMode::paper) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
+  if (scene_.coupling.two_maps) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
 }
 
 }  // namespace tether::coupled

@@ -34,7 +34,7 @@ CoupledSolver::CoupledSolver(const Plan& plan)
       overlaps_(step_.solids().system.solids) {
   std::vector<std::string> told_by_the_deck;
   overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
-  if (plan.scene.coupled()->mode != CouplingMode::splitting) return;
+  if (plan.scene.coupled()->coupling.simultaneous) return;
   const auto outlook = splitting_outlook(plan.scene, plan.step.deck_step);
   if (!outlook) return;
   ratio_ = outlook->ratio;
@@ -103,7 +103,7 @@ std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
   const auto number = [](auto value) { return fmt::format("{}", value); };
-  Summary summary{{"mode", std::string(word_of(plan_.scene.coupled()->mode))},
+  Summary summary{{"mode", std::string(word_of(plan_.scene.coupled()->coupling.mode))},
                   {"linear_solver", step_.system().solver_name()},
                   {"unknowns", number(state_.q.size() + plan_.scene.coupled()->grid.cell_count())},
                   {"krylov_iterations", number(state_.iterations)},

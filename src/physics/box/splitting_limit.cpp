@@ -85,7 +85,7 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
 std::optional<double> added_mass_ratio(const Scene& scene, double h) {
   if (!scene.coupled() || !scene.solids() || systems_of(*scene.coupled()) != Systems::direct) return std::nullopt;
   Coupled box = *scene.coupled();  // whose own mode may have another map
-  box.mode = CouplingMode::splitting;
+  box.coupling = coupling_of(CouplingMode::splitting);
   Scene split = scene;
   std::get<BoxFlow>(split.physics).box = std::make_shared<const Coupled>(box);
   const CoupledStep step(split, *split.solids());

@@ -90,7 +90,7 @@ bool CoupledStep::may_stop(double h) const {
 
 /// What the next step is to find, in cut faces and in the solids.
 void CoupledStep::end_velocity(double h, FaceValues& v) const {
-  if (coupled_.mode == CouplingMode::cut_cell) blend_cut_faces(at_.domain, h, v);
+  if (coupled_.coupling.cuts_faces) blend_cut_faces(at_.domain, h, v);
   extend_velocity(at_.domain, v, layers_around_fluid);
 }
 
@@ -192,7 +192,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
 void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution& solution) const {
   solution.regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,
                                 solution.held, h);
-  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  const bool splitting = !coupled_.coupling.simultaneous;
   solution.source.assign(at_.numbers.cell.size(), 0.0);
   for (std::size_t k = 0; k < solution.source.size(); ++k) {
     const auto region = static_cast<std::size_t>(at_.domain.region[at_.numbers.cell[k]]);
@@ -202,7 +202,7 @@ void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution&
 }
 
 void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, Solution& solution) {
-  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  const bool splitting = !coupled_.coupling.simultaneous;
   std::vector<double>& b = solution.b;
   std::vector<double> r(flux.begin(), flux.end());
   b = solids_.b;
@@ -216,7 +216,7 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
   std::vector<std::uint8_t> loose = solution.regions.closed;
   for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
     loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
-  const CouplingMatrix& caused = coupled_.mode == CouplingMode::paper ? at_.crossing_map : at_.map.B;
+  const CouplingMatrix& caused = coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B;
   const CoupledEquations equations{solids_.A,
                                    b,
                                    at_.map.B,

@@ -78,9 +78,9 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
   books.jets -= h * let_in;
   books.sources -= h * sources;
   double given = sources - moving - let_in;
-  if (coupled_.mode != CouplingMode::splitting) {
+  if (coupled_.coupling.simultaneous) {
     std::vector<double> displaced(solution.p.size(), 0.0);
-    add_product(coupled_.mode == CouplingMode::paper ? at_.crossing_map : at_.map.B, 1, state.u, displaced);
+    add_product(coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B, 1, state.u, displaced);
     given = product(solution.p, displaced);
   }
   books.coupling += h * given;
@@ -127,7 +127,7 @@ void CoupledStep::check(const CoupledState& state) const {
   if (state.q.empty()) return;
   constexpr const char* too_much_added_mass =
       "added mass above what splitting bears, which shorter steps do not cure: mode='cut-cell' of $coupled holds";
-  const bool splitting = coupled_.mode == CouplingMode::splitting;
+  const bool splitting = !coupled_.coupling.simultaneous;
   const auto d = static_cast<std::size_t>(surface_.dim);
   const StaggeredGrid& grid = coupled_.grid;
   for (std::size_t k = 0; k < state.q.size(); ++k) {
@@ -162,7 +162,7 @@ void CoupledStep::tell_of_unsettled_contact(CoupledState& state) {
 
 /// Once: the volume term has nothing to act on there.
 void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState& state) {
-  if (!coupled_.volume_term || coupled_.mode == CouplingMode::splitting || state.unmeasured != 0) return;
+  if (!coupled_.volume_term || !coupled_.coupling.simultaneous || state.unmeasured != 0) return;
   const int region = unmeasured_region(at_.domain, at_.map, regions, surface_.cavity, state.v);
   if (region < 0) return;
   state.unmeasured = 1;
@@ -178,7 +178,7 @@ void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState
 
 /// A warning once, where the cells are first too wide for the bodies.
 void CoupledStep::note_thin_bodies(double time, CoupledState& state) {
-  if (coupled_.mode != CouplingMode::cut_cell) return;
+  if (!coupled_.coupling.cuts_faces) return;
   const ThinBodies thin = thin_bodies(at_, surface_);
   if (thin.cells > 0 && state.thin_cells == 0)
     messages_.push_back(fmt::format("t = {:.6g}: {}", time, thin_text(thin, surface_.dim)));

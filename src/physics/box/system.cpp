@@ -48,7 +48,7 @@ CoupledSystem::~CoupledSystem() = default;
 void CoupledSystem::solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p) {
   const Stopwatch watch(cost_.solve);
   ++cost_.solves;
-  if (scene_.mode == CouplingMode::paper) return solve_as_the_paper(equations, time, u, p);
+  if (scene_.coupling.two_maps) return solve_as_the_paper(equations, time, u, p);
   if (direct_) return solve_directly(equations, time, u, p);
   solve_by_gradients(equations, time, u, p);
 }
@@ -188,7 +188,7 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
 }
 
 const char* CoupledSystem::solver_name() const {
-  if (scene_.mode == CouplingMode::paper) return "bicgstab";
+  if (scene_.coupling.two_maps) return "bicgstab";
   return direct_ ? "direct" : "krylov";
 }
 

@@ -26,7 +26,7 @@ StaggeredGrid grid_of(const Deck& deck, const BackgroundGrid& plane) {
 }
 
 void read_method(const Deck& deck, Coupled& coupled) {
-  coupled.mode = word<CouplingMode>(deck, "coupled.mode");
+  coupled.coupling = coupling_of(word<CouplingMode>(deck, "coupled.mode"));
   coupled.integrator = word<CoupledIntegrator>(deck, "coupled.integrator");
   coupled.advection = word<Advection>(deck, "coupled.advection");
   coupled.systems = word<Systems>(deck, "coupled.solver");

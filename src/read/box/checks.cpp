@@ -51,7 +51,7 @@ class CoupledChecks {
     if (coupled_.friction > 0 && !coupled_.contact)
       error("coupled.friction", {1, 1}, "there is no friction without contact",
             "leave friction away, or contact=.false.");
-    if (coupled_.mode != CouplingMode::splitting) unused("coupled.area_repair", "mode='splitting' repairs areas");
+    if (coupled_.coupling.simultaneous) unused("coupled.area_repair", "mode='splitting' repairs areas");
     if (coupled_.systems == Systems::direct) unused("coupled.tolerance", "factors need none");
     level();
     if (coupled_.smoke) return;

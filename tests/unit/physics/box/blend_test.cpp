@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Coupled, Blended, testing::Values(2, 3));
 TEST_P(Blended, SpeedsOfLittleFluidAreNotSeen) {
   const int dim = GetParam();
   Coupled coupled = fluid_in_box(dim, 12);
-  coupled.mode = CouplingMode::cut_cell;
+  coupled.coupling = coupling_of(CouplingMode::cut_cell);
   const Surroundings about(coupled, solid_block(dim, 3, {0.47, 0.52, 0.5}, 0.45, 0.4));
   const FlowDomain& domain = about.domain;
   FaceValues v = face_values(domain.grid, 1), even = v;

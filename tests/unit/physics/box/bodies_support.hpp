@@ -111,7 +111,7 @@ inline std::vector<double> random_numbers(std::size_t count, unsigned seed, doub
 /// By cells that are wholly fluid or solid, unless a test says otherwise.
 inline Coupled fluid_in_box(int dim, int n) {
   Coupled coupled;
-  coupled.mode = CouplingMode::symmetric;
+  coupled.coupling = coupling_of(CouplingMode::symmetric);
   coupled.grid.dim = dim;
   for (std::size_t a = 0; a < at(dim); ++a) coupled.grid.n[a] = n, coupled.grid.d[a] = 1.0 / n;
   return coupled;
@@ -137,10 +137,10 @@ struct Surroundings {
 
   Surroundings(const Coupled& coupled, const Mesh& mesh, std::span<const double> q)
       : surface(surface_of(mesh)),
-        pieces(cut_surface(surface, q, coupled.grid, coupled.mode == CouplingMode::cut_cell ? 2 : 1)),
+        pieces(cut_surface(surface, q, coupled.grid, coupled.coupling.cuts_faces ? 2 : 1)),
         crossings(find_crossings(surface, q, coupled.grid)) {
     const FlowBox box(coupled);
-    const bool cuts = coupled.mode == CouplingMode::cut_cell;
+    const bool cuts = coupled.coupling.cuts_faces;
     domain = box.around(crossings);
     if (cuts) cut = cut_cells(pieces, crossings, domain), domain = box.around(crossings, cut);
     numbers = number_pressures(domain);

@@ -16,7 +16,7 @@ using namespace support;
 
 Coupled box_of(int dim, int n, CouplingMode mode) {
   Coupled coupled = fluid_in_box(dim, n);
-  coupled.mode = mode;
+  coupled.coupling = coupling_of(mode);
   return coupled;
 }
 

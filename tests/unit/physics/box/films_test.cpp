@@ -27,7 +27,7 @@ class Films : public testing::TestWithParam<Kind> {
   int dim() const { return GetParam().dim; }
   Coupled box() const {
     Coupled coupled = fluid_in_box(dim(), cells);
-    coupled.mode = GetParam().mode;
+    coupled.coupling = coupling_of(GetParam().mode);
     return coupled;
   }
   /// With this lowest corner; its height .3 is not one of the cells'.
@@ -110,7 +110,7 @@ TEST_P(Films, ASealHasNoFilm) {
     return Vec<3>{0.31 + 0.4 * s[0], 0.01 + 0.98 * s[1], s[2]};
   });
   Coupled coupled = box();
-  coupled.mode = CouplingMode::symmetric;  // parts of cells know this gap, and let the fluid pass
+  coupled.coupling = coupling_of(CouplingMode::symmetric);  // parts of cells know this gap, and let the fluid pass
   const Surroundings about(coupled, mesh);
   ASSERT_EQ(about.domain.regions, 2);
   const std::vector<double> forces = transposed_product(about.map.B, std::vector(about.numbers.cell.size(), 1.0));
@@ -121,7 +121,7 @@ TEST_P(Films, ASealHasNoFilm) {
 /// cells take what both are in twice off the fluid, and hold some in places.)
 TEST_P(Films, BlocksInEachOtherHaveNoFilm) {
   Coupled coupled = box();
-  coupled.mode = CouplingMode::symmetric;
+  coupled.coupling = coupling_of(CouplingMode::symmetric);
   const double side = dim() == 2 ? 0.3 : 0.12;
   for (const auto& [way, pressed] : {std::pair(0.42, 0.0), std::pair(0.4, 0.0), std::pair(0.38, side)}) {
     const Mesh mesh = together(block({0.1, 0.35, 0.3}), block({0.1 + way, 0.35, 0.3}));

@@ -23,7 +23,7 @@ class Mapped : public testing::TestWithParam<Kind> {
  protected:
   Coupled box(int n) const {
     Coupled coupled = fluid_in_box(GetParam().dim, n);
-    coupled.mode = GetParam().mode;
+    coupled.coupling = coupling_of(GetParam().mode);
     return coupled;
   }
 };

@@ -131,7 +131,7 @@ class Projection : public testing::TestWithParam<int> {
   int dim = GetParam();
   Coupled coupled = [this] {
     Coupled box = fluid_in_box(dim, 9);
-    box.mode = CouplingMode::cut_cell, box.density = 3;
+    box.coupling = coupling_of(CouplingMode::cut_cell), box.density = 3;
     box.sides[side_right] = BoxSide::open;
     return box;
   }();

@@ -93,7 +93,7 @@ struct Answer {
 };
 Answer solved(const Problem& problem, CouplingMode mode, Systems systems) {
   Coupled coupled = problem.coupled;
-  coupled.mode = mode, coupled.systems = systems, coupled.tolerance = 1e-13;
+  coupled.coupling = coupling_of(mode), coupled.systems = systems, coupled.tolerance = 1e-13;
   CoupledSystem system(coupled);
   Answer answer{problem.known, Values(problem.r.size(), 0.0)};
   system.solve(problem.all_of(), 0, answer.u, answer.p);
@@ -132,7 +132,7 @@ TEST(PaperSystem, IsSolvedByFactorsWhereBicgstabIsNot) {
   for (const int dim : {2, 3}) {
     const Problem problem(dim, true, false, 0.5 - 1e-9);
     Coupled coupled = problem.coupled;
-    coupled.mode = CouplingMode::paper, coupled.tolerance = 1e-13;
+    coupled.coupling = coupling_of(CouplingMode::paper), coupled.tolerance = 1e-13;
     CoupledSystem system(coupled);
     Answer answer{problem.known, Values(problem.r.size(), 0.0)};
     system.solve(problem.all_of(), 0, answer.u, answer.p);
@@ -174,7 +174,7 @@ TEST_P(System, IsSolvedAgainWithTheFactorsThatItHas) {
   for (const Systems systems : {Systems::direct, Systems::krylov}) {
     for (const CouplingMode mode : {CouplingMode::symmetric, CouplingMode::splitting}) {
       Coupled coupled = problem.coupled;
-      coupled.mode = mode, coupled.systems = systems, coupled.tolerance = 1e-13;
+      coupled.coupling = coupling_of(mode), coupled.systems = systems, coupled.tolerance = 1e-13;
       const auto solve = [&](CoupledSystem& system, bool same) {
         Answer answer{problem.known, Values(problem.r.size(), 0.0)};
         CoupledEquations equations = problem.all_of();
@@ -241,7 +241,7 @@ TEST_P(System, OneAfterTheOtherSolvesEachAlone) {
   const Problem problem(GetParam().dim, GetParam().open, GetParam().hold_all);
   for (const Systems systems : {Systems::direct, Systems::krylov}) {
     Coupled coupled = problem.coupled;
-    coupled.mode = CouplingMode::splitting, coupled.systems = systems, coupled.tolerance = 1e-13;
+    coupled.coupling = coupling_of(CouplingMode::splitting), coupled.systems = systems, coupled.tolerance = 1e-13;
     CoupledSystem system(coupled);
     CoupledEquations equations = problem.all_of();
     const CoupledEquations split{equations.A,     equations.b,      equations.B,      equations.flux,
@@ -274,7 +274,7 @@ TEST_P(System, OneAfterTheOtherSolvesEachAlone) {
 TEST(Systems, AreChosenByDimensionAndSize) {
   const auto name = [](int dim, int n, CouplingMode mode) {
     Coupled coupled = fluid_in_box(dim, n);
-    coupled.mode = mode;
+    coupled.coupling = coupling_of(mode);
     return std::string(CoupledSystem(coupled).solver_name());
   };
   EXPECT_EQ(name(2, 100, CouplingMode::symmetric), "direct");

@@ -13,7 +13,7 @@ using namespace support;
 
 ThinBodies found(int dim, const Mesh& mesh, CouplingMode mode = CouplingMode::cut_cell) {
   Coupled coupled = fluid_in_box(dim, 16);
-  coupled.mode = mode;
+  coupled.coupling = coupling_of(mode);
   const SolidSurface surface = surface_of(mesh);
   const FlowBox box(coupled);
   const Outside outside(coupled, 0);
