@@ -19,6 +19,7 @@
 #include "plan/plan_text.hpp"
 #include "progress.hpp"
 #include "read/points/region_checks.hpp"
+#include "results/summary_keys.hpp"
 #include "run/make.hpp"
 #include "run/rehearsal.hpp"
 #include "run/restart.hpp"
@@ -254,6 +255,10 @@ int columns_command(bool markdown) {
     const auto all = columns_of_all_physics();
     fmt::print("{}", markdown ? columns_markdown(all) : columns_listing(all));
   });
+}
+
+int keys_command(bool markdown) {
+  return guarded("tether keys", [&] { fmt::print("{}", markdown ? keys_markdown() : keys_listing()); });
 }
 
 }  // namespace tether

@@ -36,5 +36,7 @@ int sweep_command(const std::string& study, const RunOptions& options);
 int reproduce_command(const PublishedOptions& published, const RunOptions& options);
 int vars_command(const std::string& group, bool markdown);
 int columns_command(bool markdown);
+/// The keys of summary.txt.
+int keys_command(bool markdown);
 
 }  // namespace tether

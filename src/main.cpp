@@ -175,6 +175,8 @@ int main(int argc, char** argv) {
   vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
   auto* columns = app.add_subcommand("columns", "the columns that histories may have");
   columns->add_flag("--markdown", markdown, "as the table of decks/README.md");
+  auto* keys = app.add_subcommand("keys", "the keys that summaries may have");
+  keys->add_flag("--markdown", markdown, "as the table of decks/README.md");
 
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   settle_in();
@@ -185,6 +187,7 @@ int main(int argc, char** argv) {
   if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);
   if (*columns) return columns_command(markdown);
+  if (*keys) return keys_command(markdown);
   if (decks.empty())
     return refuse(
         fmt::format("tether: error: a deck or a command is missing\n  tether DECK runs a deck. The commands are "

@@ -6,8 +6,8 @@
 
 namespace tether {
 
-Merit relative_merit(const char* name, double here, double exact) {
-  return {name, here, exact, (here - exact) / exact, false};
+Merit relative_merit(FigureName name, double here, double exact) {
+  return {name.text(), here, exact, (here - exact) / exact, false};
 }
 
 const std::vector<double>& values_of(const Snapshot& snapshot, const std::string& name) {
@@ -49,8 +49,8 @@ Summary summary_of(const Comparison& comparison) {
     summary.emplace_back("error_" + merit.name, fmt::format("{}", merit.error));
   }
   if (comparison.window) {
-    summary.emplace_back("compared_from", fmt::format("{}", comparison.window->front()));
-    summary.emplace_back("compared_to", fmt::format("{}", comparison.window->back()));
+    summary.push_back(line_of("compared_from", comparison.window->front()));
+    summary.push_back(line_of("compared_to", comparison.window->back()));
   }
   return summary;
 }

@@ -8,6 +8,7 @@
 
 #include "model/scene.hpp"
 #include "results/results.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether {
 
@@ -36,7 +37,7 @@ Comparison compare_radial_gas(const Scene& scene, const Snapshot& last_points);
 Comparison compare_thin_ring(const Scene& scene, const Snapshot& last_points);
 
 /// A quantity beside its exact value, the error relative to that.
-Merit relative_merit(const char* name, double here, double exact);
+Merit relative_merit(FigureName name, double here, double exact);
 
 /// A field of a snapshot by name; throws std::out_of_range where there is none.
 const std::vector<double>& values_of(const Snapshot& snapshot, const std::string& name);

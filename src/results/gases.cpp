@@ -106,8 +106,8 @@ bool is_inside(const BackgroundGrid& grid, const TubePart& part, std::size_t col
 /// column's points, against the exact value at its middle. A single point's value scatters about that mean as points
 /// cross cells (A.2).
 template <class Exact>
-Merit l1(const char* name, const BackgroundGrid& grid, const TubePart& part, const Snapshot& snapshot,
-         const char* field, const Exact& exact) {
+Merit l1(FigureName name, const BackgroundGrid& grid, const TubePart& part, const Snapshot& snapshot, const char* field,
+         const Exact& exact) {
   const auto& x = values_of(snapshot, "x");
   const auto& here = values_of(snapshot, field);
   std::vector<double> sum(static_cast<std::size_t>(grid.cells_x()), 0.0), count(sum);
@@ -122,7 +122,7 @@ Merit l1(const char* name, const BackgroundGrid& grid, const TubePart& part, con
     error += std::abs(sum[c] / count[c] - exact(grid.x0 + (static_cast<double>(c) + 0.5) * grid.dx));
     columns += 1;
   }
-  return {name, 0, 0, error / columns, true};
+  return {name.text(), 0, 0, error / columns, true};
 }
 
 Table table_of(const Scene& scene, const RiemannSolution& solution, double t) {
@@ -145,7 +145,7 @@ Comparison compare_riemann(const Scene& scene, const Snapshot& last) {
   const auto exact = [&](double GasSample::*member) {
     return [&tube, t, member](double x) { return sample(tube.solution, x, t).*member; };
   };
-  const auto error = [&](const char* name, const char* field, double GasSample::*member) {
+  const auto error = [&](FigureName name, const char* field, double GasSample::*member) {
     return l1(name, scene.grid, part, last, field, exact(member));
   };
   return {{error("density", "density", &GasSample::density), error("velocity", "vx", &GasSample::velocity),

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/summary_keys.hpp"
 
-#include <fmt/format.h>
-
 #include "base/file.hpp"
 #include "base/text.hpp"
 
@@ -12,103 +10,90 @@ namespace {
 /// Sides in force_on of $flow.
 constexpr int force_side_count = 10;
 
-/// What results/compare_*.cpp tell of: profiles by their error alone.
-std::vector<std::string> merit_keys(ReferenceKind reference) {
-  std::vector<std::string> names;
-  switch (reference) {
-    case ReferenceKind::riemann:
-      return {"error_density",         "error_velocity", "error_pressure",
-              "error_specific_energy", "compared_from",  "compared_to"};
-    case ReferenceKind::spring:
-      names = {"period", "largest_drop"};
-      break;
-    case ReferenceKind::string:
-      names = {"taut_time", "largest_drop", "slack_again_time", "apex_time"};
-      break;
-    case ReferenceKind::pendulum:
-    case ReferenceKind::piston:
-      names = {"period"};
-      break;
-    case ReferenceKind::radial_gas:
-      names = {"rms_radius", "radius_95"};
-      break;
-    case ReferenceKind::thin_ring:
-      names = {"radius_x", "radius_y", "pressure", "stress"};
-      break;
-    case ReferenceKind::none:
-      break;
+/// The kinds of runs that write a key: "points, flows", or "all".
+std::string kinds_text(unsigned of) {
+  using namespace runs_of;
+  if (of == all) return "all";
+  constexpr std::array<std::pair<unsigned, const char*>, 6> kinds{{{points, "points"},
+                                                                   {bars, "bars"},
+                                                                   {solids, "bodies"},
+                                                                   {rigid, "rigid body"},
+                                                                   {flows, "flows"},
+                                                                   {boxes, "boxes"}}};
+  std::string text;
+  for (const auto& [kind, word] : kinds) {
+    if ((of & kind) != 0) text += (text.empty() ? "" : ", ") + std::string(word);
   }
-  std::vector<std::string> keys;
-  for (const auto& name : names) keys.insert(keys.end(), {name, "exact_" + name, "error_" + name});
-  return keys;
+  return text;
+}
+
+/// The solutions that a figure of merit is of: "spring, piston".
+std::string solutions_text(const FigureRow& row) {
+  std::string text;
+  for (const auto& [kind, word] : words<ReferenceKind>) {
+    if ((row.solutions & bit(kind)) != 0) text += (text.empty() ? "" : ", ") + std::string(word);
+  }
+  return text;
+}
+
+/// A row of either list in words.
+struct KeyText {
+  std::string key, of;
+  Dimension dimension;
+  std::string meaning;
+};
+
+std::vector<KeyText> all_rows() {
+  std::vector<KeyText> rows;
+  for (const SummaryRow& row : summary_rows) {
+    const std::string when = row.when.empty() ? "" : fmt::format(": {}", row.when);
+    rows.push_back({std::string(row.key), kinds_text(row.of) + when, row.dimension, std::string(row.meaning)});
+  }
+  rows.push_back({"drag_1, lift_1 ...", "flows: force_on, speed and length of $flow", Dimension::number,
+                  "coefficients of drag and lift at the end"});
+  for (const FigureRow& row : figure_rows) {
+    const std::string name(row.name),
+        keys = row.profile ? "error_" + name : fmt::format("{0}, exact_{0}, error_{0}", name);
+    rows.push_back({keys, "$reference: " + solutions_text(row), row.dimension, std::string(row.meaning)});
+  }
+  return rows;
 }
 
 }  // namespace
 
-std::vector<std::string> summary_keys(ReferenceKind reference) {
-  std::vector<std::string> keys{"path",
-                                "steps",
-                                "points",
-                                "cells_active",
-                                "dx",
-                                "time_end",
-                                "dt_min",
-                                "cpu_seconds",
-                                "wall_seconds",
-                                "setup_cpu_seconds",
-                                "setup_wall_seconds",
-                                "ns_per_point_step",
-                                "peak_memory_mb",
-                                "energy_drift",
-                                "energy_lost",
-                                "energy_growth",
-                                "energy_rise",
-                                "mass_drift",
-                                "energy_step_largest"};
-  for (auto& key : merit_keys(reference)) keys.push_back(std::move(key));
-  return keys;
-}
-
-std::vector<std::string> string_summary_keys() { return {"widest_gap"}; }
-
-std::vector<std::string> gas_summary_keys() { return {"gases_apart", "gas_leaked"}; }
-
-std::vector<std::string> solid_points_summary_keys() { return {"volume_worst", "points_apart"}; }
-
-std::vector<std::string> mesh_summary_keys() {
-  return {"unknowns",
-          "newton_iterations",
-          "halvings",
-          "factor_nonzeros",
-          "assembly_cpu_seconds",
-          "assembly_wall_seconds",
-          "solve_cpu_seconds",
-          "solve_wall_seconds",
-          "analysis_cpu_seconds",
-          "analysis_wall_seconds"};
-}
-
-std::vector<std::string> locking_summary_keys() { return {"elements_across", "bending_too_stiff"}; }
-
-std::vector<std::string> residual_summary_keys() { return {"equilibrium_residual", "steady_residual"}; }
-
-std::vector<std::string> momentum_summary_keys() { return {"momentum_drift", "angular_momentum_drift"}; }
-
-std::vector<std::string> body_summary_keys() { return {"nodes_inside", "quality_least", "volume_worst"}; }
-
-std::vector<std::string> flow_summary_keys() { return {"factorisations", "krylov_iterations", "krylov_failures"}; }
-
-std::vector<std::string> coefficient_summary_keys() {
+std::vector<std::string> summary_keys(unsigned of) {
   std::vector<std::string> keys;
-  for (int k = 1; k <= force_side_count; ++k)
+  for (const SummaryRow& row : summary_rows) {
+    if ((row.of & of) != 0) keys.emplace_back(row.key);
+  }
+  for (int k = 1; k <= force_side_count && (of & runs_of::flows) != 0; ++k)
     keys.insert(keys.end(), {fmt::format("drag_{}", k), fmt::format("lift_{}", k)});
   return keys;
 }
 
-std::vector<std::string> coupled_summary_keys() {
-  return {"krylov_iterations",  "lu_solutions",     "contact_solutions", "contact_unsettled",
-          "cfl_largest",        "thin_cells",       "bodies_left",       "bodies_slip",
-          "interface_mismatch", "added_mass_ratio", "obstacle_volume",   "void_volume"};
+std::vector<std::string> figure_keys(ReferenceKind reference) {
+  std::vector<std::string> keys;
+  for (const FigureRow& row : figure_rows) {
+    if ((row.solutions & bit(reference)) == 0) continue;
+    const std::string name(row.name);
+    if (!row.profile) keys.insert(keys.end(), {name, "exact_" + name});
+    keys.push_back("error_" + name);
+  }
+  return keys;
+}
+
+std::string keys_listing() {
+  std::string text;
+  for (const KeyText& row : all_rows())
+    text += fmt::format("{:<28} {:<17} {} ({})\n", row.key, dimension_text(row.dimension), row.meaning, row.of);
+  return text;
+}
+
+std::string keys_markdown() {
+  std::string text = "| key | dimension | of | meaning |\n|---|---|---|---|\n";
+  for (const KeyText& row : all_rows())
+    text += fmt::format("| {} | {} | {} | {} |\n", row.key, dimension_text(row.dimension), row.of, row.meaning);
+  return text;
 }
 
 Summary read_summary(const std::filesystem::path& path) {

@@ -13,6 +13,7 @@
 #include "results/checkpoint.hpp"
 #include "results/compare.hpp"
 #include "results/energy_drift.hpp"
+#include "results/summary_keys.hpp"
 #include "run/make.hpp"
 #include "run/outputs.hpp"
 #include "run/restart.hpp"
@@ -161,8 +162,8 @@ class Runner {
     for (auto& line : scene_summary(plan_, outputs_.history())) summary.push_back(std::move(line));
     for (auto& line : solver_->more_summary()) summary.push_back(std::move(line));
     for (const auto& [name, taken] : clocks_.with_earlier(solver_->cost_parts())) {
-      summary.emplace_back(name + "_cpu_seconds", fmt::format("{}", taken.cpu));
-      summary.emplace_back(name + "_wall_seconds", fmt::format("{}", taken.wall));
+      summary.push_back(line_of(SummaryKey(name + "_cpu_seconds"), taken.cpu));
+      summary.push_back(line_of(SummaryKey(name + "_wall_seconds"), taken.wall));
     }
     for (auto& line : summary_of(comparison)) summary.push_back(std::move(line));
     outputs_.folder().finish(summary);
@@ -198,26 +199,25 @@ class Runner {
   Summary summary_of_run() const {
     const RunCounts counts = solver_->counts();
     const Seconds whole = clocks_.whole(), setup = clocks_.setup();
-    const auto number = [](auto value) { return fmt::format("{}", value); };
-    return {{"path", path_name(plan_.scene.path())},
-            {"steps", number(counts.steps)},
-            {"points", number(counts.points)},
-            {"cells_active", number(counts.cells_active)},
-            {"dx", number(plan_.scene.grid.dx)},
-            {"time_end", number(solver_->time())},
-            {"dt_min", number(counts.dt_min)},
-            {"cpu_seconds", number(whole.cpu)},
-            {"wall_seconds", number(whole.wall)},
-            {"setup_cpu_seconds", number(setup.cpu)},
-            {"setup_wall_seconds", number(setup.wall)},
-            {"ns_per_point_step",
-             number(1e9 * (whole - setup).cpu / static_cast<double>(std::max(counts.point_steps, 1LL)))},
-            {"peak_memory_mb", number(Clocks::peak_memory_mb())},
-            {"energy_drift", number(energy_drift(outputs_.history()))},
-            {"energy_lost", number(energy_lost(outputs_.history()))},
-            {"energy_growth", number(energy_growth(outputs_.history()))},
-            {"energy_rise", number(energy_rise(outputs_.history()))},
-            {"mass_drift", number(mass_drift(outputs_.history()))}};
+    return {line_of("path", path_name(plan_.scene.path())),
+            line_of("steps", counts.steps),
+            line_of("points", counts.points),
+            line_of("cells_active", counts.cells_active),
+            line_of("dx", plan_.scene.grid.dx),
+            line_of("time_end", solver_->time()),
+            line_of("dt_min", counts.dt_min),
+            line_of("cpu_seconds", whole.cpu),
+            line_of("wall_seconds", whole.wall),
+            line_of("setup_cpu_seconds", setup.cpu),
+            line_of("setup_wall_seconds", setup.wall),
+            line_of("ns_per_point_step",
+                    1e9 * (whole - setup).cpu / static_cast<double>(std::max(counts.point_steps, 1LL))),
+            line_of("peak_memory_mb", Clocks::peak_memory_mb()),
+            line_of("energy_drift", energy_drift(outputs_.history())),
+            line_of("energy_lost", energy_lost(outputs_.history())),
+            line_of("energy_growth", energy_growth(outputs_.history())),
+            line_of("energy_rise", energy_rise(outputs_.history())),
+            line_of("mass_drift", mass_drift(outputs_.history()))};
   }
 
   const Plan& plan_;

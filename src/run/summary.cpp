@@ -9,6 +9,7 @@
 #include "model/flow.hpp"
 #include "model/solids.hpp"
 #include "results/energy_drift.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether {
 namespace {
@@ -22,8 +23,8 @@ void add_locking(const Plan& plan, Summary& summary) {
   double too_stiff = 0;
   for (const Locking& body : plan.locking)
     across = std::min(across, body.across), too_stiff = std::max(too_stiff, body.too_stiff);
-  summary.emplace_back("elements_across", fmt::format("{}", across));
-  summary.emplace_back("bending_too_stiff", number(too_stiff));
+  summary.push_back(line_of("elements_across", across));
+  summary.push_back(line_of("bending_too_stiff", too_stiff));
 }
 
 /// Whether nothing but its loads acts on the scene's body, whose momenta stay when these are gone.
@@ -99,9 +100,9 @@ void add_momenta(const Plan& plan, const History& history, Summary& summary) {
   const double momentum = std::sqrt(2 * history.column("mass").front() * most);
   const auto linear = components(history, "momentum_"), angular = components(history, "angular_momentum_");
   const double moment = std::max(largest(angular, from, true), momentum * longest_extent(plan.scene.solids()->mesh));
-  const auto part = [](double change, double of) { return number(of > 0 ? change / of : 0); };
-  summary.emplace_back("momentum_drift", part(largest(linear, from, false), momentum));
-  summary.emplace_back("angular_momentum_drift", part(largest(angular, from, false), moment));
+  const auto part = [](double change, double of) { return of > 0 ? change / of : 0; };
+  summary.push_back(line_of("momentum_drift", part(largest(linear, from, false), momentum)));
+  summary.push_back(line_of("angular_momentum_drift", part(largest(angular, from, false), moment)));
 }
 
 /// Drag and lift at the end.

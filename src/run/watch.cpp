@@ -72,7 +72,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     if (!number.from.empty()) numbers_.push_back(std::move(number));
   };
   add({.name = "quality",
-       .key = "quality_least",
+       .key = SummaryKey("quality_least"),
        .what = "the least volume of an element over that at the start",
        .cause = "a body too soft for what acts on it, or steps too long",
        .limit = limits.quality,
@@ -80,19 +80,17 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
        .worst = 1},
       "element_quality");
   add({.name = "splitting",
-       .key = "mismatch_largest",
        .what = "the mismatch of the power across the interface",
        .cause = "a way of coupling that does not hold: mode='cut-cell' of $coupled does",
        .limit = limits.splitting},
       "interface_mismatch");
   add({.name = "cfl",
-       .key = "cfl_largest",
        .what = "the number of cells that the fluid crosses in a step",
        .cause = "steps too long for what the fluid carries along, of which much is lost",
        .limit = limits.cfl},
       "cfl");
   volume_ = {.name = "volume",
-             .key = "volume_worst",
+             .key = SummaryKey("volume_worst"),
              .what = "a body's volume against that at the start, the smaller over the larger,",
              .cause = cause_of_volume(scene),
              .limit = limits.volume,
@@ -104,7 +102,7 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     volume_.from.push_back(volumes[b]), bodies_.push_back(b);
   }
   energy_step_ = {.name = "energy_step",
-                  .key = "energy_step_largest",
+                  .key = SummaryKey("energy_step_largest"),
                   .what = "the rise of the energy in a step that no exchange explains, over the largest energy before,",
                   .cause = "steps too long, or a way of coupling that does not hold",
                   .limit = limits.energy_step};
@@ -200,11 +198,11 @@ void Watch::judge(Number& number, double value, double time, const Place& where)
 std::vector<std::string> Watch::take_messages() { return std::exchange(messages_, {}); }
 
 Summary Watch::summary() const {
-  Summary summary{{energy_step_.key, fmt::format("{}", energy_step_.worst)}};
+  Summary summary{line_of(*energy_step_.key, energy_step_.worst)};
   for (const Number& number : numbers_) {
-    if (number.low) summary.emplace_back(number.key, fmt::format("{}", number.worst));
+    if (number.key) summary.push_back(line_of(*number.key, number.worst));
   }
-  if (!volume_.from.empty()) summary.emplace_back(volume_.key, fmt::format("{}", volume_.worst));
+  if (!volume_.from.empty()) summary.push_back(line_of(*volume_.key, volume_.worst));
   return summary;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/scene.hpp"
 #include "physics/solver.hpp"
 #include "results/results.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether {
 
@@ -32,10 +34,10 @@ class Watch {
  private:
   /// A number that is watched.
   struct Number {
-    const char* name = "";   // in $limits
-    const char* key = "";    // in summary.txt
-    const char* what = "";   // for people
-    const char* cause = "";  // why it may be so
+    const char* name = "";               // in $limits
+    std::optional<SummaryKey> key = {};  // of the worst in summary.txt
+    const char* what = "";               // for people
+    const char* cause = "";              // why it may be so
     Limit limit = {};
     bool low = false;                    // smaller ones are worse
     std::vector<std::size_t> from = {};  // the columns, of which the worst counts

@@ -73,14 +73,12 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// The quantities that some run of the study can write.
 class Keys {
  public:
-  void add(const std::string& solution) { add(summary_keys(reference_kind(solution))); }
-  void add_those_of_points() { add(string_summary_keys()), add(gas_summary_keys()), add(solid_points_summary_keys()); }
-  void add_those_of_meshes() {
-    add(mesh_summary_keys()), add(body_summary_keys()), add(locking_summary_keys()), add(momentum_summary_keys()),
-        add(residual_summary_keys());
+  void add_figures(const std::string& solution) { add(figure_keys(reference_kind(solution))); }
+  void add_runs(const Deck& deck) {
+    using namespace runs_of;
+    const bool mesh = deck.has_group("mesh"), box = deck.has_group("coupled");
+    add(summary_keys((!mesh && !box ? points | bars : 0) | (mesh ? meshes : 0) | (box ? boxes : 0)));
   }
-  void add_those_of_flows() { add(flow_summary_keys()), add(coefficient_summary_keys()); }
-  void add_those_of_boxes() { add(coupled_summary_keys()); }
   const std::vector<std::string>& known() const { return known_; }
 
  private:
@@ -174,15 +172,11 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     Diagnostics found;
     const Deck base = read_base(study, k, found);
     tell_of(base, study.decks[k].number, found, remarks, diagnostics);
-    keys.add(base.text("reference.solution"));
-    if (!base.has_group("mesh") && !base.has_group("coupled")) keys.add_those_of_points();
-    if (base.has_group("mesh")) keys.add_those_of_meshes();
-    if (base.has_group("flow")) keys.add_those_of_flows();
-    if (base.has_group("coupled")) keys.add_those_of_boxes();
+    keys.add_runs(base), keys.add_figures(base.text("reference.solution"));
   }
   for (const Axis& axis : study.axes) {
     if (axis.variable != "reference.solution") continue;
-    for (const Cell& cell : axis.cells) keys.add(std::get<std::string>(cell));
+    for (const Cell& cell : axis.cells) keys.add_figures(std::get<std::string>(cell));
   }
   if (study.decks.empty()) return;  // told; nothing can be known of keys
   check_quantities(deck, study, keys.known(), remarks);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The deck reference in decks/README.md is the table of variables, and its list of columns that of the physics, word for
-word."""
+"""The deck reference in decks/README.md is the table of variables, and its lists of columns and keys those of the
+program, word for word."""
 import os
 import pathlib
 import subprocess
@@ -14,11 +14,12 @@ class Documents(unittest.TestCase):
         reference = pathlib.Path("decks/README.md").read_text()
         self.assertTrue(reference.endswith(tables.stdout), "run: tether vars --markdown, and put it behind '# Variables'")
 
-    def test_the_columns_are_those_of_the_tables_of_the_physics(self):
-        table = subprocess.run([os.environ["TETHER"], "columns", "--markdown"], capture_output=True, text=True, check=True)
-        self.assertTrue(table.stdout.startswith("| column |"))
+    def test_columns_and_keys_are_those_of_the_program(self):
         reference = pathlib.Path("decks/README.md").read_text()
-        self.assertIn("\n\n" + table.stdout + "\n", reference, "run: tether columns --markdown, and put it below 'The history's columns'")
+        for command, first in (("columns", "| column |"), ("keys", "| key |")):
+            table = subprocess.run([os.environ["TETHER"], command, "--markdown"], capture_output=True, text=True, check=True)
+            self.assertTrue(table.stdout.startswith(first))
+            self.assertIn("\n\n" + table.stdout + "\n", reference, f"run: tether {command} --markdown, and replace that table")
 
     def test_every_deck_is_in_the_readme(self):
         reference = pathlib.Path("decks/README.md").read_text()

@@ -8,6 +8,7 @@
 #include "physics/box/splitting_limit.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_time.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -102,30 +103,29 @@ std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step
 
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
-  const auto number = [](auto value) { return fmt::format("{}", value); };
-  Summary summary{{"mode", std::string(word_of(plan_.scene.coupled()->coupling.mode))},
-                  {"linear_solver", step_.system().solver_name()},
-                  {"unknowns", number(state_.q.size() + plan_.scene.coupled()->grid.cell_count())},
-                  {"krylov_iterations", number(state_.iterations)},
-                  {"lu_solutions", number(state_.lu_solutions)},
-                  {"factor_nonzeros", number(cost.factor_nonzeros)},
-                  {"contact_solutions", number(state_.contact_solutions)},
-                  {"contact_unsettled", number(state_.contact_unsettled)},
-                  {"thin_cells", number(state_.thin_cells)},
-                  {"cfl_largest", number(state_.cfl_largest)},
-                  {"nodes_inside", number(state_.overlap.most)},
-                  {"bodies_left", number(std::count(state_.left.begin(), state_.left.end(), 1))},
-                  {"bodies_slip", number(plan_.scene.coupled()->viscosity > 0 ? state_.left.size() : 0)},
-                  {"interface_mismatch", number(state_.worst_mismatch)}};
+  Summary summary{line_of("mode", word_of(plan_.scene.coupled()->coupling.mode)),
+                  line_of("linear_solver", step_.system().solver_name()),
+                  line_of("unknowns", state_.q.size() + plan_.scene.coupled()->grid.cell_count()),
+                  line_of("krylov_iterations", state_.iterations),
+                  line_of("lu_solutions", state_.lu_solutions),
+                  line_of("factor_nonzeros", cost.factor_nonzeros),
+                  line_of("contact_solutions", state_.contact_solutions),
+                  line_of("contact_unsettled", state_.contact_unsettled),
+                  line_of("thin_cells", state_.thin_cells),
+                  line_of("cfl_largest", state_.cfl_largest),
+                  line_of("nodes_inside", state_.overlap.most),
+                  line_of("bodies_left", std::count(state_.left.begin(), state_.left.end(), 1)),
+                  line_of("bodies_slip", plan_.scene.coupled()->viscosity > 0 ? state_.left.size() : 0),
+                  line_of("interface_mismatch", state_.worst_mismatch)};
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;
     return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * plan_.scene.coupled()->grid.volume();
   };
   if (!plan_.scene.coupled()->obstacles.empty())
-    summary.emplace_back("obstacle_volume", number(volume_of(CellKind::wall)));
+    summary.push_back(line_of("obstacle_volume", volume_of(CellKind::wall)));
   if (!plan_.scene.coupled()->voids.empty() && !plan_.scene.coupled()->cavities_only)
-    summary.emplace_back("void_volume", number(volume_of(CellKind::empty)));
-  if (ratio_) summary.emplace_back("added_mass_ratio", number(*ratio_));
+    summary.push_back(line_of("void_volume", volume_of(CellKind::empty)));
+  if (ratio_) summary.push_back(line_of("added_mass_ratio", *ratio_));
   return summary;
 }
 

@@ -11,6 +11,7 @@
 #include "base/vec.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_time.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether::fem {
 
@@ -222,26 +223,25 @@ std::vector<CostPart> FlowSolver::cost_parts() const {
 Summary FlowSolver::more_summary() const {
   Summary summary = cost_summary();
   if (!step_.immersed()) return summary;
-  summary.emplace_back("nodes_inside", fmt::format("{}", state_.overlap.most));
-  summary.emplace_back("nodes_carried", fmt::format("{}", step_.immersed()->carried().nodes().size()));
-  summary.emplace_back("node_spacing", fmt::format("{:.6g}", state_.told.spacing));
-  summary.emplace_back("cells_across", fmt::format("{:.6g}", state_.told.thinnest));
+  summary.push_back(line_of("nodes_inside", state_.overlap.most));
+  summary.push_back(line_of("nodes_carried", step_.immersed()->carried().nodes().size()));
+  summary.push_back(line_of("node_spacing", fmt::format("{:.6g}", state_.told.spacing)));
+  summary.push_back(line_of("cells_across", fmt::format("{:.6g}", state_.told.thinnest)));
   return summary;
 }
 
 Summary FlowSolver::cost_summary() const {
   const FlowCost& cost = step_.cost();
-  const auto number = [](auto value) { return fmt::format("{}", value); };
-  Summary summary{{"unknowns", number(unknowns_.count())},
-                  {"newton_iterations", number(state_.newton_steps)},
-                  {"factorisations", number(state_.factorisations)},
-                  {"halvings", number(state_.halvings)},
-                  {"factor_nonzeros", number(cost.factor_nonzeros)},
-                  {"linear_solver", step_.by_krylov() ? "krylov" : "direct"},
-                  {"krylov_iterations", number(state_.krylov_iterations)},
-                  {"krylov_failures", number(state_.krylov_failures)}};
-  if (flow_.integrator == FlowIntegrator::steady) summary.emplace_back("steady_residual", number(state_.residual));
-  if (steady_bodies_) summary.emplace_back("steady_rounds", number(state_.rounds));
+  Summary summary{line_of("unknowns", unknowns_.count()),
+                  line_of("newton_iterations", state_.newton_steps),
+                  line_of("factorisations", state_.factorisations),
+                  line_of("halvings", state_.halvings),
+                  line_of("factor_nonzeros", cost.factor_nonzeros),
+                  line_of("linear_solver", step_.by_krylov() ? "krylov" : "direct"),
+                  line_of("krylov_iterations", state_.krylov_iterations),
+                  line_of("krylov_failures", state_.krylov_failures)};
+  if (flow_.integrator == FlowIntegrator::steady) summary.push_back(line_of("steady_residual", state_.residual));
+  if (steady_bodies_) summary.push_back(line_of("steady_rounds", state_.rounds));
   return summary;
 }
 

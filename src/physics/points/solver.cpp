@@ -12,6 +12,7 @@
 #include "physics/points/point_laws.hpp"
 #include "physics/points/steps.hpp"
 #include "physics/step_time.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -227,10 +228,10 @@ Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_)
 
 Summary MpmSolver::more_summary() const {
   Summary summary;
-  if (strings_.on()) summary.emplace_back("widest_gap", fmt::format("{}", state_.widest_gap));
-  if (stretches_.on()) summary.emplace_back("points_apart", fmt::format("{}", state_.points_apart));
-  if (mixing_.on()) summary.emplace_back("gases_apart", fmt::format("{}", state_.gases_apart));
-  if (leaks_.on()) summary.emplace_back("gas_leaked", fmt::format("{}", state_.gas_leaked));
+  if (strings_.on()) summary.push_back(line_of("widest_gap", state_.widest_gap));
+  if (stretches_.on()) summary.push_back(line_of("points_apart", state_.points_apart));
+  if (mixing_.on()) summary.push_back(line_of("gases_apart", state_.gases_apart));
+  if (leaks_.on()) summary.push_back(line_of("gas_leaked", state_.gas_leaked));
   return summary;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/diagnostics.hpp"
 #include "physics/step_time.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether::fem {
 
@@ -79,10 +80,8 @@ void RigidSolver::restore(const SavedState& saved) {
 }
 
 Summary RigidSolver::more_summary() const {
-  const auto number = [](auto value) { return fmt::format("{}", value); };
-  return {{"unknowns", number(system_.rigid.unknowns())},
-          {"newton_iterations", number(state_.newton_steps)},
-          {"halvings", number(state_.halvings)}};
+  return {line_of("unknowns", system_.rigid.unknowns()), line_of("newton_iterations", state_.newton_steps),
+          line_of("halvings", state_.halvings)};
 }
 
 }  // namespace tether::fem

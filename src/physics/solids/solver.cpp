@@ -9,6 +9,7 @@
 #include "base/diagnostics.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_time.hpp"
+#include "results/summary_keys.hpp"
 
 namespace tether::fem {
 
@@ -161,15 +162,12 @@ std::vector<CostPart> SolidSolver::cost_parts() const {
 
 Summary SolidSolver::more_summary() const {
   const SolidCost& cost = step_.cost();
-  const auto number = [](auto value) { return fmt::format("{}", value); };
   const auto free = std::count(system_.held.begin(), system_.held.end(), 0);
-  Summary summary{{"unknowns", number(free)},
-                  {"newton_iterations", number(state_.newton_steps)},
-                  {"halvings", number(state_.halvings)},
-                  {"nodes_inside", number(state_.overlap.most)},
-                  {"factor_nonzeros", number(cost.factor_nonzeros)}};
+  Summary summary{line_of("unknowns", free), line_of("newton_iterations", state_.newton_steps),
+                  line_of("halvings", state_.halvings), line_of("nodes_inside", state_.overlap.most),
+                  line_of("factor_nonzeros", cost.factor_nonzeros)};
   if (system_.solids.integrator == Integrator::equilibrium)
-    summary.emplace_back("equilibrium_residual", number(state_.residual));
+    summary.push_back(line_of("equilibrium_residual", state_.residual));
   return summary;
 }
 
