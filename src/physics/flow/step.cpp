@@ -14,10 +14,6 @@ namespace {
 
 constexpr int most_iterations = 25;
 
-/// Corrections that cost as much as new factors and the two corrections that these take: with more to come by the old
-/// ones, new factors are cheaper. Measured on Q2Q1 meshes of 5,000 to 40,000 unknowns.
-constexpr double corrections_of_a_factorisation = 6;
-
 }  // namespace
 
 FlowStep::FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity)
@@ -47,7 +43,7 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
   for (int k = 0; k < most_iterations; ++k) {
     report.converged = report.residuals.back() <= 1 && !(immersed_ && immersed_->gap_is_open());
     if (report.converged || !std::isfinite(report.residuals.back())) break;
-    if ((!factors_ || leads_on_slowly_) && !factorise(state)) break;
+    if (factors_.are_due() && !factorise(state)) break;
     if (!correct(state, report.residuals.back())) break;
     report.residuals.push_back(residual_behind_correction(state, report.residuals.back()));
     ++state.newton_steps;
@@ -83,8 +79,8 @@ void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   viscosity_ = at.sudden ? 0 : flow.viscosity;
   if (steady && !immersed_) viscosity_ *= at.tmax / (at.start + at.dt);
   // With solids the step before is too far: the first correction by its factors would go the wrong way.
-  if (at.dt != state.linearised.dt || immersed_) factors_ = false;
-  leads_on_slowly_ = new_factors_ = false, first_scale_ = {};
+  factors_.begin_step(at.dt != state.linearised.dt || immersed_ != nullptr);
+  first_scale_ = {};
   linear_.begin_step();
   at_ = at;
   v1_ = at.sudden || settles() ? state.v : state.v_before, p_ = state.p;
@@ -151,19 +147,12 @@ double FlowStep::find_residual(const FlowState& state) {
                   std::sqrt(flux) / std::max({tolerance * scale.flux, scale.flux_rounding, tiny}));
 }
 
-/// Judges the factors by it: made anew they have to lead on, kept ones to lead on so fast that new ones are not
-/// cheaper. What kept factors have made worse is taken back.
+/// Judges the factors by it. What kept factors have made worse is taken back.
 double FlowStep::residual_behind_correction(const FlowState& state, double before) {
-  const double size_before = size_, after = find_residual(state), ratio = size_ / size_before;
-  const bool worse = !(ratio < 1);
-  if (worse && !new_factors_) {
-    factors_ = false;
-    take_back_correction(state);
-    return before;
-  }
-  new_factors_ = false;
-  leads_on_slowly_ = worse || std::log(after) / -std::log(ratio) > corrections_of_a_factorisation;
-  return after;
+  const double size_before = size_, after = find_residual(state);
+  if (factors_.lead_on(size_ / size_before, after)) return after;
+  take_back_correction(state);
+  return before;
 }
 
 void FlowStep::take_back_correction(const FlowState& state) {
@@ -184,9 +173,8 @@ bool FlowStep::factorise(FlowState& state) {
   cost_.assembly += seconds_now() - from;
   const Seconds solve_from = seconds_now();
   const bool done = linear_.factorise(K_, linear_.wants_scales() ? scales(state) : FlowScales{});
-  new_factors_ = done;
   cost_.solve += seconds_now() - solve_from;
-  factors_ = done && !linear_.by_krylov();
+  factors_.made(done, !linear_.by_krylov());
   if (!linear_.by_krylov()) state.linearised = {at_.start, at_.dt, state.v, v1_, p_, state.q, state.w, state.drift};
   return done;
 }
@@ -217,7 +205,7 @@ bool FlowStep::correct(FlowState& state, double residual) {
   }
   corrected_part_ = part;
   immersed_->end_correction();
-  if (immersed_->gap_is_open()) factors_ = false;
+  if (immersed_->gap_is_open()) factors_.drop();
   return immersed_->least_change_of_volume() > least_volume;
 }
 
@@ -273,7 +261,7 @@ void FlowStep::update_pattern() {
 
 void FlowStep::resume(const FlowState& state, double tmax) {
   const LinearisedAt& at = state.linearised;
-  factors_ = false;
+  factors_.drop();
   if (at.dt == 0 || linear_.by_krylov() || settles()) return;
   FlowState then = state;
   then.time = at.time, then.v = then.v_before = at.v0, then.p = at.p, then.q = at.q0, then.w = at.w0;

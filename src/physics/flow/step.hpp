@@ -10,6 +10,7 @@
 #include "physics/flow/elements.hpp"
 #include "physics/flow/immersed/forces.hpp"
 #include "physics/flow/immersed/solids.hpp"
+#include "physics/flow/kept_factors.hpp"
 #include "physics/flow/linear.hpp"
 #include "physics/flow/state.hpp"
 #include "physics/flow/unknowns.hpp"
@@ -89,9 +90,7 @@ class FlowStep {
   ClusterPattern pattern_;
   SparseMatrix K_;
   FlowLinear linear_;
-  // Whether there are factors of K that corrections to come may share, of this very iterate, and whether they lead on
-  // so slowly that new ones are cheaper.
-  bool factors_ = false, new_factors_ = false, leads_on_slowly_ = false;
+  KeptFactors factors_;                   // of K
   double size_ = 0, corrected_part_ = 0;  // of the residual; of the last correction what was applied
   FlowScale first_scale_;
   // The step: velocities and pressure at its end, residuals of momentum and incompressibility, right side, correction.
