@@ -10,6 +10,8 @@ namespace tether {
 
 /// Eigen's matrix by compressed columns with the indices that SparseMatrix has.
 using EigenSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+/// The same by compressed rows.
+using EigenRows = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
 
 /// The same numbers, for Eigen's products.
 inline Eigen::Map<const EigenSparse> eigen_of(const SparseMatrix& A) {

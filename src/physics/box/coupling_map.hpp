@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <cstdint>
 #include <vector>
+#include "algebra/eigen_sparse.hpp"
 
 #include "physics/box/outside.hpp"
 #include "physics/box/pressure_sampler.hpp"
@@ -11,7 +11,7 @@
 namespace tether::coupled {
 
 /// Rows are pressures, columns velocities of the solids' nodes, dim a node.
-using CouplingMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
+using CouplingMatrix = EigenRows;
 
 /// Numbers of the pressures: of each cell, from 0; -1 without one.
 struct PressureNumbers {

@@ -5,6 +5,7 @@
 
 #include "algebra/dense.hpp"
 #include "algebra/krylov.hpp"
+#include "algebra/sparse_products.hpp"
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 
@@ -79,22 +80,6 @@ namespace {
 
 constexpr int most_iterations = 2000;
 
-using ByColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
-using Square = Eigen::Map<const ByColumns>;
-
-Square view(const SparseMatrix& A) {
-  return {A.n, A.n, static_cast<std::int64_t>(A.value.size()), A.start.data(), A.row.data(), A.value.data()};
-}
-
-SparseMatrix plain(const ByColumns& A) {
-  SparseMatrix out;
-  out.n = A.cols();
-  out.start.assign(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1);
-  out.row.assign(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
-  out.value.assign(A.valuePtr(), A.valuePtr() + A.nonZeros());
-  return out;
-}
-
 /// B with the columns of held velocities and the rows of pinned pressures empty.
 CouplingMatrix free_part(const CoupledEquations& of, std::span<const std::uint8_t> pinned) {
   CouplingMatrix B = of.B;
@@ -106,10 +91,9 @@ CouplingMatrix free_part(const CoupledEquations& of, std::span<const std::uint8_
 
 /// L + B D^-1 B^T, D the diagonal of A.
 SparseMatrix nearby(const SparseMatrix& L, const SparseMatrix& A, const CouplingMatrix& B) {
-  Eigen::VectorXd inverse(A.n);
-  for (std::int64_t k = 0; k < A.n; ++k) inverse[k] = 1 / diagonal(A, k);
-  const ByColumns shifted = view(L) + ByColumns(B * inverse.asDiagonal() * B.transpose());
-  return plain(shifted);
+  std::vector<double> inverse;
+  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / diagonal(A, k));
+  return plus_weighted_square(L, B, inverse);
 }
 
 }  // namespace

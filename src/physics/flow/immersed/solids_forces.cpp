@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/sparse_products.hpp"
 #include "base/numbers.hpp"
 #include "physics/flow/immersed/solids.hpp"
 
@@ -143,7 +144,7 @@ EigenSparse ImmersedSolids::find_tangent() {
   if (inertia_ && !moment_.rest) inertia_->add_tangent(middle_, V_, 1 / moment_.dt, moment_.theta, system_.pattern, S_);
   hold(S_, system_.held, 0);
   EigenSparse S = eigen_of(S_);
-  if (!carried_.all()) S = EigenSparse(carried_.following().transpose() * EigenSparse(S * carried_.following()));
+  if (!carried_.all()) S = congruent(S, carried_.following());
   release_carried(S, true);
   return S;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "algebra/eigen_sparse.hpp"
+
+namespace tether {
+
+/// E^T S E of a square S (n x n) and E (n x m): S in the unknowns that E makes its own of.
+EigenSparse congruent(const EigenSparse& S, const EigenSparse& E);
+
+/// L + B D B^T of a square L (n x n), B (n x m) and a diagonal D of m numbers, both triangles.
+SparseMatrix plus_weighted_square(const SparseMatrix& L, const EigenRows& B, std::span<const double> D);
+
+}  // namespace tether
