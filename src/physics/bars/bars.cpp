@@ -34,7 +34,7 @@ void exchange(Exchange& with, AnyState& state) {
   with("bar_ax", state.ax), with("bar_ay", state.ay);
   with("time", state.time), with("time_lost", state.time_lost);
   with("steps", state.steps), with("dt_last", state.dt_last), with("dt_min", state.dt_min);
-  with("carried_over", state.carried_over), with("behind_told", state.behind_told);
+  with("carried_over", state.carried_over), with("behind_warned", state.behind_warned);
 }
 
 }  // namespace

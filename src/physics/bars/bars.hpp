@@ -34,7 +34,7 @@ struct BarState {
   long long steps = 0;
   double dt_last = 0, dt_min = 0;  // [time]
   double carried_over = 0;         // energy by which steps of another length would count from elsewhere [energy]
-  bool behind_told = false;        // whether a node behind a wall was told
+  bool behind_warned = false;      // whether the run has warned of a node behind a wall
 };
 
 /// The state at time 0, with the accelerations of its places.

@@ -86,13 +86,13 @@ void BarSolver::carry_over(double dt) {
 }
 
 void BarSolver::look_behind_walls() {
-  for (std::size_t p = 0; p < plan_.scene.points.size() && !state_.behind_told; ++p) {
+  for (std::size_t p = 0; p < plan_.scene.points.size() && !state_.behind_warned; ++p) {
     const char* wall = wall_before(plan_.scene, state_.x[p], state_.y[p]);
     if (!wall) continue;
     messages_.push_back(
         fmt::format("t = {:.6g}: {} is behind the {} wall at ({:.6g}, {:.6g}): bars feel walls at their ends only",
                     state_.time, point_text(plan_.scene, p), wall, state_.x[p], state_.y[p]));
-    state_.behind_told = true;
+    state_.behind_warned = true;
   }
 }
 

@@ -49,15 +49,15 @@ FlowSolver::FlowSolver(const Plan& plan)
 
 /// How the bodies' meshes suit the fluid's at the start, of which the plan reports.
 void FlowSolver::start_looking_at_meshes() {
-  state_.told.spacing = step_.immersed()->carried().coarsest();
+  state_.doubts.spacing = step_.immersed()->carried().coarsest();
   thickness_.emplace(flow_.mesh, step_.immersed()->solids().mesh);
-  state_.told.thinnest = thickness_->thinnest(state_.q).cells;
+  state_.doubts.thinnest = thickness_->thinnest(state_.q).cells;
 }
 
 void FlowSolver::look_at_bodies() {
   if (!overlaps_) return;
   overlaps_->look(state_.q, state_.time, state_.overlap, messages_);
-  doubts_->look_at_turns(state_.q, state_.time, state_.told, messages_);
+  doubts_->look_at_turns(state_.q, state_.time, state_.doubts, messages_);
   look_at_spacing();
   look_at_thickness();
 }
@@ -65,13 +65,13 @@ void FlowSolver::look_at_bodies() {
 /// What the plan says of the start, as the bodies move over other cells: reported once.
 void FlowSolver::look_at_spacing() {
   const double now = step_.immersed()->carried().coarsest();
-  if (now > coarse_spacing && state_.told.spacing <= coarse_spacing)
+  if (now > coarse_spacing && state_.doubts.spacing <= coarse_spacing)
     messages_.push_back(fmt::format(
         "t = {:.6g}: the bodies have come where their nodes stand {:.3g} times as far apart as the fluid's: "
         "the fluid goes through between them and they move too little; elements half as long, or less, "
         "stop it",
         state_.time, now));
-  state_.told.spacing = std::max(state_.told.spacing, now);
+  state_.doubts.spacing = std::max(state_.doubts.spacing, now);
 }
 
 /// The same of cells across them.
@@ -80,11 +80,11 @@ void FlowSolver::look_at_thickness() {
   if (thin.region < 0) return;
   const int order = order_of(flow_.mesh.kind);
   const double least = least_cells_across(order);
-  if (thin.cells < least && state_.told.thinnest >= least)
+  if (thin.cells < least && state_.doubts.thinnest >= least)
     messages_.push_back(fmt::format("t = {:.6g}: {} has come where it is {:.3g} cells of the fluid thick: {}",
                                     state_.time, step_.immersed()->solids().regions[at(thin.region)].name, thin.cells,
                                     thin_body_advice(order)));
-  state_.told.thinnest = std::min(state_.told.thinnest, thin.cells);
+  state_.doubts.thinnest = std::min(state_.doubts.thinnest, thin.cells);
 }
 
 FlowReport FlowSolver::advance_by(double part) {
@@ -225,8 +225,8 @@ Summary FlowSolver::more_summary() const {
   if (!step_.immersed()) return summary;
   summary.push_back(line_of("nodes_inside", state_.overlap.most));
   summary.push_back(line_of("nodes_carried", step_.immersed()->carried().nodes().size()));
-  summary.push_back(line_of("node_spacing", fmt::format("{:.6g}", state_.told.spacing)));
-  summary.push_back(line_of("cells_across", fmt::format("{:.6g}", state_.told.thinnest)));
+  summary.push_back(line_of("node_spacing", fmt::format("{:.6g}", state_.doubts.spacing)));
+  summary.push_back(line_of("cells_across", fmt::format("{:.6g}", state_.doubts.thinnest)));
   return summary;
 }
 

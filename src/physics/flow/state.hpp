@@ -48,9 +48,9 @@ struct FlowState {
   double dt_last = 0, dt_min = 0;           ///< [time]
   long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
-  long long rounds = 0;  ///< of steady solutions with bodies
-  OverlapCount overlap;  ///< of immersed solids
-  ToldDoubts told;       ///< of them
+  long long rounds = 0;     ///< of steady solutions with bodies
+  OverlapCount overlap;     ///< of immersed solids
+  BodyDoubtNumbers doubts;  ///< of them
   LinearisedAt linearised;
 };
 
@@ -73,7 +73,7 @@ void exchange(Exchange& with, FlowState& state) {
   with("factorisations", state.factorisations), with("halvings", state.halvings);
   with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures),
       with("rounds", state.rounds);
-  exchange(with, state.overlap), exchange(with, state.told);
+  exchange(with, state.overlap), exchange(with, state.doubts);
   LinearisedAt& at = state.linearised;
   with("linearised_time", at.time), with("linearised_dt", at.dt);
   with.list("linearised_v0", at.v0), with.list("linearised_v1", at.v1), with.list("linearised_p", at.p);

@@ -87,8 +87,7 @@ void GasMixing::look(State& state, const Scene& scene, std::vector<std::string>&
     compare_with_earlier();
   }
   state.gases_apart = std::max(state.gases_apart, worst_.ratio);
-  if (state.mixing_told || worst_.ratio <= doubtful_ratio) return;
-  state.mixing_told = true;
+  if (worst_.ratio <= doubtful_ratio || !note_warning(state.warned, PointDoubt::mixing)) return;
   const BackgroundGrid& grid = state.grid.frame.shape;
   const double x = grid.x0 + (static_cast<double>(worst_.cell % columns_) - 0.5) * grid.dx;
   const double y = grid.y0 + (static_cast<double>(worst_.cell / columns_) - 0.5) * grid.dy;

@@ -132,8 +132,8 @@ MpmSolver::MpmSolver(const Plan& plan)
       leaks_(plan.scene),
       columns_(history_columns(plan.scene)) {
   if (strings_.on()) strings_.look(state_, plan.scene, messages_);
-  messages_.clear();                                                 // the deck's remarks tell it
-  state_.limit_told = plan.step.first_step() < plan.step.deck_step;  // the plan tells it
+  messages_.clear();  // the deck's remarks have it
+  if (plan.step.first_step() < plan.step.deck_step) note_warning(state_.warned, PointDoubt::limit);  // the plan has it
   const auto encloses = [](const std::optional<Elements>& of) { return of && of->encloses(); };
   const bool acts = std::any_of(state_.elements_of.begin(), state_.elements_of.end(), encloses) ||
                     std::any_of(state_.ambient_of.begin(), state_.ambient_of.end(), encloses);
@@ -148,10 +148,9 @@ void MpmSolver::advance(double until) {
 
 double MpmSolver::next_step() {
   double dt = plan_.step.step(state_.wave_max);
-  if (dt < plan_.step.deck_step && !state_.limit_told) {
+  if (dt < plan_.step.deck_step && note_warning(state_.warned, PointDoubt::limit)) {
     messages_.push_back(fmt::format("t = {:.6g}: {} {:.4g}: steps are limited to {:.4g}", state_.time,
                                     wave_text(plan_.scene), state_.wave_max, dt));
-    state_.limit_told = true;
   }
   const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
   if (!gets_on) stop_on_vanishing_step(state_, wave_text(plan_.scene), dt);

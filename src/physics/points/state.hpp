@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/warned.hpp"
 #include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "physics/points/arrays.hpp"
@@ -16,6 +17,11 @@
 #include "results/results.hpp"
 
 namespace tether::mpm {
+
+/// What a run of points warns of, each once: points of a solid or of a string stand too far apart, an end of a string
+/// comes off its wall, gases of unlike energy share a cell, gas seeps through a membrane, steps are shorter than the
+/// deck's.
+enum class PointDoubt { apart, gap, end, mixing, leak, limit };
 
 /// What a step remembers in single numbers. A number is a member and its row.
 struct StateNumbers {
@@ -31,14 +37,9 @@ struct StateNumbers {
   long long crossings_since_sort = 0;  // of points, from cell to cell
   double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
   double points_apart = 0;             // of neighbours of a solid that carries F since the start, as looked at [cells]
-  bool apart_told = false;             // whether that was reported
-  bool gap_told = false;               // whether one that does not hold together was reported
-  bool end_told = false;               // whether an end of one that came off its wall was reported
   double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start
-  bool mixing_told = false;            // whether that was reported
   long long gas_leaked = 0;            // points of gas beyond a membrane that parts the grid, at the last look
-  bool leak_told = false;              // whether that was reported
-  bool limit_told = false;             // whether a shorter step than the deck's was reported
+  long long warned = 0;                // of which doubts
   long long point_steps = 0;
 
   /// Name in a checkpoint, and member.
@@ -59,14 +60,9 @@ struct StateNumbers {
         NumberField{"crossings_since_sort", &N::crossings_since_sort},
         NumberField{"widest_gap", &N::widest_gap},
         NumberField{"points_apart", &N::points_apart},
-        NumberField{"apart_told", &N::apart_told},
-        NumberField{"gap_told", &N::gap_told},
-        NumberField{"end_told", &N::end_told},
         NumberField{"gases_apart", &N::gases_apart},
-        NumberField{"mixing_told", &N::mixing_told},
         NumberField{"gas_leaked", &N::gas_leaked},
-        NumberField{"leak_told", &N::leak_told},
-        NumberField{"limit_told", &N::limit_told},
+        NumberField{"warned", &N::warned},
         NumberField{"point_steps", &N::point_steps},
     };
   }

@@ -182,7 +182,7 @@ void Strips::leave(std::size_t k, const Points& P, const Scene& scene, std::size
 
 void Strips::tell_wrong_way(std::size_t k, const Points& P, std::size_t p) {
   passed_.back += P.mass[p];
-  if (std::exchange(told_[k], char{1})) return;
+  if (!note_warning(warned_, k)) return;
   const Edge& edge = edges_.of[k];
   const char* what = edge.kind == EdgeKind::inflow
                          ? "gas leaves by the {} edge, an inflow: the pressure inside is above what drives it in"

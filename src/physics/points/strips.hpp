@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/warned.hpp"
 #include "fields/rows.hpp"
 #include "loops/points.hpp"
 #include "model/method.hpp"
@@ -162,7 +163,7 @@ class Strips {
   std::array<Rows, 4> rows_;
   Passed passed_;
   int next_id_ = 0;
-  std::vector<char> told_ = std::vector<char>(4, 0);  // whether gas that goes the wrong way was reported
+  long long warned_ = 0;  // of edges through which gas goes the wrong way
   std::vector<std::string> news_;
   double time_ = 0;  // at the end of the step, for the news [time]
 
@@ -193,7 +194,7 @@ void Strips::exchange(Exchange& with, AnyStrips& strips) {
   }
   exchange_numbers(with, strips.passed_);
   with("next_id", strips.next_id_);
-  with.list("edges_told", strips.told_);
+  with("edges_warned", strips.warned_);
 }
 
 }  // namespace tether::mpm

@@ -112,8 +112,7 @@ void LeakWatch::look(State& state, const Scene& scene, std::vector<std::string>&
   for (const Parting& parting : walls_) {
     const std::size_t here = passed(parting, state, scene);
     all += here;
-    if (here == 0 || state.leak_told) continue;
-    state.leak_told = true;
+    if (here == 0 || !note_warning(state.warned, PointDoubt::leak)) continue;
     messages.push_back(fmt::format(
         "t = {:.6g}: body {}, {}: gas seeps through it: points of gas half a cell and more beyond the side that they "
         "began on: {}: use more points and smaller cells, or method='robust' of $mpm",
@@ -148,8 +147,7 @@ void StretchWatch::look(State& state, const Scene& scene, std::vector<std::strin
     }
     const double cells = apart(P, widest, scene);
     state.points_apart = std::max(state.points_apart, cells);
-    if (cells <= doubtful_distance || state.apart_told) continue;
-    state.apart_told = true;
+    if (cells <= doubtful_distance || !note_warning(state.warned, PointDoubt::apart)) continue;
     messages.push_back(fmt::format(
         "t = {:.6g}: body {}, {}: points at ({:.6g}, {:.6g}) are stretched {:.3g} cells apart: their stress "
         "scatters, and beyond a cell the body comes apart: use more points in a cell (nprg)",
@@ -210,11 +208,9 @@ void StringWatch::look(State& state, const Scene& scene, std::vector<std::string
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!std::holds_alternative<Membrane>(scene.bodies[b].material)) continue;
     std::string text = gap_text(state, scene, b);
-    if (text.empty() || state.gap_told) continue;
-    state.gap_told = true;
-    messages.push_back(std::move(text));
+    if (!text.empty() && note_warning(state.warned, PointDoubt::gap)) messages.push_back(std::move(text));
   }
-  if (!state.end_told) look_at_ends(state, scene, messages);
+  if (!is_warned(state.warned, PointDoubt::end)) look_at_ends(state, scene, messages);
 }
 
 void StringWatch::look_at_ends(State& state, const Scene& scene, std::vector<std::string>& messages) const {
@@ -228,7 +224,7 @@ void StringWatch::look_at_ends(State& state, const Scene& scene, std::vector<std
         "strain='element' in $membrane, or use more points",
         state.time, end.body + 1, scene.bodies[end.body].name, end.point == 0 ? "first" : "last", x, y, cells,
         end.at.name));
-    state.end_told = true;
+    note_warning(state.warned, PointDoubt::end);
     return;
   }
 }

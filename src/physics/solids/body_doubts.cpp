@@ -57,17 +57,17 @@ BodyDoubts::BodyDoubts(const Solids& solids, const BackgroundGrid& grid) : solid
   for (const int p : part) free_.push_back(p >= 0 && !held[at(p)]);
 }
 
-void BodyDoubts::look(std::span<const double> q, double time, ToldDoubts& told,
+void BodyDoubts::look(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                       std::vector<std::string>& messages) const {
-  look_at_edges(q, time, told, messages);
-  look_at_turns(q, time, told, messages);
+  look_at_edges(q, time, doubts, messages);
+  look_at_turns(q, time, doubts, messages);
 }
 
 /// Nodes that stand at an edge at the start, held there or not, are as the deck wants them; bodies that something holds
 /// go no further than it lets them.
-void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubts& told,
+void BodyDoubts::look_at_edges(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                                std::vector<std::string>& messages) const {
-  if (told.left_grid != 0) return;
+  if (is_warned(doubts.warned, BodyDoubt::left_grid)) return;
   const auto dim = at(solids_.mesh.dim());
   const Vec<2> low{grid_.x0, grid_.y0}, high{grid_.x1, grid_.y1};
   constexpr std::array<std::array<const char*, 2>, 2> names{{{"xleft", "xright"}, {"ybot", "ytop"}}};
@@ -85,14 +85,14 @@ void BodyDoubts::look_at_edges(std::span<const double> q, double time, ToldDoubt
         "it",
         time, k / dim + 1, region_of_node(k / dim), q[first], q[first + 1], names[i][up ? 1 : 0],
         up ? high[i] : low[i]));
-    told.left_grid = 1;
+    note_warning(doubts.warned, BodyDoubt::left_grid);
     return;
   }
 }
 
-void BodyDoubts::look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
+void BodyDoubts::look_at_turns(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                                std::vector<std::string>& messages) const {
-  if (told.turned != 0) return;
+  if (is_warned(doubts.warned, BodyDoubt::turned)) return;
   double most = 0;
   std::size_t worst = 0;
   for (const std::size_t e : linear_) {
@@ -104,30 +104,31 @@ void BodyDoubts::look_at_turns(std::span<const double> q, double time, ToldDoubt
       "makes: it holds for small turns alone, law='svk' for any",
       time, most, worst + 1, solids_.regions[at(solids_.mesh.region[worst])].name,
       std::acos(std::max(1 - most, -1.0)) * 180 / M_PI));
-  told.turned = 1;
+  note_warning(doubts.warned, BodyDoubt::turned);
 }
 
 /// A vibration of n steps a period turns back in 2 of n; steps longer than its period turn it back every time.
 void BodyDoubts::look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
-                                double time, ToldDoubts& told, std::vector<std::string>& messages) {
+                                double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages) {
   constexpr double moving = 1e-3, most = 0.6;  // part of the largest energy; of steps that turn back
   constexpr long long least = 4;
-  if (told.swings != 0) return;
+  if (is_warned(doubts.warned, BodyDoubt::swings)) return;
   const std::size_t dim = v0.size() / masses.size();
   double before = 0, after = 0, both = 0;
   for (std::size_t k = 0; k < v0.size(); ++k) {
     const double m = masses[k / dim];
     before += m * v0[k] * v0[k], after += m * v1[k] * v1[k], both += m * v0[k] * v1[k];
   }
-  told.fastest = std::max({told.fastest, before, after});
-  if (!(std::min(before, after) > moving * told.fastest)) return;
-  ++told.looks, told.reversals += both < 0 ? 1 : 0;
-  if (told.reversals < least || static_cast<double>(told.reversals) < most * static_cast<double>(told.looks)) return;
+  doubts.fastest = std::max({doubts.fastest, before, after});
+  if (!(std::min(before, after) > moving * doubts.fastest)) return;
+  ++doubts.looks, doubts.reversals += both < 0 ? 1 : 0;
+  if (doubts.reversals < least || static_cast<double>(doubts.reversals) < most * static_cast<double>(doubts.looks))
+    return;
   messages.push_back(fmt::format(
       "t = {:.6g}: in {} of {} steps the bodies' velocity turned back: steps are longer than half the period of what "
       "vibrates, whose period and place are then those of the steps; a tenth of the period or less follows it",
-      time, told.reversals, told.looks));
-  told.swings = 1;
+      time, doubts.reversals, doubts.looks));
+  note_warning(doubts.warned, BodyDoubt::swings);
 }
 
 double BodyDoubts::left_out(std::size_t e, std::span<const double> q) const {

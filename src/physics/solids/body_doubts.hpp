@@ -6,15 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "base/warned.hpp"
 #include "grid/boxes.hpp"
 #include "grid/overlaps.hpp"
 #include "model/solids.hpp"
 
 namespace tether::fem {
 
-/// What has been said of bodies on a mesh, 1 where it has; and what it is said by.
-struct ToldDoubts {
-  long long left_grid = 0, turned = 0, swings = 0;
+/// What a run warns of about bodies on a mesh, each once.
+enum class BodyDoubt { left_grid, turned, swings };
+
+/// What it has warned of, and the numbers that doubts are known by.
+struct BodyDoubtNumbers {
+  long long warned = 0;
   long long looks = 0, reversals = 0;  ///< steps that moved, and those of them that turned the motion back
   double fastest = 0;                  ///< largest kinetic energy so far, as turned_back() takes it
   double spacing = 0;   ///< largest distance of nodes that a fluid carries so far, over that of the fluid's
@@ -23,10 +27,10 @@ struct ToldDoubts {
 
 /// As part of what a run saves.
 template <class Exchange>
-void exchange(Exchange& with, ToldDoubts& told) {
-  with("told_left_grid", told.left_grid), with("told_turned", told.turned), with("told_swings", told.swings);
-  with("told_looks", told.looks), with("told_reversals", told.reversals), with("told_fastest", told.fastest);
-  with("told_spacing", told.spacing), with("told_thinnest", told.thinnest);
+void exchange(Exchange& with, BodyDoubtNumbers& doubts) {
+  with("doubts_warned", doubts.warned);
+  with("doubt_looks", doubts.looks), with("doubt_reversals", doubts.reversals), with("doubt_fastest", doubts.fastest);
+  with("doubt_spacing", doubts.spacing), with("doubt_thinnest", doubts.thinnest);
 }
 
 /// Nodes inside another body.
@@ -47,16 +51,16 @@ class BodyDoubts {
  public:
   BodyDoubts(const Solids& solids, const BackgroundGrid& grid);
 
-  void look(std::span<const double> q, double time, ToldDoubts& told, std::vector<std::string>& messages) const;
+  void look(std::span<const double> q, double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages) const;
   /// The linear law alone: of bodies that something else holds within the grid.
-  void look_at_turns(std::span<const double> q, double time, ToldDoubts& told,
+  void look_at_turns(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                      std::vector<std::string>& messages) const;
   /// Whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the nodes.
   static void look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
-                             double time, ToldDoubts& told, std::vector<std::string>& messages);
+                             double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages);
 
  private:
-  void look_at_edges(std::span<const double> q, double time, ToldDoubts& told,
+  void look_at_edges(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                      std::vector<std::string>& messages) const;
   double left_out(std::size_t e, std::span<const double> q) const;
   std::string region_of_node(std::size_t node) const;

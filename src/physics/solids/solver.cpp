@@ -59,7 +59,7 @@ void SolidSolver::advance(double until) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax) {
     const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
     step(next_step());
-    if (implicit()) BodyDoubts::look_at_swings(before, state_.v, system_.lumped, state_.time, state_.told, messages_);
+    if (implicit()) BodyDoubts::look_at_swings(before, state_.v, system_.lumped, state_.time, state_.doubts, messages_);
     look_at_bodies();
   }
 }
@@ -69,7 +69,7 @@ void SolidSolver::look_at_bodies() {
   constexpr long long explicit_steps = 16;
   if (system_.solids.integrator == Integrator::central && state_.steps % explicit_steps != 0) return;
   overlaps_.look(state_.q, state_.time, state_.overlap, messages_);
-  doubts_.look(state_.q, state_.time, state_.told, messages_);
+  doubts_.look(state_.q, state_.time, state_.doubts, messages_);
 }
 
 double SolidSolver::next_step() const {

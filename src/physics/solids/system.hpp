@@ -28,7 +28,7 @@ struct SolidState {
   double dt_last = 0, dt_min = 0;  ///< [time]
   long long steps = 0, newton_steps = 0, halvings = 0;
   OverlapCount overlap;
-  ToldDoubts told;
+  BodyDoubtNumbers doubts;
 };
 
 /// Lists what a step depends on over saver and restorer alike.
@@ -40,7 +40,7 @@ void exchange(Exchange& with, SolidState& state) {
   with("residual", state.residual);
   with("dt_last", state.dt_last), with("dt_min", state.dt_min);
   with("steps", state.steps), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
-  exchange(with, state.overlap), exchange(with, state.told);
+  exchange(with, state.overlap), exchange(with, state.doubts);
 }
 
 /// What the equations of elastic bodies are made of, that no step changes. Vectors have dim numbers a node.
