@@ -28,7 +28,7 @@ TEST(CoupledScene, CellsLieBetweenTheNodes) {
 TEST(CoupledScene, HasTheDefaultsOfTheTable) {
   const Built built = box("");
   const Coupled& c = *built.scene.coupled();
-  EXPECT_EQ(c.mode, CouplingMode::cut_cell);
+  EXPECT_EQ(c.coupling.mode, CouplingMode::cut_cell);
   EXPECT_EQ(c.integrator, CoupledIntegrator::paper);
   EXPECT_EQ(c.advection, Advection::maccormack);
   EXPECT_EQ(c.systems, Systems::automatic);
@@ -52,7 +52,7 @@ TEST(CoupledScene, ReadsTheMethod) {
             Texts{"a viscous fluid slips along bodies: it rubs at walls and obstacles alone, bodies "
                   "feel its pressure and no drag of friction"});
   const Coupled& c = *built.scene.coupled();
-  EXPECT_EQ(c.mode, CouplingMode::splitting);
+  EXPECT_EQ(c.coupling.mode, CouplingMode::splitting);
   EXPECT_EQ(c.integrator, CoupledIntegrator::trapezoid);
   EXPECT_EQ(c.advection, Advection::semi_lagrangian);
   EXPECT_EQ(c.systems, Systems::krylov);
@@ -63,8 +63,8 @@ TEST(CoupledScene, ReadsTheMethod) {
   EXPECT_EQ(c.start, (Triple{1, 2, 0}));
   using enum BoxSide;
   EXPECT_EQ(c.sides, (std::array{wall, open, wall, open, wall, wall}));
-  EXPECT_EQ(box("mode='cut-cell'").scene.coupled()->mode, CouplingMode::cut_cell);
-  EXPECT_EQ(box("mode='paper'").scene.coupled()->mode, CouplingMode::paper);
+  EXPECT_EQ(box("mode='cut-cell'").scene.coupled()->coupling.mode, CouplingMode::cut_cell);
+  EXPECT_EQ(box("mode='paper'").scene.coupled()->coupling.mode, CouplingMode::paper);
 }
 
 TEST(CoupledScene, JetsAreTheWholeSideOrAPart) {
