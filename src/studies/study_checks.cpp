@@ -122,7 +122,7 @@ void check_criterion(const Study& study, std::vector<std::string> known, StudyRe
   known.insert(known.begin(), exit_code_key);
   const std::string& key = study.criterion.key;
   if (key.empty() || contains(known, key) || is_of_history(study, key)) return;
-  remarks.error("mpm.criterion", 1, fmt::format("no run writes {} into its summary", key), meant_key(key, known));
+  remarks.error("study.criterion", 1, fmt::format("no run writes {} into its summary", key), meant_key(key, known));
 }
 
 void check_order(const Study& study, const std::vector<std::string>& known, StudyRemarks& remarks) {
@@ -131,10 +131,10 @@ void check_order(const Study& study, const std::vector<std::string>& known, Stud
   for (const Axis& axis : study.axes) {
     if (std::holds_alternative<double>(axis.cells.front())) columns.push_back(axis.variable);
   }
-  if (study.axes.empty()) remarks.error("mpm.order", 1, "an order is told along axis 1, and there is none");
+  if (study.axes.empty()) remarks.error("study.order", 1, "an order is told along axis 1, and there is none");
   if (contains(columns, study.order)) return;
   const bool could_be = contains(known, study.order);
-  remarks.error("mpm.order", 1, fmt::format("the table has no column {} of numbers", study.order),
+  remarks.error("study.order", 1, fmt::format("the table has no column {} of numbers", study.order),
                 could_be ? fmt::format("Add '{}' to quantities.", study.order) : meant(study.order, columns));
 }
 
@@ -161,7 +161,7 @@ void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks) {
     if (given && !rule.is_for(mode)) {
       remarks.error(rule.name, 1, fmt::format("{} is not for mode '{}'", rule.name, word));
     } else if (!given && rule.is_for(mode) && rule.required) {
-      remarks.error("coupled.mode", 1, fmt::format("a study of mode '{}' needs {}", word, rule.name));
+      remarks.error("study.mode", 1, fmt::format("a study of mode '{}' needs {}", word, rule.name));
     }
   }
 }
