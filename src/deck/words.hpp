@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <variant>
 
 #include "base/words.hpp"
+#include "grid/elements.hpp"
 #include "laws/hyperelastic.hpp"
 
 namespace tether {
@@ -42,11 +44,20 @@ template <>
 inline constexpr std::array<Word<MeshEdge>, 3> words<MeshEdge>{
     {{MeshEdge::line, "line"}, {MeshEdge::arc, "arc"}, {MeshEdge::ellipse, "ellipse"}}};
 
-/// Elements of bodies, in the plane or in space: quadrilaterals of order 1 and 2, triangles.
-enum class BodyElement { q1, q2, p1 };
-template <>
-inline constexpr std::array<Word<BodyElement>, 3> words<BodyElement>{
-    {{BodyElement::q1, "q1"}, {BodyElement::q2, "q2"}, {BodyElement::p1, "p1"}}};
+/// Names of elements of bodies, each in the plane and in space.
+struct BodyElements {
+  static constexpr std::size_t count =
+      std::ranges::count_if(element_rows, [](const ElementRow& row) { return row.dim == 2; });
+  static constexpr auto texts = [] {
+    std::array<std::string_view, count> names;
+    std::size_t k = 0;
+    for (const ElementRow& row : element_rows) {
+      if (row.dim == 2) names[k++] = row.name;
+    }
+    return names;
+  }();
+};
+inline constexpr std::string_view body_elements = Joined<BodyElements>::text;
 
 /// The word of a region that is a fluid, where others have that of an elastic law.
 inline constexpr std::string_view fluid_word = "fluid";

@@ -154,24 +154,24 @@ struct ShapesOf<ElementKind::tet4> : Simplex<3> {
   using Side = Simplex<2>;
 };
 
-/// Calls f with the shapes of the kind: the one place where a kind becomes a template.
-template <class Function>
+/// Calls f with the shapes of the kind: the one place where a kind becomes a template. Of plane elements alone where
+/// `dim` is 2, as a flow has them. Throws std::logic_error where there are no such shapes.
+template <int dim = 0, class Function>
 auto with_shapes(ElementKind kind, const Function& f) {
-  switch (kind) {
-    case ElementKind::quad4:
-      return f(ShapesOf<ElementKind::quad4>{});
-    case ElementKind::quad9:
-      return f(ShapesOf<ElementKind::quad9>{});
-    case ElementKind::tri3:
-      return f(ShapesOf<ElementKind::tri3>{});
-    case ElementKind::hex8:
-      return f(ShapesOf<ElementKind::hex8>{});
-    case ElementKind::hex27:
-      return f(ShapesOf<ElementKind::hex27>{});
-    case ElementKind::tet4:
-      break;
-  }
-  return f(ShapesOf<ElementKind::tet4>{});
+  using First = std::conditional_t<dim == 3, ShapesOf<ElementKind::hex8>, ShapesOf<ElementKind::quad4>>;
+  using Result = decltype(f(First{}));
+  const auto call = [&]<std::size_t k>(auto& self, std::integral_constant<std::size_t, k>) -> Result {
+    if constexpr (k == element_rows.size()) {
+      throw std::logic_error("a kind of element without shapes");
+    } else {
+      constexpr ElementRow row = element_rows[k];
+      if constexpr (dim == 0 || dim == row.dim) {
+        if (row.kind == kind) return f(ShapesOf<row.kind>{});
+      }
+      return self(self, std::integral_constant<std::size_t, k + 1>{});
+    }
+  };
+  return call(call, std::integral_constant<std::size_t, 0>{});
 }
 
 /// Of an element's map from its reference element: determinant, and gradients of the shape functions in space, numbers

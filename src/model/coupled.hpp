@@ -61,6 +61,12 @@ constexpr const Coupling& coupling_of(CouplingMode mode) {
   }
   throw std::logic_error("a mode of coupling without a row");
 }
+static_assert(
+    [] {
+      for (const auto& word : words<CouplingMode>) static_cast<void>(coupling_of(word.value));
+      return true;
+    }(),
+    "each mode has its row");
 
 /// The step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule.
 enum class CoupledIntegrator { paper, trapezoid };

@@ -64,22 +64,8 @@ std::vector<FixedNumbers> topology(const Mesh& mesh, Units units) {
 }  // namespace
 
 std::vector<int> vtk_order(ElementKind kind) {
-  switch (kind) {
-    case ElementKind::quad4:
-      return {0, 1, 3, 2};
-    case ElementKind::quad9:
-      return {0, 2, 8, 6, 1, 5, 7, 3, 4};
-    case ElementKind::hex8:
-      return {0, 1, 3, 2, 4, 5, 7, 6};
-    case ElementKind::hex27:
-      return {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22, 13};
-    case ElementKind::tri3:
-    case ElementKind::tet4:
-      break;
-  }
-  std::vector<int> order(static_cast<std::size_t>(node_count_of(kind)));
-  std::iota(order.begin(), order.end(), 0);
-  return order;
+  const ElementRow& row = row_of(kind);
+  return {row.in_vtk.begin(), row.in_vtk.begin() + row.nodes};
 }
 
 MeshWriter::MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance)

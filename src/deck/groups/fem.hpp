@@ -17,7 +17,7 @@ inline constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 inline constexpr std::array fem_rows{
-    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, choices<BodyElement>, "",
+    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, body_elements, "",
              "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or "
              "tetrahedra; q2 of bodies in a flow and q1 of others where it is not given."},
     Variable{

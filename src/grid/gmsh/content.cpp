@@ -14,36 +14,34 @@ constexpr const char* complete = "Mesh.SecondOrderIncomplete = 0 makes 9-node qu
 constexpr const char* only_boxes = "Bodies in space are of tetrahedra or of hexahedra alone: tetrahedra always fit.";
 constexpr const char* order_two = "Mesh.ElementOrder = 2 is the highest there is here, of quadrangles and hexahedra.";
 
-constexpr auto none = std::nullopt;
-
 /// Source: Gmsh reference manual, "MSH file format"; the numbers of both versions.
 const ElementType types[] = {
-    {1, "2-node line", 1, 2, none, ""},
-    {2, "3-node triangle", 2, 3, ElementKind::tri3, ""},
-    {3, "4-node quadrangle", 2, 4, ElementKind::quad4, ""},
-    {4, "4-node tetrahedron", 3, 4, ElementKind::tet4, ""},
-    {5, "8-node hexahedron", 3, 8, ElementKind::hex8, ""},
-    {6, "6-node prism", 3, 6, none, only_boxes},
-    {7, "5-node pyramid", 3, 5, none, only_boxes},
-    {8, "3-node line", 1, 3, none, ""},
-    {9, "6-node triangle", 2, 6, none, triangles},
-    {10, "9-node quadrangle", 2, 9, ElementKind::quad9, ""},
-    {11, "10-node tetrahedron", 3, 10, none, tetrahedra},
-    {12, "27-node hexahedron", 3, 27, ElementKind::hex27, ""},
-    {13, "18-node prism", 3, 18, none, only_boxes},
-    {14, "14-node pyramid", 3, 14, none, only_boxes},
-    {15, "point", 0, 1, none, ""},
-    {16, "8-node quadrangle", 2, 8, none, complete},
-    {17, "20-node hexahedron", 3, 20, none, complete},
-    {18, "15-node prism", 3, 15, none, only_boxes},
-    {19, "13-node pyramid", 3, 13, none, only_boxes},
-    {20, "9-node triangle", 2, 9, none, triangles},
-    {21, "10-node triangle", 2, 10, none, triangles},
-    {26, "4-node line", 1, 4, none, ""},
-    {27, "5-node line", 1, 5, none, ""},
-    {29, "20-node tetrahedron", 3, 20, none, tetrahedra},
-    {36, "16-node quadrangle", 2, 16, none, order_two},
-    {92, "64-node hexahedron", 3, 64, none, order_two},
+    {1, "2-node line", 1, 2, ""},
+    {2, "3-node triangle", 2, 3, ""},
+    {3, "4-node quadrangle", 2, 4, ""},
+    {4, "4-node tetrahedron", 3, 4, ""},
+    {5, "8-node hexahedron", 3, 8, ""},
+    {6, "6-node prism", 3, 6, only_boxes},
+    {7, "5-node pyramid", 3, 5, only_boxes},
+    {8, "3-node line", 1, 3, ""},
+    {9, "6-node triangle", 2, 6, triangles},
+    {10, "9-node quadrangle", 2, 9, ""},
+    {11, "10-node tetrahedron", 3, 10, tetrahedra},
+    {12, "27-node hexahedron", 3, 27, ""},
+    {13, "18-node prism", 3, 18, only_boxes},
+    {14, "14-node pyramid", 3, 14, only_boxes},
+    {15, "point", 0, 1, ""},
+    {16, "8-node quadrangle", 2, 8, complete},
+    {17, "20-node hexahedron", 3, 20, complete},
+    {18, "15-node prism", 3, 15, only_boxes},
+    {19, "13-node pyramid", 3, 13, only_boxes},
+    {20, "9-node triangle", 2, 9, triangles},
+    {21, "10-node triangle", 2, 10, triangles},
+    {26, "4-node line", 1, 4, ""},
+    {27, "5-node line", 1, 5, ""},
+    {29, "20-node tetrahedron", 3, 20, tetrahedra},
+    {36, "16-node quadrangle", 2, 16, order_two},
+    {92, "64-node hexahedron", 3, 64, order_two},
 };
 
 }  // namespace
@@ -54,30 +52,18 @@ const ElementType* find_type(int number) {
   return found == std::end(types) ? nullptr : &*found;
 }
 
-/// Gmsh counts corners around, then edges, faces and the middle, in an order of its own for hexahedra.
 std::vector<int> gmsh_order(ElementKind kind) {
-  std::vector<int> lattice;  // ours of each of Gmsh's
-  switch (kind) {
-    case ElementKind::quad4:
-      lattice = {0, 1, 3, 2};
-      break;
-    case ElementKind::quad9:
-      lattice = {0, 2, 8, 6, 1, 5, 7, 3, 4};
-      break;
-    case ElementKind::hex8:
-      lattice = {0, 1, 3, 2, 4, 5, 7, 6};
-      break;
-    case ElementKind::hex27:
-      lattice = {0, 2, 8, 6, 18, 20, 26, 24, 1, 3, 9, 5, 11, 7, 17, 15, 19, 21, 23, 25, 4, 10, 12, 14, 16, 22, 13};
-      break;
-    case ElementKind::tri3:
-    case ElementKind::tet4:
-      lattice.resize(static_cast<std::size_t>(node_count_of(kind)));
-      std::iota(lattice.begin(), lattice.end(), 0);
-  }
-  std::vector<int> order(lattice.size());
-  for (std::size_t k = 0; k < lattice.size(); ++k) order[static_cast<std::size_t>(lattice[k])] = static_cast<int>(k);
+  const ElementRow& row = row_of(kind);
+  std::vector<int> order(static_cast<std::size_t>(row.nodes));
+  for (int k = 0; k < row.nodes; ++k) order[static_cast<std::size_t>(row.in_gmsh[static_cast<std::size_t>(k)])] = k;
   return order;
+}
+
+std::optional<ElementKind> kind_of(const ElementType& type) {
+  for (const ElementRow& row : element_rows) {
+    if (row.gmsh_type == type.number) return row.kind;
+  }
+  return std::nullopt;
 }
 
 }  // namespace tether::gmsh

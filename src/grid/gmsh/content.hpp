@@ -58,12 +58,14 @@ struct ElementType {
   int number;
   const char* name;
   int dim, nodes;
-  std::optional<ElementKind> kind;  ///< ours, where there is one
-  const char* instead;              ///< what would be right where there is none
+  const char* instead;  ///< what would be right where none of ours is it
 };
 
 /// The type of that number, or null. Gmsh knows more, of higher orders.
 const ElementType* find_type(int number);
+
+/// Ours of that type, where there is one.
+std::optional<ElementKind> kind_of(const ElementType& type);
 
 /// Numbers of Gmsh's nodes of an element, in the order of ours.
 std::vector<int> gmsh_order(ElementKind kind);

@@ -40,7 +40,7 @@ std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& rem
   for (const auto& [number, of_type] : found) {
     const ElementType* type = find_type(number);
     const auto& [count, line] = of_type;
-    if (!type->kind) {
+    if (!kind_of(*type)) {
       remarks.error(line, 1, fmt::format("tether has no {}, of which there are {}, the first here", type->name, count),
                     type->instead);
     } else if (one != nullptr) {
@@ -54,7 +54,7 @@ std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& rem
       one = type;
     }
   }
-  return one ? one->kind : std::nullopt;
+  return one ? kind_of(*one) : std::nullopt;
 }
 
 /// The nodes of an element as nodes of the mesh, in the file's order; what is wrong with them is told.
@@ -85,7 +85,7 @@ void add_elements(const Content& content, const NodeIndex& index, NamedMesh& nam
   const std::vector<int> order = gmsh_order(named.mesh.kind);
   std::vector<int> nodes;
   for (const Element& element : content.elements) {
-    if (find_type(element.type)->kind != named.mesh.kind) continue;
+    if (element.type != row_of(named.mesh.kind).gmsh_type) continue;
     if (!nodes_of(content, element, index, nodes, remarks)) continue;
     for (const int a : order) named.mesh.nodes.push_back(nodes[static_cast<std::size_t>(a)]);
     named.mesh.region.push_back(0);

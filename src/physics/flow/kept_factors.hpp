@@ -14,6 +14,8 @@ namespace tether::fem {
 /// | kept | the residual fell fast | kept |
 /// | kept | the residual fell slowly | slow |
 /// | kept | the residual grew | none: the correction is taken back |
+/// | new | they are no factors of the matrix itself (GMRES) | none, after this correction |
+/// | slow | the next step begins | kept: it tries them |
 /// | any | the matrix is another one's | none |
 class KeptFactors {
  public:

@@ -111,15 +111,8 @@ class BlockReader {
 ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
   if (fluid)
     return word<FlowElement>(deck, "flow.element") == FlowElement::q1q1 ? ElementKind::quad4 : ElementKind::quad9;
-  switch (word_or(deck, "mesh.element", deck.has_group("flow") ? BodyElement::q2 : BodyElement::q1)) {
-    case BodyElement::q1:
-      return solid ? ElementKind::hex8 : ElementKind::quad4;
-    case BodyElement::q2:
-      return solid ? ElementKind::hex27 : ElementKind::quad9;
-    case BodyElement::p1:
-      break;
-  }
-  return solid ? ElementKind::tet4 : ElementKind::tri3;
+  const std::string usual = deck.has_group("flow") ? "q2" : "q1";
+  return element_kind(deck.given("mesh.element") ? deck.text("mesh.element") : usual, solid ? 3 : 2);
 }
 
 std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>& regions, bool fluid,

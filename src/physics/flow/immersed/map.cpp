@@ -141,14 +141,9 @@ std::unique_ptr<ExcessInertia> make_excess_inertia(const Solids& excess) {
   const bool none = std::all_of(excess.regions.begin(), excess.regions.end(),
                                 [](const SolidRegion& region) { return region.density == 0; });
   if (none) return nullptr;
-  switch (excess.mesh.kind) {
-    case ElementKind::quad9:
-      return std::make_unique<ExcessInertiaOf<ShapesOf<ElementKind::quad9>>>(excess);
-    case ElementKind::tri3:
-      return std::make_unique<ExcessInertiaOf<ShapesOf<ElementKind::tri3>>>(excess);
-    default:
-      return std::make_unique<ExcessInertiaOf<ShapesOf<ElementKind::quad4>>>(excess);
-  }
+  return with_shapes<2>(excess.mesh.kind, [&](auto shapes) -> std::unique_ptr<ExcessInertia> {
+    return std::make_unique<ExcessInertiaOf<decltype(shapes)>>(excess);
+  });
 }
 
 }  // namespace tether::fem

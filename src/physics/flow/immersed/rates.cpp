@@ -49,19 +49,6 @@ void for_points(const Mesh& mesh, std::size_t e, const BodyMotion& motion, const
   }
 }
 
-/// Calls f with the shapes of the mesh.
-template <class Function>
-void with_shapes(const Mesh& mesh, const Function& f) {
-  switch (mesh.kind) {
-    case ElementKind::quad9:
-      return f(ShapesOf<ElementKind::quad9>());
-    case ElementKind::tri3:
-      return f(ShapesOf<ElementKind::tri3>());
-    default:
-      return f(ShapesOf<ElementKind::quad4>());
-  }
-}
-
 /// <grad N_A, sigma> of element e, whose first point of quadrature is the first of these stresses.
 template <class Shapes>
 void add_stress(const Mesh& mesh, std::size_t e, std::span<const double> x, const std::array<double, 3>* stress,
@@ -85,7 +72,7 @@ void add_stress(const Mesh& mesh, std::size_t e, std::span<const double> x, cons
 
 std::vector<BodyRates> body_rates(const Mesh& mesh, const BodyMotion& motion) {
   std::vector<BodyRates> bodies(static_cast<std::size_t>(1 + *std::ranges::max_element(mesh.region)));
-  with_shapes(mesh, [&]<class Shapes>(const Shapes&) {
+  with_shapes<2>(mesh.kind, [&]<class Shapes>(const Shapes&) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       BodyRates& body = bodies[static_cast<std::size_t>(mesh.region[e])];
       for_points<Shapes>(mesh, e, motion, [&](const PointRate<Shapes>& at) {
@@ -105,7 +92,7 @@ std::vector<BodyRates> body_rates(const Mesh& mesh, const BodyMotion& motion) {
 
 void add_body_inertia(const Mesh& mesh, const BodyMotion& motion, int region, double density, double gravity,
                       std::span<double> f) {
-  with_shapes(mesh, [&]<class Shapes>(const Shapes&) {
+  with_shapes<2>(mesh.kind, [&]<class Shapes>(const Shapes&) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       if (mesh.region[e] != region) continue;
       for_points<Shapes>(mesh, e, motion, [&](const PointRate<Shapes>& at) {
@@ -121,7 +108,7 @@ void add_body_inertia(const Mesh& mesh, const BodyMotion& motion, int region, do
 
 std::vector<Vec<2>> body_points(const Mesh& mesh, std::span<const double> x) {
   std::vector<Vec<2>> points;
-  with_shapes(mesh, [&]<class Shapes>(const Shapes&) {
+  with_shapes<2>(mesh.kind, [&]<class Shapes>(const Shapes&) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       const auto places = gathered<Shapes>(mesh, e, x);
       for (int k = 0; k < Shapes::points; ++k) {
@@ -136,7 +123,7 @@ std::vector<Vec<2>> body_points(const Mesh& mesh, std::span<const double> x) {
 
 void add_body_stress(const Mesh& mesh, std::span<const double> x, int region,
                      std::span<const std::array<double, 3>> stress, std::span<double> f) {
-  with_shapes(mesh, [&]<class Shapes>(const Shapes&) {
+  with_shapes<2>(mesh.kind, [&]<class Shapes>(const Shapes&) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       if (mesh.region[e] == region) add_stress<Shapes>(mesh, e, x, &stress[e * std::size_t{Shapes::points}], f);
     }
