@@ -110,7 +110,13 @@ void Contact::clear_forces() {
   for (NodeSums& sum : sums_) sum.force = Pair{};
 }
 
-/// (9.7)-(9.9) for the pair of bodies a < b, a the master; the pair's own centre of mass is meant.
+/// (9.7)-(9.9) for the pair of bodies a < b, a the master; the pair's own centre of mass is meant. Criteria 1 and 2
+/// have no memory; criterion 3, (9.9), has, by the master's and the other's velocity towards each other:
+///
+/// | state | both > 0 | both < 0 | they differ, or one is 0 |
+/// |---|---|---|---|
+/// | joined (at the start) | joined | apart | joined |
+/// | apart | joined | apart | apart |
 bool Contact::in_contact(int node, int slot, int a, int b) {
   const NodeSums &A = sums_[index(slot, a)], &B = sums_[index(slot, b)];
   const Pair va = A.momentum * inverse(A.m), vb = B.momentum * inverse(B.m);
@@ -120,10 +126,9 @@ bool Contact::in_contact(int node, int slot, int a, int b) {
   if (criterion_ != 3) return master > 0;  // (9.7), (9.8)
   const double other = dot(vb - cm, pair_of(normal_[index(slot, b)]));
   const std::pair<int, int> key{node, a * groups_ + b};
-  // (9.9): the state changes only when both agree.
   if (master > 0 && other > 0) apart_.erase(key);
-  if (master < 0 && other < 0) apart_[key] = true;
-  return apart_.find(key) == apart_.end();
+  if (master < 0 && other < 0) apart_.insert(key);
+  return !apart_.contains(key);
 }
 
 /// Bodies that a chain of contacts joins move in one field, that of their common mass.
@@ -248,13 +253,13 @@ void Contact::exchange(Grid& grid, int group) {
 
 std::vector<int> Contact::memory() const {
   std::vector<int> memory;
-  for (const auto& [key, apart] : apart_) memory.insert(memory.end(), {key.first, key.second});
+  for (const auto& [node, pair] : apart_) memory.insert(memory.end(), {node, pair});
   return memory;
 }
 
 void Contact::remember(const std::vector<int>& memory) {
   apart_.clear();
-  for (std::size_t k = 0; k + 1 < memory.size(); k += 2) apart_[{memory[k], memory[k + 1]}] = true;
+  for (std::size_t k = 0; k + 1 < memory.size(); k += 2) apart_.insert({memory[k], memory[k + 1]});
 }
 
 }  // namespace tether::mpm

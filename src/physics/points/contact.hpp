@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -115,7 +116,7 @@ class Contact {
   std::vector<Pair> pushed_;  // of each group at one node: its impulses [momentum]
   std::vector<BodyNormals> normals_;
   double lost_ = 0;
-  std::map<std::pair<int, int>, bool> apart_;  // criterion 3: node and pair that were let go
+  std::set<std::pair<int, int>> apart_;  // criterion 3: node and pair that were let go
 };
 
 }  // namespace tether::mpm
