@@ -47,7 +47,7 @@ std::vector<KeyText> all_rows() {
   std::vector<KeyText> rows;
   for (const SummaryRow& row : summary_rows) {
     const std::string when = row.when.empty() ? "" : fmt::format(": {}", row.when);
-    rows.push_back({std::string(row.key), kinds_text(row.of) + when, row.dimension, std::string(row.meaning)});
+    rows.push_back({std::string(row.name), kinds_text(row.of) + when, row.dimension, std::string(row.meaning)});
   }
   rows.push_back({"drag_1, lift_1 ...", "flows: force_on, speed and length of $flow", Dimension::number,
                   "coefficients of drag and lift at the end"});
@@ -64,7 +64,7 @@ std::vector<KeyText> all_rows() {
 std::vector<std::string> summary_keys(unsigned of) {
   std::vector<std::string> keys;
   for (const SummaryRow& row : summary_rows) {
-    if ((row.of & of) != 0) keys.emplace_back(row.key);
+    if ((row.of & of) != 0) keys.emplace_back(row.name);
   }
   for (int k = 1; k <= force_side_count && (of & runs_of::flows) != 0; ++k)
     keys.insert(keys.end(), {fmt::format("drag_{}", k), fmt::format("lift_{}", k)});

@@ -27,7 +27,7 @@ constexpr unsigned all = points | bars | solids | rigid | flows | boxes;
 
 /// A key of summary.txt: the runs that may write it, and what it says.
 struct SummaryRow {
-  std::string_view key;
+  std::string_view name;
   unsigned of;
   Dimension dimension;
   std::string_view meaning;
@@ -160,44 +160,31 @@ inline constexpr auto figure_rows = [] {
   };
 }();
 
-/// A key of the list by its name: one without a row does not compile.
-class SummaryKey {
+/// A name of a list of rows: one without a row does not compile.
+template <const auto& rows>
+class NameOf {
  public:
-  consteval SummaryKey(const char* key) : key_(row_of(key).key) {}  // NOLINT: written as a text
+  consteval NameOf(const char* name) : name_(row_of(name).name) {}  // NOLINT: written as a text
   /// One that is put together while the program runs. Throws std::logic_error where the list has no such row.
-  explicit SummaryKey(const std::string& key) : key_(row_of(key).key) {}
-  std::string_view text() const { return key_; }
-
- private:
-  static constexpr const SummaryRow& row_of(std::string_view key) {
-    for (const SummaryRow& row : summary_rows) {
-      if (row.key == key) return row;
-    }
-    throw std::logic_error("the list of summary keys has no such row");
-  }
-  std::string_view key_;
-};
-
-/// The name of a figure of merit of the list.
-class FigureName {
- public:
-  consteval FigureName(const char* name) : name_(row_of(name).name) {}  // NOLINT: written as a text
+  explicit NameOf(const std::string& name) : name_(row_of(name).name) {}
   std::string text() const { return std::string(name_); }
 
  private:
-  static constexpr const FigureRow& row_of(std::string_view name) {
-    for (const FigureRow& row : figure_rows) {
+  static constexpr const auto& row_of(std::string_view name) {
+    for (const auto& row : rows) {
       if (row.name == name) return row;
     }
-    throw std::logic_error("the list of figures of merit has no such row");
+    throw std::logic_error("the list has no row of that name");
   }
   std::string_view name_;
 };
+using SummaryKey = NameOf<summary_rows>;
+using FigureName = NameOf<figure_rows>;
 
 /// A line of summary.txt.
 template <class Value>
 std::pair<std::string, std::string> line_of(SummaryKey key, const Value& value) {
-  return {std::string(key.text()), fmt::format("{}", value)};
+  return {key.text(), fmt::format("{}", value)};
 }
 
 /// The keys that runs of these kinds may write, and those of sides where there are flows.

@@ -134,7 +134,7 @@ std::set<std::string> written(const std::filesystem::path& out) {
 std::vector<std::string> always(unsigned kind) {
   std::vector<std::string> keys;
   for (const SummaryRow& row : summary_rows) {
-    if ((row.of & kind) != 0 && row.when.empty()) keys.emplace_back(row.key);
+    if ((row.of & kind) != 0 && row.when.empty()) keys.emplace_back(row.name);
   }
   return keys;
 }
