@@ -32,8 +32,7 @@ template <class Exchange, class AnyState>
 void exchange(Exchange& with, AnyState& state) {
   with("x", state.x), with("y", state.y), with("vx", state.vx), with("vy", state.vy);
   with("bar_ax", state.ax), with("bar_ay", state.ay);
-  with("time", state.time), with("time_lost", state.time_lost);
-  with("steps", state.steps), with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  exchange_clock(with, state);
   with("carried_over", state.carried_over), with("behind_warned", state.behind_warned);
 }
 

@@ -7,6 +7,7 @@
 
 #include "model/bars.hpp"
 #include "model/scene.hpp"
+#include "physics/step_clock.hpp"
 #include "results/results.hpp"
 
 namespace tether::fem {
@@ -28,13 +29,10 @@ struct BarArrays {
 };
 
 /// All that changes while bars run.
-struct BarState {
+struct BarState : StepClock {
   std::vector<double> x, y, vx, vy, ax, ay;  // of each node, at the present time
-  double time = 0, time_lost = 0;            // sum of the steps, and what rounding took from it [time]
-  long long steps = 0;
-  double dt_last = 0, dt_min = 0;  // [time]
-  double carried_over = 0;         // energy by which steps of another length would count from elsewhere [energy]
-  bool behind_warned = false;      // whether the run has warned of a node behind a wall
+  double carried_over = 0;     // energy by which steps of another length would count from elsewhere [energy]
+  bool behind_warned = false;  // whether the run has warned of a node behind a wall
 };
 
 /// The state at time 0, with the accelerations of its places.

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 
 namespace tether::fem {
 namespace {
@@ -67,16 +67,8 @@ double BarSolver::next_step() const {
 void BarSolver::step(double dt) {
   if (state_.steps > 0 && dt != state_.dt_last) carry_over(dt);
   if (!central_difference_step(bars_, state_, dt)) stop(dt);
-  const bool last = plan_.scene.clock.tmax - state_.time <= dt;
-  if (last) {
-    state_.time = plan_.scene.clock.tmax;
-  } else {
-    add_compensated(state_.time, state_.time_lost, dt);
-  }
-  state_.dt_last = dt;
-  // A last step that tmax cuts short tells nothing of the run.
-  if (state_.steps == 0 || (!last && dt < state_.dt_min)) state_.dt_min = dt;
-  if (++state_.steps % steps_between_looks == 0) look_behind_walls();
+  state_.count_step(dt, plan_.scene.clock.tmax);
+  if (state_.steps % steps_between_looks == 0) look_behind_walls();
 }
 
 /// Steps of another length keep another energy: the total goes on from where it stands.

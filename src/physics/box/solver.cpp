@@ -7,7 +7,7 @@
 
 #include "physics/box/splitting_limit.hpp"
 #include "physics/solids/fields.hpp"
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::coupled {
@@ -46,18 +46,13 @@ void CoupledSolver::advance(double until) {
   const double tmax = plan_.scene.clock.tmax;
   while (state_.time < until && state_.time < tmax) {
     const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
-    const bool last = tmax - state_.time <= h;
     const CoupledState before = step_.may_stop(h) ? state_ : CoupledState{};
     if (!step_.advance(state_, h)) {
       state_ = before;
       return;
     }
-    add_compensated(state_.time, state_.time_lost, h);
-    if (last) state_.time = tmax, state_.time_lost = 0;
+    state_.count_step(h, tmax);
     look_for_overlaps();
-    ++state_.steps;
-    state_.dt_last = h;
-    if (state_.dt_min == 0 || (!last && h < state_.dt_min)) state_.dt_min = h;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "physics/box/outside.hpp"
 #include "physics/box/smoke.hpp"
 #include "physics/solids/body_doubts.hpp"
+#include "physics/step_clock.hpp"
 
 namespace tether::coupled {
 
@@ -54,10 +55,7 @@ struct StepAccount {
 };
 
 /// All that changes in a run.
-struct CoupledState {
-  double time = 0, time_lost = 0;  // [time]
-  long long steps = 0;
-  double dt_last = 0, dt_min = 0;
+struct CoupledState : StepClock {
   FaceValues v;              ///< of the fluid, extended into the solids [velocity]
   FaceValues driven;         ///< of a viscous one's open faces, by pressures and forces in the last step [acceleration]
   std::vector<double> p;     ///< of each cell, extended into the solids [stress]
@@ -86,8 +84,7 @@ struct CoupledState {
 /// The parts of a state for saving and restoring; cells and faces do not change in number.
 template <class Exchange>
 void exchange(Exchange& with, CoupledState& state) {
-  with("time", state.time), with("time_lost", state.time_lost), with("steps", state.steps);
-  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
+  exchange_clock(with, state);
   with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
   with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
   with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);

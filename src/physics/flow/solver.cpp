@@ -10,7 +10,7 @@
 #include "base/numbers.hpp"
 #include "base/vec.hpp"
 #include "physics/solids/fields.hpp"
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::fem {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/solids/body_doubts.hpp"
+#include "physics/step_clock.hpp"
 #include "results/results.hpp"
 
 namespace tether::fem {
@@ -32,8 +33,7 @@ struct FlowExchange {
 };
 
 /// Of a flow: 2 numbers a node of velocities, 1 of pressures; of immersed solids 2 a node of places.
-struct FlowState {
-  double time = 0, time_lost = 0;           ///< time_lost: what compensated summation owes [time]
+struct FlowState : StepClock {
   std::vector<double> v;                    ///< velocities at `time`
   std::vector<double> v_before;             ///< velocities at the start of the step that ended there
   std::vector<double> p;                    ///< pressures of the step that ended there
@@ -45,8 +45,7 @@ struct FlowState {
   std::vector<int> tracer_left;             ///< 1 of those that left the mesh
   FlowExchange exchanged;                   ///< so far
   double residual = 0;                      ///< that the last step ended with, over the largest force or flux
-  double dt_last = 0, dt_min = 0;           ///< [time]
-  long long steps = 0, newton_steps = 0, factorisations = 0, halvings = 0;
+  long long newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
   long long rounds = 0;     ///< of steady solutions with bodies
   OverlapCount overlap;     ///< of immersed solids
@@ -57,7 +56,7 @@ struct FlowState {
 /// Lists what a step depends on over saver and restorer alike.
 template <class Exchange>
 void exchange(Exchange& with, FlowState& state) {
-  with("time", state.time), with("time_lost", state.time_lost);
+  exchange_clock(with, state);
   with("v", state.v), with("v_before", state.v_before), with("p", state.p), with("force", state.force),
       with("forces_on_bodies", state.body_forces), with("clamps", state.clamps), with("q", state.q), with("w", state.w),
       with("drift", state.drift);
@@ -68,9 +67,8 @@ void exchange(Exchange& with, FlowState& state) {
   with("viscosity", all.viscosity), with("stabilised", all.stabilised);
   with("advected", all.advected), with("immersed", all.immersed), with("stepped", all.stepped);
   with("residual", state.residual);
-  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
-  with("steps", state.steps), with("newton_steps", state.newton_steps);
-  with("factorisations", state.factorisations), with("halvings", state.halvings);
+  with("newton_steps", state.newton_steps), with("factorisations", state.factorisations),
+      with("halvings", state.halvings);
   with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures),
       with("rounds", state.rounds);
   exchange(with, state.overlap), exchange(with, state.doubts);

@@ -11,7 +11,7 @@
 #include "physics/points/nodes.hpp"
 #include "physics/points/point_laws.hpp"
 #include "physics/points/steps.hpp"
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::mpm {
@@ -180,16 +180,7 @@ void MpmSolver::pass_edges(StepWork& work, double dt) {
 }
 
 void MpmSolver::finish_step(const StepFindings& found, double dt) {
-  const bool last = plan_.scene.clock.tmax - state_.time <= dt;
-  if (last) {
-    state_.time = plan_.scene.clock.tmax;
-  } else {
-    add_compensated(state_.time, state_.time_lost, dt);
-  }
-  state_.dt_last = dt;
-  // A last step that tmax cuts short tells nothing of the run.
-  if (state_.steps == 0 || (!last && dt < state_.dt_min)) state_.dt_min = dt;
-  ++state_.steps;
+  state_.count_step(dt, plan_.scene.clock.tmax);
   state_.point_steps += static_cast<long long>(state_.points.size());
   state_.c_max = std::sqrt(found.c_squared_max);
   state_.wave_max = found.wave_max;

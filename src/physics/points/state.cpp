@@ -100,7 +100,9 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
       with(row.name, P.*row.array);
   });
   Strips::exchange(with, state.strips);
-  exchange_numbers(with, state);
+  exchange_clock(with, state);
+  using Numbers = std::conditional_t<std::is_const_v<AnyState>, const StateNumbers, StateNumbers>;
+  exchange_numbers(with, static_cast<Numbers&>(state));
   exchange_numbers(with, state.balance);
   with("body_begin", sums.begin), with("body_end", sums.end);
   with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);

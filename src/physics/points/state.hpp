@@ -14,6 +14,7 @@
 #include "physics/points/elements.hpp"
 #include "physics/points/normals.hpp"
 #include "physics/points/strips.hpp"
+#include "physics/step_clock.hpp"
 #include "results/results.hpp"
 
 namespace tether::mpm {
@@ -23,17 +24,14 @@ namespace tether::mpm {
 /// deck's.
 enum class PointDoubt { apart, gap, end, mixing, leak, limit };
 
-/// What a step remembers in single numbers. A number is a member and its row.
+/// What a step remembers in single numbers beside the clock's. A number is a member and its row.
 struct StateNumbers {
-  double gas_mass = 0;             // [mass]
-  double heat_given = 0;           // to the gas by the ledger since the start [energy]
-  double heat_under_way = 0;       // of it, what the gas takes in the next step [energy]
-  double heat_for_all = 0;         // of it, what goes to all gas alike [energy]
-  double time = 0, time_lost = 0;  // sum of the steps, and what rounding took from it [time]
-  double c_max = 0;                // largest sound speed of the gas after the last step [velocity]
-  double wave_max = 0;             // its largest c + |v| [velocity]
-  long long steps = 0;
-  double dt_last = 0, dt_min = 0;      // [time]
+  double gas_mass = 0;                 // [mass]
+  double heat_given = 0;               // to the gas by the ledger since the start [energy]
+  double heat_under_way = 0;           // of it, what the gas takes in the next step [energy]
+  double heat_for_all = 0;             // of it, what goes to all gas alike [energy]
+  double c_max = 0;                    // largest sound speed of the gas after the last step [velocity]
+  double wave_max = 0;                 // its largest c + |v| [velocity]
   long long crossings_since_sort = 0;  // of points, from cell to cell
   double widest_gap = 0;               // of neighbours of a string or membrane since the start [cells]
   double points_apart = 0;             // of neighbours of a solid that carries F since the start, as looked at [cells]
@@ -50,13 +48,8 @@ struct StateNumbers {
         NumberField{"heat_given", &N::heat_given},
         NumberField{"heat_under_way", &N::heat_under_way},
         NumberField{"heat_for_all", &N::heat_for_all},
-        NumberField{"time", &N::time},
-        NumberField{"time_lost", &N::time_lost},
         NumberField{"c_max", &N::c_max},
         NumberField{"wave_max", &N::wave_max},
-        NumberField{"steps", &N::steps},
-        NumberField{"dt_last", &N::dt_last},
-        NumberField{"dt_min", &N::dt_min},
         NumberField{"crossings_since_sort", &N::crossings_since_sort},
         NumberField{"widest_gap", &N::widest_gap},
         NumberField{"points_apart", &N::points_apart},
@@ -68,7 +61,7 @@ struct StateNumbers {
   }
 };
 /// All that changes while a scene runs.
-struct State : StateNumbers {
+struct State : StateNumbers, StepClock {
   Points points;
   Grid grid;
   std::vector<Range> ranges;        // slots of each body

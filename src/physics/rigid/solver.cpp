@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::fem {

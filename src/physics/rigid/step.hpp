@@ -6,6 +6,7 @@
 #include "model/solids.hpp"
 #include "physics/rigid/body.hpp"
 #include "physics/rigid/state.hpp"
+#include "physics/step_clock.hpp"
 #include "results/results.hpp"
 
 namespace tether::fem {
@@ -71,12 +72,10 @@ class RigidSystem {
 };
 
 /// Of a rigid body and its run.
-struct RigidRunState {
+struct RigidRunState : StepClock {
   RigidState body;
-  double time = 0, time_lost = 0;  ///< time_lost: what compensated summation owes [time]
-  double work = 0;                 ///< done by the loads so far, without the weight's [energy]
-  double dt_last = 0, dt_min = 0;  ///< [time]
-  long long steps = 0, newton_steps = 0, halvings = 0;
+  double work = 0;  ///< done by the loads so far, without the weight's [energy]
+  long long newton_steps = 0, halvings = 0;
 };
 
 template <class Exchange>
@@ -91,9 +90,8 @@ template <class Exchange>
 void exchange(Exchange& with, RigidRunState& state) {
   exchange(with, "q", state.body.q), exchange(with, "v", state.body.v);
   exchange(with, "lost_q", state.body.lost_q), exchange(with, "lost_v", state.body.lost_v);
-  with("time", state.time), with("time_lost", state.time_lost), with("work", state.work);
-  with("dt_last", state.dt_last), with("dt_min", state.dt_min);
-  with("steps", state.steps), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
+  exchange_clock(with, state);
+  with("work", state.work), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
 }
 
 }  // namespace tether::fem

@@ -8,7 +8,7 @@
 
 #include "base/diagnostics.hpp"
 #include "physics/solids/fields.hpp"
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::fem {

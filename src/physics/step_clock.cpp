@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "physics/step_time.hpp"
+#include "physics/step_clock.hpp"
 
 #include <algorithm>
 

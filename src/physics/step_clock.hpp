@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+#include "fields/rows.hpp"
 
 namespace tether {
 
@@ -24,6 +27,50 @@ inline void add_compensated(double& sum, double& lost, double term) {
   sum = next;
 }
 
+/// How far a run is: a part of the state of every path. A number is a member and its row.
+struct StepClock {
+  double time = 0, time_lost = 0;  ///< sum of the steps, and what rounding took from it [time]
+  double dt_last = 0, dt_min = 0;  ///< dt_min: the shortest but for one cut by the end [time]
+  long long steps = 0;             ///< parts of a halved step count as steps
+
+  /// Name in a checkpoint, and member.
+  static constexpr auto rows() {
+    using C = StepClock;
+    return std::tuple{
+        NumberField{"time", &C::time},     NumberField{"time_lost", &C::time_lost}, NumberField{"dt_last", &C::dt_last},
+        NumberField{"dt_min", &C::dt_min}, NumberField{"steps", &C::steps},
+    };
+  }
+
+  /// Whether a step of dt from here ends at tmax. [time]
+  bool ends(double dt, double tmax) const { return tmax - time <= dt; }
+  /// Counts a step of dt, or a part of one that is halved. [time]
+  void pass(double dt) {
+    add_compensated(time, time_lost, dt);
+    ++steps;
+  }
+  /// Notes the whole step of dt that has passed, which as the last one ended at tmax to the last bit. [time]
+  void close_step(double dt, double tmax, bool last) {
+    if (last) time = tmax, time_lost = 0;
+    dt_last = dt;
+    // A last step that tmax cuts short says nothing of the run.
+    if (dt_min == 0 || (!last && dt < dt_min)) dt_min = dt;
+  }
+  /// Counts a step that was not halved. [time]
+  void count_step(double dt, double tmax) {
+    const bool last = ends(dt, tmax);
+    pass(dt);
+    close_step(dt, tmax, last);
+  }
+};
+
+/// with(name, number) for the clock of a state: of a checkpoint, either way.
+template <class Exchange, class State>
+void exchange_clock(Exchange& with, State& state) {
+  using Part = std::conditional_t<std::is_const_v<State>, const StepClock, StepClock>;
+  exchange_numbers(with, static_cast<Part&>(state));
+}
+
 }  // namespace tether
 
 namespace tether::fem {
@@ -37,14 +84,13 @@ std::string residuals_text(std::span<const double> residuals);
 
 /// Takes a step by advance(dt), whose report says whether it converged; where not, two of half its length, each of
 /// which may be halved again, until stop(dt, report) has to throw. Counts time, steps and halvings; the first halving
-/// is told.
+/// is reported.
 template <class State, class Advance, class Stop>
 void halving_step(State& state, double dt, int halvings, const Advance& advance, const Stop& stop,
                   std::vector<std::string>& messages) {
   const auto report = advance(dt);
   if (report.converged) {
-    add_compensated(state.time, state.time_lost, dt);
-    ++state.steps;
+    state.pass(dt);
     return;
   }
   if (halvings == most_halvings) stop(dt, report);
@@ -59,11 +105,9 @@ void halving_step(State& state, double dt, int halvings, const Advance& advance,
 template <class State, class Advance, class Stop>
 void clock_step(State& state, double dt, double tmax, const Advance& advance, const Stop& stop,
                 std::vector<std::string>& messages) {
-  const bool last = tmax - state.time <= dt;
+  const bool last = state.ends(dt, tmax);
   halving_step(state, dt, 0, advance, stop, messages);
-  if (last) state.time = tmax, state.time_lost = 0;
-  state.dt_last = dt;
-  if (state.dt_min == 0 || (!last && dt < state.dt_min)) state.dt_min = dt;
+  state.close_step(dt, tmax, last);
 }
 
 }  // namespace tether::fem
