@@ -147,7 +147,7 @@ class Follower {
     std::vector<std::size_t> found;
     int least = std::numeric_limits<int>::max();
     for (int side = 0; side < 2 * grid_.dim; ++side) {
-      if (part_[c] == Part::turns && !(towards_[c] >> side & 1U)) continue;
+      if (part_[c] == Part::turns && !(static_cast<unsigned>(towards_[c]) >> side & 1U)) continue;
       int far = 1, next = beyond(before_, start, side, FaceKind::open);
       while (next >= 0 && (part(next) == Part::goes || part(next) == Part::turns)) {
         next = beyond(before_, grid_.place_of_cell(static_cast<std::size_t>(next)), side, FaceKind::open);
