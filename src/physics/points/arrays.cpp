@@ -66,11 +66,11 @@ Points::Points(const Scene& scene) {
 Grid::Grid(const Scene& scene)
     : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel, scene.edges),
       sums(frame.shape.nodes()),
-      motion(frame.shape.nodes()),
-      convected(frame.shape.nodes()),
-      gas(frame.shape.nodes()),
-      loss(scene.method.ledger ? frame.shape.nodes() : 0),
-      squares(scene.method.ledger ? frame.shape.nodes() : 0),
+      motion(frame.shape.nodes(), 6),
+      convected(frame.shape.nodes(), 10),
+      gas(frame.shape.nodes(), 12),
+      loss(scene.method.ledger ? frame.shape.nodes() : 0, 14),
+      squares(scene.method.ledger ? frame.shape.nodes() : 0, 15),
       cell_stamp(frame.shape.nodes(), 0),
       node_stamp(frame.shape.nodes(), 0) {
   const std::size_t points = scene.points.size();
@@ -104,21 +104,21 @@ void Grid::list_active(const Points& points) {
 template void Grid::list_active<LinearKernel>(const Points&);
 template void Grid::list_active<SplineKernel>(const Points&);
 
-void fold_sums(const Frame& frame, std::vector<NodeSums>& sums) {
+void fold_sums(const Frame& frame, NodeSumsRow& sums) {
   for (const Ghost& ghost : frame.ghosts) {
-    NodeSums& from = sums[static_cast<std::size_t>(ghost.node)];
-    NodeSums& to = sums[static_cast<std::size_t>(ghost.image)];
+    NodeSumsAt from = sums[static_cast<std::size_t>(ghost.node)];
+    NodeSumsAt to = sums[static_cast<std::size_t>(ghost.image)];
     to.m += from.m, to.gas += from.gas;
-    to.momentum += ghost.sign * from.momentum;
-    to.force += ghost.sign * from.force;
-    from = {};
+    to.momentum += ghost.sign * Pair(from.momentum);
+    to.force += ghost.sign * Pair(from.force);
+    from = NodeSums{};
   }
 }
 
 void Grid::fold_convected() {
   for (const Ghost& ghost : frame.ghosts) {
-    Pair& from = convected[static_cast<std::size_t>(ghost.node)];
-    convected[static_cast<std::size_t>(ghost.image)] += ghost.sign * from;
+    PairAt from = convected[static_cast<std::size_t>(ghost.node)];
+    convected[static_cast<std::size_t>(ghost.image)] += ghost.sign * Pair(from);
     from = Pair{};
   }
 }
@@ -133,20 +133,21 @@ void Grid::fold_loss() {
 
 void Grid::unfold_motion() {
   for (const Ghost& ghost : frame.ghosts) {
-    const NodeMotion& image = motion[static_cast<std::size_t>(ghost.image)];
-    motion[static_cast<std::size_t>(ghost.node)] = {ghost.sign * image.a, ghost.sign * image.u};
+    const NodeMotion image = motion[static_cast<std::size_t>(ghost.image)];
+    motion[static_cast<std::size_t>(ghost.node)] = NodeMotion{ghost.sign * image.a, ghost.sign * image.u};
   }
 }
 
 void Grid::unfold_convected() {
   for (const Ghost& ghost : frame.ghosts) {
-    convected[static_cast<std::size_t>(ghost.node)] = ghost.sign * convected[static_cast<std::size_t>(ghost.image)];
+    convected[static_cast<std::size_t>(ghost.node)] = ghost.sign * Pair(convected[static_cast<std::size_t>(ghost.image)]);
   }
 }
 
 void Grid::unfold_gas() {
   for (const Ghost& ghost : frame.ghosts) {
-    gas[static_cast<std::size_t>(ghost.node)] = gas[static_cast<std::size_t>(ghost.image)];
+    const auto n = static_cast<std::size_t>(ghost.node), image = static_cast<std::size_t>(ghost.image);
+    gas.rho[n] = gas.rho[image], gas.heat[n] = gas.heat[image];
   }
 }
 

@@ -10,6 +10,7 @@
 #include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "physics/points/frame.hpp"
+#include "physics/points/node_rows.hpp"
 
 namespace tether::mpm {
 
@@ -80,37 +81,19 @@ struct Points {
     });
   }
 };
-/// Sums over points at a node, mapped at the start of a step (3.15)-(3.18).
-struct NodeSums {
-  Pair momentum{}, force{};
-  double m = 0, gas = 0;  // mass, and that of the gas where its density comes from the nodes
-};
-
-/// Solution of the momentum equation at a node: acceleration f / m and velocity (mv)^L / m (3.19), (3.20).
-/// The quotients are taken at the node. The thesis' momentum form multiplies by N_i first so that a tiny m_i cancels;
-/// in floating point the order is of no matter as long as nothing overflows, and N_i >= 1e-24 (Locator::edge).
-struct NodeMotion {
-  Pair a{}, u{};
-};
-
-/// What the gas reads at a node: its density there, and the heat per mass that the ledger gives it.
-struct NodeGas {
-  double rho = 0, heat = 0;
-};
-
 /// What points gave to ghosts, to their images; the ghosts are empty then.
-void fold_sums(const Frame& frame, std::vector<NodeSums>& sums);
+void fold_sums(const Frame& frame, NodeSumsRow& sums);
 
 /// The background grid's fields, and the lists of cells and nodes that hold points: nothing else is touched in a step.
 /// By splines a "cell" is what lies nearest to a node. Ghosts are no active nodes: what they hold is folded at once.
 struct Grid {
   Frame frame;
-  std::vector<NodeSums> sums;
-  std::vector<NodeMotion> motion;
-  std::vector<Pair> convected;  // (3.24): first sum m v N, then divided by m; by usf the velocity before the solve
-  std::vector<NodeGas> gas;     // where the gas takes its density from the nodes
-  std::vector<double> loss;     // where the ledger is kept: energy that the gas takes in the next step [energy]
-  std::vector<double> squares;  // where the ledger is kept: |v|^2 before the solve plus after it
+  NodeSumsRow sums;
+  NodeMotionRow motion;
+  PairRow convected;  // (3.24): first sum m v N, then divided by m; by usf the velocity before the solve
+  NodeGasRow gas;     // where the gas takes its density from the nodes
+  NodeRow loss;       // where the ledger is kept: energy that the gas takes in the next step [energy]
+  NodeRow squares;    // where the ledger is kept: |v|^2 before the solve plus after it
   std::vector<int> active_cells, active_nodes;
   std::vector<std::uint32_t> cell_stamp, node_stamp;  // the list in which a cell or node stands already
   std::uint32_t stamp = 0;

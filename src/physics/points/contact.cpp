@@ -239,14 +239,14 @@ void Contact::exchange(Grid& grid, int group) {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const auto n = static_cast<std::size_t>(nodes_[k]);
     const std::size_t own = index(static_cast<int>(k), group);
-    std::swap(grid.convected[n], convected_[own]);
-    std::swap(grid.motion[n], motion_[own]);
-    if (!grid.squares.empty()) grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion[n].u);
+    grid.convected[n] = std::exchange(convected_[own], Pair(grid.convected[n]));
+    grid.motion[n] = std::exchange(motion_[own], NodeMotion(grid.motion[n]));
+    if (!grid.squares.empty()) grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion.u[n]);
   }
   for (const Ghost& ghost : ghosts_) {
     const auto n = static_cast<std::size_t>(ghost.node), image = static_cast<std::size_t>(ghost.image);
-    grid.convected[n] = ghost.sign * grid.convected[image];
-    grid.motion[n] = {ghost.sign * grid.motion[image].a, ghost.sign * grid.motion[image].u};
+    grid.convected[n] = ghost.sign * Pair(grid.convected[image]);
+    grid.motion[n] = NodeMotion{ghost.sign * Pair(grid.motion.a[image]), ghost.sign * Pair(grid.motion.u[image])};
     if (!grid.squares.empty()) grid.squares[n] = grid.squares[image];
   }
 }

@@ -186,11 +186,11 @@ struct PointSource {
 /// What fields of nodes are made from: node k of the deck's grid is node `nodes[k]` of the frame.
 struct NodeSource {
   std::vector<std::size_t> nodes = {};
-  std::vector<NodeSums> sums = {};
+  NodeSumsRow sums = NodeSumsRow(0);
   double gravity = 0;
   std::vector<double> density = {}, pressure = {}, energy = {};  ///< sum m_p q_p N_i of each quantity q
 
-  const NodeSums& at(std::size_t k) const { return sums[nodes[k]]; }
+  NodeSums at(std::size_t k) const { return sums[nodes[k]]; }
 };
 
 /// An array of the points.
@@ -286,7 +286,7 @@ Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set)
   for (const std::size_t slot : order.slots) energy.push_back(state.points.energy[slot]);
   NodeSource source{.gravity = scene.gravity};
   for (std::size_t k = 0; k < frame.deck.nodes(); ++k) source.nodes.push_back(frame.of_deck(k));
-  source.sums.resize(frame.shape.nodes());
+  source.sums = NodeSumsRow(frame.shape.nodes());
   set.map_all(state, scene, source.sums);
   source.density = sum_at_nodes(state, set, order, derived.density);
   source.pressure = sum_at_nodes(state, set, order, derived.pressure);

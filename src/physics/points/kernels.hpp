@@ -63,22 +63,22 @@ inline void each_momentum(const Points& P, std::size_t p, const Locator& locator
 
 /// Adds the point's mass and momentum to its nodes (3.15).
 template <class S>
-inline void map_momentum(const Points& P, std::size_t p, std::vector<NodeSums>& sums, const Locator& locator,
+inline void map_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, const Locator& locator,
                          const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
   each_momentum<S>(P, p, locator, at, nodes, [&](std::size_t n, double m, Pair momentum) {
-    sums[n].m += m;
-    sums[n].momentum += momentum;
+    sums.m[n] += m;
+    sums.momentum[n] += momentum;
   });
 }
 
 /// The same, and the mass of gas.
 template <class S>
-inline void map_gas_momentum(const Points& P, std::size_t p, std::vector<NodeSums>& sums, const Locator& locator,
+inline void map_gas_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, const Locator& locator,
                              const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
   each_momentum<S>(P, p, locator, at, nodes, [&](std::size_t n, double m, Pair momentum) {
-    sums[n].m += m;
-    sums[n].gas += m;
-    sums[n].momentum += momentum;
+    sums.m[n] += m;
+    sums.gas[n] += m;
+    sums.momentum[n] += momentum;
   });
 }
 
@@ -87,9 +87,9 @@ template <class S>
 inline void map_gas_momentum_and_loss(const Points& P, std::size_t p, double lost, Grid& grid, const Locator& locator,
                                       const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
   each_momentum<S>(P, p, locator, at, nodes, [&](std::size_t n, double m, Pair momentum) {
-    grid.sums[n].m += m;
-    grid.sums[n].gas += m;
-    grid.sums[n].momentum += momentum;
+    grid.sums.m[n] += m;
+    grid.sums.gas[n] += m;
+    grid.sums.momentum[n] += momentum;
     grid.loss[n] += m * lost;
   });
 }
@@ -109,10 +109,10 @@ inline void each_force(const Points& P, std::size_t p, double volume, const Loca
 }
 
 template <class S>
-inline void map_force(const Points& P, std::size_t p, double volume, std::vector<NodeSums>& sums,
+inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums,
                       const Locator& locator, const typename S::Kernel::Place& at,
                       const typename S::Kernel::Nodes& nodes) {
-  each_force<S>(P, p, volume, locator, at, nodes, [&](std::size_t n, Pair force) { sums[n].force += force; });
+  each_force<S>(P, p, volume, locator, at, nodes, [&](std::size_t n, Pair force) { sums.force[n] += force; });
 }
 
 /// |C|^2 D of a field, of two axes, D = h^2/4 for quadratic splines; bilinear functions are not orthogonal, and what
@@ -135,17 +135,17 @@ inline double product(const Locator& locator, const LinearField& a, const Linear
 /// balance of energy wants of points: m_p |a_p|^2, or of APIC m_p |field|^2 before less after [mass velocity^2 /
 /// time^2, energy].
 template <class S>
-inline void accelerate(Points& P, std::size_t p, double dt, const std::vector<NodeMotion>& motion,
+inline void accelerate(Points& P, std::size_t p, double dt, const NodeMotionRow& motion,
                        const Locator& locator, const typename S::Kernel::Place& at,
                        const typename S::Kernel::Nodes& nodes, double& squares) {
   if constexpr (S::affine) {
-    const LinearField field = S::Kernel::affine(locator, at, nodes, [&](std::size_t n) { return motion[n].u; });
+    const LinearField field = S::Kernel::affine(locator, at, nodes, [&](std::size_t n) { return motion.u[n]; });
     const LinearField before = field_about(P, p);
     squares += P.mass[p] * (product<S>(locator, before, before) - product<S>(locator, field, field));
     P.vx[p] = field.v[0], P.vy[p] = field.v[1];
     P.vxx[p] = field.by_x[0], P.vyx[p] = field.by_x[1], P.vxy[p] = field.by_y[0], P.vyy[p] = field.by_y[1];
   } else {
-    const Pair a = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion[n].a; });
+    const Pair a = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion.a[n]; });
     squares += P.mass[p] * (a[0] * a[0] + a[1] * a[1]);
     const Pair v = pair(P.vx[p], P.vy[p]) + dt * a;
     P.vx[p] = v[0], P.vy[p] = v[1];
@@ -155,10 +155,10 @@ inline void accelerate(Points& P, std::size_t p, double dt, const std::vector<No
 /// x_p += dt sum N_i (mv)_i^L / m_i (3.21). Of APIC that sum is the velocity that the point has just taken. Adds m_p
 /// times the way up to `lifted` [mass length].
 template <class S>
-inline void move(Points& P, std::size_t p, double dt, const std::vector<NodeMotion>& motion,
+inline void move(Points& P, std::size_t p, double dt, const NodeMotionRow& motion,
                  const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes, double& lifted) {
   Pair u = pair(P.vx[p], P.vy[p]);
-  if constexpr (!S::affine) u = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion[n].u; });
+  if constexpr (!S::affine) u = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion.u[n]; });
   P.x[p] += dt * u[0], P.y[p] += dt * u[1];
   lifted += P.mass[p] * dt * u[1];
 }
@@ -179,13 +179,13 @@ inline bool accept_place(const Points& P, std::size_t p, const Locator& locator,
 
 /// Density of the gas at its place, and the heat that the ledger gives it.
 template <class Kernel>
-inline void read_gas(Points& P, std::size_t p, const std::vector<NodeGas>& gas, double heat_for_all,
+inline void read_gas(Points& P, std::size_t p, const NodeGasRow& gas, double heat_for_all,
                      const typename Kernel::Place& at, const typename Kernel::Nodes& nodes) {
   const auto N = Kernel::values(at);
   double rho = 0, heat = heat_for_all;
   for (std::size_t k = 0; k < Kernel::size; ++k) {
-    rho += N[k] * gas[nodes[k]].rho;
-    heat += N[k] * gas[nodes[k]].heat;
+    rho += N[k] * gas.rho[nodes[k]];
+    heat += N[k] * gas.heat[nodes[k]];
   }
   P.rho[p] = rho;
   P.energy[p] += heat;

@@ -19,13 +19,13 @@ namespace tether::mpm {
 /// Forces of the points, spread by N. A pin takes what pulls at it.
 template <class S>
 inline void spread_forces(const Points& P, const Locator& locator, const Elements& elements,
-                          std::vector<NodeSums>& sums) {
+                          NodeSumsRow& sums) {
   for_points(elements.range(), [&](std::size_t p) {
     if (P.pinned[p]) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(locator, at);
     const auto N = S::Kernel::values(at);
-    for (std::size_t k = 0; k < S::Kernel::size; ++k) sums[nodes[k]].force += N[k] * elements.force(p);
+    for (std::size_t k = 0; k < S::Kernel::size; ++k) sums.force[nodes[k]] += N[k] * elements.force(p);
   });
 }
 
@@ -59,7 +59,7 @@ inline StepFindings accelerate_move_and_map_membrane(const PassWork& work, Eleme
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (ledger) {
-      const auto middle = [&](std::size_t n) { return 0.5 * (work.grid.convected[n] + work.grid.motion[n].u); };
+      const auto middle = [&](std::size_t n) { return 0.5 * (Pair(work.grid.convected[n]) + Pair(work.grid.motion.u[n])); };
       const Pair moved = dt * S::Kernel::value(at, nodes, middle);
       const double lost = P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, found.squares);
       elements.book(p, pair(P.x[p], P.y[p]), moved, lost);
@@ -84,14 +84,14 @@ inline void heat_gas_around(const PassWork& work, State& state, std::size_t p, d
   double rho = 0;
   for (std::size_t k = 0; k < S::Kernel::size; ++k) {
     const std::size_t n = grid.frame.image[nodes[k]];
-    rho += N[k] * grid.sums[n].gas * grid.frame.per_volume[n];
+    rho += N[k] * grid.sums.gas[n] * grid.frame.per_volume[n];
   }
   if (!(rho > 0)) return give_to_all_gas(state, energy);
   state.heat_under_way += energy;
   state.heat_given += energy;
   for (std::size_t k = 0; k < S::Kernel::size; ++k) {
     const std::size_t n = grid.frame.image[nodes[k]];
-    work.grid.loss[n] += energy * N[k] * grid.sums[n].gas * grid.frame.per_volume[n] / rho;
+    work.grid.loss[n] += energy * N[k] * grid.sums.gas[n] * grid.frame.per_volume[n] / rho;
   }
 }
 
@@ -120,12 +120,12 @@ inline void density_at_nodes(const PassWork& work, const std::vector<Range>& gas
     }
   };
   each([&](std::size_t, const auto& nodes, const auto&) {
-    for (const std::size_t n : nodes) work.grid.gas[n].rho = work.grid.gas[work.grid.frame.image[n]].rho = 0;
+    for (const std::size_t n : nodes) work.grid.gas.rho[n] = work.grid.gas.rho[work.grid.frame.image[n]] = 0;
   });
   each([&](std::size_t p, const auto& nodes, const auto& N) {
     for (std::size_t k = 0; k < S::Kernel::size; ++k) {
       const std::size_t n = work.grid.frame.image[nodes[k]];
-      work.grid.gas[n].rho += N[k] * P.mass[p] * work.grid.frame.per_volume[n];
+      work.grid.gas.rho[n] += N[k] * P.mass[p] * work.grid.frame.per_volume[n];
     }
   });
   work.grid.unfold_gas();

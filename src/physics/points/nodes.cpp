@@ -10,13 +10,14 @@ void solve_momentum(StepWork& work, double dt) {
   const Pair gravity = pair(0, work.scene.gravity);
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    const NodeSums& sum = grid.sums[n];
+    const NodeSums sum = grid.sums[n];
     const double per_m = inverse(sum.m);
-    NodeMotion& motion = grid.motion[n];
+    NodeMotion motion;
     motion.a = sum.force * per_m + gravity;
     motion.u = sum.momentum * per_m + dt * motion.a;
     hold(grid.frame.held[n], motion.a);
     hold(grid.frame.held[n], motion.u);
+    grid.motion[n] = motion;
   }
   grid.unfold_motion();
 }
@@ -38,8 +39,9 @@ void total_nodes(StepWork& work, double dt) {
 void divide_convected(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    grid.convected[n] *= inverse(grid.sums[n].m);
-    hold(grid.frame.held[n], grid.convected[n]);
+    Pair v = inverse(grid.sums.m[n]) * Pair(grid.convected[n]);
+    hold(grid.frame.held[n], v);
+    grid.convected[n] = v;
   }
   grid.unfold_convected();
 }
@@ -47,7 +49,7 @@ void divide_convected(Grid& grid) {
 void mapped_velocity(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    grid.convected[n] = grid.sums[n].momentum;
+    grid.convected[n] = grid.sums.momentum[n];
   }
   divide_convected(grid);
 }
@@ -58,7 +60,7 @@ void clear_convected(Grid& grid) {
 }
 
 void clear_sums(Grid& grid) {
-  for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)] = {};
+  for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)] = NodeSums{};
 }
 
 void map_anew(State& state, const Scene& scene, const StepSet& set) {
@@ -82,15 +84,15 @@ void forget_sums(State& state, const StepSet& set) {
 }
 
 void clear_forces(Grid& grid) {
-  for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)].force = Pair{};
+  for (const int node : grid.active_nodes) grid.sums.force[static_cast<std::size_t>(node)] = Pair{};
 }
 
 void gas_at_nodes(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    const double gas = grid.sums[n].gas;
-    grid.gas[n].rho = gas * grid.frame.per_volume[n];
-    if (!grid.loss.empty()) grid.gas[n].heat = grid.loss[n] * inverse(gas);
+    const double gas = grid.sums.gas[n];
+    grid.gas.rho[n] = gas * grid.frame.per_volume[n];
+    if (!grid.loss.empty()) grid.gas.heat[n] = grid.loss[n] * inverse(gas);
   }
   grid.unfold_gas();
 }
@@ -110,7 +112,7 @@ void clear_heat(State& state) {
 void note_squares(Grid& grid) {
   for (const int node : grid.active_nodes) {
     const auto n = static_cast<std::size_t>(node);
-    grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion[n].u);
+    grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion.u[n]);
   }
   grid.unfold_squares();
 }

@@ -49,7 +49,7 @@ struct MuslPass {  // strain rate from the convected velocity (3.24), then move
 };
 struct UslPass {  // strain rate from the solution of the momentum equation, then accelerate and move
   static constexpr bool accelerates = true, moves = true;
-  static Pair velocity(const Grid& grid, std::size_t n) { return grid.motion[n].u; }
+  static Pair velocity(const Grid& grid, std::size_t n) { return grid.motion.u[n]; }
 };
 struct UsfPass {  // strain rate from the mapped velocity; the points stay
   static constexpr bool accelerates = false, moves = false;
@@ -185,7 +185,7 @@ template <class S>
 inline void heat_centred(const PassWork& work, std::size_t p, const typename S::Kernel::Place& at,
                          const typename S::Kernel::Nodes& nodes) {
   Points& P = work.P;
-  const auto middle = [&](std::size_t n) { return 0.5 * (work.grid.convected[n] + work.grid.motion[n].u); };
+  const auto middle = [&](std::size_t n) { return 0.5 * (Pair(work.grid.convected[n]) + Pair(work.grid.motion.u[n])); };
   const Rate rate = rate_at<S>(work.locator, at, nodes, middle, P.x[p]);
   const Stress s{P.sxx[p], P.syy[p], P.sxy[p], S::about_axis ? P.szz[p] : 0};
   P.energy[p] = IdealGas::heated(P.energy[p], work.step.dt, s, rate.d, P.rho[p]);

@@ -19,7 +19,7 @@ namespace {
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: state.cpp
 constexpr double bytes_of_frame = sizeof(std::size_t) + sizeof(Pair) + sizeof(double) + 1;
 constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
-constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + sizeof(NodeGas) +
+constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 2 * sizeof(double) +
                                  2 * sizeof(double) + 4 * sizeof(int) + bytes_of_frame + bytes_of_contact +
                                  bytes_of_saved_node;
 static_assert(bytes_of_node <= bytes_per_node, "model/size.hpp: a node takes more than it says");

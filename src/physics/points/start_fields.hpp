@@ -38,7 +38,7 @@ inline std::vector<Pair> velocities_of(const State& state, Range range) {
   const Frame& frame = state.grid.frame;
   const Points& P = state.points;
   const Locator locator(frame.shape);
-  std::vector<NodeSums> sums(frame.shape.nodes());
+  NodeSumsRow sums(frame.shape.nodes());
   for_points(range, [&](std::size_t p) {
     if (P.pinned[p] && state.pins_hold_loads) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
@@ -47,7 +47,7 @@ inline std::vector<Pair> velocities_of(const State& state, Range range) {
   fold_sums(frame, sums);
   std::vector<Pair> velocities(sums.size());
   for (std::size_t n = 0; n < sums.size(); ++n) {
-    velocities[n] = sums[n].momentum * inverse(sums[n].m);
+    velocities[n] = inverse(sums.m[n]) * Pair(sums.momentum[n]);
     hold(frame.held[n], velocities[n]);
   }
   for (const Ghost& ghost : frame.ghosts) {

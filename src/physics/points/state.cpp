@@ -24,7 +24,7 @@ struct ActiveSums {
 ActiveSums active_sums(const Grid& grid) {
   ActiveSums active;
   for (const int node : grid.active_nodes) {
-    const NodeSums& sum = grid.sums[static_cast<std::size_t>(node)];
+    const NodeSums sum = grid.sums[static_cast<std::size_t>(node)];
     active.m.push_back(sum.m);
     active.gas.push_back(sum.gas);
     active.loss.push_back(grid.loss.empty() ? 0 : grid.loss[static_cast<std::size_t>(node)]);
@@ -38,7 +38,7 @@ ActiveSums active_sums(const Grid& grid) {
 
 void put_sums(const ActiveSums& active, Grid& grid) {
   for (std::size_t k = 0; k < grid.active_nodes.size(); ++k) {
-    NodeSums& sum = grid.sums[static_cast<std::size_t>(grid.active_nodes[k])];
+    NodeSumsAt sum = grid.sums[static_cast<std::size_t>(grid.active_nodes[k])];
     sum.m = active.m[k];
     sum.gas = active.gas[k];
     if (!grid.loss.empty()) grid.loss[static_cast<std::size_t>(grid.active_nodes[k])] = active.loss[k];
@@ -127,8 +127,7 @@ SavedState save(const State& state) {
 }
 
 void restore(State& state, const Scene& scene, const SavedState& saved) {
-  std::fill(state.grid.sums.begin(), state.grid.sums.end(), NodeSums{});
-  std::fill(state.grid.loss.begin(), state.grid.loss.end(), 0.0);
+  state.grid.sums.clear(), state.grid.loss.clear();
   StateRestorer restorer(saved);
   ActiveSums sums;
   take_ranges(state, sums);

@@ -21,7 +21,7 @@ struct StepSet {
   /// After trouble the state is for reading only.
   void (*step)(StepWork& work, double dt);
   /// Adds mass, momentum and internal force of all points at their present places to `sums` (3.15), (3.16).
-  void (*map_all)(const State& state, const Scene& scene, std::vector<NodeSums>& sums);
+  void (*map_all)(const State& state, const Scene& scene, NodeSumsRow& sums);
   /// Lists the cells that hold points, and their nodes.
   void (*list_active)(Grid& grid, const Points& points);
   /// sum_p m_p q_p N_i of a quantity q of all points, added to `values`.

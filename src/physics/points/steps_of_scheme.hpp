@@ -197,7 +197,7 @@ struct Usf {
 };
 
 template <class S>
-void map_all_points(const State& state, const Scene& scene, std::vector<NodeSums>& sums) {
+void map_all_points(const State& state, const Scene& scene, NodeSumsRow& sums) {
   const Locator locator(state.grid.frame.shape);
   const Points& P = state.points;
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {

@@ -56,7 +56,7 @@ class Meeting {
       if (sum.m > 0) body.alone = (sum.momentum + dt_ * sum.force) * (1 / sum.m) + pair(0, dt_ * scene_.gravity);
       hold(state_.grid.frame.held[n], body.alone);
       state_.contact.exchange(state_.grid, g);
-      body.after = state_.grid.motion[n].u;
+      body.after = state_.grid.motion.u[n];
       state_.contact.exchange(state_.grid, g);
       bodies.push_back(body);
     }

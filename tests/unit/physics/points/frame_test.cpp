@@ -167,24 +167,24 @@ TEST_F(Folding, IsTheTransposeOfUnfolding) {
   std::vector<double> masses(n), values(n);
   for (std::size_t k = 0; k < n; ++k) {
     given[k] = any(), field[k] = any(), masses[k] = spread_(random_), values[k] = spread_(random_);
-    grid_->sums[k] = {given[k], any(), masses[k], masses[k]};
-    grid_->motion[k] = {any(), field[k]};
-    grid_->gas[k] = {values[k], values[k]};
+    grid_->sums[k] = NodeSums{given[k], any(), masses[k], masses[k]};
+    grid_->motion[k] = NodeMotion{any(), field[k]};
+    grid_->gas.rho[k] = grid_->gas.heat[k] = values[k];
     grid_->squares[k] = values[k];
   }
   grid_->unfold_motion(), grid_->unfold_gas(), grid_->unfold_squares();
   double before = 0, mass_before = 0, gas_before = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const Pair work = given[k] * grid_->motion[k].u;
+    const Pair work = given[k] * Pair(grid_->motion.u[k]);
     before += work[0] + work[1];
-    mass_before += masses[k] * grid_->squares[k], gas_before += masses[k] * grid_->gas[k].heat;
+    mass_before += masses[k] * grid_->squares[k], gas_before += masses[k] * grid_->gas.heat[k];
   }
   grid_->fold_sums();
   double after = 0, mass_after = 0, gas_after = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const Pair work = grid_->sums[k].momentum * field[k];
+    const Pair work = Pair(grid_->sums.momentum[k]) * field[k];
     after += work[0] + work[1];
-    mass_after += grid_->sums[k].m * values[k], gas_after += grid_->sums[k].gas * values[k];
+    mass_after += grid_->sums.m[k] * values[k], gas_after += grid_->sums.gas[k] * values[k];
   }
   EXPECT_NEAR(after, before, 1e-13);
   EXPECT_NEAR(mass_after, mass_before, 1e-13);
@@ -192,7 +192,7 @@ TEST_F(Folding, IsTheTransposeOfUnfolding) {
 }
 
 TEST_F(Folding, LeavesGhostsEmptyAndUnfoldingGivesTheImagesBack) {
-  for (Pair& v : grid_->convected) v = any();
+  for (std::size_t n = 0; n < grid_->convected.size(); ++n) grid_->convected[n] = any();
   const auto given = grid_->convected;
   grid_->fold_convected();
   for (const Ghost& ghost : grid_->frame.ghosts) {
@@ -214,14 +214,14 @@ TEST_F(Folding, AMirroredPointGivesWhatItsImageGives) {
   Grid& grid = *grid_;
   const Frame& frame = grid.frame;
   const Locator locator(frame.shape);
-  const auto put = [&](double x, double y, Pair momentum, std::vector<NodeSums>& sums) {
+  const auto put = [&](double x, double y, Pair momentum, NodeSumsRow& sums) {
     const auto at = SplineKernel::locate(locator, x, y);
     const auto N = SplineKernel::values(at);
     const auto nodes = SplineKernel::nodes(locator, at);
     for (std::size_t k = 0; k < SplineKernel::size; ++k)
-      sums[nodes[k]].m += N[k], sums[nodes[k]].momentum += N[k] * momentum;
+      sums.m[nodes[k]] += N[k], sums.momentum[nodes[k]] += N[k] * momentum;
   };
-  std::vector<NodeSums> own(frame.shape.nodes()), both = own;
+  NodeSumsRow own(frame.shape.nodes()), both = own;
   put(1.1, 0.4, pair(0.3, 0.7), own);
   put(1.1, 0.4, pair(0.3, 0.7), both), put(0.9, 0.4, pair(-0.3, 0.7), both);
   fold_sums(frame, own);

@@ -84,7 +84,7 @@ class FlowRun {
       P.vx[p] = flow.x + flow.xx * P.x[p] + flow.xy * P.y[p], P.vy[p] = flow.y + flow.yx * P.x[p] + flow.yy * P.y[p];
       P.vxx[p] = flow.xx, P.vxy[p] = flow.xy, P.vyx[p] = flow.yx, P.vyy[p] = flow.yy;
     }
-    std::fill(state_.grid.sums.begin(), state_.grid.sums.end(), NodeSums{});
+    state_.grid.sums.clear();
     set_.map_all(state_, scene_, state_.grid.sums);
   }
   void step(double dt) {

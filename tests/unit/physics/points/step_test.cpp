@@ -159,10 +159,10 @@ TEST(Map, NodesHoldTheMassAndForcesSumToZero) {
   double mass = 0;
   Pair force{}, moment{};
   for (std::size_t n = 0; n < state.grid.sums.size(); ++n) {
-    mass += state.grid.sums[n].m;
-    force += state.grid.sums[n].force;
+    mass += state.grid.sums.m[n];
+    force += state.grid.sums.force[n];
     const double x = static_cast<double>(n % 11), y = static_cast<double>(n / 11);
-    moment[0] += x * state.grid.sums[n].force[1] - y * state.grid.sums[n].force[0];
+    moment[0] += x * state.grid.sums.force.y[n] - y * state.grid.sums.force.x[n];
   }
   EXPECT_NEAR(mass, 12, 1e-12);
   EXPECT_NEAR(force[0], 0, 1e-13);
