@@ -70,6 +70,7 @@ struct LinearField {
 /// Bilinear functions of a cell's four nodes, counter-clockwise from the lower left (A.3.1).
 struct LinearKernel {
   static constexpr std::size_t size = 4;
+  static constexpr int first = 0, last = 1;  // nodes along an axis, from the cell's own
   using Nodes = std::array<std::size_t, size>;
   using Values = std::array<double, size>;
   using Place = CellPlace;
@@ -127,6 +128,7 @@ struct LinearKernel {
 /// logical coordinates run from -0.5 to 0.5 about the nearest node.
 struct SplineKernel {
   static constexpr std::size_t size = 9;
+  static constexpr int first = -1, last = 1;  // nodes along an axis, from the nearest one
   using Nodes = std::array<std::size_t, size>;
   using Values = std::array<double, size>;
   struct Place {

@@ -19,6 +19,14 @@ inline void for_points(Range range, const Body& body) {
   for (std::size_t p = range.begin; p < range.end; ++p) body(p);
 }
 
+/// The same for slots of which some hold no point: only for those where slots.holds(p).
+template <class Slots, class Body>
+inline void for_points(const Slots& slots, Range range, const Body& body) {
+  for (std::size_t p = range.begin; p < range.end; ++p) {
+    if (slots.holds(p)) body(p);
+  }
+}
+
 /// The same for a body that finds something: body(p, found) adds to what it is handed, in the order of slots, and the
 /// loop returns it. Sums have the same bits whoever adds them, and no body has hold of what others find.
 template <class Found, class Body>

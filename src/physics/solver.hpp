@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,6 @@ struct RunCounts {
   long long steps = 0;
   long long point_steps = 0;
   std::size_t points = 0;
-  std::size_t cells_active = 0;  ///< cells that hold points at the end
   double dt_min = 0;             ///< shortest step but for one cut by the end [time]
   double dt_last = 0;            ///< [time]
 };
@@ -26,12 +26,16 @@ class Solver {
   virtual ~Solver() = default;
 
   virtual double time() const = 0;
-  /// Steps until time() >= `until` (at least the last step lands on the scene's tmax). Throws RunError.
-  virtual void advance(double until) = 0;
+  /// Takes steps until time() >= `until`, but no more than `most` (the last one lands on the scene's tmax). What
+  /// record(), save() and the fields ask for is there after the last of them. Throws RunError.
+  virtual void advance(double until, long long most) = 0;
+  void advance(double until) { advance(until, std::numeric_limits<long long>::max()); }
   /// What a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
   /// before.
   virtual void stop_when(std::function<bool()>) {}
   virtual RunCounts counts() const = 0;
+  /// Cells that hold points or fluid, or elements.
+  virtual std::size_t cells_active() const { return 0; }
 
   virtual HistoryLayout history_layout() const = 0;
   virtual Record record() const = 0;

@@ -102,7 +102,7 @@ class Runner {
   void advance(double until) {
     const long long every = solver_->watched_each_step() ? 1 : steps_between_looks;
     while (solver_->time() < until && !at_end() && signal_ == 0) {
-      solver_->advance(std::nextafter(solver_->time(), plan_.scene.clock.tmax));
+      solver_->advance(until, every - solver_->counts().steps % every);
       if (solver_->counts().steps % every == 0) look(solver_->record());
     }
   }
@@ -202,7 +202,7 @@ class Runner {
     return {line_of("path", path_name(plan_.scene.path())),
             line_of("steps", counts.steps),
             line_of("points", counts.points),
-            line_of("cells_active", counts.cells_active),
+            line_of("cells_active", solver_->cells_active()),
             line_of("dx", plan_.scene.grid.dx),
             line_of("time_end", solver_->time()),
             line_of("dt_min", counts.dt_min),

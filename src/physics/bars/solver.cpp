@@ -56,8 +56,8 @@ BarSolver::BarSolver(const Plan& plan)
       state_(start(plan.scene, mesh_, bars_)),
       columns_(bar_columns(plan.scene)) {}
 
-void BarSolver::advance(double until) {
-  while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
+void BarSolver::advance(double until, long long most) {
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax && most-- > 0) step(next_step());
 }
 
 double BarSolver::next_step() const {
@@ -101,7 +101,7 @@ void BarSolver::stop(double dt) const {
 
 RunCounts BarSolver::counts() const {
   const std::size_t points = plan_.scene.points.size();
-  return {state_.steps, state_.steps * static_cast<long long>(points), points, 0, state_.dt_min, state_.dt_last};
+  return {state_.steps, state_.steps * static_cast<long long>(points), points, state_.dt_min, state_.dt_last};
 }
 
 Record BarSolver::record() const {

@@ -19,7 +19,8 @@ class BarSolver final : public Solver {
   explicit BarSolver(const Plan& plan);
 
   double time() const override { return state_.time; }
-  void advance(double until) override;
+  using Solver::advance;
+  void advance(double until, long long most) override;
   RunCounts counts() const override;
   HistoryLayout history_layout() const override { return columns_.layout(); }
   Record record() const override;

@@ -42,9 +42,9 @@ CoupledSolver::CoupledSolver(const Plan& plan)
   if (!outlook->holds) messages_.push_back("mode='splitting' is likely to fail " + outlook->why);
 }
 
-void CoupledSolver::advance(double until) {
+void CoupledSolver::advance(double until, long long most) {
   const double tmax = plan_.scene.clock.tmax;
-  while (state_.time < until && state_.time < tmax) {
+  while (state_.time < until && state_.time < tmax && most-- > 0) {
     const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
     const CoupledState before = step_.may_stop(h) ? state_ : CoupledState{};
     if (!step_.advance(state_, h)) {
@@ -63,10 +63,13 @@ RunCounts CoupledSolver::counts() const {
   counts.steps = state_.steps;
   counts.points = plan_.scene.coupled()->grid.cell_count() + step_.solids().system.lumped.size();
   counts.point_steps = state_.steps * static_cast<long long>(counts.points);
-  const auto& kind = step_.domain().kind;
-  counts.cells_active = static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
   counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
   return counts;
+}
+
+std::size_t CoupledSolver::cells_active() const {
+  const auto& kind = step_.domain().kind;
+  return static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
 }
 
 std::vector<std::string> CoupledSolver::take_messages() {

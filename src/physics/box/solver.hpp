@@ -20,9 +20,11 @@ class CoupledSolver final : public Solver {
   explicit CoupledSolver(const Plan& plan);
 
   double time() const override { return state_.time; }
-  void advance(double until) override;
+  using Solver::advance;
+  void advance(double until, long long most) override;
   void stop_when(std::function<bool()> stop) override { step_.stop_when(std::move(stop)); }
   RunCounts counts() const override;
+  std::size_t cells_active() const override;
   HistoryLayout history_layout() const override { return fields_.history_layout(); }
   Record record() const override { return fields_.record(state_); }
   Snapshot points() const override { return {state_.time, {}}; }

@@ -95,9 +95,9 @@ FlowReport FlowSolver::advance_by(double part) {
   return report;
 }
 
-void FlowSolver::advance(double until) {
+void FlowSolver::advance(double until, long long most) {
   const double tmax = plan_.scene.clock.tmax;
-  while (state_.time < until && state_.time < tmax) {
+  while (state_.time < until && state_.time < tmax && most-- > 0) {
     const long long failures = state_.krylov_failures;
     clock_step(
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
@@ -184,7 +184,6 @@ RunCounts FlowSolver::counts() const {
   counts.steps = state_.steps;
   counts.points = flow_.mesh.node_count();
   counts.point_steps = state_.steps * static_cast<long long>(counts.points);
-  counts.cells_active = flow_.mesh.element_count();
   counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
   return counts;
 }

@@ -24,8 +24,10 @@ class FlowSolver final : public Solver {
   explicit FlowSolver(const Plan& plan);
 
   double time() const override { return state_.time; }
-  void advance(double until) override;
+  using Solver::advance;
+  void advance(double until, long long most) override;
   RunCounts counts() const override;
+  std::size_t cells_active() const override { return flow_.mesh.element_count(); }
   HistoryLayout history_layout() const override;
   Record record() const override;
   Snapshot points() const override { return tracers_.fields(state_); }

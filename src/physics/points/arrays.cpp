@@ -21,15 +21,7 @@ void CellSort::permute(std::vector<Number>& array, Range range) {
   std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
 }
 
-void CellSort::operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene,
-                          const BackgroundGrid& shape) {
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const bool string = std::holds_alternative<Membrane>(scene.bodies[b].material);
-    if (!string) sort_body(points, bodies[b], shape);
-  }
-}
-
-void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
+void CellSort::operator()(Points& P, Range range, const BackgroundGrid& shape) {
   const Locator locator(shape);
   keys_.clear();
   for_points(range, [&](std::size_t p) {
@@ -42,12 +34,6 @@ void CellSort::sort_body(Points& P, Range range, const BackgroundGrid& shape) {
     if (row.remembered() && row.carried_by(P)) permute(P.*row.array, range);
   });
 }
-
-namespace {
-
-constexpr std::uint32_t never = 0xffffffff;  // stamp of a ghost, which is listed never
-
-}  // namespace
 
 Points::Points(const Scene& scene) {
   each_array([n = scene.points.size()](auto& array) { array.resize(n); });
@@ -71,38 +57,8 @@ Grid::Grid(const Scene& scene)
       gas(frame.shape.nodes(), 12),
       loss(scene.method.ledger ? frame.shape.nodes() : 0, 14),
       squares(scene.method.ledger ? frame.shape.nodes() : 0, 15),
-      cell_stamp(frame.shape.nodes(), 0),
-      node_stamp(frame.shape.nodes(), 0) {
-  const std::size_t points = scene.points.size();
-  active_cells.reserve(std::min(points, frame.shape.nodes()));
-  active_nodes.reserve(std::min(9 * points, frame.shape.nodes()));
-  for (const Ghost& ghost : frame.ghosts) node_stamp[static_cast<std::size_t>(ghost.node)] = never;
-}
-
-template <class Kernel>
-void Grid::list_active(const Points& points) {
-  const Locator locator(frame.shape);
-  active_cells.clear();
-  active_nodes.clear();
-  ++stamp;
-  for_points({0, points.size()}, [&](std::size_t p) {
-    const auto at = Kernel::locate(locator, points.x[p], points.y[p]);
-    const int cell = at.j * frame.shape.nx + at.i;
-    auto& listed = cell_stamp[static_cast<std::size_t>(cell)];
-    if (listed == stamp) return;
-    listed = stamp;
-    active_cells.push_back(cell);
-    for (const std::size_t node : Kernel::nodes(locator, at)) {
-      auto& node_listed = node_stamp[node];
-      if (node_listed == stamp || node_listed == never) continue;
-      node_listed = stamp;
-      active_nodes.push_back(static_cast<int>(node));
-    }
-  });
-}
-
-template void Grid::list_active<LinearKernel>(const Points&);
-template void Grid::list_active<SplineKernel>(const Points&);
+      active(frame.shape.nx, frame.shape.ny),
+      passes(node_passes(instruction_set())) {}
 
 void fold_sums(const Frame& frame, NodeSumsRow& sums) {
   for (const Ghost& ghost : frame.ghosts) {
@@ -140,7 +96,8 @@ void Grid::unfold_motion() {
 
 void Grid::unfold_convected() {
   for (const Ghost& ghost : frame.ghosts) {
-    convected[static_cast<std::size_t>(ghost.node)] = ghost.sign * Pair(convected[static_cast<std::size_t>(ghost.image)]);
+    convected[static_cast<std::size_t>(ghost.node)] =
+        ghost.sign * Pair(convected[static_cast<std::size_t>(ghost.image)]);
   }
 }
 

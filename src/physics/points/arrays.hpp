@@ -7,9 +7,11 @@
 
 #include "fields/rows.hpp"
 #include "grid/boxes.hpp"
+#include "loops/nodes.hpp"
 #include "loops/points.hpp"
 #include "model/scene.hpp"
 #include "physics/points/frame.hpp"
+#include "physics/points/lanes/nodes.hpp"
 #include "physics/points/node_rows.hpp"
 
 namespace tether::mpm {
@@ -66,12 +68,14 @@ struct Points {
         ArrayField{"dxy", &P::dxy, D::rate, "strain rate eps', xy", K::within_step},
         ArrayField{"dzz", &P::dzz, D::rate, "strain rate eps', about an axis its hoop's", K::within_step},
         ArrayField{"pinned", &P::pinned, D::number, "1 where the point is held at its place"},
-        ArrayField{"id", &P::id, D::number, "number of the point in the scene, from 0"},
+        ArrayField{"id", &P::id, D::number, "number of the point in the scene, from 0; -1 of a slot without a point"},
     };
   }
 
   explicit Points(const Scene& scene);
+  /// Slots, of which not all need hold a point.
   std::size_t size() const { return x.size(); }
+  bool holds(std::size_t p) const { return id[p] >= 0; }
 
   /// Calls visit(array) for each property that the scene's points have.
   template <class Visit>
@@ -84,8 +88,8 @@ struct Points {
 /// What points gave to ghosts, to their images; the ghosts are empty then.
 void fold_sums(const Frame& frame, NodeSumsRow& sums);
 
-/// The background grid's fields, and the lists of cells and nodes that hold points: nothing else is touched in a step.
-/// By splines a "cell" is what lies nearest to a node. Ghosts are no active nodes: what they hold is folded at once.
+/// The background grid's fields. By splines a "cell" is what lies nearest to a node. What ghosts hold is folded at
+/// once.
 struct Grid {
   Frame frame;
   NodeSumsRow sums;
@@ -94,14 +98,10 @@ struct Grid {
   NodeGasRow gas;     // where the gas takes its density from the nodes
   NodeRow loss;       // where the ledger is kept: energy that the gas takes in the next step [energy]
   NodeRow squares;    // where the ledger is kept: |v|^2 before the solve plus after it
-  std::vector<int> active_cells, active_nodes;
-  std::vector<std::uint32_t> cell_stamp, node_stamp;  // the list in which a cell or node stands already
-  std::uint32_t stamp = 0;
+  ActiveNodes active;
+  NodePasses passes;
 
   Grid(const Scene& scene);
-  /// Lists the cells that hold points, and their nodes. The places must lie inside the frame.
-  template <class Kernel>
-  void list_active(const Points& points);
 
   // What points gave to ghosts, to their images; the ghosts are empty then.
   void fold_sums() { mpm::fold_sums(frame, sums); }
@@ -125,11 +125,9 @@ class CellSort {
     std::size_t slot;
   };
   explicit CellSort(std::size_t points);
-  /// All bodies of the scene but its strings, which keep the order of their file: it runs along them.
-  void operator()(Points& points, const std::vector<Range>& bodies, const Scene& scene, const BackgroundGrid& shape);
+  void operator()(Points& points, Range range, const BackgroundGrid& shape);
 
  private:
-  void sort_body(Points& points, Range range, const BackgroundGrid& shape);
   template <class Number>
   void permute(std::vector<Number>& array, Range range);
 

@@ -59,6 +59,10 @@ struct NodeTotals {
     if (counts) squares += sum.m * squared(motion.a);
     gained += sum.m * dot(motion.a, middle);
     upward += sum.m * middle[1];
+    add_held(sum, walls);
+  }
+  /// What walls take of a node's energy.
+  void add_held(const NodeSums& sum, std::uint8_t walls) {
     if (walls == holds_none) return;
     Pair v = sum.momentum * inverse(sum.m);
     if (!(walls & holds_x)) v[0] = 0;

@@ -18,7 +18,7 @@ inline void find_shared_nodes(const PassWork& work, State& state) {
   contact.begin();
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const int group = contact.group_of(b);
-    for_points(state.ranges[b], [&](std::size_t p) {
+    for_points(work.P, state.ranges[b], [&](std::size_t p) {
       const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
       const std::size_t cell = static_cast<std::size_t>(at.j) * nx + static_cast<std::size_t>(at.i);
       if ((work.P.pinned[p] && state.pins_hold_loads) || contact.stamp(cell, group)) return;
@@ -34,7 +34,7 @@ inline void each_near_shared(const PassWork& work, const State& state, const Vis
   const auto nx = static_cast<std::size_t>(work.grid.frame.shape.nx);
   if (state.contact.shared_nodes() == 0) return;
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
-    for_points(state.ranges[b], [&](std::size_t p) {
+    for_points(work.P, state.ranges[b], [&](std::size_t p) {
       const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
       const std::size_t cell = static_cast<std::size_t>(at.j) * nx + static_cast<std::size_t>(at.i);
       if ((work.P.pinned[p] && state.pins_hold_loads) || !state.contact.near_shared(cell)) return;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "loops/points.hpp"
 #include "physics/points/point_laws.hpp"
@@ -93,17 +94,23 @@ Extent extent(const IdealGas& law, const Points& P, std::size_t p, Geometry geom
   return {volume, now, geometry == Geometry::plane ? -now : P.szz[p]};
 }
 
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
 template <class Counts>
 Order order_where(const State& state, const Counts& counts) {
   Order order;
   const std::vector<int>& id = state.points.id;
   for (const Range range : state.ranges) {
     const std::size_t begin = order.slots.size();
-    for_points(range, [&](std::size_t p) {
-      if (counts(p)) order.slots.push_back(p);
+    int first = std::numeric_limits<int>::max(), last = -1;
+    for_points(state.points, range,
+               [&](std::size_t p) { first = std::min(first, id[p]), last = std::max(last, id[p]); });
+    // By their numbers, with gaps where points have gone.
+    order.slots.resize(begin + static_cast<std::size_t>(std::max(0, last - first + 1)), nowhere);
+    for_points(state.points, range, [&](std::size_t p) {
+      if (counts(p)) order.slots[begin + static_cast<std::size_t>(id[p] - first)] = p;
     });
-    std::sort(order.slots.begin() + static_cast<std::ptrdiff_t>(begin), order.slots.end(),
-              [&id](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+    std::erase(order.slots, nowhere);
     order.bodies.push_back({begin, order.slots.size()});
   }
   return order;

@@ -263,7 +263,7 @@ const ColumnTable<ColumnSetting, NodeSource>& node_table() {
 /// sum m_p q_p N_i at each node of the frame, of a quantity q of all points in their order.
 std::vector<double> sum_at_nodes(const State& state, const StepSet& set, const Order& order,
                                  const std::vector<double>& q) {
-  std::vector<double> of_slots(q.size()), sums(state.grid.frame.shape.nodes(), 0.0);
+  std::vector<double> of_slots(state.points.size()), sums(state.grid.frame.shape.nodes(), 0.0);
   for (std::size_t k = 0; k < q.size(); ++k) of_slots[order.slots[k]] = q[k];
   set.map_quantity(state, of_slots, sums);
   return sums;

@@ -138,6 +138,9 @@ Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry,
   if (geometry == Geometry::axisymmetric) x0 = std::max(x0, 0.0);  // room behind an open edge ends at the axis
   ghosts = ghosts_of(x, y, walls);
   held = held_nodes(x, y, walls);
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    if (held[n] != holds_none) at_walls.push_back(n);
+  }
   image.resize(shape.nodes());
   std::iota(image.begin(), image.end(), std::size_t{0});
   sign.assign(shape.nodes(), pair(1, 1));

@@ -27,10 +27,11 @@ struct Frame {
   int left = 0, bottom = 0;  // nodes before the deck's first one
   double x0, x1, y0, y1;     // where points may be [length]
   std::vector<Ghost> ghosts;
-  std::vector<std::uint8_t> held;  // Held bits of the walls
-  std::vector<std::size_t> image;  // of each node: a ghost's image, else itself
-  std::vector<Pair> sign;          // of each node: a ghost's, else 1
-  std::vector<double> per_volume;  // 1 / int N_i dV of the image: a wall's node has half, a corner's a quarter
+  std::vector<std::uint8_t> held;     // Held bits of the walls
+  std::vector<std::size_t> at_walls;  // the nodes of which they hold something
+  std::vector<std::size_t> image;     // of each node: a ghost's image, else itself
+  std::vector<Pair> sign;             // of each node: a ghost's, else 1
+  std::vector<double> per_volume;     // 1 / int N_i dV of the image: a wall's node has half, a corner's a quarter
 
   Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges = {});
 

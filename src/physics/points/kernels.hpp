@@ -109,9 +109,8 @@ inline void each_force(const Points& P, std::size_t p, double volume, const Loca
 }
 
 template <class S>
-inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums,
-                      const Locator& locator, const typename S::Kernel::Place& at,
-                      const typename S::Kernel::Nodes& nodes) {
+inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums, const Locator& locator,
+                      const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
   each_force<S>(P, p, volume, locator, at, nodes, [&](std::size_t n, Pair force) { sums.force[n] += force; });
 }
 
@@ -135,9 +134,8 @@ inline double product(const Locator& locator, const LinearField& a, const Linear
 /// balance of energy wants of points: m_p |a_p|^2, or of APIC m_p |field|^2 before less after [mass velocity^2 /
 /// time^2, energy].
 template <class S>
-inline void accelerate(Points& P, std::size_t p, double dt, const NodeMotionRow& motion,
-                       const Locator& locator, const typename S::Kernel::Place& at,
-                       const typename S::Kernel::Nodes& nodes, double& squares) {
+inline void accelerate(Points& P, std::size_t p, double dt, const NodeMotionRow& motion, const Locator& locator,
+                       const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes, double& squares) {
   if constexpr (S::affine) {
     const LinearField field = S::Kernel::affine(locator, at, nodes, [&](std::size_t n) { return motion.u[n]; });
     const LinearField before = field_about(P, p);
@@ -155,8 +153,8 @@ inline void accelerate(Points& P, std::size_t p, double dt, const NodeMotionRow&
 /// x_p += dt sum N_i (mv)_i^L / m_i (3.21). Of APIC that sum is the velocity that the point has just taken. Adds m_p
 /// times the way up to `lifted` [mass length].
 template <class S>
-inline void move(Points& P, std::size_t p, double dt, const NodeMotionRow& motion,
-                 const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes, double& lifted) {
+inline void move(Points& P, std::size_t p, double dt, const NodeMotionRow& motion, const typename S::Kernel::Place& at,
+                 const typename S::Kernel::Nodes& nodes, double& lifted) {
   Pair u = pair(P.vx[p], P.vy[p]);
   if constexpr (!S::affine) u = S::Kernel::value(at, nodes, [&](std::size_t n) { return motion.u[n]; });
   P.x[p] += dt * u[0], P.y[p] += dt * u[1];

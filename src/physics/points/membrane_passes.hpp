@@ -18,8 +18,7 @@ namespace tether::mpm {
 
 /// Forces of the points, spread by N. A pin takes what pulls at it.
 template <class S>
-inline void spread_forces(const Points& P, const Locator& locator, const Elements& elements,
-                          NodeSumsRow& sums) {
+inline void spread_forces(const Points& P, const Locator& locator, const Elements& elements, NodeSumsRow& sums) {
   for_points(elements.range(), [&](std::size_t p) {
     if (P.pinned[p]) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
@@ -59,7 +58,9 @@ inline StepFindings accelerate_move_and_map_membrane(const PassWork& work, Eleme
     auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(work.locator, at);
     if (ledger) {
-      const auto middle = [&](std::size_t n) { return 0.5 * (Pair(work.grid.convected[n]) + Pair(work.grid.motion.u[n])); };
+      const auto middle = [&](std::size_t n) {
+        return 0.5 * (Pair(work.grid.convected[n]) + Pair(work.grid.motion.u[n]));
+      };
       const Pair moved = dt * S::Kernel::value(at, nodes, middle);
       const double lost = P.mass[p] * accelerate_and_book<S>(P, p, work.grid, work.locator, at, nodes, found.squares);
       elements.book(p, pair(P.x[p], P.y[p]), moved, lost);
@@ -141,7 +142,7 @@ void each_gas_by_nodes(const State& state, const Scene& scene, const Visit& visi
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const auto* gas = std::get_if<IdealGas>(&scene.bodies[b].material);
     if (!gas || !from_nodes(*gas)) continue;
-    for_points(state.ranges[b], [&](std::size_t p) {
+    for_points(P, state.ranges[b], [&](std::size_t p) {
       const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
       visit(*gas, p, S::Kernel::nodes(locator, at), S::Kernel::values(at));
     });

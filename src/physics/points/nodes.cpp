@@ -5,95 +5,107 @@
 
 namespace tether::mpm {
 
+namespace {
+
+NodeRows rows_of(Grid& grid) {
+  return {.m = grid.sums.m.data(),
+          .momentum_x = grid.sums.momentum.x.data(),
+          .momentum_y = grid.sums.momentum.y.data(),
+          .force_x = grid.sums.force.x.data(),
+          .force_y = grid.sums.force.y.data(),
+          .convected_x = grid.convected.x.data(),
+          .convected_y = grid.convected.y.data(),
+          .a_x = grid.motion.a.x.data(),
+          .a_y = grid.motion.a.y.data(),
+          .u_x = grid.motion.u.x.data(),
+          .u_y = grid.motion.u.y.data()};
+}
+
+/// Takes the components that walls hold out of a field.
+void hold(const Frame& frame, PairRow& field) {
+  for (const std::size_t n : frame.at_walls) {
+    if (frame.held[n] & holds_x) field.x[n] = 0;
+    if (frame.held[n] & holds_y) field.y[n] = 0;
+  }
+}
+
+}  // namespace
+
 void solve_momentum(StepWork& work, double dt) {
   Grid& grid = work.state.grid;
-  const Pair gravity = pair(0, work.scene.gravity);
-  for (const int node : grid.active_nodes) {
-    const auto n = static_cast<std::size_t>(node);
-    const NodeSums sum = grid.sums[n];
-    const double per_m = inverse(sum.m);
-    NodeMotion motion;
-    motion.a = sum.force * per_m + gravity;
-    motion.u = sum.momentum * per_m + dt * motion.a;
-    hold(grid.frame.held[n], motion.a);
-    hold(grid.frame.held[n], motion.u);
-    grid.motion[n] = motion;
-  }
+  grid.passes.solve(rows_of(grid), grid.active, work.scene.gravity, dt);
+  hold(grid.frame, grid.motion.a), hold(grid.frame, grid.motion.u);
   grid.unfold_motion();
 }
 
 void total_nodes(StepWork& work, double dt) {
-  const State& state = work.state;
-  const Grid& grid = state.grid;
-  const Contact& contact = state.contact;
-  work.nodes.light = state.light_node;
-  for (const int node : grid.active_nodes) {
-    const auto n = static_cast<std::size_t>(node);
-    if (contact.on() && contact.slot(n) >= 0) continue;  // where each body has its own
-    work.nodes.add(grid.sums[n], grid.motion[n], grid.frame.held[n], dt);
+  const Contact& contact = work.state.contact;
+  Grid& grid = work.state.grid;
+  if (contact.on()) {
+    work.nodes.light = work.state.light_node;
+    for_nodes(grid.active, [&](std::size_t n) {
+      if (contact.slot(n) < 0) work.nodes.add(grid.sums[n], grid.motion[n], grid.frame.held[n], dt);
+    });
+    work.nodes.light = 0;  // impulses have work of their own
+    return contact.total(work.nodes, grid.frame, dt);
   }
-  work.nodes.light = 0;  // impulses have work of their own
-  if (contact.on()) contact.total(work.nodes, grid.frame, dt);
+  const LaneTotals totals = grid.passes.total(rows_of(grid), grid.active, work.state.light_node, dt);
+  work.nodes.power += totals.power, work.nodes.squares += totals.squares;
+  work.nodes.gained += totals.gained, work.nodes.upward += totals.upward;
+  for (const std::size_t n : grid.frame.at_walls) work.nodes.add_held(grid.sums[n], grid.frame.held[n]);
 }
 
 void divide_convected(Grid& grid) {
-  for (const int node : grid.active_nodes) {
-    const auto n = static_cast<std::size_t>(node);
-    Pair v = inverse(grid.sums.m[n]) * Pair(grid.convected[n]);
-    hold(grid.frame.held[n], v);
-    grid.convected[n] = v;
-  }
+  grid.passes.divide_convected(rows_of(grid), grid.active);
+  hold(grid.frame, grid.convected);
   grid.unfold_convected();
 }
 
 void mapped_velocity(Grid& grid) {
-  for (const int node : grid.active_nodes) {
-    const auto n = static_cast<std::size_t>(node);
-    grid.convected[n] = grid.sums.momentum[n];
-  }
-  divide_convected(grid);
+  grid.passes.map_velocity(rows_of(grid), grid.active);
+  hold(grid.frame, grid.convected);
+  grid.unfold_convected();
 }
 
 void clear_convected(Grid& grid) {
-  for (const int node : grid.active_nodes) grid.convected[static_cast<std::size_t>(node)] = Pair{};
+  for_nodes(grid.active, [&](std::size_t n) { grid.convected[n] = Pair{}; });
   for (const Ghost& ghost : grid.frame.ghosts) grid.convected[static_cast<std::size_t>(ghost.node)] = Pair{};
 }
 
 void clear_sums(Grid& grid) {
-  for (const int node : grid.active_nodes) grid.sums[static_cast<std::size_t>(node)] = NodeSums{};
+  for_nodes(grid.active, [&](std::size_t n) { grid.sums[n] = NodeSums{}; });
 }
 
 void map_anew(State& state, const Scene& scene, const StepSet& set) {
   Grid& grid = state.grid;
-  const std::vector<int> before = grid.active_nodes;
-  set.list_active(grid, state.points);
-  for (const int node : before) {
-    const auto n = static_cast<std::size_t>(node);
-    if (grid.loss.empty() || grid.loss[n] == 0 || grid.node_stamp[n] == grid.stamp) continue;
+  const ActiveNodes before = grid.active;
+  set.list_active(state);
+  set.map_all(state, scene, grid.sums);
+  if (grid.loss.empty()) return;
+  for_nodes(before, [&](std::size_t n) {
+    if (grid.loss[n] == 0 || grid.sums.m[n] > 0) return;
     state.heat_under_way -= grid.loss[n];
     state.strips.book_lost_heat(grid.loss[n]);
     grid.loss[n] = 0;
-  }
-  set.map_all(state, scene, grid.sums);
+  });
 }
 
 void forget_sums(State& state, const StepSet& set) {
   clear_sums(state.grid);
-  set.list_active(state.grid, state.points);
+  set.list_active(state);
   clear_sums(state.grid);
 }
 
 void clear_forces(Grid& grid) {
-  for (const int node : grid.active_nodes) grid.sums.force[static_cast<std::size_t>(node)] = Pair{};
+  for_nodes(grid.active, [&](std::size_t n) { grid.sums.force[n] = Pair{}; });
 }
 
 void gas_at_nodes(Grid& grid) {
-  for (const int node : grid.active_nodes) {
-    const auto n = static_cast<std::size_t>(node);
+  for_nodes(grid.active, [&](std::size_t n) {
     const double gas = grid.sums.gas[n];
     grid.gas.rho[n] = gas * grid.frame.per_volume[n];
     if (!grid.loss.empty()) grid.gas.heat[n] = grid.loss[n] * inverse(gas);
-  }
+  });
   grid.unfold_gas();
 }
 
@@ -105,15 +117,13 @@ void give_to_all_gas(State& state, double energy) {
 
 void clear_heat(State& state) {
   Grid& grid = state.grid;
-  for (const int node : grid.active_nodes) grid.loss[static_cast<std::size_t>(node)] = 0;
+  for_nodes(grid.active, [&](std::size_t n) { grid.loss[n] = 0; });
   state.heat_under_way = state.heat_for_all = 0;
 }
 
 void note_squares(Grid& grid) {
-  for (const int node : grid.active_nodes) {
-    const auto n = static_cast<std::size_t>(node);
-    grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion.u[n]);
-  }
+  for_nodes(grid.active,
+            [&](std::size_t n) { grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion.u[n]); });
   grid.unfold_squares();
 }
 

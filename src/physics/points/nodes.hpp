@@ -22,7 +22,7 @@ void clear_convected(Grid& grid);
 void clear_sums(Grid& grid);
 void clear_forces(Grid& grid);
 
-/// The lists of cells and nodes, and all sums, from where the points are now: for points that came, went or were moved
+/// The list of nodes, and all sums, from where the points are now: for points that came, went or were moved
 /// outside a step. Heat under way at nodes that no point reaches any more has gone with the gas that was there.
 void map_anew(State& state, const Scene& scene, const StepSet& set);
 /// What has to go before: sums at the nodes of the step, and at those that its points have reached by now.

@@ -209,6 +209,7 @@ inline StepFindings accelerate_move_and_map_gas(const IdealGas& law, const PassW
     } else {
       accelerate<S>(P, p, work.step.dt, grid.motion, work.locator, at, nodes, found.squares);
     }
+    note_waves(law, P, p, found);
     move<S>(P, p, work.step.dt, grid.motion, at, nodes, found.lifted);
     if (!accept_place<typename S::Kernel>(P, p, work.locator, grid.frame, at, found)) return;
     const auto there = S::Kernel::nodes(work.locator, at);

@@ -44,7 +44,8 @@ struct StepContext {
   bool heats = true;     // the gas is heated by the strain rate that makes its stress, not by the centred one
   bool jaumann = false;  // the stress of solids turns with their spin
   double heat = 0;       // of the ledger for all gas [energy/mass]
-  bool arrived = false;  // the velocity gradient is that at the place after the move that it describes
+  bool arrived = false;  // the velocity gradient is that at the place after the move that it describes, and the point
+                         // gets its new velocity after its stress
 };
 
 /// What a step finds at a point, or at all that were joined: waves for the next step limit, what the balances want, and
@@ -145,6 +146,14 @@ inline void law_update(const Membrane& law, Points& P, std::size_t p, const Rate
   P.szz[p] = stress.hoop;
 }
 
+/// Sound speed and wave of a gas with the energy and the velocity that it has now.
+inline void note_waves(const IdealGas& law, const Points& P, std::size_t p, StepFindings& found) {
+  const double c_squared = law.sound_speed_squared(P.energy[p]);
+  const double speed = std::sqrt(P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
+  found.c_squared_max = std::max(found.c_squared_max, c_squared);
+  found.wave_max = std::max(found.wave_max, std::sqrt(c_squared) + speed);
+}
+
 /// The source's order: first the constitutive equation with the new density and the energy so far, then the energy
 /// with that stress. Unless by continuity, the density stands in P.rho already.
 template <bool about_axis>
@@ -161,10 +170,7 @@ inline void law_update(const IdealGas& law, Points& P, std::size_t p, const Rate
   if (step.heats) P.energy[p] = IdealGas::heated(P.energy[p], step.dt, s, d, rho);  // (4.10)
   P.sxx[p] = s.xx, P.syy[p] = s.yy, P.sxy[p] = s.xy;
   if constexpr (about_axis) P.szz[p] = s.zz;
-  const double c_squared = law.sound_speed_squared(P.energy[p]);
-  const double speed = std::sqrt(P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
-  found.c_squared_max = std::max(found.c_squared_max, c_squared);
-  found.wave_max = std::max(found.wave_max, std::sqrt(c_squared) + speed);
+  if (!step.arrived) note_waves(law, P, p, found);
 }
 
 template <class Law>

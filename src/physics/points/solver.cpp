@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
+#include "physics/points/layout.hpp"
 #include "physics/points/nodes.hpp"
 #include "physics/points/point_laws.hpp"
 #include "physics/points/steps.hpp"
@@ -142,8 +143,12 @@ MpmSolver::MpmSolver(const Plan& plan)
   }
 }
 
-void MpmSolver::advance(double until) {
-  while (state_.time < until && state_.time < plan_.scene.clock.tmax) step(next_step());
+void MpmSolver::advance(double until, long long most) {
+  const double tmax = plan_.scene.clock.tmax;
+  while (state_.time < until && state_.time < tmax && most-- > 0) {
+    const double dt = next_step(), longest = dt * (1 + 1e-9);  // rounding must not take the last step's records
+    step(dt, most == 0 || state_.time + longest >= std::min(until, tmax));
+  }
 }
 
 double MpmSolver::next_step() {
@@ -157,8 +162,8 @@ double MpmSolver::next_step() {
   return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
 }
 
-void MpmSolver::step(double dt) {
-  StepWork work{state_, plan_.scene, {}};
+void MpmSolver::step(double dt, bool records) {
+  StepWork work{.state = state_, .scene = plan_.scene, .found = {}, .records = records};
   if (state_.strips.on()) state_.strips.before_step(state_.points, state_.ranges, plan_.scene);
   set_.step(work, dt);
   if (state_.strips.on() && work.found.trouble.kind == TroubleKind::none) pass_edges(work, dt);
@@ -181,14 +186,14 @@ void MpmSolver::pass_edges(StepWork& work, double dt) {
 
 void MpmSolver::finish_step(const StepFindings& found, double dt) {
   state_.count_step(dt, plan_.scene.clock.tmax);
-  state_.point_steps += static_cast<long long>(state_.points.size());
+  state_.point_steps += static_cast<long long>(state_.point_count());
   state_.c_max = std::sqrt(found.c_squared_max);
   state_.wave_max = found.wave_max;
   state_.heat_given += found.heat;
   state_.heat_under_way += found.heat;
   look();
-  if (found.crossings > 0 && !state_.strips.on()) set_.list_active(state_.grid, state_.points);
   sort_where_scattered();
+  if (found.crossings > 0 && !state_.strips.on()) set_.list_active(state_);
 }
 
 void MpmSolver::look() {
@@ -202,14 +207,18 @@ void MpmSolver::look() {
 
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
 void MpmSolver::sort_where_scattered() {
-  if (4 * state_.crossings_since_sort < static_cast<long long>(state_.points.size())) return;
+  const auto scattered = [](const std::optional<Blocks>& blocks) { return blocks && blocks->scattered(); };
+  if (std::any_of(state_.blocks.begin(), state_.blocks.end(), scattered)) {
+    lay_out(state_, plan_.scene);
+    state_.list_fluids(plan_.scene);
+  }
+  if (4 * state_.crossings_since_sort < static_cast<long long>(state_.point_count())) return;
   state_.crossings_since_sort = 0;
-  sort_(state_.points, state_.ranges, plan_.scene, state_.grid.frame.shape);
+  sort_bodies(sort_, state_, plan_.scene);
 }
 
 RunCounts MpmSolver::counts() const {
-  const auto points = state_.points.size();
-  return {state_.steps, state_.point_steps, points, state_.grid.active_cells.size(), state_.dt_min, state_.dt_last};
+  return {state_.steps, state_.point_steps, state_.point_count(), state_.dt_min, state_.dt_last};
 }
 
 Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }

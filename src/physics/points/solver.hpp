@@ -29,8 +29,10 @@ class MpmSolver final : public Solver {
   explicit MpmSolver(const Plan& plan);
 
   double time() const override { return state_.time; }
-  void advance(double until) override;
+  using Solver::advance;
+  void advance(double until, long long most) override;
   RunCounts counts() const override;
+  std::size_t cells_active() const override { return set_.count_cells(state_); }
   HistoryLayout history_layout() const override { return columns_.layout(); }
   Record record() const override { return columns_.record(sums_of(state_, plan_.scene)); }
   Snapshot points() const override;
@@ -45,7 +47,7 @@ class MpmSolver final : public Solver {
 
  private:
   double next_step();
-  void step(double dt);
+  void step(double dt, bool records);
   void pass_edges(StepWork& work, double dt);
   void finish_step(const StepFindings& found, double dt);
   void sort_where_scattered();

@@ -9,6 +9,7 @@
 #include "physics/points/arrays.hpp"
 #include "physics/points/derived.hpp"
 #include "physics/points/elements.hpp"
+#include "physics/points/layout.hpp"
 #include "physics/points/point_laws.hpp"
 #include "physics/points/state.hpp"
 #include "physics/points/steps.hpp"
@@ -134,8 +135,16 @@ bool keeps_ledger(const Scene& scene) {
          });
 }
 
-State start(const Scene& scene) {
+void sort_bodies(CellSort& sort, State& state, const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const bool string = std::holds_alternative<Membrane>(scene.bodies[b].material);
+    if (!string && !state.blocks[b]) sort(state.points, state.ranges[b], state.grid.frame.shape);
+  }
+}
+
+State start(const Scene& scene, const LaneChoice& lanes) {
   State state(scene);
+  state.grid.passes = node_passes(lanes.set);
   state.density = cell_density(scene, state.grid.frame);
   for (const Body& body : scene.bodies) {
     state.ranges.push_back({body.first, body.first + body.count});
@@ -147,7 +156,14 @@ State start(const Scene& scene) {
   state.strips.fill(state.body_points(), scene);
   state.list_fluids(scene);
   state.keeps_ledger = keeps_ledger(scene);
-  CellSort(state.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    auto& blocks = state.blocks.emplace_back();
+    if (lanes.on && runs_by_lanes(scene, b)) blocks.emplace(state.grid.frame.shape.nx, state.grid.frame.shape.ny);
+    if (blocks && !state.lane_passes) state.lane_passes = spline_passes(lanes.set);
+  }
+  if (state.lane_passes) lay_out(state, scene), state.list_fluids(scene);
+  CellSort sort(state.points.size());
+  sort_bodies(sort, state, scene);
   if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
   make_normals(scene, state);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -159,7 +175,7 @@ State start(const Scene& scene) {
   make_elements(scene, state);
   const StepSet set = step_set(scene);
   set.fit_fields(state);
-  set.list_active(state.grid, state.points);
+  set.list_active(state);
   set.map_all(state, scene, state.grid.sums);
   state.balance.stored = stored_energy(scene, state, order_within(state)).sum();
   return state;
@@ -176,7 +192,7 @@ void State::list_fluids(const Scene& scene) {
     gas.push_back(range), fluids.push_back(range);
     if (from_cells(*law)) gas_by_cells.push_back(range);
     if (law->rule == DensityRule::grid) gas_by_nodes.push_back(range);
-    for_points(range, [&](std::size_t p) { gas_mass += points.mass[p]; });
+    for_points(points, range, [&](std::size_t p) { gas_mass += points.mass[p]; });
   }
 }
 

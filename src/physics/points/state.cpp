@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "loops/points.hpp"
+#include "physics/points/steps.hpp"
 
 namespace tether::mpm {
 
@@ -12,10 +13,12 @@ static_assert(lists_each_number_once<Balance>(Balance::rows()), "a number of the
 static_assert(lists_each_number_once<StateNumbers>(StateNumbers::rows()), "a number of the state has no row, or two");
 namespace {
 
-/// Sums at the nodes that hold points, in the order of the list of these nodes.
+/// Sums at the nodes that points reach.
 struct ActiveSums {
+  std::vector<std::size_t> node;
   std::vector<std::size_t> begin, end;  // of each body, its slots
   std::vector<int> apart;               // what criterion 3 remembers
+  std::vector<int> blocks;              // one body's after the other, each after its length
   double contact_lost = 0;              // and what impulses took
   std::vector<double> m, gas, momentum_x, momentum_y, force_x, force_y, loss;
   std::vector<double> element_force_x, element_force_y;  // on the points of membranes, of the last step
@@ -23,25 +26,27 @@ struct ActiveSums {
 
 ActiveSums active_sums(const Grid& grid) {
   ActiveSums active;
-  for (const int node : grid.active_nodes) {
-    const NodeSums sum = grid.sums[static_cast<std::size_t>(node)];
+  for_nodes(grid.active, [&](std::size_t n) {
+    const NodeSums sum = grid.sums[n];
+    active.node.push_back(n);
     active.m.push_back(sum.m);
     active.gas.push_back(sum.gas);
-    active.loss.push_back(grid.loss.empty() ? 0 : grid.loss[static_cast<std::size_t>(node)]);
+    active.loss.push_back(grid.loss.empty() ? 0 : grid.loss[n]);
     active.momentum_x.push_back(sum.momentum[0]);
     active.momentum_y.push_back(sum.momentum[1]);
     active.force_x.push_back(sum.force[0]);
     active.force_y.push_back(sum.force[1]);
-  }
+  });
   return active;
 }
 
 void put_sums(const ActiveSums& active, Grid& grid) {
-  for (std::size_t k = 0; k < grid.active_nodes.size(); ++k) {
-    NodeSumsAt sum = grid.sums[static_cast<std::size_t>(grid.active_nodes[k])];
+  for (std::size_t k = 0; k < active.node.size(); ++k) {
+    const std::size_t n = active.node[k];
+    NodeSumsAt sum = grid.sums[n];
     sum.m = active.m[k];
     sum.gas = active.gas[k];
-    if (!grid.loss.empty()) grid.loss[static_cast<std::size_t>(grid.active_nodes[k])] = active.loss[k];
+    if (!grid.loss.empty()) grid.loss[n] = active.loss[k];
     sum.momentum = pair(active.momentum_x[k], active.momentum_y[k]);
     sum.force = pair(active.force_x[k], active.force_y[k]);
   }
@@ -74,6 +79,26 @@ void put_forces(const ActiveSums& sums, State& state) {
   });
 }
 
+void take_blocks(const State& state, ActiveSums& sums) {
+  for (const auto& blocks : state.blocks) {
+    if (!blocks) continue;
+    const std::vector<int> memory = blocks->memory();
+    sums.blocks.push_back(static_cast<int>(memory.size()));
+    sums.blocks.insert(sums.blocks.end(), memory.begin(), memory.end());
+  }
+}
+
+void put_blocks(const ActiveSums& sums, State& state) {
+  auto from = sums.blocks.begin();
+  for (auto& blocks : state.blocks) {
+    if (!blocks) continue;
+    const auto length = *from++;
+    blocks->remember({from, from + length});
+    from += length;
+  }
+  state.empty_slots = static_cast<std::size_t>(std::count(state.points.id.begin(), state.points.id.end(), -1));
+}
+
 void take_ranges(const State& state, ActiveSums& sums) {
   for (const Range range : state.ranges) sums.begin.push_back(range.begin), sums.end.push_back(range.end);
 }
@@ -94,7 +119,8 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   auto& P = state.points;
   each_row(Points::rows(), [&](const auto& row) {
     if (!row.remembered() || !row.carried_by(P)) return;
-    if (state.strips.on())  // where gas passes the edges their number changes
+    if (state.strips.on() ||
+        state.lane_passes)  // where gas passes the edges, or points stand in blocks, its length changes
       with.list(row.name, P.*row.array);
     else
       with(row.name, P.*row.array);
@@ -105,7 +131,8 @@ void exchange(Exchange& with, AnyState& state, Sums& sums) {
   exchange_numbers(with, static_cast<Numbers&>(state));
   exchange_numbers(with, state.balance);
   with("body_begin", sums.begin), with("body_end", sums.end);
-  with.list("active_cells", state.grid.active_cells), with.list("active_nodes", state.grid.active_nodes);
+  with.list("blocks", sums.blocks);
+  with.list("active_nodes", sums.node);
   with.list("node_mass", sums.m), with.list("node_gas", sums.gas), with.list("node_loss", sums.loss);
   with.list("node_momentum_x", sums.momentum_x), with.list("node_momentum_y", sums.momentum_y);
   with.list("node_force_x", sums.force_x), with.list("node_force_y", sums.force_y);
@@ -121,7 +148,7 @@ SavedState save(const State& state) {
   sums.apart = state.contact.memory();
   sums.contact_lost = state.contact.lost();
   take_forces(state, sums);
-  take_ranges(state, sums);
+  take_ranges(state, sums), take_blocks(state, sums);
   exchange(saver, state, sums);
   return saver.take();
 }
@@ -132,7 +159,8 @@ void restore(State& state, const Scene& scene, const SavedState& saved) {
   ActiveSums sums;
   take_ranges(state, sums);
   exchange(restorer, state, sums);
-  put_ranges(sums, scene, state);
+  put_ranges(sums, scene, state), put_blocks(sums, state);
+  step_set(scene).list_active(state);
   put_sums(sums, state.grid);
   state.contact.remember(sums.apart);
   state.contact.set_lost(sums.contact_lost);

@@ -9,9 +9,11 @@
 #include "model/scene.hpp"
 #include "physics/points/arrays.hpp"
 #include "physics/points/balance.hpp"
+#include "physics/points/blocks.hpp"
 #include "physics/points/contact.hpp"
 #include "physics/points/density.hpp"
 #include "physics/points/elements.hpp"
+#include "physics/points/lanes/work.hpp"
 #include "physics/points/normals.hpp"
 #include "physics/points/strips.hpp"
 #include "physics/step_clock.hpp"
@@ -80,10 +82,14 @@ struct State : StateNumbers, StepClock {
   Contact contact;                                   // of bodies that share nodes
   bool keeps_ledger = false;                         // of heat that transfers and elements lose
   Balance balance;                                   // of energy
+  std::vector<std::optional<Blocks>> blocks;         // of each body whose points run by lanes
+  std::size_t empty_slots = 0;                       // slots that hold no point
+  std::optional<LanePasses> lane_passes;             // where some do
   double light_node = 0;                             // mass of which no motion is, for the balance [mass]
 
   explicit State(const Scene& scene) : points(scene), grid(scene), strips(scene), contact(scene, grid.frame) {}
 
+  std::size_t point_count() const { return points.size() - empty_slots; }
   /// What strips change of it.
   BodyPoints body_points() { return {points, ranges}; }
   /// New tangents of membrane b by the scene's rule, and the total strain's component along them (5.3).
@@ -94,9 +100,19 @@ struct State : StateNumbers, StepClock {
   void find_tangents(std::size_t b);
 };
 
+/// How points run that may run by lanes: by which instructions, or not at all.
+struct LaneChoice {
+  InstructionSet set = instruction_set();
+  bool on = true;
+};
+
 /// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
 /// 1 of the algorithm), so that every step begins with its sums in place.
-State start(const Scene& scene);
+State start(const Scene& scene, const LaneChoice& lanes = {});
+
+/// Sorts the slots of all bodies that do not stand in blocks, but for strings, which keep the order of their file: it
+/// runs along them.
+void sort_bodies(CellSort& sort, State& state, const Scene& scene);
 
 /// Whether heat is booked: the method says so and there is gas, with its density from nodes, to take it.
 bool keeps_ledger(const Scene& scene);

@@ -13,6 +13,7 @@ struct StepWork {
   const Scene& scene;
   StepFindings found;
   NodeTotals nodes = {};
+  bool records = true;  // the points' velocities are wanted after the step
 };
 
 /// What a method does with a state, compiled for its kernel, transfer and geometry, and chosen once for a run.
@@ -22,8 +23,10 @@ struct StepSet {
   void (*step)(StepWork& work, double dt);
   /// Adds mass, momentum and internal force of all points at their present places to `sums` (3.15), (3.16).
   void (*map_all)(const State& state, const Scene& scene, NodeSumsRow& sums);
-  /// Lists the cells that hold points, and their nodes.
-  void (*list_active)(Grid& grid, const Points& points);
+  /// Marks the nodes that points reach. Their places must lie inside the frame.
+  void (*list_active)(State& state);
+  /// Cells that hold points.
+  std::size_t (*count_cells)(const State& state);
   /// sum_p m_p q_p N_i of a quantity q of all points, added to `values`.
   void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values);
   /// The pressure that the nodes' forces have of gas whose density comes from the nodes, by slot; empty without such.

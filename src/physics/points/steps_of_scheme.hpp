@@ -7,6 +7,7 @@
 #include "loops/points.hpp"
 #include "physics/points/contact_map.hpp"
 #include "physics/points/elements.hpp"
+#include "physics/points/lane_steps.hpp"
 #include "physics/points/membrane_passes.hpp"
 #include "physics/points/nodes.hpp"
 #include "physics/points/passes.hpp"
@@ -82,6 +83,7 @@ void stress_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
   const Range range = state.ranges[b];
   const OwnField own(state, b);
+  if (state.blocks[b]) return strain_and_pull_by_lanes(work, pass, b);
   if (state.elements_of[b]) {
     if constexpr (Pass::moves) map_momentum_all<S>(pass, range);
     return work.found.trouble.join(pull_elements<S>(pass, *state.elements_of[b]));
@@ -115,7 +117,15 @@ void accelerate_move_and_map_body(StepWork& work, const PassWork& pass, std::siz
   const OwnField own(state, b);
   const auto* gas = std::get_if<IdealGas>(&work.scene.bodies[b].material);
   const bool ledger = state.keeps_ledger;
-  if (gas) {
+  if (state.blocks[b]) {
+    const double heat = std::exchange(work.found.heat, 0);
+    accelerate_move_and_map_by_lanes<S>(work, pass, b);
+    const double lost = std::exchange(work.found.heat, heat);
+    if (gas)
+      work.found.heat += lost;
+    else
+      give_to_all_gas(state, lost);
+  } else if (gas) {
     work.found = accelerate_move_and_map_gas<S>(*gas, pass, range, ledger, work.found);
   } else if (state.elements_of[b]) {
     work.found = accelerate_move_and_map_membrane<S>(pass, *state.elements_of[b], ledger, work.found);
@@ -203,7 +213,7 @@ void map_all_points(const State& state, const Scene& scene, NodeSumsRow& sums) {
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     std::visit(
         [&, range = state.ranges[b]](const auto& law) {
-          for_points(range, [&](std::size_t p) {
+          for_points(P, range, [&](std::size_t p) {
             if (P.pinned[p] && state.pins_hold_loads) return;
             const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
             const auto nodes = S::Kernel::nodes(locator, at);
@@ -225,7 +235,7 @@ template <class S>
 void map_quantity(const State& state, const std::vector<double>& q, std::vector<double>& values) {
   const Locator locator(state.grid.frame.shape);
   const Points& P = state.points;
-  for_points({0, P.size()}, [&](std::size_t p) {
+  for_points(P, {0, P.size()}, [&](std::size_t p) {
     if (P.pinned[p] && state.pins_hold_loads) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(locator, at);
@@ -237,12 +247,51 @@ void map_quantity(const State& state, const std::vector<double>& q, std::vector<
   }
 }
 
+/// What a kernel reaches around a cell.
+template <class Kernel>
+void mark(ActiveNodes& active, const Locator& locator, double x, double y) {
+  const auto at = Kernel::locate(locator, x, y);
+  active.mark(at.i + Kernel::first, at.i + Kernel::last, at.j + Kernel::first, at.j + Kernel::last);
+}
+
+template <class Kernel>
+void list_active(State& state) {
+  const Points& P = state.points;
+  const Locator locator(state.grid.frame.shape);
+  ActiveNodes& active = state.grid.active;
+  active.begin();
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    if (!state.blocks[b]) {
+      for_points(P, state.ranges[b], [&](std::size_t p) { mark<Kernel>(active, locator, P.x[p], P.y[p]); });
+      continue;
+    }
+    const int last = static_cast<int>(Blocks::lanes) - 1 + Kernel::last;
+    for (const Blocks::Group& at : state.blocks[b]->groups())
+      active.mark(at.cell + Kernel::first, at.cell + last, at.row + Kernel::first, at.row + Kernel::last);
+  }
+  active.end();
+}
+
+template <class Kernel>
+std::size_t count_cells(const State& state) {
+  const Points& P = state.points;
+  const Locator locator(state.grid.frame.shape);
+  std::vector<bool> holds(state.grid.frame.shape.nodes());
+  for_points(P, {0, P.size()}, [&](std::size_t p) {
+    const auto at = Kernel::locate(locator, P.x[p], P.y[p]);
+    holds[static_cast<std::size_t>(at.j) * static_cast<std::size_t>(state.grid.frame.shape.nx) +
+          static_cast<std::size_t>(at.i)] = true;
+  });
+  return static_cast<std::size_t>(std::count(holds.begin(), holds.end(), true));
+}
+
 template <class S>
 StepSet step_set_of(StressOrder order) {
   auto step = order == StressOrder::usf ? Usf<S>::step : order == StressOrder::usl ? Usl<S>::step : Musl<S>::step;
   return {step,
           map_all_points<S>,
-          [](Grid& grid, const Points& points) { grid.list_active<typename S::Kernel>(points); },
+          list_active<typename S::Kernel>,
+          count_cells<typename S::Kernel>,
           map_quantity<S>,
           gas_pressures<S>,
           fit_fields<S>};

@@ -94,7 +94,7 @@ std::size_t LeakWatch::passed(const Parting& parting, const State& state, const 
   const Outline around = outline(parting, scene.grid, std::move(points));
   std::size_t passed = 0;
   for (const Range range : state.gas) {
-    for_points(range, [&](std::size_t p) {
+    for_points(P, range, [&](std::size_t p) {
       const auto number = static_cast<std::size_t>(P.id[p]);
       const Vec<2> at{P.x[p], P.y[p]};
       if (number >= parting.inside.size() || is_inside(around, at) == (parting.inside[number] != 0)) return;

@@ -18,8 +18,10 @@ class RigidSolver final : public Solver {
   explicit RigidSolver(const Plan& plan);
 
   double time() const override { return state_.time; }
-  void advance(double until) override;
+  using Solver::advance;
+  void advance(double until, long long most) override;
   RunCounts counts() const override;
+  std::size_t cells_active() const override { return system_.solids.mesh.element_count(); }
   HistoryLayout history_layout() const override { return columns_.layout(); }
   Record record() const override { return columns_.record(sums_of(state_, system_)); }
   Snapshot points() const override { return {state_.time, {}}; }

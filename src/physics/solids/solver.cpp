@@ -55,8 +55,8 @@ void SolidSolver::start() {
                   residuals_text(report.residuals)));
 }
 
-void SolidSolver::advance(double until) {
-  while (state_.time < until && state_.time < plan_.scene.clock.tmax) {
+void SolidSolver::advance(double until, long long most) {
+  while (state_.time < until && state_.time < plan_.scene.clock.tmax && most-- > 0) {
     const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
     step(next_step());
     if (implicit()) BodyDoubts::look_at_swings(before, state_.v, system_.lumped, state_.time, state_.doubts, messages_);
@@ -133,7 +133,6 @@ RunCounts SolidSolver::counts() const {
   counts.steps = state_.steps;
   counts.points = system_.lumped.size();
   counts.point_steps = state_.steps * static_cast<long long>(counts.points);
-  counts.cells_active = system_.solids.mesh.element_count();
   counts.dt_min = state_.dt_min, counts.dt_last = state_.dt_last;
   return counts;
 }

@@ -115,7 +115,7 @@ TEST(BarSolver, CountsItsSteps) {
   EXPECT_EQ(counts.point_steps, 10 * counts.steps);
   EXPECT_EQ(counts.dt_min, dt);
   EXPECT_LT(counts.dt_last, dt);
-  EXPECT_EQ(counts.cells_active, 0U);
+  EXPECT_EQ(run.solver().cells_active(), 0U);
 }
 
 TEST(BarSolver, SaysWhereAndWhyItStops) {

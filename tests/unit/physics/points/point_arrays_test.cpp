@@ -63,7 +63,9 @@ TEST(PointArrays, MoveWithTheirPointsWhenSorted) {
   for (const Body& body : scene.bodies) state.ranges.push_back({body.first, body.first + body.count});
   mark_all(state.points);
   const std::vector<int> before = state.points.id;
-  CellSort(state.points.size())(state.points, state.ranges, scene, state.grid.frame.shape);
+  state.blocks.resize(scene.bodies.size());
+  CellSort sort(state.points.size());
+  sort_bodies(sort, state, scene);
   ASSERT_NE(state.points.id, before);
   expect_marks(state.points);
   for (std::size_t p = 0; p < state.points.size(); ++p)

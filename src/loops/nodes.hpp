@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// The loops over nodes of a background grid.
+
+namespace tether {
+
+/// Nodes in a row, the end excluded.
+struct NodeSpan {
+  std::size_t begin = 0, end = 0;
+};
+
+/// The nodes that points may touch, by rows: those marked since begin(), and what fills up eight neighbours. Nothing
+/// else is touched in a step.
+class ActiveNodes {
+ public:
+  ActiveNodes(int nx, int ny)
+      : nx_(static_cast<std::size_t>(nx)),
+        eights_((nx_ + eight - 1) / eight),
+        marks_(eights_ * static_cast<std::size_t>(ny), 0) {}
+
+  void begin() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{0}); }
+  /// Marks columns i0 to i1 of rows j0 to j1, the last included; those that the grid does not have do not count.
+  void mark(int i0, int i1, int j0, int j1) {
+    const std::size_t first = static_cast<std::size_t>(std::max(0, i0)) / eight,
+                      last = std::min(static_cast<std::size_t>(i1) / eight, eights_ - 1);
+    const std::size_t rows = marks_.size() / eights_;
+    for (auto j = static_cast<std::size_t>(std::max(0, j0)); j <= static_cast<std::size_t>(j1) && j < rows; ++j) {
+      for (std::size_t k = first; k <= last; ++k) marks_[j * eights_ + k] = 1;
+    }
+  }
+  void end() {
+    spans_.clear();
+    for (std::size_t j = 0; j < marks_.size() / eights_; ++j) {
+      for (std::size_t k = 0; k < eights_; ++k) {
+        if (marks_[j * eights_ + k] == 0) continue;
+        const std::size_t from = k;
+        while (k + 1 < eights_ && marks_[j * eights_ + k + 1] != 0) ++k;
+        spans_.push_back({j * nx_ + from * eight, j * nx_ + std::min(nx_, (k + 1) * eight)});
+      }
+    }
+  }
+  const std::vector<NodeSpan>& spans() const { return spans_; }
+
+ private:
+  static constexpr std::size_t eight = 8;
+  std::size_t nx_, eights_;
+  std::vector<std::uint8_t> marks_;  // of eight columns of a row
+  std::vector<NodeSpan> spans_;
+};
+
+/// Calls body(n) for each active node, in their order.
+template <class Body>
+inline void for_nodes(const ActiveNodes& active, const Body& body) {
+  for (const NodeSpan span : active.spans()) {
+    for (std::size_t n = span.begin; n < span.end; ++n) body(n);
+  }
+}
+
+}  // namespace tether

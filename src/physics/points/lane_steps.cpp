@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/points/lane_steps.hpp"
+
+#include <algorithm>
+
+namespace tether::mpm {
+namespace {
+
+LaneBody lane_body(const Material& material, const StepContext& step) {
+  LaneBody body;
+  if (const auto* solid = std::get_if<PlaneElastic>(&material)) {
+    body.law = LaneLaw::elastic;
+    body.own = solid->lambda + 2 * solid->G, body.other = solid->lambda, body.shear = 2 * solid->G;
+  }
+  if (const auto* gas = std::get_if<IdealGas>(&material)) {
+    body.law = LaneLaw::gas;
+    body.gm1 = gas->gm1, body.gamma = gas->gm1 + 1, body.mu = gas->mu;
+    body.linear = gas->lambda * gas->coef1 * step.g, body.square = gas->lambda * gas->coef2 * step.g * step.g;
+    body.local_speed = gas->local_speed, body.c_max = step.c_max;
+    body.heats = step.heats, body.heat = step.heat;
+  }
+  return body;
+}
+
+LanePoints lane_points(Points& P, std::size_t first) {
+  return {P.x.data() + first,    P.y.data() + first,      P.vx.data() + first,    P.vy.data() + first,
+          P.vxx.data() + first,  P.vyx.data() + first,    P.vxy.data() + first,   P.vyy.data() + first,
+          P.mass.data() + first, P.volume.data() + first, P.sxx.data() + first,   P.syy.data() + first,
+          P.sxy.data() + first,  P.rho.data() + first,    P.energy.data() + first};
+}
+
+LaneNodes lane_nodes(Grid& grid, bool gas, bool ledger) {
+  LaneNodes nodes{.old_x = grid.convected.x.data(),
+                  .old_y = grid.convected.y.data(),
+                  .new_x = grid.motion.u.x.data(),
+                  .new_y = grid.motion.u.y.data(),
+                  .rho = grid.gas.rho.data(),
+                  .heat = gas && ledger ? grid.gas.heat.data() : nullptr,
+                  .squares = ledger ? grid.squares.data() : nullptr,
+                  .m = grid.sums.m.data(),
+                  .gas = gas ? grid.sums.gas.data() : nullptr,
+                  .momentum_x = grid.sums.momentum.x.data(),
+                  .momentum_y = grid.sums.momentum.y.data(),
+                  .force_x = grid.sums.force.x.data(),
+                  .force_y = grid.sums.force.y.data(),
+                  .loss = gas && ledger ? grid.loss.data() : nullptr};
+  return nodes;
+}
+
+/// In the order of the lanes.
+double sum_of(const double (&lanes)[LaneFindings::lanes]) {
+  double sum = 0;
+  for (const double lane : lanes) sum += lane;
+  return sum;
+}
+double largest_of(const double (&lanes)[LaneFindings::lanes]) { return *std::max_element(lanes, std::end(lanes)); }
+
+}  // namespace
+
+LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
+  State& state = work.state;
+  const bool gas = std::holds_alternative<IdealGas>(work.scene.bodies[b].material);
+  return {.P = lane_points(state.points, state.ranges[b].begin),
+          .N = lane_nodes(state.grid, gas, state.keeps_ledger),
+          .grid = {pass.locator.x0, pass.locator.y0, pass.locator.per_dx, pass.locator.per_dy, pass.locator.nx},
+          .blocks = &*state.blocks[b],
+          .body = lane_body(work.scene.bodies[b].material, pass.step),
+          .dt = pass.step.dt,
+          .records = work.records || state.keeps_ledger};
+}
+
+void join(StepFindings& found, const LaneFindings& lanes, std::size_t first) {
+  found.squares += sum_of(lanes.squares), found.lifted += sum_of(lanes.lifted), found.heat += sum_of(lanes.heat);
+  found.c_squared_max = std::max(found.c_squared_max, largest_of(lanes.c_squared));
+  found.wave_max = std::max(found.wave_max, largest_of(lanes.wave));
+  if (lanes.unsound != LaneFindings::none) found.trouble.note(TroubleKind::unsound, first + lanes.unsound);
+}
+
+void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  LaneFindings found;
+  work.state.lane_passes->strain_and_pull(lane_work(work, pass, b), found);
+  join(work.found, found, work.state.ranges[b].begin);
+}
+
+}  // namespace tether::mpm

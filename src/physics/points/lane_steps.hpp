@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "physics/points/lanes/work.hpp"
+#include "physics/points/layout.hpp"
+#include "physics/points/passes.hpp"
+#include "physics/points/steps.hpp"
+
+namespace tether::mpm {
+
+// Passes by lanes over the points of a body, and what is left of them to be done one by one: points that have left
+// their cells.
+
+/// What the pass works on. `records`: the points' velocities are wanted after the step.
+LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b);
+
+/// Adds what lanes found to what the step found before, `first` being the body's first slot.
+void join(StepFindings& found, const LaneFindings& lanes, std::size_t first);
+
+/// Strain rates, stresses and forces of a body whose points stay.
+void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
+
+/// What points that have left their cells give to the nodes of their new places, and their new slots.
+template <class S>
+void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const std::vector<Moved>& moved) {
+  State& state = work.state;
+  Points& P = state.points;
+  Blocks& blocks = *state.blocks[b];
+  const std::size_t first = state.ranges[b].begin;
+  const bool gas = std::holds_alternative<IdealGas>(work.scene.bodies[b].material);
+  for (const Moved& point : moved) {
+    const std::size_t p = first + point.slot;
+    typename S::Kernel::Place at{point.cell.cell, point.cell.row, 0, 0};
+    if (!accept_place<typename S::Kernel>(P, p, pass.locator, pass.grid.frame, at, work.found)) return;
+    const auto nodes = S::Kernel::nodes(pass.locator, at);
+    if (gas && state.keeps_ledger)
+      map_gas_momentum_and_loss<S>(P, p, point.lost / P.mass[p], pass.grid, pass.locator, at, nodes);
+    else if (gas)
+      map_gas_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
+    else
+      map_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
+    if (at.i == point.cell.cell && at.j == point.cell.row) continue;
+    const std::size_t slot = find_slot(state, b, {at.j, at.i});
+    if (slot != Blocks::no_slot) move_point(state, p, slot, point.cell);
+  }
+  blocks.settle();
+}
+
+/// What remains of a body's step that updated stress first.
+template <class S>
+void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  LaneFindings found;
+  const LaneWork lanes = lane_work(work, pass, b);
+  const LanePasses& passes = *work.state.lane_passes;
+  if (work.state.keeps_ledger)
+    passes.accelerate_book_move_and_map(lanes, found);
+  else
+    passes.accelerate_move_and_map(lanes, found);
+  join(work.found, found, work.state.ranges[b].begin);
+  if (work.found.trouble.kind == TroubleKind::none) settle_moved<S>(work, pass, b, found.moved);
+}
+
+}  // namespace tether::mpm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "loops/instruction_set.hpp"
+#include "loops/nodes.hpp"
+
+namespace tether::mpm {
+
+// What a step does at the nodes, by lanes: a lane for each of neighbouring nodes. Walls hold nothing here.
+
+/// Rows of the nodes, node 0 first.
+struct NodeRows {
+  const double *m, *momentum_x, *momentum_y, *force_x, *force_y;
+  double *convected_x, *convected_y, *a_x, *a_y, *u_x, *u_y;
+};
+
+/// Sums over nodes, as NodeTotals has them.
+struct LaneTotals {
+  double power = 0, squares = 0, gained = 0, upward = 0;
+};
+
+/// One table for each instruction set.
+struct NodePasses {
+  /// v_i = (mv)_i / m_i.
+  void (*map_velocity)(const NodeRows& rows, const ActiveNodes& active);
+  /// The momenta that points gave back, divided by the masses (3.24).
+  void (*divide_convected)(const NodeRows& rows, const ActiveNodes& active);
+  /// a = f / m + g, u = (mv) / m + dt a (3.19), (3.20).
+  void (*solve)(const NodeRows& rows, const ActiveNodes& active, double gravity, double dt);
+  /// Sums of the balance of energy; nodes of no more mass than `light` count without m |a|^2.
+  LaneTotals (*total)(const NodeRows& rows, const ActiveNodes& active, double light, double dt);
+};
+
+NodePasses node_passes(InstructionSet set);
+
+}  // namespace tether::mpm

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "loops/instruction_set.hpp"
+#include "physics/points/blocks.hpp"
+
+namespace tether::mpm {
+
+// What passes by lanes work on: plain numbers and places of arrays, so that one text of a pass serves every
+// instruction set.
+
+/// The arrays of the points, the body's first slot first; null where the scene has none of them.
+struct LanePoints {
+  double *x, *y, *vx, *vy, *vxx, *vyx, *vxy, *vyy;
+  const double *mass, *volume;
+  double *sxx, *syy, *sxy, *rho, *energy;
+};
+
+/// Rows of the nodes, node 0 first: what points read, and what they add to.
+struct LaneNodes {
+  const double *old_x, *old_y;  // velocity before the solve, or the convected one
+  const double *new_x, *new_y;  // velocity after it
+  const double *rho, *heat;     // density of the gas, and the ledger's heat for it
+  const double* squares;        // of the ledger
+  double *m, *gas, *momentum_x, *momentum_y, *force_x, *force_y, *loss;
+};
+
+/// Where cells are: of a place x the cell is (x - x0) per_dx. [length, 1/length]
+struct LaneGrid {
+  double x0, y0, per_dx, per_dy;
+  std::ptrdiff_t nx;  // nodes of a row
+};
+
+/// A point that has left its cell and given nothing to nodes yet.
+struct Moved {
+  std::size_t slot;
+  Blocks::Cell cell;  // that it has left
+  double lost;        // what the ledger booked of it [energy]
+};
+
+/// Sums of what the lanes find, a number a lane; joined at the end in the order of lanes.
+struct LaneFindings {
+  static constexpr std::size_t lanes = Blocks::lanes, none = static_cast<std::size_t>(-1);
+  double squares[lanes] = {};    // as StepFindings::squares
+  double lifted[lanes] = {};     // as StepFindings::lifted
+  double heat[lanes] = {};       // as StepFindings::heat
+  double c_squared[lanes] = {};  // largest
+  double wave[lanes] = {};       // largest
+  std::size_t unsound = none;    // first slot whose numbers are none any more
+  std::vector<Moved> moved;
+};
+
+/// Laws that run by lanes.
+enum class LaneLaw { elastic, gas };
+
+/// What is the same for all points of a body in a step.
+struct LaneBody {
+  LaneLaw law = LaneLaw::elastic;
+  double own = 0, other = 0, shear = 0;  // elastic: sxx' = own dxx + other dyy, sxy' = shear dxy [stress]
+  double gm1 = 0, gamma = 0;             // gas: gamma - 1 and gamma
+  double linear = 0, square = 0;         // gas: c_1 g [length], c_2 g^2 [length^2] of the artificial viscosity
+  double mu = 0;                         // gas: viscosity [stress time]
+  bool local_speed = true;               // gas: its viscosity takes the sound speed of its place
+  double c_max = 0;                      // else this one [velocity]
+  bool heats = false;                    // gas: heated by the rate that makes the stress
+  double heat = 0;                       // gas: of the ledger for all gas [energy/mass]
+};
+
+/// All that a pass has to know.
+struct LaneWork {
+  LanePoints P;
+  LaneNodes N;
+  LaneGrid grid;
+  const Blocks* blocks;
+  LaneBody body;
+  double dt = 0;
+  bool records = false;  // velocities and fields about points are written, which the grid has else
+};
+
+/// The passes over a body, one table for each instruction set. They sweep its strips of rows in their order.
+struct LanePasses {
+  /// usf: strain rate (3.23), stress, force (3.16); the points stay.
+  void (*strain_and_pull)(const LaneWork& work, LaneFindings& found);
+  /// usf: velocities (3.22), places (3.21), heat of gas (4.10), mass and momentum (3.15).
+  void (*accelerate_move_and_map)(const LaneWork& work, LaneFindings& found);
+  /// The same with the ledger's books.
+  void (*accelerate_book_move_and_map)(const LaneWork& work, LaneFindings& found);
+};
+
+/// For splines and APIC in the plane.
+LanePasses spline_passes(InstructionSet set);
+
+}  // namespace tether::mpm

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points by lanes: the same bits by every instruction set, and what the passes one by one find.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "physics/points/derived.hpp"
+#include "physics/points/layout.hpp"
+#include "physics/points/nodes.hpp"
+#include "physics/points/steps.hpp"
+#include "unit/physics/points/robust_support.hpp"
+
+namespace tether::mpm {
+namespace {
+
+using namespace scenes;
+
+bool in_ring(double x, double y) { return x * x + y * y < 1.1 && x * x + 2 * y * y > 0.1; }
+
+/// Points off the lattice, each by another part of its distance.
+std::vector<PointAt> scattered(std::vector<PointAt> points, double h) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const auto k = static_cast<double>(p);
+    points[p].x += 0.45 * h * std::sin(12.9 * k), points[p].y += 0.45 * h * std::sin(78.2 * k);
+  }
+  return points;
+}
+
+struct LaneScene {
+  const char* name;
+  std::function<void(Scene&)> add;
+};
+void PrintTo(const LaneScene& scene, std::ostream* out) { *out << scene.name; }
+
+const LaneScene lane_scenes[] = {
+    {"Solid", [](Scene& s) { add_body(s, plane_strain(3, 0.3), lattice(0.08, -1.2, 1.4, -1, 1.2, in_ring), 1.3); }},
+    {"ScatteredSolid",
+     [](Scene& s) { add_body(s, plane_stress(3, 0.2), scattered(lattice(0.08, -1.2, 1.4, -1, 1.2), 0.08), 1.3); }},
+    {"HotGas",  // that expands into cells where no point was
+     [](Scene& s) { add_body(s, robust_gas(0.02), lattice(0.1, -1, 1.2, -1, 1, in_ring), 1.3, 4.0); }},
+    {"GasWithLedger",
+     [](Scene& s) {
+       s.method.ledger = true;
+       add_body(s, robust_gas(), scattered(lattice(0.1, -1, 1.5, -1, 1), 0.1), 1.3, 1.0);
+     }},
+    {"GasHeatedByItsRate",
+     [](Scene& s) {
+       s.method.gas_energy = GasEnergy::rate;
+       add_body(s, robust_gas(0.01), lattice(0.1, -1, 1.5, -1, 1), 1.3, 1.0);
+     }},
+    {"GasesAndASolid",
+     [](Scene& s) {
+       s.method.ledger = true;
+       s.method.contact = ContactRule::none;
+       add_body(s, robust_gas(0.01), lattice(0.1, -1.4, 0, -1, 1), 1.3, 1.0);
+       add_body(s, plane_strain(3, 0.3), lattice(0.1, 0, 0.8, -1, 1), 5);
+       add_body(s, robust_gas(), lattice(0.1, 0.8, 1.6, -1, 1), 0.3, 2.0);
+     }},
+    {"GasAroundAString",
+     [](Scene& s) {
+       s.method.ledger = true;
+       add_body(s, Membrane{20, 0.2, true, Membrane::Kind::plane_stress}, arc(0.1, 0, 1.0, 0.8, 0, 2, 60, 0.05), 2, 0,
+                true);
+       add_body(s, robust_gas(), lattice(0.1, -1.2, 1.4, -1, 1, in_ring), 1.3, 1.0);
+     }},
+};
+
+/// A run of some steps with the walls given, with records at some of them alone.
+class LaneRun {
+ public:
+  LaneRun(const LaneScene& of, Wall wall, const LaneChoice& lanes)
+      : scene_(scene_on(BackgroundGrid(23, 26, -2, 2, -2, 2), all_walls(wall), 0.004, robust_set())),
+        state_(start(made(of), lanes)),
+        sort_(state_.points.size()),
+        set_(step_set(scene_)) {}
+  void steps(int n) {
+    for (int k = 0; k < n; ++k) {
+      StepWork work{.state = state_, .scene = scene_, .found = {}, .records = k + 1 == n};
+      set_.step(work, 0.004);
+      ASSERT_EQ(work.found.trouble.kind, TroubleKind::none) << k;
+      state_.balance.add(work.nodes, work.found.squares, work.found.lifted, true, 0, 0.004);
+      state_.c_max = std::sqrt(work.found.c_squared_max);
+      ++state_.steps, moved_ += work.found.crossings;
+      if (std::any_of(state_.blocks.begin(), state_.blocks.end(),
+                      [](const auto& blocks) { return blocks && blocks->scattered(); }))
+        lay_out(state_, scene_), state_.list_fluids(scene_), ++layouts_;
+      set_.list_active(state_);
+    }
+  }
+  /// A field of the points by their numbers.
+  std::vector<double> field(std::vector<double> Points::*array) const {
+    std::vector<double> values(state_.point_count());
+    const Points& P = state_.points;
+    for_points(P, {0, P.size()}, [&](std::size_t p) { values[static_cast<std::size_t>(P.id[p])] = (P.*array)[p]; });
+    return values;
+  }
+  const State& state() const { return state_; }
+  const Scene& scene() const { return scene_; }
+  long long moved() const { return moved_; }
+  int layouts() const { return layouts_; }
+
+ private:
+  const Scene& made(const LaneScene& of) {
+    of.add(scene_);
+    set_velocities(scene_, [](double x, double y) {
+      return Vec<2>{0.4 + 0.3 * std::sin(3 * x) - 0.5 * y, 0.2 + 0.6 * x * std::cos(2 * y)};
+    });
+    return scene_;
+  }
+  Scene scene_;
+  State state_;
+  CellSort sort_;
+  StepSet set_;
+  long long moved_ = 0;
+  int layouts_ = 0;
+};
+
+constexpr std::vector<double> Points::*compared[] = {&Points::x,   &Points::y,   &Points::vx,  &Points::vy,
+                                                     &Points::vxx, &Points::vyx, &Points::vxy, &Points::vyy,
+                                                     &Points::sxx, &Points::syy, &Points::sxy, &Points::energy};
+
+class Lanes : public testing::TestWithParam<std::tuple<LaneScene, Wall>> {
+ protected:
+  LaneRun run(const LaneChoice& lanes) const { return {std::get<0>(GetParam()), std::get<1>(GetParam()), lanes}; }
+};
+INSTANTIATE_TEST_SUITE_P(Scenes, Lanes,
+                         testing::Combine(testing::ValuesIn(lane_scenes),
+                                          testing::Values(Wall::open, Wall::free_slip, Wall::fixed)),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param).name) + "Wall" +
+                                  std::to_string(static_cast<int>(std::get<1>(info.param)));
+                         });
+
+TEST_P(Lanes, HaveTheSameBitsByEveryInstructionSet) {
+  LaneRun one = run({InstructionSet::one, true});
+  one.steps(60);
+  EXPECT_GT(one.moved(), 0);
+  for (const InstructionSet set : instruction_sets) {
+    if (!has(set)) continue;
+    LaneRun other = run({set, true});
+    other.steps(60);
+    for (const auto array : compared) EXPECT_EQ(other.field(array), one.field(array));
+    EXPECT_EQ(other.state().balance.transfer, one.state().balance.transfer);
+    EXPECT_EQ(other.state().heat_given, one.state().heat_given);
+  }
+}
+
+// Sums in another order: rounding is all that may differ, of each field's largest value.
+TEST_P(Lanes, FindWhatPointsFindOneByOne) {
+  LaneRun lanes = run({}), alone = run({InstructionSet::one, false});
+  ASSERT_TRUE(lanes.state().lane_passes && !alone.state().lane_passes);
+  lanes.steps(60), alone.steps(60);
+  EXPECT_EQ(lanes.moved(), alone.moved());
+  for (const auto array : compared) {
+    const auto a = lanes.field(array), b = alone.field(array);
+    double worst = 0, most = 1e-300;
+    for (std::size_t k = 0; k < b.size(); ++k)
+      worst = std::max(worst, std::abs(a[k] - b[k])), most = std::max(most, std::abs(b[k]));
+    EXPECT_LT(worst, 2e-12 * most);
+  }
+  const double energy = stored_energy(alone.scene(), alone.state(), order_of_all(alone.state())).sum();
+  EXPECT_NEAR(lanes.state().balance.transfer, alone.state().balance.transfer, 1e-12 * energy);
+  EXPECT_NEAR(lanes.state().balance.work, alone.state().balance.work, 1e-12 * energy);
+  EXPECT_NEAR(lanes.state().heat_given, alone.state().heat_given, 1e-12 * energy);
+}
+
+// A hot gas runs into cells where no block is, until there is room for no more: then all are laid out anew.
+TEST(LaneLayout, IsMadeAnewWhereBlocksRunOut) {
+  LaneRun run(lane_scenes[2], Wall::free_slip, {});
+  run.steps(150);
+  EXPECT_GT(run.layouts(), 0);
+  LaneRun alone(lane_scenes[2], Wall::free_slip, {InstructionSet::one, false});
+  alone.steps(150);
+  const auto a = run.field(&Points::x), b = alone.field(&Points::x);
+  for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11);
+}
+
+/// Every point stands in a lane of its cell, and every slot without one is empty.
+TEST(LaneLayout, PutsPointsIntoTheirCells) {
+  LaneRun run(lane_scenes[1], Wall::open, {});
+  run.steps(40);
+  const State& state = run.state();
+  const Blocks& blocks = *state.blocks[0];
+  const Locator locator(state.grid.frame.shape);
+  std::size_t found = 0;
+  for (const Blocks::Group& group : blocks.groups()) {
+    for (std::uint32_t block = group.first; block != Blocks::none; block = blocks.next(block)) {
+      for (std::size_t l = 0; l < Blocks::lanes; ++l) {
+        const std::size_t p = state.ranges[0].begin + block * Blocks::lanes + l;
+        const auto at = SplineKernel::locate(locator, state.points.x[p], state.points.y[p]);
+        EXPECT_EQ(at.j, group.row);
+        EXPECT_EQ(at.i, group.cell + static_cast<int>(l));
+        if (state.points.holds(p)) {
+          ++found;
+        } else {
+          EXPECT_EQ(state.points.mass[p], 0);
+          EXPECT_EQ(state.points.sxx[p], 0);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(found, state.point_count());
+}
+
+TEST(Blocks, AChainPerGroupOfCellsAndASlotPerPoint) {
+  Blocks blocks(20, 5);
+  // Two points in cell 3, one in cell 7 of row 1; three in cell 8 of row 1; one in cell 0 of row 4.
+  const auto slots = blocks.lay_out({{1, 3}, {1, 3}, {1, 7}, {1, 8}, {1, 8}, {1, 8}, {4, 0}});
+  EXPECT_EQ(slots, (std::vector<std::size_t>{3, 11, 7, 16, 24, 32, 40}));
+  ASSERT_EQ(blocks.groups().size(), 3U);
+  EXPECT_EQ(blocks.blocks(), 6U);
+  EXPECT_FALSE(blocks.scattered());
+  const auto none_is_free = [](std::size_t) { return false; };
+  EXPECT_EQ(blocks.find_free({1, 3}, none_is_free), 6 * 8 + 3U);
+  EXPECT_EQ(blocks.find_free({2, 19}, none_is_free), 7 * 8 + 3U);
+  EXPECT_EQ(blocks.find_free({1, 4}, [](std::size_t slot) { return slot == 12; }), 12U);
+  blocks.settle();
+  ASSERT_EQ(blocks.groups().size(), 4U);
+  EXPECT_EQ(blocks.groups()[2].row, 2);
+  EXPECT_EQ(blocks.groups()[2].cell, 16);
+  while (blocks.find_free({3, 1}, none_is_free) != Blocks::no_slot) continue;
+  EXPECT_EQ(blocks.blocks(), blocks.capacity());
+  EXPECT_TRUE(blocks.scattered());
+}
+
+TEST(Blocks, ComeBackFromMemory) {
+  Blocks blocks(20, 40), other(20, 40);
+  blocks.lay_out({{1, 3}, {1, 3}, {17, 7}, {33, 8}});
+  blocks.find_free({20, 1}, [](std::size_t) { return false; }), blocks.settle();
+  other.remember(blocks.memory());
+  EXPECT_EQ(other.memory(), blocks.memory());
+  ASSERT_EQ(other.strips().size(), blocks.strips().size());
+  EXPECT_EQ(other.strips().size(), 3U);  // rows 0 to 15 and 32 to 47 first, then those between
+  EXPECT_EQ(other.strips()[1].begin, blocks.strips()[1].begin);
+  EXPECT_EQ(blocks.groups()[other.strips()[1].begin].row, 33);
+}
+
+}  // namespace
+}  // namespace tether::mpm
