@@ -42,6 +42,7 @@ class MpmSolver final : public Solver {
   SavedState save() const override { return mpm::save(state_); }
   void restore(const SavedState& saved) override {
     mpm::restore(state_, plan_.scene, saved);
+    set_.list_active(state_);
     messages_.clear();  // of the start: the run has them
   }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "loops/points.hpp"
-#include "physics/points/steps.hpp"
 
 namespace tether::mpm {
 
@@ -160,7 +159,6 @@ void restore(State& state, const Scene& scene, const SavedState& saved) {
   take_ranges(state, sums);
   exchange(restorer, state, sums);
   put_ranges(sums, scene, state), put_blocks(sums, state);
-  step_set(scene).list_active(state);
   put_sums(sums, state.grid);
   state.contact.remember(sums.apart);
   state.contact.set_lost(sums.contact_lost);

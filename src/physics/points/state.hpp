@@ -118,8 +118,8 @@ void sort_bodies(CellSort& sort, State& state, const Scene& scene);
 bool keeps_ledger(const Scene& scene);
 
 /// The state as plain data, and back into a state of the same scene, to the last bit: sums at nodes are kept as they
-/// are, since points that were sorted meanwhile would add up to others. Scratch arrays are left out. restore() throws
-/// FileError.
+/// are, since points that were sorted meanwhile would add up to others. Scratch arrays are left out, and which nodes
+/// are active, which the caller lists. restore() throws FileError.
 SavedState save(const State& state);
 void restore(State& state, const Scene& scene, const SavedState& saved);
 
