@@ -16,8 +16,8 @@ struct RunCounts {
   long long steps = 0;
   long long point_steps = 0;
   std::size_t points = 0;
-  double dt_min = 0;             ///< shortest step but for one cut by the end [time]
-  double dt_last = 0;            ///< [time]
+  double dt_min = 0;   ///< shortest step but for one cut by the end [time]
+  double dt_last = 0;  ///< [time]
 };
 
 /// A path's solver: its state and its step. One virtual call an output interval, none inside it.

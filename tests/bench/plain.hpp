@@ -77,14 +77,23 @@ void time_rounds(Run& run, std::size_t points, int rounds) {
 }
 
 /// PROGRAM elastic|gas [cells [points of a cell's side [jitter [rounds]]]]
-inline Block block_of(int argc, char** argv) {
+template <template <bool> class Loop>
+int main_of(int argc, char** argv) {
   Block block;
   if (argc > 1) block.gas = std::string(argv[1]) == "gas";
   if (argc > 2) block.cells = std::atoi(argv[2]);
   if (argc > 3) block.per_side = std::atoi(argv[3]);
   if (argc > 4) block.jitter = std::atof(argv[4]);
-  return block;
+  const int rounds = argc > 5 ? std::atoi(argv[5]) : 7;
+  const std::size_t points = points_of(block).size();
+  if (block.gas) {
+    Loop<true> run(block);
+    time_rounds(run, points, rounds);
+  } else {
+    Loop<false> run(block);
+    time_rounds(run, points, rounds);
+  }
+  return 0;
 }
-inline int rounds_of(int argc, char** argv) { return argc > 5 ? std::atoi(argv[5]) : 7; }
 
 }  // namespace plain

@@ -133,15 +133,6 @@ class Thesis {
   std::vector<Pair> convected_;
 };
 
-template <bool gas>
-void time_it(const plain::Block& block, int rounds) {
-  Thesis<gas> run(block);
-  plain::time_rounds(run, points_of(block).size(), rounds);
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-  const plain::Block block = plain::block_of(argc, argv);
-  block.gas ? time_it<true>(block, plain::rounds_of(argc, argv)) : time_it<false>(block, plain::rounds_of(argc, argv));
-}
+int main(int argc, char** argv) { return plain::main_of<Thesis>(argc, argv); }
