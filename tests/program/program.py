@@ -13,7 +13,8 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "decks"
 TETHER = str(pathlib.Path(os.environ["TETHER"]).resolve())
-PATIENCE = 60  # seconds after which a run counts as hanging; its exit code is then HANGS
+SLOWER = float(os.environ.get("TETHER_SLOWER", "1"))  # than a release build, as sanitizers make it
+PATIENCE = 60 * SLOWER  # seconds after which a run counts as hanging; its exit code is then HANGS
 HANGS = "hangs"
 
 # Head of a diagnostic; file, line and column may be missing.
@@ -21,11 +22,11 @@ HEAD = re.compile(r"(?:(?P<file>[^\s:][^:\n]*):(?:(?P<line>\d+):)?(?:(?P<column>
                   r"(?P<severity>error|warning|remark): (?P<text>.*)")
 
 
-def run(*arguments, folder=ROOT, before=None, patience=PATIENCE):
+def run(*arguments, folder=ROOT, before=None, patience=60):
     """One call of the program in `folder`; `before` is done in the child before the program starts."""
     command = [TETHER, *map(str, arguments)]
     try:
-        return subprocess.run(command, cwd=folder, capture_output=True, timeout=patience, stdin=subprocess.DEVNULL,
+        return subprocess.run(command, cwd=folder, capture_output=True, timeout=patience * SLOWER, stdin=subprocess.DEVNULL,
                               preexec_fn=before, encoding="utf-8", errors="surrogateescape")
     except subprocess.TimeoutExpired:
         return subprocess.CompletedProcess(command, HANGS, "", "")

@@ -15,7 +15,7 @@ import unittest
 
 import numpy
 
-from program import DECKS, TETHER, ProgramTest, history, netcdf, run, sets
+from program import DECKS, SLOWER, TETHER, ProgramTest, history, netcdf, run, sets
 
 SECONDS_TO_STOP = 5  # from the signal to the end of the program
 KILLS = 50
@@ -68,7 +68,7 @@ class Restart(ProgramTest):
             time.sleep(0.2)
             process.send_signal(number)
             began = time.monotonic()
-            _, stderr = process.communicate(timeout=60)
+            _, stderr = process.communicate(timeout=60 * SLOWER)
             self.assertLess(time.monotonic() - began, SECONDS_TO_STOP)
             self.assertEqual(process.returncode, 128 + number)
             newest = checkpoints(folder)[0]
@@ -92,7 +92,7 @@ class Restart(ProgramTest):
         with_checkpoints = 0
         for kill in range(KILLS):
             process, folder = self.start(*options, out=f"kill-{kill}")
-            time.sleep(draw.uniform(0.02, 0.5))
+            time.sleep(SLOWER * draw.uniform(0.02, 0.5))
             process.kill()
             process.wait()
             found = checkpoints(folder)
