@@ -19,10 +19,10 @@ namespace tether {
 enum class Kept { always, where_asked, within_step };
 
 /// One array of a state, a number for each point or node.
-template <class Owner, class Number>
+template <class Owner, class Array>
 struct ArrayField {
   const char* name;  ///< in a checkpoint
-  std::vector<Number> Owner::*array;
+  Array Owner::*array;
   Dimension dimension;
   const char* meaning;
   Kept kept = Kept::always;
@@ -37,10 +37,11 @@ constexpr void each_row(const Rows& rows, const Visit& visit) {
   std::apply([&](const auto&... row) { (visit(row), ...); }, rows);
 }
 
-/// The type of a row's numbers.
+/// The types of a row's array and of its numbers.
 template <class Row, class Owner>
-using NumberOf =
-    typename std::remove_reference_t<decltype(std::declval<Owner&>().*std::declval<const Row&>().array)>::value_type;
+using ArrayOf = std::remove_reference_t<decltype(std::declval<Owner&>().*std::declval<const Row&>().array)>;
+template <class Row, class Owner>
+using NumberOf = typename ArrayOf<Row, Owner>::value_type;
 
 /// Memory that all arrays take for one point [bytes].
 template <class Owner, class Rows>
@@ -72,7 +73,7 @@ template <class Owner, class Rows>
 constexpr bool lists_each_array_once(const Rows& rows) {
   std::size_t bytes = 0, pairs = 0, same = 0;
   each_row(rows, [&](const auto& one) {
-    bytes += sizeof(std::vector<NumberOf<decltype(one), Owner>>);
+    bytes += sizeof(ArrayOf<decltype(one), Owner>);
     each_row(rows, [&](const auto& other) { ++pairs, same += same_array(one, other) ? 1U : 0U; });
   });
   return bytes == sizeof(Owner) && same * same == pairs;  // each row is the same as itself alone

@@ -50,7 +50,7 @@ HWY_INLINE V<D> counting(double first) {
 /// What stood in the two lanes before a vector: of one lane these are two vectors.
 template <class D>
 struct Before {
-  V<D> last = hn::Zero(D()), last_but_one = hn::Zero(D());
+  V<D> last{}, last_but_one{};
   HWY_INLINE void follow(V<D> v) { last_but_one = last, last = v; }
 };
 

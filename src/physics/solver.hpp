@@ -26,10 +26,15 @@ class Solver {
   virtual ~Solver() = default;
 
   virtual double time() const = 0;
-  /// Takes steps until time() >= `until`, but no more than `most` (the last one lands on the scene's tmax). What
-  /// record(), save() and the fields ask for is there after the last of them. Throws RunError.
+  /// Takes steps until time() >= `until`, but no more than `most` (the last one lands on the scene's tmax). Throws
+  /// RunError.
   virtual void advance(double until, long long most) = 0;
   void advance(double until) { advance(until, std::numeric_limits<long long>::max()); }
+  /// Nothing will be read before this time, unless advance() ends because it has taken `most` steps: what record(),
+  /// save() and the fields ask for need not be there earlier. Without it, it is there whenever advance() comes back.
+  virtual void expect_reading(double) {}
+  /// Whether it is there now.
+  virtual bool readable() const { return true; }
   /// What a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
   /// before.
   virtual void stop_when(std::function<bool()>) {}

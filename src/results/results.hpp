@@ -59,15 +59,15 @@ class StateSaver {
   void operator()(const char* name, const Number& number) {
     saved_[name] = {static_cast<double>(number)};
   }
-  template <class Number>
-  void operator()(const char* name, const std::vector<Number>& array) {
+  template <class Number, class Allocator>
+  void operator()(const char* name, const std::vector<Number, Allocator>& array) {
     std::vector<double>& saved = saved_[name];
     saved.clear();
     for (const Number& number : array) saved.push_back(static_cast<double>(number));
   }
   /// An array whose length changes while a scene runs.
-  template <class Number>
-  void list(const char* name, const std::vector<Number>& array) {
+  template <class Number, class Allocator>
+  void list(const char* name, const std::vector<Number, Allocator>& array) {
     (*this)(name, array);
   }
   SavedState take() { return std::move(saved_); }
@@ -88,20 +88,20 @@ class StateRestorer {
   void operator()(const char* name, Number& number) {
     number = static_cast<Number>(saved_array(saved_, name, 1).front());
   }
-  template <class Number>
-  void operator()(const char* name, std::vector<Number>& array) {
+  template <class Number, class Allocator>
+  void operator()(const char* name, std::vector<Number, Allocator>& array) {
     copy(saved_array(saved_, name, array.size()), array);
   }
-  template <class Number>
-  void list(const char* name, std::vector<Number>& array) {
+  template <class Number, class Allocator>
+  void list(const char* name, std::vector<Number, Allocator>& array) {
     const auto& from = saved_array(saved_, name, 0);
     array.resize(from.size());
     copy(from, array);
   }
 
  private:
-  template <class Number>
-  static void copy(const std::vector<double>& from, std::vector<Number>& to) {
+  template <class Number, class Allocator>
+  static void copy(const std::vector<double>& from, std::vector<Number, Allocator>& to) {
     std::transform(from.begin(), from.end(), to.begin(), [](double value) { return static_cast<Number>(value); });
   }
   const SavedState& saved_;

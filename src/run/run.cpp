@@ -65,15 +65,9 @@ class Runner {
   RunOutcome to_the_end() {
     solver_->stop_when([this] { return is_asked_to_stop(); });
     while (!at_end()) {
-      advance(std::min({plan_.scene.clock.tmax, look_ahead(), outputs_.next()}));
-      pace_.came_back(clocks_.whole().wall);
-      pass_messages();
-      tell_progress();
-      const std::size_t before = outputs_.history().records.size();
-      outputs_.write_what_is_due(at_end());
-      if (!solver_->watched_each_step() && outputs_.history().records.size() > before)
-        look(outputs_.history().records.back());
-      if (outputs_.takes_checkpoint(at_end())) write_checkpoint();
+      const double next = std::min(plan_.scene.clock.tmax, outputs_.next());
+      go_on(std::min(next, look_ahead()), next);
+      if (is_asked_to_stop() && !solver_->readable()) go_on(solver_->time(), solver_->time());
       stop_if_interrupted();
     }
     return finish();
@@ -101,10 +95,10 @@ class Runner {
   /// to end by its limits, too.
   void advance(double until) {
     const long long every = solver_->watched_each_step() ? 1 : steps_between_looks;
-    while (solver_->time() < until && !at_end() && signal_ == 0) {
+    do {
       solver_->advance(until, every - solver_->counts().steps % every);
       if (solver_->counts().steps % every == 0) look(solver_->record());
-    }
+    } while (solver_->time() < until && !at_end() && signal_ == 0);
   }
   void look(const Record& record) {
     watch_.look(record, *solver_);
@@ -124,6 +118,19 @@ class Runner {
     if (!request_.progress) return;
     const RunCounts counts = solver_->counts();
     request_.progress({solver_->time(), plan_.scene.clock.tmax, counts.dt_last, counts, clocks_.whole().wall});
+  }
+  /// Steps until a time, one at least, of which nothing is read before another one, and what is due after them.
+  void go_on(double until, double reading) {
+    solver_->expect_reading(reading);
+    advance(std::max(until, std::nextafter(solver_->time(), plan_.scene.clock.tmax)));
+    pace_.came_back(clocks_.whole().wall);
+    pass_messages();
+    tell_progress();
+    const std::size_t before = outputs_.history().records.size();
+    outputs_.write_what_is_due(at_end());
+    if (!solver_->watched_each_step() && outputs_.history().records.size() > before)
+      look(outputs_.history().records.back());
+    if (outputs_.takes_checkpoint(at_end())) write_checkpoint();
   }
   void write_checkpoint() {
     Checkpoint now;

@@ -14,8 +14,8 @@ static_assert(lists_each_array_once<Points>(Points::rows()), "an array of the po
 CellSort::CellSort(std::size_t points) { keys_.reserve(points); }
 
 template <class Number>
-void CellSort::permute(std::vector<Number>& array, Range range) {
-  auto& scratch = std::get<std::vector<Number>>(scratch_);
+void CellSort::permute(LineArray<Number>& array, Range range) {
+  auto& scratch = std::get<LineArray<Number>>(scratch_);
   if (scratch.size() < keys_.size()) scratch.resize(keys_.size());  // points came in
   for (std::size_t k = 0; k < keys_.size(); ++k) scratch[k] = array[keys_[k].slot];
   std::copy_n(scratch.begin(), keys_.size(), array.begin() + static_cast<std::ptrdiff_t>(range.begin));
@@ -38,9 +38,10 @@ void CellSort::operator()(Points& P, Range range, const BackgroundGrid& shape) {
 Points::Points(const Scene& scene) {
   each_array([n = scene.points.size()](auto& array) { array.resize(n); });
   const PointSet& given = scene.points;
-  x = given.x, y = given.y, vx = given.vx, vy = given.vy;
-  mass = given.mass, volume = given.volume;
-  sxx = given.sxx, syy = given.syy, sxy = given.sxy;
+  const auto take = [](LineArray<double>& array, const std::vector<double>& of) { array.assign(of.begin(), of.end()); };
+  take(x, given.x), take(y, given.y), take(vx, given.vx), take(vy, given.vy);
+  take(mass, given.mass), take(volume, given.volume);
+  take(sxx, given.sxx), take(syy, given.syy), take(sxy, given.sxy);
   if (find_body<FiniteElastic>(scene)) {
     for (auto* array : {&fxx, &fyy, &fzz}) array->assign(size(), 1.0);
     for (auto* array : {&fxy, &fyx}) array->assign(size(), 0.0);

@@ -7,6 +7,7 @@
 
 #include "fields/rows.hpp"
 #include "grid/boxes.hpp"
+#include "loops/line_allocator.hpp"
 #include "loops/nodes.hpp"
 #include "loops/points.hpp"
 #include "model/scene.hpp"
@@ -19,16 +20,16 @@ namespace tether::mpm {
 /// All material points, an array a property. A point keeps its number (its place in the scene) in `id` while sorting
 /// moves it from slot to slot; a body keeps its range of slots. An array is a member and its row, in rows().
 struct Points {
-  std::vector<double> x, y, vx, vy;
-  std::vector<double> vxx, vyx, vxy, vyy;
-  std::vector<double> mass, volume;
-  std::vector<double> sxx, syy, sxy, szz;
-  std::vector<double> rho, energy;
-  std::vector<double> strain, hoop, tx, ty;
-  std::vector<double> fxx, fxy, fyx, fyy, fzz;
-  std::vector<double> dxx, dyy, dxy, dzz;
-  std::vector<std::uint8_t> pinned;
-  std::vector<int> id;
+  LineArray<double> x, y, vx, vy;
+  LineArray<double> vxx, vyx, vxy, vyy;
+  LineArray<double> mass, volume;
+  LineArray<double> sxx, syy, sxy, szz;
+  LineArray<double> rho, energy;
+  LineArray<double> strain, hoop, tx, ty;
+  LineArray<double> fxx, fxy, fyx, fyy, fzz;
+  LineArray<double> dxx, dyy, dxy, dzz;
+  LineArray<std::uint8_t> pinned;
+  LineArray<int> id;
 
   /// Name in a checkpoint, array, dimension and meaning of each.
   static constexpr auto rows() {
@@ -129,10 +130,10 @@ class CellSort {
 
  private:
   template <class Number>
-  void permute(std::vector<Number>& array, Range range);
+  void permute(LineArray<Number>& array, Range range);
 
   std::vector<Key> keys_;
-  std::tuple<std::vector<double>, std::vector<int>, std::vector<std::uint8_t>> scratch_;  // one for each type of array
+  std::tuple<LineArray<double>, LineArray<int>, LineArray<std::uint8_t>> scratch_;  // one for each type of array
 };
 
 }  // namespace tether::mpm

@@ -16,8 +16,9 @@ bool before(const Blocks::Group& a, const Blocks::Group& b) { return a.row != b.
 
 }  // namespace
 
-Blocks::Blocks(int cells_x, int cells_y)
-    : groups_x_((static_cast<std::size_t>(cells_x) + lanes - 1) / lanes),
+Blocks::Blocks(int cells_x, int cells_y, double middle)
+    : middle_(middle),
+      groups_x_((static_cast<std::size_t>(cells_x) + lanes - 1) / lanes),
       group_(groups_x_ * static_cast<std::size_t>(cells_y), none) {}
 
 std::vector<std::size_t> Blocks::lay_out(const std::vector<Cell>& points) {

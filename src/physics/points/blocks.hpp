@@ -26,7 +26,10 @@ class Blocks {
     std::size_t begin, end;
   };
 
-  Blocks(int cells_x, int cells_y);
+  /// `middle` of a cell from its node on, along both axes [cells].
+  Blocks(int cells_x, int cells_y, double middle = 0);
+
+  double middle() const { return middle_; }
 
   const std::vector<Group>& groups() const { return groups_; }
   /// In the order of their sweep: every other one first.
@@ -75,6 +78,7 @@ class Blocks {
     return static_cast<std::size_t>(row) * groups_x_ + static_cast<std::size_t>(cell) / lanes;
   }
 
+  double middle_;
   std::size_t groups_x_;
   std::vector<Group> groups_;
   std::vector<Strip> strips_;

@@ -152,7 +152,7 @@ void Contact::decide(const Points& points, const std::vector<Range>& ranges, con
   for (std::size_t g = 0; g < normals_.size() && !nodes_.empty(); ++g) {
     for (std::size_t b = 0; b < ranges.size(); ++b) {
       if (group_of_[b] != static_cast<int>(g)) continue;
-      normals_[g].take({points.x, points.y}, ranges[b]);
+      normals_[g].take({points.x, points.y, points.id}, ranges[b]);
       for (std::size_t k = 0; k < nodes_.size(); ++k) {
         const Vec<2> n = normals_[g].outward(nodes_[k]);
         if (n[0] != 0 || n[1] != 0) normal_[index(static_cast<int>(k), static_cast<int>(g))] = n;

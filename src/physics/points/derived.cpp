@@ -99,7 +99,7 @@ constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 template <class Counts>
 Order order_where(const State& state, const Counts& counts) {
   Order order;
-  const std::vector<int>& id = state.points.id;
+  const auto& id = state.points.id;
   for (const Range range : state.ranges) {
     const std::size_t begin = order.slots.size();
     int first = std::numeric_limits<int>::max(), last = -1;

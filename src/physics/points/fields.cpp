@@ -49,7 +49,7 @@ Motion motion_of(std::span<const std::size_t> body, const Points& P, Pair offset
 
 /// Slots of the tracked points; past the last slot for one that has left the grid.
 std::vector<std::size_t> tracked_slots(const State& state, const Scene& scene, const Order& order) {
-  const std::vector<int>& id = state.points.id;
+  const auto& id = state.points.id;
   std::vector<std::size_t> tracked;
   for (const std::size_t number : scene.tracked) {
     if (!state.strips.on()) {  // all are there
@@ -83,7 +83,7 @@ Group loss_columns() {
     return s.state.balance.integration(s.energies.sum() - s.state.strips.passed().stored);
   };
   return {{Row("energy_transfer", D::energy, "energy that went lost between points and nodes, to them and back",
-               [](const PointSums& s) { return s.state.balance.transfer; })
+               [](const PointSums& s) { return s.state.balance.transfer + (s.state.carried_at_start - s.carried); })
                .booked(Book::lost),
            Row("energy_walls", D::energy, "energy of what points gave to nodes that walls hold, which is lost by APIC",
                [](const PointSums& s) { return s.state.balance.walls; })
@@ -159,6 +159,7 @@ PointSums sums_of(const State& state, const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Motion body = motion_of(order.of(b), P, D);
     s.bodies.push_back(body.sums());
+    if (state.blocks[b] && scene.method.transfer == Transfer::apic) s.carried += body.kinetic;
     all.add(body);
   }
   s.time = state.time, s.dt = state.dt_last;
@@ -194,7 +195,7 @@ struct NodeSource {
 };
 
 /// An array of the points.
-Value<PointSource> of(std::vector<double> Points::*array) {
+Value<PointSource> of(LineArray<double> Points::*array) {
   return [array](const PointSource& s, std::size_t k) { return (s.P.*array)[s.order.slots[k]]; };
 }
 /// One that follows from the points' laws.

@@ -22,6 +22,7 @@ struct PointSums : CommonSums {
   const Scene& scene;
   Order order;
   Energies energies;
+  double carried = 0;  // APIC: kinetic energy of points that run by lanes [energy]
 };
 
 /// What the material point path can write: the history's columns, those of a scene and what a record of them is made

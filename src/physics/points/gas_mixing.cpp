@@ -42,7 +42,7 @@ double GasMixing::Span::ratio(const Span& other) const {
 
 void GasMixing::add_body(const Points& points, Range range, double gm1) {
   held_.clear(), reached_.clear();
-  for_points(range, [&](std::size_t p) {
+  for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     const std::size_t c = static_cast<std::size_t>(at.j + 1) * columns_ + static_cast<std::size_t>(at.i + 1);
     if (cells_[c].mass == 0) held_.push_back(c);

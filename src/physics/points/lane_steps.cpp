@@ -13,7 +13,7 @@ LaneBody lane_body(const Material& material, const StepContext& step) {
     body.own = solid->lambda + 2 * solid->G, body.other = solid->lambda, body.shear = 2 * solid->G;
   }
   if (const auto* gas = std::get_if<IdealGas>(&material)) {
-    body.law = LaneLaw::gas;
+    body.law = gas->rule == DensityRule::grid ? LaneLaw::gas_of_nodes : LaneLaw::gas_of_continuity;
     body.gm1 = gas->gm1, body.gamma = gas->gm1 + 1, body.mu = gas->mu;
     body.linear = gas->lambda * gas->coef1 * step.g, body.square = gas->lambda * gas->coef2 * step.g * step.g;
     body.local_speed = gas->local_speed, body.c_max = step.c_max;
@@ -34,6 +34,8 @@ LaneNodes lane_nodes(Grid& grid, bool gas, bool ledger) {
                   .old_y = grid.convected.y.data(),
                   .new_x = grid.motion.u.x.data(),
                   .new_y = grid.motion.u.y.data(),
+                  .a_x = grid.motion.a.x.data(),
+                  .a_y = grid.motion.a.y.data(),
                   .rho = grid.gas.rho.data(),
                   .heat = gas && ledger ? grid.gas.heat.data() : nullptr,
                   .squares = ledger ? grid.squares.data() : nullptr,
@@ -43,7 +45,9 @@ LaneNodes lane_nodes(Grid& grid, bool gas, bool ledger) {
                   .momentum_y = grid.sums.momentum.y.data(),
                   .force_x = grid.sums.force.x.data(),
                   .force_y = grid.sums.force.y.data(),
-                  .loss = gas && ledger ? grid.loss.data() : nullptr};
+                  .loss = gas && ledger ? grid.loss.data() : nullptr,
+                  .convected_x = grid.convected.x.data(),
+                  .convected_y = grid.convected.y.data()};
   return nodes;
 }
 
@@ -53,13 +57,13 @@ double sum_of(const double (&lanes)[LaneFindings::lanes]) {
   for (const double lane : lanes) sum += lane;
   return sum;
 }
-double largest_of(const double (&lanes)[LaneFindings::lanes]) { return *std::max_element(lanes, std::end(lanes)); }
 
 }  // namespace
 
 LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
-  const bool gas = std::holds_alternative<IdealGas>(work.scene.bodies[b].material);
+  const auto* law = std::get_if<IdealGas>(&work.scene.bodies[b].material);
+  const bool gas = law && law->rule == DensityRule::grid;
   return {.P = lane_points(state.points, state.ranges[b].begin),
           .N = lane_nodes(state.grid, gas, state.keeps_ledger),
           .grid = {pass.locator.x0, pass.locator.y0, pass.locator.per_dx, pass.locator.per_dy, pass.locator.nx},
@@ -70,15 +74,23 @@ LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
 }
 
 void join(StepFindings& found, const LaneFindings& lanes, std::size_t first) {
-  found.squares += sum_of(lanes.squares), found.lifted += sum_of(lanes.lifted), found.heat += sum_of(lanes.heat);
-  found.c_squared_max = std::max(found.c_squared_max, largest_of(lanes.c_squared));
-  found.wave_max = std::max(found.wave_max, largest_of(lanes.wave));
+  found.squares += sum_of(lanes.squares);
+  found.lifted += sum_of(lanes.lifted), found.heat += sum_of(lanes.heat);
+  found.c_squared_max = std::max(found.c_squared_max, lanes.c_squared);
+  found.wave_max = std::max(found.wave_max, lanes.wave);
   if (lanes.unsound != LaneFindings::none) found.trouble.note(TroubleKind::unsound, first + lanes.unsound);
 }
 
 void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
   LaneFindings found;
-  work.state.lane_passes->strain_and_pull(lane_work(work, pass, b), found);
+  const LaneWork lanes = lane_work(work, pass, b);
+  work.state.lane_passes->strain_and_pull[static_cast<std::size_t>(lanes.body.law)](lanes, found);
+  join(work.found, found, work.state.ranges[b].begin);
+}
+
+void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  LaneFindings found;
+  work.state.lane_passes->accelerate_and_convect(lane_work(work, pass, b), found);
   join(work.found, found, work.state.ranges[b].begin);
 }
 

@@ -20,30 +20,37 @@ void join(StepFindings& found, const LaneFindings& lanes, std::size_t first);
 /// Strain rates, stresses and forces of a body whose points stay.
 void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
 
-/// What points that have left their cells give to the nodes of their new places, and their new slots.
-template <class S>
+/// Velocities of a body's points, and their momenta back on the nodes.
+void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
+
+/// What points that have left their cells give to the nodes of their new places, and their new slots. `pulls`: their
+/// stress is new, too.
+template <class S, bool pulls>
 void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const std::vector<Moved>& moved) {
+  if (moved.empty()) return;
   State& state = work.state;
   Points& P = state.points;
-  Blocks& blocks = *state.blocks[b];
-  const std::size_t first = state.ranges[b].begin;
-  const bool gas = std::holds_alternative<IdealGas>(work.scene.bodies[b].material);
+  const Material& material = work.scene.bodies[b].material;
+  const auto* gas = std::get_if<IdealGas>(&material);
+  Movers movers(state, b);
   for (const Moved& point : moved) {
-    const std::size_t p = first + point.slot;
+    const std::size_t p = state.ranges[b].begin + point.slot;
     typename S::Kernel::Place at{point.cell.cell, point.cell.row, 0, 0};
     if (!accept_place<typename S::Kernel>(P, p, pass.locator, pass.grid.frame, at, work.found)) return;
     const auto nodes = S::Kernel::nodes(pass.locator, at);
     if (gas && state.keeps_ledger)
       map_gas_momentum_and_loss<S>(P, p, point.lost / P.mass[p], pass.grid, pass.locator, at, nodes);
-    else if (gas)
+    else if (gas && gas->rule == DensityRule::grid)
       map_gas_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
     else
       map_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
-    if (at.i == point.cell.cell && at.j == point.cell.row) continue;
-    const std::size_t slot = find_slot(state, b, {at.j, at.i});
-    if (slot != Blocks::no_slot) move_point(state, p, slot, point.cell);
+    if constexpr (pulls) {
+      const double volume = std::visit([&](const auto& law) { return law_volume(law, P, p); }, material);
+      map_force<S>(P, p, volume, pass.grid.sums, pass.locator, at, nodes);
+    }
+    movers.take(p, point.cell, {at.j, at.i});
   }
-  blocks.settle();
+  movers.settle();
 }
 
 /// What remains of a body's step that updated stress first.
@@ -52,12 +59,19 @@ void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std:
   LaneFindings found;
   const LaneWork lanes = lane_work(work, pass, b);
   const LanePasses& passes = *work.state.lane_passes;
-  if (work.state.keeps_ledger)
-    passes.accelerate_book_move_and_map(lanes, found);
-  else
-    passes.accelerate_move_and_map(lanes, found);
+  (work.state.keeps_ledger ? passes.accelerate_book_move_and_map : passes.accelerate_move_and_map)(lanes, found);
   join(work.found, found, work.state.ranges[b].begin);
-  if (work.found.trouble.kind == TroubleKind::none) settle_moved<S>(work, pass, b, found.moved);
+  if (work.found.trouble.kind == TroubleKind::none) settle_moved<S, false>(work, pass, b, found.moved);
+}
+
+/// Strain rates, places, stresses, and all that a body gives to the nodes.
+template <class S>
+void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  LaneFindings found;
+  const LaneWork lanes = lane_work(work, pass, b);
+  work.state.lane_passes->strain_move_and_map[static_cast<std::size_t>(lanes.body.law)](lanes, found);
+  join(work.found, found, work.state.ranges[b].begin);
+  if (work.found.trouble.kind == TroubleKind::none) settle_moved<S, true>(work, pass, b, found.moved);
 }
 
 }  // namespace tether::mpm

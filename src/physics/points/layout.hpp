@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "model/scene.hpp"
 #include "physics/points/state.hpp"
@@ -16,12 +18,32 @@ bool runs_by_lanes(const Scene& scene, std::size_t body);
 /// order of their numbers, whatever it was before.
 void lay_out(State& state, const Scene& scene);
 
-/// An empty slot for a point of the body that has come into the cell, Blocks::no_slot where there is no room any more.
-std::size_t find_slot(State& state, std::size_t body, Blocks::Cell cell);
-/// Moves what a slot remembers to another one, which was empty; the first is empty then and stands in the middle of
-/// `cell`.
-void move_point(State& state, std::size_t from, std::size_t to, Blocks::Cell cell);
-/// A slot without a point.
-void make_empty(State& state, std::size_t slot, Blocks::Cell cell);
+/// Points of a body on their way from slot to slot. All leave before one enters, so that what goes on together finds
+/// the room that it leaves.
+class Movers {
+ public:
+  Movers(State& state, std::size_t body);
+
+  /// Takes a point out of its slot, which stands empty in the cell that it has left.
+  void take(std::size_t slot, Blocks::Cell left, Blocks::Cell entered);
+  /// Gives each a slot of the cell that it has entered; where there is no room any more, Blocks::scattered() says that
+  /// all must be laid out anew.
+  void settle();
+
+ private:
+  struct Mover {
+    int id;
+    std::uint8_t pinned;
+    Blocks::Cell entered;
+  };
+  std::size_t find_slot(Blocks::Cell cell);
+  void put(std::size_t mover, std::size_t slot);
+
+  State& state_;
+  std::size_t body_;
+  std::vector<double*> arrays_;  // of what points remember
+  std::vector<Mover> movers_;
+  std::vector<double> numbers_;  // of each mover, one from each array
+};
 
 }  // namespace tether::mpm

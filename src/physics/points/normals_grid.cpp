@@ -42,7 +42,7 @@ CellColor::CellColor(const BackgroundGrid& shape, const Walls& walls)
       color_(column_.size() * row_.size()) {}
 
 void CellColor::add(const PlaceArrays& places, Range range) {
-  for_points(range, [&](std::size_t p) {
+  for_points(places, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
     const auto i = static_cast<std::size_t>(at.i), j = static_cast<std::size_t>(at.j);
@@ -69,7 +69,7 @@ ColorNormals::ColorNormals(const BackgroundGrid& shape, const Walls& walls)
       sums_(shape.nodes()) {}
 
 void ColorNormals::add(const PlaceArrays& places, Range range) {
-  for_points(range, [&](std::size_t p) {
+  for_points(places, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const LinearGradient G(at, locator_.per_dx, locator_.per_dy);
     const auto slopes = G.minus_divergence(pair(-1, 0), pair(0, -1));
@@ -129,7 +129,7 @@ CubicNormals::CubicNormals(const BackgroundGrid& shape, const Walls& walls)
 }
 
 void CubicNormals::add(const PlaceArrays& places, Range range) {
-  for_points(range, [&](std::size_t p) {
+  for_points(places, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const auto wx = cubic_weights(at.r), wy = cubic_weights(at.s);
     const auto i = static_cast<std::size_t>(at.i), j = static_cast<std::size_t>(at.j);

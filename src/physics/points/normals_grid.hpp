@@ -13,9 +13,11 @@
 
 namespace tether::mpm {
 
-/// Where the points of a scene stand [length].
+/// Where the points of a scene stand [length], and which slots hold one: without numbers all do.
 struct PlaceArrays {
   std::span<const double> x, y;
+  std::span<const int> id = {};
+  bool holds(std::size_t p) const { return id.empty() || id[p] >= 0; }
 };
 
 /// Unit tangents by point: those of before when a rule is asked, its own when it returns.

@@ -146,8 +146,9 @@ MpmSolver::MpmSolver(const Plan& plan)
 void MpmSolver::advance(double until, long long most) {
   const double tmax = plan_.scene.clock.tmax;
   while (state_.time < until && state_.time < tmax && most-- > 0) {
-    const double dt = next_step(), longest = dt * (1 + 1e-9);  // rounding must not take the last step's records
-    step(dt, most == 0 || state_.time + longest >= std::min(until, tmax));
+    const double dt = next_step(), after = state_.time + dt * (1 + 1e-9);  // rounding must not take the last records
+    readable_ = most == 0 || after >= std::min(std::max(until, reading_), tmax);
+    step(dt, readable_);
   }
 }
 

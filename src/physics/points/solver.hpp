@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class MpmSolver final : public Solver {
   double time() const override { return state_.time; }
   using Solver::advance;
   void advance(double until, long long most) override;
+  void expect_reading(double time) override { reading_ = time; }
+  bool readable() const override { return readable_; }
   RunCounts counts() const override;
   std::size_t cells_active() const override { return set_.count_cells(state_); }
   HistoryLayout history_layout() const override { return columns_.layout(); }
@@ -44,6 +47,7 @@ class MpmSolver final : public Solver {
     mpm::restore(state_, plan_.scene, saved);
     set_.list_active(state_);
     messages_.clear();  // of the start: the run has them
+    readable_ = true;
   }
 
  private:
@@ -63,6 +67,8 @@ class MpmSolver final : public Solver {
   GasMixing mixing_;
   LeakWatch leaks_;
   Columns<PointSums> columns_;
+  double reading_ = -std::numeric_limits<double>::infinity();  // time before which nothing is read
+  bool readable_ = true;
   std::vector<std::string> messages_;
 };
 

@@ -9,6 +9,7 @@
 #include "physics/points/arrays.hpp"
 #include "physics/points/derived.hpp"
 #include "physics/points/elements.hpp"
+#include "physics/points/fields.hpp"
 #include "physics/points/layout.hpp"
 #include "physics/points/point_laws.hpp"
 #include "physics/points/state.hpp"
@@ -158,8 +159,12 @@ State start(const Scene& scene, const LaneChoice& lanes) {
   state.keeps_ledger = keeps_ledger(scene);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     auto& blocks = state.blocks.emplace_back();
-    if (lanes.on && runs_by_lanes(scene, b)) blocks.emplace(state.grid.frame.shape.nx, state.grid.frame.shape.ny);
-    if (blocks && !state.lane_passes) state.lane_passes = spline_passes(lanes.set);
+    const Method& method = scene.method;
+    const double middle = method.kernel == Kernel::linear ? 0.5 : 0;
+    if (lanes.on && runs_by_lanes(scene, b))
+      blocks.emplace(state.grid.frame.shape.nx, state.grid.frame.shape.ny, middle);
+    if (blocks && !state.lane_passes)
+      state.lane_passes = lane_passes(lanes.set, {method.kernel, method.transfer == Transfer::apic, method.order});
   }
   if (state.lane_passes) lay_out(state, scene), state.list_fluids(scene);
   CellSort sort(state.points.size());
@@ -177,6 +182,7 @@ State start(const Scene& scene, const LaneChoice& lanes) {
   set.fit_fields(state);
   set.list_active(state);
   set.map_all(state, scene, state.grid.sums);
+  state.carried_at_start = sums_of(state, scene).carried;
   state.balance.stored = stored_energy(scene, state, order_within(state)).sum();
   return state;
 }
@@ -197,7 +203,7 @@ void State::list_fluids(const Scene& scene) {
 }
 
 void State::find_tangents(std::size_t b) {
-  normals->update({points.x, points.y}, ranges[b], fluids, {points.tx, points.ty});
+  normals->update({points.x, points.y, points.id}, ranges[b], fluids, {points.tx, points.ty});
 }
 
 void State::turn_tangents(const Scene& scene, std::size_t b) {

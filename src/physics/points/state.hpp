@@ -39,7 +39,8 @@ struct StateNumbers {
   double points_apart = 0;             // of neighbours of a solid that carries F since the start, as looked at [cells]
   double gases_apart = 1;              // largest ratio of pressures of gases in one cell since the start
   long long gas_leaked = 0;            // points of gas beyond a membrane that parts the grid, at the last look
-  long long warned = 0;                // of which doubts
+  double carried_at_start = 0;  // APIC: kinetic energy of points that run by lanes; records see the rest [energy]
+  long long warned = 0;         // of which doubts
   long long point_steps = 0;
 
   /// Name in a checkpoint, and member.
@@ -57,6 +58,7 @@ struct StateNumbers {
         NumberField{"points_apart", &N::points_apart},
         NumberField{"gases_apart", &N::gases_apart},
         NumberField{"gas_leaked", &N::gas_leaked},
+        NumberField{"carried_at_start", &N::carried_at_start},
         NumberField{"warned", &N::warned},
         NumberField{"point_steps", &N::point_steps},
     };

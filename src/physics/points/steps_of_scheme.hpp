@@ -39,6 +39,10 @@ void accelerate_and_convect_all(StepWork& work, double dt) {
   const PassWork pass = pass_work(work, dt);
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const OwnField own(state, b);
+    if (state.blocks[b]) {
+      accelerate_and_convect_by_lanes(work, pass, b);
+      continue;
+    }
     work.found = state.has_pins[b] ? accelerate_and_convect<S, true>(pass, state.ranges[b], work.found)
                                    : accelerate_and_convect<S, false>(pass, state.ranges[b], work.found);
   }
@@ -84,7 +88,10 @@ void stress_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
   const Range range = state.ranges[b];
   const OwnField own(state, b);
-  if (state.blocks[b]) return strain_and_pull_by_lanes(work, pass, b);
+  if (state.blocks[b]) {
+    if constexpr (Pass::moves) return strain_move_and_map_by_lanes<S>(work, pass, b);
+    return strain_and_pull_by_lanes(work, pass, b);
+  }
   if (state.elements_of[b]) {
     if constexpr (Pass::moves) map_momentum_all<S>(pass, range);
     return work.found.trouble.join(pull_elements<S>(pass, *state.elements_of[b]));

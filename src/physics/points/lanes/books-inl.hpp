@@ -45,30 +45,19 @@ HWY_INLINE void book_way_there(const LaneWork& work, Tile& tile) {
     }
   }
 }
-/// And the way back: the nodes' squares, which stand in tile.heat, less |taken|^2.
+/// And the way back: the nodes' squares, which stand in tile.at_place, less |taken|^2.
 template <class D>
 HWY_INLINE void book_way_back(const LaneWork& work, Tile& tile, LaneFindings& found) {
   for (std::size_t k = 0; k < tile.layers; ++k) {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
       V<D> taken[6];
       field_of_tile<D>(tile, k, sub, taken);
-      const V<D> lost = (load<D>(tile.lost[k] + sub) - product<D>(taken, taken)) + load<D>(tile.heat[k] + sub);
+      const V<D> lost = (load<D>(tile.lost[k] + sub) - product<D>(taken, taken)) + load<D>(tile.at_place[k] + sub);
       const V<D> energy = all<D>(0.5) * (load<D>(work.P.mass + tile.slot[k] + sub) * lost);
       store<D>(energy, tile.lost[k] + sub);
       add_to<D>(found.heat + sub, energy);
     }
   }
-}
-
-/// m_p |field|^2 before, where the point has it, less after: as StepFindings::squares. Where no step between two
-/// records writes the fields, those between drop out of the sum.
-template <class D>
-HWY_INLINE void note_squares(const LaneWork& work, const Tile& tile, std::size_t k, std::size_t sub,
-                             LaneFindings& found) {
-  const std::size_t p = tile.slot[k] + sub;
-  V<D> before[6], after[6];
-  own_field<D>(work, p, before), field_of_tile<D>(tile, k, sub, after);
-  add_to<D>(found.squares + sub, load<D>(work.P.mass + p) * (product<D>(before, before) - product<D>(after, after)));
 }
 
 }  // namespace tether::mpm::HWY_NAMESPACE

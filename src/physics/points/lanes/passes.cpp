@@ -5,9 +5,14 @@
 // After the line above, which reads this file again for each instruction set.
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "loops/lanes-inl.hpp"
+#include "physics/points/lanes/bilinear-inl.hpp"
 #include "physics/points/lanes/books-inl.hpp"
 #include "physics/points/lanes/laws-inl.hpp"
+#include "physics/points/lanes/move-inl.hpp"
 #include "physics/points/lanes/spline-inl.hpp"
 #include "physics/points/lanes/tile-inl.hpp"
 #include "physics/points/lanes/work.hpp"
@@ -15,213 +20,177 @@
 HWY_BEFORE_NAMESPACE();
 namespace tether::mpm::HWY_NAMESPACE {
 
-/// Node of a group's first cell.
-inline std::ptrdiff_t node_of(const LaneWork& work, const Blocks::Group& group) {
-  return group.row * work.grid.nx + group.cell;
-}
-
-inline void begin_group(const Blocks::Group& group, Tile& tile) { tile.x0 = group.cell, tile.y0 = group.row; }
-
-// usf, first pass: strain rate, stress, force.
-
-template <class D>
-HWY_NOINLINE void strain_and_stress(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
-  locate<D>(work, tile);
-  gather_gradient<D, false>(work.grid, {work.N.old_x + n, work.N.old_y + n}, tile);
-  if (work.body.law == LaneLaw::elastic) return elastic<D>(work, tile, found);
-  gather_value<D>(work.N.rho + n, work.grid.nx, tile, tile.rho);
-  if (work.N.heat) gather_value<D>(work.N.heat + n, work.grid.nx, tile, tile.heat);
-  gas<D>(work, tile, found);
-}
-
-template <class D>
-void strain_and_pull(const LaneWork& work, LaneFindings& found) {
+/// Calls each(tile, n) for the points of all groups, n the node of a group's first cell, and done() after each strip.
+template <class Each, class Done>
+HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) {
   const Blocks& blocks = *work.blocks;
   Tile tile;
+  for (auto& layer : tile.lost) std::fill(std::begin(layer), std::end(layer), 0.0);
   for (const Blocks::Strip strip : blocks.strips()) {
-    Putting<D, 2> putting{{work.N.force_x, work.N.force_y}, work.grid.nx};
     for (std::size_t g = strip.begin; g < strip.end; ++g) {
       const Blocks::Group& group = blocks.groups()[g];
-      const std::ptrdiff_t n = node_of(work, group);
-      begin_group(group, tile);
-      alignas(64) PullSums sums = {};
-      for (std::uint32_t block = group.first; next_layers(blocks, block, tile);) {
-        strain_and_stress<D>(work, n, tile, found);
-        scatter_forces<D>(tile, sums);
-      }
-      putting.begin(n);
-      for (std::size_t c = 0; c < 2; ++c) {
-        alignas(64) NineSums nine;
-        nine_forces<D>(sums[c], nine);
-        putting.put(c, nine);
-      }
+      tile.x0 = group.cell, tile.y0 = group.row;
+      for (std::uint32_t block = group.first; next_layers(blocks, block, tile);)
+        each(tile, group.row * work.grid.nx + group.cell);
     }
-    putting.close();
+    done();
   }
 }
 
-// usf, second pass: velocities, places, mass and momentum.
+// Updated stress first, first pass: strain rate (3.23), stress, force (3.16).
 
-/// i += dt (sigma : eps') / rho (4.10) with the strain rate of (v_old + v_new) / 2, which stands in the tile.
-template <class D>
-HWY_INLINE void heat_centred(const LaneWork& work, Tile& tile) {
-  const V<D> dt = all<D>(work.dt), zero = hn::Zero(D());
-  for (std::size_t k = 0; k < tile.layers; ++k) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> power =
-          (load<D>(work.P.sxx + p) * load<D>(tile.xx[k] + sub) + load<D>(work.P.syy + p) * load<D>(tile.yy[k] + sub)) +
-          load<D>(work.P.sxy + p) * (load<D>(tile.xy[k] + sub) + load<D>(tile.yx[k] + sub));
-      const V<D> energy = load<D>(work.P.energy + p) + dt * power / load<D>(work.P.rho + p);
-      store<D>(hn::IfThenElseZero(load<D>(work.P.mass + p) > zero, energy), work.P.energy + p);
-    }
-  }
-}
-
-/// Largest sound speed of the gas and largest wave.
-template <class D>
-HWY_INLINE void note_waves(const LaneWork& work, const Tile& tile, LaneFindings& found) {
-  const V<D> c_of_e = all<D>(work.body.gamma * work.body.gm1), zero = hn::Zero(D());
-  for (std::size_t k = 0; k < tile.layers; ++k) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> there = hn::VecFromMask(D(), load<D>(work.P.mass + p) > zero);
-      const V<D> vx = load<D>(tile.vx[k] + sub), vy = load<D>(tile.vy[k] + sub);
-      const V<D> c_squared = hn::And(there, hn::Max(zero, c_of_e * load<D>(work.P.energy + p)));
-      const V<D> wave = hn::And(there, hn::Sqrt(c_squared) + hn::Sqrt(vx * vx + vy * vy));
-      store<D>(hn::Max(load<D>(found.c_squared + sub), c_squared), found.c_squared + sub);
-      store<D>(hn::Max(load<D>(found.wave + sub), wave), found.wave + sub);
-    }
-  }
-}
-
-/// The tile's field of a point to its arrays.
-template <class D>
-HWY_INLINE void record(const LaneWork& work, const Tile& tile, std::size_t k, std::size_t sub) {
-  const std::size_t p = tile.slot[k] + sub;
-  const V<D> per_dx = all<D>(work.grid.per_dx), per_dy = all<D>(work.grid.per_dy);
-  store<D>(load<D>(tile.vx[k] + sub), work.P.vx + p), store<D>(load<D>(tile.vy[k] + sub), work.P.vy + p);
-  store<D>(per_dx * load<D>(tile.gxx[k] + sub), work.P.vxx + p);
-  store<D>(per_dx * load<D>(tile.gyx[k] + sub), work.P.vyx + p);
-  store<D>(per_dy * load<D>(tile.gxy[k] + sub), work.P.vxy + p);
-  store<D>(per_dy * load<D>(tile.gyy[k] + sub), work.P.vyy + p);
-}
-
-/// Points that have left their cells: they are noted, with the fields about them in their arrays, and give nothing
-/// here.
-template <class D, class M>
-HWY_NOINLINE void take_out(const LaneWork& work, Tile& tile, std::size_t k, std::size_t sub, M stays,
-                           LaneFindings& found) {
-  alignas(64) double kept[lanes];
-  store<D>(hn::IfThenElseZero(stays, all<D>(1)), kept);
-  for (std::size_t l = 0; l < width<D>; ++l) {
-    const std::size_t p = tile.slot[k] + sub + l;
-    if (kept[l] != 0 || !(work.P.mass[p] > 0)) continue;
-    if (!work.records) note_squares<One>(work, tile, k, sub + l, found), record<One>(work, tile, k, sub + l);
-    const Blocks::Cell cell{static_cast<int>(tile.y0), static_cast<int>(tile.x0) + static_cast<int>(sub + l)};
-    found.moved.push_back({p, cell, tile.lost[k][sub + l]});
-  }
-}
-
-/// New places (3.21), and what the scatter needs of them.
-template <class D>
-HWY_INLINE void move(const LaneWork& work, Tile& tile, LaneFindings& found) {
-  constexpr D d;
-  const V<D> dt = all<D>(work.dt), x0 = all<D>(work.grid.x0), y0 = all<D>(work.grid.y0),
-             per_dx = all<D>(work.grid.per_dx), per_dy = all<D>(work.grid.per_dy), row = all<D>(tile.y0),
-             half = all<D>(0.5), minus_half = all<D>(-0.5);
-  for (std::size_t k = 0; k < tile.layers; ++k) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> mass = load<D>(work.P.mass + p), vx = load<D>(tile.vx[k] + sub), vy = load<D>(tile.vy[k] + sub);
-      const V<D> up = dt * vy, x = load<D>(work.P.x + p) + dt * vx, y = load<D>(work.P.y + p) + up;
-      add_to<D>(found.lifted + sub, mass * up);
-      if (work.records) note_squares<D>(work, tile, k, sub, found), record<D>(work, tile, k, sub);
-      V<D> r = (x - x0) * per_dx - counting<D>(tile.x0 + static_cast<double>(sub)), s = (y - y0) * per_dy - row;
-      const auto there = mass > hn::Zero(d);
-      const auto stays =
-          hn::And(there, hn::And(hn::And(r >= minus_half, r < half), hn::And(s >= minus_half, s < half)));
-      store<D>(hn::IfThenElse(there, x, load<D>(work.P.x + p)), work.P.x + p);
-      store<D>(hn::IfThenElse(there, y, load<D>(work.P.y + p)), work.P.y + p);
-      if (HWY_UNLIKELY(!hn::AllTrue(d, stays))) take_out<D>(work, tile, k, sub, stays, found);
-      r = hn::IfThenElseZero(stays, r), s = hn::IfThenElseZero(stays, s);
-      const V<D> gxx = load<D>(tile.gxx[k] + sub), gxy = load<D>(tile.gxy[k] + sub);
-      const V<D> gyx = load<D>(tile.gyx[k] + sub), gyy = load<D>(tile.gyy[k] + sub);
-      store<D>(hn::IfThenElseZero(stays, mass), tile.m[k] + sub);
-      store<D>(r, tile.r[k] + sub), store<D>(s, tile.s[k] + sub);
-      store<D>(vx - (r * gxx + s * gxy), tile.middle_x[k] + sub);
-      store<D>(vy - (r * gyx + s * gyy), tile.middle_y[k] + sub);
-    }
-  }
-}
-
-/// Lost energy of points that have left belongs to where they are now, which is no matter of this group.
-template <class D>
-HWY_INLINE void mask_lost(Tile& tile) {
-  for (std::size_t k = 0; k < tile.layers; ++k) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const auto stays = load<D>(tile.m[k] + sub) > hn::Zero(D());
-      store<D>(hn::IfThenElseZero(stays, load<D>(tile.lost[k] + sub)), tile.lost[k] + sub);
-    }
-  }
-}
-
-template <class D, bool books>
-HWY_NOINLINE void accelerate_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+template <class D, class Kernel, class Law>
+void strain_and_pull(const LaneWork& work, LaneFindings& found) {
   const LaneNodes& N = work.N;
-  const bool is_gas = work.body.law == LaneLaw::gas;
-  locate<D>(work, tile);
+  Putting<D, Kernel, 2> forces(work.grid.nx);
+  forces.rows[0] = N.force_x, forces.rows[1] = N.force_y;
+  const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
+    locate<D, Kernel>(work, tile);
+    Kernel::template gather_strain<D, false>(work.grid, {N.old_x + n, N.old_y + n}, tile);
+    find_at_nodes<D, Kernel, Law>(work, n, tile);
+    stress<D, Kernel, Law>(work, tile, found);
+    forces.begin(n);
+    Kernel::template scatter_forces<D>(tile, forces);
+  };
+  sweep(work, each, [&]() HWY_ATTR { forces.close(); });
+}
+
+// Second pass: velocities (3.22), places (3.21), mass and momentum (3.15).
+
+template <class D, class Kernel, bool affine, bool books>
+HWY_INLINE void accelerate_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  const LaneNodes& N = work.N;
+  const bool is_gas = work.body.law != LaneLaw::elastic;
+  locate<D, Kernel>(work, tile);
   if (is_gas && !work.body.heats) {
-    gather_gradient<D, true>(work.grid, {N.old_x + n, N.old_y + n, N.new_x + n, N.new_y + n}, tile);
+    Kernel::template gather_strain<D, true>(work.grid, {N.old_x + n, N.old_y + n, N.new_x + n, N.new_y + n}, tile);
     heat_centred<D>(work, tile);
   }
   if constexpr (books) {
-    gather_affine<D>(N.old_x + n, N.old_y + n, work.grid.nx, tile);
+    Kernel::template gather_motion<D>(N.old_x + n, N.old_y + n, work.grid.nx, tile);
     book_way_there<D>(work, tile);
+    Kernel::template gather_value<D>(N.squares + n, work.grid.nx, tile, tile.at_place);
   }
-  gather_affine<D>(N.new_x + n, N.new_y + n, work.grid.nx, tile);
-  if constexpr (books) {
-    gather_value<D>(N.squares + n, work.grid.nx, tile, tile.heat);
-    book_way_back<D>(work, tile, found);
-  }
+  if constexpr (affine)
+    Kernel::template gather_motion<D>(N.new_x + n, N.new_y + n, work.grid.nx, tile);
+  else
+    accelerate_by_increments<D, Kernel>(work, n, tile, found);
+  find_way<D, Kernel, affine>(work, n, tile);
+  const bool all_stay = move<D, Kernel, affine>(work, tile, found);
+  if constexpr (books) book_way_back<D>(work, tile, found);
   if (is_gas) note_waves<D>(work, tile, found);
-  move<D>(work, tile, found);
-  if constexpr (books) mask_lost<D>(tile);
+  if (affine && work.records) record_motion<D>(work, tile);
+  if (is_gas && work.records) record_stress<D>(work, tile);
+  if (!all_stay) take_out<affine>(work, tile, found);
 }
 
-template <class D, bool books>
+template <class D, class Kernel>
+HWY_INLINE void set_rows(const LaneNodes& N, Putting<D, Kernel, 5>& momenta) {
+  momenta.rows[row_of_m] = N.m, momenta.rows[row_of_x] = N.momentum_x, momenta.rows[row_of_y] = N.momentum_y;
+  momenta.rows[row_of_gas] = N.gas, momenta.rows[row_of_loss] = N.loss;
+  momenta.used = N.loss ? 5 : N.gas ? 4 : 3;
+}
+
+template <class D, class Kernel, bool affine, bool books>
 void accelerate_move_and_map(const LaneWork& work, LaneFindings& found) {
-  const Blocks& blocks = *work.blocks;
-  const bool gas_rows = work.N.gas != nullptr;
-  Tile tile;
-  for (const Blocks::Strip strip : blocks.strips()) {
-    Putting<D, 5> putting{{work.N.m, work.N.momentum_x, work.N.momentum_y, work.N.gas, work.N.loss},
-                          work.grid.nx,
-                          gas_rows ? (books ? 5U : 4U) : 3U};
-    for (std::size_t g = strip.begin; g < strip.end; ++g) {
-      const Blocks::Group& group = blocks.groups()[g];
-      const std::ptrdiff_t n = node_of(work, group);
-      begin_group(group, tile);
-      alignas(64) NineSums m = {}, px = {}, py = {}, loss = {};
-      for (std::uint32_t block = group.first; next_layers(blocks, block, tile);) {
-        accelerate_and_move<D, books>(work, n, tile, found);
-        scatter_momenta<D>(tile, m, px, py);
-        if constexpr (books) scatter_value<D>(tile, tile.lost, loss);
-      }
-      putting.begin(n);
-      putting.put(0, m), putting.put(1, px), putting.put(2, py);
-      if (gas_rows) putting.put(3, m);
-      if (gas_rows && books) putting.put(4, loss);
+  Putting<D, Kernel, 5> momenta(work.grid.nx);
+  set_rows(work.N, momenta);
+  const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
+    accelerate_and_move<D, Kernel, affine, books>(work, n, tile, found);
+    momenta.begin(n);
+    Kernel::template scatter_momenta<D, affine>(tile, momenta);
+    if constexpr (books) {
+      if (momenta.used > row_of_loss) Kernel::template scatter_value<D>(tile, tile.lost, momenta, row_of_loss);
     }
-    putting.close();
+  };
+  sweep(work, each, [&]() HWY_ATTR { momenta.close(); });
+}
+
+// Updated stress last: velocities (3.22), and their momenta back on the nodes (3.24).
+
+template <class D, class Kernel, bool affine>
+HWY_INLINE void accelerate(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  if constexpr (affine) {
+    Kernel::template gather_motion<D>(work.N.new_x + n, work.N.new_y + n, work.grid.nx, tile);
+    record_motion<D>(work, tile);
+  } else {
+    accelerate_by_increments<D, Kernel>(work, n, tile, found);
   }
 }
 
-template <class D>
-constexpr LanePasses passes_of() {
-  return {strain_and_pull<D>, accelerate_move_and_map<D, false>, accelerate_move_and_map<D, true>};
+template <class D, class Kernel, bool affine>
+void accelerate_and_convect(const LaneWork& work, LaneFindings& found) {
+  Putting<D, Kernel, 2> momenta(work.grid.nx);
+  momenta.rows[row_of_x] = work.N.convected_x, momenta.rows[row_of_y] = work.N.convected_y;
+  const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
+    locate<D, Kernel>(work, tile);
+    accelerate<D, Kernel, affine>(work, n, tile, found);
+    leave_momenta<D, Kernel, affine>(work, tile);
+    momenta.begin(n);
+    Kernel::template scatter_momenta<D, affine>(tile, momenta);
+  };
+  sweep(work, each, [&]() HWY_ATTR { momenta.close(); });
 }
-LanePasses passes_over_points() { return passes_of<All>(); }
+
+// Strain rate at the old place (3.23), new place (3.21), stress, and the map to the new place's nodes (3.15), (3.16).
+
+template <class D, class Kernel, bool affine, bool convects, class Law>
+HWY_INLINE void strain_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  const LaneNodes& N = work.N;
+  locate<D, Kernel>(work, tile);
+  if constexpr (convects) {
+    Kernel::template gather_strain<D, false>(work.grid, {N.old_x + n, N.old_y + n}, tile);
+    recall_motion<D, affine>(work, tile);
+  } else {
+    Kernel::template gather_strain<D, false>(work.grid, {N.new_x + n, N.new_y + n}, tile);
+    accelerate<D, Kernel, affine>(work, n, tile, found);
+  }
+  find_at_nodes<D, Kernel, Law>(work, n, tile);
+  find_way<D, Kernel, affine>(work, n, tile);
+  const bool all_stay = move<D, Kernel, affine>(work, tile, found);
+  stress<D, Kernel, Law>(work, tile, found);
+  if constexpr (Law::is_gas) note_waves<D>(work, tile, found);
+  if constexpr (Law::is_gas) record_stress<D>(work, tile);
+  if (!all_stay) take_out<false>(work, tile, found);
+}
+
+template <class D, class Kernel, bool affine, bool convects, class Law>
+void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
+  Putting<D, Kernel, 5> momenta(work.grid.nx);
+  set_rows(work.N, momenta);
+  Putting<D, Kernel, 2> forces(work.grid.nx);
+  forces.rows[0] = work.N.force_x, forces.rows[1] = work.N.force_y;
+  const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
+    strain_and_move<D, Kernel, affine, convects, Law>(work, n, tile, found);
+    momenta.begin(n), forces.begin(n);
+    Kernel::template scatter_momenta<D, affine>(tile, momenta);
+    Kernel::template scatter_forces<D>(tile, forces);
+  };
+  sweep(work, each, [&]() HWY_ATTR { momenta.close(), forces.close(); });
+}
+
+template <class D, class Kernel, bool affine>
+LanePasses passes_of(StressOrder order) {
+  if (order == StressOrder::musl)
+    return {.accelerate_and_convect = accelerate_and_convect<D, Kernel, affine>,
+            .strain_move_and_map = {strain_move_and_map<D, Kernel, affine, true, Elastic<D>>, nullptr,
+                                    strain_move_and_map<D, Kernel, affine, true, Gas<D, false>>}};
+  if (order == StressOrder::usl)
+    return {.strain_move_and_map = {strain_move_and_map<D, Kernel, affine, false, Elastic<D>>, nullptr,
+                                    strain_move_and_map<D, Kernel, affine, false, Gas<D, false>>}};
+  LanePasses passes{
+      .strain_and_pull = {strain_and_pull<D, Kernel, Elastic<D>>, strain_and_pull<D, Kernel, Gas<D, true>>,
+                          strain_and_pull<D, Kernel, Gas<D, false>>},
+      .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, false>};
+  if constexpr (affine && Kernel::lines == Spline::lines)  // the ledger asks for them
+    passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, true>;
+  return passes;
+}
+LanePasses passes_over_points(const LaneScheme& scheme) {
+  if (scheme.kernel == tether::Kernel::linear)
+    return scheme.affine ? passes_of<All, Bilinear, true>(scheme.order) : passes_of<All, Bilinear, false>(scheme.order);
+  return scheme.affine ? passes_of<All, Spline, true>(scheme.order) : passes_of<All, Spline, false>(scheme.order);
+}
 
 }  // namespace tether::mpm::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -230,18 +199,18 @@ HWY_AFTER_NAMESPACE();
 
 namespace tether::mpm {
 
-LanePasses spline_passes(InstructionSet set) {
+LanePasses lane_passes(InstructionSet set, const LaneScheme& scheme) {
   switch (set) {
     case InstructionSet::avx512:
-      return N_AVX3::passes_over_points();
+      return N_AVX3::passes_over_points(scheme);
     case InstructionSet::avx2:
-      return N_AVX2::passes_over_points();
+      return N_AVX2::passes_over_points(scheme);
     case InstructionSet::sse2:
-      return N_SSSE3::passes_over_points();
+      return N_SSSE3::passes_over_points(scheme);
     case InstructionSet::one:
       break;
   }
-  return N_SCALAR::passes_over_points();
+  return N_SCALAR::passes_over_points(scheme);
 }
 
 }  // namespace tether::mpm

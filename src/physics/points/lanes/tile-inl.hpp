@@ -24,80 +24,136 @@ constexpr std::size_t most_layers = 12;
 using TileRows = double[most_layers][lanes];
 
 struct alignas(64) Tile {
-  TileRows r, s;                                // place in the cell, from -0.5 to 0.5 about a spline's node [cells]
-  TileRows xx, xy, yx, yy;                      // grad v, d v_x / d y in xy [1/time]
-  TileRows rho, heat;                           // of gas, at its place
-  TileRows xx_by_x, xy_by_x, xy_by_y, yy_by_y;  // -V sigma over twice a cell's side [force]
-  TileRows m;                                   // mass; 0 where there is no point, or none that stays
+  TileRows r, s;                                // place in the cell, from its kernel's first to last [cells]
+  TileRows xx, yy, xy;                          // strain rate, the shear twice: d v_x / d y + d v_y / d x [1/time]
+  TileRows xx_by_x, xy_by_x, xy_by_y, yy_by_y;  // -V sigma over a cell's side, by splines over two [force]
+  TileRows m0, m1, m2;                          // mass by the weights along x; 0 of slots that no point stays in
   TileRows vx, vy;                              // velocity
-  TileRows middle_x, middle_y;                  // and that at the cell's middle
+  TileRows middle_x, middle_y;                  // and that at the cell's own node
   TileRows gxx, gyx, gxy, gyy;                  // the field about the point, a difference from node to node [velocity]
-  TileRows lost;                                // kinetic energy per mass that the transfers lose [velocity^2]
+  TileRows ux, uy;                              // what the point moves with
+  TileRows m;                                   // mass of points that stay in their cells
+  TileRows rho, at_place;                       // numbers of the nodes, at the points
+  TileRows lost;                                // of the ledger, per mass [velocity^2], then [energy]
   std::size_t slot[most_layers];                // of lane 0
   std::size_t layers;
   double x0, y0;  // lane 0's cell along x, the group's along y
 };
 
-/// Nine sums of a group's cells, one for each node around: node 3 l + k stands at (k - 1, l - 1).
-using NineSums = double[9][lanes];
+/// Adds sums over points to rows of the nodes, group after group of a sweep. What cells give to their kernel's nodes
+/// along x stands in lanes of cells: a node takes what the cell behind it, its own and the one before it give, in this
+/// order, and the rows from below. What the last lanes of a group give to the next group's nodes goes along.
+template <class D, class Kernel, std::size_t count>
+class Putting {
+ public:
+  HWY_INLINE explicit Putting(std::ptrdiff_t nx) : nx_(nx) {}
 
-/// What the two lanes before a vector of each sum were.
-template <class D>
-using NineBefore = Before<D>[9];
-
-/// Adds the sums of a group whose first cell is `cell` to the nodes around: a node takes what the cell behind it, its
-/// own and the one before it give, in this order, and the rows from below.
-template <class D>
-HWY_INLINE void put_nine(const NineSums& sums, NineBefore<D>& before, double* row, std::ptrdiff_t nx) {
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    for (std::ptrdiff_t l = 0; l < 3; ++l) {
-      const V<D> behind = load<D>(sums[3 * l] + sub), own = load<D>(sums[3 * l + 1] + sub),
-                 ahead = load<D>(sums[3 * l + 2] + sub);
-      const V<D> all_three = (behind + up_by_one<D>(own, before[3 * l + 1])) + up_by_two<D>(ahead, before[3 * l + 2]);
-      add_to<D>(row + (l - 1) * nx - 1 + static_cast<std::ptrdiff_t>(sub), all_three);
-      before[3 * l + 1].follow(own), before[3 * l + 2].follow(ahead);
-    }
-  }
-}
-
-/// What is left of the last two cells of a run of groups that ends before `row`'s node.
-template <class D>
-HWY_INLINE void put_rest_of_nine(NineBefore<D>& before, double* row, std::ptrdiff_t nx) {
-  const V<D> none = hn::Zero(D());
-  for (std::ptrdiff_t sub = 0; sub < (width<D> == 1 ? 2 : 1); ++sub) {
-    for (std::ptrdiff_t l = 0; l < 3; ++l) {
-      const V<D> two = (none + up_by_one<D>(none, before[3 * l + 1])) + up_by_two<D>(none, before[3 * l + 2]);
-      add_to<D>(row + (l - 1) * nx - 1 + sub, two);
-      before[3 * l + 1].follow(none), before[3 * l + 2].follow(none);
-    }
-  }
-}
-
-/// Adds sums of groups, one after the other, to some rows of the nodes.
-template <class D, std::size_t count>
-struct Putting {
-  double* rows[count];
-  std::ptrdiff_t nx;
+  double* rows[count] = {};
   std::size_t used = count;  // of the rows
-  NineBefore<D> before[count] = {};
-  std::ptrdiff_t end = -1;  // node after the last group
 
-  /// A group whose first cell's node is n.
+  /// A tile of a group whose first cell's node is n.
   HWY_INLINE void begin(std::ptrdiff_t n) {
-    if (end >= 0 && end != n) rest();
-    end = n + static_cast<std::ptrdiff_t>(lanes);
+    if (end_ >= 0 && end_ != n) rest();
+    end_ = n + static_cast<std::ptrdiff_t>(lanes);
   }
-  HWY_INLINE void put(std::size_t q, const NineSums& sums) {
-    put_nine<D>(sums, before[q], rows[q] + end - static_cast<std::ptrdiff_t>(lanes), nx);
+  /// What cells at `sub` give to the nodes of line l of the kernel: to the first along x, the second and the third.
+  HWY_INLINE void put(std::size_t q, std::size_t l, std::size_t sub, V<D> first, V<D> second, V<D> third) {
+    put_at(q, l, end_ - static_cast<std::ptrdiff_t>(lanes - sub), first, second, third);
   }
-  HWY_INLINE void rest() {
-    for (std::size_t q = 0; q < used; ++q) put_rest_of_nine<D>(before[q], rows[q] + end, nx);
+  HWY_INLINE void put(std::size_t q, std::size_t l, std::size_t sub, V<D> first, V<D> second) {
+    put_at(q, l, end_ - static_cast<std::ptrdiff_t>(lanes - sub), first, second);
   }
+  /// What is left of the last cells of a run of groups.
   HWY_INLINE void close() {
-    if (end >= 0) rest();
-    end = -1;
+    if (end_ >= 0) rest();
+    end_ = -1;
   }
+
+ private:
+  HWY_INLINE double* at(std::size_t q, std::size_t l, std::ptrdiff_t n) const {
+    return rows[q] + n + (static_cast<std::ptrdiff_t>(l) + Kernel::first) * nx_ + Kernel::first;
+  }
+  HWY_INLINE void put_at(std::size_t q, std::size_t l, std::ptrdiff_t n, V<D> first, V<D> second, V<D> third) {
+    Before<D>&own = one_[q][l], &next = two_[q][l];
+    add_to<D>(at(q, l, n), (first + up_by_one<D>(second, own)) + up_by_two<D>(third, next));
+    own.follow(second), next.follow(third);
+  }
+  HWY_INLINE void put_at(std::size_t q, std::size_t l, std::ptrdiff_t n, V<D> first, V<D> second) {
+    add_to<D>(at(q, l, n), first + up_by_one<D>(second, one_[q][l]));
+    one_[q][l].follow(second);
+  }
+  HWY_NOINLINE void rest() {
+    const V<D> none = hn::Zero(D());
+    for (std::size_t q = 0; q < used; ++q) {
+      for (std::size_t l = 0; l < Kernel::lines; ++l) {
+        if constexpr (Kernel::lines == 2) {
+          put_at(q, l, end_, none, none);
+        } else {
+          put_at(q, l, end_, none, none, none);
+          if (width<D> == 1) put_at(q, l, end_ + 1, none, none, none);
+        }
+      }
+    }
+  }
+
+  std::ptrdiff_t nx_, end_ = -1;  // node after the last group
+  Before<D> one_[count][Kernel::lines], two_[count][Kernel::lines];
 };
+
+/// Places of points in their cells [cells].
+template <class D>
+struct Places {
+  V<D> r, s;
+};
+
+/// Finds places in a tile's cells.
+template <class D>
+class Locating {
+ public:
+  HWY_INLINE Locating(const LaneGrid& grid, const Tile& tile, std::size_t sub)
+      : x0_(all<D>(grid.x0)),
+        y0_(all<D>(grid.y0)),
+        per_dx_(all<D>(grid.per_dx)),
+        per_dy_(all<D>(grid.per_dy)),
+        cell_(counting<D>(tile.x0 + static_cast<double>(sub))),
+        row_(all<D>(tile.y0)) {}
+  HWY_INLINE Places<D> operator()(V<D> x, V<D> y) const {
+    return {(x - x0_) * per_dx_ - cell_, (y - y0_) * per_dy_ - row_};
+  }
+
+ private:
+  V<D> x0_, y0_, per_dx_, per_dy_, cell_, row_;
+};
+
+/// Places of a tile's points into it.
+template <class D, class Kernel>
+HWY_NOINLINE void locate(const LaneWork& work, Tile& tile) {
+  const LanePoints P = work.P;
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const Locating<D> locate(work.grid, tile, sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const std::size_t p = tile.slot[k] + sub;
+      const Places<D> at = locate(load<D>(P.x + p), load<D>(P.y + p));
+      store<D>(Kernel::template inside<D>(at.r), tile.r[k] + sub);
+      store<D>(Kernel::template inside<D>(at.s), tile.s[k] + sub);
+    }
+  }
+}
+
+/// Velocities at the nodes, from the group's first one on: of one field, or the mean of two.
+struct Field {
+  const double *x, *y;
+  const double *other_x = nullptr, *other_y = nullptr;
+};
+/// Its value at a node.
+template <class D, bool mean>
+HWY_INLINE V<D> at_node(const double* one, const double* other, std::ptrdiff_t n) {
+  if constexpr (mean) return all<D>(0.5) * (load<D>(one + n) + load<D>(other + n));
+  return load<D>(one + n);
+}
+
+/// Rows of mass and momentum, in the order of Putting's.
+enum MomentumRow : std::size_t { row_of_x, row_of_y, row_of_m, row_of_gas, row_of_loss };
 
 /// Takes the next layers of a chain of blocks; false where there are none any more.
 inline bool next_layers(const Blocks& blocks, std::uint32_t& block, Tile& tile) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "loops/instruction_set.hpp"
+#include "model/method.hpp"
 #include "physics/points/blocks.hpp"
 
 namespace tether::mpm {
@@ -24,9 +25,10 @@ struct LanePoints {
 struct LaneNodes {
   const double *old_x, *old_y;  // velocity before the solve, or the convected one
   const double *new_x, *new_y;  // velocity after it
+  const double *a_x, *a_y;      // acceleration
   const double *rho, *heat;     // density of the gas, and the ledger's heat for it
   const double* squares;        // of the ledger
-  double *m, *gas, *momentum_x, *momentum_y, *force_x, *force_y, *loss;
+  double *m, *gas, *momentum_x, *momentum_y, *force_x, *force_y, *loss, *convected_x, *convected_y;
 };
 
 /// Where cells are: of a place x the cell is (x - x0) per_dx. [length, 1/length]
@@ -45,17 +47,18 @@ struct Moved {
 /// Sums of what the lanes find, a number a lane; joined at the end in the order of lanes.
 struct LaneFindings {
   static constexpr std::size_t lanes = Blocks::lanes, none = static_cast<std::size_t>(-1);
-  double squares[lanes] = {};    // as StepFindings::squares
-  double lifted[lanes] = {};     // as StepFindings::lifted
-  double heat[lanes] = {};       // as StepFindings::heat
-  double c_squared[lanes] = {};  // largest
-  double wave[lanes] = {};       // largest
-  std::size_t unsound = none;    // first slot whose numbers are none any more
+  double squares[lanes] = {};  // FLIP: as StepFindings::squares
+  double lifted[lanes] = {};   // as StepFindings::lifted
+  double heat[lanes] = {};     // as StepFindings::heat
+  double c_squared = 0;        // largest
+  double wave = 0;             // largest
+  std::size_t unsound = none;  // first slot whose numbers are none any more
   std::vector<Moved> moved;
 };
 
-/// Laws that run by lanes.
-enum class LaneLaw { elastic, gas };
+/// Laws that run by lanes; gas by where its density comes from, the nodes or continuity.
+enum class LaneLaw { elastic, gas_of_nodes, gas_of_continuity };
+constexpr std::size_t lane_laws = 3;
 
 /// What is the same for all points of a body in a step.
 struct LaneBody {
@@ -81,17 +84,30 @@ struct LaneWork {
   bool records = false;  // velocities and fields about points are written, which the grid has else
 };
 
-/// The passes over a body, one table for each instruction set. They sweep its strips of rows in their order.
-struct LanePasses {
-  /// usf: strain rate (3.23), stress, force (3.16); the points stay.
-  void (*strain_and_pull)(const LaneWork& work, LaneFindings& found);
-  /// usf: velocities (3.22), places (3.21), heat of gas (4.10), mass and momentum (3.15).
-  void (*accelerate_move_and_map)(const LaneWork& work, LaneFindings& found);
-  /// The same with the ledger's books.
-  void (*accelerate_book_move_and_map)(const LaneWork& work, LaneFindings& found);
+/// What the passes are compiled for.
+struct LaneScheme {
+  Kernel kernel = Kernel::bspline;
+  bool affine = true;  // APIC, else FLIP
+  StressOrder order = StressOrder::usf;
 };
 
-/// For splines and APIC in the plane.
-LanePasses spline_passes(InstructionSet set);
+/// The passes over a body, one table for each instruction set, with what the scheme's order asks for. They sweep its
+/// strips of rows in their order; those by law have it as LaneLaw counts.
+struct LanePasses {
+  using Pass = void (*)(const LaneWork& work, LaneFindings& found);
+  /// musl: velocities (3.22), and their momenta back on the nodes (3.24).
+  Pass accelerate_and_convect = nullptr;
+  /// musl and usl: strain rate (3.23), of usl velocities (3.22), places (3.21), stress, the map (3.15), (3.16).
+  Pass strain_move_and_map[lane_laws] = {};
+  /// usf: strain rate (3.23), stress, force (3.16); the points stay.
+  Pass strain_and_pull[lane_laws] = {};
+  /// usf: velocities (3.22), places (3.21), heat of gas (4.10), mass and momentum (3.15).
+  Pass accelerate_move_and_map = nullptr;
+  /// The same with the ledger's books.
+  Pass accelerate_book_move_and_map = nullptr;
+};
+
+/// For points in the plane.
+LanePasses lane_passes(InstructionSet set, const LaneScheme& scheme);
 
 }  // namespace tether::mpm

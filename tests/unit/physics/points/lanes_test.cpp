@@ -7,6 +7,7 @@
 #include <string>
 
 #include "physics/points/derived.hpp"
+#include "physics/points/fields.hpp"
 #include "physics/points/layout.hpp"
 #include "physics/points/nodes.hpp"
 #include "physics/points/steps.hpp"
@@ -31,10 +32,35 @@ std::vector<PointAt> scattered(std::vector<PointAt> points, double h) {
 struct LaneScene {
   const char* name;
   std::function<void(Scene&)> add;
+  int steps = 60;
 };
 void PrintTo(const LaneScene& scene, std::ostream* out) { *out << scene.name; }
 
+/// A solid and a gas by continuity that run into each other's cells, by another scheme than the robust set's.
+std::function<void(Scene&)> by(StressOrder order, Kernel kernel, Transfer transfer) {
+  return [=](Scene& s) {
+    s.method.order = order, s.method.kernel = kernel, s.method.transfer = transfer;
+    s.method.gas_energy = GasEnergy::rate, s.method.contact = ContactRule::none;
+    IdealGas gas = robust_gas(0.02);
+    gas.rule = DensityRule::continuity;
+    add_body(s, gas, scattered(lattice(0.1, -1.3, 0.2, -1, 1), 0.1), 1.3, 1.0);
+    add_body(s, plane_strain(3, 0.3), scattered(lattice(0.08, 0.2, 1.2, -1, 1), 0.08), 1.7);
+  };
+}
+
 const LaneScene lane_scenes[] = {
+    {"MuslLinearFlip", by(StressOrder::musl, Kernel::linear, Transfer::flip)},
+    {"MuslLinearApic", by(StressOrder::musl, Kernel::linear, Transfer::apic), 30},
+    {"MuslSplinesFlip", by(StressOrder::musl, Kernel::bspline, Transfer::flip)},
+    {"MuslSplinesApic", by(StressOrder::musl, Kernel::bspline, Transfer::apic)},
+    {"UslLinearFlip", by(StressOrder::usl, Kernel::linear, Transfer::flip)},
+    {"UslLinearApic", by(StressOrder::usl, Kernel::linear, Transfer::apic), 30},
+    {"UslSplinesFlip", by(StressOrder::usl, Kernel::bspline, Transfer::flip)},
+    {"UslSplinesApic", by(StressOrder::usl, Kernel::bspline, Transfer::apic)},
+    {"UsfLinearFlip", by(StressOrder::usf, Kernel::linear, Transfer::flip)},
+    {"UsfLinearApic", by(StressOrder::usf, Kernel::linear, Transfer::apic)},
+    {"UsfSplinesFlip", by(StressOrder::usf, Kernel::bspline, Transfer::flip)},
+    {"UsfSplinesApic", by(StressOrder::usf, Kernel::bspline, Transfer::apic)},
     {"Solid", [](Scene& s) { add_body(s, plane_strain(3, 0.3), lattice(0.08, -1.2, 1.4, -1, 1.2, in_ring), 1.3); }},
     {"ScatteredSolid",
      [](Scene& s) { add_body(s, plane_stress(3, 0.2), scattered(lattice(0.08, -1.2, 1.4, -1, 1.2), 0.08), 1.3); }},
@@ -65,7 +91,19 @@ const LaneScene lane_scenes[] = {
                 true);
        add_body(s, robust_gas(), lattice(0.1, -1.2, 1.4, -1, 1, in_ring), 1.3, 1.0);
      }},
+    {"GasAroundAStringByColours",
+     [](Scene& s) {
+       s.method.normals = NormalRule::quadratic, s.method.membrane_strain = MembraneStrain::point;
+       add_body(s, Membrane{20, 0.2, true, Membrane::Kind::plane_stress}, arc(0.1, 0, 1.0, 0.8, 0, 2, 60, 0.05), 2, 0,
+                true);
+       add_body(s, robust_gas(), scattered(lattice(0.1, -1.2, 1.4, -1, 1), 0.1), 1.3, 1.0);
+     }},
 };
+
+const LaneScene& lane_scene(std::string_view name) {
+  return *std::find_if(std::begin(lane_scenes), std::end(lane_scenes),
+                       [&](const LaneScene& scene) { return scene.name == name; });
+}
 
 /// A run of some steps with the walls given, with records at some of them alone.
 class LaneRun {
@@ -80,7 +118,8 @@ class LaneRun {
       StepWork work{.state = state_, .scene = scene_, .found = {}, .records = k + 1 == n};
       set_.step(work, 0.004);
       ASSERT_EQ(work.found.trouble.kind, TroubleKind::none) << k;
-      state_.balance.add(work.nodes, work.found.squares, work.found.lifted, true, 0, 0.004);
+      state_.balance.add(work.nodes, work.found.squares, work.found.lifted, scene_.method.transfer == Transfer::apic, 0,
+                         0.004);
       state_.c_max = std::sqrt(work.found.c_squared_max);
       ++state_.steps, moved_ += work.found.crossings;
       if (std::any_of(state_.blocks.begin(), state_.blocks.end(),
@@ -90,13 +129,17 @@ class LaneRun {
     }
   }
   /// A field of the points by their numbers.
-  std::vector<double> field(std::vector<double> Points::*array) const {
+  std::vector<double> field(LineArray<double> Points::*array) const {
     std::vector<double> values(state_.point_count());
     const Points& P = state_.points;
     for_points(P, {0, P.size()}, [&](std::size_t p) { values[static_cast<std::size_t>(P.id[p])] = (P.*array)[p]; });
     return values;
   }
   const State& state() const { return state_; }
+  /// What the history says of it [energy].
+  double transfer() const {
+    return state_.balance.transfer + (state_.carried_at_start - sums_of(state_, scene_).carried);
+  }
   const Scene& scene() const { return scene_; }
   long long moved() const { return moved_; }
   int layouts() const { return layouts_; }
@@ -117,12 +160,13 @@ class LaneRun {
   int layouts_ = 0;
 };
 
-constexpr std::vector<double> Points::*compared[] = {&Points::x,   &Points::y,   &Points::vx,  &Points::vy,
-                                                     &Points::vxx, &Points::vyx, &Points::vxy, &Points::vyy,
-                                                     &Points::sxx, &Points::syy, &Points::sxy, &Points::energy};
+constexpr LineArray<double> Points::*compared[] = {&Points::x,   &Points::y,   &Points::vx,  &Points::vy,
+                                                   &Points::vxx, &Points::vyx, &Points::vxy, &Points::vyy,
+                                                   &Points::sxx, &Points::syy, &Points::sxy, &Points::energy};
 
 class Lanes : public testing::TestWithParam<std::tuple<LaneScene, Wall>> {
  protected:
+  int steps() const { return std::get<0>(GetParam()).steps; }  // before the scene's forces run wild
   LaneRun run(const LaneChoice& lanes) const { return {std::get<0>(GetParam()), std::get<1>(GetParam()), lanes}; }
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, Lanes,
@@ -135,23 +179,32 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Lanes,
 
 TEST_P(Lanes, HaveTheSameBitsByEveryInstructionSet) {
   LaneRun one = run({InstructionSet::one, true});
-  one.steps(60);
+  one.steps(steps());
   EXPECT_GT(one.moved(), 0);
   for (const InstructionSet set : instruction_sets) {
     if (!has(set)) continue;
     LaneRun other = run({set, true});
-    other.steps(60);
+    other.steps(steps());
     for (const auto array : compared) EXPECT_EQ(other.field(array), one.field(array));
-    EXPECT_EQ(other.state().balance.transfer, one.state().balance.transfer);
+    EXPECT_EQ(other.transfer(), one.transfer());
     EXPECT_EQ(other.state().heat_given, one.state().heat_given);
   }
+}
+
+// Velocities are written only where somebody reads them, which must be no matter of results.
+TEST_P(Lanes, DoNotDependOnWhenTheyAreRead) {
+  LaneRun seldom = run({}), often = run({});
+  seldom.steps(steps());
+  for (const int n : {1, 7, 12, 1, 1, steps() - 22}) often.steps(n);
+  for (const auto array : compared) EXPECT_EQ(often.field(array), seldom.field(array));
+  EXPECT_EQ(often.transfer(), seldom.transfer());
 }
 
 // Sums in another order: rounding is all that may differ, of each field's largest value.
 TEST_P(Lanes, FindWhatPointsFindOneByOne) {
   LaneRun lanes = run({}), alone = run({InstructionSet::one, false});
   ASSERT_TRUE(lanes.state().lane_passes && !alone.state().lane_passes);
-  lanes.steps(60), alone.steps(60);
+  lanes.steps(steps()), alone.steps(steps());
   EXPECT_EQ(lanes.moved(), alone.moved());
   for (const auto array : compared) {
     const auto a = lanes.field(array), b = alone.field(array);
@@ -161,17 +214,17 @@ TEST_P(Lanes, FindWhatPointsFindOneByOne) {
     EXPECT_LT(worst, 2e-12 * most);
   }
   const double energy = stored_energy(alone.scene(), alone.state(), order_of_all(alone.state())).sum();
-  EXPECT_NEAR(lanes.state().balance.transfer, alone.state().balance.transfer, 1e-12 * energy);
+  EXPECT_NEAR(lanes.transfer(), alone.transfer(), 1e-12 * energy);
   EXPECT_NEAR(lanes.state().balance.work, alone.state().balance.work, 1e-12 * energy);
   EXPECT_NEAR(lanes.state().heat_given, alone.state().heat_given, 1e-12 * energy);
 }
 
 // A hot gas runs into cells where no block is, until there is room for no more: then all are laid out anew.
 TEST(LaneLayout, IsMadeAnewWhereBlocksRunOut) {
-  LaneRun run(lane_scenes[2], Wall::free_slip, {});
+  LaneRun run(lane_scene("HotGas"), Wall::free_slip, {});
   run.steps(150);
   EXPECT_GT(run.layouts(), 0);
-  LaneRun alone(lane_scenes[2], Wall::free_slip, {InstructionSet::one, false});
+  LaneRun alone(lane_scene("HotGas"), Wall::free_slip, {InstructionSet::one, false});
   alone.steps(150);
   const auto a = run.field(&Points::x), b = alone.field(&Points::x);
   for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11);
@@ -179,7 +232,7 @@ TEST(LaneLayout, IsMadeAnewWhereBlocksRunOut) {
 
 /// Every point stands in a lane of its cell, and every slot without one is empty.
 TEST(LaneLayout, PutsPointsIntoTheirCells) {
-  LaneRun run(lane_scenes[1], Wall::open, {});
+  LaneRun run(lane_scene("ScatteredSolid"), Wall::open, {});
   run.steps(40);
   const State& state = run.state();
   const Blocks& blocks = *state.blocks[0];

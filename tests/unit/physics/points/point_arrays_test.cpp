@@ -62,7 +62,7 @@ TEST(PointArrays, MoveWithTheirPointsWhenSorted) {
   State state(scene);
   for (const Body& body : scene.bodies) state.ranges.push_back({body.first, body.first + body.count});
   mark_all(state.points);
-  const std::vector<int> before = state.points.id;
+  const auto before = state.points.id;
   state.blocks.resize(scene.bodies.size());
   CellSort sort(state.points.size());
   sort_bodies(sort, state, scene);

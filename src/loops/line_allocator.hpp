@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace tether {
+
+/// Memory for arrays that lanes run over: it begins at a line of the cache, so that eight lanes lie in one. Long arrays
+/// begin at unlike places of their first page: the numbers of one point in all of them would else compete for one place
+/// of the cache.
+template <class Number>
+class LineAllocator {
+ public:
+  using value_type = Number;
+
+  LineAllocator() = default;
+  template <class Other>
+  LineAllocator(const LineAllocator<Other>&) {}
+
+  Number* allocate(std::size_t n) {
+    const std::size_t bytes = n * sizeof(Number);
+    if (!is_long(n)) return static_cast<Number*>(::operator new(bytes, std::align_val_t(line)));
+    auto* begin = static_cast<std::byte*>(::operator new(bytes + page, std::align_val_t(page)));
+    return reinterpret_cast<Number*>(begin + line * lines_on(begin));
+  }
+  void deallocate(Number* array, std::size_t n) {
+    if (!is_long(n)) return ::operator delete(array, std::align_val_t(line));
+    const std::size_t ahead = reinterpret_cast<std::uintptr_t>(array) % page;
+    ::operator delete(reinterpret_cast<std::byte*>(array) - ahead, std::align_val_t(page));
+  }
+  friend bool operator==(LineAllocator, LineAllocator) { return true; }
+
+ private:
+  static constexpr std::size_t line = 64, page = 4096;
+  static bool is_long(std::size_t n) { return n * sizeof(Number) >= 8 * page; }
+  /// From the page's number, whose neighbours get unlike ones.
+  static std::size_t lines_on(const void* begin) {
+    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+    return (static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(begin) / page) * spread) >> 58;
+  }
+};
+
+/// An array of numbers of points.
+template <class Number>
+using LineArray = std::vector<Number, LineAllocator<Number>>;
+
+}  // namespace tether

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Read once for each instruction set, so without #pragma once.
+#if defined(TETHER_POINTS_BILINEAR_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TETHER_POINTS_BILINEAR_INL
+#undef TETHER_POINTS_BILINEAR_INL
+#else
+#define TETHER_POINTS_BILINEAR_INL
+#endif
+
+#include "grid/boxes.hpp"
+#include "physics/points/lanes/tile-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tether::mpm::HWY_NAMESPACE {
+
+// Stages of passes by bilinear functions. With r and s from 0 to 1 the weights along x are 1 - r and r, along y 1 - s
+// and s (A.3.1).
+
+namespace bilinear {
+
+/// A field at a cell's four nodes, counter-clockwise from the lower left, and its differences along the sides.
+template <class D>
+struct Corners {
+  V<D> low, high, left, right;  // along x below and above, along y on the left and on the right
+};
+template <class D, bool mean>
+HWY_INLINE Corners<D> corners(const double* one, const double* other, std::ptrdiff_t nx) {
+  const V<D> v0 = at_node<D, mean>(one, other, 0), v1 = at_node<D, mean>(one, other, 1),
+             v2 = at_node<D, mean>(one, other, nx + 1), v3 = at_node<D, mean>(one, other, nx);
+  return {v1 - v0, v2 - v3, v3 - v0, v2 - v1};
+}
+
+/// sum N_i q_i of a number at the nodes.
+template <class D>
+struct ValueOf {
+  V<D> v0, v1, v2, v3;
+
+  HWY_INLINE ValueOf(const double* row, std::ptrdiff_t nx, std::size_t sub)
+      : v0(load<D>(row + sub)),
+        v1(load<D>(row + sub + 1)),
+        v2(load<D>(row + sub + nx + 1)),
+        v3(load<D>(row + sub + nx)) {}
+  HWY_INLINE V<D> at(V<D> r, V<D> s) const {
+    const V<D> one = all<D>(1), left = one - r;
+    return (one - s) * (left * v0 + r * v1) + s * (left * v3 + r * v2);
+  }
+};
+
+}  // namespace bilinear
+
+/// Bilinear functions of a cell's four nodes.
+struct Bilinear {
+  static constexpr std::ptrdiff_t first = 0;
+  static constexpr std::size_t lines = 2;
+  static constexpr double lowest = 0, highest = 1;  // places in a cell
+  static constexpr double pull = -1;                // what a stress pulls with, over a cell's side
+
+  /// As Locator::inside.
+  template <class D>
+  static HWY_INLINE V<D> inside(V<D> r) {
+    return hn::Min(hn::Max(r, all<D>(Locator::edge)), all<D>(1 - Locator::edge));
+  }
+
+  /// Strain rates of a field.
+  template <class D, bool mean>
+  static HWY_NOINLINE void gather_strain(const LaneGrid& grid, const Field& field, Tile& tile) {
+    const V<D> per_x = all<D>(grid.per_dx), per_y = all<D>(grid.per_dy), one = all<D>(1);
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+      const auto x = bilinear::corners<D, mean>(field.x + sub, field.other_x + sub, grid.nx),
+                 y = bilinear::corners<D, mean>(field.y + sub, field.other_y + sub, grid.nx);
+      for (std::size_t k = 0; k < tile.layers; ++k) {
+        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), left = one - r, low = one - s;
+        store<D>(per_x * (low * x.low + s * x.high), tile.xx[k] + sub);
+        store<D>(per_y * (left * y.left + r * y.right), tile.yy[k] + sub);
+        store<D>(per_y * (left * x.left + r * x.right) + per_x * (low * y.low + s * y.high), tile.xy[k] + sub);
+      }
+    }
+  }
+
+  /// A number of the nodes at the points.
+  template <class D>
+  static HWY_NOINLINE void gather_value(const double* row, std::ptrdiff_t nx, const Tile& tile, TileRows& values) {
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+      const bilinear::ValueOf<D> value(row, nx, sub);
+      for (std::size_t k = 0; k < tile.layers; ++k)
+        store<D>(value.at(load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)), values[k] + sub);
+    }
+  }
+
+  /// Velocities of the points and the fields about them: value and gradient.
+  template <class D>
+  static HWY_NOINLINE void gather_motion(const double* row_x, const double* row_y, std::ptrdiff_t nx, Tile& tile) {
+    const V<D> one = all<D>(1);
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+      const auto x = bilinear::corners<D, false>(row_x + sub, nullptr, nx),
+                 y = bilinear::corners<D, false>(row_y + sub, nullptr, nx);
+      const bilinear::ValueOf<D> vx(row_x, nx, sub), vy(row_y, nx, sub);
+      for (std::size_t k = 0; k < tile.layers; ++k) {
+        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), left = one - r, low = one - s;
+        store<D>(vx.at(r, s), tile.vx[k] + sub), store<D>(vy.at(r, s), tile.vy[k] + sub);
+        store<D>(low * x.low + s * x.high, tile.gxx[k] + sub), store<D>(low * y.low + s * y.high, tile.gyx[k] + sub);
+        store<D>(left * x.left + r * x.right, tile.gxy[k] + sub);
+        store<D>(left * y.left + r * y.right, tile.gyy[k] + sub);
+      }
+    }
+  }
+
+  /// Mass by the weights along x.
+  template <class D>
+  static HWY_INLINE void leave_mass(V<D> m, V<D> r, Tile& tile, std::size_t k, std::size_t sub) {
+    store<D>(m * (all<D>(1) - r), tile.m0[k] + sub), store<D>(m * r, tile.m1[k] + sub);
+  }
+
+  /// Mass and momentum of a tile's points, with the fields about them.
+  template <class D, bool affine, class Put>
+  static HWY_NOINLINE void scatter_momenta(const Tile& tile, Put& putting) {
+    const V<D> one = all<D>(1), zero = hn::Zero(D());
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+      V<D> M[4] = {zero, zero, zero, zero}, X[4] = {zero, zero, zero, zero}, Y[4] = {zero, zero, zero, zero};
+      for (std::size_t k = 0; k < tile.layers; ++k) {
+        const V<D> s = load<D>(tile.s[k] + sub), low = one - s;
+        const V<D> m0 = load<D>(tile.m0[k] + sub), m1 = load<D>(tile.m1[k] + sub);
+        const V<D> m[4] = {low * m0, low * m1, s * m0, s * m1};
+        V<D> x[4], y[4];
+        velocities<D, affine>(tile, k, sub, x, y);
+#pragma GCC unroll 4
+        for (int i = 0; i < 4; ++i) M[i] += m[i], X[i] += m[i] * x[i], Y[i] += m[i] * y[i];
+      }
+      for (std::size_t l = 0; l < lines; ++l) {
+        putting.put(row_of_x, l, sub, X[2 * l], X[2 * l + 1]), putting.put(row_of_y, l, sub, Y[2 * l], Y[2 * l + 1]);
+        if (putting.used > row_of_m) putting.put(row_of_m, l, sub, M[2 * l], M[2 * l + 1]);
+        if (putting.used > row_of_gas) putting.put(row_of_gas, l, sub, M[2 * l], M[2 * l + 1]);
+      }
+    }
+  }
+  /// What a layer's points have at their four nodes, row by row.
+  template <class D, bool affine>
+  static HWY_INLINE void velocities(const Tile& tile, std::size_t k, std::size_t sub, V<D>* x, V<D>* y) {
+    if constexpr (affine) {
+      const V<D> gxx = load<D>(tile.gxx[k] + sub), gyx = load<D>(tile.gyx[k] + sub);
+      x[0] = load<D>(tile.middle_x[k] + sub), y[0] = load<D>(tile.middle_y[k] + sub);
+      x[2] = x[0] + load<D>(tile.gxy[k] + sub), y[2] = y[0] + load<D>(tile.gyy[k] + sub);
+      x[1] = x[0] + gxx, x[3] = x[2] + gxx, y[1] = y[0] + gyx, y[3] = y[2] + gyx;
+    } else {
+      x[0] = x[1] = x[2] = x[3] = load<D>(tile.vx[k] + sub), y[0] = y[1] = y[2] = y[3] = load<D>(tile.vy[k] + sub);
+    }
+  }
+
+  /// Forces of stresses: of a component `by_x` belongs to slopes along x, `by_y` along y.
+  template <class D, class Put>
+  static HWY_NOINLINE void scatter_forces(const Tile& tile, Put& putting) {
+    const V<D> one = all<D>(1), zero = hn::Zero(D());
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+      V<D> X[4] = {zero, zero, zero, zero}, Y[4] = {zero, zero, zero, zero};
+      for (std::size_t k = 0; k < tile.layers; ++k) {
+        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), left = one - r, low = one - s;
+        const auto pull = [&](V<D>* F, V<D> by_x, V<D> by_y)
+                              HWY_ATTR { F[0] += low * by_x, F[1] += s * by_x, F[2] += left * by_y, F[3] += r * by_y; };
+        pull(X, load<D>(tile.xx_by_x[k] + sub), load<D>(tile.xy_by_y[k] + sub));
+        pull(Y, load<D>(tile.xy_by_x[k] + sub), load<D>(tile.yy_by_y[k] + sub));
+      }
+      put_forces<D>(putting, 0, sub, X), put_forces<D>(putting, 1, sub, Y);
+    }
+  }
+  template <class D, class Put>
+  static HWY_INLINE void put_forces(Put& putting, std::size_t q, std::size_t sub, const V<D>* F) {
+    putting.put(q, 0, sub, hn::Neg(F[0] + F[2]), F[0] - F[3]);
+    putting.put(q, 1, sub, F[2] - F[1], F[1] + F[3]);
+  }
+};
+
+}  // namespace tether::mpm::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
