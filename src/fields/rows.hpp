@@ -15,7 +15,7 @@ namespace tether {
 // The arrays of a state, described once: a tuple of rows, from which sizes, sorting, checkpoint and memory derive.
 
 /// How long a number stands: from step to step, so that a checkpoint has it and it moves with its point; the same, but
-/// the array is empty unless something in the scene asks for it; or only within a step.
+/// the array is empty unless something in the scene asks for it; or only within a step, where something asks for it.
 enum class Kept { always, where_asked, within_step };
 
 /// One array of a state, a number for each point or node.
@@ -28,7 +28,7 @@ struct ArrayField {
   Kept kept = Kept::always;
 
   constexpr bool remembered() const { return kept != Kept::within_step; }
-  bool carried_by(const Owner& owner) const { return kept != Kept::where_asked || !(owner.*array).empty(); }
+  bool carried_by(const Owner& owner) const { return kept == Kept::always || !(owner.*array).empty(); }
 };
 
 /// Calls visit(row) for each row.

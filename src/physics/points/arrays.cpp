@@ -35,7 +35,42 @@ void CellSort::operator()(Points& P, Range range, const BackgroundGrid& shape) {
   });
 }
 
+namespace {
+
+/// Whether a gas needs its points' new places before its density.
+bool waits_for_neighbours(const Scene& scene, const IdealGas& gas) {
+  return gas.rule == DensityRule::grid ? scene.method.order != StressOrder::usf : gas.rule != DensityRule::continuity;
+}
+
+/// Arrays that a scene asks for beside those that every scene has.
+std::vector<LineArray<double> Points::*> asked_by(const Scene& scene) {
+  using P = Points;
+  std::vector<LineArray<double> P::*> asked;
+  const auto ask = [&](bool when, std::initializer_list<LineArray<double> P::*> arrays) {
+    if (when) asked.insert(asked.end(), arrays);
+  };
+  const auto any = [&](const auto& of) {
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return of(body.material); });
+  };
+  const bool finite = find_body<FiniteElastic>(scene), gas = find_body<IdealGas>(scene),
+             membrane = find_body<Membrane>(scene);
+  const bool waits = membrane || any([&](const Material& material) {
+                       const auto* law = std::get_if<IdealGas>(&material);
+                       return law && waits_for_neighbours(scene, *law);
+                     });
+  ask(scene.method.transfer == Transfer::apic, {&P::vxx, &P::vyx, &P::vxy, &P::vyy});
+  ask(scene.geometry == Geometry::axisymmetric || finite || membrane, {&P::szz});
+  ask(gas, {&P::rho, &P::energy});
+  ask(membrane, {&P::strain, &P::hoop, &P::tx, &P::ty});
+  ask(finite, {&P::fxx, &P::fxy, &P::fyx, &P::fyy, &P::fzz});
+  ask(waits, {&P::dxx, &P::dyy, &P::dxy, &P::dzz});
+  return asked;
+}
+
+}  // namespace
+
 Points::Points(const Scene& scene) {
+  for (const auto array : asked_by(scene)) (this->*array).resize(1);
   each_array([n = scene.points.size()](auto& array) { array.resize(n); });
   const PointSet& given = scene.points;
   const auto take = [](LineArray<double>& array, const std::vector<double>& of) { array.assign(of.begin(), of.end()); };
@@ -44,7 +79,6 @@ Points::Points(const Scene& scene) {
   take(sxx, given.sxx), take(syy, given.syy), take(sxy, given.sxy);
   if (find_body<FiniteElastic>(scene)) {
     for (auto* array : {&fxx, &fyy, &fzz}) array->assign(size(), 1.0);
-    for (auto* array : {&fxy, &fyx}) array->assign(size(), 0.0);
   }
   for (const std::size_t p : scene.pinned) pinned[p] = 1;
   std::iota(id.begin(), id.end(), 0);

@@ -41,22 +41,22 @@ struct Points {
         ArrayField{"y", &P::y, D::length, "place, y"},
         ArrayField{"vx", &P::vx, D::velocity, "velocity, x"},
         ArrayField{"vy", &P::vy, D::velocity, "velocity, y"},
-        ArrayField{"vxx", &P::vxx, D::rate, "APIC: the field about the point, d v_x / d x"},
-        ArrayField{"vyx", &P::vyx, D::rate, "APIC: d v_y / d x"},
-        ArrayField{"vxy", &P::vxy, D::rate, "APIC: d v_x / d y"},
-        ArrayField{"vyy", &P::vyy, D::rate, "APIC: d v_y / d y"},
+        ArrayField{"vxx", &P::vxx, D::rate, "APIC: the field about the point, d v_x / d x", K::where_asked},
+        ArrayField{"vyx", &P::vyx, D::rate, "APIC: d v_y / d x", K::where_asked},
+        ArrayField{"vxy", &P::vxy, D::rate, "APIC: d v_x / d y", K::where_asked},
+        ArrayField{"vyy", &P::vyy, D::rate, "APIC: d v_y / d y", K::where_asked},
         ArrayField{"mass", &P::mass, D::mass, "mass m_p"},
         ArrayField{"volume", &P::volume, D::volume, "the stored volume V_p; a gas has V_p = m_p / rho instead"},
         ArrayField{"sxx", &P::sxx, D::stress, "stress sigma_p, xx; of a linear fluid -p"},
         ArrayField{"syy", &P::syy, D::stress, "stress sigma_p, yy"},
         ArrayField{"sxy", &P::sxy, D::stress, "stress sigma_p, xy"},
-        ArrayField{"szz", &P::szz, D::stress, "about an axis and of membranes: the hoop stress"},
-        ArrayField{"rho", &P::rho, D::density, "gas: density"},
-        ArrayField{"energy", &P::energy, D::specific_energy, "gas: specific internal energy i"},
-        ArrayField{"strain", &P::strain, D::number, "membrane: strain along its tangent, eps_1'"},
-        ArrayField{"hoop", &P::hoop, D::number, "membrane about an axis: hoop strain, eps_2'"},
-        ArrayField{"tx", &P::tx, D::number, "membrane: unit tangent t, x"},
-        ArrayField{"ty", &P::ty, D::number, "membrane: unit tangent t, y"},
+        ArrayField{"szz", &P::szz, D::stress, "about an axis and of membranes: the hoop stress", K::where_asked},
+        ArrayField{"rho", &P::rho, D::density, "gas: density", K::where_asked},
+        ArrayField{"energy", &P::energy, D::specific_energy, "gas: specific internal energy i", K::where_asked},
+        ArrayField{"strain", &P::strain, D::number, "membrane: strain along its tangent, eps_1'", K::where_asked},
+        ArrayField{"hoop", &P::hoop, D::number, "membrane about an axis: hoop strain, eps_2'", K::where_asked},
+        ArrayField{"tx", &P::tx, D::number, "membrane: unit tangent t, x", K::where_asked},
+        ArrayField{"ty", &P::ty, D::number, "membrane: unit tangent t, y", K::where_asked},
         ArrayField{"fxx", &P::fxx, D::number, "deformation gradient F of laws that carry it, d x / d X",
                    K::where_asked},
         ArrayField{"fxy", &P::fxy, D::number, "F, d x / d Y", K::where_asked},
@@ -73,10 +73,19 @@ struct Points {
     };
   }
 
+  /// With the arrays that its laws and its method ask for.
   explicit Points(const Scene& scene);
   /// Slots, of which not all need hold a point.
   std::size_t size() const { return x.size(); }
   bool holds(std::size_t p) const { return id[p] >= 0; }
+  /// The point's velocity is that of all about it.
+  void forget_field(std::size_t p) {
+    if (!vxx.empty()) vxx[p] = vyx[p] = vxy[p] = vyy[p] = 0;
+  }
+  /// A number of an array that may not be there: 0 then.
+  double at(LineArray<double> Points::*array, std::size_t p) const {
+    return (this->*array).empty() ? 0 : (this->*array)[p];
+  }
 
   /// Calls visit(array) for each property that the scene's points have.
   template <class Visit>

@@ -11,7 +11,7 @@
 namespace tether::mpm {
 namespace {
 
-Stress stress_of(const Points& P, std::size_t p) { return {P.sxx[p], P.syy[p], P.sxy[p], P.szz[p]}; }
+Stress stress_of(const Points& P, std::size_t p) { return {P.sxx[p], P.syy[p], P.sxy[p], P.at(&Points::szz, p)}; }
 
 double stored(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
   const Stress s = stress_of(P, p);
@@ -180,7 +180,7 @@ DerivedFields derived_fields(const Scene& scene, const Points& P, const Order& o
             fields.pressure.push_back(now.pressure), fields.across.push_back(now.across);
             const Strain e = strain(law, P, p, scene.geometry);
             fields.strain_xx.push_back(e.xx), fields.strain_yy.push_back(e.yy), fields.strain_xy.push_back(e.xy);
-            fields.normal_x.push_back(-P.ty[p]), fields.normal_y.push_back(P.tx[p]);
+            fields.normal_x.push_back(-P.at(&Points::ty, p)), fields.normal_y.push_back(P.at(&Points::tx, p));
           }
         },
         body.material);

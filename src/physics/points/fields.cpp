@@ -28,10 +28,16 @@ struct Motion {
     const double m = P.mass[p];
     mass += m, mx += m * P.x[p], my += m * P.y[p];
     px += m * P.vx[p], py += m * P.vy[p];
-    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p] + D[0] * P.vyx[p] - D[1] * P.vxy[p]);
-    const double field =
-        D[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p]);
-    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p] + field);
+    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p]);
+    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
+    if (!P.vxx.empty()) add_field(P, p);
+  }
+  void add_field(const Points& P, std::size_t p) {
+    const double m = P.mass[p];
+    angular += m * (D[0] * P.vyx[p] - D[1] * P.vxy[p]);
+    kinetic +=
+        0.5 * m *
+        (D[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p]));
   }
   void add(const Motion& other) {
     mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
@@ -196,7 +202,7 @@ struct NodeSource {
 
 /// An array of the points.
 Value<PointSource> of(LineArray<double> Points::*array) {
-  return [array](const PointSource& s, std::size_t k) { return (s.P.*array)[s.order.slots[k]]; };
+  return [array](const PointSource& s, std::size_t k) { return s.P.at(array, s.order.slots[k]); };
 }
 /// One that follows from the points' laws.
 Value<PointSource> of(std::vector<double> DerivedFields::*array) {
@@ -284,7 +290,7 @@ Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set)
   const Order order = order_of_all(state);
   const DerivedFields derived = derived_fields(scene, state.points, order, set.gas_pressures(state, scene));
   std::vector<double> energy;
-  for (const std::size_t slot : order.slots) energy.push_back(state.points.energy[slot]);
+  for (const std::size_t slot : order.slots) energy.push_back(state.points.at(&Points::energy, slot));
   NodeSource source{.gravity = scene.gravity};
   for (std::size_t k = 0; k < frame.deck.nodes(); ++k) source.nodes.push_back(frame.of_deck(k));
   source.sums = NodeSumsRow(frame.shape.nodes());

@@ -23,10 +23,9 @@ LaneBody lane_body(const Material& material, const StepContext& step) {
 }
 
 LanePoints lane_points(Points& P, std::size_t first) {
-  return {P.x.data() + first,    P.y.data() + first,      P.vx.data() + first,    P.vy.data() + first,
-          P.vxx.data() + first,  P.vyx.data() + first,    P.vxy.data() + first,   P.vyy.data() + first,
-          P.mass.data() + first, P.volume.data() + first, P.sxx.data() + first,   P.syy.data() + first,
-          P.sxy.data() + first,  P.rho.data() + first,    P.energy.data() + first};
+  const auto from = [first](LineArray<double>& array) { return array.empty() ? nullptr : array.data() + first; };
+  return {from(P.x),    from(P.y),      from(P.vx),  from(P.vy),  from(P.vxx), from(P.vyx), from(P.vxy),   from(P.vyy),
+          from(P.mass), from(P.volume), from(P.sxx), from(P.syy), from(P.sxy), from(P.rho), from(P.energy)};
 }
 
 LaneNodes lane_nodes(Grid& grid, bool gas, bool ledger) {

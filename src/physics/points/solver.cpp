@@ -68,8 +68,8 @@ std::string what_happened(const State& state, const Walls& walls, const Trouble&
     case TroubleKind::jumped:
       return fmt::format("jumped over a cell ({:.3g} cells in one step): likely cause, a run that diverges", cells);
     case TroubleKind::unsound:
-      if (P.rho[p] < 0)
-        return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", P.rho[p]);
+      if (const double rho = P.at(&Points::rho, p); rho < 0)
+        return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", rho);
       if (!P.fxx.empty() && !(deformation(P, p).volume_ratio() > 0))
         return fmt::format(
             "is turned inside out (J = {:.4g}): likely cause, a step too long, or a squeeze beyond what "

@@ -76,10 +76,13 @@ struct StartPoints {
   /// Densities from cells stand in the points already; from nodes, the body's own is right at the start.
   void operator()(const IdealGas& law) {
     Points& P = state.points;
-    for_points(range, [&](std::size_t p) {
+    for_points(P, range, [&](std::size_t p) {
       if (!from_cells(law)) P.rho[p] = body.density;
       P.energy[p] = body.specific_energy;
-      law_update<true>(law, P, p, {}, {}, found);
+      if (P.szz.empty())
+        law_update<false>(law, P, p, {}, {}, found);
+      else
+        law_update<true>(law, P, p, {}, {}, found);
     });
     state.wave_max = std::max(state.wave_max, found.wave_max);
     state.c_max = std::max(state.c_max, std::sqrt(found.c_squared_max));

@@ -72,8 +72,10 @@ std::size_t Strips::cell_of(std::size_t k, double along) const {
 }
 
 double Strips::total_energy(const Points& P, std::size_t p, const Scene& scene) const {
+  const bool about = !P.vxx.empty();
   const double field =
-      D_[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D_[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p]);
+      about ? D_[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D_[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p])
+            : 0;
   const double kinetic = 0.5 * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p] + field);
   return P.mass[p] * (kinetic + P.energy[p] - scene.gravity * P.y[p]);
 }
@@ -127,7 +129,7 @@ void Strips::return_to_reservoir(const BodyPoints& bodies, const Scene& scene, d
     P.x[p] = moves && k < 2 ? note.x + dt * note.vx : note.x;
     P.y[p] = moves && k >= 2 ? note.y + dt * note.vy : note.y;
     P.vx[p] = note.vx, P.vy[p] = note.vy, P.energy[p] = note.energy;
-    P.vxx[p] = P.vyx[p] = P.vxy[p] = P.vyy[p] = 0;
+    P.forget_field(p);
     if (note.keeps_density) P.rho[p] = note.rho;
   }
 }

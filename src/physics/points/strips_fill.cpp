@@ -271,7 +271,7 @@ StepFindings Strips::set_strips(const BodyPoints& bodies, const Scene& scene) co
       const EdgeGas gas = on_edge(k, k < 2 ? P.y[p] : P.x[p]);
       const double across = low(k) ? gas.across : -gas.across;
       P.vx[p] = k < 2 ? across : gas.along, P.vy[p] = k < 2 ? gas.along : across;
-      P.vxx[p] = P.vyx[p] = P.vxy[p] = P.vyy[p] = 0;
+      P.forget_field(p);
       const bool by_nodes = law->rule == DensityRule::grid && robust;
       const bool fresh = edges_.of[k].kind == EdgeKind::inflow && gas.across > 0;
       const bool whole = -inward(k, P.x[p], P.y[p]) < whole_cells * cell_across(k);

@@ -26,8 +26,10 @@ TEST(CellDensity, AnEvenBoxBetweenMirrors) {
   for (const auto rule : {DensityRule::cell, DensityRule::quadratic, DensityRule::continuity}) {
     for (const auto wall : {Wall::symmetry, Wall::axis, Wall::free_slip}) {
       const State state = start(filled_box(rule, wall, 3));
-      for (const double rho : state.points.rho) EXPECT_NEAR(rho, 3, 1e-12);
-      for (const double sxx : state.points.sxx) EXPECT_NEAR(sxx, -0.4 * 3 * 2, 1e-12);
+      for_points(state.points, {0, state.points.size()}, [&](std::size_t p) {
+        EXPECT_NEAR(state.points.rho[p], 3, 1e-12);
+        EXPECT_NEAR(state.points.sxx[p], -0.4 * 3 * 2, 1e-12);
+      });
     }
   }
 }

@@ -132,7 +132,7 @@ class LaneRun {
   std::vector<double> field(LineArray<double> Points::*array) const {
     std::vector<double> values(state_.point_count());
     const Points& P = state_.points;
-    for_points(P, {0, P.size()}, [&](std::size_t p) { values[static_cast<std::size_t>(P.id[p])] = (P.*array)[p]; });
+    for_points(P, {0, P.size()}, [&](std::size_t p) { values[static_cast<std::size_t>(P.id[p])] = P.at(array, p); });
     return values;
   }
   const State& state() const { return state_; }
