@@ -18,32 +18,82 @@ namespace tether::mpm::HWY_NAMESPACE {
 
 namespace bilinear {
 
-/// A field at a cell's four nodes, counter-clockwise from the lower left, and its differences along the sides.
 template <class D>
-struct Corners {
+struct Weights {
+  V<D> r, s, left, low;  // the last two 1 - r and 1 - s
+};
+
+/// Differences of a field along the sides of a cell.
+template <class D>
+struct Sides {
   V<D> low, high, left, right;  // along x below and above, along y on the left and on the right
 };
 template <class D, bool mean>
-HWY_INLINE Corners<D> corners(const double* one, const double* other, std::ptrdiff_t nx) {
+HWY_INLINE Sides<D> sides(const double* one, const double* other, std::ptrdiff_t nx) {
   const V<D> v0 = at_node<D, mean>(one, other, 0), v1 = at_node<D, mean>(one, other, 1),
              v2 = at_node<D, mean>(one, other, nx + 1), v3 = at_node<D, mean>(one, other, nx);
   return {v1 - v0, v2 - v3, v3 - v0, v2 - v1};
 }
-
-/// sum N_i q_i of a number at the nodes.
 template <class D>
-struct ValueOf {
-  V<D> v0, v1, v2, v3;
+HWY_INLINE V<D> by_x(const Sides<D>& v, const Weights<D>& w) {
+  return w.low * v.low + w.s * v.high;
+}
+template <class D>
+HWY_INLINE V<D> by_y(const Sides<D>& v, const Weights<D>& w) {
+  return w.left * v.left + w.r * v.right;
+}
 
-  HWY_INLINE ValueOf(const double* row, std::ptrdiff_t nx, std::size_t sub)
-      : v0(load<D>(row + sub)),
-        v1(load<D>(row + sub + 1)),
-        v2(load<D>(row + sub + nx + 1)),
-        v3(load<D>(row + sub + nx)) {}
-  HWY_INLINE V<D> at(V<D> r, V<D> s) const {
-    const V<D> one = all<D>(1), left = one - r;
-    return (one - s) * (left * v0 + r * v1) + s * (left * v3 + r * v2);
+/// sum N_i q_i of a number at the nodes, whose row begins with the group's first one.
+template <class D>
+class Value {
+ public:
+  HWY_INLINE Value(const double* row, std::ptrdiff_t nx, std::size_t sub)
+      : v0_(load<D>(row + sub)),
+        v1_(load<D>(row + sub + 1)),
+        v2_(load<D>(row + sub + nx + 1)),
+        v3_(load<D>(row + sub + nx)) {}
+  HWY_INLINE V<D> at(const Weights<D>& w) const {
+    return w.low * (w.left * v0_ + w.r * v1_) + w.s * (w.left * v3_ + w.r * v2_);
   }
+
+ private:
+  V<D> v0_, v1_, v2_, v3_;
+};
+
+/// Strain rates of a field.
+template <class D, bool mean>
+class Strain {
+ public:
+  HWY_INLINE Strain(const LaneGrid& grid, const Field& field, std::size_t sub)
+      : x_(sides<D, mean>(field.x + sub, field.other_x + sub, grid.nx)),
+        y_(sides<D, mean>(field.y + sub, field.other_y + sub, grid.nx)),
+        per_x_(all<D>(grid.per_dx)),
+        per_y_(all<D>(grid.per_dy)) {}
+  HWY_INLINE Rates<D> at(const Weights<D>& w) const {
+    return {per_x_ * by_x(x_, w), per_y_ * by_y(y_, w), per_y_ * by_y(x_, w) + per_x_ * by_x(y_, w)};
+  }
+
+ private:
+  Sides<D> x_, y_;
+  V<D> per_x_, per_y_;
+};
+
+/// Velocities and the fields about points: value and gradient.
+template <class D>
+class Fields {
+ public:
+  HWY_INLINE Fields(const double* row_x, const double* row_y, std::ptrdiff_t nx, std::size_t sub)
+      : x_(row_x, nx, sub),
+        y_(row_y, nx, sub),
+        of_x_(sides<D, false>(row_x + sub, nullptr, nx)),
+        of_y_(sides<D, false>(row_y + sub, nullptr, nx)) {}
+  HWY_INLINE Motion<D> at(const Weights<D>& w) const {
+    return {x_.at(w), y_.at(w), by_x(of_x_, w), by_x(of_y_, w), by_y(of_x_, w), by_y(of_y_, w)};
+  }
+
+ private:
+  Value<D> x_, y_;
+  Sides<D> of_x_, of_y_;
 };
 
 }  // namespace bilinear
@@ -61,48 +111,18 @@ struct Bilinear {
     return hn::Min(hn::Max(r, all<D>(Locator::edge)), all<D>(1 - Locator::edge));
   }
 
-  /// Strain rates of a field.
+  template <class D>
+  using Weights = bilinear::Weights<D>;
+  template <class D>
+  using Value = bilinear::Value<D>;
   template <class D, bool mean>
-  static HWY_NOINLINE void gather_strain(const LaneGrid& grid, const Field& field, Tile& tile) {
-    const V<D> per_x = all<D>(grid.per_dx), per_y = all<D>(grid.per_dy), one = all<D>(1);
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const auto x = bilinear::corners<D, mean>(field.x + sub, field.other_x + sub, grid.nx),
-                 y = bilinear::corners<D, mean>(field.y + sub, field.other_y + sub, grid.nx);
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), left = one - r, low = one - s;
-        store<D>(per_x * (low * x.low + s * x.high), tile.xx[k] + sub);
-        store<D>(per_y * (left * y.left + r * y.right), tile.yy[k] + sub);
-        store<D>(per_y * (left * x.left + r * x.right) + per_x * (low * y.low + s * y.high), tile.xy[k] + sub);
-      }
-    }
-  }
-
-  /// A number of the nodes at the points.
+  using Strain = bilinear::Strain<D, mean>;
   template <class D>
-  static HWY_NOINLINE void gather_value(const double* row, std::ptrdiff_t nx, const Tile& tile, TileRows& values) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const bilinear::ValueOf<D> value(row, nx, sub);
-      for (std::size_t k = 0; k < tile.layers; ++k)
-        store<D>(value.at(load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)), values[k] + sub);
-    }
-  }
+  using Fields = bilinear::Fields<D>;
 
-  /// Velocities of the points and the fields about them: value and gradient.
   template <class D>
-  static HWY_NOINLINE void gather_motion(const double* row_x, const double* row_y, std::ptrdiff_t nx, Tile& tile) {
-    const V<D> one = all<D>(1);
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const auto x = bilinear::corners<D, false>(row_x + sub, nullptr, nx),
-                 y = bilinear::corners<D, false>(row_y + sub, nullptr, nx);
-      const bilinear::ValueOf<D> vx(row_x, nx, sub), vy(row_y, nx, sub);
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), left = one - r, low = one - s;
-        store<D>(vx.at(r, s), tile.vx[k] + sub), store<D>(vy.at(r, s), tile.vy[k] + sub);
-        store<D>(low * x.low + s * x.high, tile.gxx[k] + sub), store<D>(low * y.low + s * y.high, tile.gyx[k] + sub);
-        store<D>(left * x.left + r * x.right, tile.gxy[k] + sub);
-        store<D>(left * y.left + r * y.right, tile.gyy[k] + sub);
-      }
-    }
+  static HWY_INLINE Weights<D> weights(Places<D> at) {
+    return {at.r, at.s, all<D>(1) - at.r, all<D>(1) - at.s};
   }
 
   /// Mass by the weights along x.

@@ -35,103 +35,121 @@ HWY_INLINE void note_unsound(std::size_t p, M sound, LaneFindings& found) {
 }
 
 /// Hooke's law in the plane (3.2).
-template <class D>
-struct Elastic {
-  static constexpr bool is_gas = false, by_nodes = false;
+template <class D, class Kernel>
+class Elastic {
+ public:
+  static constexpr bool is_gas = false;
 
-  template <class Kernel>
-  static HWY_INLINE void stress(const LaneWork& work, Tile& tile, std::size_t sub, LaneFindings& found) {
-    const LanePoints P = work.P;
-    const LaneGrid grid = work.grid;
-    const V<D> own = all<D>(work.dt * work.body.own), other = all<D>(work.dt * work.body.other),
-               shear = all<D>(0.5 * work.dt * work.body.shear);
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> volume = load<D>(P.volume + p), xx = load<D>(tile.xx[k] + sub), yy = load<D>(tile.yy[k] + sub);
-      const auto there = volume > hn::Zero(D());
-      const V<D> sxx = hn::IfThenElseZero(there, load<D>(P.sxx + p) + (own * xx + other * yy));
-      const V<D> syy = hn::IfThenElseZero(there, load<D>(P.syy + p) + (other * xx + own * yy));
-      const V<D> sxy = hn::IfThenElseZero(there, load<D>(P.sxy + p) + shear * load<D>(tile.xy[k] + sub));
-      store<D>(sxx, P.sxx + p), store<D>(syy, P.syy + p), store<D>(sxy, P.sxy + p);
-      note_unsound<D>(p, (hn::Abs(sxx) + hn::Abs(syy)) + hn::Abs(sxy) < hn::Inf(D()), found);
-      leave_pull<D, Kernel>(grid, tile, k, sub, volume, sxx, syy, sxy);
-    }
+  HWY_INLINE Elastic(const LaneWork& work, std::ptrdiff_t, std::size_t)
+      : P_(work.P),
+        grid_(work.grid),
+        own_(all<D>(work.dt * work.body.own)),
+        other_(all<D>(work.dt * work.body.other)),
+        shear_(all<D>(0.5 * work.dt * work.body.shear)) {}
+
+  HWY_INLINE void stress(Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>&,
+                         const Rates<D>& rate, LaneFindings& found) const {
+    const std::size_t p = tile.slot[k] + sub;
+    const V<D> volume = load<D>(P_.volume + p);
+    const auto there = volume > hn::Zero(D());
+    const V<D> sxx = hn::IfThenElseZero(there, load<D>(P_.sxx + p) + (own_ * rate.xx + other_ * rate.yy));
+    const V<D> syy = hn::IfThenElseZero(there, load<D>(P_.syy + p) + (other_ * rate.xx + own_ * rate.yy));
+    const V<D> sxy = hn::IfThenElseZero(there, load<D>(P_.sxy + p) + shear_ * rate.xy);
+    store<D>(sxx, P_.sxx + p), store<D>(syy, P_.syy + p), store<D>(sxy, P_.sxy + p);
+    note_unsound<D>(p, (hn::Abs(sxx) + hn::Abs(syy)) + hn::Abs(sxy) < hn::Inf(D()), found);
+    leave_pull<D, Kernel>(grid_, tile, k, sub, volume, sxx, syy, sxy);
   }
+
+ private:
+  LanePoints P_;
+  LaneGrid grid_;
+  V<D> own_, other_, shear_;
+};
+
+/// A number of the nodes for a gas by nodes; nothing for others.
+template <class D, class Kernel, bool by_nodes>
+class FromNodes {
+ public:
+  HWY_INLINE FromNodes(const double* row, std::ptrdiff_t nx, std::size_t sub) : value_(row, nx, sub) {}
+  HWY_INLINE V<D> at(const typename Kernel::template Weights<D>& w) const { return value_.at(w); }
+
+ private:
+  typename Kernel::template Value<D> value_;
+};
+template <class D, class Kernel>
+class FromNodes<D, Kernel, false> {
+ public:
+  HWY_INLINE FromNodes(const double*, std::ptrdiff_t, std::size_t) {}
 };
 
 /// sigma / rho of a gas (4.1), (4.4) with artificial viscosity (4.11), (4.12), and where it is heated by the rate that
-/// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, or from continuity
-/// (4.7). The points' arrays hold sigma / rho within a step, so that nothing is divided by rho twice; record_stress()
-/// ends that.
-template <class D, bool density_by_nodes>
-struct Gas {
-  static constexpr bool is_gas = true, by_nodes = density_by_nodes;
+/// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, which stands in the
+/// tile, or from continuity (4.7). The points' arrays hold sigma / rho within a step, so that nothing is divided by rho
+/// twice; record_stress() ends that.
+template <class D, class Kernel, bool by_nodes>
+class Gas {
+ public:
+  static constexpr bool is_gas = true;
 
-  template <class Kernel>
-  static HWY_INLINE void stress(const LaneWork& work, Tile& tile, std::size_t sub, LaneFindings& found) {
-    const LanePoints P = work.P;
-    const LaneGrid grid = work.grid;
-    const LaneBody law = work.body;
-    const bool warmed = by_nodes && work.N.heat, records = work.records;
-    const V<D> zero = hn::Zero(D()), infinite = hn::Inf(D()), dt = all<D>(work.dt), gm1 = all<D>(law.gm1),
-               c_of_e = all<D>(law.gamma * law.gm1), linear = all<D>(law.linear), square = all<D>(law.square);
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> mass = load<D>(P.mass + p);
-      const auto there = mass > zero;
-      V<D> energy = load<D>(P.energy + p);
-      if (warmed) energy = hn::IfThenElseZero(there, energy + (load<D>(tile.at_place[k] + sub) + all<D>(law.heat)));
-      const V<D> xx = load<D>(tile.xx[k] + sub), yy = load<D>(tile.yy[k] + sub),
-                 xy = all<D>(0.5) * load<D>(tile.xy[k] + sub), rate = xx + yy;
-      const V<D> now = by_nodes ? load<D>(tile.rho[k] + sub) : load<D>(P.rho + p) / (all<D>(1) + dt * rate);
-      const V<D> rho = hn::IfThenElse(there, now, all<D>(1));
-      const V<D> c = law.local_speed ? hn::Sqrt(hn::Max(zero, c_of_e * energy)) : all<D>(law.c_max);
-      const V<D> q = hn::IfThenElseZero(rate < zero, (square * rate - linear * c) * rate);
-      const V<D> pressure = gm1 * energy + q;
-      V<D> sxx = hn::Neg(pressure), syy = sxx, sxy = zero;
-      if (law.mu != 0) {
-        const V<D> two_nu = all<D>(2 * law.mu) / rho, mean = all<D>(1.0 / 3) * rate;
-        sxx = two_nu * (xx - mean) - pressure, syy = two_nu * (yy - mean) - pressure, sxy = two_nu * xy;
-      }
-      if (law.heats) energy = hn::IfThenElseZero(there, energy + dt * ((sxx * xx + syy * yy) + (sxy + sxy) * xy));
-      if (law.heats || warmed) store<D>(energy, P.energy + p);
-      if (records || !by_nodes) store<D>(rho, P.rho + p);
-      store<D>(sxx, P.sxx + p), store<D>(syy, P.syy + p), store<D>(sxy, P.sxy + p);
-      note_unsound<D>(p, hn::And(rho > zero, hn::And(rho < infinite, hn::Abs(energy) < infinite)), found);
-      leave_pull<D, Kernel>(grid, tile, k, sub, mass, sxx, syy, sxy);
+  HWY_INLINE Gas(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
+      : P_(work.P),
+        grid_(work.grid),
+        law_(work.body),
+        warmed_(by_nodes && work.N.heat),
+        records_(!by_nodes || work.records),
+        density_(work.N.rho + n, work.grid.nx, sub),
+        dt_(all<D>(work.dt)),
+        gm1_(all<D>(work.body.gm1)),
+        c_of_e_(all<D>(work.body.gamma * work.body.gm1)),
+        linear_(all<D>(work.body.linear)),
+        square_(all<D>(work.body.square)) {}
+
+  HWY_INLINE void stress(Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>& w,
+                         const Rates<D>& of, LaneFindings& found) const {
+    const std::size_t p = tile.slot[k] + sub;
+    const V<D> zero = hn::Zero(D()), infinite = hn::Inf(D()), mass = load<D>(P_.mass + p);
+    const auto there = mass > zero;
+    V<D> energy = load<D>(P_.energy + p);
+    if (warmed_) energy = hn::IfThenElseZero(there, energy + (load<D>(tile.at_place[k] + sub) + all<D>(law_.heat)));
+    const V<D> rate = of.xx + of.yy, rho = hn::IfThenElse(there, density(p, rate, w), all<D>(1));
+    const V<D> c = law_.local_speed ? hn::Sqrt(hn::Max(zero, c_of_e_ * energy)) : all<D>(law_.c_max);
+    const V<D> q = hn::IfThenElseZero(rate < zero, (square_ * rate - linear_ * c) * rate);
+    const V<D> pressure = gm1_ * energy + q, xy = all<D>(0.5) * of.xy;
+    V<D> sxx = hn::Neg(pressure), syy = sxx, sxy = zero;
+    if (law_.mu != 0) {
+      const V<D> two_nu = all<D>(2 * law_.mu) / rho, mean = all<D>(1.0 / 3) * rate;
+      sxx = two_nu * (of.xx - mean) - pressure, syy = two_nu * (of.yy - mean) - pressure, sxy = two_nu * xy;
     }
+    if (law_.heats) energy = hn::IfThenElseZero(there, energy + dt_ * ((sxx * of.xx + syy * of.yy) + (sxy + sxy) * xy));
+    if (law_.heats || warmed_) store<D>(energy, P_.energy + p);
+    if (records_) store<D>(rho, P_.rho + p);
+    store<D>(sxx, P_.sxx + p), store<D>(syy, P_.syy + p), store<D>(sxy, P_.sxy + p);
+    note_unsound<D>(p, hn::And(rho > zero, hn::And(rho < infinite, hn::Abs(energy) < infinite)), found);
+    leave_pull<D, Kernel>(grid_, tile, k, sub, mass, sxx, syy, sxy);
   }
+
+ private:
+  HWY_INLINE V<D> density(std::size_t p, V<D> rate, const typename Kernel::template Weights<D>& w) const {
+    if constexpr (by_nodes)
+      return density_.at(w);
+    else
+      return load<D>(P_.rho + p) / (all<D>(1) + dt_ * rate);
+  }
+
+  LanePoints P_;
+  LaneGrid grid_;
+  LaneBody law_;
+  bool warmed_, records_;
+  FromNodes<D, Kernel, by_nodes> density_;
+  V<D> dt_, gm1_, c_of_e_, linear_, square_;
 };
 
-template <class D, class Kernel, class Law>
-HWY_NOINLINE void stress(const LaneWork& work, Tile& tile, LaneFindings& found) {
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) Law::template stress<Kernel>(work, tile, sub, found);
-}
-
-/// What a law reads at the nodes.
-template <class D, class Kernel, class Law>
-HWY_INLINE void find_at_nodes(const LaneWork& work, std::ptrdiff_t n, Tile& tile) {
-  if constexpr (Law::by_nodes) {
-    Kernel::template gather_value<D>(work.N.rho + n, work.grid.nx, tile, tile.rho);
-    if (work.N.heat) Kernel::template gather_value<D>(work.N.heat + n, work.grid.nx, tile, tile.at_place);
-  }
-}
-
-/// i += dt (sigma : eps') / rho (4.10) with the strain rate of (v_old + v_new) / 2.
+/// i += dt (sigma : eps') / rho (4.10) of a layer, with the strain rate of (v_old + v_new) / 2.
 template <class D>
-HWY_NOINLINE void heat_centred(const LaneWork& work, const Tile& tile) {
-  const LanePoints P = work.P;
-  const V<D> dt = all<D>(work.dt);
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> power =
-          (load<D>(P.sxx + p) * load<D>(tile.xx[k] + sub) + load<D>(P.syy + p) * load<D>(tile.yy[k] + sub)) +
-          load<D>(P.sxy + p) * load<D>(tile.xy[k] + sub);
-      const V<D> energy = load<D>(P.energy + p) + dt * power;
-      store<D>(hn::IfThenElseZero(load<D>(P.mass + p) > hn::Zero(D()), energy), P.energy + p);
-    }
-  }
+HWY_INLINE void heat_centred(const LanePoints& P, std::size_t p, V<D> dt, const Rates<D>& of) {
+  const V<D> power = (load<D>(P.sxx + p) * of.xx + load<D>(P.syy + p) * of.yy) + load<D>(P.sxy + p) * of.xy;
+  const V<D> energy = load<D>(P.energy + p) + dt * power;
+  store<D>(hn::IfThenElseZero(load<D>(P.mass + p) > hn::Zero(D()), energy), P.energy + p);
 }
 
 /// Largest sound speed of the gas and largest wave. Waves are looked at one by one only where the tile's largest sound

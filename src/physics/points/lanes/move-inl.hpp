@@ -7,110 +7,176 @@
 #define TETHER_POINTS_MOVE_INL
 #endif
 
+#include <type_traits>
+
 #include "physics/points/lanes/books-inl.hpp"
 #include "physics/points/lanes/tile-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tether::mpm::HWY_NAMESPACE {
 
-// Stages that every kernel shares: velocities, places, what is written of them, and who leaves.
+// What passes share whatever the kernel: velocities, places, what is written of them, and who leaves.
 
-/// FLIP: v_p += dt sum N_i f_i / m_i (3.22), and m_p |a_p|^2 for the balance of energy.
+/// Places of a tile's points into it.
 template <class D, class Kernel>
-HWY_NOINLINE void accelerate_by_increments(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+HWY_NOINLINE void locate(const LaneWork& work, Tile& tile) {
   const LanePoints P = work.P;
-  const V<D> dt = all<D>(work.dt);
-  Kernel::template gather_value<D>(work.N.a_x + n, work.grid.nx, tile, tile.ux);
-  Kernel::template gather_value<D>(work.N.a_y + n, work.grid.nx, tile, tile.uy);
   for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    V<D> squares = load<D>(found.squares + sub);
+    const Locating<D, Kernel> locating(work.grid, tile, sub);
     for (std::size_t k = 0; k < tile.layers; ++k) {
       const std::size_t p = tile.slot[k] + sub;
-      const V<D> mass = load<D>(P.mass + p), ax = load<D>(tile.ux[k] + sub), ay = load<D>(tile.uy[k] + sub);
-      const auto there = mass > hn::Zero(D());
-      const V<D> vx = hn::IfThenElseZero(there, load<D>(P.vx + p) + dt * ax),
-                 vy = hn::IfThenElseZero(there, load<D>(P.vy + p) + dt * ay);
-      squares = squares + mass * (ax * ax + ay * ay);
-      store<D>(vx, P.vx + p), store<D>(vy, P.vy + p);
-      store<D>(vx, tile.vx[k] + sub), store<D>(vy, tile.vy[k] + sub);
+      const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
+      store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
     }
-    store<D>(squares, found.squares + sub);
   }
 }
 
-/// What points move with: sum N_i (mv)_i^L / m_i (3.21), by APIC their own velocity.
-template <class D, class Kernel, bool affine>
-HWY_INLINE void find_way(const LaneWork& work, std::ptrdiff_t n, Tile& tile) {
-  if constexpr (affine) {
+/// A number of the nodes at a tile's points, which are located.
+template <class D, class Kernel>
+HWY_NOINLINE void gather_value(const double* row, std::ptrdiff_t nx, const Tile& tile, TileRows& values) {
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const typename Kernel::template Value<D> value(row, nx, sub);
     for (std::size_t k = 0; k < tile.layers; ++k) {
-      for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-        store<D>(load<D>(tile.vx[k] + sub), tile.ux[k] + sub), store<D>(load<D>(tile.vy[k] + sub), tile.uy[k] + sub);
-      }
+      const auto w = Kernel::template weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
+      store<D>(value.at(w), values[k] + sub);
     }
-  } else {
-    Kernel::template gather_value<D>(work.N.new_x + n, work.grid.nx, tile, tile.ux);
-    Kernel::template gather_value<D>(work.N.new_y + n, work.grid.nx, tile, tile.uy);
   }
 }
+/// The same of velocities and the fields about points.
+template <class D, class Kernel>
+HWY_NOINLINE void gather_motion(const double* row_x, const double* row_y, std::ptrdiff_t nx, Tile& tile) {
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const typename Kernel::template Fields<D> fields(row_x, row_y, nx, sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const auto w = Kernel::template weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
+      store_motion<D>(fields.at(w), tile, k, sub);
+    }
+  }
+}
+
+/// A layer's new velocities (3.22), and what it moves with.
+template <class D>
+struct Taken {
+  Motion<D> motion;  // of FLIP the velocity alone
+  V<D> ux, uy;
+};
+
+/// FLIP: v_p += dt sum N_i f_i / m_i (3.22), with m_p |a_p|^2 for the balance of energy; points move with
+/// sum N_i (mv)_i^L / m_i. Where points have taken their increments already, only what they move with is new.
+template <class D, class Kernel, bool accelerates>
+class TakingIncrements {
+ public:
+  HWY_INLINE TakingIncrements(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
+      : P_(work.P),
+        dt_(all<D>(work.dt)),
+        a_x_(work.N.a_x + n, work.grid.nx, sub),
+        a_y_(work.N.a_y + n, work.grid.nx, sub),
+        u_x_(work.N.new_x + n, work.grid.nx, sub),
+        u_y_(work.N.new_y + n, work.grid.nx, sub) {}
+
+  HWY_INLINE Taken<D> take(std::size_t p, V<D> mass, const typename Kernel::template Weights<D>& w,
+                           V<D>& squares) const {
+    Taken<D> taken;
+    taken.motion.vx = load<D>(P_.vx + p), taken.motion.vy = load<D>(P_.vy + p);
+    if constexpr (accelerates) accelerate(p, mass, w, taken.motion, squares);
+    taken.ux = u_x_.at(w), taken.uy = u_y_.at(w);
+    return taken;
+  }
+  HWY_INLINE void accelerate(std::size_t p, V<D> mass, const typename Kernel::template Weights<D>& w, Motion<D>& motion,
+                             V<D>& squares) const {
+    const V<D> ax = a_x_.at(w), ay = a_y_.at(w);
+    const auto there = mass > hn::Zero(D());
+    motion.vx = hn::IfThenElseZero(there, motion.vx + dt_ * ax);
+    motion.vy = hn::IfThenElseZero(there, motion.vy + dt_ * ay);
+    squares = squares + mass * (ax * ax + ay * ay);
+    store<D>(motion.vx, P_.vx + p), store<D>(motion.vy, P_.vy + p);
+  }
+
+ private:
+  LanePoints P_;
+  V<D> dt_;
+  typename Kernel::template Value<D> a_x_, a_y_, u_x_, u_y_;
+};
+
+/// APIC: a point's field is that of the nodes about it, and its velocity is what it moves with.
+template <class D, class Kernel, bool accelerates>
+class TakingFields {
+ public:
+  HWY_INLINE TakingFields(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
+      : work_(work), fields_(work.N.new_x + n, work.N.new_y + n, work.grid.nx, sub) {}
+
+  HWY_INLINE Taken<D> take(std::size_t p, V<D>, const typename Kernel::template Weights<D>& w, V<D>&) const {
+    Taken<D> taken;
+    if constexpr (accelerates) {
+      taken.motion = fields_.at(w);
+    } else {
+      V<D> own[6];
+      own_field<D>(work_, p, own);
+      taken.motion = {own[0], own[1], own[2], own[3], own[4], own[5]};
+    }
+    taken.ux = taken.motion.vx, taken.uy = taken.motion.vy;
+    return taken;
+  }
+
+ private:
+  const LaneWork& work_;
+  typename Kernel::template Fields<D> fields_;
+};
+
+template <class D, class Kernel, bool affine, bool accelerates>
+using Taking =
+    std::conditional_t<affine, TakingFields<D, Kernel, accelerates>, TakingIncrements<D, Kernel, accelerates>>;
 
 /// What the scatter needs of a layer's points at `at`, where `stays` holds.
 template <class D, class Kernel, bool affine, class M>
-HWY_INLINE void leave_momenta(Tile& tile, std::size_t k, std::size_t sub, V<D> mass, M stays, Places<D> at) {
+HWY_INLINE void leave_momenta(Tile& tile, std::size_t k, std::size_t sub, V<D> mass, M stays, Places<D> at,
+                              const Motion<D>& motion) {
   const V<D> m = hn::IfThenElseZero(stays, mass);
   const V<D> r = Kernel::template inside<D>(hn::IfThenElseZero(stays, at.r)),
              s = Kernel::template inside<D>(hn::IfThenElseZero(stays, at.s));
   store<D>(m, tile.m[k] + sub), store<D>(r, tile.r[k] + sub), store<D>(s, tile.s[k] + sub);
   Kernel::template leave_mass<D>(m, r, tile, k, sub);
   if constexpr (affine) {
-    const V<D> vx = load<D>(tile.vx[k] + sub), vy = load<D>(tile.vy[k] + sub);
-    const V<D> gxx = load<D>(tile.gxx[k] + sub), gyx = load<D>(tile.gyx[k] + sub);
-    const V<D> gxy = load<D>(tile.gxy[k] + sub), gyy = load<D>(tile.gyy[k] + sub);
-    store<D>(vx - (r * gxx + s * gxy), tile.middle_x[k] + sub);
-    store<D>(vy - (r * gyx + s * gyy), tile.middle_y[k] + sub);
-  }
-}
-/// The same of points that stay where they are.
-template <class D, class Kernel, bool affine>
-HWY_NOINLINE void leave_momenta(const LaneWork& work, Tile& tile) {
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const V<D> mass = load<D>(work.P.mass + tile.slot[k] + sub);
-      const Places<D> at{load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)};
-      leave_momenta<D, Kernel, affine>(tile, k, sub, mass, mass > hn::Zero(D()), at);
-    }
+    store_motion<D>(motion, tile, k, sub);
+    store<D>(motion.vx - (r * motion.gxx + s * motion.gxy), tile.middle_x[k] + sub);
+    store<D>(motion.vy - (r * motion.gyx + s * motion.gyy), tile.middle_y[k] + sub);
+  } else {
+    store<D>(motion.vx, tile.vx[k] + sub), store<D>(motion.vy, tile.vy[k] + sub);
   }
 }
 
-/// New places (3.21), and what the scatter needs of them. Returns whether all points stay in their cells; those that do
-/// not have no mass in the tile.
+/// Takes layers to their new places (3.21).
 template <class D, class Kernel, bool affine>
-HWY_NOINLINE bool move(const LaneWork& work, Tile& tile, LaneFindings& found) {
-  constexpr D d;
-  const LanePoints P = work.P;
-  const V<D> dt = all<D>(work.dt), lowest = all<D>(Kernel::lowest), highest = all<D>(Kernel::highest);
-  bool all_stay = true;
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    const Locating<D> locate(work.grid, tile, sub);
-    V<D> lifted = load<D>(found.lifted + sub);
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> mass = load<D>(P.mass + p), up = dt * load<D>(tile.uy[k] + sub);
-      const auto there = mass > hn::Zero(d);
-      lifted = lifted + mass * up;
-      const V<D> x = load<D>(P.x + p) + hn::IfThenElseZero(there, dt * load<D>(tile.ux[k] + sub)),
-                 y = load<D>(P.y + p) + hn::IfThenElseZero(there, up);
-      store<D>(x, P.x + p), store<D>(y, P.y + p);
-      const Places<D> at = locate(x, y);
-      const auto stays = hn::And(hn::And(at.r >= lowest, at.r < highest), hn::And(at.s >= lowest, at.s < highest));
-      all_stay &= hn::AllTrue(d, stays);
-      leave_momenta<D, Kernel, affine>(tile, k, sub, mass, stays, at);
-    }
-    store<D>(lifted, found.lifted + sub);
-  }
-  return all_stay;
-}
+class Moving {
+ public:
+  HWY_INLINE Moving(const LaneWork& work, const LaneFindings& found, std::size_t sub)
+      : lifted(load<D>(found.lifted + sub)), P_(work.P), dt_(all<D>(work.dt)) {}
 
-/// The tile's velocities and fields to the points' arrays, and back.
+  V<D> lifted;           // mass times the way up
+  bool all_stay = true;  // in their cells
+
+  /// Leaves in the tile what the scatter needs; points that leave their cells have no mass there.
+  HWY_INLINE void move(const Locating<D, Kernel>& locating, Tile& tile, std::size_t k, std::size_t sub, V<D> mass,
+                       V<D> x, V<D> y, const Taken<D>& taken) {
+    constexpr D d;
+    const std::size_t p = tile.slot[k] + sub;
+    const V<D> up = dt_ * taken.uy, lowest = all<D>(Kernel::lowest), highest = all<D>(Kernel::highest);
+    const auto there = mass > hn::Zero(d);
+    lifted = lifted + mass * up;
+    x = x + hn::IfThenElseZero(there, dt_ * taken.ux), y = y + hn::IfThenElseZero(there, up);
+    store<D>(x, P_.x + p), store<D>(y, P_.y + p);
+    const Places<D> at = locating.anywhere(x, y);
+    const auto stays = hn::And(hn::And(at.r >= lowest, at.r < highest), hn::And(at.s >= lowest, at.s < highest));
+    all_stay &= hn::AllTrue(d, stays);
+    leave_momenta<D, Kernel, affine>(tile, k, sub, mass, stays, at, taken.motion);
+  }
+
+ private:
+  LanePoints P_;
+  V<D> dt_;
+};
+
+/// The tile's velocities and fields to the points' arrays.
 template <class D>
 HWY_INLINE void record_motion(const LaneWork& work, const Tile& tile, std::size_t k, std::size_t sub) {
   const std::size_t p = tile.slot[k] + sub;
@@ -127,22 +193,6 @@ HWY_NOINLINE void record_motion(const LaneWork& work, const Tile& tile) {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) record_motion<D>(work, tile, k, sub);
   }
 }
-template <class D, bool affine>
-HWY_NOINLINE void recall_motion(const LaneWork& work, Tile& tile) {
-  for (std::size_t k = 0; k < tile.layers; ++k) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const std::size_t p = tile.slot[k] + sub;
-      store<D>(load<D>(work.P.vx + p), tile.vx[k] + sub), store<D>(load<D>(work.P.vy + p), tile.vy[k] + sub);
-      if constexpr (affine) {
-        V<D> own[6];
-        own_field<D>(work, p, own);
-        store<D>(own[2], tile.gxx[k] + sub), store<D>(own[3], tile.gyx[k] + sub);
-        store<D>(own[4], tile.gxy[k] + sub), store<D>(own[5], tile.gyy[k] + sub);
-      }
-    }
-  }
-}
-
 /// Of gas the stress, and not what it is over the density.
 template <class D>
 HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {

@@ -40,43 +40,92 @@ HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) 
 // Updated stress first, first pass: strain rate (3.23), stress, force (3.16).
 
 template <class D, class Kernel, class Law>
-void strain_and_pull(const LaneWork& work, LaneFindings& found) {
-  const LaneNodes& N = work.N;
-  Putting<D, Kernel, 2> forces(work.grid.nx);
-  forces.rows[0] = N.force_x, forces.rows[1] = N.force_y;
-  const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
+HWY_NOINLINE void strain_and_stress(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  const LanePoints P = work.P;
+  const LaneNodes N = work.N;
+  if (Law::is_gas && N.heat) {
     locate<D, Kernel>(work, tile);
-    Kernel::template gather_strain<D, false>(work.grid, {N.old_x + n, N.old_y + n}, tile);
-    find_at_nodes<D, Kernel, Law>(work, n, tile);
-    stress<D, Kernel, Law>(work, tile, found);
+    gather_value<D, Kernel>(N.heat + n, work.grid.nx, tile, tile.at_place);
+  }
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const Locating<D, Kernel> locating(work.grid, tile, sub);
+    const typename Kernel::template Strain<D, false> strain(work.grid, {N.old_x + n, N.old_y + n}, sub);
+    const Law law(work, n, sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const std::size_t p = tile.slot[k] + sub;
+      const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
+      store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
+      const auto w = Kernel::template weights<D>(at);
+      law.stress(tile, k, sub, w, strain.at(w), found);
+    }
+  }
+}
+
+template <class D, class Kernel, class Law>
+void strain_and_pull(const LaneWork& work, LaneFindings& found) {
+  Putting<D, Kernel, 2> forces(work.grid.nx);
+  forces.rows[0] = work.N.force_x, forces.rows[1] = work.N.force_y;
+  const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
+    strain_and_stress<D, Kernel, Law>(work, n, tile, found);
     forces.begin(n);
     Kernel::template scatter_forces<D>(tile, forces);
   };
   sweep(work, each, [&]() HWY_ATTR { forces.close(); });
 }
 
-// Second pass: velocities (3.22), places (3.21), mass and momentum (3.15).
+// Second pass: velocities (3.22), heat of gas (4.10), places (3.21), mass and momentum (3.15).
+
+template <class D, class Kernel>
+HWY_NOINLINE void heat(const LaneWork& work, std::ptrdiff_t n, Tile& tile) {
+  const LanePoints P = work.P;
+  const LaneNodes N = work.N;
+  const V<D> dt = all<D>(work.dt);
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const Locating<D, Kernel> locating(work.grid, tile, sub);
+    const typename Kernel::template Strain<D, true> strain(work.grid,
+                                                           {N.old_x + n, N.old_y + n, N.new_x + n, N.new_y + n}, sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const std::size_t p = tile.slot[k] + sub;
+      const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
+      heat_centred<D>(P, p, dt, strain.at(Kernel::template weights<D>(at)));
+    }
+  }
+}
+
+/// Returns whether all points stay in their cells.
+template <class D, class Kernel, bool affine>
+HWY_NOINLINE bool accelerate_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  const LanePoints P = work.P;
+  bool all_stay = true;
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const Locating<D, Kernel> locating(work.grid, tile, sub);
+    const Taking<D, Kernel, affine, true> taking(work, n, sub);
+    Moving<D, Kernel, affine> moving(work, found, sub);
+    V<D> squares = load<D>(found.squares + sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const std::size_t p = tile.slot[k] + sub;
+      const V<D> x = load<D>(P.x + p), y = load<D>(P.y + p), mass = load<D>(P.mass + p);
+      const auto w = Kernel::template weights<D>(locating.inside(x, y));
+      moving.move(locating, tile, k, sub, mass, x, y, taking.take(p, mass, w, squares));
+    }
+    store<D>(squares, found.squares + sub), store<D>(moving.lifted, found.lifted + sub);
+    all_stay &= moving.all_stay;
+  }
+  return all_stay;
+}
 
 template <class D, class Kernel, bool affine, bool books>
-HWY_INLINE void accelerate_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
   const LaneNodes& N = work.N;
   const bool is_gas = work.body.law != LaneLaw::elastic;
-  locate<D, Kernel>(work, tile);
-  if (is_gas && !work.body.heats) {
-    Kernel::template gather_strain<D, true>(work.grid, {N.old_x + n, N.old_y + n, N.new_x + n, N.new_y + n}, tile);
-    heat_centred<D>(work, tile);
-  }
+  if (is_gas && !work.body.heats) heat<D, Kernel>(work, n, tile);
   if constexpr (books) {
-    Kernel::template gather_motion<D>(N.old_x + n, N.old_y + n, work.grid.nx, tile);
+    locate<D, Kernel>(work, tile);
+    gather_motion<D, Kernel>(N.old_x + n, N.old_y + n, work.grid.nx, tile);
     book_way_there<D>(work, tile);
-    Kernel::template gather_value<D>(N.squares + n, work.grid.nx, tile, tile.at_place);
+    gather_value<D, Kernel>(N.squares + n, work.grid.nx, tile, tile.at_place);
   }
-  if constexpr (affine)
-    Kernel::template gather_motion<D>(N.new_x + n, N.new_y + n, work.grid.nx, tile);
-  else
-    accelerate_by_increments<D, Kernel>(work, n, tile, found);
-  find_way<D, Kernel, affine>(work, n, tile);
-  const bool all_stay = move<D, Kernel, affine>(work, tile, found);
+  const bool all_stay = accelerate_and_move<D, Kernel, affine>(work, n, tile, found);
   if constexpr (books) book_way_back<D>(work, tile, found);
   if (is_gas) note_waves<D>(work, tile, found);
   if (affine && work.records) record_motion<D>(work, tile);
@@ -96,7 +145,7 @@ void accelerate_move_and_map(const LaneWork& work, LaneFindings& found) {
   Putting<D, Kernel, 5> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
-    accelerate_and_move<D, Kernel, affine, books>(work, n, tile, found);
+    accelerate_heat_and_move<D, Kernel, affine, books>(work, n, tile, found);
     momenta.begin(n);
     Kernel::template scatter_momenta<D, affine>(tile, momenta);
     if constexpr (books) {
@@ -106,16 +155,25 @@ void accelerate_move_and_map(const LaneWork& work, LaneFindings& found) {
   sweep(work, each, [&]() HWY_ATTR { momenta.close(); });
 }
 
-// Updated stress last: velocities (3.22), and their momenta back on the nodes (3.24).
+// Velocities mapped back first: velocities (3.22), and their momenta on the nodes again (3.24).
 
 template <class D, class Kernel, bool affine>
-HWY_INLINE void accelerate(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
-  if constexpr (affine) {
-    Kernel::template gather_motion<D>(work.N.new_x + n, work.N.new_y + n, work.grid.nx, tile);
-    record_motion<D>(work, tile);
-  } else {
-    accelerate_by_increments<D, Kernel>(work, n, tile, found);
+HWY_NOINLINE void accelerate(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  const LanePoints P = work.P;
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const Locating<D, Kernel> locating(work.grid, tile, sub);
+    const Taking<D, Kernel, affine, true> taking(work, n, sub);
+    V<D> squares = load<D>(found.squares + sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const std::size_t p = tile.slot[k] + sub;
+      const V<D> mass = load<D>(P.mass + p);
+      const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
+      const Taken<D> taken = taking.take(p, mass, Kernel::template weights<D>(at), squares);
+      leave_momenta<D, Kernel, affine>(tile, k, sub, mass, mass > hn::Zero(D()), at, taken.motion);
+    }
+    store<D>(squares, found.squares + sub);
   }
+  if (affine) record_motion<D>(work, tile);
 }
 
 template <class D, class Kernel, bool affine>
@@ -123,9 +181,7 @@ void accelerate_and_convect(const LaneWork& work, LaneFindings& found) {
   Putting<D, Kernel, 2> momenta(work.grid.nx);
   momenta.rows[row_of_x] = work.N.convected_x, momenta.rows[row_of_y] = work.N.convected_y;
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
-    locate<D, Kernel>(work, tile);
     accelerate<D, Kernel, affine>(work, n, tile, found);
-    leave_momenta<D, Kernel, affine>(work, tile);
     momenta.begin(n);
     Kernel::template scatter_momenta<D, affine>(tile, momenta);
   };
@@ -133,35 +189,47 @@ void accelerate_and_convect(const LaneWork& work, LaneFindings& found) {
 }
 
 // Strain rate at the old place (3.23), new place (3.21), stress, and the map to the new place's nodes (3.15), (3.16).
+// Where velocities were not mapped back (`last`), they are taken here, too (3.22).
 
-template <class D, class Kernel, bool affine, bool convects, class Law>
-HWY_INLINE void strain_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
-  const LaneNodes& N = work.N;
-  locate<D, Kernel>(work, tile);
-  if constexpr (convects) {
-    Kernel::template gather_strain<D, false>(work.grid, {N.old_x + n, N.old_y + n}, tile);
-    recall_motion<D, affine>(work, tile);
-  } else {
-    Kernel::template gather_strain<D, false>(work.grid, {N.new_x + n, N.new_y + n}, tile);
-    accelerate<D, Kernel, affine>(work, n, tile, found);
+/// Returns whether all points stay in their cells.
+template <class D, class Kernel, bool affine, bool last, class Law>
+HWY_NOINLINE bool strain_move_and_stress(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
+  const LanePoints P = work.P;
+  const LaneNodes N = work.N;
+  const Field field = last ? Field{N.new_x + n, N.new_y + n} : Field{N.old_x + n, N.old_y + n};
+  bool all_stay = true;
+  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+    const Locating<D, Kernel> locating(work.grid, tile, sub);
+    const typename Kernel::template Strain<D, false> strain(work.grid, field, sub);
+    const Taking<D, Kernel, affine, last> taking(work, n, sub);
+    const Law law(work, n, sub);
+    Moving<D, Kernel, affine> moving(work, found, sub);
+    V<D> squares = load<D>(found.squares + sub);
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const std::size_t p = tile.slot[k] + sub;
+      const V<D> x = load<D>(P.x + p), y = load<D>(P.y + p), mass = load<D>(P.mass + p);
+      const auto w = Kernel::template weights<D>(locating.inside(x, y));
+      moving.move(locating, tile, k, sub, mass, x, y, taking.take(p, mass, w, squares));
+      law.stress(tile, k, sub, w, strain.at(w), found);
+    }
+    store<D>(squares, found.squares + sub), store<D>(moving.lifted, found.lifted + sub);
+    all_stay &= moving.all_stay;
   }
-  find_at_nodes<D, Kernel, Law>(work, n, tile);
-  find_way<D, Kernel, affine>(work, n, tile);
-  const bool all_stay = move<D, Kernel, affine>(work, tile, found);
-  stress<D, Kernel, Law>(work, tile, found);
-  if constexpr (Law::is_gas) note_waves<D>(work, tile, found);
-  if constexpr (Law::is_gas) record_stress<D>(work, tile);
-  if (!all_stay) take_out<false>(work, tile, found);
+  return all_stay;
 }
 
-template <class D, class Kernel, bool affine, bool convects, class Law>
+template <class D, class Kernel, bool affine, bool last, class Law>
 void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
   Putting<D, Kernel, 5> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   Putting<D, Kernel, 2> forces(work.grid.nx);
   forces.rows[0] = work.N.force_x, forces.rows[1] = work.N.force_y;
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
-    strain_and_move<D, Kernel, affine, convects, Law>(work, n, tile, found);
+    const bool all_stay = strain_move_and_stress<D, Kernel, affine, last, Law>(work, n, tile, found);
+    if constexpr (Law::is_gas) note_waves<D>(work, tile, found);
+    if constexpr (Law::is_gas) record_stress<D>(work, tile);
+    if constexpr (affine && last) record_motion<D>(work, tile);
+    if (!all_stay) take_out<false>(work, tile, found);
     momenta.begin(n), forces.begin(n);
     Kernel::template scatter_momenta<D, affine>(tile, momenta);
     Kernel::template scatter_forces<D>(tile, forces);
@@ -171,17 +239,19 @@ void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
 
 template <class D, class Kernel, bool affine>
 LanePasses passes_of(StressOrder order) {
+  using Solid = Elastic<D, Kernel>;
+  using GasOfNodes = Gas<D, Kernel, true>;
+  using GasOfContinuity = Gas<D, Kernel, false>;
   if (order == StressOrder::musl)
     return {.accelerate_and_convect = accelerate_and_convect<D, Kernel, affine>,
-            .strain_move_and_map = {strain_move_and_map<D, Kernel, affine, true, Elastic<D>>, nullptr,
-                                    strain_move_and_map<D, Kernel, affine, true, Gas<D, false>>}};
+            .strain_move_and_map = {strain_move_and_map<D, Kernel, affine, false, Solid>, nullptr,
+                                    strain_move_and_map<D, Kernel, affine, false, GasOfContinuity>}};
   if (order == StressOrder::usl)
-    return {.strain_move_and_map = {strain_move_and_map<D, Kernel, affine, false, Elastic<D>>, nullptr,
-                                    strain_move_and_map<D, Kernel, affine, false, Gas<D, false>>}};
-  LanePasses passes{
-      .strain_and_pull = {strain_and_pull<D, Kernel, Elastic<D>>, strain_and_pull<D, Kernel, Gas<D, true>>,
-                          strain_and_pull<D, Kernel, Gas<D, false>>},
-      .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, false>};
+    return {.strain_move_and_map = {strain_move_and_map<D, Kernel, affine, true, Solid>, nullptr,
+                                    strain_move_and_map<D, Kernel, affine, true, GasOfContinuity>}};
+  LanePasses passes{.strain_and_pull = {strain_and_pull<D, Kernel, Solid>, strain_and_pull<D, Kernel, GasOfNodes>,
+                                        strain_and_pull<D, Kernel, GasOfContinuity>},
+                    .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, false>};
   if constexpr (affine && Kernel::lines == Spline::lines)  // the ledger asks for them
     passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, true>;
   return passes;

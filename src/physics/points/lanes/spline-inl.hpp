@@ -22,19 +22,9 @@ namespace spline {
 
 template <class D>
 struct Weights {
-  V<D> a, b, c, d;
+  V<D> r, s, a, b, c, d;
   V<D> w0, w2, e0, e1, e2;  // twice the weights of the nodes at the sides, along x and along y; e1 that of the middle
 };
-
-template <class D>
-HWY_INLINE Weights<D> weights(V<D> r, V<D> s) {
-  const V<D> half = all<D>(0.5);
-  Weights<D> w;
-  w.a = half - r, w.b = half + r, w.c = half - s, w.d = half + s;
-  w.w0 = w.a * w.a, w.w2 = w.b * w.b, w.e0 = w.c * w.c, w.e2 = w.d * w.d;
-  w.e1 = (all<D>(2) - w.e0) - w.e2;
-  return w;
-}
 
 /// Differences along x of a field at nine nodes, and twice its middle ones.
 template <class D>
@@ -70,10 +60,10 @@ HWY_INLINE void twice_gradient(const Differences<D>& n, const Weights<D>& w, V<D
 
 /// sum N_i q_i of a number at the nodes, whose row begins with the group's first one.
 template <class D>
-struct ValueOf {
+struct Value {
   V<D> n[9];
 
-  HWY_INLINE ValueOf(const double* row, std::ptrdiff_t nx, std::size_t sub) {
+  HWY_INLINE Value(const double* row, std::ptrdiff_t nx, std::size_t sub) {
 #pragma GCC unroll 9
     for (int i = 0; i < 9; ++i) n[i] = load<D>(row + static_cast<std::ptrdiff_t>(sub) + (i / 3 - 1) * nx + i % 3 - 1);
   }
@@ -87,7 +77,7 @@ struct ValueOf {
 
 /// Velocity and APIC's field about the point, by the difference that it makes from node to node.
 template <class D>
-HWY_INLINE void affine(const V<D>* n, const Weights<D>& w, V<D> r, V<D> s, V<D>& v, V<D>& by_x, V<D>& by_y) {
+HWY_INLINE void affine(const V<D>* n, const Weights<D>& w, V<D>& v, V<D>& by_x, V<D>& by_y) {
   const V<D> half = all<D>(0.5), four = all<D>(4);
   const V<D> x0 = half * w.w0, x2 = half * w.w2, x1 = (all<D>(1) - x0) - x2;
   V<D> mean[3], across[3];
@@ -98,9 +88,45 @@ HWY_INLINE void affine(const V<D>* n, const Weights<D>& w, V<D> r, V<D> s, V<D>&
     mean[l] = y[l] * ((low + high) + x1 * n[3 * l + 1]), across[l] = y[l] * (high - low);
   }
   v = (mean[0] + mean[1]) + mean[2];
-  by_x = four * (((across[0] + across[1]) + across[2]) - r * v);
-  by_y = four * ((mean[2] - mean[0]) - s * v);
+  by_x = four * (((across[0] + across[1]) + across[2]) - w.r * v);
+  by_y = four * ((mean[2] - mean[0]) - w.s * v);
 }
+
+/// Strain rates of a field.
+template <class D, bool mean>
+class Strain {
+ public:
+  HWY_INLINE Strain(const LaneGrid& grid, const Field& field, std::size_t sub)
+      : x_(differences<D, mean>(field.x + sub, field.other_x + sub, grid.nx)),
+        y_(differences<D, mean>(field.y + sub, field.other_y + sub, grid.nx)),
+        per_x_(all<D>(0.5 * grid.per_dx)),
+        per_y_(all<D>(0.5 * grid.per_dy)) {}
+  HWY_INLINE Rates<D> at(const Weights<D>& w) const {
+    V<D> xx, xy, yx, yy;
+    twice_gradient<D>(x_, w, xx, xy), twice_gradient<D>(y_, w, yx, yy);
+    return {per_x_ * xx, per_y_ * yy, per_y_ * xy + per_x_ * yx};
+  }
+
+ private:
+  Differences<D> x_, y_;
+  V<D> per_x_, per_y_;
+};
+
+/// Velocities and the fields about points.
+template <class D>
+class Fields {
+ public:
+  HWY_INLINE Fields(const double* row_x, const double* row_y, std::ptrdiff_t nx, std::size_t sub)
+      : x_(row_x, nx, sub), y_(row_y, nx, sub) {}
+  HWY_INLINE Motion<D> at(const Weights<D>& w) const {
+    Motion<D> of;
+    affine<D>(x_.n, w, of.vx, of.gxx, of.gxy), affine<D>(y_.n, w, of.vy, of.gyx, of.gyy);
+    return of;
+  }
+
+ private:
+  Value<D> x_, y_;
+};
 
 /// Forces of stresses on the nodes around. One component: t belongs to slopes along x, u along y.
 template <class D>
@@ -135,50 +161,24 @@ struct Spline {
     return r;
   }
 
-  /// Strain rates of a field.
+  template <class D>
+  using Weights = spline::Weights<D>;
+  template <class D>
+  using Value = spline::Value<D>;
   template <class D, bool mean>
-  static HWY_NOINLINE void gather_strain(const LaneGrid& grid, const Field& field, Tile& tile) {
-    const V<D> per_x = all<D>(0.5 * grid.per_dx), per_y = all<D>(0.5 * grid.per_dy);
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const auto nx = spline::differences<D, mean>(field.x + sub, field.other_x + sub, grid.nx),
-                 ny = spline::differences<D, mean>(field.y + sub, field.other_y + sub, grid.nx);
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const auto w = spline::weights<D>(load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub));
-        V<D> xx, xy, yx, yy;
-        spline::twice_gradient<D>(nx, w, xx, xy), spline::twice_gradient<D>(ny, w, yx, yy);
-        store<D>(per_x * xx, tile.xx[k] + sub), store<D>(per_y * yy, tile.yy[k] + sub);
-        store<D>(per_y * xy + per_x * yx, tile.xy[k] + sub);
-      }
-    }
-  }
-
-  /// A number of the nodes at the points.
+  using Strain = spline::Strain<D, mean>;
   template <class D>
-  static HWY_NOINLINE void gather_value(const double* row, std::ptrdiff_t nx, const Tile& tile, TileRows& values) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const spline::ValueOf<D> value(row, nx, sub);
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const auto w = spline::weights<D>(load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub));
-        store<D>(value.at(w), values[k] + sub);
-      }
-    }
-  }
+  using Fields = spline::Fields<D>;
 
-  /// Velocities of the points and the fields about them.
   template <class D>
-  static HWY_NOINLINE void gather_motion(const double* row_x, const double* row_y, std::ptrdiff_t nx, Tile& tile) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      const spline::ValueOf<D> x(row_x, nx, sub), y(row_y, nx, sub);
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub);
-        const auto w = spline::weights<D>(r, s);
-        V<D> v, by_x, by_y;
-        spline::affine<D>(x.n, w, r, s, v, by_x, by_y);
-        store<D>(v, tile.vx[k] + sub), store<D>(by_x, tile.gxx[k] + sub), store<D>(by_y, tile.gxy[k] + sub);
-        spline::affine<D>(y.n, w, r, s, v, by_x, by_y);
-        store<D>(v, tile.vy[k] + sub), store<D>(by_x, tile.gyx[k] + sub), store<D>(by_y, tile.gyy[k] + sub);
-      }
-    }
+  static HWY_INLINE Weights<D> weights(Places<D> at) {
+    const V<D> half = all<D>(0.5);
+    Weights<D> w;
+    w.r = at.r, w.s = at.s;
+    w.a = half - at.r, w.b = half + at.r, w.c = half - at.s, w.d = half + at.s;
+    w.w0 = w.a * w.a, w.w2 = w.b * w.b, w.e0 = w.c * w.c, w.e2 = w.d * w.d;
+    w.e1 = (all<D>(2) - w.e0) - w.e2;
+    return w;
   }
 
   /// Mass by the weights along x.
@@ -233,7 +233,7 @@ struct Spline {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
       V<D> S[9] = {zero, zero, zero, zero, zero, zero, zero, zero, zero};
       for (std::size_t k = 0; k < tile.layers; ++k) {
-        const auto w = spline::weights<D>(load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub));
+        const auto w = weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
         const V<D> value = quarter * load<D>(values[k] + sub), w1 = (two - w.w0) - w.w2;
         const V<D> low = w.e0 * value, middle = w.e1 * value, high = w.e2 * value;
         S[0] += w.w0 * low, S[1] += w1 * low, S[2] += w.w2 * low;
@@ -251,7 +251,7 @@ struct Spline {
 #pragma GCC unroll 8
       for (int i = 0; i < 8; ++i) F[i] = G[i] = hn::Zero(D());
       for (std::size_t k = 0; k < tile.layers; ++k) {
-        const auto w = spline::weights<D>(load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub));
+        const auto w = weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
         spline::pull<D>(F, w, load<D>(tile.xx_by_x[k] + sub), load<D>(tile.xy_by_y[k] + sub));
         spline::pull<D>(G, w, load<D>(tile.xy_by_x[k] + sub), load<D>(tile.yy_by_y[k] + sub));
       }

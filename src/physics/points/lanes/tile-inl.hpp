@@ -24,16 +24,14 @@ constexpr std::size_t most_layers = 12;
 using TileRows = double[most_layers][lanes];
 
 struct alignas(64) Tile {
-  TileRows r, s;                                // place in the cell, from its kernel's first to last [cells]
-  TileRows xx, yy, xy;                          // strain rate, the shear twice: d v_x / d y + d v_y / d x [1/time]
-  TileRows xx_by_x, xy_by_x, xy_by_y, yy_by_y;  // -V sigma over a cell's side, by splines over two [force]
-  TileRows m0, m1, m2;                          // mass by the weights along x; 0 of slots that no point stays in
+  TileRows r, s;                                // place in the cell, from its kernel's lowest to highest [cells]
+  TileRows m;                                   // mass of points that stay in their cells
+  TileRows m0, m1, m2;                          // the same by the weights along x
   TileRows vx, vy;                              // velocity
   TileRows middle_x, middle_y;                  // and that at the cell's own node
   TileRows gxx, gyx, gxy, gyy;                  // the field about the point, a difference from node to node [velocity]
-  TileRows ux, uy;                              // what the point moves with
-  TileRows m;                                   // mass of points that stay in their cells
-  TileRows rho, at_place;                       // numbers of the nodes, at the points
+  TileRows xx_by_x, xy_by_x, xy_by_y, yy_by_y;  // -V sigma over a cell's side, by splines over two [force]
+  TileRows at_place;                            // a number of the nodes, at the points
   TileRows lost;                                // of the ledger, per mass [velocity^2], then [energy]
   std::size_t slot[most_layers];                // of lane 0
   std::size_t layers;
@@ -107,7 +105,7 @@ struct Places {
 };
 
 /// Finds places in a tile's cells.
-template <class D>
+template <class D, class Kernel>
 class Locating {
  public:
   HWY_INLINE Locating(const LaneGrid& grid, const Tile& tile, std::size_t sub)
@@ -117,27 +115,34 @@ class Locating {
         per_dy_(all<D>(grid.per_dy)),
         cell_(counting<D>(tile.x0 + static_cast<double>(sub))),
         row_(all<D>(tile.y0)) {}
-  HWY_INLINE Places<D> operator()(V<D> x, V<D> y) const {
+  HWY_INLINE Places<D> anywhere(V<D> x, V<D> y) const {
     return {(x - x0_) * per_dx_ - cell_, (y - y0_) * per_dy_ - row_};
+  }
+  HWY_INLINE Places<D> inside(V<D> x, V<D> y) const {
+    const Places<D> at = anywhere(x, y);
+    return {Kernel::template inside<D>(at.r), Kernel::template inside<D>(at.s)};
   }
 
  private:
   V<D> x0_, y0_, per_dx_, per_dy_, cell_, row_;
 };
 
-/// Places of a tile's points into it.
-template <class D, class Kernel>
-HWY_NOINLINE void locate(const LaneWork& work, Tile& tile) {
-  const LanePoints P = work.P;
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    const Locating<D> locate(work.grid, tile, sub);
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const std::size_t p = tile.slot[k] + sub;
-      const Places<D> at = locate(load<D>(P.x + p), load<D>(P.y + p));
-      store<D>(Kernel::template inside<D>(at.r), tile.r[k] + sub);
-      store<D>(Kernel::template inside<D>(at.s), tile.s[k] + sub);
-    }
-  }
+/// Strain rate of points, the shear twice: d v_x / d y + d v_y / d x [1/time].
+template <class D>
+struct Rates {
+  V<D> xx, yy, xy;
+};
+
+/// Velocities of points and the fields about them, these by the difference that they make from node to node.
+template <class D>
+struct Motion {
+  V<D> vx, vy, gxx, gyx, gxy, gyy;
+};
+template <class D>
+HWY_INLINE void store_motion(const Motion<D>& of, Tile& tile, std::size_t k, std::size_t sub) {
+  store<D>(of.vx, tile.vx[k] + sub), store<D>(of.vy, tile.vy[k] + sub);
+  store<D>(of.gxx, tile.gxx[k] + sub), store<D>(of.gyx, tile.gyx[k] + sub);
+  store<D>(of.gxy, tile.gxy[k] + sub), store<D>(of.gyy, tile.gyy[k] + sub);
 }
 
 /// Velocities at the nodes, from the group's first one on: of one field, or the mean of two.
