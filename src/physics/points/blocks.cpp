@@ -22,7 +22,7 @@ Blocks::Blocks(int cells_x, int cells_y, double middle)
       group_(groups_x_ * static_cast<std::size_t>(cells_y), none) {}
 
 std::vector<std::size_t> Blocks::lay_out(const std::vector<Cell>& points) {
-  groups_.clear(), next_.clear();
+  groups_.clear(), next_.clear(), free_.clear();
   capacity_ = std::numeric_limits<std::size_t>::max(), full_ = false;
   std::fill(group_.begin(), group_.end(), none);
   std::vector<std::size_t> slots;
@@ -52,18 +52,32 @@ Blocks::Group& Blocks::group_of(Cell cell) {
 }
 
 std::uint32_t Blocks::add_block(Group& group) {
-  if (next_.size() == capacity_) {
+  auto block = static_cast<std::uint32_t>(next_.size());
+  if (!free_.empty()) {
+    block = free_.back(), free_.pop_back();
+  } else if (next_.size() == capacity_) {
     full_ = true;
     return none;
+  } else {
+    next_.push_back(none);
   }
-  const auto block = static_cast<std::uint32_t>(next_.size());
-  next_.push_back(none);
   if (group.last == none)
     group.first = block;
   else
     next_[group.last] = block;
   group.last = block;
   return block;
+}
+
+void Blocks::drop_last(Group& group) {
+  free_.push_back(group.last);
+  if (group.first == group.last) {
+    group.first = group.last = none, unsettled_ = true;
+    return;
+  }
+  std::uint32_t before = group.first;
+  while (next_[before] != group.last) before = next_[before];
+  next_[before] = none, group.last = before;
 }
 
 void Blocks::settle() {
@@ -94,11 +108,12 @@ void Blocks::make_strips() {
 
 std::vector<int> Blocks::memory() const {
   std::vector<int> memory{static_cast<int>(groups_.size()), static_cast<int>(next_.size()), static_cast<int>(laid_out_),
-                          static_cast<int>(capacity_)};
+                          static_cast<int>(capacity_), static_cast<int>(free_.size())};
   for (const Group& group : groups_) {
     memory.insert(memory.end(), {group.row, group.cell, static_cast<int>(group.first), static_cast<int>(group.last)});
   }
   for (const std::uint32_t next : next_) memory.push_back(static_cast<int>(next));
+  for (const std::uint32_t block : free_) memory.push_back(static_cast<int>(block));
   return memory;
 }
 
@@ -107,11 +122,13 @@ void Blocks::remember(const std::vector<int>& memory) {
   const auto number = [&] { return *from++; };
   groups_.resize(static_cast<std::size_t>(number())), next_.resize(static_cast<std::size_t>(number()));
   laid_out_ = static_cast<std::size_t>(number()), capacity_ = static_cast<std::size_t>(number());
+  free_.resize(static_cast<std::size_t>(number()));
   for (Group& group : groups_) {
     group.row = number(), group.cell = number();
     group.first = static_cast<std::uint32_t>(number()), group.last = static_cast<std::uint32_t>(number());
   }
   for (std::uint32_t& next : next_) next = static_cast<std::uint32_t>(number());
+  for (std::uint32_t& block : free_) block = static_cast<std::uint32_t>(number());
   std::fill(group_.begin(), group_.end(), none);
   full_ = false;
   make_strips();

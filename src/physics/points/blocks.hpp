@@ -46,27 +46,59 @@ class Blocks {
   /// from the body's first one.
   std::vector<std::size_t> lay_out(const std::vector<Cell>& points);
 
-  /// A free slot of a cell, counted from the body's first one, or `no_slot` where there is no room any more; a new
-  /// block's slots stand empty.
+  /// A slot, counted from the body's first one, and whether its block is one that the group did not have before.
+  struct Found {
+    std::size_t slot;
+    bool new_block;
+  };
+  /// A free slot of a cell, `no_slot` where there is no room any more.
   template <class IsFree>
-  std::size_t find_free(Cell cell, const IsFree& is_free) {
+  Found find_free(Cell cell, const IsFree& is_free) {
     const std::size_t lane = static_cast<std::size_t>(cell.cell) % lanes;
     Group& group = group_of(cell);
     for (std::uint32_t block = group.first; block != none; block = next_[block]) {
       const std::size_t slot = block * lanes + lane;
-      if (is_free(slot)) return slot;
+      if (is_free(slot)) return {slot, false};
     }
     const std::uint32_t block = add_block(group);
-    return block == none ? no_slot : block * lanes + lane;
+    return {block == none ? no_slot : block * lanes + lane, true};
   }
   static constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
+  /// A cell's first free slot with a point in a later one, and the last such point's.
+  struct Gap {
+    std::size_t free = no_slot, last = no_slot;
+    bool is_there() const { return last != no_slot; }
+  };
+  template <class IsFree>
+  Gap gap(Cell cell, const IsFree& is_free) {
+    Gap gap;
+    for (std::uint32_t block = group_of(cell).first; block != none; block = next_[block]) {
+      const std::size_t slot = block * lanes + static_cast<std::size_t>(cell.cell) % lanes;
+      const bool free = is_free(slot);
+      if (free && gap.free == no_slot) gap.free = slot;
+      if (!free && gap.free != no_slot) gap.last = slot;
+    }
+    return gap;
+  }
+  /// Takes blocks without points from the end of a cell's group.
+  template <class IsFree>
+  void drop_empty(Cell cell, const IsFree& is_free) {
+    Group& group = group_of(cell);
+    const auto is_empty = [&](std::uint32_t block) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (!is_free(block * lanes + lane)) return false;
+      }
+      return true;
+    };
+    while (group.last != none && is_empty(group.last)) drop_last(group);
+  }
   /// Puts groups that came in since into the order of the sweep.
   void settle();
 
   /// So many blocks were added since the layout that points should be laid out anew.
-  bool scattered() const { return full_ || 12 * (next_.size() - laid_out_) > laid_out_ + 96; }
+  bool scattered() const { return full_ || 12 * (next_.size() - free_.size()) > 13 * laid_out_ + 96; }
 
-  // What a checkpoint has of them: rows, cells, first and last blocks of groups, and the chains.
+  // What a checkpoint has of them: rows, cells, first and last blocks of groups, the chains, and free blocks.
   std::vector<int> memory() const;
   void remember(const std::vector<int>& memory);
 
@@ -74,6 +106,7 @@ class Blocks {
   Group& group_of(Cell cell);
   void make_strips();
   std::uint32_t add_block(Group& group);
+  void drop_last(Group& group);
   std::size_t index(int row, int cell) const {
     return static_cast<std::size_t>(row) * groups_x_ + static_cast<std::size_t>(cell) / lanes;
   }
@@ -83,6 +116,7 @@ class Blocks {
   std::vector<Group> groups_;
   std::vector<Strip> strips_;
   std::vector<std::uint32_t> next_;   // of each block
+  std::vector<std::uint32_t> free_;   // blocks that no group has
   std::vector<std::uint32_t> group_;  // of eight cells: its number, none where it holds no point
   std::size_t laid_out_ = 0, capacity_ = 0;
   bool full_ = false, unsettled_ = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 
 #include "grid/kernels.hpp"
 #include "loops/points.hpp"
@@ -159,7 +160,7 @@ Movers::Movers(State& state, std::size_t body) : state_(state), body_(body) {
 
 void Movers::take(std::size_t slot, Blocks::Cell left, Blocks::Cell entered) {
   Points& P = state_.points;
-  movers_.push_back({P.id[slot], P.pinned[slot], entered});
+  movers_.push_back({P.id[slot], P.pinned[slot], left, entered});
   for (double* array : arrays_) numbers_.push_back(array[slot]), array[slot] = 0;
   P.id[slot] = -1, P.pinned[slot] = 0;
   stand_in_the_middle(state_, *state_.blocks[body_], slot, left);
@@ -186,14 +187,31 @@ void Movers::settle() {
     while (state_.points.holds(slot)) ++slot;
     put(k, slot);
   }
+  for (const Mover& mover : movers_) close_ranks(mover.left);
   state_.blocks[body_]->settle();
+}
+
+/// Points that were left move up, so that the group needs no more blocks than its fullest cell.
+void Movers::close_ranks(Blocks::Cell cell) {
+  Points& P = state_.points;
+  Blocks& blocks = *state_.blocks[body_];
+  const std::size_t first = state_.ranges[body_].begin;
+  const auto is_free = [&](std::size_t slot) { return !P.holds(first + slot); };
+  for (auto gap = blocks.gap(cell, is_free); gap.is_there(); gap = blocks.gap(cell, is_free)) {
+    const std::size_t from = first + gap.last, to = first + gap.free;
+    for (double* array : arrays_) array[to] = std::exchange(array[from], 0);
+    P.id[to] = std::exchange(P.id[from], -1), P.pinned[to] = std::exchange(P.pinned[from], std::uint8_t{0});
+    stand_in_the_middle(state_, blocks, from, cell);
+  }
+  blocks.drop_empty(cell, is_free);
 }
 
 std::size_t Movers::find_slot(Blocks::Cell cell) {
   Blocks& blocks = *state_.blocks[body_];
-  const std::size_t first = state_.ranges[body_].begin, before = blocks.blocks();
-  const std::size_t slot = blocks.find_free(cell, [&](std::size_t free) { return !state_.points.holds(first + free); });
-  if (blocks.blocks() > before) {
+  const std::size_t first = state_.ranges[body_].begin;
+  const auto [slot, new_block] =
+      blocks.find_free(cell, [&](std::size_t free) { return !state_.points.holds(first + free); });
+  if (new_block && slot != Blocks::no_slot) {
     const int lane = cell.cell % static_cast<int>(Blocks::lanes);
     empty_block(state_, blocks, first + slot - static_cast<std::size_t>(lane), {cell.row, cell.cell - lane});
   }

@@ -34,9 +34,10 @@ class Movers {
   struct Mover {
     int id;
     std::uint8_t pinned;
-    Blocks::Cell entered;
+    Blocks::Cell left, entered;
   };
   std::size_t find_slot(Blocks::Cell cell);
+  void close_ranks(Blocks::Cell cell);
   void put(std::size_t mover, std::size_t slot);
 
   State& state_;

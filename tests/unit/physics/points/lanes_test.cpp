@@ -100,11 +100,6 @@ const LaneScene lane_scenes[] = {
      }},
 };
 
-const LaneScene& lane_scene(std::string_view name) {
-  return *std::find_if(std::begin(lane_scenes), std::end(lane_scenes),
-                       [&](const LaneScene& scene) { return scene.name == name; });
-}
-
 /// A run of some steps with the walls given, with records at some of them alone.
 class LaneRun {
  public:
@@ -219,20 +214,37 @@ TEST_P(Lanes, FindWhatPointsFindOneByOne) {
   EXPECT_NEAR(lanes.state().heat_given, alone.state().heat_given, 1e-12 * energy);
 }
 
-// A hot gas runs into cells where no block is, until there is room for no more: then all are laid out anew.
-TEST(LaneLayout, IsMadeAnewWhereBlocksRunOut) {
-  LaneRun run(lane_scene("HotGas"), Wall::free_slip, {});
-  run.steps(150);
-  EXPECT_GT(run.layouts(), 0);
-  LaneRun alone(lane_scene("HotGas"), Wall::free_slip, {InstructionSet::one, false});
-  alone.steps(150);
-  const auto a = run.field(&Points::x), b = alone.field(&Points::x);
-  for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11);
+// A point that comes into cells where no block is stands anywhere when there is no room for a block, until all are laid
+// out anew.
+TEST(LaneLayout, KeepsPointsThatFindNoRoom) {
+  LaneRun run(LaneScene{"Gas", [](Scene& s) { add_body(s, robust_gas(), lattice(0.1, -1, 1, -1, 1), 1.3, 4.0); }},
+              Wall::free_slip, {});
+  run.steps(3);
+  State state = run.state();
+  Blocks& blocks = *state.blocks[0];
+  while (blocks.find_free({0, 0}, [](std::size_t) { return false; }).slot != Blocks::no_slot) continue;
+  const std::size_t p = state.ranges[0].begin + blocks.groups()[0].first * Blocks::lanes + 7;
+  const double x = state.points.x[p];
+  const int id = state.points.id[p];
+  ASSERT_GE(id, 0);
+  Movers movers(state, 0);
+  movers.take(p, {blocks.groups()[0].row, blocks.groups()[0].cell + 7}, {1, 1}), movers.settle();
+  EXPECT_TRUE(blocks.scattered());
+  lay_out(state, run.scene());
+  EXPECT_FALSE(state.blocks[0]->scattered());
+  std::vector<double> places(state.point_count());
+  for_points(state.points, {0, state.points.size()},
+             [&](std::size_t slot) { places[static_cast<std::size_t>(state.points.id[slot])] = state.points.x[slot]; });
+  EXPECT_EQ(places, run.field(&Points::x));
+  EXPECT_EQ(places[static_cast<std::size_t>(id)], x);
 }
 
 /// Every point stands in a lane of its cell, and every slot without one is empty.
 TEST(LaneLayout, PutsPointsIntoTheirCells) {
-  LaneRun run(lane_scene("ScatteredSolid"), Wall::open, {});
+  const LaneScene solid{"Solid", [](Scene& s) {
+                          add_body(s, plane_stress(3, 0.2), scattered(lattice(0.08, -1.2, 1.4, -1, 1.2), 0.08), 1.3);
+                        }};
+  LaneRun run(solid, Wall::open, {});
   run.steps(40);
   const State& state = run.state();
   const Blocks& blocks = *state.blocks[0];
@@ -255,39 +267,6 @@ TEST(LaneLayout, PutsPointsIntoTheirCells) {
     }
   }
   EXPECT_EQ(found, state.point_count());
-}
-
-TEST(Blocks, AChainPerGroupOfCellsAndASlotPerPoint) {
-  Blocks blocks(20, 5);
-  // Two points in cell 3, one in cell 7 of row 1; three in cell 8 of row 1; one in cell 0 of row 4.
-  const auto slots = blocks.lay_out({{1, 3}, {1, 3}, {1, 7}, {1, 8}, {1, 8}, {1, 8}, {4, 0}});
-  EXPECT_EQ(slots, (std::vector<std::size_t>{3, 11, 7, 16, 24, 32, 40}));
-  ASSERT_EQ(blocks.groups().size(), 3U);
-  EXPECT_EQ(blocks.blocks(), 6U);
-  EXPECT_FALSE(blocks.scattered());
-  const auto none_is_free = [](std::size_t) { return false; };
-  EXPECT_EQ(blocks.find_free({1, 3}, none_is_free), 6 * 8 + 3U);
-  EXPECT_EQ(blocks.find_free({2, 19}, none_is_free), 7 * 8 + 3U);
-  EXPECT_EQ(blocks.find_free({1, 4}, [](std::size_t slot) { return slot == 12; }), 12U);
-  blocks.settle();
-  ASSERT_EQ(blocks.groups().size(), 4U);
-  EXPECT_EQ(blocks.groups()[2].row, 2);
-  EXPECT_EQ(blocks.groups()[2].cell, 16);
-  while (blocks.find_free({3, 1}, none_is_free) != Blocks::no_slot) continue;
-  EXPECT_EQ(blocks.blocks(), blocks.capacity());
-  EXPECT_TRUE(blocks.scattered());
-}
-
-TEST(Blocks, ComeBackFromMemory) {
-  Blocks blocks(20, 40), other(20, 40);
-  blocks.lay_out({{1, 3}, {1, 3}, {17, 7}, {33, 8}});
-  blocks.find_free({20, 1}, [](std::size_t) { return false; }), blocks.settle();
-  other.remember(blocks.memory());
-  EXPECT_EQ(other.memory(), blocks.memory());
-  ASSERT_EQ(other.strips().size(), blocks.strips().size());
-  EXPECT_EQ(other.strips().size(), 3U);  // rows 0 to 15 and 32 to 47 first, then those between
-  EXPECT_EQ(other.strips()[1].begin, blocks.strips()[1].begin);
-  EXPECT_EQ(blocks.groups()[other.strips()[1].begin].row, 33);
 }
 
 }  // namespace
