@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
+#include "physics/points/body_motion.hpp"
 #include "physics/points/derived.hpp"
 #include "physics/points/steps.hpp"
 
@@ -18,40 +18,6 @@ using D = Dimension;
 
 /// Of a point that has left the grid.
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
-
-/// Of a body. Under APIC a point also carries the field about it: D = h^2/4 an axis of C's squares, and of its spin.
-struct Motion {
-  Pair D{};
-  double mass = 0, mx = 0, my = 0, px = 0, py = 0, angular = 0, kinetic = 0;
-
-  void add(const Points& P, std::size_t p) {
-    const double m = P.mass[p];
-    mass += m, mx += m * P.x[p], my += m * P.y[p];
-    px += m * P.vx[p], py += m * P.vy[p];
-    angular += m * (P.x[p] * P.vy[p] - P.y[p] * P.vx[p]);
-    kinetic += 0.5 * m * (P.vx[p] * P.vx[p] + P.vy[p] * P.vy[p]);
-    if (!P.vxx.empty()) add_field(P, p);
-  }
-  void add_field(const Points& P, std::size_t p) {
-    const double m = P.mass[p];
-    angular += m * (D[0] * P.vyx[p] - D[1] * P.vxy[p]);
-    kinetic +=
-        0.5 * m *
-        (D[0] * (P.vxx[p] * P.vxx[p] + P.vyx[p] * P.vyx[p]) + D[1] * (P.vxy[p] * P.vxy[p] + P.vyy[p] * P.vyy[p]));
-  }
-  void add(const Motion& other) {
-    mass += other.mass, mx += other.mx, my += other.my, px += other.px, py += other.py;
-    angular += other.angular, kinetic += other.kinetic;
-  }
-  BodySums sums() const { return {mass, {mx / mass, my / mass}, {px / mass, py / mass}}; }
-};
-
-/// Sums over a body in the order of its points' numbers, so that constant sums stay constant to the last bit.
-Motion motion_of(std::span<const std::size_t> body, const Points& P, Pair offset) {
-  Motion motion{offset};
-  for (const std::size_t p : body) motion.add(P, p);
-  return motion;
-}
 
 /// Slots of the tracked points; past the last slot for one that has left the grid.
 std::vector<std::size_t> tracked_slots(const State& state, const Scene& scene, const Order& order) {
@@ -161,9 +127,9 @@ PointSums sums_of(const State& state, const Scene& scene) {
   PointSums s{{}, state, scene, order, stored_energy(scene, state, order)};
   const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
   const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
-  Motion all;
+  BodyMotion all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Motion body = motion_of(order.of(b), P, D);
+    const BodyMotion body = motion_of(order.of(b), P, D);
     s.bodies.push_back(body.sums());
     if (state.blocks[b] && scene.method.transfer == Transfer::apic) s.carried += body.kinetic;
     all.add(body);
