@@ -81,7 +81,7 @@ struct Locator {
   static constexpr double edge = 1e-12;
 
   /// The place must lie inside the grid. A place on the right or top edge belongs to the last cell.
-  CellPlace locate(double x, double y) const {
+  [[gnu::always_inline]] inline CellPlace locate(double x, double y) const {
     const double a = (x - x0) * per_dx, b = (y - y0) * per_dy;
     const int i = std::min(static_cast<int>(a), last_i), j = std::min(static_cast<int>(b), last_j);
     return {i, j, inside(a - i), inside(b - j)};

@@ -46,7 +46,7 @@ inline LinearField field_about(const Points& P, std::size_t p) {
 
 /// Calls add(node, N m, N m v) for each of the point's nodes, v with APIC's field about the point.
 template <class S, class Add>
-inline void each_momentum(const Points& P, std::size_t p, const Locator& locator, const typename S::Kernel::Place& at,
+[[gnu::always_inline]] inline void each_momentum(const Points& P, std::size_t p, const Locator& locator, const typename S::Kernel::Place& at,
                           const typename S::Kernel::Nodes& nodes, const Add& add) {
   const double mass = P.mass[p];
   if constexpr (S::affine) {
@@ -97,7 +97,7 @@ inline void map_gas_momentum_and_loss(const Points& P, std::size_t p, double los
 /// Calls add(node, force) with the internal force of the point on each of its nodes, -V_p sigma_p G_ip (3.16), about an
 /// axis also -sigma_theta V_p N_i / r_p in r.
 template <class S, class Add>
-inline void each_force(const Points& P, std::size_t p, double volume, const Locator& locator,
+[[gnu::always_inline]] inline void each_force(const Points& P, std::size_t p, double volume, const Locator& locator,
                        const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes, const Add& add) {
   const double xy = volume * P.sxy[p];
   S::Kernel::minus_divergence(locator, at, nodes, pair(volume * P.sxx[p], xy), pair(xy, volume * P.syy[p]), add);

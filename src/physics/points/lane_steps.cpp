@@ -69,7 +69,8 @@ LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
           .blocks = &*state.blocks[b],
           .body = lane_body(work.scene.bodies[b].material, pass.step),
           .dt = pass.step.dt,
-          .records = work.records || state.keeps_ledger};
+          .records = work.records || state.keeps_ledger || state.contact.on(),
+          .reads_stress = state.contact.on() && work.scene.method.order == StressOrder::usf};
 }
 
 void join(StepFindings& found, const LaneFindings& lanes, std::size_t first) {

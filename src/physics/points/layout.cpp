@@ -108,7 +108,6 @@ bool runs_by_lanes(const Scene& scene, std::size_t body) {
   const Body& of = scene.bodies[body];
   const Method& method = scene.method;
   if (of.count < few || scene.edges.any() || scene.geometry != Geometry::plane) return false;
-  if (method.contact != ContactRule::none && scene.bodies.size() > 1 && has_solid(scene)) return false;
   const bool pins = std::any_of(scene.pinned.begin(), scene.pinned.end(),
                                 [&](std::size_t p) { return p >= of.first && p < of.first + of.count; });
   if (pins) return false;

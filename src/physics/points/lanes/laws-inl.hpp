@@ -85,7 +85,7 @@ class FromNodes<D, Kernel, false> {
 /// sigma / rho of a gas (4.1), (4.4) with artificial viscosity (4.11), (4.12), and where it is heated by the rate that
 /// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, which stands in the
 /// tile, or from continuity (4.7). The points' arrays hold sigma / rho within a step, so that nothing is divided by rho
-/// twice; record_stress() ends that.
+/// twice; record_stress() ends that, unless contact reads the stress between the passes.
 template <class D, class Kernel, bool by_nodes>
 class Gas {
  public:
@@ -97,6 +97,7 @@ class Gas {
         law_(work.body),
         warmed_(by_nodes && work.N.heat),
         records_(!by_nodes || work.records),
+        reads_(work.reads_stress),
         density_(work.N.rho + n, work.grid.nx, sub),
         dt_(all<D>(work.dt)),
         gm1_(all<D>(work.body.gm1)),
@@ -123,7 +124,8 @@ class Gas {
     if (law_.heats) energy = hn::IfThenElseZero(there, energy + dt_ * ((sxx * of.xx + syy * of.yy) + (sxy + sxy) * xy));
     if (law_.heats || warmed_) store<D>(energy, P_.energy + p);
     if (records_) store<D>(rho, P_.rho + p);
-    store<D>(sxx, P_.sxx + p), store<D>(syy, P_.syy + p), store<D>(sxy, P_.sxy + p);
+    const V<D> times = reads_ ? rho : all<D>(1);
+    store<D>(times * sxx, P_.sxx + p), store<D>(times * syy, P_.syy + p), store<D>(times * sxy, P_.sxy + p);
     note_unsound<D>(p, hn::And(rho > zero, hn::And(rho < infinite, hn::Abs(energy) < infinite)), found);
     leave_pull<D, Kernel>(grid_, tile, k, sub, mass, sxx, syy, sxy);
   }
@@ -139,15 +141,17 @@ class Gas {
   LanePoints P_;
   LaneGrid grid_;
   LaneBody law_;
-  bool warmed_, records_;
+  bool warmed_, records_, reads_;
   FromNodes<D, Kernel, by_nodes> density_;
   V<D> dt_, gm1_, c_of_e_, linear_, square_;
 };
 
-/// i += dt (sigma : eps') / rho (4.10) of a layer, with the strain rate of (v_old + v_new) / 2.
+/// i += dt (sigma : eps') / rho (4.10) of a layer, with the strain rate of (v_old + v_new) / 2; `divides`: its stress is
+/// not yet over rho.
 template <class D>
-HWY_INLINE void heat_centred(const LanePoints& P, std::size_t p, V<D> dt, const Rates<D>& of) {
-  const V<D> power = (load<D>(P.sxx + p) * of.xx + load<D>(P.syy + p) * of.yy) + load<D>(P.sxy + p) * of.xy;
+HWY_INLINE void heat_centred(const LanePoints& P, std::size_t p, V<D> dt, bool divides, const Rates<D>& of) {
+  V<D> power = (load<D>(P.sxx + p) * of.xx + load<D>(P.syy + p) * of.yy) + load<D>(P.sxy + p) * of.xy;
+  if (divides) power = power / load<D>(P.rho + p);
   const V<D> energy = load<D>(P.energy + p) + dt * power;
   store<D>(hn::IfThenElseZero(load<D>(P.mass + p) > hn::Zero(D()), energy), P.energy + p);
 }

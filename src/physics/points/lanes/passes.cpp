@@ -87,7 +87,7 @@ HWY_NOINLINE void heat(const LaneWork& work, std::ptrdiff_t n, Tile& tile) {
     for (std::size_t k = 0; k < tile.layers; ++k) {
       const std::size_t p = tile.slot[k] + sub;
       const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
-      heat_centred<D>(P, p, dt, strain.at(Kernel::template weights<D>(at)));
+      heat_centred<D>(P, p, dt, work.reads_stress, strain.at(Kernel::template weights<D>(at)));
     }
   }
 }
@@ -129,7 +129,7 @@ HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n,
   if constexpr (books) book_way_back<D>(work, tile, found);
   if (is_gas) note_waves<D>(work, tile, found);
   if (affine && work.records) record_motion<D>(work, tile);
-  if (is_gas && work.records) record_stress<D>(work, tile);
+  if (is_gas && work.records && !work.reads_stress) record_stress<D>(work, tile);
   if (!all_stay) take_out<affine>(work, tile, found);
 }
 

@@ -82,6 +82,7 @@ struct LaneWork {
   LaneBody body;
   double dt = 0;
   bool records = false;  // velocities and fields about points are written, which the grid has else
+  bool reads_stress = false;  // usf: the stress of gas is read before the points move
 };
 
 /// What the passes are compiled for.

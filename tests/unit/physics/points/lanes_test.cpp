@@ -48,6 +48,15 @@ std::function<void(Scene&)> by(StressOrder order, Kernel kernel, Transfer transf
   };
 }
 
+/// Two solids side by side, by a method's contact.
+std::function<void(Scene&)> touching(const Method& method) {
+  return [=](Scene& s) {
+    s.method = method;
+    add_body(s, plane_strain(3, 0.3), lattice(0.08, -1.2, 0, -1, 1), 1.3);
+    add_body(s, plane_strain(5, 0.2), lattice(0.08, 0, 1.2, -1, 1), 2);
+  };
+}
+
 const LaneScene lane_scenes[] = {
     {"MuslLinearFlip", by(StressOrder::musl, Kernel::linear, Transfer::flip)},
     {"MuslLinearApic", by(StressOrder::musl, Kernel::linear, Transfer::apic), 30},
@@ -90,6 +99,22 @@ const LaneScene lane_scenes[] = {
        add_body(s, Membrane{20, 0.2, true, Membrane::Kind::plane_stress}, arc(0.1, 0, 1.0, 0.8, 0, 2, 60, 0.05), 2, 0,
                 true);
        add_body(s, robust_gas(), lattice(0.1, -1.2, 1.4, -1, 1, in_ring), 1.3, 1.0);
+     }},
+    {"SolidsThatTouch", touching(robust_set())},
+    {"SolidsThatTouchByTheThesis", touching({.contact = ContactRule::release})},
+    {"GasAndASolidThatTouch",
+     [](Scene& s) {
+       s.method.ledger = true, s.method.contact = ContactRule::gap;
+       add_body(s, robust_gas(0.02), lattice(0.1, -1.4, 0, -1, 1), 1.3, 1.0);
+       add_body(s, plane_strain(3, 0.3), lattice(0.1, 0, 0.8, -1, 1), 5);
+     }},
+    {"GasByContinuityAndASolidThatTouch",
+     [](Scene& s) {
+       s.method.contact = ContactRule::gap;
+       IdealGas gas = robust_gas(0.02);
+       gas.rule = DensityRule::continuity;
+       add_body(s, gas, lattice(0.1, -1.4, 0, -1, 1), 1.3, 1.0);
+       add_body(s, plane_strain(3, 0.3), lattice(0.1, 0, 0.8, -1, 1), 5);
      }},
     {"GasAroundAStringByColours",
      [](Scene& s) {
