@@ -25,7 +25,7 @@ LaneBody lane_body(const Material& material, const StepContext& step) {
 LanePoints lane_points(Points& P, std::size_t first) {
   const auto from = [first](LineArray<double>& array) { return array.empty() ? nullptr : array.data() + first; };
   return {from(P.x),    from(P.y),      from(P.vx),  from(P.vy),  from(P.vxx), from(P.vyx), from(P.vxy),   from(P.vyy),
-          from(P.mass), from(P.volume), from(P.sxx), from(P.syy), from(P.sxy), from(P.rho), from(P.energy)};
+          from(P.mass), from(P.volume), from(P.sxx), from(P.syy), from(P.sxy), from(P.szz), from(P.rho), from(P.energy)};
 }
 
 LaneNodes lane_nodes(Grid& grid, bool gas, bool ledger) {

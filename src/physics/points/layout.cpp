@@ -107,7 +107,7 @@ void empty_slots(State& state, std::size_t b) {
 bool runs_by_lanes(const Scene& scene, std::size_t body) {
   const Body& of = scene.bodies[body];
   const Method& method = scene.method;
-  if (of.count < few || scene.edges.any() || scene.geometry != Geometry::plane) return false;
+  if (of.count < few || scene.edges.any()) return false;
   const bool pins = std::any_of(scene.pinned.begin(), scene.pinned.end(),
                                 [&](std::size_t p) { return p >= of.first && p < of.first + of.count; });
   if (pins) return false;

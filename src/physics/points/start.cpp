@@ -167,7 +167,8 @@ State start(const Scene& scene, const LaneChoice& lanes) {
     if (lanes.on && runs_by_lanes(scene, b))
       blocks.emplace(state.grid.frame.shape.nx, state.grid.frame.shape.ny, middle);
     if (blocks && !state.lane_passes)
-      state.lane_passes = lane_passes(lanes.set, {method.kernel, method.transfer == Transfer::apic, method.order});
+      state.lane_passes = lane_passes(lanes.set, {method.kernel, method.transfer == Transfer::apic, method.order,
+                                                  scene.geometry == Geometry::axisymmetric});
   }
   if (state.lane_passes) lay_out(state, scene), state.list_fluids(scene);
   CellSort sort(state.points.size());

@@ -70,7 +70,7 @@ class Strain {
         per_x_(all<D>(grid.per_dx)),
         per_y_(all<D>(grid.per_dy)) {}
   HWY_INLINE Rates<D> at(const Weights<D>& w) const {
-    return {per_x_ * by_x(x_, w), per_y_ * by_y(y_, w), per_y_ * by_y(x_, w) + per_x_ * by_x(y_, w)};
+    return {per_x_ * by_x(x_, w), per_y_ * by_y(y_, w), per_y_ * by_y(x_, w) + per_x_ * by_x(y_, w), hn::Zero(D())};
   }
 
  private:
@@ -163,6 +163,21 @@ struct Bilinear {
       x[1] = x[0] + gxx, x[3] = x[2] + gxx, y[1] = y[0] + gyx, y[3] = y[2] + gyx;
     } else {
       x[0] = x[1] = x[2] = x[3] = load<D>(tile.vx[k] + sub), y[0] = y[1] = y[2] = y[3] = load<D>(tile.vy[k] + sub);
+    }
+  }
+
+  /// A number of each point.
+  template <class D, class Put>
+  static HWY_NOINLINE void scatter_value(const Tile& tile, const TileRows& values, Put& putting, std::size_t q) {
+    const V<D> zero = hn::Zero(D());
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
+      V<D> S[4] = {zero, zero, zero, zero};
+      for (std::size_t k = 0; k < tile.layers; ++k) {
+        const auto w = weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
+        const V<D> value = load<D>(values[k] + sub), low = w.low * value, high = w.s * value;
+        S[0] += w.left * low, S[1] += w.r * low, S[2] += w.left * high, S[3] += w.r * high;
+      }
+      for (std::size_t l = 0; l < lines; ++l) putting.put(q, l, sub, S[2 * l], S[2 * l + 1]);
     }
   }
 

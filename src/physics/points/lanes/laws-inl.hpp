@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "physics/points/lanes/straining-inl.hpp"
 #include "physics/points/lanes/tile-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,13 +18,31 @@ namespace tether::mpm::HWY_NAMESPACE {
 // The laws' stages: strain rates of a tile in, stresses of its points and what they pull with out. Slots without a
 // point have no volume or mass, and their stress is 0.
 
-/// What a stress pulls with in `volume`, for scatter_forces(); of gas it is the stress over the density, in a mass.
-template <class D, class Kernel>
-HWY_INLINE void leave_pull(const LaneGrid& grid, Tile& tile, std::size_t k, std::size_t sub, V<D> volume, V<D> sxx,
-                           V<D> syy, V<D> sxy) {
-  const V<D> by_x = volume * all<D>(Kernel::pull * grid.per_dx), by_y = volume * all<D>(Kernel::pull * grid.per_dy);
-  store<D>(by_x * sxx, tile.xx_by_x[k] + sub), store<D>(by_x * sxy, tile.xy_by_x[k] + sub);
-  store<D>(by_y * sxy, tile.xy_by_y[k] + sub), store<D>(by_y * syy, tile.yy_by_y[k] + sub);
+/// Stress of a layer; about an axis zz is the hoop's.
+template <class D>
+struct Stresses {
+  V<D> xx, yy, xy, zz;
+};
+
+template <class D, bool axis>
+HWY_INLINE void store_stress(const LanePoints& P, std::size_t p, const Stresses<D>& s) {
+  store<D>(s.xx, P.sxx + p), store<D>(s.yy, P.syy + p), store<D>(s.xy, P.sxy + p);
+  if constexpr (axis) store<D>(s.zz, P.szz + p);
+}
+
+/// What a stress pulls with in `volume`, for the scatters; of gas it is the stress over the density, in a mass.
+template <class D, class Kernel, bool axis>
+HWY_INLINE void leave_pull(const LaneWork& work, Tile& tile, std::size_t k, std::size_t sub, V<D> volume,
+                           const Stresses<D>& s) {
+  const V<D> by_x = volume * all<D>(Kernel::pull * work.grid.per_dx),
+             by_y = volume * all<D>(Kernel::pull * work.grid.per_dy);
+  store<D>(by_x * s.xx, tile.xx_by_x[k] + sub), store<D>(by_x * s.xy, tile.xy_by_x[k] + sub);
+  store<D>(by_y * s.xy, tile.xy_by_y[k] + sub), store<D>(by_y * s.yy, tile.yy_by_y[k] + sub);
+  if constexpr (axis) {
+    const V<D> radius = load<D>(work.P.x + tile.slot[k] + sub), zero = hn::Zero(D());
+    const V<D> hoop = volume * s.zz / hn::IfThenElse(volume > zero, radius, all<D>(1));
+    store<D>(hn::Neg(hoop), tile.hoop[k] + sub);
+  }
 }
 
 /// Notes the first slot of those for which `sound` does not hold.
@@ -34,70 +53,61 @@ HWY_INLINE void note_unsound(std::size_t p, M sound, LaneFindings& found) {
   found.unsound = p + static_cast<std::size_t>(hn::FindFirstTrue(d, hn::Not(sound)));
 }
 
-/// Hooke's law in the plane (3.2).
-template <class D, class Kernel>
+/// Hooke's law in the plane and about an axis (3.2).
+template <class D, class Kernel, bool axis>
 class Elastic {
  public:
-  static constexpr bool is_gas = false;
+  static constexpr bool is_gas = false, about_axis = axis;
 
   HWY_INLINE Elastic(const LaneWork& work, std::ptrdiff_t, std::size_t)
-      : P_(work.P),
-        grid_(work.grid),
+      : work_(work),
         own_(all<D>(work.dt * work.body.own)),
         other_(all<D>(work.dt * work.body.other)),
         shear_(all<D>(0.5 * work.dt * work.body.shear)) {}
 
   HWY_INLINE void stress(Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>&,
                          const Rates<D>& rate, LaneFindings& found) const {
+    const LanePoints& P = work_.P;
     const std::size_t p = tile.slot[k] + sub;
-    const V<D> volume = load<D>(P_.volume + p);
+    const V<D> volume = load<D>(P.volume + p);
     const auto there = volume > hn::Zero(D());
-    const V<D> sxx = hn::IfThenElseZero(there, load<D>(P_.sxx + p) + (own_ * rate.xx + other_ * rate.yy));
-    const V<D> syy = hn::IfThenElseZero(there, load<D>(P_.syy + p) + (other_ * rate.xx + own_ * rate.yy));
-    const V<D> sxy = hn::IfThenElseZero(there, load<D>(P_.sxy + p) + shear_ * rate.xy);
-    store<D>(sxx, P_.sxx + p), store<D>(syy, P_.syy + p), store<D>(sxy, P_.sxy + p);
-    note_unsound<D>(p, (hn::Abs(sxx) + hn::Abs(syy)) + hn::Abs(sxy) < hn::Inf(D()), found);
-    leave_pull<D, Kernel>(grid_, tile, k, sub, volume, sxx, syy, sxy);
+    const V<D> across_x = axis ? rate.yy + rate.zz : rate.yy, across_y = axis ? rate.xx + rate.zz : rate.xx;
+    Stresses<D> s;
+    s.xx = hn::IfThenElseZero(there, load<D>(P.sxx + p) + (own_ * rate.xx + other_ * across_x));
+    s.yy = hn::IfThenElseZero(there, load<D>(P.syy + p) + (other_ * across_y + own_ * rate.yy));
+    s.xy = hn::IfThenElseZero(there, load<D>(P.sxy + p) + shear_ * rate.xy);
+    if constexpr (axis)
+      s.zz = hn::IfThenElseZero(there, load<D>(P.szz + p) + (own_ * rate.zz + other_ * (rate.xx + rate.yy)));
+    store_stress<D, axis>(P, p, s);
+    note_unsound<D>(p, (hn::Abs(s.xx) + hn::Abs(s.yy)) + hn::Abs(s.xy) < hn::Inf(D()), found);
+    leave_pull<D, Kernel, axis>(work_, tile, k, sub, volume, s);
   }
 
  private:
-  LanePoints P_;
-  LaneGrid grid_;
+  LaneWork work_;
   V<D> own_, other_, shear_;
 };
 
-/// A number of the nodes for a gas by nodes; nothing for others.
-template <class D, class Kernel, bool by_nodes>
-class FromNodes {
- public:
-  HWY_INLINE FromNodes(const double* row, std::ptrdiff_t nx, std::size_t sub) : value_(row, nx, sub) {}
-  HWY_INLINE V<D> at(const typename Kernel::template Weights<D>& w) const { return value_.at(w); }
-
- private:
-  typename Kernel::template Value<D> value_;
-};
-template <class D, class Kernel>
-class FromNodes<D, Kernel, false> {
- public:
-  HWY_INLINE FromNodes(const double*, std::ptrdiff_t, std::size_t) {}
-};
+/// sigma : eps'.
+template <class D, bool axis>
+HWY_INLINE V<D> power(const Stresses<D>& s, const Rates<D>& of) {
+  const V<D> in_plane = (s.xx * of.xx + s.yy * of.yy) + s.xy * of.xy;
+  return axis ? in_plane + s.zz * of.zz : in_plane;
+}
 
 /// sigma / rho of a gas (4.1), (4.4) with artificial viscosity (4.11), (4.12), and where it is heated by the rate that
 /// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, which stands in the
 /// tile, or from continuity (4.7). The points' arrays hold sigma / rho within a step, so that nothing is divided by rho
 /// twice; record_stress() ends that, unless contact reads the stress between the passes.
-template <class D, class Kernel, bool by_nodes>
+template <class D, class Kernel, bool axis, bool by_nodes>
 class Gas {
  public:
-  static constexpr bool is_gas = true;
+  static constexpr bool is_gas = true, about_axis = axis;
 
   HWY_INLINE Gas(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
-      : P_(work.P),
-        grid_(work.grid),
-        law_(work.body),
+      : work_(work),
         warmed_(by_nodes && work.N.heat),
         records_(!by_nodes || work.records),
-        reads_(work.reads_stress),
         density_(work.N.rho + n, work.grid.nx, sub),
         dt_(all<D>(work.dt)),
         gm1_(all<D>(work.body.gm1)),
@@ -107,27 +117,25 @@ class Gas {
 
   HWY_INLINE void stress(Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>& w,
                          const Rates<D>& of, LaneFindings& found) const {
+    const LanePoints& P = work_.P;
+    const LaneBody& law = work_.body;
     const std::size_t p = tile.slot[k] + sub;
-    const V<D> zero = hn::Zero(D()), infinite = hn::Inf(D()), mass = load<D>(P_.mass + p);
+    const V<D> zero = hn::Zero(D()), infinite = hn::Inf(D()), mass = load<D>(P.mass + p);
     const auto there = mass > zero;
-    V<D> energy = load<D>(P_.energy + p);
-    if (warmed_) energy = hn::IfThenElseZero(there, energy + (load<D>(tile.at_place[k] + sub) + all<D>(law_.heat)));
-    const V<D> rate = of.xx + of.yy, rho = hn::IfThenElse(there, density(p, rate, w), all<D>(1));
-    const V<D> c = law_.local_speed ? hn::Sqrt(hn::Max(zero, c_of_e_ * energy)) : all<D>(law_.c_max);
+    V<D> energy = load<D>(P.energy + p);
+    if (warmed_) energy = hn::IfThenElseZero(there, energy + (load<D>(tile.at_place[k] + sub) + all<D>(law.heat)));
+    const V<D> rate = axis ? of.xx + of.yy + of.zz : of.xx + of.yy;
+    const V<D> rho = hn::IfThenElse(there, density(p, rate, w), all<D>(1));
+    const V<D> c = law.local_speed ? hn::Sqrt(hn::Max(zero, c_of_e_ * energy)) : all<D>(law.c_max);
     const V<D> q = hn::IfThenElseZero(rate < zero, (square_ * rate - linear_ * c) * rate);
-    const V<D> pressure = gm1_ * energy + q, xy = all<D>(0.5) * of.xy;
-    V<D> sxx = hn::Neg(pressure), syy = sxx, sxy = zero;
-    if (law_.mu != 0) {
-      const V<D> two_nu = all<D>(2 * law_.mu) / rho, mean = all<D>(1.0 / 3) * rate;
-      sxx = two_nu * (of.xx - mean) - pressure, syy = two_nu * (of.yy - mean) - pressure, sxy = two_nu * xy;
-    }
-    if (law_.heats) energy = hn::IfThenElseZero(there, energy + dt_ * ((sxx * of.xx + syy * of.yy) + (sxy + sxy) * xy));
-    if (law_.heats || warmed_) store<D>(energy, P_.energy + p);
-    if (records_) store<D>(rho, P_.rho + p);
-    const V<D> times = reads_ ? rho : all<D>(1);
-    store<D>(times * sxx, P_.sxx + p), store<D>(times * syy, P_.syy + p), store<D>(times * sxy, P_.sxy + p);
+    const Stresses<D> s = over_density(gm1_ * energy + q, rate, rho, of);
+    if (law.heats) energy = hn::IfThenElseZero(there, energy + dt_ * power<D, axis>(s, of));
+    if (law.heats || warmed_) store<D>(energy, P.energy + p);
+    if (records_) store<D>(rho, P.rho + p);
+    const V<D> times = work_.reads_stress ? rho : all<D>(1);
+    store_stress<D, axis>(P, p, {times * s.xx, times * s.yy, times * s.xy, axis ? times * s.zz : zero});
     note_unsound<D>(p, hn::And(rho > zero, hn::And(rho < infinite, hn::Abs(energy) < infinite)), found);
-    leave_pull<D, Kernel>(grid_, tile, k, sub, mass, sxx, syy, sxy);
+    leave_pull<D, Kernel, axis>(work_, tile, k, sub, mass, s);
   }
 
  private:
@@ -135,25 +143,31 @@ class Gas {
     if constexpr (by_nodes)
       return density_.at(w);
     else
-      return load<D>(P_.rho + p) / (all<D>(1) + dt_ * rate);
+      return load<D>(work_.P.rho + p) / (all<D>(1) + dt_ * rate);
+  }
+  HWY_INLINE Stresses<D> over_density(V<D> pressure, V<D> rate, V<D> rho, const Rates<D>& of) const {
+    const V<D> mu = all<D>(2 * work_.body.mu), zero = hn::Zero(D()), normal = hn::Neg(pressure);
+    if (work_.body.mu == 0) return {normal, normal, zero, normal};
+    const V<D> two_nu = mu / rho, mean = all<D>(1.0 / 3) * rate;
+    return {two_nu * (of.xx - mean) - pressure, two_nu * (of.yy - mean) - pressure, all<D>(0.5) * two_nu * of.xy,
+            axis ? two_nu * (of.zz - mean) - pressure : zero};
   }
 
-  LanePoints P_;
-  LaneGrid grid_;
-  LaneBody law_;
-  bool warmed_, records_, reads_;
+  LaneWork work_;
+  bool warmed_, records_;
   FromNodes<D, Kernel, by_nodes> density_;
   V<D> dt_, gm1_, c_of_e_, linear_, square_;
 };
 
 /// i += dt (sigma : eps') / rho (4.10) of a layer, with the strain rate of (v_old + v_new) / 2; `divides`: its stress is
 /// not yet over rho.
-template <class D>
+template <class D, bool axis>
 HWY_INLINE void heat_centred(const LanePoints& P, std::size_t p, V<D> dt, bool divides, const Rates<D>& of) {
-  V<D> power = (load<D>(P.sxx + p) * of.xx + load<D>(P.syy + p) * of.yy) + load<D>(P.sxy + p) * of.xy;
-  if (divides) power = power / load<D>(P.rho + p);
-  const V<D> energy = load<D>(P.energy + p) + dt * power;
-  store<D>(hn::IfThenElseZero(load<D>(P.mass + p) > hn::Zero(D()), energy), P.energy + p);
+  const V<D> zero = hn::Zero(D());
+  const Stresses<D> s{load<D>(P.sxx + p), load<D>(P.syy + p), load<D>(P.sxy + p), axis ? load<D>(P.szz + p) : zero};
+  const V<D> all_power = power<D, axis>(s, of), own = divides ? all_power / load<D>(P.rho + p) : all_power;
+  const V<D> energy = load<D>(P.energy + p) + dt * own;
+  store<D>(hn::IfThenElseZero(load<D>(P.mass + p) > zero, energy), P.energy + p);
 }
 
 /// Largest sound speed of the gas and largest wave. Waves are looked at one by one only where the tile's largest sound

@@ -194,13 +194,14 @@ HWY_NOINLINE void record_motion(const LaneWork& work, const Tile& tile) {
   }
 }
 /// Of gas the stress, and not what it is over the density.
-template <class D>
+template <class D, bool axis>
 HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {
   for (std::size_t k = 0; k < tile.layers; ++k) {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
       const std::size_t p = tile.slot[k] + sub;
       const V<D> rho = load<D>(work.P.rho + p);
       for (double* stress : {work.P.sxx, work.P.syy, work.P.sxy}) store<D>(rho * load<D>(stress + p), stress + p);
+      if constexpr (axis) store<D>(rho * load<D>(work.P.szz + p), work.P.szz + p);
     }
   }
 }
@@ -217,7 +218,7 @@ HWY_NOINLINE void take_out(const LaneWork& work, Tile& tile, LaneFindings& found
       const Blocks::Cell cell{static_cast<int>(tile.y0), static_cast<int>(tile.x0) + static_cast<int>(l)};
       found.moved.push_back({p, cell, tile.lost[k][l]});
       tile.lost[k][l] = 0;
-      tile.xx_by_x[k][l] = tile.xy_by_x[k][l] = tile.xy_by_y[k][l] = tile.yy_by_y[k][l] = 0;
+      tile.hoop[k][l] = tile.xx_by_x[k][l] = tile.xy_by_x[k][l] = tile.xy_by_y[k][l] = tile.yy_by_y[k][l] = 0;
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "physics/points/lanes/laws-inl.hpp"
 #include "physics/points/lanes/move-inl.hpp"
 #include "physics/points/lanes/spline-inl.hpp"
+#include "physics/points/lanes/straining-inl.hpp"
 #include "physics/points/lanes/tile-inl.hpp"
 #include "physics/points/lanes/work.hpp"
 
@@ -37,6 +38,25 @@ HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) 
   }
 }
 
+/// Internal forces to the nodes (3.16), about an axis with the hoop's.
+template <class D, class Kernel, bool axis>
+class Forces {
+ public:
+  HWY_INLINE explicit Forces(const LaneWork& work) : rows_(work.grid.nx) {
+    rows_.rows[0] = work.N.force_x, rows_.rows[1] = work.N.force_y;
+    if constexpr (axis) rows_.rows[2] = work.N.force_x;
+  }
+  HWY_INLINE void put(const Tile& tile, std::ptrdiff_t n) {
+    rows_.begin(n);
+    Kernel::template scatter_forces<D>(tile, rows_);
+    if constexpr (axis) Kernel::template scatter_value<D>(tile, tile.hoop, rows_, 2);
+  }
+  HWY_INLINE void close() { rows_.close(); }
+
+ private:
+  Putting<D, Kernel, axis ? 3 : 2> rows_;
+};
+
 // Updated stress first, first pass: strain rate (3.23), stress, force (3.16).
 
 template <class D, class Kernel, class Law>
@@ -49,45 +69,45 @@ HWY_NOINLINE void strain_and_stress(const LaneWork& work, std::ptrdiff_t n, Tile
   }
   for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
     const Locating<D, Kernel> locating(work.grid, tile, sub);
-    const typename Kernel::template Strain<D, false> strain(work.grid, {N.old_x + n, N.old_y + n}, sub);
+    const Straining<D, Kernel, Law::about_axis, false> strain(work.grid, {N.old_x + n, N.old_y + n}, sub);
     const Law law(work, n, sub);
     for (std::size_t k = 0; k < tile.layers; ++k) {
       const std::size_t p = tile.slot[k] + sub;
-      const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
+      const V<D> x = load<D>(P.x + p);
+      const Places<D> at = locating.inside(x, load<D>(P.y + p));
       store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
       const auto w = Kernel::template weights<D>(at);
-      law.stress(tile, k, sub, w, strain.at(w), found);
+      law.stress(tile, k, sub, w, strain.at(w, x, load<D>(P.mass + p)), found);
     }
   }
 }
 
 template <class D, class Kernel, class Law>
 void strain_and_pull(const LaneWork& work, LaneFindings& found) {
-  Putting<D, Kernel, 2> forces(work.grid.nx);
-  forces.rows[0] = work.N.force_x, forces.rows[1] = work.N.force_y;
+  Forces<D, Kernel, Law::about_axis> forces(work);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     strain_and_stress<D, Kernel, Law>(work, n, tile, found);
-    forces.begin(n);
-    Kernel::template scatter_forces<D>(tile, forces);
+    forces.put(tile, n);
   };
   sweep(work, each, [&]() HWY_ATTR { forces.close(); });
 }
 
 // Second pass: velocities (3.22), heat of gas (4.10), places (3.21), mass and momentum (3.15).
 
-template <class D, class Kernel>
+template <class D, class Kernel, bool axis>
 HWY_NOINLINE void heat(const LaneWork& work, std::ptrdiff_t n, Tile& tile) {
   const LanePoints P = work.P;
   const LaneNodes N = work.N;
   const V<D> dt = all<D>(work.dt);
   for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
     const Locating<D, Kernel> locating(work.grid, tile, sub);
-    const typename Kernel::template Strain<D, true> strain(work.grid,
-                                                           {N.old_x + n, N.old_y + n, N.new_x + n, N.new_y + n}, sub);
+    const Straining<D, Kernel, axis, true> strain(work.grid, {N.old_x + n, N.old_y + n, N.new_x + n, N.new_y + n},
+                                                  sub);
     for (std::size_t k = 0; k < tile.layers; ++k) {
       const std::size_t p = tile.slot[k] + sub;
-      const Places<D> at = locating.inside(load<D>(P.x + p), load<D>(P.y + p));
-      heat_centred<D>(P, p, dt, work.reads_stress, strain.at(Kernel::template weights<D>(at)));
+      const V<D> x = load<D>(P.x + p), mass = load<D>(P.mass + p);
+      const Places<D> at = locating.inside(x, load<D>(P.y + p));
+      heat_centred<D, axis>(P, p, dt, work.reads_stress, strain.at(Kernel::template weights<D>(at), x, mass));
     }
   }
 }
@@ -114,11 +134,11 @@ HWY_NOINLINE bool accelerate_and_move(const LaneWork& work, std::ptrdiff_t n, Ti
   return all_stay;
 }
 
-template <class D, class Kernel, bool affine, bool books>
+template <class D, class Kernel, bool affine, bool axis, bool books>
 HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
   const LaneNodes& N = work.N;
   const bool is_gas = work.body.law != LaneLaw::elastic;
-  if (is_gas && !work.body.heats) heat<D, Kernel>(work, n, tile);
+  if (is_gas && !work.body.heats) heat<D, Kernel, axis>(work, n, tile);
   if constexpr (books) {
     locate<D, Kernel>(work, tile);
     gather_motion<D, Kernel>(N.old_x + n, N.old_y + n, work.grid.nx, tile);
@@ -129,7 +149,7 @@ HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n,
   if constexpr (books) book_way_back<D>(work, tile, found);
   if (is_gas) note_waves<D>(work, tile, found);
   if (affine && work.records) record_motion<D>(work, tile);
-  if (is_gas && work.records && !work.reads_stress) record_stress<D>(work, tile);
+  if (is_gas && work.records && !work.reads_stress) record_stress<D, axis>(work, tile);
   if (!all_stay) take_out<affine>(work, tile, found);
 }
 
@@ -140,12 +160,12 @@ HWY_INLINE void set_rows(const LaneNodes& N, Putting<D, Kernel, 5>& momenta) {
   momenta.used = N.loss ? 5 : N.gas ? 4 : 3;
 }
 
-template <class D, class Kernel, bool affine, bool books>
+template <class D, class Kernel, bool affine, bool axis, bool books>
 void accelerate_move_and_map(const LaneWork& work, LaneFindings& found) {
   Putting<D, Kernel, 5> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
-    accelerate_heat_and_move<D, Kernel, affine, books>(work, n, tile, found);
+    accelerate_heat_and_move<D, Kernel, affine, axis, books>(work, n, tile, found);
     momenta.begin(n);
     Kernel::template scatter_momenta<D, affine>(tile, momenta);
     if constexpr (books) {
@@ -200,7 +220,7 @@ HWY_NOINLINE bool strain_move_and_stress(const LaneWork& work, std::ptrdiff_t n,
   bool all_stay = true;
   for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
     const Locating<D, Kernel> locating(work.grid, tile, sub);
-    const typename Kernel::template Strain<D, false> strain(work.grid, field, sub);
+    const Straining<D, Kernel, Law::about_axis, false> strain(work.grid, field, sub);
     const Taking<D, Kernel, affine, last> taking(work, n, sub);
     const Law law(work, n, sub);
     Moving<D, Kernel, affine> moving(work, found, sub);
@@ -209,8 +229,9 @@ HWY_NOINLINE bool strain_move_and_stress(const LaneWork& work, std::ptrdiff_t n,
       const std::size_t p = tile.slot[k] + sub;
       const V<D> x = load<D>(P.x + p), y = load<D>(P.y + p), mass = load<D>(P.mass + p);
       const auto w = Kernel::template weights<D>(locating.inside(x, y));
+      const Rates<D> rate = strain.at(w, x, mass);
       moving.move(locating, tile, k, sub, mass, x, y, taking.take(p, mass, w, squares));
-      law.stress(tile, k, sub, w, strain.at(w), found);
+      law.stress(tile, k, sub, w, rate, found);
     }
     store<D>(squares, found.squares + sub), store<D>(moving.lifted, found.lifted + sub);
     all_stay &= moving.all_stay;
@@ -222,26 +243,25 @@ template <class D, class Kernel, bool affine, bool last, class Law>
 void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
   Putting<D, Kernel, 5> momenta(work.grid.nx);
   set_rows(work.N, momenta);
-  Putting<D, Kernel, 2> forces(work.grid.nx);
-  forces.rows[0] = work.N.force_x, forces.rows[1] = work.N.force_y;
+  Forces<D, Kernel, Law::about_axis> forces(work);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     const bool all_stay = strain_move_and_stress<D, Kernel, affine, last, Law>(work, n, tile, found);
     if constexpr (Law::is_gas) note_waves<D>(work, tile, found);
-    if constexpr (Law::is_gas) record_stress<D>(work, tile);
+    if constexpr (Law::is_gas) record_stress<D, Law::about_axis>(work, tile);
     if constexpr (affine && last) record_motion<D>(work, tile);
     if (!all_stay) take_out<false>(work, tile, found);
-    momenta.begin(n), forces.begin(n);
+    momenta.begin(n);
     Kernel::template scatter_momenta<D, affine>(tile, momenta);
-    Kernel::template scatter_forces<D>(tile, forces);
+    forces.put(tile, n);
   };
   sweep(work, each, [&]() HWY_ATTR { momenta.close(), forces.close(); });
 }
 
-template <class D, class Kernel, bool affine>
+template <class D, class Kernel, bool affine, bool axis>
 LanePasses passes_of(StressOrder order) {
-  using Solid = Elastic<D, Kernel>;
-  using GasOfNodes = Gas<D, Kernel, true>;
-  using GasOfContinuity = Gas<D, Kernel, false>;
+  using Solid = Elastic<D, Kernel, axis>;
+  using GasOfNodes = Gas<D, Kernel, axis, true>;
+  using GasOfContinuity = Gas<D, Kernel, axis, false>;
   if (order == StressOrder::musl)
     return {.accelerate_and_convect = accelerate_and_convect<D, Kernel, affine>,
             .strain_move_and_map = {strain_move_and_map<D, Kernel, affine, false, Solid>, nullptr,
@@ -251,15 +271,20 @@ LanePasses passes_of(StressOrder order) {
                                     strain_move_and_map<D, Kernel, affine, true, GasOfContinuity>}};
   LanePasses passes{.strain_and_pull = {strain_and_pull<D, Kernel, Solid>, strain_and_pull<D, Kernel, GasOfNodes>,
                                         strain_and_pull<D, Kernel, GasOfContinuity>},
-                    .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, false>};
+                    .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, axis, false>};
   if constexpr (affine && Kernel::lines == Spline::lines)  // the ledger asks for them
-    passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, true>;
+    passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, axis, true>;
   return passes;
+}
+template <class Kernel, bool affine>
+LanePasses passes_of(const LaneScheme& scheme) {
+  return scheme.about_axis ? passes_of<All, Kernel, affine, true>(scheme.order)
+                           : passes_of<All, Kernel, affine, false>(scheme.order);
 }
 LanePasses passes_over_points(const LaneScheme& scheme) {
   if (scheme.kernel == tether::Kernel::linear)
-    return scheme.affine ? passes_of<All, Bilinear, true>(scheme.order) : passes_of<All, Bilinear, false>(scheme.order);
-  return scheme.affine ? passes_of<All, Spline, true>(scheme.order) : passes_of<All, Spline, false>(scheme.order);
+    return scheme.affine ? passes_of<Bilinear, true>(scheme) : passes_of<Bilinear, false>(scheme);
+  return scheme.affine ? passes_of<Spline, true>(scheme) : passes_of<Spline, false>(scheme);
 }
 
 }  // namespace tether::mpm::HWY_NAMESPACE

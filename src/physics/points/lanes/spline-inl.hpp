@@ -104,7 +104,7 @@ class Strain {
   HWY_INLINE Rates<D> at(const Weights<D>& w) const {
     V<D> xx, xy, yx, yy;
     twice_gradient<D>(x_, w, xx, xy), twice_gradient<D>(y_, w, yx, yy);
-    return {per_x_ * xx, per_y_ * yy, per_y_ * xy + per_x_ * yx};
+    return {per_x_ * xx, per_y_ * yy, per_y_ * xy + per_x_ * yx, hn::Zero(D())};
   }
 
  private:

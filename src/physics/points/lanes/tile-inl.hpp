@@ -31,6 +31,7 @@ struct alignas(64) Tile {
   TileRows middle_x, middle_y;                  // and that at the cell's own node
   TileRows gxx, gyx, gxy, gyy;                  // the field about the point, a difference from node to node [velocity]
   TileRows xx_by_x, xy_by_x, xy_by_y, yy_by_y;  // -V sigma over a cell's side, by splines over two [force]
+  TileRows hoop;                                // about an axis: -V sigma_theta / r [force]
   TileRows at_place;                            // a number of the nodes, at the points
   TileRows lost;                                // of the ledger, per mass [velocity^2], then [energy]
   std::size_t slot[most_layers];                // of lane 0
@@ -127,10 +128,10 @@ class Locating {
   V<D> x0_, y0_, per_dx_, per_dy_, cell_, row_;
 };
 
-/// Strain rate of points, the shear twice: d v_x / d y + d v_y / d x [1/time].
+/// Strain rate of points, the shear twice: d v_x / d y + d v_y / d x; about an axis zz is the hoop's [1/time].
 template <class D>
 struct Rates {
-  V<D> xx, yy, xy;
+  V<D> xx, yy, xy, zz;
 };
 
 /// Velocities of points and the fields about them, these by the difference that they make from node to node.

@@ -18,7 +18,7 @@ namespace tether::mpm {
 struct LanePoints {
   double *x, *y, *vx, *vy, *vxx, *vyx, *vxy, *vyy;
   const double *mass, *volume;
-  double *sxx, *syy, *sxy, *rho, *energy;
+  double *sxx, *syy, *sxy, *szz, *rho, *energy;
 };
 
 /// Rows of the nodes, node 0 first: what points read, and what they add to.
@@ -90,6 +90,7 @@ struct LaneScheme {
   Kernel kernel = Kernel::bspline;
   bool affine = true;  // APIC, else FLIP
   StressOrder order = StressOrder::usf;
+  bool about_axis = false;
 };
 
 /// The passes over a body, one table for each instruction set, with what the scheme's order asks for. They sweep its
@@ -108,7 +109,6 @@ struct LanePasses {
   Pass accelerate_book_move_and_map = nullptr;
 };
 
-/// For points in the plane.
 LanePasses lane_passes(InstructionSet set, const LaneScheme& scheme);
 
 }  // namespace tether::mpm
