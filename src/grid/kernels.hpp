@@ -75,7 +75,9 @@ struct LinearKernel {
   using Values = std::array<double, size>;
   using Place = CellPlace;
 
-  static Place locate(const Locator& locator, double x, double y) { return locator.locate(x, y); }
+  [[gnu::always_inline]] static Place locate(const Locator& locator, double x, double y) {
+    return locator.locate(x, y);
+  }
   static Nodes nodes(const Locator& locator, const Place& at) {
     const std::size_t n = locator.lower_left_node(at), nx = static_cast<std::size_t>(locator.nx);
     return {n, n + 1, n + nx + 1, n + nx};
@@ -136,7 +138,7 @@ struct SplineKernel {
     double r = 0, s = 0;
   };
 
-  static Place locate(const Locator& locator, double x, double y) {
+  [[gnu::always_inline]] static Place locate(const Locator& locator, double x, double y) {
     const double a = (x - locator.x0) * locator.per_dx, b = (y - locator.y0) * locator.per_dy;
     // the nearest node; a place on the grid is at least 0
     const int i = static_cast<int>(a + 0.5), j = static_cast<int>(b + 0.5);  // NOLINT(bugprone-incorrect-roundings)

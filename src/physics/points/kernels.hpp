@@ -63,7 +63,7 @@ template <class S, class Add>
 
 /// Adds the point's mass and momentum to its nodes (3.15).
 template <class S>
-inline void map_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, const Locator& locator,
+[[gnu::always_inline]] inline void map_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, const Locator& locator,
                          const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
   each_momentum<S>(P, p, locator, at, nodes, [&](std::size_t n, double m, Pair momentum) {
     sums.m[n] += m;
@@ -109,7 +109,7 @@ template <class S, class Add>
 }
 
 template <class S>
-inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums, const Locator& locator,
+[[gnu::always_inline]] inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums, const Locator& locator,
                       const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
   each_force<S>(P, p, volume, locator, at, nodes, [&](std::size_t n, Pair force) { sums.force[n] += force; });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/points/nodes.hpp"
 
+#include <array>
+
 #include "physics/points/balance.hpp"
 
 namespace tether::mpm {
@@ -68,12 +70,15 @@ void mapped_velocity(Grid& grid) {
 }
 
 void clear_convected(Grid& grid) {
-  for_nodes(grid.active, [&](std::size_t n) { grid.convected[n] = Pair{}; });
+  grid.passes.clear(std::array{grid.convected.x.data(), grid.convected.y.data()}, grid.active);
   for (const Ghost& ghost : grid.frame.ghosts) grid.convected[static_cast<std::size_t>(ghost.node)] = Pair{};
 }
 
 void clear_sums(Grid& grid) {
-  for_nodes(grid.active, [&](std::size_t n) { grid.sums[n] = NodeSums{}; });
+  NodeSumsRow& sums = grid.sums;
+  grid.passes.clear(std::array{sums.m.data(), sums.gas.data(), sums.momentum.x.data(), sums.momentum.y.data(),
+                               sums.force.x.data(), sums.force.y.data()},
+                    grid.active);
 }
 
 void map_anew(State& state, const Scene& scene, const StepSet& set) {
@@ -97,7 +102,7 @@ void forget_sums(State& state, const StepSet& set) {
 }
 
 void clear_forces(Grid& grid) {
-  for_nodes(grid.active, [&](std::size_t n) { grid.sums.force[n] = Pair{}; });
+  grid.passes.clear(std::array{grid.sums.force.x.data(), grid.sums.force.y.data()}, grid.active);
 }
 
 void gas_at_nodes(Grid& grid) {

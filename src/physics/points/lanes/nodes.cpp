@@ -30,6 +30,15 @@ HWY_INLINE void each_node(const ActiveNodes& active, const Body& body) {
   }
 }
 
+struct Clear {
+  std::span<double* const> rows;
+  template <class D>
+  HWY_INLINE void at(std::size_t n) const {
+    for (double* row : rows) store<D>(hn::Zero(D()), row + n);
+  }
+};
+void clear(std::span<double* const> rows, const ActiveNodes& active) { each_node(active, Clear{rows}); }
+
 struct MapVelocity {
   const NodeRows& r;
   template <class D>
@@ -103,7 +112,7 @@ LaneTotals total(const NodeRows& rows, const ActiveNodes& active, double light, 
   return {sum_of(totals.power), sum_of(totals.squares), sum_of(totals.gained), sum_of(totals.upward)};
 }
 
-NodePasses passes_at_nodes() { return {map_velocity, divide_convected, solve, total}; }
+NodePasses passes_at_nodes() { return {clear, map_velocity, divide_convected, solve, total}; }
 
 }  // namespace tether::mpm::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

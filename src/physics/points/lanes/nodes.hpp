@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "loops/instruction_set.hpp"
 #include "loops/nodes.hpp"
@@ -23,6 +24,8 @@ struct LaneTotals {
 
 /// One table for each instruction set.
 struct NodePasses {
+  /// 0 at the active nodes of some rows.
+  void (*clear)(std::span<double* const> rows, const ActiveNodes& active);
   /// v_i = (mv)_i / m_i.
   void (*map_velocity)(const NodeRows& rows, const ActiveNodes& active);
   /// The momenta that points gave back, divided by the masses (3.24).
