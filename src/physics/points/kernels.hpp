@@ -46,8 +46,9 @@ inline LinearField field_about(const Points& P, std::size_t p) {
 
 /// Calls add(node, N m, N m v) for each of the point's nodes, v with APIC's field about the point.
 template <class S, class Add>
-[[gnu::always_inline]] inline void each_momentum(const Points& P, std::size_t p, const Locator& locator, const typename S::Kernel::Place& at,
-                          const typename S::Kernel::Nodes& nodes, const Add& add) {
+[[gnu::always_inline]] inline void each_momentum(const Points& P, std::size_t p, const Locator& locator,
+                                                 const typename S::Kernel::Place& at,
+                                                 const typename S::Kernel::Nodes& nodes, const Add& add) {
   const double mass = P.mass[p];
   if constexpr (S::affine) {
     S::Kernel::spread(locator, at, nodes, field_about(P, p), [&](std::size_t n, double N, Pair v) {
@@ -63,8 +64,9 @@ template <class S, class Add>
 
 /// Adds the point's mass and momentum to its nodes (3.15).
 template <class S>
-[[gnu::always_inline]] inline void map_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, const Locator& locator,
-                         const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
+[[gnu::always_inline]] inline void map_momentum(const Points& P, std::size_t p, NodeSumsRow& sums,
+                                                const Locator& locator, const typename S::Kernel::Place& at,
+                                                const typename S::Kernel::Nodes& nodes) {
   each_momentum<S>(P, p, locator, at, nodes, [&](std::size_t n, double m, Pair momentum) {
     sums.m[n] += m;
     sums.momentum[n] += momentum;
@@ -98,7 +100,8 @@ inline void map_gas_momentum_and_loss(const Points& P, std::size_t p, double los
 /// axis also -sigma_theta V_p N_i / r_p in r.
 template <class S, class Add>
 [[gnu::always_inline]] inline void each_force(const Points& P, std::size_t p, double volume, const Locator& locator,
-                       const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes, const Add& add) {
+                                              const typename S::Kernel::Place& at,
+                                              const typename S::Kernel::Nodes& nodes, const Add& add) {
   const double xy = volume * P.sxy[p];
   S::Kernel::minus_divergence(locator, at, nodes, pair(volume * P.sxx[p], xy), pair(xy, volume * P.syy[p]), add);
   if constexpr (S::about_axis) {
@@ -109,8 +112,9 @@ template <class S, class Add>
 }
 
 template <class S>
-[[gnu::always_inline]] inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums, const Locator& locator,
-                      const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
+[[gnu::always_inline]] inline void map_force(const Points& P, std::size_t p, double volume, NodeSumsRow& sums,
+                                             const Locator& locator, const typename S::Kernel::Place& at,
+                                             const typename S::Kernel::Nodes& nodes) {
   each_force<S>(P, p, volume, locator, at, nodes, [&](std::size_t n, Pair force) { sums.force[n] += force; });
 }
 

@@ -13,7 +13,9 @@ LaneBody lane_body(const Material& material, const StepContext& step) {
     body.own = solid->lambda + 2 * solid->G, body.other = solid->lambda, body.shear = 2 * solid->G;
   }
   if (const auto* gas = std::get_if<IdealGas>(&material)) {
-    body.law = gas->rule == DensityRule::grid ? LaneLaw::gas_of_nodes : LaneLaw::gas_of_continuity;
+    body.law = gas->rule == DensityRule::grid         ? LaneLaw::gas_of_nodes
+               : gas->rule == DensityRule::continuity ? LaneLaw::gas_of_continuity
+                                                      : LaneLaw::gas_of_cells;
     body.gm1 = gas->gm1, body.gamma = gas->gm1 + 1, body.mu = gas->mu;
     body.linear = gas->lambda * gas->coef1 * step.g, body.square = gas->lambda * gas->coef2 * step.g * step.g;
     body.local_speed = gas->local_speed, body.c_max = step.c_max;
@@ -24,8 +26,9 @@ LaneBody lane_body(const Material& material, const StepContext& step) {
 
 LanePoints lane_points(Points& P, std::size_t first) {
   const auto from = [first](LineArray<double>& array) { return array.empty() ? nullptr : array.data() + first; };
-  return {from(P.x),    from(P.y),      from(P.vx),  from(P.vy),  from(P.vxx), from(P.vyx), from(P.vxy),   from(P.vyy),
-          from(P.mass), from(P.volume), from(P.sxx), from(P.syy), from(P.sxy), from(P.szz), from(P.rho), from(P.energy)};
+  return {from(P.x),   from(P.y),      from(P.vx),     from(P.vy),  from(P.vxx), from(P.vyx), from(P.vxy),
+          from(P.vyy), from(P.mass),   from(P.volume), from(P.sxx), from(P.syy), from(P.sxy), from(P.szz),
+          from(P.rho), from(P.energy), from(P.dxx),    from(P.dyy), from(P.dxy), from(P.dzz)};
 }
 
 LaneNodes lane_nodes(Grid& grid, bool gas, bool ledger) {
@@ -62,7 +65,7 @@ double sum_of(const double (&lanes)[LaneFindings::lanes]) {
 LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
   const auto* law = std::get_if<IdealGas>(&work.scene.bodies[b].material);
-  const bool gas = law && law->rule == DensityRule::grid;
+  const bool gas = law && law->rule == DensityRule::grid && work.scene.method.order == StressOrder::usf;
   return {.P = lane_points(state.points, state.ranges[b].begin),
           .N = lane_nodes(state.grid, gas, state.keeps_ledger),
           .grid = {pass.locator.x0, pass.locator.y0, pass.locator.per_dx, pass.locator.per_dy, pass.locator.nx},
@@ -85,6 +88,13 @@ void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t 
   LaneFindings found;
   const LaneWork lanes = lane_work(work, pass, b);
   work.state.lane_passes->strain_and_pull[static_cast<std::size_t>(lanes.body.law)](lanes, found);
+  join(work.found, found, work.state.ranges[b].begin);
+}
+
+void stress_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  LaneFindings found;
+  const LaneWork lanes = lane_work(work, pass, b);
+  work.state.lane_passes->stress_and_map[static_cast<std::size_t>(lanes.body.law)](lanes, found);
   join(work.found, found, work.state.ranges[b].begin);
 }
 

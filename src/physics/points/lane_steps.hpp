@@ -23,31 +23,41 @@ void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t 
 /// Velocities of a body's points, and their momenta back on the nodes.
 void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
 
-/// What points that have left their cells give to the nodes of their new places, and their new slots. `pulls`: their
-/// stress is new, too.
+/// Stresses of a body that has strained and moved, and all that it gives to the nodes.
+void stress_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
+
+/// What a point that has left its cell gives to the nodes of its new place: mass and momentum, of what the ledger
+/// booked its part, and where its stress is new (`pulls`) its force.
 template <class S, bool pulls>
-void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const std::vector<Moved>& moved) {
-  if (moved.empty()) return;
+void map_moved(StepWork& work, const PassWork& pass, const Material& material, std::size_t p, double lost,
+               const typename S::Kernel::Place& at) {
   State& state = work.state;
   Points& P = state.points;
-  const Material& material = work.scene.bodies[b].material;
+  const auto nodes = S::Kernel::nodes(pass.locator, at);
   const auto* gas = std::get_if<IdealGas>(&material);
-  Movers movers(state, b);
+  if (gas && state.keeps_ledger)
+    map_gas_momentum_and_loss<S>(P, p, lost / P.mass[p], pass.grid, pass.locator, at, nodes);
+  else if (gas && !pulls && gas->rule == DensityRule::grid)
+    map_gas_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
+  else
+    map_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
+  if constexpr (pulls) {
+    const double volume = std::visit([&](const auto& law) { return law_volume(law, P, p); }, material);
+    map_force<S>(P, p, volume, pass.grid.sums, pass.locator, at, nodes);
+  }
+}
+
+/// Gives points that have left their cells new slots; map(p, lost, place) does what else is to be done with each.
+template <class S, class Map>
+void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const std::vector<Moved>& moved,
+                  const Map& map) {
+  if (moved.empty() || work.found.trouble.kind != TroubleKind::none) return;
+  Movers movers(work.state, b);
   for (const Moved& point : moved) {
-    const std::size_t p = state.ranges[b].begin + point.slot;
+    const std::size_t p = work.state.ranges[b].begin + point.slot;
     typename S::Kernel::Place at{point.cell.cell, point.cell.row, 0, 0};
-    if (!accept_place<typename S::Kernel>(P, p, pass.locator, pass.grid.frame, at, work.found)) return;
-    const auto nodes = S::Kernel::nodes(pass.locator, at);
-    if (gas && state.keeps_ledger)
-      map_gas_momentum_and_loss<S>(P, p, point.lost / P.mass[p], pass.grid, pass.locator, at, nodes);
-    else if (gas && gas->rule == DensityRule::grid)
-      map_gas_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
-    else
-      map_momentum<S>(P, p, pass.grid.sums, pass.locator, at, nodes);
-    if constexpr (pulls) {
-      const double volume = std::visit([&](const auto& law) { return law_volume(law, P, p); }, material);
-      map_force<S>(P, p, volume, pass.grid.sums, pass.locator, at, nodes);
-    }
+    if (!accept_place<typename S::Kernel>(work.state.points, p, pass.locator, pass.grid.frame, at, work.found)) return;
+    map(p, point.lost, at);
     movers.take(p, point.cell, {at.j, at.i});
   }
   movers.settle();
@@ -61,7 +71,9 @@ void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std:
   const LanePasses& passes = *work.state.lane_passes;
   (work.state.keeps_ledger ? passes.accelerate_book_move_and_map : passes.accelerate_move_and_map)(lanes, found);
   join(work.found, found, work.state.ranges[b].begin);
-  if (work.found.trouble.kind == TroubleKind::none) settle_moved<S, false>(work, pass, b, found.moved);
+  settle_moved<S>(work, pass, b, found.moved, [&](std::size_t p, double lost, const auto& at) {
+    map_moved<S, false>(work, pass, work.scene.bodies[b].material, p, lost, at);
+  });
 }
 
 /// Strain rates, places, stresses, and all that a body gives to the nodes.
@@ -71,7 +83,18 @@ void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::siz
   const LaneWork lanes = lane_work(work, pass, b);
   work.state.lane_passes->strain_move_and_map[static_cast<std::size_t>(lanes.body.law)](lanes, found);
   join(work.found, found, work.state.ranges[b].begin);
-  if (work.found.trouble.kind == TroubleKind::none) settle_moved<S, true>(work, pass, b, found.moved);
+  settle_moved<S>(work, pass, b, found.moved, [&](std::size_t p, double lost, const auto& at) {
+    map_moved<S, true>(work, pass, work.scene.bodies[b].material, p, lost, at);
+  });
+}
+
+/// Strain rates and places of a body whose law waits for its neighbours' new places.
+template <class S>
+void strain_and_move_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  LaneFindings found;
+  work.state.lane_passes->strain_and_move(lane_work(work, pass, b), found);
+  join(work.found, found, work.state.ranges[b].begin);
+  settle_moved<S>(work, pass, b, found.moved, [](std::size_t, double, const auto&) {});
 }
 
 }  // namespace tether::mpm

@@ -111,8 +111,7 @@ bool runs_by_lanes(const Scene& scene, std::size_t body) {
   const bool pins = std::any_of(scene.pinned.begin(), scene.pinned.end(),
                                 [&](std::size_t p) { return p >= of.first && p < of.first + of.count; });
   if (pins) return false;
-  if (const auto* gas = std::get_if<IdealGas>(&of.material))
-    return gas->rule == DensityRule::continuity || (gas->rule == DensityRule::grid && method.order == StressOrder::usf);
+  if (std::holds_alternative<IdealGas>(of.material)) return true;
   return std::holds_alternative<PlaneElastic>(of.material) && !method.jaumann;
 }
 
@@ -152,7 +151,7 @@ Movers::Movers(State& state, std::size_t body) : state_(state), body_(body) {
   each_row(Points::rows(), [&](const auto& row) {
     auto& array = P.*row.array;
     if constexpr (std::is_same_v<decltype(array.data()), double*>) {
-      if (row.remembered() && row.carried_by(P)) arrays_.push_back(array.data());
+      if (row.carried_by(P)) arrays_.push_back(array.data());
     }
   });
 }

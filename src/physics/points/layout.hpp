@@ -42,7 +42,7 @@ class Movers {
 
   State& state_;
   std::size_t body_;
-  std::vector<double*> arrays_;  // of what points remember
+  std::vector<double*> arrays_;  // of what points have
   std::vector<Mover> movers_;
   std::vector<double> numbers_;  // of each mover, one from each array
 };

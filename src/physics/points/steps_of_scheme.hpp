@@ -60,6 +60,10 @@ void strain_where_neighbours_count(StepWork& work, const PassWork& pass) {
     const bool later =
         std::visit([](const auto& law) { return waits(law, Pass::moves); }, work.scene.bodies[b].material);
     if (!later || (state.elements_of[b] && !Pass::moves)) continue;
+    if (state.blocks[b]) {  // where the points stay, the stress asks for the rates itself
+      if constexpr (Pass::moves) strain_and_move_by_lanes<S>(work, pass, b);
+      continue;
+    }
     work.found = state.has_pins[b] ? strain_and_move_all<S, Pass, true>(pass, state.ranges[b], work.found)
                                    : strain_and_move_all<S, Pass, false>(pass, state.ranges[b], work.found);
   }
@@ -89,8 +93,15 @@ void stress_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   const Range range = state.ranges[b];
   const OwnField own(state, b);
   if (state.blocks[b]) {
-    if constexpr (Pass::moves) return strain_move_and_map_by_lanes<S>(work, pass, b);
-    return strain_and_pull_by_lanes(work, pass, b);
+    const bool waited =
+        std::visit([](const auto& law) { return waits(law, Pass::moves); }, work.scene.bodies[b].material);
+    if constexpr (!Pass::moves)
+      strain_and_pull_by_lanes(work, pass, b);
+    else if (waited)
+      stress_and_map_by_lanes(work, pass, b);
+    else
+      strain_move_and_map_by_lanes<S>(work, pass, b);
+    return;
   }
   if (state.elements_of[b]) {
     if constexpr (Pass::moves) map_momentum_all<S>(pass, range);

@@ -97,12 +97,13 @@ HWY_INLINE V<D> power(const Stresses<D>& s, const Rates<D>& of) {
 
 /// sigma / rho of a gas (4.1), (4.4) with artificial viscosity (4.11), (4.12), and where it is heated by the rate that
 /// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, which stands in the
-/// tile, or from continuity (4.7). The points' arrays hold sigma / rho within a step, so that nothing is divided by rho
-/// twice; record_stress() ends that, unless contact reads the stress between the passes.
-template <class D, class Kernel, bool axis, bool by_nodes>
+/// tile, or from continuity (4.7), or it stands in its array. The points' arrays hold sigma / rho within a step, so
+/// that nothing is divided by rho twice; record_stress() ends that, unless contact reads the stress between the passes.
+template <class D, class Kernel, bool axis, LaneLaw law_of>
 class Gas {
  public:
   static constexpr bool is_gas = true, about_axis = axis;
+  static constexpr bool by_nodes = law_of == LaneLaw::gas_of_nodes;
 
   HWY_INLINE Gas(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
       : work_(work),
@@ -140,10 +141,9 @@ class Gas {
 
  private:
   HWY_INLINE V<D> density(std::size_t p, V<D> rate, const typename Kernel::template Weights<D>& w) const {
-    if constexpr (by_nodes)
-      return density_.at(w);
-    else
-      return load<D>(work_.P.rho + p) / (all<D>(1) + dt_ * rate);
+    if constexpr (by_nodes) return density_.at(w);
+    const V<D> rho = load<D>(work_.P.rho + p);
+    return law_of == LaneLaw::gas_of_continuity ? rho / (all<D>(1) + dt_ * rate) : rho;
   }
   HWY_INLINE Stresses<D> over_density(V<D> pressure, V<D> rate, V<D> rho, const Rates<D>& of) const {
     const V<D> mu = all<D>(2 * work_.body.mu), zero = hn::Zero(D()), normal = hn::Neg(pressure);
@@ -159,8 +159,8 @@ class Gas {
   V<D> dt_, gm1_, c_of_e_, linear_, square_;
 };
 
-/// i += dt (sigma : eps') / rho (4.10) of a layer, with the strain rate of (v_old + v_new) / 2; `divides`: its stress is
-/// not yet over rho.
+/// i += dt (sigma : eps') / rho (4.10) of a layer, with the strain rate of (v_old + v_new) / 2; `divides`: its stress
+/// is not yet over rho.
 template <class D, bool axis>
 HWY_INLINE void heat_centred(const LanePoints& P, std::size_t p, V<D> dt, bool divides, const Rates<D>& of) {
   const V<D> zero = hn::Zero(D());

@@ -98,6 +98,20 @@ class TakingIncrements {
   typename Kernel::template Value<D> a_x_, a_y_, u_x_, u_y_;
 };
 
+/// What points carry: their velocity, and of APIC the field about them.
+template <class D, bool affine>
+HWY_INLINE Motion<D> motion_of(const LaneWork& work, std::size_t p) {
+  Motion<D> motion;
+  if constexpr (affine) {
+    V<D> own[6];
+    own_field<D>(work, p, own);
+    motion = {own[0], own[1], own[2], own[3], own[4], own[5]};
+  } else {
+    motion.vx = load<D>(work.P.vx + p), motion.vy = load<D>(work.P.vy + p);
+  }
+  return motion;
+}
+
 /// APIC: a point's field is that of the nodes about it, and its velocity is what it moves with.
 template <class D, class Kernel, bool accelerates>
 class TakingFields {
@@ -107,13 +121,10 @@ class TakingFields {
 
   HWY_INLINE Taken<D> take(std::size_t p, V<D>, const typename Kernel::template Weights<D>& w, V<D>&) const {
     Taken<D> taken;
-    if constexpr (accelerates) {
+    if constexpr (accelerates)
       taken.motion = fields_.at(w);
-    } else {
-      V<D> own[6];
-      own_field<D>(work_, p, own);
-      taken.motion = {own[0], own[1], own[2], own[3], own[4], own[5]};
-    }
+    else
+      taken.motion = motion_of<D, true>(work_, p);
     taken.ux = taken.motion.vx, taken.uy = taken.motion.vy;
     return taken;
   }

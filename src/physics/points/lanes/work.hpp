@@ -19,6 +19,7 @@ struct LanePoints {
   double *x, *y, *vx, *vy, *vxx, *vyx, *vxy, *vyy;
   const double *mass, *volume;
   double *sxx, *syy, *sxy, *szz, *rho, *energy;
+  double *dxx, *dyy, *dxy, *dzz;  // of laws that wait for their neighbours' new places
 };
 
 /// Rows of the nodes, node 0 first: what points read, and what they add to.
@@ -56,9 +57,9 @@ struct LaneFindings {
   std::vector<Moved> moved;
 };
 
-/// Laws that run by lanes; gas by where its density comes from, the nodes or continuity.
-enum class LaneLaw { elastic, gas_of_nodes, gas_of_continuity };
-constexpr std::size_t lane_laws = 3;
+/// Laws that run by lanes; gas by where its density comes from: the nodes, continuity, or its array, where it stands.
+enum class LaneLaw { elastic, gas_of_nodes, gas_of_continuity, gas_of_cells };
+constexpr std::size_t lane_laws = 4;
 
 /// What is the same for all points of a body in a step.
 struct LaneBody {
@@ -81,7 +82,7 @@ struct LaneWork {
   const Blocks* blocks;
   LaneBody body;
   double dt = 0;
-  bool records = false;  // velocities and fields about points are written, which the grid has else
+  bool records = false;       // velocities and fields about points are written, which the grid has else
   bool reads_stress = false;  // usf: the stress of gas is read before the points move
 };
 
@@ -101,6 +102,9 @@ struct LanePasses {
   Pass accelerate_and_convect = nullptr;
   /// musl and usl: strain rate (3.23), of usl velocities (3.22), places (3.21), stress, the map (3.15), (3.16).
   Pass strain_move_and_map[lane_laws] = {};
+  /// The same in two: strain rate, velocities, places; then stress and the map, once neighbours stand at their places.
+  Pass strain_and_move = nullptr;
+  Pass stress_and_map[lane_laws] = {};
   /// usf: strain rate (3.23), stress, force (3.16); the points stay.
   Pass strain_and_pull[lane_laws] = {};
   /// usf: velocities (3.22), places (3.21), heat of gas (4.10), mass and momentum (3.15).

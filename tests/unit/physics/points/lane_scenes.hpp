@@ -31,13 +31,14 @@ struct LaneScene {
 };
 inline void PrintTo(const LaneScene& scene, std::ostream* out) { *out << scene.name; }
 
-/// A solid and a gas by continuity that run into each other's cells, by another scheme than the robust set's.
-inline std::function<void(Scene&)> by(StressOrder order, Kernel kernel, Transfer transfer) {
+/// A solid and a gas that run into each other's cells, by another scheme than the robust set's.
+inline std::function<void(Scene&)> by(StressOrder order, Kernel kernel, Transfer transfer,
+                                      DensityRule rule = DensityRule::continuity) {
   return [=](Scene& s) {
     s.method.order = order, s.method.kernel = kernel, s.method.transfer = transfer;
     s.method.gas_energy = GasEnergy::rate, s.method.contact = ContactRule::none;
     IdealGas gas = robust_gas(0.02);
-    gas.rule = DensityRule::continuity;
+    gas.rule = rule;
     add_body(s, gas, scattered(lattice(0.1, -1.3, 0.2, -1, 1), 0.1), 1.3, 1.0);
     add_body(s, plane_strain(3, 0.3), scattered(lattice(0.08, 0.2, 1.2, -1, 1), 0.08), 1.7);
   };
@@ -112,6 +113,14 @@ inline const LaneScene lane_scenes[] = {
     {"AboutAnAxisByContinuity", about_axis(robust_set(), DensityRule::continuity)},
     {"AboutAnAxisByTheThesis", about_axis({}, DensityRule::continuity)},
     {"AboutAnAxisUsl", about_axis({.order = StressOrder::usl}, DensityRule::continuity)},
+    {"MuslByCells", by(StressOrder::musl, Kernel::linear, Transfer::flip, DensityRule::cell)},
+    {"MuslByQuadraticCells", by(StressOrder::musl, Kernel::linear, Transfer::flip, DensityRule::quadratic)},
+    {"MuslSplinesApicByCells", by(StressOrder::musl, Kernel::bspline, Transfer::apic, DensityRule::cell)},
+    {"MuslSplinesByNodes", by(StressOrder::musl, Kernel::bspline, Transfer::flip, DensityRule::grid)},
+    {"UslByCells", by(StressOrder::usl, Kernel::linear, Transfer::flip, DensityRule::quadratic)},
+    {"UslSplinesApicByNodes", by(StressOrder::usl, Kernel::bspline, Transfer::apic, DensityRule::grid)},
+    {"UsfByCells", by(StressOrder::usf, Kernel::linear, Transfer::flip, DensityRule::quadratic)},
+    {"AboutAnAxisByCells", about_axis({}, DensityRule::cell)},
     {"SolidsThatTouch", touching(robust_set())},
     {"SolidsThatTouchByTheThesis", touching({.contact = ContactRule::release})},
     {"GasAndASolidThatTouch",

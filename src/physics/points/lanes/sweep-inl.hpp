@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Read once for each instruction set, so without #pragma once.
+#if defined(TETHER_POINTS_SWEEP_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TETHER_POINTS_SWEEP_INL
+#undef TETHER_POINTS_SWEEP_INL
+#else
+#define TETHER_POINTS_SWEEP_INL
+#endif
+
+#include <algorithm>
+#include <iterator>
+
+#include "physics/points/lanes/tile-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tether::mpm::HWY_NAMESPACE {
+
+// What all passes do: a sweep over the groups of a body, and sums for the nodes' rows.
+
+/// Calls each(tile, n) for the points of all groups, n the node of a group's first cell, and done() after each strip.
+template <class Each, class Done>
+HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) {
+  const Blocks& blocks = *work.blocks;
+  Tile tile;
+  for (auto& layer : tile.lost) std::fill(std::begin(layer), std::end(layer), 0.0);
+  for (const Blocks::Strip strip : blocks.strips()) {
+    for (std::size_t g = strip.begin; g < strip.end; ++g) {
+      const Blocks::Group& group = blocks.groups()[g];
+      tile.x0 = group.cell, tile.y0 = group.row;
+      for (std::uint32_t block = group.first; next_layers(blocks, block, tile);)
+        each(tile, group.row * work.grid.nx + group.cell);
+    }
+    done();
+  }
+}
+
+/// Internal forces to the nodes (3.16), about an axis with the hoop's.
+template <class D, class Kernel, bool axis>
+class Forces {
+ public:
+  HWY_INLINE explicit Forces(const LaneWork& work) : rows_(work.grid.nx) {
+    rows_.rows[0] = work.N.force_x, rows_.rows[1] = work.N.force_y;
+    if constexpr (axis) rows_.rows[2] = work.N.force_x;
+  }
+  HWY_INLINE void put(const Tile& tile, std::ptrdiff_t n) {
+    rows_.begin(n);
+    Kernel::template scatter_forces<D>(tile, rows_);
+    if constexpr (axis) Kernel::template scatter_value<D>(tile, tile.hoop, rows_, 2);
+  }
+  HWY_INLINE void close() { rows_.close(); }
+
+ private:
+  Putting<D, Kernel, axis ? 3 : 2> rows_;
+};
+
+/// The rows of mass and momentum.
+template <class D, class Kernel>
+HWY_INLINE void set_rows(const LaneNodes& N, Putting<D, Kernel, 5>& momenta) {
+  momenta.rows[row_of_m] = N.m, momenta.rows[row_of_x] = N.momentum_x, momenta.rows[row_of_y] = N.momentum_y;
+  momenta.rows[row_of_gas] = N.gas, momenta.rows[row_of_loss] = N.loss;
+  momenta.used = N.loss ? 5 : N.gas ? 4 : 3;
+}
+
+}  // namespace tether::mpm::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
