@@ -95,6 +95,8 @@ class Blocks {
   /// Puts groups that came in since into the order of the sweep.
   void settle();
 
+  /// A point has found no room.
+  bool full() const { return full_; }
   /// So many blocks were added since the layout that points should be laid out anew.
   bool scattered() const { return full_ || 12 * (next_.size() - free_.size()) > 13 * laid_out_ + 96; }
 

@@ -95,6 +95,9 @@ void strain_and_move_by_lanes(StepWork& work, const PassWork& pass, std::size_t 
   work.state.lane_passes->strain_and_move(lane_work(work, pass, b), found);
   join(work.found, found, work.state.ranges[b].begin);
   settle_moved<S>(work, pass, b, found.moved, [](std::size_t, double, const auto&) {});
+  if (!work.state.blocks[b]->full()) return;
+  lay_out(work.state, work.scene);  // the step goes on from the points' cells
+  work.state.list_fluids(work.scene);
 }
 
 }  // namespace tether::mpm

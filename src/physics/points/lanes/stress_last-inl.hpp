@@ -99,38 +99,29 @@ void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
 
 // The same where a law waits for its neighbours' new places: the strain rates stand in the points' arrays meanwhile.
 
-/// Returns whether all points stay in their cells.
-template <class D, class Kernel, bool affine, bool axis, bool last>
-HWY_NOINLINE bool strain_and_go(const LaneWork& work, std::ptrdiff_t n, Tile& tile, LaneFindings& found) {
-  const LanePoints P = work.P;
-  const LaneNodes N = work.N;
-  const Field field = last ? Field{N.new_x + n, N.new_y + n} : Field{N.old_x + n, N.old_y + n};
-  bool all_stay = true;
-  for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-    const Locating<D, Kernel> locating(work.grid, tile, sub);
-    const Straining<D, Kernel, axis, false> strain(work.grid, field, sub);
-    const Taking<D, Kernel, affine, last> taking(work, n, sub);
-    Moving<D, Kernel, affine> moving(work, found, sub);
-    V<D> squares = load<D>(found.squares + sub);
-    for (std::size_t k = 0; k < tile.layers; ++k) {
-      const std::size_t p = tile.slot[k] + sub;
-      const V<D> x = load<D>(P.x + p), y = load<D>(P.y + p), mass = load<D>(P.mass + p);
-      const auto w = Kernel::template weights<D>(locating.inside(x, y));
-      const Rates<D> rate = strain.at(w, x, mass);
-      store<D>(rate.xx, P.dxx + p), store<D>(rate.yy, P.dyy + p), store<D>(all<D>(0.5) * rate.xy, P.dxy + p);
-      store<D>(axis ? rate.zz : hn::Zero(D()), P.dzz + p);
-      moving.move(locating, tile, k, sub, mass, x, y, taking.take(p, mass, w, squares));
-    }
-    store<D>(squares, found.squares + sub), store<D>(moving.lifted, found.lifted + sub);
-    all_stay &= moving.all_stay;
+/// In the place of a law: it keeps the strain rate.
+template <class D, class Kernel, bool axis>
+class Keeping {
+ public:
+  static constexpr bool about_axis = axis;
+
+  HWY_INLINE Keeping(const LaneWork& work, std::ptrdiff_t, std::size_t) : P_(work.P) {}
+  HWY_INLINE void stress(const Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>&,
+                         const Rates<D>& rate, LaneFindings&) const {
+    const std::size_t p = tile.slot[k] + sub;
+    store<D>(rate.xx, P_.dxx + p), store<D>(rate.yy, P_.dyy + p), store<D>(all<D>(0.5) * rate.xy, P_.dxy + p);
+    store<D>(axis ? rate.zz : hn::Zero(D()), P_.dzz + p);
   }
-  return all_stay;
-}
+
+ private:
+  LanePoints P_;
+};
 
 template <class D, class Kernel, bool affine, bool axis, bool last>
 void strain_and_move(const LaneWork& work, LaneFindings& found) {
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
-    const bool all_stay = strain_and_go<D, Kernel, affine, axis, last>(work, n, tile, found);
+    const bool all_stay =
+        strain_move_and_stress<D, Kernel, affine, last, Keeping<D, Kernel, axis>>(work, n, tile, found);
     if constexpr (affine && last) record_motion<D>(work, tile);
     if (!all_stay) take_out<false>(work, tile, found);
   };

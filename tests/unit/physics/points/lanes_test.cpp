@@ -157,6 +157,22 @@ TEST(LaneLayout, KeepsPointsThatFindNoRoom) {
   EXPECT_EQ(places[static_cast<std::size_t>(id)], x);
 }
 
+// Where the stress waits for the points' new places, a crowd that finds no room is laid out anew within the step.
+TEST(LaneLayout, IsMadeAnewWithinAStep) {
+  const LaneScene crowd{"Crowd", [](Scene& s) {
+                          s.method = {.gas_energy = GasEnergy::rate};
+                          IdealGas gas = robust_gas(0.02);
+                          gas.rule = DensityRule::quadratic;
+                          add_body(s, gas, lattice(0.03, -1, 1, -1, 1), 1.3, 8.0);
+                        }};
+  LaneRun run(crowd, Wall::free_slip, {}), alone(crowd, Wall::free_slip, {InstructionSet::one, false});
+  const std::size_t room = run.state().blocks[0]->capacity();
+  run.steps(100), alone.steps(100);
+  EXPECT_NE(run.state().blocks[0]->capacity(), room);
+  const auto a = run.field(&Points::x), b = alone.field(&Points::x);
+  for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11);
+}
+
 /// Every point stands in a lane of its cell, and every slot without one is empty.
 TEST(LaneLayout, PutsPointsIntoTheirCells) {
   const LaneScene solid{"Solid", [](Scene& s) {
