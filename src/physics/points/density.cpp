@@ -26,7 +26,7 @@ CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geomet
 double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / volume_[static_cast<std::size_t>(i)]; }
 
 void CellDensity::clear_around(const Points& points, Range range) {
-  for_points(range, [&](std::size_t p) {
+  for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     for (int j = at.j - 1; j <= at.j + 1; ++j) {
       for (int i = at.i - 1; i <= at.i + 1; ++i) mass_[index(i, j)] = 0;
@@ -35,14 +35,14 @@ void CellDensity::clear_around(const Points& points, Range range) {
 }
 
 void CellDensity::add_cell(const Points& points, Range range) {
-  for_points(range, [&](std::size_t p) {
+  for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     mass_[index(at.i, at.j)] += points.mass[p];  // (4.5)
   });
 }
 
 void CellDensity::add_quadratic(const Points& points, Range range) {
-  for_points(range, [&](std::size_t p) {
+  for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
     for (int j = 0; j < 3; ++j) {
@@ -62,7 +62,7 @@ void CellDensity::update(Points& points, const std::vector<Range>& gas, const st
       add_cell(points, range);
   }
   for (const Range range : takers) {
-    for_points(range, [&](std::size_t p) {
+    for_points(points, range, [&](std::size_t p) {
       const CellPlace at = locator_.locate(points.x[p], points.y[p]);
       points.rho[p] = (*this)(at.i, at.j);
     });

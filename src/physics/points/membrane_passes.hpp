@@ -114,7 +114,7 @@ inline void density_at_nodes(const PassWork& work, const std::vector<Range>& gas
   const Points& P = work.P;
   const auto each = [&](const auto& visit) {
     for (const Range range : gas) {
-      for_points(range, [&](std::size_t p) {
+      for_points(P, range, [&](std::size_t p) {
         const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
         visit(p, S::Kernel::nodes(work.locator, at), S::Kernel::values(at));
       });

@@ -23,7 +23,9 @@ constexpr int rounds_of_fitting = 3;
 /// Whether the points of the scene, not those beyond open edges, have more than one velocity.
 inline bool velocities_differ(const State& state, Range range) {
   const Points& P = state.points;
-  const auto is_here = [&](std::size_t p) { return !state.strips.on() || !state.strips.holds(P.x[p], P.y[p]); };
+  const auto is_here = [&](std::size_t p) {
+    return P.holds(p) && (!state.strips.on() || !state.strips.holds(P.x[p], P.y[p]));
+  };
   std::size_t first = range.begin;
   while (first < range.end && !is_here(first)) ++first;
   for (std::size_t p = first; p < range.end; ++p) {
@@ -39,7 +41,7 @@ inline std::vector<Pair> velocities_of(const State& state, Range range) {
   const Points& P = state.points;
   const Locator locator(frame.shape);
   NodeSumsRow sums(frame.shape.nodes());
-  for_points(range, [&](std::size_t p) {
+  for_points(P, range, [&](std::size_t p) {
     if (P.pinned[p] && state.pins_hold_loads) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     map_momentum<S>(P, p, sums, locator, at, S::Kernel::nodes(locator, at));
@@ -66,7 +68,7 @@ inline void fit_fields(State& state) {
     if (!velocities_differ(state, range)) continue;
     for (int round = 0; round < rounds_of_fitting; ++round) {
       const auto velocities = velocities_of<S>(state, range);
-      for_points(range, [&](std::size_t p) {
+      for_points(P, range, [&](std::size_t p) {
         if (P.pinned[p]) return;
         const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
         const LinearField field =
