@@ -110,7 +110,7 @@ void print_plan(const Loaded& loaded) {
 
 void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
   const Clocks clocks;
-  const Loaded loaded = load(name, options);
+  Loaded loaded = load(name, options);
   const auto folder = folder_of(name, run_options, several);
   if (!run_options.quiet) {
     print_warnings(name, loaded);
@@ -135,7 +135,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   SignalWatch signals;  // from here on there is something to be kept
   request.interrupted = [&signals] { return signals.take(); };
   request.restart = run_options.restart;
-  const RunOutcome outcome = run(loaded.plan, request);
+  const RunOutcome outcome = run(std::move(loaded.plan), request);
   progress.clear();
   if (!run_options.quiet) print_outcome(name, request.folder, outcome.summary);
   if (const int late = signals.take(); late != 0)

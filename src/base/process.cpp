@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <fstream>
 #include <new>
 #include <system_error>
 
@@ -53,6 +55,17 @@ int SignalWatch::wait(double seconds) {
 void keep_freed_memory() {
   mallopt(M_MMAP_MAX, 0);         // nothing has a mapping of its own, which would go with it
   mallopt(M_TRIM_THRESHOLD, -1);  // and the heap does not shrink
+}
+
+double peak_memory_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return 1e-3 * kilobytes;
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1e-3 * static_cast<double>(usage.ru_maxrss);
 }
 
 std::string program_version() { return TETHER_VERSION; }

@@ -81,6 +81,10 @@ class Stopwatch {
 /// third of a step. To be called before anything large is made.
 void keep_freed_memory();
 
+/// Most memory that the process has held at a time [MB]. The kernel's other count of it, ru_maxrss, begins with what
+/// the parent held, and stands in where there is no /proc.
+double peak_memory_mb();
+
 std::string program_version();  ///< "0.1.0"
 std::string git_hash();         ///< of the tree this program was built from, "-dirty" behind it if it had changes
 

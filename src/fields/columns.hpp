@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fields/column_text.hpp"
+#include "fields/fields_in_turn.hpp"
 
 // A column is a description with a function of what is computed once for a record: the layout of a history and its
 // records come from the same rows, and so do a snapshot's names and its values. A physics writes its rows once, with
@@ -216,12 +217,14 @@ class Columns {
 
   /// As many numbers of each column as there are points, nodes or cells.
   Snapshot snapshot(double time, std::size_t count, const Source& source) const {
-    Snapshot snapshot{time, {}};
-    for (std::size_t c = 0; c < chosen_.size(); ++c) {
-      Field& field = snapshot.fields.emplace_back(Field{layout_.quantities[c], {}});
-      append(c, count, source, field.values);
-    }
-    return snapshot;
+    return in_turn(time, count, [&source]() -> const Source& { return source; }).snapshot();
+  }
+  /// The same one after the other; source() hands over what they are made from.
+  template <class SourceOf>
+  FieldsInTurn in_turn(double time, std::size_t count, SourceOf source) const {
+    return {time, layout_.quantities, count, [columns = *this, source](std::size_t c, std::span<double> numbers) {
+              columns.chosen_[c].value.fill(source(), columns.chosen_[c].axis, columns.chosen_[c].first, numbers);
+            }};
   }
 
  private:

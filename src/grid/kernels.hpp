@@ -7,7 +7,7 @@
 
 namespace tether {
 
-/// Cubic B-spline weights, along one axis, of the two nodes before a place and the two behind it; r is the place's
+/// Cubic B-spline weights, along one axis, of the two nodes before a place and the two after it; r is the place's
 /// logical coordinate in its cell, 0 to 1. The products of two axes are the 16-vertex kernel of (7.6).
 inline std::array<double, 4> cubic_weights(double r) {
   const double q = 1 - r;
@@ -49,11 +49,11 @@ struct LinearGradient {
   }
 };
 
-/// Quadratic weights of the cells before, at and behind the one that holds the place, along one axis (Table 12);
+/// Quadratic weights of the cells before, at and after the one that holds the place, along one axis (Table 12);
 /// `centred` is the logical coordinate measured from the cell's middle, -0.5 to 0.5.
 inline std::array<double, 3> quadratic_weights(double centred) {
-  const double before = 0.5 - centred, behind = 0.5 + centred;
-  return {0.5 * before * before, 0.75 - centred * centred, 0.5 * behind * behind};
+  const double before = 0.5 - centred, after = 0.5 + centred;
+  return {0.5 * before * before, 0.75 - centred * centred, 0.5 * after * after};
 }
 
 /// Their derivatives in the logical coordinate (Table 13); a side of the cell turns them into slopes.

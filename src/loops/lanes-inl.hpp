@@ -47,43 +47,36 @@ HWY_INLINE V<D> counting(double first) {
   return hn::Iota(D(), first);
 }
 
-/// What stood in the two lanes before a vector: of one lane these are two vectors.
-template <class D>
-struct Before {
-  V<D> last{}, last_but_one{};
-  HWY_INLINE void follow(V<D> v) { last_but_one = last, last = v; }
-};
-
-/// `v` moved up by some lanes, fewer than it has, with the last lanes of `before` ahead.
+/// `v` turned by some lanes, fewer than it has, so that lane 0 stands in lane `by`.
 template <class D, std::size_t by>
-HWY_INLINE V<D> up_by(V<D> v, V<D> before) {
-  constexpr D d;
+HWY_INLINE V<D> turned(V<D> v) {
   alignas(64) std::int64_t from[width<D>];
   for (std::size_t l = 0; l < width<D>; ++l) from[l] = static_cast<std::int64_t>((l + width<D> - by) % width<D>);
-  const auto lanes = hn::SetTableIndices(d, from);
-  return hn::IfThenElse(hn::FirstN(d, by), hn::TableLookupLanes(before, lanes), hn::TableLookupLanes(v, lanes));
+  return hn::TableLookupLanes(v, hn::SetTableIndices(D(), from));
 }
 
-/// `v` moved up by one lane, the lane before it from `before`.
-template <class D>
-HWY_INLINE V<D> up_by_one(V<D> v, const Before<D>& before) {
-  if constexpr (width<D> == 1) {
-    return before.last;
-  } else {
-    return up_by<D, 1>(v, before.last);
+/// Vectors that follow each other, moved up by some lanes: what stands in the last lanes of one comes into the first
+/// ones of the next. Zeros come first.
+template <class D, std::size_t by>
+class UpBy {
+ public:
+  HWY_INLINE V<D> follow(V<D> v) {
+    if constexpr (width<D> <= by) {
+      const V<D> up = before_[by / width<D> - 1];
+      for (std::size_t k = by / width<D> - 1; k > 0; --k) before_[k] = before_[k - 1];
+      before_[0] = v;
+      return up;
+    } else {
+      const V<D> now = turned<D, by>(v), up = hn::IfThenElse(hn::FirstN(D(), by), before_[0], now);
+      before_[0] = now;
+      return up;
+    }
   }
-}
-/// The same by two lanes.
-template <class D>
-HWY_INLINE V<D> up_by_two(V<D> v, const Before<D>& before) {
-  if constexpr (width<D> == 1) {
-    return before.last_but_one;
-  } else if constexpr (width<D> == 2) {
-    return before.last;
-  } else {
-    return up_by<D, 2>(v, before.last);
-  }
-}
+
+ private:
+  static constexpr std::size_t vectors = by > width<D> ? by / width<D> : 1;
+  V<D> before_[vectors] = {};
+};
 
 /// to += v.
 template <class D>

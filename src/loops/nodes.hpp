@@ -46,6 +46,15 @@ class ActiveNodes {
     }
   }
   const std::vector<NodeSpan>& spans() const { return spans_; }
+  /// Whether one of the nine nodes in and around a column of a row may be touched, or one of those that fill it up.
+  bool any_around(std::size_t n) const {
+    const std::size_t i = n % nx_, j = n / nx_, left = i > 0 ? (i - 1) / eight : 0,
+                      right = std::min((i + 1) / eight, eights_ - 1), rows = marks_.size() / eights_;
+    for (std::size_t row = j > 0 ? j - 1 : 0; row <= j + 1 && row < rows; ++row) {
+      if (marks_[row * eights_ + left] != 0 || marks_[row * eights_ + right] != 0) return true;
+    }
+    return false;
+  }
 
  private:
   static constexpr std::size_t eight = 8;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 
 // The loops over points. Whoever has something to do at each point hands it over as a body; which slots are visited, in
@@ -8,10 +9,28 @@
 
 namespace tether {
 
-/// Slots of some points, the end excluded.
+struct Slots;
+
+/// Slots of some points, the end excluded; each holds a point.
 struct Range {
   std::size_t begin = 0, end = 0;
+
+  operator Slots() const;
 };
+
+/// The same where some may hold no point: a loop over them asks who holds the points.
+struct Slots {
+  std::size_t begin = 0, end = 0;
+  bool gaps = false;
+
+  std::size_t size() const { return end - begin; }
+  /// Of a body that leaves no slot empty.
+  Range full() const {
+    assert(!gaps);
+    return {begin, end};
+  }
+};
+inline Range::operator Slots() const { return {begin, end}; }
 
 /// Calls body(p) for each slot, in their order.
 template <class Body>
@@ -19,11 +38,11 @@ inline void for_points(Range range, const Body& body) {
   for (std::size_t p = range.begin; p < range.end; ++p) body(p);
 }
 
-/// The same for slots of which some hold no point: only for those where slots.holds(p).
-template <class Slots, class Body>
-inline void for_points(const Slots& slots, Range range, const Body& body) {
-  for (std::size_t p = range.begin; p < range.end; ++p) {
-    if (slots.holds(p)) body(p);
+/// The same for slots of which some hold no point: only for those where points.holds(p).
+template <class Points, class Body>
+inline void for_points(const Points& points, Slots slots, const Body& body) {
+  for (std::size_t p = slots.begin; p < slots.end; ++p) {
+    if (points.holds(p)) body(p);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fields/fields_in_turn.hpp"
 #include "results/results.hpp"
 
 namespace tether {
@@ -45,6 +46,12 @@ class Solver {
   virtual HistoryLayout history_layout() const = 0;
   virtual Record record() const = 0;
   virtual Snapshot points() const = 0;
+  /// Hands the same to `write`, where there are points; one field after the other where that saves memory.
+  virtual void write_points(const std::function<void(const FieldsInTurn&)>& write) const {
+    if (const Snapshot all = points(); !all.fields.empty()) write(all);
+  }
+  /// Whether it holds what the scene says of points and never asks the scene for them again.
+  virtual bool has_taken_points() const { return false; }
   virtual Snapshot grid() const = 0;
   /// Fields of bodies that have a mesh of their own beside that of grid(); none else.
   virtual Snapshot solids() const { return {time(), {}}; }

@@ -98,7 +98,10 @@ Cost cost_of(const Scene& scene, const StepRule& rule) {
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * points;
-  cost.megabytes = 1e-6 * (static_cast<double>(scene.grid.nodes()) * bytes_per_node + points * bytes_per_point);
+  const bool more = scene.outputs.checkpoint > 0;
+  cost.megabytes = megabytes_of_program +
+                   1e-6 * (static_cast<double>(scene.grid.nodes()) * (bytes_per_node + more * more_bytes_per_node) +
+                           points * (bytes_per_point + more * more_bytes_per_point));
   cost.seconds = cost.point_steps * seconds_per_point_step;
   return cost;
 }

@@ -56,7 +56,8 @@ std::string to_text(const Plan& plan) {
   std::string text = std::visit(Head{scene}, scene.physics);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
-    text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count, material_name(body.material));
+    text += fmt::format("body {}: {}, {} points, {}\n", b + 1, body.name, body.count,
+                        material_name(body.material, scene.geometry));
   }
   text += "modelled:\n";
   for (const Term& term : plan.terms) {
@@ -79,14 +80,19 @@ std::string to_text(const Plan& plan) {
 namespace {
 
 struct Namer {
+  Geometry geometry;
+
   std::string operator()(const PlaneElastic& law) const {
-    return fmt::format("linear elastic, plane {} (E {:.4g}, nu {:.3g})",
-                       law.plane == PlaneElastic::Plane::strain ? "strain" : "stress", law.E, law.nu);
+    return fmt::format("linear elastic, {} (E {:.4g}, nu {:.3g})", across(law.plane == PlaneElastic::Plane::stress),
+                       law.E, law.nu);
   }
   std::string operator()(const FiniteElastic& law) const {
-    return std::visit(
-        [](const auto& of) { return law_text(of) + (of.plane_stress() ? ", plane stress" : ", plane strain"); },
-        law.law);
+    return std::visit([this](const auto& of) { return law_text(of) + ", " + across(of.plane_stress()); }, law.law);
+  }
+  /// What holds the body across the plane.
+  const char* across(bool plane_stress) const {
+    if (geometry == Geometry::axisymmetric) return "about the axis";
+    return plane_stress ? "plane stress" : "plane strain";
   }
   std::string operator()(const IdealGas& gas) const {
     const char* rule = gas.rule == DensityRule::cell         ? "by cell (4.5)"
@@ -161,7 +167,7 @@ bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && has_solid
 
 }  // namespace
 
-std::string material_name(const Material& material) { return std::visit(Namer{}, material); }
+std::string material_name(const Material& material, Geometry geometry) { return std::visit(Namer{geometry}, material); }
 
 std::vector<Term> terms_of(const Scene& scene) {
   const Body* gas_body = find_body<IdealGas>(scene);

@@ -14,6 +14,6 @@ std::string to_text(const Plan& plan);
 /// What of the method the scene needs, and what it does not.
 std::vector<Term> terms_of(const Scene& scene);
 
-std::string material_name(const Material& material);
+std::string material_name(const Material& material, Geometry geometry);
 
 }  // namespace tether

@@ -80,7 +80,7 @@ std::filesystem::path ResultFolder::keep_what_was_set_aside(const std::string& n
 
 void ResultFolder::append(const Record& record) { history_.append(record); }
 
-void ResultFolder::points(const Snapshot& snapshot) { points_.append(snapshot); }
+void ResultFolder::points(const FieldsInTurn& snapshot) { points_.append(snapshot); }
 
 void ResultFolder::grid(const BackgroundGrid& grid, const Snapshot& snapshot) { grid_.append(grid, snapshot); }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "fields/fields_in_turn.hpp"
 #include "grid/boxes.hpp"
 #include "grid/mesh.hpp"
 #include "results/history_writer.hpp"
@@ -34,7 +35,7 @@ class ResultFolder {
   std::filesystem::path keep_what_was_set_aside(const std::string& name);
 
   void append(const Record& record);                                ///< history.nc and history.txt
-  void points(const Snapshot& snapshot);                            ///< particles.nc and particles.xmf
+  void points(const FieldsInTurn& snapshot);                        ///< particles.nc and particles.xmf
   void grid(const BackgroundGrid& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
   void mesh(const Mesh& mesh, const Snapshot& snapshot);            ///< the same, of finite elements
   void solids(const Mesh& mesh, const Snapshot& snapshot);          ///< solids.nc and solids.xmf, beside mesh.nc

@@ -26,10 +26,10 @@ std::size_t product(const std::vector<Axis>& axes) {
                          [](std::size_t n, const Axis& axis) { return n * axis.length; });
 }
 
-std::size_t definition_room(const std::vector<Axis>& axes, const Snapshot& first, const Provenance& provenance,
+std::size_t definition_room(const std::vector<Axis>& axes, const FieldsInTurn& first, const Provenance& provenance,
                             const std::vector<FixedNumbers>& fixed) {
   std::size_t room = provenance_room(provenance) + room_per_file;
-  room += (first.fields.size() + axes.size() + 1) * room_per_variable;
+  room += (first.quantities().size() + axes.size() + 1) * room_per_variable;
   for (const auto& axis : axes) room += axis.places.size() * sizeof(double);
   for (const auto& numbers : fixed) room += room_per_variable + numbers.values.size() * sizeof(double);
   return room;
@@ -37,7 +37,7 @@ std::size_t definition_room(const std::vector<Axis>& axes, const Snapshot& first
 
 }  // namespace
 
-SnapshotFile::SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first,
+SnapshotFile::SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const FieldsInTurn& first,
                            const Provenance& provenance, FixedPart fixed)
     : axes_(std::move(axes)),
       fixed_(std::move(fixed)),
@@ -46,7 +46,7 @@ SnapshotFile::SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, c
   define(first, provenance);
 }
 
-void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
+void SnapshotFile::define(const FieldsInTurn& first, const Provenance& provenance) {
   write_provenance(file_, provenance);
   if (!fixed_.conventions.empty()) file_.global_attribute("Conventions", fixed_.conventions);
   std::vector<int> dimensions{file_.dimension("time", NetcdfFile::unlimited)};
@@ -60,9 +60,9 @@ void SnapshotFile::define(const Snapshot& first, const Provenance& provenance) {
     const Quantity place{axis.name, Dimension::length, "place of the nodes"};
     places.push_back(define_quantity(file_, place, {dimensions.back()}, provenance.units));
   }
-  for (const auto& field : first.fields) {
-    names_.push_back(field.quantity.name);
-    variables_.push_back(define_quantity(file_, field.quantity, dimensions, provenance.units));
+  for (const Quantity& quantity : first.quantities()) {
+    names_.push_back(quantity.name);
+    variables_.push_back(define_quantity(file_, quantity, dimensions, provenance.units));
     for (const auto& [name, text] : fixed_.of_each_field) file_.attribute(variables_.back(), name, text);
     file_.chunk(variables_.back(), chunk);
     if (grows()) file_.fill_with_nan(variables_.back());
@@ -102,57 +102,54 @@ std::vector<int> SnapshotFile::define_fixed() {
   return variables;
 }
 
-std::size_t SnapshotFile::checked_length(const Snapshot& snapshot) const {
-  if (snapshot.fields.size() != names_.size()) {
+std::size_t SnapshotFile::checked_length(const FieldsInTurn& snapshot) const {
+  if (snapshot.quantities().size() != names_.size()) {
     throw std::invalid_argument(
-        fmt::format("a snapshot of {} fields, {} in the first", snapshot.fields.size(), names_.size()));
+        fmt::format("a snapshot of {} fields, {} in the first", snapshot.quantities().size(), names_.size()));
   }
-  const std::size_t length = grows() ? snapshot.fields.front().values.size() : values_;
+  const std::size_t length = grows() ? snapshot.count() : values_;
   for (std::size_t k = 0; k < names_.size(); ++k) {
-    const auto& field = snapshot.fields[k];
-    if (field.quantity.name != names_[k] || field.values.size() != length) {
-      throw std::invalid_argument(fmt::format("field {} with {} numbers where {} with {} was expected",
-                                              field.quantity.name, field.values.size(), names_[k], length));
+    const Quantity& quantity = snapshot.quantities()[k];
+    if (quantity.name != names_[k] || snapshot.count() != length) {
+      throw std::invalid_argument(fmt::format("field {} with {} numbers where {} with {} was expected", quantity.name,
+                                              snapshot.count(), names_[k], length));
     }
   }
   return length;
 }
 
-/// With no numbers in place of points that other records have.
-void SnapshotFile::put(int variable, const NetcdfFile::Part& part, const std::vector<double>& values) {
-  if (values.size() == values_) return file_.put(variable, part, values);
-  std::vector<double> padded = values;
-  padded.resize(values_, std::numeric_limits<double>::quiet_NaN());
-  file_.put(variable, part, padded);
-}
-
-void SnapshotFile::append(const Snapshot& snapshot) {
+void SnapshotFile::append(const FieldsInTurn& snapshot) {
   values_ = std::max(values_, checked_length(snapshot));
   file_.reserve(variables_.size() * (values_ * sizeof(double) + room_per_variable) + room_per_file);
-  file_.put(time_, {{records_}, {1}}, std::array{snapshot.time});
+  file_.put(time_, {{records_}, {1}}, std::array{snapshot.time()});
   NetcdfFile::Part part{{records_}, {1}};
   for (const auto& axis : axes_) {
     part.start.push_back(0);
     part.count.push_back(axis.grows ? values_ : axis.length);
   }
-  for (std::size_t k = 0; k < variables_.size(); ++k) put(variables_[k], part, snapshot.fields[k].values);
+  // With no numbers in place of points that other records have.
+  std::vector<double> numbers(values_, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < variables_.size(); ++k) {
+    snapshot.fill(k, std::span(numbers).first(snapshot.count()));
+    file_.put(variables_[k], part, numbers);
+  }
   file_.sync();
   ++records_;
 }
 
 namespace {
 
-std::vector<std::string> field_names(const Snapshot& snapshot) {
+std::vector<std::string> field_names(const FieldsInTurn& snapshot) {
   std::vector<std::string> names;
-  for (const auto& field : snapshot.fields) names.push_back(field.quantity.name);
+  for (const Quantity& quantity : snapshot.quantities()) names.push_back(quantity.name);
   return names;
 }
 
-void check_points(const Snapshot& first) {
+void check_points(const FieldsInTurn& first) {
   const auto names = field_names(first);
   const auto has = [&names](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
   if (!has("x") || !has("y")) throw std::invalid_argument("a snapshot of points needs the fields x and y");
-  if (first.fields.front().values.empty()) throw std::invalid_argument("a snapshot without points");
+  if (first.count() == 0) throw std::invalid_argument("a snapshot without points");
 }
 
 /// Nodes along one direction, from 0: first + k step.
@@ -167,16 +164,16 @@ Axis nodes(const char* name, int count, double first, double step) {
 PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, bool changing)
     : folder_(std::move(folder)), provenance_(std::move(provenance)), changing_(changing) {}
 
-void PointWriter::append(const Snapshot& snapshot) {
+void PointWriter::append(const FieldsInTurn& snapshot) {
   if (!file_) {
     check_points(snapshot);
-    const std::vector<Axis> axes{{"point", snapshot.fields.front().values.size(), {}, changing_}};
+    const std::vector<Axis> axes{{"point", snapshot.count(), {}, changing_}};
     file_.emplace(folder_ / "particles.nc", axes, snapshot, provenance_);
     series_ = {"particles.nc", field_names(snapshot), {}};
   }
   file_->append(snapshot);
-  series_.times.push_back(snapshot.time);
-  counts_.push_back(snapshot.fields.front().values.size());
+  series_.times.push_back(snapshot.time());
+  counts_.push_back(snapshot.count());
   replace_file(folder_ / "particles.xmf", xdmf_points(series_, counts_));
 }
 
@@ -187,7 +184,7 @@ void PointWriter::close() {
 GridWriter::GridWriter(std::filesystem::path folder, Provenance provenance)
     : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
 
-void GridWriter::append(const BackgroundGrid& grid, const Snapshot& snapshot) {
+void GridWriter::append(const BackgroundGrid& grid, const FieldsInTurn& snapshot) {
   if (!file_) {
     const std::vector<Axis> axes{nodes("node_y", grid.ny, grid.y0, grid.dy),
                                  nodes("node_x", grid.nx, grid.x0, grid.dx)};
@@ -197,7 +194,7 @@ void GridWriter::append(const BackgroundGrid& grid, const Snapshot& snapshot) {
   }
   if (!(grid == grid_)) throw std::invalid_argument("the grid of the snapshots has changed");
   file_->append(snapshot);
-  series_.times.push_back(snapshot.time);
+  series_.times.push_back(snapshot.time());
   replace_file(folder_ / "mesh.xmf", xdmf_grid(series_, grid));
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "fields/fields_in_turn.hpp"
 #include "grid/boxes.hpp"
 #include "results/netcdf_file.hpp"
 #include "results/results.hpp"
@@ -45,21 +46,20 @@ class SnapshotFile {
  public:
   /// Creates the file and defines the fields of `first` without writing their values; writes what is fixed. Throws
   /// FileError.
-  SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const Snapshot& first, const Provenance& provenance,
-               FixedPart fixed = {});
+  SnapshotFile(std::filesystem::path path, std::vector<Axis> axes, const FieldsInTurn& first,
+               const Provenance& provenance, FixedPart fixed = {});
   /// One more record, with the system before this returns. Throws FileError, and the records before stay readable;
   /// std::invalid_argument where the fields are not those of the first snapshot.
-  void append(const Snapshot& snapshot);
+  void append(const FieldsInTurn& snapshot);
   void close() { file_.close(); }
 
  private:
-  void put(int variable, const NetcdfFile::Part& part, const std::vector<double>& values);
   bool grows() const { return axes_.front().grows; }
-  void define(const Snapshot& first, const Provenance& provenance);
+  void define(const FieldsInTurn& first, const Provenance& provenance);
   int dimension(const Axis& axis);
   std::vector<int> define_fixed();
   /// Numbers of each field; throws where there are others than in the first snapshot.
-  std::size_t checked_length(const Snapshot& snapshot) const;
+  std::size_t checked_length(const FieldsInTurn& snapshot) const;
 
   std::vector<Axis> axes_;
   FixedPart fixed_;
@@ -82,7 +82,7 @@ class PointWriter {
   PointWriter(std::filesystem::path folder, Provenance provenance, bool changing = false);
   /// The snapshot has the fields `x` and `y`, and the same fields every time, and, unless their number changes, the
   /// same points; else a record with fewer than another has no numbers at its end. Throws FileError.
-  void append(const Snapshot& snapshot);
+  void append(const FieldsInTurn& snapshot);
   void close();
 
  private:
@@ -99,7 +99,7 @@ class GridWriter {
  public:
   GridWriter(std::filesystem::path folder, Provenance provenance);
   /// The grid is the same every time (else std::invalid_argument). Throws FileError.
-  void append(const BackgroundGrid& grid, const Snapshot& snapshot);
+  void append(const BackgroundGrid& grid, const FieldsInTurn& snapshot);
   void close();
 
  private:

@@ -66,6 +66,10 @@ inline constexpr auto summary_rows = [] {
                  "largest rise in one step or between records that no exchange explains, over the largest energy "
                  "before",
                  motion},
+      SummaryRow{
+          "points_by_lanes", points, number,
+          "points at the end that run by lanes, those of eight neighbouring cells at once; the others run one by "
+          "one"},
       SummaryRow{"compared_from", points, length, "x from which profiles are compared", "of tubes"},
       SummaryRow{"compared_to", points, length, "x to which", "of tubes"},
       SummaryRow{"widest_gap", points, number, "largest distance of neighbours on strings and membranes, in cells",

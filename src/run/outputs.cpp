@@ -104,10 +104,10 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   if (checkpoint.written_by != this_program())
     warn(fmt::format("the checkpoint was written by {}: what follows may differ in last bits", checkpoint.written_by));
   note(fmt::format("goes on from {} at t = {:.6g}", request_.restart.string(), checkpoint.time));
-  last_points_ = solver_.points();
+  const Snapshot points = solver_.points();
   const std::string run = sha256(checkpoint.deck_effective);
-  if (!last_points_.fields.empty())
-    take_over("particles.nc", {last_points_, checkpoint.point_snapshots, run, plan_.scene.edges.any()},
+  if (!points.fields.empty())
+    take_over("particles.nc", {points, checkpoint.point_snapshots, run, plan_.scene.edges.any()},
               [this](const Snapshot& snapshot) { write_points(snapshot); });
   take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
             [this](const Snapshot& snapshot) { write_grid(snapshot); });
@@ -141,12 +141,10 @@ void RunOutputs::write(Record record) {
 }
 
 void RunOutputs::write_points() {
-  last_points_ = solver_.points();
-  write_points(last_points_);
+  solver_.write_points([this](const FieldsInTurn& fields) { write_points(fields); });
 }
 
-void RunOutputs::write_points(const Snapshot& snapshot) {
-  if (snapshot.fields.empty()) return;  // a path without points
+void RunOutputs::write_points(const FieldsInTurn& snapshot) {
   folder_.points(snapshot);
   ++point_snapshots_;
 }

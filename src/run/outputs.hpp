@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fields/fields_in_turn.hpp"
 #include "grid/mesh.hpp"
 #include "physics/solver.hpp"
 #include "plan/plan.hpp"
@@ -71,14 +72,13 @@ class RunOutputs {
   void restore(const Checkpoint& checkpoint);
 
   const History& history() const { return history_; }
-  const Snapshot& last_points() const { return last_points_; }  ///< in the end, since that is always written, the final
   ResultFolder& folder() { return folder_; }
 
  private:
   void keep(const std::string& line);
   void write(Record record);
   void write_points();
-  void write_points(const Snapshot& snapshot);
+  void write_points(const FieldsInTurn& snapshot);
   void write_grid();
   void write_grid(const Snapshot& snapshot);
   void take_over(const std::string& name, const WantedSnapshots& wanted,
@@ -89,7 +89,6 @@ class RunOutputs {
   const Solver& solver_;
   ResultFolder folder_;
   History history_;
-  Snapshot last_points_;
   Mesh cell_middles_;  // of a coupled scene
   std::size_t point_snapshots_ = 0, grid_snapshots_ = 0;
   std::vector<std::string> messages_;  // of the run, beside those of its deck

@@ -128,7 +128,7 @@ Cost carried_on(const Trial& trial, const Scene& scene) {
                  records * (trial.record_cpu + seconds_per_record) +
                  snapshots * (trial.snapshot_cpu + seconds_per_field * static_cast<double>(trial.fields) +
                               seconds_per_number * static_cast<double>(trial.snapshot_numbers));
-  cost.megabytes = Clocks::peak_memory_mb() + writing_megabytes + (snapshots > 0 ? snapshot_megabytes : 0) +
+  cost.megabytes = peak_memory_mb() + writing_megabytes + (snapshots > 0 ? snapshot_megabytes : 0) +
                    field_megabytes * snapshots * static_cast<double>(trial.fields) +
                    renewed_megabytes * trial.factor_nonzeros +
                    1e-6 * sizeof(double) * records * static_cast<double>(trial.columns);

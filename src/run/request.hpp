@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <sys/resource.h>
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -35,12 +34,6 @@ class Clocks {
       if (earlier != parts_before_.end()) part.taken += earlier->taken;
     }
     return parts;
-  }
-
-  static double peak_memory_mb() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1e-3 * static_cast<double>(usage.ru_maxrss);  // Linux counts kilobytes
   }
 
  private:

@@ -32,15 +32,16 @@ constexpr long long steps_between_looks = 64;
 /// A run under way: the solver, and its outputs.
 class Runner {
  public:
-  Runner(const Plan& plan, const RunRequest& request)
-      : plan_(plan),
+  Runner(Plan plan, const RunRequest& request)
+      : plan_(std::move(plan)),
         request_(request),
         clocks_(request.clocks),
-        solver_(make_solver(plan)),
+        solver_(make_solver(plan_)),
         lock_(request.folder, request.deck),
         earlier_(request.restart.empty() ? earlier_run(request.folder, request.deck_effective) : EarlierRun{}),
-        outputs_(plan, request, *solver_),
-        watch_(plan.scene, solver_->history_layout()) {
+        outputs_(plan_, request, *solver_),
+        watch_(plan_.scene, solver_->history_layout()) {
+    if (solver_->has_taken_points() && plan_.scene.reference == ReferenceKind::none) plan_.scene.points = {};
     if (!lock_.weakness().empty())
       outputs_.warn(
           fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));
@@ -179,7 +180,8 @@ class Runner {
   /// States that no exact solution covers (a gas without pressure, say) cost the comparison, not the run.
   Comparison compare_or_say_why_not() {
     try {
-      return compare(plan_.scene, outputs_.history(), outputs_.last_points());
+      if (plan_.scene.reference == ReferenceKind::none) return {};
+      return compare(plan_.scene, outputs_.history(), solver_->points());
     } catch (const std::domain_error& error) {
       outputs_.warn(fmt::format("no comparison with the exact solution: {}", error.what()));
       return {};
@@ -219,7 +221,7 @@ class Runner {
             line_of("setup_wall_seconds", setup.wall),
             line_of("ns_per_point_step",
                     1e9 * (whole - setup).cpu / static_cast<double>(std::max(counts.point_steps, 1LL))),
-            line_of("peak_memory_mb", Clocks::peak_memory_mb()),
+            line_of("peak_memory_mb", peak_memory_mb()),
             line_of("energy_drift", energy_drift(outputs_.history())),
             line_of("energy_lost", energy_lost(outputs_.history())),
             line_of("energy_growth", energy_growth(outputs_.history())),
@@ -227,7 +229,7 @@ class Runner {
             line_of("mass_drift", mass_drift(outputs_.history()))};
   }
 
-  const Plan& plan_;
+  Plan plan_;
   const RunRequest& request_;
   Clocks clocks_;
   std::unique_ptr<Solver> solver_;
@@ -243,12 +245,12 @@ class Runner {
 
 }  // namespace
 
-RunOutcome run(const Plan& plan, const RunRequest& request) {
+RunOutcome run(Plan plan, const RunRequest& request) {
   std::optional<Checkpoint> checkpoint;  // read before the run makes its folder anew
   if (!request.restart.empty()) {
     checkpoint = checkpoint_for(request.restart, request.deck_effective);
   }
-  Runner runner(plan, request);
+  Runner runner(std::move(plan), request);
   if (checkpoint)
     runner.from(*checkpoint);
   else

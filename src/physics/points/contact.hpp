@@ -53,14 +53,16 @@ class Contact {
   }
   /// All bodies have touched their nodes.
   void open(const Frame& frame);
-  /// Whether a cell's points give to a shared node.
+  /// Whether a cell's points give to a shared node, or may lend it their colour.
   bool near_shared(std::size_t cell) const { return near_stamp_[cell] == stamp_; }
+  /// Slots of the body's points in such cells, in ascending order, from open() to the end of the step.
+  std::vector<std::size_t>& near_points(std::size_t body) { return near_points_[body]; }
   void clear_forces();
 
   // The step.
 
   /// Which bodies share a field; their velocities before the solve.
-  void decide(const Points& points, const std::vector<Range>& ranges, const Frame& frame);
+  void decide(const Points& points, const Frame& frame);
   /// (9.4), (9.5) of each body, and what contact makes of it.
   void solve(const Points& points, const Frame& frame, double gravity, double dt);
   /// Adds each body's sums at the shared nodes.
@@ -89,6 +91,7 @@ class Contact {
   std::size_t index(int slot, int group) const {
     return static_cast<std::size_t>(slot) * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
   }
+  void mark_near(int node, const Frame& frame);
   bool in_contact(int node, int slot, int a, int b);
   void join_fields(int slot);
   void fields_of(int slot, const Frame& frame);
@@ -114,6 +117,7 @@ class Contact {
   std::vector<int> field_;  // the lowest group that shares its field
   std::vector<std::vector<Near>> near_;
   std::vector<Pair> pushed_;  // of each group at one node: its impulses [momentum]
+  std::vector<std::vector<std::size_t>> near_points_;  // of each body
   std::vector<BodyNormals> normals_;
   double lost_ = 0;
   std::set<std::pair<int, int>> apart_;  // criterion 3: node and pair that were let go

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "loops/points.hpp"
 #include "physics/points/passes.hpp"
 #include "physics/points/steps.hpp"
@@ -10,36 +13,71 @@ namespace tether::mpm {
 // What the points of each body give to the nodes that bodies share: passes of their own, so that the others know
 // nothing of it.
 
+/// Calls visit(at, each_slot) for the cells of a body that hold points, with a loop over their slots. A body that does
+/// not run by lanes has a cell as often as points in it.
+template <class S, class Visit>
+inline void each_cell(const PassWork& work, const State& state, std::size_t b, const Visit& visit) {
+  if (!state.blocks[b]) {
+    for_points(state.ranges[b].full(), [&](std::size_t p) {
+      if (work.P.pinned[p] && state.pins_hold_loads) return;
+      visit(S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]), [&](const auto& body) { body(p); });
+    });
+    return;
+  }
+  const Blocks& blocks = *state.blocks[b];
+  for (const Blocks::Group& group : blocks.groups()) {
+    for (std::size_t l = 0; l < Blocks::lanes; ++l) {
+      if (group.points[l] == 0) continue;
+      visit(typename S::Kernel::Place{group.cell + static_cast<int>(l), group.row}, [&](const auto& body) {
+        blocks.each_slot(group, l, [&](std::size_t slot) { body(state.ranges[b].begin + slot); });
+      });
+    }
+  }
+}
+
+template <class Place>
+inline std::size_t cell_number(const PassWork& work, const Place& at) {
+  return static_cast<std::size_t>(at.j) * static_cast<std::size_t>(work.grid.frame.shape.nx) +
+         static_cast<std::size_t>(at.i);
+}
+
 /// Finds the shared nodes.
 template <class S>
 inline void find_shared_nodes(const PassWork& work, State& state) {
   Contact& contact = state.contact;
-  const auto nx = static_cast<std::size_t>(work.grid.frame.shape.nx);
   contact.begin();
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const int group = contact.group_of(b);
-    for_points(work.P, state.ranges[b], [&](std::size_t p) {
-      const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
-      const std::size_t cell = static_cast<std::size_t>(at.j) * nx + static_cast<std::size_t>(at.i);
-      if ((work.P.pinned[p] && state.pins_hold_loads) || contact.stamp(cell, group)) return;
+    each_cell<S>(work, state, b, [&](const auto& at, const auto&) {
+      if (contact.stamp(cell_number(work, at), group)) return;
       for (const std::size_t n : S::Kernel::nodes(work.locator, at)) contact.touch(group, work.grid.frame.image[n]);
     });
   }
   contact.open(work.grid.frame);
 }
 
-/// Calls visit(b, p, place, nodes) for every point that gives to a shared node.
-template <class S, class Visit>
-inline void each_near_shared(const PassWork& work, const State& state, const Visit& visit) {
-  const auto nx = static_cast<std::size_t>(work.grid.frame.shape.nx);
-  if (state.contact.shared_nodes() == 0) return;
+/// Lists the points near them.
+template <class S>
+inline void list_near_points(const PassWork& work, State& state) {
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
-    for_points(work.P, state.ranges[b], [&](std::size_t p) {
-      const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
-      const std::size_t cell = static_cast<std::size_t>(at.j) * nx + static_cast<std::size_t>(at.i);
-      if ((work.P.pinned[p] && state.pins_hold_loads) || !state.contact.near_shared(cell)) return;
-      visit(b, p, at, S::Kernel::nodes(work.locator, at));
+    std::vector<std::size_t>& near = state.contact.near_points(b);
+    near.clear();
+    if (state.contact.shared_nodes() == 0) continue;
+    each_cell<S>(work, state, b, [&](const auto& at, const auto& each_slot) {
+      if (state.contact.near_shared(cell_number(work, at))) each_slot([&](std::size_t p) { near.push_back(p); });
     });
+    std::sort(near.begin(), near.end());
+  }
+}
+
+/// Calls visit(b, p, place, nodes) for every point near a shared node.
+template <class S, class Visit>
+inline void each_near_shared(const PassWork& work, State& state, const Visit& visit) {
+  for (std::size_t b = 0; b < state.ranges.size(); ++b) {
+    for (const std::size_t p : state.contact.near_points(b)) {
+      const auto at = S::Kernel::locate(work.locator, work.P.x[p], work.P.y[p]);
+      visit(b, p, at, S::Kernel::nodes(work.locator, at));
+    }
   }
 }
 

@@ -25,7 +25,7 @@ CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geomet
 
 double CellDensity::operator()(int i, int j) const { return mass_[index(i, j)] / volume_[static_cast<std::size_t>(i)]; }
 
-void CellDensity::clear_around(const Points& points, Range range) {
+void CellDensity::clear_around(const Points& points, Slots range) {
   for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     for (int j = at.j - 1; j <= at.j + 1; ++j) {
@@ -34,14 +34,14 @@ void CellDensity::clear_around(const Points& points, Range range) {
   });
 }
 
-void CellDensity::add_cell(const Points& points, Range range) {
+void CellDensity::add_cell(const Points& points, Slots range) {
   for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     mass_[index(at.i, at.j)] += points.mass[p];  // (4.5)
   });
 }
 
-void CellDensity::add_quadratic(const Points& points, Range range) {
+void CellDensity::add_quadratic(const Points& points, Slots range) {
   for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);
     const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
@@ -53,15 +53,15 @@ void CellDensity::add_quadratic(const Points& points, Range range) {
   });
 }
 
-void CellDensity::update(Points& points, const std::vector<Range>& gas, const std::vector<Range>& takers) {
-  for (const Range range : gas) clear_around(points, range);
-  for (const Range range : gas) {
+void CellDensity::update(Points& points, const std::vector<Slots>& gas, const std::vector<Slots>& takers) {
+  for (const Slots range : gas) clear_around(points, range);
+  for (const Slots range : gas) {
     if (rule_ == DensityRule::quadratic)
       add_quadratic(points, range);
     else
       add_cell(points, range);
   }
-  for (const Range range : takers) {
+  for (const Slots range : takers) {
     for_points(points, range, [&](std::size_t p) {
       const CellPlace at = locator_.locate(points.x[p], points.y[p]);
       points.rho[p] = (*this)(at.i, at.j);

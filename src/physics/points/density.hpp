@@ -17,7 +17,7 @@ class CellDensity {
   CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule);
 
   /// Sets P.rho of the points in `takers` from the present places of all gas, whatever body it belongs to.
-  void update(Points& points, const std::vector<Range>& gas, const std::vector<Range>& takers);
+  void update(Points& points, const std::vector<Slots>& gas, const std::vector<Slots>& takers);
   /// Density of a cell of the frame at the last update, (i, j) from 0 [mass/volume].
   double operator()(int i, int j) const;
 
@@ -26,9 +26,9 @@ class CellDensity {
     const int row = j + 1, column = i + 1;  // -1 is the ring
     return row_[static_cast<std::size_t>(row)] + column_[static_cast<std::size_t>(column)];
   }
-  void clear_around(const Points& points, Range range);
-  void add_cell(const Points& points, Range range);
-  void add_quadratic(const Points& points, Range range);
+  void clear_around(const Points& points, Slots range);
+  void add_cell(const Points& points, Slots range);
+  void add_quadratic(const Points& points, Slots range);
 
   Locator locator_;
   DensityRule rule_;

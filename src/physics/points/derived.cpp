@@ -74,11 +74,6 @@ Strain strain(const Membrane&, const Points& P, std::size_t p, Geometry) {
 Strain strain(const LinearFluid&, const Points&, std::size_t, Geometry) { return {}; }
 Strain strain(const IdealGas&, const Points&, std::size_t, Geometry) { return {}; }
 
-/// Volume, pressure and stress across the plane of a point.
-struct Extent {
-  double volume = 0, pressure = 0, across = 0;
-};
-
 template <class Law>
 Extent extent(const Law& law, const Points& P, std::size_t p, Geometry geometry, const std::vector<double>&) {
   return {law_volume(law, P, p), pressure(law, P, p, geometry), across(law, P, p, geometry)};
@@ -100,7 +95,7 @@ template <class Counts>
 Order order_where(const State& state, const Counts& counts) {
   Order order;
   const auto& id = state.points.id;
-  for (const Range range : state.ranges) {
+  for (const Slots range : state.ranges) {
     const std::size_t begin = order.slots.size();
     int first = std::numeric_limits<int>::max(), last = -1;
     for_points(state.points, range,
@@ -165,27 +160,14 @@ double volume_of(const Scene& scene, std::size_t b, const Points& points, const 
       scene.bodies[b].material);
 }
 
-DerivedFields derived_fields(const Scene& scene, const Points& P, const Order& order,
-                             const std::vector<double>& pressures) {
-  DerivedFields fields;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Body& body = scene.bodies[b];
-    std::visit(
-        [&](const auto& law) {
-          for (const std::size_t p : order.of(b)) {
-            const Extent now = extent(law, P, p, scene.geometry, pressures);
-            fields.body.push_back(static_cast<double>(b + 1));
-            fields.volume.push_back(now.volume);
-            fields.density.push_back(P.mass[p] / now.volume);
-            fields.pressure.push_back(now.pressure), fields.across.push_back(now.across);
-            const Strain e = strain(law, P, p, scene.geometry);
-            fields.strain_xx.push_back(e.xx), fields.strain_yy.push_back(e.yy), fields.strain_xy.push_back(e.xy);
-            fields.normal_x.push_back(-P.at(&Points::ty, p)), fields.normal_y.push_back(P.at(&Points::tx, p));
-          }
-        },
-        body.material);
-  }
-  return fields;
+Extent extent_of(const Scene& scene, std::size_t b, const Points& P, std::size_t p,
+                 const std::vector<double>& pressures) {
+  return std::visit([&](const auto& law) { return extent(law, P, p, scene.geometry, pressures); },
+                    scene.bodies[b].material);
+}
+
+Strain strain_of(const Scene& scene, std::size_t b, const Points& P, std::size_t p) {
+  return std::visit([&](const auto& law) { return strain(law, P, p, scene.geometry); }, scene.bodies[b].material);
 }
 
 }  // namespace tether::mpm

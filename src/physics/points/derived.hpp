@@ -15,6 +15,12 @@ struct Order {
   std::vector<std::size_t> slots;
   std::vector<Range> bodies;  // of `slots`
 
+  /// Of which body point k is.
+  std::size_t body_of(std::size_t k) const {
+    std::size_t b = 0;
+    while (k >= bodies[b].end) ++b;
+    return b;
+  }
   std::span<const std::size_t> of(std::size_t b) const {
     return {slots.data() + bodies[b].begin, bodies[b].end - bodies[b].begin};
   }
@@ -36,15 +42,15 @@ Energies stored_energy(const Scene& scene, const State& state, const Order& orde
 /// a membrane what it began with [volume].
 double volume_of(const Scene& scene, std::size_t b, const Points& points, const Order& order);
 
-/// Fields that follow from the state by the point's law, in the given order.
-struct DerivedFields {
-  std::vector<double> body, volume, density, pressure;
-  std::vector<double> across;                           // stress across the plane, about an axis the hoop's [stress]
-  std::vector<double> strain_xx, strain_yy, strain_xy;  // elastic strain of solids, tangent strain of strings
-  std::vector<double> normal_x, normal_y;               // of strings: the tangent turned left by a right angle
+/// What a point fills, and its pressure.
+struct Extent {
+  double volume = 0, pressure = 0;
+  double across = 0;  // stress across the plane, about an axis the hoop's [stress]
 };
-/// `pressures` as StepSet::gas_pressures.
-DerivedFields derived_fields(const Scene& scene, const Points& points, const Order& order,
-                             const std::vector<double>& pressures);
+/// Of slot p, whose point is of body b; `pressures` as StepSet::gas_pressures.
+Extent extent_of(const Scene& scene, std::size_t b, const Points& points, std::size_t p,
+                 const std::vector<double>& pressures);
+/// Elastic strain of solids, tangent strain of strings.
+Strain strain_of(const Scene& scene, std::size_t b, const Points& points, std::size_t p);
 
 }  // namespace tether::mpm

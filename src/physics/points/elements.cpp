@@ -52,7 +52,7 @@ Elements::Elements(const Scene& scene, std::size_t b, Range range, const Points&
       reference_x_(about_axis_ ? 0 : frame.deck.x0),
       reference_y_(frame.deck.y0) {
   const std::size_t first = range_.begin, last = range_.end - 1;
-  for_points({first, last}, [&](std::size_t p) { add(points, p, p + 1, -1, 0); });
+  for_points(Range{first, last}, [&](std::size_t p) { add(points, p, p + 1, -1, 0); });
   if (closed_) {
     add(points, last, first, -1, 0);
     encloses_ = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "physics/points/body_motion.hpp"
 #include "physics/points/derived.hpp"
@@ -151,9 +152,13 @@ namespace {
 
 /// What fields of points are made from: point k of the scene stands in slot order.slots[k].
 struct PointSource {
+  const Scene& scene;
   const Points& P;
   Order order;
-  DerivedFields derived;
+  std::vector<double> pressures;  // as StepSet::gas_pressures
+
+  Extent extent(std::size_t k) const { return extent_of(scene, order.body_of(k), P, order.slots[k], pressures); }
+  Strain strain(std::size_t k) const { return strain_of(scene, order.body_of(k), P, order.slots[k]); }
 };
 
 /// What fields of nodes are made from: node k of the deck's grid is node `nodes[k]` of the frame.
@@ -170,39 +175,45 @@ struct NodeSource {
 Value<PointSource> of(LineArray<double> Points::*array) {
   return [array](const PointSource& s, std::size_t k) { return s.P.at(array, s.order.slots[k]); };
 }
-/// One that follows from the points' laws.
-Value<PointSource> of(std::vector<double> DerivedFields::*array) {
-  return [array](const PointSource& s, std::size_t k) { return (s.derived.*array)[k]; };
+/// What follows from the points' laws.
+Value<PointSource> of(double Extent::*number) {
+  return [number](const PointSource& s, std::size_t k) { return s.extent(k).*number; };
+}
+Value<PointSource> of(double Strain::*number) {
+  return [number](const PointSource& s, std::size_t k) { return s.strain(k).*number; };
 }
 
 const ColumnTable<ColumnSetting, PointSource>& point_table() {
-  using F = DerivedFields;
   static const ColumnTable<ColumnSetting, PointSource> table({{{
       {"x", D::length, "place, x", of(&Points::x)},
       {"y", D::length, "place, y", of(&Points::y)},
       {"id", D::number, "number of the point, from 1",
        [](const PointSource& s, std::size_t k) { return s.P.id[s.order.slots[k]] + 1.0; }},
-      {"body", D::number, "number of its body, from 1", of(&F::body)},
+      {"body", D::number, "number of its body, from 1",
+       [](const PointSource& s, std::size_t k) { return static_cast<double>(s.order.body_of(k) + 1); }},
       {"vx", D::velocity, "velocity, x", of(&Points::vx)},
       {"vy", D::velocity, "velocity, y", of(&Points::vy)},
       {"mass", D::mass, "mass", of(&Points::mass)},
-      {"volume", D::volume, "volume", of(&F::volume)},
+      {"volume", D::volume, "volume", of(&Extent::volume)},
       {"sxx", D::stress, "stress, xx", of(&Points::sxx)},
       {"syy", D::stress, "stress, yy", of(&Points::syy)},
       {"sxy", D::stress, "stress, xy", of(&Points::sxy)},
       {"szz", D::stress,
        "stress across the plane, about an axis and of membranes the hoop's; of gas in the plane minus its pressure",
-       of(&F::across)},
-      {"density", D::density, "density", of(&F::density)},
-      {"pressure", D::stress, "gas: pressure without its viscous parts; else minus the mean stress", of(&F::pressure)},
+       of(&Extent::across)},
+      {"density", D::density, "density",
+       [](const PointSource& s, std::size_t k) { return s.P.mass[s.order.slots[k]] / s.extent(k).volume; }},
+      {"pressure", D::stress, "gas: pressure without its viscous parts; else minus the mean stress",
+       of(&Extent::pressure)},
       {"specific_energy", D::specific_energy, "gas: internal energy per mass", of(&Points::energy)},
       {"strain", D::number, "membrane: strain along its tangent", of(&Points::strain)},
       {"strain_hoop", D::number, "membrane: strain across the plane", of(&Points::hoop)},
-      {"strain_xx", D::number, "elastic strain, xx", of(&F::strain_xx)},
-      {"strain_yy", D::number, "elastic strain, yy", of(&F::strain_yy)},
-      {"strain_xy", D::number, "elastic strain, xy (tensor)", of(&F::strain_xy)},
-      {"normal_x", D::number, "membrane: unit normal, x", of(&F::normal_x)},
-      {"normal_y", D::number, "membrane: unit normal, y", of(&F::normal_y)},
+      {"strain_xx", D::number, "elastic strain, xx", of(&Strain::xx)},
+      {"strain_yy", D::number, "elastic strain, yy", of(&Strain::yy)},
+      {"strain_xy", D::number, "elastic strain, xy (tensor)", of(&Strain::xy)},
+      {"normal_x", D::number, "membrane: unit normal, x",
+       [](const PointSource& s, std::size_t k) { return -s.P.at(&Points::ty, s.order.slots[k]); }},
+      {"normal_y", D::number, "membrane: unit normal, y", of(&Points::tx)},
   }}});
   return table;
 }
@@ -233,37 +244,36 @@ const ColumnTable<ColumnSetting, NodeSource>& node_table() {
   return table;
 }
 
-/// sum m_p q_p N_i at each node of the frame, of a quantity q of all points in their order.
-std::vector<double> sum_at_nodes(const State& state, const StepSet& set, const Order& order,
-                                 const std::vector<double>& q) {
+/// sum m_p q_p N_i at each node of the frame, of a quantity q(k) of all points in their order.
+template <class Quantity>
+std::vector<double> sum_at_nodes(const State& state, const StepSet& set, const Order& order, const Quantity& q) {
   std::vector<double> of_slots(state.points.size()), sums(state.grid.frame.shape.nodes(), 0.0);
-  for (std::size_t k = 0; k < q.size(); ++k) of_slots[order.slots[k]] = q[k];
+  for (std::size_t k = 0; k < order.slots.size(); ++k) of_slots[order.slots[k]] = q(k);
   set.map_quantity(state, of_slots, sums);
   return sums;
 }
 
 }  // namespace
 
-Snapshot point_fields(const State& state, const Scene& scene) {
-  const Points& P = state.points;
-  const Order order = order_within(state);
-  const PointSource source{P, order, derived_fields(scene, P, order, step_set(scene).gas_pressures(state, scene))};
-  return Columns<PointSource>(point_table(), ColumnSetting{}).snapshot(state.time, order.slots.size(), source);
+FieldsInTurn point_fields(const State& state, const Scene& scene) {
+  const auto source = std::make_shared<const PointSource>(
+      PointSource{scene, state.points, order_within(state), step_set(scene).gas_pressures(state, scene)});
+  return Columns<PointSource>(point_table(), ColumnSetting{})
+      .in_turn(state.time, source->order.slots.size(), [source]() -> const PointSource& { return *source; });
 }
 
 Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set) {
   const Frame& frame = state.grid.frame;
-  const Order order = order_of_all(state);
-  const DerivedFields derived = derived_fields(scene, state.points, order, set.gas_pressures(state, scene));
-  std::vector<double> energy;
-  for (const std::size_t slot : order.slots) energy.push_back(state.points.at(&Points::energy, slot));
+  const PointSource points{scene, state.points, order_of_all(state), set.gas_pressures(state, scene)};
   NodeSource source{.gravity = scene.gravity};
   for (std::size_t k = 0; k < frame.deck.nodes(); ++k) source.nodes.push_back(frame.of_deck(k));
   source.sums = NodeSumsRow(frame.shape.nodes());
   set.map_all(state, scene, source.sums);
-  source.density = sum_at_nodes(state, set, order, derived.density);
-  source.pressure = sum_at_nodes(state, set, order, derived.pressure);
-  source.energy = sum_at_nodes(state, set, order, energy);
+  const auto sum = [&](const auto& quantity) { return sum_at_nodes(state, set, points.order, quantity); };
+  source.density =
+      sum([&](std::size_t k) { return state.points.mass[points.order.slots[k]] / points.extent(k).volume; });
+  source.pressure = sum([&](std::size_t k) { return points.extent(k).pressure; });
+  source.energy = sum([&](std::size_t k) { return state.points.at(&Points::energy, points.order.slots[k]); });
   return Columns<NodeSource>(node_table(), ColumnSetting{}).snapshot(state.time, source.nodes.size(), source);
 }
 

@@ -30,7 +30,7 @@ struct PointSums : CommonSums {
 const ColumnTable<PointSetting, PointSums>& history_table();
 Columns<PointSums> history_columns(const Scene& scene);
 PointSums sums_of(const State& state, const Scene& scene);
-Snapshot point_fields(const State& state, const Scene& scene);
+FieldsInTurn point_fields(const State& state, const Scene& scene);
 Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set);
 
 }  // namespace tether::mpm

@@ -12,7 +12,7 @@
 namespace tether::mpm {
 namespace {
 
-constexpr int room = 6;  // cells behind an open edge that points may move into
+constexpr int room = 6;  // cells beyond an open edge that points may move into
 
 /// Nodes that the kernel needs before a wall's row, or the strip before an edge's.
 int padding(Kernel kernel, Wall wall, const Edge& edge) {
@@ -23,7 +23,7 @@ int padding(Kernel kernel, Wall wall, const Edge& edge) {
 
 /// Along one axis: padding on both sides and the node numbers of the walls.
 struct Axis {
-  int nodes, before, behind;
+  int nodes, before, after;
   bool fold_low, fold_high;
 
   struct Side {
@@ -33,12 +33,12 @@ struct Axis {
   Axis(Kernel kernel, int deck_nodes, Side low, Side high)
       : nodes(deck_nodes + padding(kernel, low.wall, low.edge) + padding(kernel, high.wall, high.edge)),
         before(padding(kernel, low.wall, low.edge)),
-        behind(padding(kernel, high.wall, high.edge)),
+        after(padding(kernel, high.wall, high.edge)),
         fold_low(kernel == Kernel::bspline && low.wall != Wall::open),
         fold_high(kernel == Kernel::bspline && high.wall != Wall::open) {}
 
   int low_wall() const { return before; }
-  int high_wall() const { return nodes - 1 - behind; }
+  int high_wall() const { return nodes - 1 - after; }
   bool ghost_low(int i) const { return fold_low && i < low_wall(); }
   bool ghost_high(int i) const { return fold_high && i > high_wall(); }
   int image(int i) const {
@@ -47,7 +47,7 @@ struct Axis {
   }
 };
 
-/// Signs of a vector's two components behind a wall across the axis `normal`.
+/// Signs of a vector's two components beyond a wall across the axis `normal`.
 Pair reflection(Wall wall, int normal) {
   if (wall == Wall::fixed) return pair(-1, -1);
   return normal == 0 ? pair(-1, 1) : pair(1, -1);
@@ -115,8 +115,8 @@ std::vector<double> integrals(Kernel kernel, const Axis& axis, double first, dou
 BackgroundGrid enlarged(const BackgroundGrid& deck, const Axis& x, const Axis& y) {
   BackgroundGrid grid = deck;
   grid.nx = x.nodes, grid.ny = y.nodes;
-  grid.x0 -= x.before * deck.dx, grid.x1 += x.behind * deck.dx;
-  grid.y0 -= y.before * deck.dy, grid.y1 += y.behind * deck.dy;
+  grid.x0 -= x.before * deck.dx, grid.x1 += x.after * deck.dx;
+  grid.y0 -= y.before * deck.dy, grid.y1 += y.after * deck.dy;
   return grid;
 }
 
@@ -135,18 +135,19 @@ Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry,
   };
   x0 = deck.x0 - margin(walls.left, left_edge, deck.dx), x1 = deck.x1 + margin(walls.right, right_edge, deck.dx);
   y0 = deck.y0 - margin(walls.bottom, bottom_edge, deck.dy), y1 = deck.y1 + margin(walls.top, top_edge, deck.dy);
-  if (geometry == Geometry::axisymmetric) x0 = std::max(x0, 0.0);  // room behind an open edge ends at the axis
+  if (geometry == Geometry::axisymmetric) x0 = std::max(x0, 0.0);  // room beyond an open edge ends at the axis
   ghosts = ghosts_of(x, y, walls);
   held = held_nodes(x, y, walls);
   for (std::size_t n = 0; n < held.size(); ++n) {
     if (held[n] != holds_none) at_walls.push_back(n);
   }
   image.resize(shape.nodes());
-  std::iota(image.begin(), image.end(), std::size_t{0});
-  sign.assign(shape.nodes(), pair(1, 1));
+  std::iota(image.begin(), image.end(), std::uint32_t{0});
+  sign.assign(shape.nodes(), {});
   for (const Ghost& ghost : ghosts) {
-    image[static_cast<std::size_t>(ghost.node)] = static_cast<std::size_t>(ghost.image);
-    sign[static_cast<std::size_t>(ghost.node)] = ghost.sign;
+    image[static_cast<std::size_t>(ghost.node)] = static_cast<std::uint32_t>(ghost.image);
+    sign[static_cast<std::size_t>(ghost.node)] = {static_cast<std::int8_t>(ghost.sign[0]),
+                                                  static_cast<std::int8_t>(ghost.sign[1])};
   }
   // Nodes of the room may lie beyond the axis, where no point comes but whose functions reach back.
   const auto width = integrals(kernel, x, shape.x0, deck.dx, [&](double r) { return depth(geometry, std::abs(r)); });

@@ -10,12 +10,19 @@
 
 namespace tether::mpm {
 
-/// A node behind a wall and its image before it. What points give to the ghost belongs to the image; what they read
+/// A node beyond a wall and its image before it. What points give to the ghost belongs to the image; what they read
 /// there is the image's. Scalars are even; of a vector a slip wall makes the normal component odd and the tangential
 /// one even, a fixed wall both odd.
 struct Ghost {
   int node = 0, image = 0;
   Pair sign{};
+};
+
+/// The signs of a ghost, where one stands for each node.
+struct Signs {
+  std::int8_t x = 1, y = 1;
+
+  friend Pair operator*(Signs signs, Pair v) { return pair(signs.x * v[0], signs.y * v[1]); }
 };
 
 /// The nodes that a run computes with: the deck's grid, and around it what the kernel reaches to. Behind a wall that is
@@ -29,8 +36,8 @@ struct Frame {
   std::vector<Ghost> ghosts;
   std::vector<std::uint8_t> held;     // Held bits of the walls
   std::vector<std::size_t> at_walls;  // the nodes of which they hold something
-  std::vector<std::size_t> image;     // of each node: a ghost's image, else itself
-  std::vector<Pair> sign;             // of each node: a ghost's, else 1
+  std::vector<std::uint32_t> image;   // of each node: a ghost's image, else itself
+  std::vector<Signs> sign;            // of each node: a ghost's, else 1
   std::vector<double> per_volume;     // 1 / int N_i dV of the image: a wall's node has half, a corner's a quarter
 
   Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges = {});

@@ -40,7 +40,7 @@ double GasMixing::Span::ratio(const Span& other) const {
   return std::max({1.0, least / other.most, other.least / most});
 }
 
-void GasMixing::add_body(const Points& points, Range range, double gm1) {
+void GasMixing::add_body(const Points& points, Slots range, double gm1) {
   held_.clear(), reached_.clear();
   for_points(points, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(points.x[p], points.y[p]);

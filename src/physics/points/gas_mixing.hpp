@@ -38,7 +38,7 @@ class GasMixing {
     std::size_t cell = 0;
   };
 
-  void add_body(const Points& points, Range range, double gm1);
+  void add_body(const Points& points, Slots range, double gm1);
   void spread(std::size_t cell);
   void compare_with_earlier();
 

@@ -6,16 +6,20 @@
 namespace tether::mpm {
 namespace {
 
+/// The law of a body that runs by lanes.
+LaneLaw law_of(const Material& material, bool jaumann) {
+  const auto* gas = std::get_if<IdealGas>(&material);
+  if (!gas) return std::holds_alternative<PlaneElastic>(material) && !jaumann ? LaneLaw::elastic : LaneLaw::one_by_one;
+  if (gas->rule == DensityRule::grid) return LaneLaw::gas_of_nodes;
+  return gas->rule == DensityRule::continuity ? LaneLaw::gas_of_continuity : LaneLaw::gas_of_cells;
+}
+
 LaneBody lane_body(const Material& material, const StepContext& step) {
-  LaneBody body;
+  LaneBody body{.law = law_of(material, step.jaumann)};
   if (const auto* solid = std::get_if<PlaneElastic>(&material)) {
-    body.law = LaneLaw::elastic;
     body.own = solid->lambda + 2 * solid->G, body.other = solid->lambda, body.shear = 2 * solid->G;
   }
   if (const auto* gas = std::get_if<IdealGas>(&material)) {
-    body.law = gas->rule == DensityRule::grid         ? LaneLaw::gas_of_nodes
-               : gas->rule == DensityRule::continuity ? LaneLaw::gas_of_continuity
-                                                      : LaneLaw::gas_of_cells;
     body.gm1 = gas->gm1, body.gamma = gas->gm1 + 1, body.mu = gas->mu;
     body.linear = gas->lambda * gas->coef1 * step.g, body.square = gas->lambda * gas->coef2 * step.g * step.g;
     body.local_speed = gas->local_speed, body.c_max = step.c_max;
@@ -60,8 +64,7 @@ double sum_of(const double (&lanes)[LaneFindings::lanes]) {
   return sum;
 }
 
-}  // namespace
-
+/// What a pass works on.
 LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
   const auto* law = std::get_if<IdealGas>(&work.scene.bodies[b].material);
@@ -76,6 +79,7 @@ LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
           .reads_stress = state.contact.on() && work.scene.method.order == StressOrder::usf};
 }
 
+/// Adds what lanes found to what the step found before, `first` being the body's first slot.
 void join(StepFindings& found, const LaneFindings& lanes, std::size_t first) {
   found.squares += sum_of(lanes.squares);
   found.lifted += sum_of(lanes.lifted), found.heat += sum_of(lanes.heat);
@@ -84,24 +88,59 @@ void join(StepFindings& found, const LaneFindings& lanes, std::size_t first) {
   if (lanes.unsound != LaneFindings::none) found.trouble.note(TroubleKind::unsound, first + lanes.unsound);
 }
 
-void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  LaneFindings found;
-  const LaneWork lanes = lane_work(work, pass, b);
-  work.state.lane_passes->strain_and_pull[static_cast<std::size_t>(lanes.body.law)](lanes, found);
-  join(work.found, found, work.state.ranges[b].begin);
+/// A law of which points are asked one by one, and what it finds.
+template <class Law, bool about_axis>
+struct AskedOneByOne {
+  const Law& law;
+  Points& points;
+  std::size_t first;  // slot of the body
+  const StepContext& step;
+  StepFindings& found;
+
+  static double update(const void* asked, std::size_t slot, const PointRate& rate) {
+    const auto& [law, P, first, step, found] = *static_cast<const AskedOneByOne*>(asked);
+    const std::size_t p = first + slot;
+    law_update<about_axis>(law, P, p, {{rate.xx, rate.yy, rate.xy, rate.zz}, rate.spin}, step, found);
+    if (!sound(law, P, p)) found.trouble.note(TroubleKind::unsound, p);
+    return law_volume(law, P, p);
+  }
+};
+
+template <bool about_axis>
+void run_one_by_one(LaneWork& lanes, const Material& material, const PassWork& pass, std::size_t first,
+                    LanePasses::Pass run, LaneFindings& lanes_found, StepFindings& found) {
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        const AskedOneByOne<Law, about_axis> asked{law, pass.P, first, pass.step, found};
+        lanes.body.each = {AskedOneByOne<Law, about_axis>::update, &asked};
+        run(lanes, lanes_found);
+      },
+      material);
 }
 
-void stress_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  LaneFindings found;
-  const LaneWork lanes = lane_work(work, pass, b);
-  work.state.lane_passes->stress_and_map[static_cast<std::size_t>(lanes.body.law)](lanes, found);
+}  // namespace
+
+const LaneFindings& run_by_lanes(StepWork& work, const PassWork& pass, std::size_t b, LanePasses::Pass run) {
+  LaneFindings& found = work.state.lane_findings;
+  found.begin();
+  std::vector<double*> arrays = arrays_of(work.state.points);
+  for (double*& array : arrays) array += work.state.ranges[b].begin;
+  LaneWork lanes = lane_work(work, pass, b);
+  lanes.arrays = arrays;
+  const Material& material = work.scene.bodies[b].material;
+  const std::size_t first = work.state.ranges[b].begin;
+  if (lanes.body.law != LaneLaw::one_by_one)
+    run(lanes, found);
+  else if (work.scene.geometry == Geometry::axisymmetric)
+    run_one_by_one<true>(lanes, material, pass, first, run, found, work.found);
+  else
+    run_one_by_one<false>(lanes, material, pass, first, run, found, work.found);
   join(work.found, found, work.state.ranges[b].begin);
+  return found;
 }
 
-void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  LaneFindings found;
-  work.state.lane_passes->accelerate_and_convect(lane_work(work, pass, b), found);
-  join(work.found, found, work.state.ranges[b].begin);
+LanePasses::Pass of_law(const LanePasses::Pass* passes, const StepWork& work, std::size_t b) {
+  return passes[static_cast<std::size_t>(law_of(work.scene.bodies[b].material, work.scene.method.jaumann))];
 }
 
 }  // namespace tether::mpm

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "physics/points/lanes/work.hpp"
-#include "physics/points/layout.hpp"
+#include "physics/points/movers.hpp"
 #include "physics/points/passes.hpp"
 #include "physics/points/steps.hpp"
 
@@ -11,20 +11,10 @@ namespace tether::mpm {
 // Passes by lanes over the points of a body, and what is left of them to be done one by one: points that have left
 // their cells.
 
-/// What the pass works on. `records`: the points' velocities are wanted after the step.
-LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b);
-
-/// Adds what lanes found to what the step found before, `first` being the body's first slot.
-void join(StepFindings& found, const LaneFindings& lanes, std::size_t first);
-
-/// Strain rates, stresses and forces of a body whose points stay.
-void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
-
-/// Velocities of a body's points, and their momenta back on the nodes.
-void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
-
-/// Stresses of a body that has strained and moved, and all that it gives to the nodes.
-void stress_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b);
+/// Runs a pass over body b and adds what it found to what the step found before.
+const LaneFindings& run_by_lanes(StepWork& work, const PassWork& pass, std::size_t b, LanePasses::Pass run);
+/// That of several passes which is for the body's law.
+LanePasses::Pass of_law(const LanePasses::Pass* passes, const StepWork& work, std::size_t b);
 
 /// What a point that has left its cell gives to the nodes of its new place: mass and momentum, of what the ledger
 /// booked its part, and where its stress is new (`pulls`) its force.
@@ -49,29 +39,41 @@ void map_moved(StepWork& work, const PassWork& pass, const Material& material, s
 
 /// Gives points that have left their cells new slots; map(p, lost, place) does what else is to be done with each.
 template <class S, class Map>
-void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const std::vector<Moved>& moved,
-                  const Map& map) {
-  if (moved.empty() || work.found.trouble.kind != TroubleKind::none) return;
-  Movers movers(work.state, b);
-  for (const Moved& point : moved) {
+void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const LaneFindings& lanes, const Map& map) {
+  if (lanes.moved.empty() || work.found.trouble.kind != TroubleKind::none) return;
+  std::vector<Blocks::Cell> entered;
+  for (const Moved& point : lanes.moved) {
     const std::size_t p = work.state.ranges[b].begin + point.slot;
     typename S::Kernel::Place at{point.cell.cell, point.cell.row, 0, 0};
     if (!accept_place<typename S::Kernel>(work.state.points, p, pass.locator, pass.grid.frame, at, work.found)) return;
     map(p, point.lost, at);
-    movers.take(p, point.cell, {at.j, at.i});
+    entered.push_back({at.j, at.i});
   }
-  movers.settle();
+  Movers(work.state, work.scene, b).move(lanes.moved, entered, lanes.numbers);
+}
+
+/// Strain rates, stresses and forces of a body whose points stay.
+inline void strain_and_pull_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  run_by_lanes(work, pass, b, of_law(work.state.lane_passes->strain_and_pull, work, b));
+}
+
+/// Velocities of a body's points, and their momenta back on the nodes.
+inline void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  run_by_lanes(work, pass, b, work.state.lane_passes->accelerate_and_convect);
+}
+
+/// Stresses of a body that has strained and moved, and all that it gives to the nodes.
+inline void stress_and_map_moved_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  run_by_lanes(work, pass, b, of_law(work.state.lane_passes->stress_and_map, work, b));
 }
 
 /// What remains of a body's step that updated stress first.
 template <class S>
 void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  LaneFindings found;
-  const LaneWork lanes = lane_work(work, pass, b);
   const LanePasses& passes = *work.state.lane_passes;
-  (work.state.keeps_ledger ? passes.accelerate_book_move_and_map : passes.accelerate_move_and_map)(lanes, found);
-  join(work.found, found, work.state.ranges[b].begin);
-  settle_moved<S>(work, pass, b, found.moved, [&](std::size_t p, double lost, const auto& at) {
+  const LaneFindings& found = run_by_lanes(
+      work, pass, b, work.state.keeps_ledger ? passes.accelerate_book_move_and_map : passes.accelerate_move_and_map);
+  settle_moved<S>(work, pass, b, found, [&](std::size_t p, double lost, const auto& at) {
     map_moved<S, false>(work, pass, work.scene.bodies[b].material, p, lost, at);
   });
 }
@@ -79,11 +81,8 @@ void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std:
 /// Strain rates, places, stresses, and all that a body gives to the nodes.
 template <class S>
 void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  LaneFindings found;
-  const LaneWork lanes = lane_work(work, pass, b);
-  work.state.lane_passes->strain_move_and_map[static_cast<std::size_t>(lanes.body.law)](lanes, found);
-  join(work.found, found, work.state.ranges[b].begin);
-  settle_moved<S>(work, pass, b, found.moved, [&](std::size_t p, double lost, const auto& at) {
+  const LaneFindings& found = run_by_lanes(work, pass, b, of_law(work.state.lane_passes->strain_move_and_map, work, b));
+  settle_moved<S>(work, pass, b, found, [&](std::size_t p, double lost, const auto& at) {
     map_moved<S, true>(work, pass, work.scene.bodies[b].material, p, lost, at);
   });
 }
@@ -91,13 +90,8 @@ void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::siz
 /// Strain rates and places of a body whose law waits for its neighbours' new places.
 template <class S>
 void strain_and_move_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  LaneFindings found;
-  work.state.lane_passes->strain_and_move(lane_work(work, pass, b), found);
-  join(work.found, found, work.state.ranges[b].begin);
-  settle_moved<S>(work, pass, b, found.moved, [](std::size_t, double, const auto&) {});
-  if (!work.state.blocks[b]->full()) return;
-  lay_out(work.state, work.scene);  // the step goes on from the points' cells
-  work.state.list_fluids(work.scene);
+  const LaneFindings& found = run_by_lanes(work, pass, b, work.state.lane_passes->strain_and_move);
+  settle_moved<S>(work, pass, b, found, [](std::size_t, double, const auto&) {});
 }
 
 }  // namespace tether::mpm

@@ -2,8 +2,8 @@
 #include "physics/points/layout.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <type_traits>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "grid/kernels.hpp"
@@ -15,7 +15,8 @@ namespace {
 /// Bodies with fewer points are done before lanes have begun.
 constexpr std::size_t few = 64;
 
-constexpr std::size_t nobody = Blocks::no_slot;
+/// Where no point comes into a slot.
+constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
 Blocks::Cell cell_of(const State& state, Kernel kernel, std::size_t p) {
   const Locator locator(state.grid.frame.shape);
@@ -28,47 +29,50 @@ Blocks::Cell cell_of(const State& state, Kernel kernel, std::size_t p) {
   return {at.j, at.i};
 }
 
-/// Slots of some points and their cells.
-struct Placed {
-  std::vector<std::size_t> slots;
-  std::vector<Blocks::Cell> cells;
-};
-
-/// The points of a body by rows of cells, then by cells, in a cell by their numbers.
-Placed in_order_of_cells(const State& state, Kernel kernel, Range range) {
-  const auto nx = static_cast<std::size_t>(state.grid.frame.shape.nx);
-  const auto number = [nx](Blocks::Cell cell) {
-    return static_cast<std::size_t>(cell.row) * nx + static_cast<std::size_t>(cell.cell);
-  };
-  std::vector<std::size_t> end(state.grid.frame.shape.nodes() + 1);  // of each cell, in the points' order
-  for_points(state.points, range, [&](std::size_t p) { ++end[number(cell_of(state, kernel, p)) + 1]; });
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  Placed placed{std::vector<std::size_t>(end.back()), std::vector<Blocks::Cell>(end.back())};
-  for_points(state.points, range, [&](std::size_t p) {
-    const Blocks::Cell cell = cell_of(state, kernel, p);
-    const std::size_t k = end[number(cell)]++;
-    placed.slots[k] = p, placed.cells[k] = cell;
-  });
-  const auto& id = state.points.id;
-  for (std::size_t n = 0, begin = 0; n + 1 < end.size(); begin = end[n++]) {
-    std::sort(placed.slots.begin() + static_cast<std::ptrdiff_t>(begin),
-              placed.slots.begin() + static_cast<std::ptrdiff_t>(end[n]),
-              [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+/// Calls visit(cell, slot, points) for the cells that hold points, with the slot of the first of so many.
+template <class Visit>
+void each_cell(const Blocks& blocks, const Visit& visit) {
+  for (const Blocks::Group& group : blocks.groups()) {
+    for (std::size_t l = 0; l < Blocks::lanes; ++l) {
+      const Blocks::Cell cell{group.row, group.cell + static_cast<int>(l)};
+      if (group.points[l] > 0) visit(cell, group.first * Blocks::lanes + l, group.points[l]);
+    }
   }
-  return placed;
+}
+
+/// Sorts the points of a cell by their numbers; they stand in `from` a block apart.
+void sort_cell(const LineArray<int>& id, std::span<std::uint32_t> from, std::vector<std::uint32_t>& cell) {
+  cell.clear();
+  for (std::size_t k = 0; k < from.size(); k += Blocks::lanes) cell.push_back(from[k]);
+  std::sort(cell.begin(), cell.end(), [&](std::uint32_t a, std::uint32_t b) { return id[a] < id[b]; });
+  for (std::size_t k = 0; k < cell.size(); ++k) from[k * Blocks::lanes] = cell[k];
 }
 
 /// The body's blocks, and at the end of `from` the present slot of what comes into each of theirs.
-void lay_out_body(const State& state, Kernel kernel, Range range, Blocks& blocks, std::vector<std::size_t>& from) {
-  const Placed placed = in_order_of_cells(state, kernel, range);
-  const std::vector<std::size_t> slots = blocks.lay_out(placed.cells);
+void lay_out_body(const State& state, Kernel kernel, Slots range, Blocks& blocks, std::vector<std::uint32_t>& from) {
+  const auto number = [nx = blocks.cells_x()](Blocks::Cell cell) {
+    return static_cast<std::size_t>(cell.row) * nx + static_cast<std::size_t>(cell.cell);
+  };
+  std::vector<std::uint32_t> points_in(blocks.cells_x() * blocks.cells_y());
+  for_points(state.points, range, [&](std::size_t p) { ++points_in[number(cell_of(state, kernel, p))]; });
+  blocks.lay_out(points_in);
   const std::size_t first = from.size();
-  from.resize(first + blocks.capacity() * Blocks::lanes, nobody);
-  for (std::size_t k = 0; k < slots.size(); ++k) from[first + slots[k]] = placed.slots[k];
+  from.resize(first + slots_for(blocks.blocks()), nobody);
+  std::vector<std::size_t> next(points_in.size());  // slot of each cell's next point
+  std::vector<std::uint32_t> cell;
+  each_cell(blocks, [&](Blocks::Cell at, std::size_t slot, std::size_t) { next[number(at)] = first + slot; });
+  for_points(state.points, range, [&](std::size_t p) {
+    std::size_t& slot = next[number(cell_of(state, kernel, p))];
+    from[slot] = static_cast<std::uint32_t>(p), slot += Blocks::lanes;
+  });
+  each_cell(blocks, [&](Blocks::Cell, std::size_t slot, std::size_t points) {
+    if (points > 1)
+      sort_cell(state.points.id, std::span(from).subspan(first + slot, (points - 1) * Blocks::lanes + 1), cell);
+  });
 }
 
 template <class Number>
-void permute(LineArray<Number>& array, const std::vector<std::size_t>& from) {
+void permute(LineArray<Number>& array, const std::vector<std::uint32_t>& from) {
   LineArray<Number> permuted(from.size(), Number{});
   for (std::size_t k = 0; k < from.size(); ++k) {
     if (from[k] != nobody) permuted[k] = array[from[k]];
@@ -76,29 +80,12 @@ void permute(LineArray<Number>& array, const std::vector<std::size_t>& from) {
   array.swap(permuted);
 }
 
-/// Where a slot without a point stands.
-void stand_in_the_middle(State& state, const Blocks& blocks, std::size_t slot, Blocks::Cell cell) {
-  const BackgroundGrid& shape = state.grid.frame.shape;
-  state.points.x[slot] = shape.x0 + (cell.cell + blocks.middle()) * shape.dx;
-  state.points.y[slot] = shape.y0 + (cell.row + blocks.middle()) * shape.dy;
-}
-
-/// The eight slots from `first` on that hold no point, in the middles of their cells.
-void empty_block(State& state, const Blocks& blocks, std::size_t first, Blocks::Cell cell) {
-  for (std::size_t l = 0; l < Blocks::lanes; ++l) {
-    if (!state.points.holds(first + l))
-      stand_in_the_middle(state, blocks, first + l, {cell.row, cell.cell + static_cast<int>(l)});
-  }
-}
-
 /// Slots of the body that hold no point, in the middles of their cells.
 void empty_slots(State& state, std::size_t b) {
   const Blocks& blocks = *state.blocks[b];
-  const std::size_t first = state.ranges[b].begin;
   for (const Blocks::Group& group : blocks.groups()) {
-    for (std::uint32_t block = group.first; block != Blocks::none; block = blocks.next(block)) {
-      empty_block(state, blocks, first + block * Blocks::lanes, {group.row, group.cell});
-    }
+    for (std::uint32_t block = group.first; block != Blocks::none; block = blocks.next(block))
+      empty_block(state, b, block, {group.row, group.cell});
   }
 }
 
@@ -106,33 +93,30 @@ void empty_slots(State& state, std::size_t b) {
 
 bool runs_by_lanes(const Scene& scene, std::size_t body) {
   const Body& of = scene.bodies[body];
-  const Method& method = scene.method;
   if (of.count < few || scene.edges.any()) return false;
   const bool pins = std::any_of(scene.pinned.begin(), scene.pinned.end(),
                                 [&](std::size_t p) { return p >= of.first && p < of.first + of.count; });
-  if (pins) return false;
-  if (std::holds_alternative<IdealGas>(of.material)) return true;
-  return std::holds_alternative<PlaneElastic>(of.material) && !method.jaumann;
+  return !pins && !std::holds_alternative<Membrane>(of.material);
 }
 
 void lay_out(State& state, const Scene& scene) {
-  std::vector<std::size_t> from;
-  std::vector<Range> ranges(state.ranges.size());
+  std::vector<std::uint32_t> from;
+  std::vector<Slots> ranges(state.ranges.size());
   std::size_t points = 0;
   for (const bool lanes : {false, true}) {
     for (std::size_t b = 0; b < ranges.size(); ++b) {
       if (state.blocks[b].has_value() != lanes) continue;
       from.resize((from.size() + Blocks::lanes - 1) / Blocks::lanes * Blocks::lanes, nobody);
-      ranges[b].begin = from.size();
+      ranges[b].begin = from.size(), ranges[b].gaps = lanes;
       if (lanes) {
         lay_out_body(state, scene.method.kernel, state.ranges[b], *state.blocks[b], from);
       } else {
-        for_points(state.points, state.ranges[b], [&](std::size_t p) { from.push_back(p); });
+        for_points(state.ranges[b].full(), [&](std::size_t p) { from.push_back(static_cast<std::uint32_t>(p)); });
       }
       ranges[b].end = from.size();
     }
   }
-  for (const std::size_t slot : from) points += slot != nobody;
+  for (const std::uint32_t slot : from) points += slot != nobody;
   each_row(Points::rows(), [&](const auto& row) {
     if (row.carried_by(state.points)) permute(state.points.*row.array, from);
   });
@@ -146,74 +130,21 @@ void lay_out(State& state, const Scene& scene) {
   }
 }
 
-Movers::Movers(State& state, std::size_t body) : state_(state), body_(body) {
-  Points& P = state.points;
-  each_row(Points::rows(), [&](const auto& row) {
-    auto& array = P.*row.array;
-    if constexpr (std::is_same_v<decltype(array.data()), double*>) {
-      if (row.carried_by(P)) arrays_.push_back(array.data());
-    }
-  });
-}
+std::size_t slots_for(std::size_t blocks) { return (blocks + blocks / 16 + 16) * Blocks::lanes; }
 
-void Movers::take(std::size_t slot, Blocks::Cell left, Blocks::Cell entered) {
-  Points& P = state_.points;
-  movers_.push_back({P.id[slot], P.pinned[slot], left, entered});
-  for (double* array : arrays_) numbers_.push_back(array[slot]), array[slot] = 0;
-  P.id[slot] = -1, P.pinned[slot] = 0;
-  stand_in_the_middle(state_, *state_.blocks[body_], slot, left);
-}
-
-void Movers::put(std::size_t mover, std::size_t slot) {
-  const double* number = numbers_.data() + mover * arrays_.size();
-  for (double* array : arrays_) array[slot] = *number++;
-  state_.points.id[slot] = movers_[mover].id, state_.points.pinned[slot] = movers_[mover].pinned;
-}
-
-void Movers::settle() {
-  std::vector<std::size_t> left;
-  for (std::size_t k = 0; k < movers_.size(); ++k) {
-    const std::size_t slot = find_slot(movers_[k].entered);
-    if (slot == Blocks::no_slot)
-      left.push_back(k);
-    else
-      put(k, slot);
+void empty_block(State& state, std::size_t body, std::size_t block, Blocks::Cell cell) {
+  const std::size_t first = state.ranges[body].begin + block * Blocks::lanes;
+  for (std::size_t l = 0; l < Blocks::lanes; ++l) {
+    if (!state.points.holds(first + l))
+      stand_in_the_middle(state, body, first + l, {cell.row, cell.cell + static_cast<int>(l)});
   }
-  // There is no block any more for these: they stand anywhere until all are laid out anew.
-  std::size_t slot = state_.ranges[body_].begin;
-  for (const std::size_t k : left) {
-    while (state_.points.holds(slot)) ++slot;
-    put(k, slot);
-  }
-  for (const Mover& mover : movers_) close_ranks(mover.left);
-  state_.blocks[body_]->settle();
 }
 
-/// Points that were left move up, so that the group needs no more blocks than its fullest cell.
-void Movers::close_ranks(Blocks::Cell cell) {
-  Points& P = state_.points;
-  Blocks& blocks = *state_.blocks[body_];
-  const std::size_t first = state_.ranges[body_].begin;
-  const auto is_free = [&](std::size_t slot) { return !P.holds(first + slot); };
-  for (auto gap = blocks.gap(cell, is_free); gap.is_there(); gap = blocks.gap(cell, is_free)) {
-    const std::size_t from = first + gap.last, to = first + gap.free;
-    for (double* array : arrays_) array[to] = std::exchange(array[from], 0);
-    P.id[to] = std::exchange(P.id[from], -1), P.pinned[to] = std::exchange(P.pinned[from], std::uint8_t{0});
-    stand_in_the_middle(state_, blocks, from, cell);
-  }
-  blocks.drop_empty(cell, is_free);
-}
-
-std::size_t Movers::find_slot(Blocks::Cell cell) {
-  Blocks& blocks = *state_.blocks[body_];
-  const std::size_t first = state_.ranges[body_].begin;
-  const auto [slot, new_block] =
-      blocks.find_free(cell, [&](std::size_t free) { return !state_.points.holds(first + free); });
-  if (new_block && slot != Blocks::no_slot) {
-    const int lane = cell.cell % static_cast<int>(Blocks::lanes);
-    empty_block(state_, blocks, first + slot - static_cast<std::size_t>(lane), {cell.row, cell.cell - lane});
-  }
-  return slot == Blocks::no_slot ? slot : first + slot;
+void stand_in_the_middle(State& state, std::size_t body, std::size_t slot, Blocks::Cell cell) {
+  const BackgroundGrid& shape = state.grid.frame.shape;
+  const double middle = state.blocks[body]->middle();
+  state.points.x[slot] = shape.x0 + (cell.cell + middle) * shape.dx;
+  state.points.y[slot] = shape.y0 + (cell.row + middle) * shape.dy;
 }
 
 }  // namespace tether::mpm

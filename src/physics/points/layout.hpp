@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "model/scene.hpp"
 #include "physics/points/state.hpp"
@@ -11,40 +9,19 @@
 namespace tether::mpm {
 
 /// Whether the points of a body run by lanes, a lane for each of eight neighbouring cells, and not one after the other.
-/// That pays for all but small bodies; strings, pinned points, gas by open edges and bodies in contact go one by one.
+/// That pays for all but small bodies; strings, pinned points and gas by open edges go one by one.
 bool runs_by_lanes(const Scene& scene, std::size_t body);
 
-/// Puts the points of such bodies into blocks of their cells, behind those of the others; in a cell they stand in the
+/// Puts the points of such bodies into blocks of their cells, after those of the others; in a cell they stand in the
 /// order of their numbers, whatever it was before.
 void lay_out(State& state, const Scene& scene);
 
-/// Points of a body on their way from slot to slot. All leave before one enters, so that what goes on together finds
-/// the room that it leaves.
-class Movers {
- public:
-  Movers(State& state, std::size_t body);
+/// Slots for so many blocks and those that come in between layouts: a sixteenth, and some in small bodies.
+std::size_t slots_for(std::size_t blocks);
 
-  /// Takes a point out of its slot, which stands empty in the cell that it has left.
-  void take(std::size_t slot, Blocks::Cell left, Blocks::Cell entered);
-  /// Gives each a slot of the cell that it has entered; where there is no room any more, Blocks::scattered() says that
-  /// all must be laid out anew.
-  void settle();
-
- private:
-  struct Mover {
-    int id;
-    std::uint8_t pinned;
-    Blocks::Cell left, entered;
-  };
-  std::size_t find_slot(Blocks::Cell cell);
-  void close_ranks(Blocks::Cell cell);
-  void put(std::size_t mover, std::size_t slot);
-
-  State& state_;
-  std::size_t body_;
-  std::vector<double*> arrays_;  // of what points have
-  std::vector<Mover> movers_;
-  std::vector<double> numbers_;  // of each mover, one from each array
-};
+/// Where a slot without a point stands.
+void stand_in_the_middle(State& state, std::size_t body, std::size_t slot, Blocks::Cell cell);
+/// The slots of a body's block that hold no point; `cell` is that of the first lane.
+void empty_block(State& state, std::size_t body, std::size_t block, Blocks::Cell cell);
 
 }  // namespace tether::mpm

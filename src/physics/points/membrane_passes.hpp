@@ -110,10 +110,11 @@ inline void settle_ledger(StepWork& work, const PassWork& pass) {
 
 /// Density of gas at the nodes of its present places, sum_p m_p N_i / V_i.
 template <class S>
-inline void density_at_nodes(const PassWork& work, const std::vector<Range>& gas) {
+inline void density_at_nodes(const PassWork& work, const std::vector<Slots>& gas) {
+  if (gas.empty()) return;
   const Points& P = work.P;
   const auto each = [&](const auto& visit) {
-    for (const Range range : gas) {
+    for (const Slots range : gas) {
       for_points(P, range, [&](std::size_t p) {
         const auto at = S::Kernel::locate(work.locator, P.x[p], P.y[p]);
         visit(p, S::Kernel::nodes(work.locator, at), S::Kernel::values(at));

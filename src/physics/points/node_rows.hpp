@@ -16,7 +16,7 @@ namespace tether::mpm {
 /// A number at each node.
 class NodeRow {
  public:
-  /// Nodes that a group of lanes may reach to before the first node and behind the last one.
+  /// Nodes that a group of lanes may reach to before the first node and after the last one.
   static constexpr std::size_t margin = 16;
 
   /// Rows of one node's numbers must not all fall on one place of the cache: each is `shift` lines further on.

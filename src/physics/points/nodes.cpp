@@ -2,6 +2,7 @@
 #include "physics/points/nodes.hpp"
 
 #include <array>
+#include <utility>
 
 #include "physics/points/balance.hpp"
 
@@ -33,28 +34,41 @@ void hold(const Frame& frame, PairRow& field) {
 
 }  // namespace
 
-void solve_momentum(StepWork& work, double dt) {
+namespace {
+
+LaneTotals solve_at_nodes(StepWork& work, double dt, Sums after) {
   Grid& grid = work.state.grid;
-  grid.passes.solve(rows_of(grid), grid.active, work.scene.gravity, dt);
-  hold(grid.frame, grid.motion.a), hold(grid.frame, grid.motion.u);
+  const LaneTotals totals = grid.passes.solve(rows_of(grid), grid.active,
+                                              {.gravity = work.scene.gravity,
+                                               .dt = dt,
+                                               .light = work.state.light_node,
+                                               .held = grid.frame.held.data(),
+                                               .clears = after == Sums::cleared});
   grid.unfold_motion();
+  return totals;
 }
 
-void total_nodes(StepWork& work, double dt) {
-  const Contact& contact = work.state.contact;
-  Grid& grid = work.state.grid;
-  if (contact.on()) {
-    work.nodes.light = work.state.light_node;
-    for_nodes(grid.active, [&](std::size_t n) {
-      if (contact.slot(n) < 0) work.nodes.add(grid.sums[n], grid.motion[n], grid.frame.held[n], dt);
-    });
-    work.nodes.light = 0;  // impulses have work of their own
-    return contact.total(work.nodes, grid.frame, dt);
-  }
-  const LaneTotals totals = grid.passes.total(rows_of(grid), grid.active, work.state.light_node, dt);
+}  // namespace
+
+void solve_momentum(StepWork& work, double dt, Sums after) {
+  const Grid& grid = work.state.grid;
+  for (const std::size_t n : grid.frame.at_walls) work.nodes.add_held(grid.sums[n], grid.frame.held[n]);
+  const LaneTotals totals = solve_at_nodes(work, dt, after);
   work.nodes.power += totals.power, work.nodes.squares += totals.squares;
   work.nodes.gained += totals.gained, work.nodes.upward += totals.upward;
-  for (const std::size_t n : grid.frame.at_walls) work.nodes.add_held(grid.sums[n], grid.frame.held[n]);
+}
+
+void solve_common_field(StepWork& work, double dt) { solve_at_nodes(work, dt, Sums::kept); }
+
+void total_with_contact(StepWork& work, double dt) {
+  const Contact& contact = work.state.contact;
+  const Grid& grid = work.state.grid;
+  work.nodes.light = work.state.light_node;
+  for_nodes(grid.active, [&](std::size_t n) {
+    if (contact.slot(n) < 0) work.nodes.add(grid.sums[n], grid.motion[n], grid.frame.held[n], dt);
+  });
+  work.nodes.light = 0;  // impulses have work of their own
+  contact.total(work.nodes, grid.frame, dt);
 }
 
 void divide_convected(Grid& grid) {
@@ -71,7 +85,7 @@ void mapped_velocity(Grid& grid) {
 
 void clear_convected(Grid& grid) {
   grid.passes.clear(std::array{grid.convected.x.data(), grid.convected.y.data()}, grid.active);
-  for (const Ghost& ghost : grid.frame.ghosts) grid.convected[static_cast<std::size_t>(ghost.node)] = Pair{};
+  for (const Ghost& ghost : grid.ghosts) grid.convected[static_cast<std::size_t>(ghost.node)] = Pair{};
 }
 
 void clear_sums(Grid& grid) {
@@ -107,7 +121,7 @@ void clear_forces(Grid& grid) {
 
 void gas_at_nodes(Grid& grid) {
   for_nodes(grid.active, [&](std::size_t n) {
-    const double gas = grid.sums.gas[n];
+    const double gas = std::exchange(grid.sums.gas[n], 0);  // nobody asks again
     grid.gas.rho[n] = gas * grid.frame.per_volume[n];
     if (!grid.loss.empty()) grid.gas.heat[n] = grid.loss[n] * inverse(gas);
   });

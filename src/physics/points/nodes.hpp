@@ -7,13 +7,17 @@ namespace tether::mpm {
 
 // What a step does at the nodes; nothing here knows kernels.
 
-/// (mv)^L = (mv) + dt f, with the body force m b (3.17), (3.19), (3.20), walls.
-void solve_momentum(StepWork& work, double dt);
+/// Whether sums over points are asked once more after the solve.
+enum class Sums { kept, cleared };
 
-/// Sums of the balance of energy over the nodes' fields, before they are used.
-void total_nodes(StepWork& work, double dt);
+/// (mv)^L = (mv) + dt f, with the body force m b (3.17), (3.19), (3.20), walls, and the sums of the balance of energy.
+void solve_momentum(StepWork& work, double dt, Sums after);
+/// The first of it for bodies that share nodes.
+void solve_common_field(StepWork& work, double dt);
+/// And the last, with each body's own fields at such nodes.
+void total_with_contact(StepWork& work, double dt);
 
-/// v_i = sum m_p v_p N_i / m_i from the momenta that points gave to `convected` (3.24), walls.
+/// v_i = sum m_p v_p N_i / m_i from the momenta that points gave to `convected` (3.24), walls; the sums are 0 then.
 void divide_convected(Grid& grid);
 /// The same quotient from the momenta mapped at the start of the step.
 void mapped_velocity(Grid& grid);

@@ -34,7 +34,7 @@ Rule rule_of(const BackgroundGrid& shape, const Walls& walls, const Method& meth
 /// The rules that ask the grid's colour take other points, too.
 template <class Rule>
 constexpr bool asks_others = requires(Rule rule) {
-  rule.update({}, Range{}, std::span<const Range>{}, Tangents{});
+  rule.update({}, Range{}, std::span<const Slots>{}, Tangents{});
 };
 
 }  // namespace
@@ -43,7 +43,7 @@ MembraneNormals::MembraneNormals(const BackgroundGrid& shape, const Walls& walls
                                  std::size_t most_points)
     : rule_(rule_of<decltype(rule_)>(shape, walls, method, most_points)) {}
 
-void MembraneNormals::update(const PlaceArrays& places, Range membrane, std::span<const Range> others,
+void MembraneNormals::update(const PlaceArrays& places, Range membrane, std::span<const Slots> others,
                              const Tangents& tangents) {
   std::visit(
       [&]<class Rule>(Rule& rule) {
@@ -59,9 +59,9 @@ void MembraneNormals::update(const PlaceArrays& places, Range membrane, std::spa
 BodyNormals::BodyNormals(const BackgroundGrid& shape, const Walls& walls)
     : nx_(shape.nx), least_(least_color_slope / std::max(shape.dx, shape.dy)), color_(shape, walls) {}
 
-void BodyNormals::take(const PlaceArrays& places, Range body) {
+void BodyNormals::take(const PlaceArrays& places, std::span<const std::size_t> points) {
   color_.clear();
-  color_.add(places, body);
+  for (const std::size_t p : points) color_.add(places, p);
 }
 
 Vec<2> BodyNormals::outward(int node) const {

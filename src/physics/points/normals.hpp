@@ -24,7 +24,7 @@ class MembraneNormals {
 
   /// Turns the tangents of the membrane's points to where they stand now; each keeps the sense it had. `others` are
   /// the points that lend the color, quadratic and cubic rules their colour; the mass matrix asks the membrane alone.
-  void update(const PlaceArrays& places, Range membrane, std::span<const Range> others, const Tangents& tangents);
+  void update(const PlaceArrays& places, Range membrane, std::span<const Slots> others, const Tangents& tangents);
 
  private:
   std::variant<ColorNormals, QuadraticNormals, CubicNormals, CellMatrixNormals<LinearColor>,
@@ -39,8 +39,8 @@ class BodyNormals {
  public:
   BodyNormals(const BackgroundGrid& shape, const Walls& walls);
 
-  /// Takes up the colour of a body in place of the one before (9.10).
-  void take(const PlaceArrays& places, Range body);
+  /// Takes up the colour of a body's points in place of those before (9.10): of those in the slots of the list.
+  void take(const PlaceArrays& places, std::span<const std::size_t> points);
   /// Unit normal at a node, out of the body (9.11). Zero where its colour has no slope: inside, away from it, and on a
   /// membrane's own line.
   Vec<2> outward(int node) const;

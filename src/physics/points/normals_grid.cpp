@@ -41,15 +41,13 @@ CellColor::CellColor(const BackgroundGrid& shape, const Walls& walls)
                        mirrors(walls.top), column_.size())),
       color_(column_.size() * row_.size()) {}
 
-void CellColor::add(const PlaceArrays& places, Range range) {
-  for_points(places, range, [&](std::size_t p) {
-    const CellPlace at = locator_.locate(places.x[p], places.y[p]);
-    const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
-    const auto i = static_cast<std::size_t>(at.i), j = static_cast<std::size_t>(at.j);
-    for (std::size_t b = 0; b < 3; ++b) {
-      for (std::size_t a = 0; a < 3; ++a) color_.add(column_[i + a] + row_[j + b], wx[a] * wy[b]);  // (7.4), (9.10)
-    }
-  });
+void CellColor::add(const PlaceArrays& places, std::size_t p) {
+  const CellPlace at = locator_.locate(places.x[p], places.y[p]);
+  const auto wx = quadratic_weights(at.r - 0.5), wy = quadratic_weights(at.s - 0.5);
+  const auto i = static_cast<std::size_t>(at.i), j = static_cast<std::size_t>(at.j);
+  for (std::size_t b = 0; b < 3; ++b) {
+    for (std::size_t a = 0; a < 3; ++a) color_.add(column_[i + a] + row_[j + b], wx[a] * wy[b]);  // (7.4), (9.10)
+  }
 }
 
 Pair CellColor::gradient(int i, int j) const {
@@ -68,7 +66,7 @@ ColorNormals::ColorNormals(const BackgroundGrid& shape, const Walls& walls)
       sides_y_(sides(shape.ny, mirrors(walls.bottom), mirrors(walls.top))),
       sums_(shape.nodes()) {}
 
-void ColorNormals::add(const PlaceArrays& places, Range range) {
+void ColorNormals::add(const PlaceArrays& places, Slots range) {
   for_points(places, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const LinearGradient G(at, locator_.per_dx, locator_.per_dy);
@@ -85,11 +83,11 @@ Pair ColorNormals::normal(int i, int j) const {
   return sum * pair((2 - across) * up, across * (2 - up));
 }
 
-void ColorNormals::update(const PlaceArrays& places, Range membrane, std::span<const Range> others,
+void ColorNormals::update(const PlaceArrays& places, Range membrane, std::span<const Slots> others,
                           const Tangents& tangents) {
   sums_.clear();
   add(places, membrane);
-  for (const Range range : others) add(places, range);
+  for (const Slots range : others) add(places, range);
   for_points(membrane, [&](std::size_t p) {
     Pair gradient{};
     at_corners(locator_.locate(places.x[p], places.y[p]),
@@ -101,11 +99,12 @@ void ColorNormals::update(const PlaceArrays& places, Range membrane, std::span<c
 QuadraticNormals::QuadraticNormals(const BackgroundGrid& shape, const Walls& walls)
     : locator_(shape), least_(least_slope(shape)), color_(shape, walls) {}
 
-void QuadraticNormals::update(const PlaceArrays& places, Range membrane, std::span<const Range> others,
+void QuadraticNormals::update(const PlaceArrays& places, Range membrane, std::span<const Slots> others,
                               const Tangents& tangents) {
   color_.clear();
-  color_.add(places, membrane);
-  for (const Range range : others) color_.add(places, range);
+  const auto add = [&](std::size_t p) { color_.add(places, p); };
+  for_points(membrane, add);
+  for (const Slots range : others) for_points(places, range, add);
   for_points(membrane, [&](std::size_t p) {
     Pair gradient{};
     at_corners(locator_.locate(places.x[p], places.y[p]),
@@ -128,7 +127,7 @@ CubicNormals::CubicNormals(const BackgroundGrid& shape, const Walls& walls)
   sides_y_.insert(sides_y_.begin(), 1.0), sides_y_.push_back(1.0);
 }
 
-void CubicNormals::add(const PlaceArrays& places, Range range) {
+void CubicNormals::add(const PlaceArrays& places, Slots range) {
   for_points(places, range, [&](std::size_t p) {
     const CellPlace at = locator_.locate(places.x[p], places.y[p]);
     const auto wx = cubic_weights(at.r), wy = cubic_weights(at.s);
@@ -155,11 +154,11 @@ Pair CubicNormals::gradient(const CellPlace& at) const {
   return sum * pair(locator_.per_dx, locator_.per_dy);
 }
 
-void CubicNormals::update(const PlaceArrays& places, Range membrane, std::span<const Range> others,
+void CubicNormals::update(const PlaceArrays& places, Range membrane, std::span<const Slots> others,
                           const Tangents& tangents) {
   color_.clear();
   add(places, membrane);
-  for (const Range range : others) add(places, range);
+  for (const Slots range : others) add(places, range);
   for_points(membrane, [&](std::size_t p) {
     turn_across(tangents, p, gradient(locator_.locate(places.x[p], places.y[p])), least_);
   });

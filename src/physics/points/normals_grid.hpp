@@ -89,7 +89,7 @@ class CellColor {
   CellColor(const BackgroundGrid& shape, const Walls& walls);
 
   void clear() { color_.clear(); }
-  void add(const PlaceArrays& places, Range range);  // (7.4), (9.10)
+  void add(const PlaceArrays& places, std::size_t p);  // (7.4), (9.10)
   /// Node (i, j) of the grid; per length (7.5), (9.11).
   Pair gradient(int i, int j) const;
   /// Colours of the four cells around the node together.
@@ -110,10 +110,10 @@ class CellColor {
 class ColorNormals {
  public:
   ColorNormals(const BackgroundGrid& shape, const Walls& walls);
-  void update(const PlaceArrays& places, Range membrane, std::span<const Range> others, const Tangents& tangents);
+  void update(const PlaceArrays& places, Range membrane, std::span<const Slots> others, const Tangents& tangents);
 
  private:
-  void add(const PlaceArrays& places, Range range);
+  void add(const PlaceArrays& places, Slots range);
   Pair normal(int i, int j) const;
 
   Locator locator_;
@@ -126,7 +126,7 @@ class ColorNormals {
 class QuadraticNormals {
  public:
   QuadraticNormals(const BackgroundGrid& shape, const Walls& walls);
-  void update(const PlaceArrays& places, Range membrane, std::span<const Range> others, const Tangents& tangents);
+  void update(const PlaceArrays& places, Range membrane, std::span<const Slots> others, const Tangents& tangents);
 
  private:
   Locator locator_;
@@ -138,10 +138,10 @@ class QuadraticNormals {
 class CubicNormals {
  public:
   CubicNormals(const BackgroundGrid& shape, const Walls& walls);
-  void update(const PlaceArrays& places, Range membrane, std::span<const Range> others, const Tangents& tangents);
+  void update(const PlaceArrays& places, Range membrane, std::span<const Slots> others, const Tangents& tangents);
 
  private:
-  void add(const PlaceArrays& places, Range range);
+  void add(const PlaceArrays& places, Slots range);
   Pair gradient(const CellPlace& at) const;
 
   Locator locator_;

@@ -9,6 +9,7 @@
 #include "laws/elastic.hpp"
 #include "laws/material.hpp"
 #include "physics/points/arrays.hpp"
+#include "physics/points/waits.hpp"
 
 namespace tether::mpm {
 
@@ -34,7 +35,6 @@ struct Trouble {
 //   law_volume  V_p in the nodal force (3.16): the stored one, for gas m_p / rho_p, of
 //               laws that carry F det F times it
 //   sound       whether the point's numbers are numbers still, and its density positive
-//   waits       whether it is updated only after all points of the body have moved (tangents, densities)
 
 /// What is the same for all points in a step.
 struct StepContext {
@@ -89,15 +89,6 @@ inline bool sound(const LinearFluid&, const Points& P, std::size_t p) { return s
 inline bool sound(const Membrane&, const Points& P, std::size_t p) { return std::isfinite(P.strain[p]); }
 inline bool sound(const IdealGas&, const Points& P, std::size_t p) {
   return P.rho[p] > 0 && P.rho[p] < std::numeric_limits<double>::infinity() && std::isfinite(P.energy[p]);
-}
-
-inline bool waits(const PlaneElastic&, bool) { return false; }
-inline bool waits(const FiniteElastic&, bool) { return false; }
-inline bool waits(const LinearFluid&, bool) { return false; }
-inline bool waits(const Membrane&, bool) { return true; }
-/// Where the points stay, the gas at the nodes is known before the pass.
-inline bool waits(const IdealGas& gas, bool moves) {
-  return gas.rule == DensityRule::grid ? moves : gas.rule != DensityRule::continuity;
 }
 
 /// `about_axis`: the hoop's strain rate and stress count.

@@ -126,7 +126,6 @@ MpmSolver::MpmSolver(const Plan& plan)
     : plan_(plan),
       set_(step_set(plan.scene)),
       state_(start(plan.scene)),
-      sort_(plan.scene.points.size()),
       strings_(plan.scene),
       stretches_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),
@@ -222,12 +221,18 @@ RunCounts MpmSolver::counts() const {
   return {state_.steps, state_.point_steps, state_.point_count(), state_.dt_min, state_.dt_last};
 }
 
-Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene); }
+Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene).snapshot(); }
+
+void MpmSolver::write_points(const std::function<void(const FieldsInTurn&)>& write) const {
+  write(point_fields(state_, plan_.scene));
+}
 
 Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
 
 Summary MpmSolver::more_summary() const {
-  Summary summary;
+  std::size_t by_lanes = 0;
+  for (const auto& blocks : state_.blocks) by_lanes += blocks ? blocks->points() : 0;
+  Summary summary{line_of("points_by_lanes", by_lanes)};
   if (strings_.on()) summary.push_back(line_of("widest_gap", state_.widest_gap));
   if (stretches_.on()) summary.push_back(line_of("points_apart", state_.points_apart));
   if (mixing_.on()) summary.push_back(line_of("gases_apart", state_.gases_apart));

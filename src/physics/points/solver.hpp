@@ -39,6 +39,8 @@ class MpmSolver final : public Solver {
   HistoryLayout history_layout() const override { return columns_.layout(); }
   Record record() const override { return columns_.record(sums_of(state_, plan_.scene)); }
   Snapshot points() const override;
+  void write_points(const std::function<void(const FieldsInTurn&)>& write) const override;
+  bool has_taken_points() const override { return true; }
   Snapshot grid() const override;
   Summary more_summary() const override;
   std::vector<std::string> take_messages() override;

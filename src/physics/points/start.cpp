@@ -19,19 +19,20 @@ namespace tether::mpm {
 namespace {
 
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: state.cpp
-constexpr double bytes_of_frame = sizeof(std::size_t) + sizeof(Pair) + sizeof(double) + 1;
+constexpr double bytes_of_frame = sizeof(std::uint32_t) + sizeof(Signs) + sizeof(double) + 1;
 constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
-constexpr double bytes_of_node = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 2 * sizeof(double) +
-                                 2 * sizeof(double) + 4 * sizeof(int) + bytes_of_frame + bytes_of_contact +
-                                 bytes_of_saved_node;
+constexpr double bytes_of_node =
+    sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 2 * sizeof(double) + 2 * sizeof(double) + bytes_of_frame;
 static_assert(bytes_of_node <= bytes_per_node, "model/size.hpp: a node takes more than it says");
-// Of a point: its arrays, their place in a checkpoint, and the work space of sorting, of tangents and of strips.
+static_assert(bytes_of_contact + bytes_of_saved_node <= more_bytes_per_node, "model/size.hpp: the same");
+// Of a point: its arrays and the work space of sorting and of tangents; strips, and a checkpoint.
 constexpr double bytes_of_sorting = sizeof(CellSort::Key) + sizeof(double) + sizeof(int) + 1;
 constexpr double bytes_of_tangents = 2 * sizeof(double);
 constexpr double bytes_of_strips = sizeof(std::size_t) + 10 * sizeof(double) + 2;
-constexpr double bytes_of_point = bytes_of_arrays<Points>(Points::rows()) + bytes_of_saved_arrays(Points::rows()) +
-                                  bytes_of_sorting + bytes_of_tangents + bytes_of_strips;
-static_assert(bytes_of_point <= bytes_per_point, "model/size.hpp: a point takes more than it says");
+static_assert(bytes_of_arrays<Points>(Points::rows()) + bytes_of_sorting + bytes_of_tangents <= bytes_per_point,
+              "model/size.hpp: a point takes more than it says");
+static_assert(bytes_of_saved_arrays(Points::rows()) + bytes_of_strips <= more_bytes_per_point,
+              "model/size.hpp: the same");
 
 /// Of the points' mean mass: nodes with less have it from points on a line of the grid, 1e-12 of their masses.
 constexpr double light_part = 1e-9;
@@ -46,7 +47,7 @@ bool from_cells(const IdealGas& gas) { return gas.rule == DensityRule::cell || g
 struct StartPoints {
   State& state;
   const Body& body;
-  Range range;
+  Slots range;
   std::size_t number;  // of the body
   StepFindings found;
 
@@ -56,17 +57,18 @@ struct StartPoints {
   }
   void operator()(const LinearFluid&) {
     Points& P = state.points;  // an accumulated pressure starts at zero strain
-    for_points(range, [&](std::size_t p) { P.sxx[p] = P.syy[p] = P.sxy[p] = 0; });
+    for_points(P, range, [&](std::size_t p) { P.sxx[p] = P.syy[p] = P.sxy[p] = 0; });
   }
   /// A stress in the file is an initial strain E eps = t . sigma . t: negative is slack.
   void operator()(const Membrane& law) {
     Points& P = state.points;
-    for_points(range, [&](std::size_t p) {
-      const Vec<2> t = tangent_at(P, range, p, body.closed);
+    const Range string = range.full();
+    for_points(string, [&](std::size_t p) {
+      const Vec<2> t = tangent_at(P, string, p, body.closed);
       P.tx[p] = t[0], P.ty[p] = t[1];
     });
     if (state.normals) state.find_tangents(number);
-    for_points(range, [&](std::size_t p) {
+    for_points(string, [&](std::size_t p) {
       const Vec<2> t{P.tx[p], P.ty[p]};
       P.strain[p] = along({P.sxx[p], P.syy[p], P.sxy[p]}, t) / law.E;
       P.hoop[p] = 0;
@@ -121,9 +123,9 @@ void make_elements(const Scene& scene, State& state) {
     auto& ambient = state.ambient_of.emplace_back();
     if (!std::holds_alternative<Membrane>(scene.bodies[b].material)) continue;
     if (elements)
-      of.emplace(scene, b, state.ranges[b], state.points, state.grid.frame);
+      of.emplace(scene, b, state.ranges[b].full(), state.points, state.grid.frame);
     else if (scene.ambient != 0)
-      ambient.emplace(scene, b, state.ranges[b], state.points, state.grid.frame);
+      ambient.emplace(scene, b, state.ranges[b].full(), state.points, state.grid.frame);
     std::size_t bad = 0;
     if (of) of->update(state.points, bad);
     if (ambient) ambient->update_ambient(state.points);
@@ -142,13 +144,12 @@ bool keeps_ledger(const Scene& scene) {
 void sort_bodies(CellSort& sort, State& state, const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const bool string = std::holds_alternative<Membrane>(scene.bodies[b].material);
-    if (!string && !state.blocks[b]) sort(state.points, state.ranges[b], state.grid.frame.shape);
+    if (!string && !state.blocks[b]) sort(state.points, state.ranges[b].full(), state.grid.frame.shape);
   }
 }
 
 State start(const Scene& scene, const LaneChoice& lanes) {
-  State state(scene);
-  state.grid.passes = node_passes(lanes.set);
+  State state(scene, lanes.set);
   state.density = cell_density(scene, state.grid.frame);
   for (const Body& body : scene.bodies) {
     state.ranges.push_back({body.first, body.first + body.count});
@@ -166,12 +167,10 @@ State start(const Scene& scene, const LaneChoice& lanes) {
     const double middle = method.kernel == Kernel::linear ? 0.5 : 0;
     if (lanes.on && runs_by_lanes(scene, b))
       blocks.emplace(state.grid.frame.shape.nx, state.grid.frame.shape.ny, middle);
-    if (blocks && !state.lane_passes)
-      state.lane_passes = lane_passes(lanes.set, {method.kernel, method.transfer == Transfer::apic, method.order,
-                                                  scene.geometry == Geometry::axisymmetric});
+    if (blocks && !state.lane_passes) state.lane_passes = lane_passes(lanes.set, method, scene.geometry);
   }
   if (state.lane_passes) lay_out(state, scene), state.list_fluids(scene);
-  CellSort sort(state.points.size());
+  CellSort sort;
   sort_bodies(sort, state, scene);
   if (state.density) state.density->update(state.points, state.gas, state.gas_by_cells);
   make_normals(scene, state);
@@ -195,7 +194,7 @@ void State::list_fluids(const Scene& scene) {
   gas.clear(), gas_by_cells.clear(), gas_by_nodes.clear(), fluids.clear();
   gas_mass = 0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Range range = ranges[b];
+    const Slots range = ranges[b];
     if (std::holds_alternative<LinearFluid>(scene.bodies[b].material)) fluids.push_back(range);
     const auto* law = std::get_if<IdealGas>(&scene.bodies[b].material);
     if (!law) continue;
@@ -207,14 +206,14 @@ void State::list_fluids(const Scene& scene) {
 }
 
 void State::find_tangents(std::size_t b) {
-  normals->update({points.x, points.y, points.id}, ranges[b], fluids, {points.tx, points.ty});
+  normals->update({points.x, points.y, points.id}, ranges[b].full(), fluids, {points.tx, points.ty});
 }
 
 void State::turn_tangents(const Scene& scene, std::size_t b) {
-  if (!normals) return mpm::turn_tangents(points, ranges[b], scene.bodies[b].closed);
-  for_points(ranges[b], [&](std::size_t p) { old_tx[p] = points.tx[p], old_ty[p] = points.ty[p]; });
+  if (!normals) return mpm::turn_tangents(points, ranges[b].full(), scene.bodies[b].closed);
+  for_points(ranges[b].full(), [&](std::size_t p) { old_tx[p] = points.tx[p], old_ty[p] = points.ty[p]; });
   find_tangents(b);
-  for_points(ranges[b], [&](std::size_t p) {
+  for_points(ranges[b].full(), [&](std::size_t p) {
     const double cosine = points.tx[p] * old_tx[p] + points.ty[p] * old_ty[p];
     points.strain[p] *= cosine * cosine;
   });

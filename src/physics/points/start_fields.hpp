@@ -21,7 +21,7 @@ namespace tether::mpm {
 constexpr int rounds_of_fitting = 3;
 
 /// Whether the points of the scene, not those beyond open edges, have more than one velocity.
-inline bool velocities_differ(const State& state, Range range) {
+inline bool velocities_differ(const State& state, Slots range) {
   const Points& P = state.points;
   const auto is_here = [&](std::size_t p) {
     return P.holds(p) && (!state.strips.on() || !state.strips.holds(P.x[p], P.y[p]));
@@ -36,7 +36,7 @@ inline bool velocities_differ(const State& state, Range range) {
 
 /// The velocities that a body's points give to its nodes.
 template <class S>
-inline std::vector<Pair> velocities_of(const State& state, Range range) {
+inline std::vector<Pair> velocities_of(const State& state, Slots range) {
   const Frame& frame = state.grid.frame;
   const Points& P = state.points;
   const Locator locator(frame.shape);
@@ -46,7 +46,7 @@ inline std::vector<Pair> velocities_of(const State& state, Range range) {
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     map_momentum<S>(P, p, sums, locator, at, S::Kernel::nodes(locator, at));
   });
-  fold_sums(frame, sums);
+  fold_sums(frame.ghosts, sums);
   std::vector<Pair> velocities(sums.size());
   for (std::size_t n = 0; n < sums.size(); ++n) {
     velocities[n] = inverse(sums.m[n]) * Pair(sums.momentum[n]);
@@ -64,7 +64,7 @@ inline void fit_fields(State& state) {
   if constexpr (!S::affine || !S::about_axis) return;
   Points& P = state.points;
   const Locator locator(state.grid.frame.shape);
-  for (const Range range : state.ranges) {
+  for (const Slots range : state.ranges) {
     if (!velocities_differ(state, range)) continue;
     for (int round = 0; round < rounds_of_fitting; ++round) {
       const auto velocities = velocities_of<S>(state, range);

@@ -99,14 +99,15 @@ void put_blocks(const ActiveSums& sums, State& state) {
 }
 
 void take_ranges(const State& state, ActiveSums& sums) {
-  for (const Range range : state.ranges) sums.begin.push_back(range.begin), sums.end.push_back(range.end);
+  for (const Slots range : state.ranges) sums.begin.push_back(range.begin), sums.end.push_back(range.end);
 }
 
 /// Arrays that no checkpoint has follow the others' length.
 void put_ranges(const ActiveSums& sums, const Scene& scene, State& state) {
   const double gas_mass = state.gas_mass;
   state.points.each_array([n = state.points.x.size()](auto& array) { array.resize(n); });
-  for (std::size_t b = 0; b < state.ranges.size(); ++b) state.ranges[b] = {sums.begin[b], sums.end[b]};
+  for (std::size_t b = 0; b < state.ranges.size(); ++b)
+    state.ranges[b] = {sums.begin[b], sums.end[b], state.blocks[b].has_value()};
   state.list_fluids(scene);
   state.gas_mass = gas_mass;  // to the last bit: it was added up in another order
   state.strips.find_gas_on_edges();

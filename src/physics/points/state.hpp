@@ -68,13 +68,13 @@ struct StateNumbers {
 struct State : StateNumbers, StepClock {
   Points points;
   Grid grid;
-  std::vector<Range> ranges;        // slots of each body
+  std::vector<Slots> ranges;        // slots of each body
   std::vector<char> has_pins;       // of each body
   bool pins_hold_loads = false;     // elements make the forces of membranes: pinned points give the nodes nothing
-  std::vector<Range> gas;           // slots of the gas bodies
-  std::vector<Range> gas_by_cells;  // of those that take their density from cells
-  std::vector<Range> fluids;        // all fluids, where normals ask for them
-  std::vector<Range> gas_by_nodes;  // and from nodes
+  std::vector<Slots> gas;           // slots of the gas bodies
+  std::vector<Slots> gas_by_cells;  // of those that take their density from cells
+  std::vector<Slots> fluids;        // all fluids, where normals ask for them
+  std::vector<Slots> gas_by_nodes;  // and from nodes
   std::optional<MembraneNormals> normals;            // where tangents come from, unless from connectivity
   std::vector<double> old_tx, old_ty;                // room for the tangents of before
   std::optional<CellDensity> density;                // where the gas takes its density from cells
@@ -87,9 +87,11 @@ struct State : StateNumbers, StepClock {
   std::vector<std::optional<Blocks>> blocks;         // of each body whose points run by lanes
   std::size_t empty_slots = 0;                       // slots that hold no point
   std::optional<LanePasses> lane_passes;             // where some do
+  LaneFindings lane_findings;                        // of the last pass
   double light_node = 0;                             // mass of which no motion is, for the balance [mass]
 
-  explicit State(const Scene& scene) : points(scene), grid(scene), strips(scene), contact(scene, grid.frame) {}
+  State(const Scene& scene, InstructionSet set)
+      : points(scene), grid(scene, set), strips(scene), contact(scene, grid.frame) {}
 
   std::size_t point_count() const { return points.size() - empty_slots; }
   /// What strips change of it.

@@ -43,8 +43,8 @@ void accelerate_and_convect_all(StepWork& work, double dt) {
       accelerate_and_convect_by_lanes(work, pass, b);
       continue;
     }
-    work.found = state.has_pins[b] ? accelerate_and_convect<S, true>(pass, state.ranges[b], work.found)
-                                   : accelerate_and_convect<S, false>(pass, state.ranges[b], work.found);
+    work.found = state.has_pins[b] ? accelerate_and_convect<S, true>(pass, state.ranges[b].full(), work.found)
+                                   : accelerate_and_convect<S, false>(pass, state.ranges[b].full(), work.found);
   }
   state.grid.fold_convected();
   divide_convected(state.grid);
@@ -57,15 +57,14 @@ void strain_where_neighbours_count(StepWork& work, const PassWork& pass) {
   State& state = work.state;
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
     const OwnField own(state, b);
-    const bool later =
-        std::visit([](const auto& law) { return waits(law, Pass::moves); }, work.scene.bodies[b].material);
+    const bool later = waits(work.scene.bodies[b].material, Pass::moves);
     if (!later || (state.elements_of[b] && !Pass::moves)) continue;
     if (state.blocks[b]) {  // where the points stay, the stress asks for the rates itself
       if constexpr (Pass::moves) strain_and_move_by_lanes<S>(work, pass, b);
       continue;
     }
-    work.found = state.has_pins[b] ? strain_and_move_all<S, Pass, true>(pass, state.ranges[b], work.found)
-                                   : strain_and_move_all<S, Pass, false>(pass, state.ranges[b], work.found);
+    work.found = state.has_pins[b] ? strain_and_move_all<S, Pass, true>(pass, state.ranges[b].full(), work.found)
+                                   : strain_and_move_all<S, Pass, false>(pass, state.ranges[b].full(), work.found);
   }
 }
 
@@ -81,28 +80,29 @@ void look_at_neighbours(StepWork& work, const PassWork& pass) {
     const Body& body = work.scene.bodies[b];
     if (!std::holds_alternative<Membrane>(body.material) || state.elements_of[b]) continue;
     if constexpr (!Pass::moves) state.turn_tangents(work.scene, b);
-    stretch_along_tangents(state.points, state.ranges[b], pass.step.dt);
+    stretch_along_tangents(state.points, state.ranges[b].full(), pass.step.dt);
     if constexpr (Pass::moves) state.turn_tangents(work.scene, b);
   }
+}
+
+/// The same of a body that runs by lanes.
+template <class S, class Pass>
+void stress_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
+  if constexpr (!Pass::moves)
+    strain_and_pull_by_lanes(work, pass, b);
+  else if (waits(work.scene.bodies[b].material, Pass::moves))
+    stress_and_map_moved_by_lanes(work, pass, b);
+  else
+    strain_move_and_map_by_lanes<S>(work, pass, b);
 }
 
 /// Stress of one body and its force, and mass and momentum where it has moved.
 template <class S, class Pass>
 void stress_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
-  const Range range = state.ranges[b];
   const OwnField own(state, b);
-  if (state.blocks[b]) {
-    const bool waited =
-        std::visit([](const auto& law) { return waits(law, Pass::moves); }, work.scene.bodies[b].material);
-    if constexpr (!Pass::moves)
-      strain_and_pull_by_lanes(work, pass, b);
-    else if (waited)
-      stress_and_map_by_lanes(work, pass, b);
-    else
-      strain_move_and_map_by_lanes<S>(work, pass, b);
-    return;
-  }
+  if (state.blocks[b]) return stress_and_map_by_lanes<S, Pass>(work, pass, b);
+  const Range range = state.ranges[b].full();
   if (state.elements_of[b]) {
     if constexpr (Pass::moves) map_momentum_all<S>(pass, range);
     return work.found.trouble.join(pull_elements<S>(pass, *state.elements_of[b]));
@@ -132,34 +132,36 @@ void strain_stress_and_map_all(StepWork& work, double dt) {
 template <class S>
 void accelerate_move_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
-  const Range range = state.ranges[b];
   const OwnField own(state, b);
-  const auto* gas = std::get_if<IdealGas>(&work.scene.bodies[b].material);
+  if (state.blocks[b]) return accelerate_move_and_map_by_lanes<S>(work, pass, b);
+  const Range range = state.ranges[b].full();
   const bool ledger = state.keeps_ledger;
-  if (state.blocks[b]) {
-    const double heat = std::exchange(work.found.heat, 0);
-    accelerate_move_and_map_by_lanes<S>(work, pass, b);
-    const double lost = std::exchange(work.found.heat, heat);
-    if (gas)
-      work.found.heat += lost;
-    else
-      give_to_all_gas(state, lost);
-  } else if (gas) {
+  if (const auto* gas = std::get_if<IdealGas>(&work.scene.bodies[b].material))
     work.found = accelerate_move_and_map_gas<S>(*gas, pass, range, ledger, work.found);
-  } else if (state.elements_of[b]) {
+  else if (state.elements_of[b])
     work.found = accelerate_move_and_map_membrane<S>(pass, *state.elements_of[b], ledger, work.found);
-  } else {  // what other bodies lose is no heat of the gas alone, and starts from none
-    const double heat = std::exchange(work.found.heat, 0);
+  else
     work.found = state.has_pins[b] ? accelerate_move_and_map<S, true>(pass, range, ledger, work.found)
                                    : accelerate_move_and_map<S, false>(pass, range, ledger, work.found);
-    give_to_all_gas(state, std::exchange(work.found.heat, heat));
-  }
+}
+
+/// Whether what a body loses goes to the gas about its points; else it is heat of all gas alike.
+inline bool heats_gas_around(const StepWork& work, std::size_t b) {
+  return std::holds_alternative<IdealGas>(work.scene.bodies[b].material) || work.state.elements_of[b].has_value();
 }
 
 template <class S>
 void accelerate_move_and_map_all(StepWork& work, double dt) {
   const PassWork pass = pass_work(work, dt);
-  for (std::size_t b = 0; b < work.state.ranges.size(); ++b) accelerate_move_and_map_body<S>(work, pass, b);
+  for (std::size_t b = 0; b < work.state.ranges.size(); ++b) {
+    const double before = std::exchange(work.found.heat, 0);
+    accelerate_move_and_map_body<S>(work, pass, b);
+    const double lost = std::exchange(work.found.heat, before);
+    if (heats_gas_around(work, b))
+      work.found.heat += lost;
+    else
+      give_to_all_gas(work.state, lost);
+  }
   work.state.grid.fold_sums();
 }
 
@@ -170,29 +172,29 @@ void open_contact(StepWork& work, double dt) {
   if (!state.contact.on()) return;
   const PassWork pass = pass_work(work, dt);
   find_shared_nodes<S>(pass, state);
+  list_near_points<S>(pass, state);
   map_shared_momentum<S>(pass, state);
-  state.contact.decide(state.points, state.ranges, state.grid.frame);
+  state.contact.decide(state.points, state.grid.frame);
 }
 
 /// The momentum equation of the common field and, at shared nodes, of each body's.
 template <class S>
-void solve_with_contact(StepWork& work, double dt) {
+void solve_with_contact(StepWork& work, double dt, Sums after) {
   State& state = work.state;
-  solve_momentum(work, dt);
-  if (state.contact.on()) {
-    map_shared_force<S>(pass_work(work, dt), state, work.scene);
-    state.contact.solve(state.points, state.grid.frame, work.scene.gravity, dt);
-  }
-  total_nodes(work, dt);
+  if (!state.contact.on()) return solve_momentum(work, dt, after);
+  solve_common_field(work, dt);
+  map_shared_force<S>(pass_work(work, dt), state, work.scene);
+  state.contact.solve(state.points, state.grid.frame, work.scene.gravity, dt);
+  total_with_contact(work, dt);
+  if (after == Sums::cleared) clear_sums(state.grid);
 }
 
 template <class S>
 struct Musl {
   static void step(StepWork& work, double dt) {
-    open_contact<S>(work, dt);                // (9.6)-(9.9)
-    solve_with_contact<S>(work, dt);          // (3.19), (3.20), walls, (9.4), (9.5)
-    accelerate_and_convect_all<S>(work, dt);  // (3.22), (3.24), walls
-    clear_sums(work.state.grid);
+    open_contact<S>(work, dt);                         // (9.6)-(9.9)
+    solve_with_contact<S>(work, dt, Sums::kept);       // (3.19), (3.20), walls, (9.4), (9.5)
+    accelerate_and_convect_all<S>(work, dt);           // (3.22), (3.24), walls
     strain_stress_and_map_all<S, MuslPass>(work, dt);  // (3.21), (3.23), laws, (3.15)-(3.18)
   }
 };
@@ -200,9 +202,8 @@ struct Musl {
 template <class S>
 struct Usl {
   static void step(StepWork& work, double dt) {
-    open_contact<S>(work, dt);        // (9.6)-(9.9)
-    solve_with_contact<S>(work, dt);  // (3.19), (3.20), walls, (9.4), (9.5)
-    clear_sums(work.state.grid);
+    open_contact<S>(work, dt);                        // (9.6)-(9.9)
+    solve_with_contact<S>(work, dt, Sums::cleared);   // (3.19), (3.20), walls, (9.4), (9.5)
     strain_stress_and_map_all<S, UslPass>(work, dt);  // (3.22), (3.21), (3.23), laws, (3.15)-(3.18)
   }
 };
@@ -217,9 +218,8 @@ struct Usf {
     clear_forces(state.grid);
     strain_stress_and_map_all<S, UsfPass>(work, dt);  // (3.23), laws, (3.16)
     if (work.found.trouble.kind != TroubleKind::none) return;
-    solve_with_contact<S>(work, dt);  // (3.19), (3.20), walls, impulses
+    solve_with_contact<S>(work, dt, Sums::cleared);  // (3.19), (3.20), walls, impulses
     if (state.keeps_ledger) clear_heat(state), note_squares(state.grid);
-    clear_sums(state.grid);
     accelerate_move_and_map_all<S>(work, dt);  // (3.22), (3.21), (4.10) centred, (3.15)
     if (state.keeps_ledger && work.found.trouble.kind == TroubleKind::none) settle_ledger<S>(work, pass_work(work, dt));
   }
@@ -247,14 +247,14 @@ void map_all_points(const State& state, const Scene& scene, NodeSumsRow& sums) {
     if (state.elements_of[b]) spread_forces<S>(P, locator, *state.elements_of[b], sums);
     if (state.ambient_of[b]) spread_forces<S>(P, locator, *state.ambient_of[b], sums);
   }
-  fold_sums(state.grid.frame, sums);
+  fold_sums(state.grid.frame.ghosts, sums);
 }
 
 template <class S>
 void map_quantity(const State& state, const std::vector<double>& q, std::vector<double>& values) {
   const Locator locator(state.grid.frame.shape);
   const Points& P = state.points;
-  for_points(P, {0, P.size()}, [&](std::size_t p) {
+  for_points(P, Slots{0, P.size()}, [&](std::size_t p) {
     if (P.pinned[p] && state.pins_hold_loads) return;
     const auto at = S::Kernel::locate(locator, P.x[p], P.y[p]);
     const auto nodes = S::Kernel::nodes(locator, at);

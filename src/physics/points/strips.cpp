@@ -80,13 +80,13 @@ double Strips::total_energy(const Points& P, std::size_t p, const Scene& scene) 
   return P.mass[p] * (kinetic + P.energy[p] - scene.gravity * P.y[p]);
 }
 
-void Strips::before_step(const Points& P, const std::vector<Range>& ranges, const Scene& scene) {
+void Strips::before_step(const Points& P, const std::vector<Slots>& ranges, const Scene& scene) {
   notes_.clear();
   noted_.assign(P.size(), 0), gone_.assign(P.size(), 0);
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     const auto* gas = std::get_if<IdealGas>(&scene.bodies[b].material);
     if (!gas) continue;
-    for_points(ranges[b], [&](std::size_t p) {
+    for_points(ranges[b].full(), [&](std::size_t p) {
       const int edge = edge_of(P.x[p], P.y[p]);
       if (edge == inside_) return;
       noted_[p] = 1;
@@ -139,13 +139,13 @@ Trouble Strips::let_pass(const BodyPoints& bodies, const Scene& scene) {
   for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
     const bool gas = std::holds_alternative<IdealGas>(scene.bodies[b].material);
     if (!gas) {
-      const Trouble trouble = find_at_points(bodies.ranges[b], Trouble{}, [&](std::size_t p, Trouble& found) {
+      const Trouble trouble = find_at_points(bodies.ranges[b].full(), Trouble{}, [&](std::size_t p, Trouble& found) {
         if (edge_of(P.x[p], P.y[p]) != inside_) found.note(TroubleKind::at_open_edge, p);
       });
       if (trouble.kind != TroubleKind::none) return trouble;
       continue;
     }
-    for_points(bodies.ranges[b], [&](std::size_t p) {
+    for_points(bodies.ranges[b].full(), [&](std::size_t p) {
       const int edge = edge_of(P.x[p], P.y[p]);
       if (edge == inside_) return;  // what enters: below, where its edge is known
       const auto k = static_cast<std::size_t>(edge % corner_);

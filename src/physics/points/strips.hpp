@@ -31,7 +31,7 @@ EdgeGas gas_on_edge(const Edge& edge, const EdgeGas& outside, const EdgeGas& ins
 /// The points, and the slots of each body: what strips change.
 struct BodyPoints {
   Points& points;
-  std::vector<Range>& ranges;
+  std::vector<Slots>& ranges;
 };
 
 /// What strips found in a step, and whether points came or went, so that bodies stand in other slots.
@@ -74,7 +74,7 @@ class Strips {
   StepFindings begin(const BodyPoints& bodies, const Scene& scene);
 
   /// Notes what the strips' points have before a step.
-  void before_step(const Points& points, const std::vector<Range>& ranges, const Scene& scene);
+  void before_step(const Points& points, const std::vector<Slots>& ranges, const Scene& scene);
   /// At `time`, after a step of dt: books what passed, carries the strips on, removes and makes points. Sums at the
   /// nodes have to be mapped anew. Trouble where anything but gas stands beyond an edge.
   EdgeFindings after_step(const BodyPoints& bodies, const Scene& scene, double dt, double time);

@@ -48,7 +48,7 @@ void Strips::find_bodies_at(std::size_t k, const BodyPoints& bodies, const Scene
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!std::holds_alternative<IdealGas>(scene.bodies[b].material)) continue;
     std::vector<double> mass(n, 0.0);
-    for_points(bodies.ranges[b], [&](std::size_t p) {
+    for_points(bodies.ranges[b].full(), [&](std::size_t p) {
       const double distance = inward(k, P.x[p], P.y[p]);
       if (distance < cell_across(k) && !holds(P.x[p], P.y[p])) mass[cell_of(k, k < 2 ? P.y[p] : P.x[p])] += P.mass[p];
     });
@@ -156,7 +156,7 @@ void Strips::regroup(const BodyPoints& bodies, const Scene& scene) {
     for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
       if (std::holds_alternative<IdealGas>(scene.bodies[b].material) != gas) continue;
       const std::size_t begin = order_.size();
-      for_points(bodies.ranges[b], [&](std::size_t p) {
+      for_points(bodies.ranges[b].full(), [&](std::size_t p) {
         if (!gone_[p]) order_.push_back(p);
       });
       for (std::size_t n = 0; n < made_.size(); ++n) {
@@ -197,7 +197,7 @@ void Strips::look_inside(const BodyPoints& bodies, const Scene& scene) {
     sums_.assign(cells.body.size(), {});
     for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
       if (!std::holds_alternative<IdealGas>(scene.bodies[b].material)) continue;
-      for_points(bodies.ranges[b], [&](std::size_t p) {
+      for_points(bodies.ranges[b].full(), [&](std::size_t p) {
         const double distance = inward(k, P.x[p], P.y[p]);
         if (distance >= seen_cells * cell_across(k) || holds(P.x[p], P.y[p])) return;
         Sums& sum = sums_[cell_of(k, k < 2 ? P.y[p] : P.x[p])];
@@ -264,7 +264,7 @@ StepFindings Strips::set_strips(const BodyPoints& bodies, const Scene& scene) co
   for (std::size_t b = 0; b < bodies.ranges.size(); ++b) {
     const auto* law = std::get_if<IdealGas>(&scene.bodies[b].material);
     if (!law) continue;
-    found = find_at_points(bodies.ranges[b], found, [&](std::size_t p, StepFindings& sum) {
+    found = find_at_points(bodies.ranges[b].full(), found, [&](std::size_t p, StepFindings& sum) {
       const int edge = edge_of(P.x[p], P.y[p]);
       if (edge == inside_) return;
       const auto k = static_cast<std::size_t>(edge % corner_);

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
+#include "grid/outline.hpp"
 #include "loops/points.hpp"
 #include "physics/points/point_laws.hpp"
 
@@ -20,17 +22,6 @@ int side_at(const BackgroundGrid& grid, const Vec<2>& at, const Vec<2>& before) 
                           (grid.y1 - at[1]) / grid.dy};
   const auto nearest = std::min_element(std::begin(cells), std::end(cells));
   return *nearest <= 0.5 + half_a_piece ? static_cast<int>(nearest - std::begin(cells)) : -1;
-}
-
-/// Whether a ray from the place to the right crosses the closed outline an odd number of times.
-bool is_inside(const std::vector<Vec<2>>& outline, const Vec<2>& at) {
-  bool inside = false;
-  for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++) {
-    const Vec<2>&a = outline[before], &b = outline[k];
-    if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
-      inside = !inside;
-  }
-  return inside;
 }
 
 /// Distance of a place from the piece between two others.
@@ -48,24 +39,24 @@ LeakWatch::LeakWatch(const Scene& scene) : deep_(0.5 * std::min(scene.grid.dx, s
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     if (!std::holds_alternative<Membrane>(body.material) || body.count < 3) continue;
-    Outline points;
-    for_points({body.first, body.first + body.count}, [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
+    Corners points;
+    for_points(Range{body.first, body.first + body.count}, [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
     Parting parting{b, -1, -1, {}};
     if (!body.closed) {
       parting.first_side = side_at(scene.grid, points.front(), points[1]);
       parting.last_side = side_at(scene.grid, points.back(), points[points.size() - 2]);
       if (parting.first_side < 0 || parting.last_side < 0) continue;
     }
-    const Outline around = outline(parting, scene.grid, std::move(points));
-    for_points({0, P.size()}, [&](std::size_t p) {
-      parting.inside.push_back(is_inside(around, {P.x[p], P.y[p]}) ? 1 : 0);
+    const Outline around(closed(parting, scene.grid, std::move(points)));
+    for_points(Range{0, P.size()}, [&](std::size_t p) {
+      parting.inside.push_back(around.holds({P.x[p], P.y[p]}) ? 1 : 0);
     });
     walls_.push_back(std::move(parting));
   }
 }
 
 /// Closes the membrane along edges of the grid, far enough off that no point lies beyond.
-LeakWatch::Outline LeakWatch::outline(const Parting& parting, const BackgroundGrid& grid, Outline points) {
+LeakWatch::Corners LeakWatch::closed(const Parting& parting, const BackgroundGrid& grid, Corners points) {
   const int first = parting.first_side, last = parting.last_side;
   if (first == last) return points;
   const double far = (grid.x1 - grid.x0) + (grid.y1 - grid.y0);
@@ -88,19 +79,20 @@ LeakWatch::Outline LeakWatch::outline(const Parting& parting, const BackgroundGr
 
 std::size_t LeakWatch::passed(const Parting& parting, const State& state, const Scene& scene) const {
   const Points& P = state.points;
-  Outline points;
-  for_points(state.ranges[parting.body], [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
+  Corners points;
+  for_points(state.ranges[parting.body].full(), [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
   const std::size_t pieces = points.size() - (scene.bodies[parting.body].closed ? 0 : 1), count = points.size();
-  const Outline around = outline(parting, scene.grid, std::move(points));
+  const Outline around(closed(parting, scene.grid, std::move(points)));
+  const Corners& corners = around.corners();
   std::size_t passed = 0;
-  for (const Range range : state.gas) {
+  for (const Slots range : state.gas) {
     for_points(P, range, [&](std::size_t p) {
       const auto number = static_cast<std::size_t>(P.id[p]);
       const Vec<2> at{P.x[p], P.y[p]};
-      if (number >= parting.inside.size() || is_inside(around, at) == (parting.inside[number] != 0)) return;
+      if (number >= parting.inside.size() || around.holds(at) == (parting.inside[number] != 0)) return;
       double nearest = 2 * deep_;
       for (std::size_t k = 0; k < pieces; ++k)
-        nearest = std::min(nearest, distance(around[k], around[(k + 1) % count], at));
+        nearest = std::min(nearest, distance(corners[k], corners[(k + 1) % count], at));
       passed += nearest > deep_;
     });
   }
@@ -141,10 +133,12 @@ void StretchWatch::look(State& state, const Scene& scene, std::vector<std::strin
   const Points& P = state.points;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!std::holds_alternative<FiniteElastic>(scene.bodies[b].material)) continue;
-    std::size_t widest = state.ranges[b].begin;
-    for (std::size_t p = widest; p < state.ranges[b].end; ++p) {
-      if (apart(P, p, scene) > apart(P, widest, scene)) widest = p;
-    }
+    std::optional<std::size_t> far;
+    for_points(P, state.ranges[b], [&](std::size_t p) {
+      if (!far || apart(P, p, scene) > apart(P, *far, scene)) far = p;
+    });
+    if (!far) continue;
+    const std::size_t widest = *far;
     const double cells = apart(P, widest, scene);
     state.points_apart = std::max(state.points_apart, cells);
     if (cells <= doubtful_distance || !note_warning(state.warned, PointDoubt::apart)) continue;
@@ -162,7 +156,7 @@ constexpr double off_the_wall = 0.75;
 
 /// The points of a membrane, whose slots stay in their order.
 StringPoints points_of(const State& state, std::size_t b, bool closed) {
-  const Range range = state.ranges[b];
+  const Range range = state.ranges[b].full();
   const std::span<const double> x(state.points.x), y(state.points.y);
   return {x.subspan(range.begin, range.end - range.begin), y.subspan(range.begin, range.end - range.begin), closed};
 }

@@ -23,7 +23,7 @@ class LeakWatch {
   void look(State& state, const Scene& scene, std::vector<std::string>& messages) const;
 
  private:
-  using Outline = std::vector<Vec<2>>;
+  using Corners = std::vector<Vec<2>>;
   /// A membrane that parts the grid.
   struct Parting {
     std::size_t body = 0;
@@ -31,7 +31,7 @@ class LeakWatch {
     std::vector<std::uint8_t> inside;     // at the start, of each point of the scene
   };
 
-  static Outline outline(const Parting& parting, const BackgroundGrid& grid, Outline points);
+  static Corners closed(const Parting& parting, const BackgroundGrid& grid, Corners points);
   std::size_t passed(const Parting& parting, const State& state, const Scene& scene) const;
 
   std::vector<Parting> walls_;

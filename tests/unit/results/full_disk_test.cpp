@@ -108,7 +108,7 @@ TEST_F(FullDiskTest, GridsKeepTheirRecords) {
     GridWriter writer(folder, test::provenance());
     for (int k = 0; k < 1000; ++k) {
       const std::vector<double> values(5000, 0.5 + k);
-      writer.append(grid, {1.0 * k, {{{"grid_mass", Dimension::mass, "mass of a node"}, values}}});
+      writer.append(grid, Snapshot{1.0 * k, {{{"grid_mass", Dimension::mass, "mass of a node"}, values}}});
     }
   };
   EXPECT_EXIT(write_until_full(1000000, write), testing::ExitedWithCode(told), "mesh.nc.*File too large");

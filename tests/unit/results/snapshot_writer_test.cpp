@@ -104,8 +104,8 @@ TEST_F(SnapshotWriterTest, KeepsTheFileAsSmallAsItsNumbers) {
 
 TEST_F(SnapshotWriterTest, RefusesSnapshotsThatDoNotFit) {
   PointWriter writer(folder, test::provenance());
-  EXPECT_THROW(writer.append({}), std::invalid_argument);
-  EXPECT_THROW(writer.append({0, {{{"x", Dimension::length, "x"}, {}}, {{"y", Dimension::length, "y"}, {}}}}),
+  EXPECT_THROW(writer.append(Snapshot{}), std::invalid_argument);
+  EXPECT_THROW(writer.append(Snapshot{0, {{{"x", Dimension::length, "x"}, {}}, {{"y", Dimension::length, "y"}, {}}}}),
                std::invalid_argument);
   EXPECT_THROW(writer.append(test::six_nodes(0)), std::invalid_argument);
   EXPECT_TRUE(std::filesystem::is_empty(folder));

@@ -65,17 +65,19 @@ template <class D, bool mean>
 class Strain {
  public:
   HWY_INLINE Strain(const LaneGrid& grid, const Field& field, std::size_t sub)
-      : x_(sides<D, mean>(field.x + sub, field.other_x + sub, grid.nx)),
-        y_(sides<D, mean>(field.y + sub, field.other_y + sub, grid.nx)),
-        per_x_(all<D>(grid.per_dx)),
-        per_y_(all<D>(grid.per_dy)) {}
+      : x_(slopes(grid, sides<D, mean>(field.x + sub, field.other_x + sub, grid.nx))),
+        y_(slopes(grid, sides<D, mean>(field.y + sub, field.other_y + sub, grid.nx))) {}
   HWY_INLINE Rates<D> at(const Weights<D>& w) const {
-    return {per_x_ * by_x(x_, w), per_y_ * by_y(y_, w), per_y_ * by_y(x_, w) + per_x_ * by_x(y_, w), hn::Zero(D())};
+    const V<D> xy = by_y(x_, w), yx = by_x(y_, w);
+    return {by_x(x_, w), by_y(y_, w), xy + yx, hn::Zero(D()), xy - yx};
   }
 
  private:
+  static HWY_INLINE Sides<D> slopes(const LaneGrid& grid, const Sides<D>& v) {
+    const V<D> per_dx = all<D>(grid.per_dx), per_dy = all<D>(grid.per_dy);
+    return {per_dx * v.low, per_dx * v.high, per_dy * v.left, per_dy * v.right};
+  }
   Sides<D> x_, y_;
-  V<D> per_x_, per_y_;
 };
 
 /// Velocities and the fields about points: value and gradient.
@@ -96,6 +98,89 @@ class Fields {
   Sides<D> of_x_, of_y_;
 };
 
+/// Sums of mass and momentum at a cell's nodes, row by row, over the layers of a tile.
+template <class D, bool affine>
+class Momenta {
+ public:
+  /// Leaves a layer's masses m and motion in the tile.
+  HWY_INLINE void add(Tile& tile, std::size_t k, std::size_t sub, V<D> m, Places<D> at, const Motion<D>& of) const {
+    store<D>(m, tile.m1[k] + sub), store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
+    if constexpr (affine) {
+      store_motion<D>(of, tile, k, sub);
+      store<D>(of.vx - (at.r * of.gxx + at.s * of.gxy), tile.middle_x[k] + sub);
+      store<D>(of.vy - (at.r * of.gyx + at.s * of.gyy), tile.middle_y[k] + sub);
+    }
+  }
+  template <class Put>
+  HWY_NOINLINE void put(const LanePoints& P, const Tile& tile, std::size_t sub, Put& putting) const {
+    const V<D> one = all<D>(1), zero = hn::Zero(D());
+    V<D> M[4] = {zero, zero, zero, zero}, X[4] = {zero, zero, zero, zero}, Y[4] = {zero, zero, zero, zero};
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), mass = load<D>(tile.m1[k] + sub);
+      const V<D> low = (one - s) * mass, high = s * mass, left = one - r;
+      const V<D> m[4] = {left * low, r * low, left * high, r * high};
+      V<D> x[4], y[4];
+      velocities(P, tile, k, sub, x, y);
+#pragma GCC unroll 4
+      for (int i = 0; i < 4; ++i) M[i] += m[i], X[i] += m[i] * x[i], Y[i] += m[i] * y[i];
+    }
+    const auto to = putting.lines(sub);
+#pragma GCC unroll 2
+    for (std::size_t l = 0; l < 2; ++l) {
+      putting.put(row_of_x, l, to, X[2 * l], X[2 * l + 1]), putting.put(row_of_y, l, to, Y[2 * l], Y[2 * l + 1]);
+      if constexpr (Put::most > row_of_m) {
+        putting.put(row_of_m, l, to, M[2 * l], M[2 * l + 1]);
+        if (putting.used > row_of_gas) putting.put(row_of_gas, l, to, M[2 * l], M[2 * l + 1]);
+      }
+    }
+  }
+
+ private:
+  /// What a layer's points have at their four nodes, row by row.
+  static HWY_INLINE void velocities(const LanePoints& P, const Tile& tile, std::size_t k, std::size_t sub, V<D>* x,
+                                    V<D>* y) {
+    if constexpr (affine) {
+      const V<D> gxx = load<D>(tile.gxx[k] + sub), gyx = load<D>(tile.gyx[k] + sub);
+      x[0] = load<D>(tile.middle_x[k] + sub), y[0] = load<D>(tile.middle_y[k] + sub);
+      x[2] = x[0] + load<D>(tile.gxy[k] + sub), y[2] = y[0] + load<D>(tile.gyy[k] + sub);
+      x[1] = x[0] + gxx, x[3] = x[2] + gxx, y[1] = y[0] + gyx, y[3] = y[2] + gyx;
+    } else {
+      const auto [vx, vy] = velocities_of<D, false>(P, tile, k, sub);
+      x[0] = x[1] = x[2] = x[3] = vx, y[0] = y[1] = y[2] = y[3] = vy;
+    }
+  }
+};
+
+/// Sums of forces at a cell's nodes, of each component two that belong to slopes along x and two along y.
+template <class D>
+class Forces {
+ public:
+  HWY_INLINE Forces() {
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; ++i) X_[i] = Y_[i] = hn::Zero(D());
+  }
+  HWY_INLINE void add(Tile&, std::size_t, std::size_t, Places<D> at, const Pull<D>& of) {
+    const V<D> one = all<D>(1), low = one - at.s, left = one - at.r;
+    X_[0] += low * of.xx, X_[1] += at.s * of.xx, X_[2] += left * of.xy, X_[3] += at.r * of.xy;
+    Y_[0] += low * of.xy, Y_[1] += at.s * of.xy, Y_[2] += left * of.yy, Y_[3] += at.r * of.yy;
+  }
+  template <class Put>
+  HWY_INLINE void put(const Tile&, const LaneGrid& grid, std::size_t sub, Put& putting) const {
+    put(putting, 0, sub, grid, X_), put(putting, 1, sub, grid, Y_);
+  }
+
+ private:
+  template <class Put>
+  static HWY_INLINE void put(Put& putting, std::size_t q, std::size_t sub, const LaneGrid& grid, const V<D>* F) {
+    const V<D> per_dx = all<D>(grid.per_dx), per_dy = all<D>(grid.per_dy);
+    const V<D> low = per_dx * F[0], high = per_dx * F[1], left = per_dy * F[2], right = per_dy * F[3];
+    const auto to = putting.lines(sub);
+    putting.put(q, 0, to, low + left, right - low);
+    putting.put(q, 1, to, high - left, hn::Neg(high + right));
+  }
+  V<D> X_[4], Y_[4];
+};
+
 }  // namespace bilinear
 
 /// Bilinear functions of a cell's four nodes.
@@ -103,7 +188,6 @@ struct Bilinear {
   static constexpr std::ptrdiff_t first = 0;
   static constexpr std::size_t lines = 2;
   static constexpr double lowest = 0, highest = 1;  // places in a cell
-  static constexpr double pull = -1;                // what a stress pulls with, over a cell's side
 
   /// As Locator::inside.
   template <class D>
@@ -119,51 +203,14 @@ struct Bilinear {
   using Strain = bilinear::Strain<D, mean>;
   template <class D>
   using Fields = bilinear::Fields<D>;
+  template <class D, bool affine>
+  using Momenta = bilinear::Momenta<D, affine>;
+  template <class D>
+  using Forces = bilinear::Forces<D>;
 
   template <class D>
   static HWY_INLINE Weights<D> weights(Places<D> at) {
     return {at.r, at.s, all<D>(1) - at.r, all<D>(1) - at.s};
-  }
-
-  /// Mass by the weights along x.
-  template <class D>
-  static HWY_INLINE void leave_mass(V<D> m, V<D> r, Tile& tile, std::size_t k, std::size_t sub) {
-    store<D>(m * (all<D>(1) - r), tile.m0[k] + sub), store<D>(m * r, tile.m1[k] + sub);
-  }
-
-  /// Mass and momentum of a tile's points, with the fields about them.
-  template <class D, bool affine, class Put>
-  static HWY_NOINLINE void scatter_momenta(const Tile& tile, Put& putting) {
-    const V<D> one = all<D>(1), zero = hn::Zero(D());
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      V<D> M[4] = {zero, zero, zero, zero}, X[4] = {zero, zero, zero, zero}, Y[4] = {zero, zero, zero, zero};
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const V<D> s = load<D>(tile.s[k] + sub), low = one - s;
-        const V<D> m0 = load<D>(tile.m0[k] + sub), m1 = load<D>(tile.m1[k] + sub);
-        const V<D> m[4] = {low * m0, low * m1, s * m0, s * m1};
-        V<D> x[4], y[4];
-        velocities<D, affine>(tile, k, sub, x, y);
-#pragma GCC unroll 4
-        for (int i = 0; i < 4; ++i) M[i] += m[i], X[i] += m[i] * x[i], Y[i] += m[i] * y[i];
-      }
-      for (std::size_t l = 0; l < lines; ++l) {
-        putting.put(row_of_x, l, sub, X[2 * l], X[2 * l + 1]), putting.put(row_of_y, l, sub, Y[2 * l], Y[2 * l + 1]);
-        if (putting.used > row_of_m) putting.put(row_of_m, l, sub, M[2 * l], M[2 * l + 1]);
-        if (putting.used > row_of_gas) putting.put(row_of_gas, l, sub, M[2 * l], M[2 * l + 1]);
-      }
-    }
-  }
-  /// What a layer's points have at their four nodes, row by row.
-  template <class D, bool affine>
-  static HWY_INLINE void velocities(const Tile& tile, std::size_t k, std::size_t sub, V<D>* x, V<D>* y) {
-    if constexpr (affine) {
-      const V<D> gxx = load<D>(tile.gxx[k] + sub), gyx = load<D>(tile.gyx[k] + sub);
-      x[0] = load<D>(tile.middle_x[k] + sub), y[0] = load<D>(tile.middle_y[k] + sub);
-      x[2] = x[0] + load<D>(tile.gxy[k] + sub), y[2] = y[0] + load<D>(tile.gyy[k] + sub);
-      x[1] = x[0] + gxx, x[3] = x[2] + gxx, y[1] = y[0] + gyx, y[3] = y[2] + gyx;
-    } else {
-      x[0] = x[1] = x[2] = x[3] = load<D>(tile.vx[k] + sub), y[0] = y[1] = y[2] = y[3] = load<D>(tile.vy[k] + sub);
-    }
   }
 
   /// A number of each point.
@@ -177,30 +224,10 @@ struct Bilinear {
         const V<D> value = load<D>(values[k] + sub), low = w.low * value, high = w.s * value;
         S[0] += w.left * low, S[1] += w.r * low, S[2] += w.left * high, S[3] += w.r * high;
       }
-      for (std::size_t l = 0; l < lines; ++l) putting.put(q, l, sub, S[2 * l], S[2 * l + 1]);
+      const auto to = putting.lines(sub);
+#pragma GCC unroll 2
+      for (std::size_t l = 0; l < lines; ++l) putting.put(q, l, to, S[2 * l], S[2 * l + 1]);
     }
-  }
-
-  /// Forces of stresses: of a component `by_x` belongs to slopes along x, `by_y` along y.
-  template <class D, class Put>
-  static HWY_NOINLINE void scatter_forces(const Tile& tile, Put& putting) {
-    const V<D> one = all<D>(1), zero = hn::Zero(D());
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      V<D> X[4] = {zero, zero, zero, zero}, Y[4] = {zero, zero, zero, zero};
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const V<D> r = load<D>(tile.r[k] + sub), s = load<D>(tile.s[k] + sub), left = one - r, low = one - s;
-        const auto pull = [&](V<D>* F, V<D> by_x, V<D> by_y)
-                              HWY_ATTR { F[0] += low * by_x, F[1] += s * by_x, F[2] += left * by_y, F[3] += r * by_y; };
-        pull(X, load<D>(tile.xx_by_x[k] + sub), load<D>(tile.xy_by_y[k] + sub));
-        pull(Y, load<D>(tile.xy_by_x[k] + sub), load<D>(tile.yy_by_y[k] + sub));
-      }
-      put_forces<D>(putting, 0, sub, X), put_forces<D>(putting, 1, sub, Y);
-    }
-  }
-  template <class D, class Put>
-  static HWY_INLINE void put_forces(Put& putting, std::size_t q, std::size_t sub, const V<D>* F) {
-    putting.put(q, 0, sub, hn::Neg(F[0] + F[2]), F[0] - F[3]);
-    putting.put(q, 1, sub, F[2] - F[1], F[1] + F[3]);
   }
 };
 

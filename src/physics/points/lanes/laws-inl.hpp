@@ -15,8 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace tether::mpm::HWY_NAMESPACE {
 
-// The laws' stages: strain rates of a tile in, stresses of its points and what they pull with out. Slots without a
-// point have no volume or mass, and their stress is 0.
+// The laws: strain rates of a layer in, its stresses out. Slots without a point have no volume or mass, and their
+// stress is 0.
 
 /// Stress of a layer; about an axis zz is the hoop's.
 template <class D>
@@ -24,25 +24,26 @@ struct Stresses {
   V<D> xx, yy, xy, zz;
 };
 
+/// What a law finds for a layer: the stresses and the volumes in which they pull; of gas these are masses, and the
+/// stresses are over the density.
+template <class D>
+struct Stressed {
+  V<D> volume;
+  Stresses<D> stress;
+};
+template <class D, bool axis>
+HWY_INLINE Pull<D> pull_of(const Stressed<D>& of, V<D> radius) {
+  const V<D> zero = hn::Zero(D());
+  Pull<D> pull{of.volume * of.stress.xx, of.volume * of.stress.xy, of.volume * of.stress.yy, zero};
+  if constexpr (axis)
+    pull.hoop = hn::Neg(of.volume * of.stress.zz / hn::IfThenElse(of.volume > zero, radius, all<D>(1)));
+  return pull;
+}
+
 template <class D, bool axis>
 HWY_INLINE void store_stress(const LanePoints& P, std::size_t p, const Stresses<D>& s) {
   store<D>(s.xx, P.sxx + p), store<D>(s.yy, P.syy + p), store<D>(s.xy, P.sxy + p);
   if constexpr (axis) store<D>(s.zz, P.szz + p);
-}
-
-/// What a stress pulls with in `volume`, for the scatters; of gas it is the stress over the density, in a mass.
-template <class D, class Kernel, bool axis>
-HWY_INLINE void leave_pull(const LaneWork& work, Tile& tile, std::size_t k, std::size_t sub, V<D> volume,
-                           const Stresses<D>& s) {
-  const V<D> by_x = volume * all<D>(Kernel::pull * work.grid.per_dx),
-             by_y = volume * all<D>(Kernel::pull * work.grid.per_dy);
-  store<D>(by_x * s.xx, tile.xx_by_x[k] + sub), store<D>(by_x * s.xy, tile.xy_by_x[k] + sub);
-  store<D>(by_y * s.xy, tile.xy_by_y[k] + sub), store<D>(by_y * s.yy, tile.yy_by_y[k] + sub);
-  if constexpr (axis) {
-    const V<D> radius = load<D>(work.P.x + tile.slot[k] + sub), zero = hn::Zero(D());
-    const V<D> hoop = volume * s.zz / hn::IfThenElse(volume > zero, radius, all<D>(1));
-    store<D>(hn::Neg(hoop), tile.hoop[k] + sub);
-  }
 }
 
 /// Notes the first slot of those for which `sound` does not hold.
@@ -60,15 +61,12 @@ class Elastic {
   static constexpr bool is_gas = false, about_axis = axis;
 
   HWY_INLINE Elastic(const LaneWork& work, std::ptrdiff_t, std::size_t)
-      : work_(work),
-        own_(all<D>(work.dt * work.body.own)),
+      : own_(all<D>(work.dt * work.body.own)),
         other_(all<D>(work.dt * work.body.other)),
         shear_(all<D>(0.5 * work.dt * work.body.shear)) {}
 
-  HWY_INLINE void stress(Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>&,
-                         const Rates<D>& rate, LaneFindings& found) const {
-    const LanePoints& P = work_.P;
-    const std::size_t p = tile.slot[k] + sub;
+  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D>, const typename Kernel::template Weights<D>&,
+                                const Rates<D>& rate, LaneFindings& found) const {
     const V<D> volume = load<D>(P.volume + p);
     const auto there = volume > hn::Zero(D());
     const V<D> across_x = axis ? rate.yy + rate.zz : rate.yy, across_y = axis ? rate.xx + rate.zz : rate.xx;
@@ -79,13 +77,38 @@ class Elastic {
     if constexpr (axis)
       s.zz = hn::IfThenElseZero(there, load<D>(P.szz + p) + (own_ * rate.zz + other_ * (rate.xx + rate.yy)));
     store_stress<D, axis>(P, p, s);
-    note_unsound<D>(p, (hn::Abs(s.xx) + hn::Abs(s.yy)) + hn::Abs(s.xy) < hn::Inf(D()), found);
-    leave_pull<D, Kernel, axis>(work_, tile, k, sub, volume, s);
+    note_unsound<D>(p, hn::Abs((s.xx + s.yy) + s.xy) < hn::Inf(D()), found);
+    return {volume, s};
   }
 
  private:
-  LaneWork work_;
   V<D> own_, other_, shear_;
+};
+
+/// A law that is asked point by point, with rates from the lanes.
+template <class D, class Kernel, bool axis>
+class OneByOne {
+ public:
+  static constexpr bool is_gas = false, about_axis = axis;
+
+  HWY_INLINE OneByOne(const LaneWork& work, std::ptrdiff_t, std::size_t) : law_(work.body.each) {}
+
+  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D>, const typename Kernel::template Weights<D>&,
+                                const Rates<D>& rate, LaneFindings&) const {
+    double xx[width<D>], yy[width<D>], xy[width<D>], zz[width<D>], spin[width<D>], volume[width<D>];
+    const V<D> half = all<D>(0.5);
+    store<D>(rate.xx, xx), store<D>(rate.yy, yy), store<D>(half * rate.xy, xy), store<D>(rate.zz, zz);
+    store<D>(half * rate.turn, spin);
+    for (std::size_t l = 0; l < width<D>; ++l) {
+      const bool there = P.mass[p + l] > 0;
+      volume[l] = there ? law_.update(law_.law, p + l, {xx[l], yy[l], xy[l], zz[l], spin[l]}) : 0;
+    }
+    return {load<D>(volume),
+            {load<D>(P.sxx + p), load<D>(P.syy + p), load<D>(P.sxy + p), axis ? load<D>(P.szz + p) : hn::Zero(D())}};
+  }
+
+ private:
+  LawOfPoints law_;
 };
 
 /// sigma : eps'.
@@ -96,8 +119,8 @@ HWY_INLINE V<D> power(const Stresses<D>& s, const Rates<D>& of) {
 }
 
 /// sigma / rho of a gas (4.1), (4.4) with artificial viscosity (4.11), (4.12), and where it is heated by the rate that
-/// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, which stands in the
-/// tile, or from continuity (4.7), or it stands in its array. The points' arrays hold sigma / rho within a step, so
+/// makes it, the energy (4.10). Its density comes from the nodes, as does `warmth`, the heat of the ledger, or from
+/// continuity (4.7), or it stands in its array. The points' arrays hold sigma / rho within a step, so
 /// that nothing is divided by rho twice; record_stress() ends that, unless contact reads the stress between the passes.
 template <class D, class Kernel, bool axis, LaneLaw law_of>
 class Gas {
@@ -106,9 +129,10 @@ class Gas {
   static constexpr bool by_nodes = law_of == LaneLaw::gas_of_nodes;
 
   HWY_INLINE Gas(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
-      : work_(work),
+      : law_(work.body),
         warmed_(by_nodes && work.N.heat),
         records_(!by_nodes || work.records),
+        reads_stress_(work.reads_stress),
         density_(work.N.rho + n, work.grid.nx, sub),
         dt_(all<D>(work.dt)),
         gm1_(all<D>(work.body.gm1)),
@@ -116,45 +140,45 @@ class Gas {
         linear_(all<D>(work.body.linear)),
         square_(all<D>(work.body.square)) {}
 
-  HWY_INLINE void stress(Tile& tile, std::size_t k, std::size_t sub, const typename Kernel::template Weights<D>& w,
-                         const Rates<D>& of, LaneFindings& found) const {
-    const LanePoints& P = work_.P;
-    const LaneBody& law = work_.body;
-    const std::size_t p = tile.slot[k] + sub;
+  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D> warmth,
+                                const typename Kernel::template Weights<D>& w, const Rates<D>& of,
+                                LaneFindings& found) const {
+    const LaneBody& law = law_;
     const V<D> zero = hn::Zero(D()), infinite = hn::Inf(D()), mass = load<D>(P.mass + p);
     const auto there = mass > zero;
     V<D> energy = load<D>(P.energy + p);
-    if (warmed_) energy = hn::IfThenElseZero(there, energy + (load<D>(tile.at_place[k] + sub) + all<D>(law.heat)));
+    if (warmed_) energy = hn::IfThenElseZero(there, energy + (warmth + all<D>(law.heat)));
     const V<D> rate = axis ? of.xx + of.yy + of.zz : of.xx + of.yy;
-    const V<D> rho = hn::IfThenElse(there, density(p, rate, w), all<D>(1));
+    const V<D> rho = hn::IfThenElse(there, density(P, p, rate, w), all<D>(1));
     const V<D> c = law.local_speed ? hn::Sqrt(hn::Max(zero, c_of_e_ * energy)) : all<D>(law.c_max);
     const V<D> q = hn::IfThenElseZero(rate < zero, (square_ * rate - linear_ * c) * rate);
     const Stresses<D> s = over_density(gm1_ * energy + q, rate, rho, of);
     if (law.heats) energy = hn::IfThenElseZero(there, energy + dt_ * power<D, axis>(s, of));
     if (law.heats || warmed_) store<D>(energy, P.energy + p);
     if (records_) store<D>(rho, P.rho + p);
-    const V<D> times = work_.reads_stress ? rho : all<D>(1);
+    const V<D> times = reads_stress_ ? rho : all<D>(1);
     store_stress<D, axis>(P, p, {times * s.xx, times * s.yy, times * s.xy, axis ? times * s.zz : zero});
     note_unsound<D>(p, hn::And(rho > zero, hn::And(rho < infinite, hn::Abs(energy) < infinite)), found);
-    leave_pull<D, Kernel, axis>(work_, tile, k, sub, mass, s);
+    return {mass, s};
   }
 
  private:
-  HWY_INLINE V<D> density(std::size_t p, V<D> rate, const typename Kernel::template Weights<D>& w) const {
+  HWY_INLINE V<D> density(const LanePoints& P, std::size_t p, V<D> rate,
+                          const typename Kernel::template Weights<D>& w) const {
     if constexpr (by_nodes) return density_.at(w);
-    const V<D> rho = load<D>(work_.P.rho + p);
+    const V<D> rho = load<D>(P.rho + p);
     return law_of == LaneLaw::gas_of_continuity ? rho / (all<D>(1) + dt_ * rate) : rho;
   }
   HWY_INLINE Stresses<D> over_density(V<D> pressure, V<D> rate, V<D> rho, const Rates<D>& of) const {
-    const V<D> mu = all<D>(2 * work_.body.mu), zero = hn::Zero(D()), normal = hn::Neg(pressure);
-    if (work_.body.mu == 0) return {normal, normal, zero, normal};
+    const V<D> mu = all<D>(2 * law_.mu), zero = hn::Zero(D()), normal = hn::Neg(pressure);
+    if (law_.mu == 0) return {normal, normal, zero, normal};
     const V<D> two_nu = mu / rho, mean = all<D>(1.0 / 3) * rate;
     return {two_nu * (of.xx - mean) - pressure, two_nu * (of.yy - mean) - pressure, all<D>(0.5) * two_nu * of.xy,
             axis ? two_nu * (of.zz - mean) - pressure : zero};
   }
 
-  LaneWork work_;
-  bool warmed_, records_;
+  LaneBody law_;
+  bool warmed_, records_, reads_stress_;
   FromNodes<D, Kernel, by_nodes> density_;
   V<D> dt_, gm1_, c_of_e_, linear_, square_;
 };
@@ -172,7 +196,7 @@ HWY_INLINE void heat_centred(const LanePoints& P, std::size_t p, V<D> dt, bool d
 
 /// Largest sound speed of the gas and largest wave. Waves are looked at one by one only where the tile's largest sound
 /// speed and velocity together would be more than the largest wave so far.
-template <class D>
+template <class D, bool affine>
 HWY_INLINE void note_waves(const LaneWork& work, const Tile& tile, LaneFindings& found) {
   constexpr D d;
   const V<D> c_of_e = all<D>(work.body.gamma * work.body.gm1), zero = hn::Zero(d);
@@ -180,7 +204,7 @@ HWY_INLINE void note_waves(const LaneWork& work, const Tile& tile, LaneFindings&
   const auto each = [&](const auto& visit) HWY_ATTR {
     for (std::size_t k = 0; k < tile.layers; ++k) {
       for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-        const V<D> vx = load<D>(tile.vx[k] + sub), vy = load<D>(tile.vy[k] + sub);
+        const auto [vx, vy] = velocities_of<D, affine>(work.P, tile, k, sub);
         const V<D> there = hn::VecFromMask(d, load<D>(work.P.mass + tile.slot[k] + sub) > zero);
         visit(hn::And(there, c_of_e * load<D>(work.P.energy + tile.slot[k] + sub)), hn::And(there, vx * vx + vy * vy));
       }

@@ -7,6 +7,8 @@
 #define TETHER_POINTS_MOVE_INL
 #endif
 
+#include <bit>
+#include <cstdint>
 #include <type_traits>
 
 #include "physics/points/lanes/books-inl.hpp"
@@ -57,7 +59,7 @@ HWY_NOINLINE void gather_motion(const double* row_x, const double* row_y, std::p
 /// A layer's new velocities (3.22), and what it moves with.
 template <class D>
 struct Taken {
-  Motion<D> motion;  // of FLIP the velocity alone
+  Motion<D> motion;  // by FLIP the velocity alone
   V<D> ux, uy;
 };
 
@@ -67,38 +69,36 @@ template <class D, class Kernel, bool accelerates>
 class TakingIncrements {
  public:
   HWY_INLINE TakingIncrements(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
-      : P_(work.P),
-        dt_(all<D>(work.dt)),
+      : dt_(all<D>(work.dt)),
         a_x_(work.N.a_x + n, work.grid.nx, sub),
         a_y_(work.N.a_y + n, work.grid.nx, sub),
         u_x_(work.N.new_x + n, work.grid.nx, sub),
         u_y_(work.N.new_y + n, work.grid.nx, sub) {}
 
-  HWY_INLINE Taken<D> take(std::size_t p, V<D> mass, const typename Kernel::template Weights<D>& w,
+  HWY_INLINE Taken<D> take(const LanePoints& P, std::size_t p, V<D> mass, const typename Kernel::template Weights<D>& w,
                            V<D>& squares) const {
     Taken<D> taken;
-    taken.motion.vx = load<D>(P_.vx + p), taken.motion.vy = load<D>(P_.vy + p);
-    if constexpr (accelerates) accelerate(p, mass, w, taken.motion, squares);
+    taken.motion.vx = load<D>(P.vx + p), taken.motion.vy = load<D>(P.vy + p);
+    if constexpr (accelerates) accelerate(P, p, mass, w, taken.motion, squares);
     taken.ux = u_x_.at(w), taken.uy = u_y_.at(w);
     return taken;
   }
-  HWY_INLINE void accelerate(std::size_t p, V<D> mass, const typename Kernel::template Weights<D>& w, Motion<D>& motion,
-                             V<D>& squares) const {
+  HWY_INLINE void accelerate(const LanePoints& P, std::size_t p, V<D> mass,
+                             const typename Kernel::template Weights<D>& w, Motion<D>& motion, V<D>& squares) const {
     const V<D> ax = a_x_.at(w), ay = a_y_.at(w);
     const auto there = mass > hn::Zero(D());
     motion.vx = hn::IfThenElseZero(there, motion.vx + dt_ * ax);
     motion.vy = hn::IfThenElseZero(there, motion.vy + dt_ * ay);
+    store<D>(motion.vx, P.vx + p), store<D>(motion.vy, P.vy + p);
     squares = squares + mass * (ax * ax + ay * ay);
-    store<D>(motion.vx, P_.vx + p), store<D>(motion.vy, P_.vy + p);
   }
 
  private:
-  LanePoints P_;
   V<D> dt_;
   typename Kernel::template Value<D> a_x_, a_y_, u_x_, u_y_;
 };
 
-/// What points carry: their velocity, and of APIC the field about them.
+/// What points carry: their velocity, and by APIC the field about them.
 template <class D, bool affine>
 HWY_INLINE Motion<D> motion_of(const LaneWork& work, std::size_t p) {
   Motion<D> motion;
@@ -119,7 +119,8 @@ class TakingFields {
   HWY_INLINE TakingFields(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
       : work_(work), fields_(work.N.new_x + n, work.N.new_y + n, work.grid.nx, sub) {}
 
-  HWY_INLINE Taken<D> take(std::size_t p, V<D>, const typename Kernel::template Weights<D>& w, V<D>&) const {
+  HWY_INLINE Taken<D> take(const LanePoints&, std::size_t p, V<D>, const typename Kernel::template Weights<D>& w,
+                           V<D>&) const {
     Taken<D> taken;
     if constexpr (accelerates)
       taken.motion = fields_.at(w);
@@ -138,52 +139,52 @@ template <class D, class Kernel, bool affine, bool accelerates>
 using Taking =
     std::conditional_t<affine, TakingFields<D, Kernel, accelerates>, TakingIncrements<D, Kernel, accelerates>>;
 
-/// What the scatter needs of a layer's points at `at`, where `stays` holds.
-template <class D, class Kernel, bool affine, class M>
-HWY_INLINE void leave_momenta(Tile& tile, std::size_t k, std::size_t sub, V<D> mass, M stays, Places<D> at,
-                              const Motion<D>& motion) {
-  const V<D> m = hn::IfThenElseZero(stays, mass);
-  const V<D> r = Kernel::template inside<D>(hn::IfThenElseZero(stays, at.r)),
-             s = Kernel::template inside<D>(hn::IfThenElseZero(stays, at.s));
-  store<D>(m, tile.m[k] + sub), store<D>(r, tile.r[k] + sub), store<D>(s, tile.s[k] + sub);
-  Kernel::template leave_mass<D>(m, r, tile, k, sub);
-  if constexpr (affine) {
-    store_motion<D>(motion, tile, k, sub);
-    store<D>(motion.vx - (r * motion.gxx + s * motion.gxy), tile.middle_x[k] + sub);
-    store<D>(motion.vy - (r * motion.gyx + s * motion.gyy), tile.middle_y[k] + sub);
-  } else {
-    store<D>(motion.vx, tile.vx[k] + sub), store<D>(motion.vy, tile.vy[k] + sub);
-  }
-}
+/// Points of a layer at their new places: those that have left their cells have no mass here, and their places are in
+/// the middle.
+template <class D>
+struct Arrived {
+  V<D> x, mass;
+  Places<D> at;
+  hn::Mask<D> stay;
+};
 
 /// Takes layers to their new places (3.21).
-template <class D, class Kernel, bool affine>
+template <class D, class Kernel>
 class Moving {
  public:
   HWY_INLINE Moving(const LaneWork& work, const LaneFindings& found, std::size_t sub)
-      : lifted(load<D>(found.lifted + sub)), P_(work.P), dt_(all<D>(work.dt)) {}
+      : lifted(load<D>(found.lifted + sub)), dt_(all<D>(work.dt)) {}
 
-  V<D> lifted;           // mass times the way up
-  bool all_stay = true;  // in their cells
+  V<D> lifted;  // mass times the way up
 
-  /// Leaves in the tile what the scatter needs; points that leave their cells have no mass there.
-  HWY_INLINE void move(const Locating<D, Kernel>& locating, Tile& tile, std::size_t k, std::size_t sub, V<D> mass,
-                       V<D> x, V<D> y, const Taken<D>& taken) {
-    constexpr D d;
-    const std::size_t p = tile.slot[k] + sub;
-    const V<D> up = dt_ * taken.uy, lowest = all<D>(Kernel::lowest), highest = all<D>(Kernel::highest);
-    const auto there = mass > hn::Zero(d);
-    lifted = lifted + mass * up;
-    x = x + hn::IfThenElseZero(there, dt_ * taken.ux), y = y + hn::IfThenElseZero(there, up);
-    store<D>(x, P_.x + p), store<D>(y, P_.y + p);
+  /// Notes in the tile who has left.
+  HWY_INLINE Arrived<D> move(const LanePoints& P, const Locating<D, Kernel>& locating, Tile& tile, std::size_t k,
+                             std::size_t sub, const Layer<D>& layer, const Taken<D>& taken) {
+    const V<D> up = dt_ * taken.uy;
+    const auto there = layer.mass > hn::Zero(D());
+    lifted = lifted + layer.mass * up;
+    const V<D> x = layer.x + hn::IfThenElseZero(there, dt_ * taken.ux), y = layer.y + hn::IfThenElseZero(there, up);
+    store<D>(x, P.x + layer.p), store<D>(y, P.y + layer.p);
     const Places<D> at = locating.anywhere(x, y);
-    const auto stays = hn::And(hn::And(at.r >= lowest, at.r < highest), hn::And(at.s >= lowest, at.s < highest));
-    all_stay &= hn::AllTrue(d, stays);
-    leave_momenta<D, Kernel, affine>(tile, k, sub, mass, stays, at, taken.motion);
+    const auto stay = stays(at);
+    if (HWY_UNLIKELY(!hn::AllTrue(D(), stay))) note_left(tile, k, sub, stay);
+    return {x, hn::IfThenElseZero(stay, layer.mass),
+            inside(hn::IfThenElseZero(stay, at.r), hn::IfThenElseZero(stay, at.s)), stay};
   }
 
  private:
-  LanePoints P_;
+  static HWY_INLINE hn::Mask<D> stays(Places<D> at) {
+    const V<D> lowest = all<D>(Kernel::lowest), highest = all<D>(Kernel::highest);
+    return hn::And(hn::And(at.r >= lowest, at.r < highest), hn::And(at.s >= lowest, at.s < highest));
+  }
+  static HWY_INLINE Places<D> inside(V<D> r, V<D> s) {
+    return {Kernel::template inside<D>(r), Kernel::template inside<D>(s)};
+  }
+  static HWY_INLINE void note_left(Tile& tile, std::size_t k, std::size_t sub, hn::Mask<D> stay) {
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(D(), hn::Not(stay), bits);
+    tile.left[k] = static_cast<std::uint8_t>(tile.left[k] | bits[0] << sub), tile.some_left = true;
+  }
   V<D> dt_;
 };
 
@@ -217,19 +218,19 @@ HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {
   }
 }
 
-/// Points that have left their cells: they are noted and give nothing here, and by APIC without records the fields
-/// about them are written. What they have lost belongs to where they are now.
-template <bool affine>
+/// Takes out the points of a tile that have left their cells: they are noted with all their numbers, and what they have
+/// lost belongs to where they are now. By APIC without records the fields about them are written first.
+template <bool affine, bool books = false>
 HWY_NOINLINE void take_out(const LaneWork& work, Tile& tile, LaneFindings& found) {
   for (std::size_t k = 0; k < tile.layers; ++k) {
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const std::size_t p = tile.slot[k] + l;
-      if (tile.m[k][l] > 0 || !(work.P.mass[p] > 0)) continue;
+    for (unsigned left = tile.left[k]; left != 0; left &= left - 1) {
+      const auto l = static_cast<std::size_t>(std::countr_zero(left));
       if (affine && !work.records) record_motion<One>(work, tile, k, l);
+      const std::size_t p = tile.slot[k] + l;
       const Blocks::Cell cell{static_cast<int>(tile.y0), static_cast<int>(tile.x0) + static_cast<int>(l)};
-      found.moved.push_back({p, cell, tile.lost[k][l]});
-      tile.lost[k][l] = 0;
-      tile.hoop[k][l] = tile.xx_by_x[k][l] = tile.xy_by_x[k][l] = tile.xy_by_y[k][l] = tile.yy_by_y[k][l] = 0;
+      found.moved.push_back({p, cell, books ? tile.lost[k][l] : 0});
+      if (books) tile.lost[k][l] = 0;
+      for (const double* array : work.arrays) found.numbers.push_back(array[p]);
     }
   }
 }

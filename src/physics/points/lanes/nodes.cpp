@@ -5,6 +5,7 @@
 // After the line above, which reads this file again for each instruction set.
 #include <hwy/highway.h>
 
+#include "laws/walls.hpp"
 #include "loops/lanes-inl.hpp"
 #include "physics/points/lanes/nodes.hpp"
 
@@ -39,60 +40,69 @@ struct Clear {
 };
 void clear(std::span<double* const> rows, const ActiveNodes& active) { each_node(active, Clear{rows}); }
 
-struct MapVelocity {
-  const NodeRows& r;
+/// Momenta over masses.
+struct Divide {
+  const double *m, *x, *y;
+  double *u, *v;
   template <class D>
   HWY_INLINE void at(std::size_t n) const {
-    const V<D> per_m = inverse_of<D>(load<D>(r.m + n));
-    store<D>(per_m * load<D>(r.momentum_x + n), r.convected_x + n);
-    store<D>(per_m * load<D>(r.momentum_y + n), r.convected_y + n);
+    const V<D> per_m = inverse_of<D>(load<D>(m + n));
+    store<D>(per_m * load<D>(x + n), u + n), store<D>(per_m * load<D>(y + n), v + n);
   }
 };
-void map_velocity(const NodeRows& rows, const ActiveNodes& active) { each_node(active, MapVelocity{rows}); }
-
-struct DivideConvected {
-  const NodeRows& r;
-  template <class D>
-  HWY_INLINE void at(std::size_t n) const {
-    const V<D> per_m = inverse_of<D>(load<D>(r.m + n));
-    store<D>(per_m * load<D>(r.convected_x + n), r.convected_x + n);
-    store<D>(per_m * load<D>(r.convected_y + n), r.convected_y + n);
-  }
-};
-void divide_convected(const NodeRows& rows, const ActiveNodes& active) { each_node(active, DivideConvected{rows}); }
-
-struct Solve {
-  const NodeRows& r;
-  double gravity, dt;
-  template <class D>
-  HWY_INLINE void at(std::size_t n) const {
-    const V<D> per_m = inverse_of<D>(load<D>(r.m + n)), step = all<D>(dt);
-    const V<D> ax = load<D>(r.force_x + n) * per_m, ay = load<D>(r.force_y + n) * per_m + all<D>(gravity);
-    store<D>(ax, r.a_x + n), store<D>(ay, r.a_y + n);
-    store<D>(load<D>(r.momentum_x + n) * per_m + step * ax, r.u_x + n);
-    store<D>(load<D>(r.momentum_y + n) * per_m + step * ay, r.u_y + n);
-  }
-};
-void solve(const NodeRows& rows, const ActiveNodes& active, double gravity, double dt) {
-  each_node(active, Solve{rows, gravity, dt});
+void map_velocity(const NodeRows& r, const ActiveNodes& active) {
+  each_node(active, Divide{r.m, r.momentum_x, r.momentum_y, r.convected_x, r.convected_y});
 }
 
-/// Sums a lane each for the eight nodes of a column of eights, in the order of the spans.
-struct Totals {
+template <class D>
+HWY_INLINE void clear_sums(const NodeRows& r, std::size_t n) {
+  for (double* row : {r.m, r.momentum_x, r.momentum_y, r.force_x, r.force_y}) store<D>(hn::Zero(D()), row + n);
+}
+
+struct DivideAndClear {
   const NodeRows& r;
-  double light, dt;
+  template <class D>
+  HWY_INLINE void at(std::size_t n) const {
+    Divide{r.m, r.convected_x, r.convected_y, r.convected_x, r.convected_y}.at<D>(n);
+    clear_sums<D>(r, n);
+  }
+};
+void divide_convected(const NodeRows& r, const ActiveNodes& active) { each_node(active, DivideAndClear{r}); }
+
+/// The momentum equation, and its sums: a lane each for the eight nodes of a column of eights, in the order of spans.
+struct Solve {
+  const NodeRows& r;
+  const NodeStep& step;
   double power[eight] = {}, squares[eight] = {}, gained[eight] = {}, upward[eight] = {};
 
   template <class D>
   HWY_INLINE void at(std::size_t n, std::size_t lane) {
-    const V<D> m = load<D>(r.m + n), ax = load<D>(r.a_x + n), ay = load<D>(r.a_y + n);
-    const auto counts = m > all<D>(light);
-    const V<D> back = hn::IfThenElse(counts, all<D>(0.5 * dt), all<D>(dt));
-    const V<D> wx = load<D>(r.u_x + n) - back * ax, wy = load<D>(r.u_y + n) - back * ay;
-    add_to<D>(power + lane, load<D>(r.force_x + n) * wx + load<D>(r.force_y + n) * wy);
+    std::uint8_t walls = 0;
+    for (std::size_t l = 0; l < width<D>; ++l) walls = static_cast<std::uint8_t>(walls | step.held[n + l]);
+    if (HWY_LIKELY(walls == 0)) return solve<D>(n, lane, false, false);
+    for (std::size_t l = 0; l < width<D>; ++l) {
+      const bool x = (step.held[n + l] & holds_x) != 0, y = (step.held[n + l] & holds_y) != 0;
+      solve<One>(n + l, (lane + l) % eight, x, y);
+    }
+  }
+
+ private:
+  template <class D>
+  HWY_INLINE void solve(std::size_t n, std::size_t lane, bool holds_in_x, bool holds_in_y) {
+    const V<D> zero = hn::Zero(D()), m = load<D>(r.m + n), per_m = inverse_of<D>(m), dt = all<D>(step.dt);
+    const V<D> fx = load<D>(r.force_x + n), fy = load<D>(r.force_y + n);
+    const V<D> ax = holds_in_x ? zero : fx * per_m, ay = holds_in_y ? zero : fy * per_m + all<D>(step.gravity);
+    const V<D> ux = holds_in_x ? zero : load<D>(r.momentum_x + n) * per_m + dt * ax,
+               uy = holds_in_y ? zero : load<D>(r.momentum_y + n) * per_m + dt * ay;
+    store<D>(ax, r.a_x + n), store<D>(ay, r.a_y + n), store<D>(ux, r.u_x + n), store<D>(uy, r.u_y + n);
+    const auto counts = m > all<D>(step.light);
+    const V<D> back = hn::IfThenElse(counts, all<D>(0.5 * step.dt), dt);
+    const V<D> wx = ux - back * ax, wy = uy - back * ay;
+    add_to<D>(power + lane, fx * wx + fy * wy);
     add_to<D>(squares + lane, hn::IfThenElseZero(counts, m * (ax * ax + ay * ay)));
     add_to<D>(gained + lane, m * (ax * wx + ay * wy));
     add_to<D>(upward + lane, m * wy);
+    if (step.clears) clear_sums<D>(r, n);
   }
 };
 
@@ -102,17 +112,17 @@ double sum_of(const double (&lanes)[eight]) {
   return sum;
 }
 
-LaneTotals total(const NodeRows& rows, const ActiveNodes& active, double light, double dt) {
-  Totals totals{rows, light, dt};
+LaneTotals solve(const NodeRows& rows, const ActiveNodes& active, const NodeStep& step) {
+  Solve pass{rows, step};
   for (const NodeSpan span : active.spans()) {
     std::size_t n = span.begin, lane = 0;
-    for (; n + width<All> <= span.end; n += width<All>, lane = (lane + width<All>) % eight) totals.at<All>(n, lane);
-    for (; n < span.end; ++n, lane = (lane + 1) % eight) totals.at<One>(n, lane);
+    for (; n + width<All> <= span.end; n += width<All>, lane = (lane + width<All>) % eight) pass.at<All>(n, lane);
+    for (; n < span.end; ++n, lane = (lane + 1) % eight) pass.at<One>(n, lane);
   }
-  return {sum_of(totals.power), sum_of(totals.squares), sum_of(totals.gained), sum_of(totals.upward)};
+  return {sum_of(pass.power), sum_of(pass.squares), sum_of(pass.gained), sum_of(pass.upward)};
 }
 
-NodePasses passes_at_nodes() { return {clear, map_velocity, divide_convected, solve, total}; }
+NodePasses passes_at_nodes() { return {clear, map_velocity, divide_convected, solve}; }
 
 }  // namespace tether::mpm::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

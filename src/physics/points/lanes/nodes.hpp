@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "loops/instruction_set.hpp"
@@ -9,11 +10,11 @@
 
 namespace tether::mpm {
 
-// What a step does at the nodes, by lanes: a lane for each of neighbouring nodes. Walls hold nothing here.
+// What a step does at the nodes, by lanes: a lane for each of neighbouring nodes.
 
 /// Rows of the nodes, node 0 first.
 struct NodeRows {
-  const double *m, *momentum_x, *momentum_y, *force_x, *force_y;
+  double *m, *momentum_x, *momentum_y, *force_x, *force_y;
   double *convected_x, *convected_y, *a_x, *a_y, *u_x, *u_y;
 };
 
@@ -22,18 +23,24 @@ struct LaneTotals {
   double power = 0, squares = 0, gained = 0, upward = 0;
 };
 
-/// One table for each instruction set.
+/// What is the same for all nodes of a solve.
+struct NodeStep {
+  double gravity, dt;
+  double light;              // nodes of no more mass count without m |a|^2 in the balance [mass]
+  const std::uint8_t* held;  // what walls hold of each node
+  bool clears;               // sums that nobody asks any more
+};
+
+/// One table for each instruction set. Walls hold nothing but in the solve.
 struct NodePasses {
   /// 0 at the active nodes of some rows.
   void (*clear)(std::span<double* const> rows, const ActiveNodes& active);
   /// v_i = (mv)_i / m_i.
   void (*map_velocity)(const NodeRows& rows, const ActiveNodes& active);
-  /// The momenta that points gave back, divided by the masses (3.24).
+  /// The momenta that points gave back, divided by the masses (3.24), after which the sums are 0.
   void (*divide_convected)(const NodeRows& rows, const ActiveNodes& active);
-  /// a = f / m + g, u = (mv) / m + dt a (3.19), (3.20).
-  void (*solve)(const NodeRows& rows, const ActiveNodes& active, double gravity, double dt);
-  /// Sums of the balance of energy; nodes of no more mass than `light` count without m |a|^2.
-  LaneTotals (*total)(const NodeRows& rows, const ActiveNodes& active, double light, double dt);
+  /// a = f / m + g, u = (mv) / m + dt a (3.19), (3.20), walls; returns the sums of the balance of energy.
+  LaneTotals (*solve)(const NodeRows& rows, const ActiveNodes& active, const NodeStep& step);
 };
 
 NodePasses node_passes(InstructionSet set);

@@ -24,7 +24,8 @@ LanePasses passes_that_move() {
   using OfCells = Gas<D, Kernel, axis, LaneLaw::gas_of_cells>;
   return {.accelerate_and_convect = last ? nullptr : accelerate_and_convect<D, Kernel, affine>,
           .strain_move_and_map = {strain_move_and_map<D, Kernel, affine, last, Solid>, nullptr,
-                                  strain_move_and_map<D, Kernel, affine, last, OfContinuity>},
+                                  strain_move_and_map<D, Kernel, affine, last, OfContinuity>, nullptr,
+                                  strain_move_and_map<D, Kernel, affine, last, OneByOne<D, Kernel, axis>>},
           .strain_and_move = strain_and_move<D, Kernel, affine, axis, last>,
           .stress_and_map = {nullptr, stress_and_map<D, Kernel, affine, OfNodes>, nullptr,
                              stress_and_map<D, Kernel, affine, OfCells>}};
@@ -36,21 +37,26 @@ LanePasses passes_of(StressOrder order) {
   LanePasses passes{.strain_and_pull = {strain_and_pull<D, Kernel, Elastic<D, Kernel, axis>>,
                                         strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_nodes>>,
                                         strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_continuity>>,
-                                        strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_cells>>},
+                                        strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_cells>>,
+                                        strain_and_pull<D, Kernel, OneByOne<D, Kernel, axis>>},
                     .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, axis, false>};
   if constexpr (affine && Kernel::lines == Spline::lines)  // the ledger asks for them
     passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, axis, true>;
   return passes;
 }
 template <class Kernel, bool affine>
-LanePasses passes_of(const LaneScheme& scheme) {
-  return scheme.about_axis ? passes_of<All, Kernel, affine, true>(scheme.order)
-                           : passes_of<All, Kernel, affine, false>(scheme.order);
+LanePasses passes_of(StressOrder order, Geometry geometry) {
+  return geometry == Geometry::axisymmetric ? passes_of<All, Kernel, affine, true>(order)
+                                            : passes_of<All, Kernel, affine, false>(order);
 }
-LanePasses passes_over_points(const LaneScheme& scheme) {
-  if (scheme.kernel == tether::Kernel::linear)
-    return scheme.affine ? passes_of<Bilinear, true>(scheme) : passes_of<Bilinear, false>(scheme);
-  return scheme.affine ? passes_of<Spline, true>(scheme) : passes_of<Spline, false>(scheme);
+template <class Kernel>
+LanePasses passes_of(const Method& method, Geometry geometry) {
+  return method.transfer == Transfer::apic ? passes_of<Kernel, true>(method.order, geometry)
+                                           : passes_of<Kernel, false>(method.order, geometry);
+}
+LanePasses passes_over_points(const Method& method, Geometry geometry) {
+  return method.kernel == tether::Kernel::linear ? passes_of<Bilinear>(method, geometry)
+                                                 : passes_of<Spline>(method, geometry);
 }
 
 }  // namespace tether::mpm::HWY_NAMESPACE
@@ -60,18 +66,18 @@ HWY_AFTER_NAMESPACE();
 
 namespace tether::mpm {
 
-LanePasses lane_passes(InstructionSet set, const LaneScheme& scheme) {
+LanePasses lane_passes(InstructionSet set, const Method& method, Geometry geometry) {
   switch (set) {
     case InstructionSet::avx512:
-      return N_AVX3::passes_over_points(scheme);
+      return N_AVX3::passes_over_points(method, geometry);
     case InstructionSet::avx2:
-      return N_AVX2::passes_over_points(scheme);
+      return N_AVX2::passes_over_points(method, geometry);
     case InstructionSet::sse2:
-      return N_SSSE3::passes_over_points(scheme);
+      return N_SSSE3::passes_over_points(method, geometry);
     case InstructionSet::one:
       break;
   }
-  return N_SCALAR::passes_over_points(scheme);
+  return N_SCALAR::passes_over_points(method, geometry);
 }
 
 }  // namespace tether::mpm

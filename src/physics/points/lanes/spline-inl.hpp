@@ -26,6 +26,17 @@ struct Weights {
   V<D> w0, w2, e0, e1, e2;  // twice the weights of the nodes at the sides, along x and along y; e1 that of the middle
 };
 
+template <class D>
+HWY_INLINE Weights<D> weights(Places<D> at) {
+  const V<D> half = all<D>(0.5);
+  Weights<D> w;
+  w.r = at.r, w.s = at.s;
+  w.a = half - at.r, w.b = half + at.r, w.c = half - at.s, w.d = half + at.s;
+  w.w0 = w.a * w.a, w.w2 = w.b * w.b, w.e0 = w.c * w.c, w.e2 = w.d * w.d;
+  w.e1 = (all<D>(2) - w.e0) - w.e2;
+  return w;
+}
+
 /// Differences along x of a field at nine nodes, and twice its middle ones.
 template <class D>
 struct Differences {
@@ -39,8 +50,8 @@ HWY_INLINE Differences<D> differences(const double* one, const double* other, st
   for (int l = 0; l < 3; ++l) {
     const std::ptrdiff_t at = (l - 1) * nx;
     const V<D> before = at_node<D, mean>(one, other, at - 1), own = at_node<D, mean>(one, other, at),
-               behind = at_node<D, mean>(one, other, at + 1);
-    n.p[l] = own - before, n.q[l] = behind - own, n.twice[l] = own + own;
+               after = at_node<D, mean>(one, other, at + 1);
+    n.p[l] = own - before, n.q[l] = after - own, n.twice[l] = own + own;
   }
   return n;
 }
@@ -104,7 +115,8 @@ class Strain {
   HWY_INLINE Rates<D> at(const Weights<D>& w) const {
     V<D> xx, xy, yx, yy;
     twice_gradient<D>(x_, w, xx, xy), twice_gradient<D>(y_, w, yx, yy);
-    return {per_x_ * xx, per_y_ * yy, per_y_ * xy + per_x_ * yx, hn::Zero(D())};
+    xy = per_y_ * xy, yx = per_x_ * yx;
+    return {per_x_ * xx, per_y_ * yy, xy + yx, hn::Zero(D()), xy - yx};
   }
 
  private:
@@ -144,54 +156,35 @@ HWY_INLINE void put_nine_forces(Put& put, std::size_t q, std::size_t sub, const 
   const V<D> f1 = minus_two * F[4] - (f0 + f2), f7 = two * F[5] - (f6 + f8);
   const V<D> f3 = minus_two * F[6] - (f0 + f6), f5 = two * F[7] - (f2 + f8);
   const V<D> f4 = hn::Neg(((f1 + f7) + (f3 + f5)) + ((f0 + f2) + (f6 + f8)));
-  put.put(q, 0, sub, f0, f1, f2), put.put(q, 1, sub, f3, f4, f5), put.put(q, 2, sub, f6, f7, f8);
+  const auto to = put.lines(sub);
+  put.put(q, 0, to, f0, f1, f2), put.put(q, 1, to, f3, f4, f5), put.put(q, 2, to, f6, f7, f8);
 }
 
-}  // namespace spline
-
-/// Quadratic splines about the nearest node.
-struct Spline {
-  static constexpr std::ptrdiff_t first = -1;
-  static constexpr std::size_t lines = 3;
-  static constexpr double lowest = -0.5, highest = 0.5;  // places in a cell
-  static constexpr double pull = -0.5;                   // what a stress pulls with, over a cell's side
-
-  template <class D>
-  static HWY_INLINE V<D> inside(V<D> r) {
-    return r;
-  }
-
-  template <class D>
-  using Weights = spline::Weights<D>;
-  template <class D>
-  using Value = spline::Value<D>;
-  template <class D, bool mean>
-  using Strain = spline::Strain<D, mean>;
-  template <class D>
-  using Fields = spline::Fields<D>;
-
-  template <class D>
-  static HWY_INLINE Weights<D> weights(Places<D> at) {
-    const V<D> half = all<D>(0.5);
-    Weights<D> w;
-    w.r = at.r, w.s = at.s;
-    w.a = half - at.r, w.b = half + at.r, w.c = half - at.s, w.d = half + at.s;
-    w.w0 = w.a * w.a, w.w2 = w.b * w.b, w.e0 = w.c * w.c, w.e2 = w.d * w.d;
-    w.e1 = (all<D>(2) - w.e0) - w.e2;
-    return w;
-  }
-
-  /// Mass by the weights along x.
-  template <class D>
-  static HWY_INLINE void leave_mass(V<D> m, V<D> r, Tile& tile, std::size_t k, std::size_t sub) {
-    const V<D> half = all<D>(0.5), half_m = half * m, a = half - r, b = half + r;
+/// Sums of mass and momentum at the nodes around cells, line by line over the layers of a tile: all at once they would
+/// not find room in registers.
+template <class D, bool affine>
+class Momenta {
+ public:
+  /// Leaves a layer's masses m, by their weights along x, and motion in the tile.
+  HWY_INLINE void add(Tile& tile, std::size_t k, std::size_t sub, V<D> m, Places<D> at, const Motion<D>& of) const {
+    const V<D> half = all<D>(0.5), half_m = half * m, a = half - at.r, b = half + at.r;
     const V<D> m0 = half_m * (a * a), m2 = half_m * (b * b);
     store<D>(m0, tile.m0[k] + sub), store<D>((m - m0) - m2, tile.m1[k] + sub), store<D>(m2, tile.m2[k] + sub);
+    store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
+    if constexpr (affine) {
+      store_motion<D>(of, tile, k, sub);
+      store<D>(of.vx - (at.r * of.gxx + at.s * of.gxy), tile.middle_x[k] + sub);
+      store<D>(of.vy - (at.r * of.gyx + at.s * of.gyy), tile.middle_y[k] + sub);
+    }
+  }
+  template <class Put>
+  HWY_NOINLINE void put(const LanePoints& P, const Tile& tile, std::size_t sub, Put& putting) const {
+    put_line<0>(P, tile, sub, putting), put_line<1>(P, tile, sub, putting), put_line<2>(P, tile, sub, putting);
   }
 
-  /// Mass and momentum of a tile's points, with the fields about them, to the nodes of line l.
-  template <class D, int l, bool affine, class Put>
-  static HWY_INLINE void scatter_line(const Tile& tile, std::size_t sub, Put& putting) {
+ private:
+  template <int l, class Put>
+  static HWY_INLINE void put_line(const LanePoints& P, const Tile& tile, std::size_t sub, Put& putting) {
     const V<D> half = all<D>(0.5), three_quarters = all<D>(0.75), zero = hn::Zero(D());
     V<D> M[3] = {zero, zero, zero}, X[3] = {zero, zero, zero}, Y[3] = {zero, zero, zero};
     for (std::size_t k = 0; k < tile.layers; ++k) {
@@ -208,22 +201,76 @@ struct Spline {
         X[0] += m0 * (ux - gxx), X[1] += m1 * ux, X[2] += m2 * (ux + gxx);
         Y[0] += m0 * (uy - gyx), Y[1] += m1 * uy, Y[2] += m2 * (uy + gyx);
       } else {
-        const V<D> vx = load<D>(tile.vx[k] + sub), vy = load<D>(tile.vy[k] + sub);
+        const auto [vx, vy] = velocities_of<D, false>(P, tile, k, sub);
         X[0] += m0 * vx, X[1] += m1 * vx, X[2] += m2 * vx;
         Y[0] += m0 * vy, Y[1] += m1 * vy, Y[2] += m2 * vy;
       }
     }
-    putting.put(row_of_x, l, sub, X[0], X[1], X[2]), putting.put(row_of_y, l, sub, Y[0], Y[1], Y[2]);
-    if (putting.used > row_of_m) putting.put(row_of_m, l, sub, M[0], M[1], M[2]);
-    if (putting.used > row_of_gas) putting.put(row_of_gas, l, sub, M[0], M[1], M[2]);
-  }
-  template <class D, bool affine, class Put>
-  static HWY_NOINLINE void scatter_momenta(const Tile& tile, Put& putting) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      scatter_line<D, 0, affine>(tile, sub, putting);
-      scatter_line<D, 1, affine>(tile, sub, putting);
-      scatter_line<D, 2, affine>(tile, sub, putting);
+    const auto to = putting.lines(sub);
+    putting.put(row_of_x, l, to, X[0], X[1], X[2]), putting.put(row_of_y, l, to, Y[0], Y[1], Y[2]);
+    if constexpr (Put::most > row_of_m) {
+      putting.put(row_of_m, l, to, M[0], M[1], M[2]);
+      if (putting.used > row_of_gas) putting.put(row_of_gas, l, to, M[0], M[1], M[2]);
     }
+  }
+};
+
+/// Sums of forces at the nodes around cells: of each component four and the sums of rows and columns.
+template <class D>
+class Forces {
+ public:
+  HWY_INLINE void add(Tile& tile, std::size_t k, std::size_t sub, Places<D> at, const Pull<D>& of) const {
+    store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
+    store<D>(of.xx, tile.pull_xx[k] + sub), store<D>(of.xy, tile.pull_xy[k] + sub);
+    store<D>(of.yy, tile.pull_yy[k] + sub);
+  }
+  template <class Put>
+  HWY_NOINLINE void put(const Tile& tile, const LaneGrid& grid, std::size_t sub, Put& putting) const {
+    const V<D> dx_per_dy = all<D>(grid.per_dy / grid.per_dx), minus_half_per_dx = all<D>(-0.5 * grid.per_dx);
+    V<D> F[8], G[8];
+#pragma GCC unroll 8
+    for (int i = 0; i < 8; ++i) F[i] = G[i] = hn::Zero(D());
+    for (std::size_t k = 0; k < tile.layers; ++k) {
+      const auto w = weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
+      const V<D> xy = load<D>(tile.pull_xy[k] + sub);
+      pull<D>(F, w, load<D>(tile.pull_xx[k] + sub), dx_per_dy * xy);
+      pull<D>(G, w, xy, dx_per_dy * load<D>(tile.pull_yy[k] + sub));
+    }
+#pragma GCC unroll 8
+    for (int i = 0; i < 8; ++i) F[i] *= minus_half_per_dx, G[i] *= minus_half_per_dx;
+    put_nine_forces<D>(putting, 0, sub, F), put_nine_forces<D>(putting, 1, sub, G);
+  }
+};
+
+}  // namespace spline
+
+/// Quadratic splines about the nearest node.
+struct Spline {
+  static constexpr std::ptrdiff_t first = -1;
+  static constexpr std::size_t lines = 3;
+  static constexpr double lowest = -0.5, highest = 0.5;  // places in a cell
+
+  template <class D>
+  static HWY_INLINE V<D> inside(V<D> r) {
+    return r;
+  }
+
+  template <class D>
+  using Weights = spline::Weights<D>;
+  template <class D>
+  using Value = spline::Value<D>;
+  template <class D, bool mean>
+  using Strain = spline::Strain<D, mean>;
+  template <class D>
+  using Fields = spline::Fields<D>;
+  template <class D, bool affine>
+  using Momenta = spline::Momenta<D, affine>;
+  template <class D>
+  using Forces = spline::Forces<D>;
+
+  template <class D>
+  static HWY_INLINE Weights<D> weights(Places<D> at) {
+    return spline::weights<D>(at);
   }
 
   /// A number of each point.
@@ -240,22 +287,9 @@ struct Spline {
         S[3] += w.w0 * middle, S[4] += w1 * middle, S[5] += w.w2 * middle;
         S[6] += w.w0 * high, S[7] += w1 * high, S[8] += w.w2 * high;
       }
-      for (std::size_t l = 0; l < lines; ++l) putting.put(q, l, sub, S[3 * l], S[3 * l + 1], S[3 * l + 2]);
-    }
-  }
-
-  template <class D, class Put>
-  static HWY_NOINLINE void scatter_forces(const Tile& tile, Put& putting) {
-    for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
-      V<D> F[8], G[8];
-#pragma GCC unroll 8
-      for (int i = 0; i < 8; ++i) F[i] = G[i] = hn::Zero(D());
-      for (std::size_t k = 0; k < tile.layers; ++k) {
-        const auto w = weights<D>({load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)});
-        spline::pull<D>(F, w, load<D>(tile.xx_by_x[k] + sub), load<D>(tile.xy_by_y[k] + sub));
-        spline::pull<D>(G, w, load<D>(tile.xy_by_x[k] + sub), load<D>(tile.yy_by_y[k] + sub));
-      }
-      spline::put_nine_forces<D>(putting, 0, sub, F), spline::put_nine_forces<D>(putting, 1, sub, G);
+      const auto to = putting.lines(sub);
+#pragma GCC unroll 3
+      for (std::size_t l = 0; l < lines; ++l) putting.put(q, l, to, S[3 * l], S[3 * l + 1], S[3 * l + 2]);
     }
   }
 };

@@ -7,9 +7,6 @@
 #define TETHER_POINTS_SWEEP_INL
 #endif
 
-#include <algorithm>
-#include <iterator>
-
 #include "physics/points/lanes/tile-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,7 +19,6 @@ template <class Each, class Done>
 HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) {
   const Blocks& blocks = *work.blocks;
   Tile tile;
-  for (auto& layer : tile.lost) std::fill(std::begin(layer), std::end(layer), 0.0);
   for (const Blocks::Strip strip : blocks.strips()) {
     for (std::size_t g = strip.begin; g < strip.end; ++g) {
       const Blocks::Group& group = blocks.groups()[g];
@@ -34,28 +30,41 @@ HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) 
   }
 }
 
-/// Internal forces to the nodes (3.16), about an axis with the hoop's.
+/// Rows of internal forces (3.16), about an axis with the hoop's.
 template <class D, class Kernel, bool axis>
-class Forces {
+class ForceRows {
  public:
-  HWY_INLINE explicit Forces(const LaneWork& work) : rows_(work.grid.nx) {
+  using Sums = typename Kernel::template Forces<D>;
+
+  HWY_INLINE explicit ForceRows(const LaneWork& work) : grid_(work.grid), rows_(work.grid.nx) {
     rows_.rows[0] = work.N.force_x, rows_.rows[1] = work.N.force_y;
     if constexpr (axis) rows_.rows[2] = work.N.force_x;
   }
-  HWY_INLINE void put(const Tile& tile, std::ptrdiff_t n) {
-    rows_.begin(n);
-    Kernel::template scatter_forces<D>(tile, rows_);
+  HWY_INLINE void begin(std::ptrdiff_t n) { rows_.begin(n); }
+  HWY_INLINE void add(Sums& sums, Tile& tile, std::size_t k, std::size_t sub, Places<D> at, const Pull<D>& of) const {
+    sums.add(tile, k, sub, at, of);
+    if constexpr (axis) {
+      store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
+      store<D>(of.hoop, tile.hoop[k] + sub);
+    }
+  }
+  HWY_INLINE void put(const Sums& sums, const Tile& tile, std::size_t sub) { sums.put(tile, grid_, sub, rows_); }
+  /// After all of a tile.
+  HWY_INLINE void put_hoop(const Tile& tile) {
     if constexpr (axis) Kernel::template scatter_value<D>(tile, tile.hoop, rows_, 2);
   }
   HWY_INLINE void close() { rows_.close(); }
 
  private:
+  LaneGrid grid_;
   Putting<D, Kernel, axis ? 3 : 2> rows_;
 };
 
-/// The rows of mass and momentum.
+/// Rows of mass and momentum, of the gas's mass and of what the ledger books, as far as the scene has them.
 template <class D, class Kernel>
-HWY_INLINE void set_rows(const LaneNodes& N, Putting<D, Kernel, 5>& momenta) {
+using MomentumRows = Putting<D, Kernel, 5>;
+template <class D, class Kernel>
+HWY_INLINE void set_rows(const LaneNodes& N, MomentumRows<D, Kernel>& momenta) {
   momenta.rows[row_of_m] = N.m, momenta.rows[row_of_x] = N.momentum_x, momenta.rows[row_of_y] = N.momentum_y;
   momenta.rows[row_of_gas] = N.gas, momenta.rows[row_of_loss] = N.loss;
   momenta.used = N.loss ? 5 : N.gas ? 4 : 3;

@@ -24,27 +24,29 @@ constexpr std::size_t most_layers = 12;
 using TileRows = double[most_layers][lanes];
 
 struct alignas(64) Tile {
-  TileRows r, s;                                // place in the cell, from its kernel's lowest to highest [cells]
-  TileRows m;                                   // mass of points that stay in their cells
-  TileRows m0, m1, m2;                          // the same by the weights along x
-  TileRows vx, vy;                              // velocity
-  TileRows middle_x, middle_y;                  // and that at the cell's own node
-  TileRows gxx, gyx, gxy, gyy;                  // the field about the point, a difference from node to node [velocity]
-  TileRows xx_by_x, xy_by_x, xy_by_y, yy_by_y;  // -V sigma over a cell's side, by splines over two [force]
-  TileRows hoop;                                // about an axis: -V sigma_theta / r [force]
-  TileRows at_place;                            // a number of the nodes, at the points
-  TileRows lost;                                // of the ledger, per mass [velocity^2], then [energy]
-  std::size_t slot[most_layers];                // of lane 0
+  TileRows r, s;                       // place in the cell, from its kernel's lowest to highest [cells]
+  TileRows m0, m1, m2;                 // mass by the weights along x, 0 of points that leave their cells
+  TileRows vx, vy;                     // velocity, by APIC; by FLIP it stands in the points' arrays
+  TileRows middle_x, middle_y;         // and that at the cell's own node
+  TileRows gxx, gyx, gxy, gyy;         // the field about the point, a difference from node to node [velocity]
+  TileRows pull_xx, pull_xy, pull_yy;  // V sigma [energy]
+  TileRows hoop;                       // about an axis: -V sigma_theta / r [force]
+  TileRows at_place;                   // a number of the nodes, at the points
+  TileRows lost;                       // of the ledger, per mass [velocity^2], then [energy]
+  std::size_t slot[most_layers];       // of lane 0
   std::size_t layers;
-  double x0, y0;  // lane 0's cell along x, the group's along y
+  std::uint8_t left[most_layers];  // a bit for each lane: the point has left its cell
+  bool some_left;                  // of all
+  double x0, y0;                   // lane 0's cell along x, the group's along y
 };
 
 /// Adds sums over points to rows of the nodes, group after group of a sweep. What cells give to their kernel's nodes
-/// along x stands in lanes of cells: a node takes what the cell behind it, its own and the one before it give, in this
+/// along x stands in lanes of cells: a node takes what the cell after it, its own and the one before it give, in this
 /// order, and the rows from below. What the last lanes of a group give to the next group's nodes goes along.
 template <class D, class Kernel, std::size_t count>
 class Putting {
  public:
+  static constexpr std::size_t most = count;
   HWY_INLINE explicit Putting(std::ptrdiff_t nx) : nx_(nx) {}
 
   double* rows[count] = {};
@@ -55,12 +57,18 @@ class Putting {
     if (end_ >= 0 && end_ != n) rest();
     end_ = n + static_cast<std::ptrdiff_t>(lanes);
   }
-  /// What cells at `sub` give to the nodes of line l of the kernel: to the first along x, the second and the third.
-  HWY_INLINE void put(std::size_t q, std::size_t l, std::size_t sub, V<D> first, V<D> second, V<D> third) {
-    put_at(q, l, end_ - static_cast<std::ptrdiff_t>(lanes - sub), first, second, third);
+  /// Where the lines of nodes begin, in rows, to which cells at `sub` give.
+  struct Lines {
+    std::ptrdiff_t first, nx;
+    HWY_INLINE std::ptrdiff_t begin(std::size_t l) const { return first + static_cast<std::ptrdiff_t>(l) * nx; }
+  };
+  HWY_INLINE Lines lines(std::size_t sub) const { return lines_at(end_ - static_cast<std::ptrdiff_t>(lanes - sub)); }
+  /// What cells give to the nodes of line l of the kernel: to the first along x, the second and the third.
+  HWY_INLINE void put(std::size_t q, std::size_t l, Lines to, V<D> first, V<D> second, V<D> third) {
+    add_to<D>(rows[q] + to.begin(l), (first + one_[q][l].follow(second)) + two_[q][l].follow(third));
   }
-  HWY_INLINE void put(std::size_t q, std::size_t l, std::size_t sub, V<D> first, V<D> second) {
-    put_at(q, l, end_ - static_cast<std::ptrdiff_t>(lanes - sub), first, second);
+  HWY_INLINE void put(std::size_t q, std::size_t l, Lines to, V<D> first, V<D> second) {
+    add_to<D>(rows[q] + to.begin(l), first + one_[q][l].follow(second));
   }
   /// What is left of the last cells of a run of groups.
   HWY_INLINE void close() {
@@ -69,34 +77,24 @@ class Putting {
   }
 
  private:
-  HWY_INLINE double* at(std::size_t q, std::size_t l, std::ptrdiff_t n) const {
-    return rows[q] + n + (static_cast<std::ptrdiff_t>(l) + Kernel::first) * nx_ + Kernel::first;
-  }
-  HWY_INLINE void put_at(std::size_t q, std::size_t l, std::ptrdiff_t n, V<D> first, V<D> second, V<D> third) {
-    Before<D>&own = one_[q][l], &next = two_[q][l];
-    add_to<D>(at(q, l, n), (first + up_by_one<D>(second, own)) + up_by_two<D>(third, next));
-    own.follow(second), next.follow(third);
-  }
-  HWY_INLINE void put_at(std::size_t q, std::size_t l, std::ptrdiff_t n, V<D> first, V<D> second) {
-    add_to<D>(at(q, l, n), first + up_by_one<D>(second, one_[q][l]));
-    one_[q][l].follow(second);
-  }
+  HWY_INLINE Lines lines_at(std::ptrdiff_t n) const { return {n + Kernel::first * nx_ + Kernel::first, nx_}; }
   HWY_NOINLINE void rest() {
     const V<D> none = hn::Zero(D());
     for (std::size_t q = 0; q < used; ++q) {
       for (std::size_t l = 0; l < Kernel::lines; ++l) {
         if constexpr (Kernel::lines == 2) {
-          put_at(q, l, end_, none, none);
+          put(q, l, lines_at(end_), none, none);
         } else {
-          put_at(q, l, end_, none, none, none);
-          if (width<D> == 1) put_at(q, l, end_ + 1, none, none, none);
+          put(q, l, lines_at(end_), none, none, none);
+          if (width<D> == 1) put(q, l, lines_at(end_ + 1), none, none, none);
         }
       }
     }
   }
 
   std::ptrdiff_t nx_, end_ = -1;  // node after the last group
-  Before<D> one_[count][Kernel::lines], two_[count][Kernel::lines];
+  UpBy<D, 1> one_[count][Kernel::lines];
+  UpBy<D, 2> two_[count][Kernel::lines];
 };
 
 /// Places of points in their cells [cells].
@@ -128,10 +126,30 @@ class Locating {
   V<D> x0_, y0_, per_dx_, per_dy_, cell_, row_;
 };
 
-/// Strain rate of points, the shear twice: d v_x / d y + d v_y / d x; about an axis zz is the hoop's [1/time].
+/// Points of a layer: the first one's slot, places, and masses, 0 where there is no point.
+template <class D>
+struct Layer {
+  std::size_t p;
+  V<D> x, y, mass;
+  Places<D> at;
+};
+template <class D, class Kernel>
+HWY_INLINE Layer<D> layer_of(const LanePoints& P, const Locating<D, Kernel>& locating, std::size_t p) {
+  const V<D> x = load<D>(P.x + p), y = load<D>(P.y + p);
+  return {p, x, y, load<D>(P.mass + p), locating.inside(x, y)};
+}
+
+/// Strain rate of points, the shear twice: d v_x / d y + d v_y / d x; about an axis zz is the hoop's; and twice the
+/// spin, d v_x / d y - d v_y / d x [1/time].
 template <class D>
 struct Rates {
-  V<D> xx, yy, xy, zz;
+  V<D> xx, yy, xy, zz, turn;
+};
+
+/// V sigma of points, which pulls at nodes [energy], and about an axis the hoop's -V sigma_theta / r [force].
+template <class D>
+struct Pull {
+  V<D> xx, xy, yy, hoop;
 };
 
 /// Velocities of points and the fields about them, these by the difference that they make from node to node.
@@ -144,6 +162,17 @@ HWY_INLINE void store_motion(const Motion<D>& of, Tile& tile, std::size_t k, std
   store<D>(of.vx, tile.vx[k] + sub), store<D>(of.vy, tile.vy[k] + sub);
   store<D>(of.gxx, tile.gxx[k] + sub), store<D>(of.gyx, tile.gyx[k] + sub);
   store<D>(of.gxy, tile.gxy[k] + sub), store<D>(of.gyy, tile.gyy[k] + sub);
+}
+
+/// Velocities of a layer.
+template <class D>
+struct Velocities {
+  V<D> x, y;
+};
+template <class D, bool affine>
+HWY_INLINE Velocities<D> velocities_of(const LanePoints& P, const Tile& tile, std::size_t k, std::size_t sub) {
+  if constexpr (affine) return {load<D>(tile.vx[k] + sub), load<D>(tile.vy[k] + sub)};
+  return {load<D>(P.vx + tile.slot[k] + sub), load<D>(P.vy + tile.slot[k] + sub)};
 }
 
 /// Velocities at the nodes, from the group's first one on: of one field, or the mean of two.
@@ -163,8 +192,9 @@ enum MomentumRow : std::size_t { row_of_x, row_of_y, row_of_m, row_of_gas, row_o
 
 /// Takes the next layers of a chain of blocks; false where there are none any more.
 inline bool next_layers(const Blocks& blocks, std::uint32_t& block, Tile& tile) {
-  tile.layers = 0;
+  tile.layers = 0, tile.some_left = false;
   for (; block != Blocks::none && tile.layers < most_layers; block = blocks.next(block)) {
+    tile.left[tile.layers] = 0;
     tile.slot[tile.layers++] = block * lanes;
   }
   return tile.layers > 0;

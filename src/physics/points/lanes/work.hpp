@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "grid/boxes.hpp"
 #include "loops/instruction_set.hpp"
 #include "model/method.hpp"
 #include "physics/points/blocks.hpp"
@@ -55,11 +58,33 @@ struct LaneFindings {
   double wave = 0;             // largest
   std::size_t unsound = none;  // first slot whose numbers are none any more
   std::vector<Moved> moved;
+  std::vector<double> numbers;  // of each of them, one from each of LaneWork::arrays
+
+  /// Nothing is found yet; the lists keep their room.
+  void begin() {
+    LaneFindings fresh;
+    std::swap(fresh.moved, moved), std::swap(fresh.numbers, numbers);
+    fresh.moved.clear(), fresh.numbers.clear();
+    *this = std::move(fresh);
+  }
 };
 
 /// Laws that run by lanes; gas by where its density comes from: the nodes, continuity, or its array, where it stands.
-enum class LaneLaw { elastic, gas_of_nodes, gas_of_continuity, gas_of_cells };
-constexpr std::size_t lane_laws = 4;
+/// The others are asked point by point.
+enum class LaneLaw { elastic, gas_of_nodes, gas_of_continuity, gas_of_cells, one_by_one };
+constexpr std::size_t lane_laws = 5;
+constexpr bool is_gas(LaneLaw law) { return law != LaneLaw::elastic && law != LaneLaw::one_by_one; }
+
+/// Strain rate of a point and its spin [1/time].
+struct PointRate {
+  double xx, yy, xy, zz, spin;
+};
+/// A law that is asked point by point.
+struct LawOfPoints {
+  /// Updates slot p, counted from the body's first one, and returns the volume in which its stress pulls.
+  double (*update)(const void* law, std::size_t p, const PointRate& rate) = nullptr;
+  const void* law = nullptr;
+};
 
 /// What is the same for all points of a body in a step.
 struct LaneBody {
@@ -72,6 +97,7 @@ struct LaneBody {
   double c_max = 0;                      // else this one [velocity]
   bool heats = false;                    // gas: heated by the rate that makes the stress
   double heat = 0;                       // gas: of the ledger for all gas [energy/mass]
+  LawOfPoints each = {};                 // one by one
 };
 
 /// All that a pass has to know.
@@ -81,17 +107,10 @@ struct LaneWork {
   LaneGrid grid;
   const Blocks* blocks;
   LaneBody body;
+  std::span<double* const> arrays = {};  // all that go with a point, the body's first slot first
   double dt = 0;
   bool records = false;       // velocities and fields about points are written, which the grid has else
   bool reads_stress = false;  // usf: the stress of gas is read before the points move
-};
-
-/// What the passes are compiled for.
-struct LaneScheme {
-  Kernel kernel = Kernel::bspline;
-  bool affine = true;  // APIC, else FLIP
-  StressOrder order = StressOrder::usf;
-  bool about_axis = false;
 };
 
 /// The passes over a body, one table for each instruction set, with what the scheme's order asks for. They sweep its
@@ -113,6 +132,7 @@ struct LanePasses {
   Pass accelerate_book_move_and_map = nullptr;
 };
 
-LanePasses lane_passes(InstructionSet set, const LaneScheme& scheme);
+/// Of a method's kernel, transfer and order.
+LanePasses lane_passes(InstructionSet set, const Method& method, Geometry geometry);
 
 }  // namespace tether::mpm

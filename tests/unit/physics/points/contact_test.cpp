@@ -39,7 +39,7 @@ class Meeting {
     StepWork work{state_, scene_, {}};
     mapped_velocity(state_.grid);
     open_contact<Splines>(work, dt_);
-    solve_with_contact<Splines>(work, dt_);
+    solve_with_contact<Splines>(work, dt_, Sums::kept);
     for (std::size_t n = 0; n < state_.grid.frame.shape.nodes(); ++n) read_node(n);
   }
   const std::vector<std::vector<NodeOf>>& nodes() const { return nodes_; }

@@ -121,8 +121,8 @@ TEST(Frame, SignsOfGhosts) {
     const std::size_t n = node(frame, 4, 4) + static_cast<std::size_t>((j + 1) * frame.shape.nx + i + 1) -
                           static_cast<std::size_t>(5 * frame.shape.nx + 5);
     EXPECT_EQ(frame.image[n], node(frame, image_i, image_j));
-    EXPECT_EQ(frame.sign[n][0], sx);
-    EXPECT_EQ(frame.sign[n][1], sy);
+    EXPECT_EQ(frame.sign[n].x, sx);
+    EXPECT_EQ(frame.sign[n].y, sy);
   };
   expect(-1, 5, 1, 5, -1, 1);
   expect(9, 5, 7, 5, -1, -1);
@@ -151,7 +151,8 @@ class Folding : public testing::Test {
         scenes::scene_on(cells_of_half_by_quarter, {Wall::symmetry, Wall::fixed, Wall::axis, Wall::free_slip}, 1, {});
     scene.method.kernel = Kernel::bspline;
     scene.method.ledger = true;
-    grid_ = std::make_unique<Grid>(scene);
+    scene.bodies.push_back({.name = "gas", .material = scenes::robust_gas()});
+    grid_ = std::make_unique<Grid>(scene, instruction_set());
   }
   Pair any() { return pair(spread_(random_), spread_(random_)); }
   std::mt19937 random_{3};
@@ -224,7 +225,7 @@ TEST_F(Folding, AMirroredPointGivesWhatItsImageGives) {
   NodeSumsRow own(frame.shape.nodes()), both = own;
   put(1.1, 0.4, pair(0.3, 0.7), own);
   put(1.1, 0.4, pair(0.3, 0.7), both), put(0.9, 0.4, pair(-0.3, 0.7), both);
-  fold_sums(frame, own);
+  fold_sums(frame.ghosts, own);
   for (std::size_t n = 0; n < own.size(); ++n) {
     const bool on_wall = (frame.held[n] & holds_x) != 0;
     if (frame.image[n] != n) continue;

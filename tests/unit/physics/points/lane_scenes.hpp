@@ -65,6 +65,20 @@ inline std::function<void(Scene&)> touching(const Method& method) {
   };
 }
 
+/// A body of a law that is asked point by point, and another that runs into it.
+inline std::function<void(Scene&)> of_law(const Material& law, const Method& method,
+                                          Geometry geometry = Geometry::plane) {
+  return [=](Scene& s) {
+    const double left = geometry == Geometry::plane ? -1.3 : 0.3;
+    if (geometry == Geometry::axisymmetric)
+      s.grid = BackgroundGrid(23, 26, 0, 4, -2, 2), s.walls.left = Wall::axis, s.geometry = geometry;
+    s.method = method, s.method.contact = ContactRule::none;
+    add_body(s, law, scattered(lattice(0.1, left, left + 1.5, -1, 1), 0.1), 1.3);
+    add_body(s, plane_strain(3, 0.3), scattered(lattice(0.08, left + 1.5, left + 2.5, -1, 1), 0.08), 1.7);
+  };
+}
+inline const FiniteElastic neo_hookean_points{NeoHookean::of({.E = 3, .nu = 0.3, .plane = Plane::strain}), 3, 0.3};
+
 inline const LaneScene lane_scenes[] = {
     {"MuslLinearFlip", by(StressOrder::musl, Kernel::linear, Transfer::flip)},
     {"MuslLinearApic", by(StressOrder::musl, Kernel::linear, Transfer::apic), 30},
@@ -112,7 +126,7 @@ inline const LaneScene lane_scenes[] = {
     {"AboutAnAxisWithLedger", about_axis(robust_set(), DensityRule::grid, true)},
     {"AboutAnAxisByContinuity", about_axis(robust_set(), DensityRule::continuity)},
     {"AboutAnAxisByTheThesis", about_axis({}, DensityRule::continuity)},
-    {"AboutAnAxisUsl", about_axis({.order = StressOrder::usl}, DensityRule::continuity)},
+    {"AboutAnAxisUsl", about_axis({.order = StressOrder::usl}, DensityRule::continuity), 30},
     {"MuslByCells", by(StressOrder::musl, Kernel::linear, Transfer::flip, DensityRule::cell)},
     {"MuslByQuadraticCells", by(StressOrder::musl, Kernel::linear, Transfer::flip, DensityRule::quadratic)},
     {"MuslSplinesApicByCells", by(StressOrder::musl, Kernel::bspline, Transfer::apic, DensityRule::cell)},
@@ -121,6 +135,12 @@ inline const LaneScene lane_scenes[] = {
     {"UslSplinesApicByNodes", by(StressOrder::usl, Kernel::bspline, Transfer::apic, DensityRule::grid)},
     {"UsfByCells", by(StressOrder::usf, Kernel::linear, Transfer::flip, DensityRule::quadratic)},
     {"AboutAnAxisByCells", about_axis({}, DensityRule::cell)},
+    {"LinearFluid", of_law(LinearFluid{20}, robust_set())},
+    {"LinearFluidUsl", of_law(LinearFluid{20}, {.order = StressOrder::usl})},
+    {"NeoHookean", of_law(neo_hookean_points, robust_set())},
+    {"NeoHookeanMusl", of_law(neo_hookean_points, {})},
+    {"NeoHookeanAboutAnAxis", of_law(neo_hookean_points, robust_set(), Geometry::axisymmetric)},
+    {"Jaumann", of_law(plane_stress(3, 0.2), {.order = StressOrder::usf, .jaumann = true})},
     {"SolidsThatTouch", touching(robust_set())},
     {"SolidsThatTouchByTheThesis", touching({.contact = ContactRule::release})},
     {"GasAndASolidThatTouch",

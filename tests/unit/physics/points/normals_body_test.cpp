@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "physics/points/normals.hpp"
@@ -15,6 +16,11 @@ namespace {
 struct Body {
   std::vector<double> x, y;
   void add(double at_x, double at_y) { x.push_back(at_x), y.push_back(at_y); }
+  std::vector<std::size_t> slots() const {
+    std::vector<std::size_t> all(x.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+  }
 };
 
 /// Points in the middles of sub-cells, kept where `in` holds.
@@ -34,7 +40,7 @@ constexpr Walls open_walls{Wall::open, Wall::open, Wall::open, Wall::open};
 
 BodyNormals normals_of(const Body& body, const Walls& walls = open_walls) {
   BodyNormals normals(BackgroundGrid(11, 11, 0, 10, 0, 10), walls);
-  normals.take({body.x, body.y}, {0, body.x.size()});
+  normals.take({body.x, body.y}, body.slots());
   return normals;
 }
 
@@ -78,7 +84,7 @@ TEST(BodyNormalsTest, OfAnEdgeAt45Degrees) {
 TEST(BodyNormalsTest, OfAnEdgeAt45DegreesInCellsThatAreNotSquare) {
   const Body body = body_where(4, [](double x, double y) { return x + y < 9; });
   BodyNormals normals(BackgroundGrid(11, 21, 0, 10, 0, 10), open_walls);
-  normals.take({body.x, body.y}, {0, body.x.size()});
+  normals.take({body.x, body.y}, body.slots());
   for (int i = 3; i <= 6; ++i) {
     const Vec<2> n = normals.outward(2 * (9 - i) * 11 + i);
     EXPECT_NEAR(std::atan2(n[1], n[0]) * 180 / std::numbers::pi, 45, 6);
@@ -127,9 +133,9 @@ TEST(BodyNormalsTest, ForgetTheBodyBefore) {
   BodyNormals normals(BackgroundGrid(11, 11, 0, 10, 0, 10), open_walls);
   const Body first = body_where(2, [](double x, double) { return x < 3; });
   const Body second = body_where(2, [](double x, double) { return x > 7; });
-  normals.take({first.x, first.y}, {0, first.x.size()});
+  normals.take({first.x, first.y}, first.slots());
   expect_normal(normals, 3, 5, 1, 0);
-  normals.take({second.x, second.y}, {0, second.x.size()});
+  normals.take({second.x, second.y}, second.slots());
   expect_normal(normals, 3, 5, 0, 0);
   expect_normal(normals, 7, 5, -1, 0);
 }

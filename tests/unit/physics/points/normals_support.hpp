@@ -90,7 +90,7 @@ inline Setting setting(NormalRule rule, MatrixScope scope = MatrixScope::cell, L
 
 /// Tangents of the curve by a rule that begins with `tx`, `ty`; points behind the curve's lend their colour.
 inline void turn(const Curve& curve, const Setting& s, std::vector<double>& tx, std::vector<double>& ty) {
-  const std::vector<Range> others{{curve.size(), curve.x.size()}};
+  const std::vector<Slots> others{{curve.size(), curve.x.size(), false}};
   MembraneNormals(s.grid, s.walls, s.method, curve.size()).update(curve.places(), curve.range(), others, {tx, ty});
 }
 

@@ -59,12 +59,12 @@ void expect_marks(const Points& points) {
 
 TEST(PointArrays, MoveWithTheirPointsWhenSorted) {
   const Scene scene = blocks();
-  State state(scene);
+  State state(scene, instruction_set());
   for (const Body& body : scene.bodies) state.ranges.push_back({body.first, body.first + body.count});
   mark_all(state.points);
   const auto before = state.points.id;
   state.blocks.resize(scene.bodies.size());
-  CellSort sort(state.points.size());
+  CellSort sort;
   sort_bodies(sort, state, scene);
   ASSERT_NE(state.points.id, before);
   expect_marks(state.points);

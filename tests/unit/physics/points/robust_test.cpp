@@ -171,7 +171,7 @@ TEST(Jaumann, StressTurnsWithTheBody) {
     const Points& P = run.points();
     const double c = std::cos(turn), s = std::sin(turn);
     errors[k] = 0;
-    for (std::size_t p = 0; p < P.size(); ++p) {
+    for (const std::size_t p : slots_of(P)) {
       if (std::hypot(P.x[p], P.y[p]) > 0.5) continue;  // at edges APIC's transfers damp the motion
       errors[k] = std::max({errors[k], std::abs(P.sxx[p] / 1e-9 - c * c), std::abs(P.syy[p] / 1e-9 - s * s),
                             std::abs(P.sxy[p] / 1e-9 - c * s)});
