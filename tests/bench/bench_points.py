@@ -2,69 +2,134 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cost of a point-step against plain loops, in turns in one run: CPU time of the process, the best of some rounds.
 
-python3 tests/bench/bench_points.py build/release [rounds [words of names of cases]]
+python3 tests/bench/bench_points.py build/release [rounds [words of names of cases]] [options]
 
-Give the machine nothing else to do. The ratio says how many times as fast as the plain loop the program is.
+Give the machine nothing else to do. The ratio says how many times as fast as the plain loop the program is. The first
+step of a run, with what is done once, is left out: a run of one step is taken off. Without options the cases alone are
+run; with options what they name, and --all is all of it, as `./quickstart bench` has it.
 """
+import argparse
 import pathlib
-import re
-import subprocess
 import sys
-import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROBUST, THESIS = "mpm.method='robust'", "mpm.method='thesis'"
-CASES = [  # name; the plain loop and its words; deck and what is set in it
-    ("robust elastic 1e5", ("plain_robust", "elastic", "158", "2"), "disks", (ROBUST,)),
-    ("robust elastic 1e5, 9 a cell", ("plain_robust", "elastic", "105", "3"), "disks",
-     (ROBUST, "in.nx=169", "in.ny=169", "reg.nprg(1)=9", "reg.nprg(2)=9")),
-    ("robust elastic 1e6", ("plain_robust", "elastic", "500", "2"), "disks",
-     (ROBUST, "in.nx=799", "in.ny=799", "in.tmax=0.004")),
-    ("robust elastic 1e4", ("plain_robust", "elastic", "50", "2"), "disks",
-     (ROBUST, "in.nx=81", "in.ny=81", "in.tmax=0.1")),
-    ("robust gas 1e5", ("plain_robust", "gas", "158", "2"), "gas_block", (ROBUST,)),
-    ("robust gas 1e5, 9 a cell", ("plain_robust", "gas", "105", "3"), "gas_block",
-     (ROBUST, "in.nx=107", "in.ny=107", "reg.nprg(1)=9", "reg.nprg(2)=9")),
-    ("robust gas 1e6", ("plain_robust", "gas", "500", "2"), "gas_block",
-     (ROBUST, "in.nx=501", "in.ny=501", "in.tmax=0.0004")),
-    ("robust gas with ledger 1e5", ("plain_robust", "gas", "158", "2"), "gas_block", (ROBUST, "mpm.ledger=.true.")),
-    ("thesis elastic 1e5", ("plain_thesis", "elastic", "158", "2"), "disks", (THESIS,)),
-    ("thesis elastic 1e6", ("plain_thesis", "elastic", "500", "2"), "disks",
-     (THESIS, "in.nx=799", "in.ny=799", "in.tmax=0.004")),
-]
+import bench_cases
+import bench_plot
+import bench_report
+from bench_runs import LONGEST, Bench, Failed, in_turns, scratch
+
+FIGURE = "point-steps.png"
 
 
-def plain(build, words):
-    """ns a point-step of a plain loop."""
-    out = subprocess.run([build / "tests" / words[0], *words[1:], "0", "1"], capture_output=True, text=True, check=True)
-    return float(out.stdout.split()[0])
+def arguments(words):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=pathlib.Path, help="folder of the build")
+    parser.add_argument("rounds", type=int, nargs="?", default=7)
+    parser.add_argument("words", nargs="*", help="only what has them in its name")
+    parser.add_argument("--cases", action="store_true", help="scenes against plain loops, as without any option")
+    parser.add_argument("--sets", action="store_true", help="some of them by all sets of instructions that there are")
+    parser.add_argument("--decks", action="store_true", help="seconds of whole decks")
+    parser.add_argument("--growth", action="store_true", help="1e4 to 1e7 points, with memory")
+    parser.add_argument("--machine", action="store_true", help="its own limits; with --growth the figure, too")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--against", type=pathlib.Path, help="another binary that runs the whole decks in turns")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/bench"), help="for table and figure")
+    parser.add_argument("--write", type=pathlib.Path, metavar="GUIDE",
+                        help="put the table into this guide's region, and the figure next to it")
+    return parser.parse_intermixed_args(words)
 
 
-def program(build, deck, settings, folder):
-    """ns a point-step of the program, without its start."""
-    sets = [word for setting in settings for word in ("--set", setting)]
-    subprocess.run([build / "tether", HERE / f"{deck}.in", *sets, "--out", folder, "--quiet"], check=True,
-                   capture_output=True)
-    told = dict(re.findall(r"^(\w+) = (\S+)$", (folder / "summary.txt").read_text(), re.M))
-    seconds = float(told["cpu_seconds"]) - float(told["setup_cpu_seconds"])
-    return seconds / float(told["steps"]) / float(told["points"]) * 1e9
+def say(name, *numbers):
+    print(f"{name:36}" + "".join(f" {number:>9.4g}" for number in numbers), flush=True)
 
 
-def main():
-    build = pathlib.Path(sys.argv[1])
-    rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 7
-    words = sys.argv[3:]
-    print(f"{'case':30} {'plain':>8} {'tether':>8} {'ratio':>6}   [ns a point-step]")
-    with tempfile.TemporaryDirectory() as folder:
-        for name, loop, deck, settings in CASES:
-            if any(word not in name for word in words):
-                continue
-            best = [1e300, 1e300]
-            for _ in range(rounds):
-                best[0] = min(best[0], plain(build, loop))
-                best[1] = min(best[1], program(build, deck, settings, pathlib.Path(folder) / "out"))
-            print(f"{name:30} {best[0]:8.2f} {best[1]:8.2f} {best[0] / best[1]:6.2f}", flush=True)
+def run_cases(bench, chosen):
+    print(f"{'case':36} {'plain':>9} {'tether':>9} {'times':>9}   [ns a point-step]")
+    found = {}
+    for case in bench_cases.chosen(bench_cases.CASES, chosen.words):
+        plain, ours = found[case.name] = bench.compared(case, chosen.rounds)
+        say(case.name, plain, ours, plain / ours)
+    return found
+
+
+def run_sets(bench, chosen):
+    sets = [target for target in bench_cases.SETS if bench.has_set(target)]
+    print(f"{'case by ' + ', '.join(sets):36}")
+    found = {}
+    for case in bench_cases.chosen(bench_cases.BY_SETS, chosen.words):
+        found[case.name] = {target: bench.compared(case, chosen.rounds, target) for target in sets}
+        say(case.name, *(ours for _, ours in found[case.name].values()))
+    return found
+
+
+def run_decks(bench, chosen):
+    print(f"{'deck':36} {'start ms':>9} {'CPU s':>9}" + (f" {'before':>9}" if chosen.against else ""))
+    found = {}
+    programs = [bench.tether] + ([chosen.against] if chosen.against else [])
+    for deck in bench_cases.chosen(bench_cases.WHOLE, chosen.words):
+        runs = [lambda program=program: bench.whole_deck(deck, program) for program in programs]
+        name = " ".join([deck.name, *(setting.split("'")[1] for setting in deck.settings)])
+        seconds = in_turns(chosen.rounds, *runs, longest=LONGEST)
+        found[name] = [bench.start(), *seconds]
+        say(name, *found[name])
+    return found
+
+
+def run_growth(bench, chosen):
+    print(f"{'growth':36} {'points':>9} {'plain':>9} {'tether':>9} {'bytes':>9}")
+    found = {}
+    for case in bench_cases.chosen(bench_cases.GROWTH, chosen.words):
+        plain, ours = bench.compared(case, chosen.rounds, longest=LONGEST)
+        points, memory = bench.points_and_memory(case)
+        found[case.name] = (points, plain, ours, memory / points)
+        say(case.name, *found[case.name])
+    return found
+
+
+def sections(bench, chosen):
+    """Texts of what was asked for, and what the figure needs."""
+    some = chosen.sets or chosen.decks or chosen.growth or chosen.machine
+    parts, growth, machine = [], {}, {}
+    if chosen.all or chosen.cases or not some:
+        parts.append((run_cases(bench, chosen), bench_report.of_points))
+    if chosen.all or chosen.sets:
+        parts.append((run_sets(bench, chosen), bench_report.of_sets))
+    if chosen.all or chosen.decks:
+        parts.append((run_decks(bench, chosen), lambda found: bench_report.of_decks(found, chosen.against)))
+    if chosen.all or chosen.growth:
+        growth = run_growth(bench, chosen)
+        parts.append((growth, bench_report.of_growth))
+    texts = [text_of(found) for found, text_of in parts if found]
+    if chosen.all or chosen.machine:
+        machine = bench.machine()
+        texts.append(bench_report.of_machine(machine, bench_plot.bounds(machine)))
+    return texts, growth, machine
+
+
+def write(chosen, texts, growth, machine):
+    folder = chosen.write.parent if chosen.write else chosen.out
+    chosen.out.mkdir(parents=True, exist_ok=True)
+    if growth and machine:
+        bench_plot.draw(growth, machine).savefig(folder / FIGURE)
+        texts = [*texts, f"![a point-step over the number of points, with the machine's limits]({FIGURE})"]
+    table = bench_report.text(texts, bench_report.processor())
+    (chosen.out / "table.md").write_text(table)
+    if chosen.write:
+        chosen.write.write_text(bench_report.with_region(chosen.write.read_text(), table))
+
+
+def main(words=None):
+    chosen = arguments(words)
+    if chosen.write:
+        bench_report.with_region(chosen.write.read_text(), "")  # before an hour of runs
+    try:
+        with scratch() as folder:
+            texts, growth, machine = sections(Bench(chosen.build, folder), chosen)
+    except Failed as reason:
+        print(f"bench_points: {reason}", file=sys.stderr)
+        return 3
+    write(chosen, texts, growth, machine)
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
