@@ -116,7 +116,7 @@ class Contact {
   std::vector<Vec<2>> normal_;
   std::vector<int> field_;  // the lowest group that shares its field
   std::vector<std::vector<Near>> near_;
-  std::vector<Pair> pushed_;  // of each group at one node: its impulses [momentum]
+  std::vector<Pair> pushed_;                           // of each group at one node: its impulses [momentum]
   std::vector<std::vector<std::size_t>> near_points_;  // of each body
   std::vector<BodyNormals> normals_;
   double lost_ = 0;
