@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace tether {
@@ -41,6 +44,32 @@ class LineAllocator {
     constexpr std::uint64_t spread = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
     return (static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(begin) / page) * spread) >> 58;
   }
+};
+
+/// Memory that holds zeros, of which long arrays take as much as has been written to: what lies in pages that nobody
+/// writes to takes none. Numbers that are not given when the array is made are 0; it does not grow later.
+template <class Number>
+class ZeroAllocator {
+ public:
+  using value_type = Number;
+
+  ZeroAllocator() = default;
+  template <class Other>
+  ZeroAllocator(const ZeroAllocator<Other>&) {}
+
+  Number* allocate(std::size_t n) {
+    void* begin = std::calloc(n, sizeof(Number));
+    if (!begin) throw std::bad_alloc();
+    return static_cast<Number*>(begin);
+  }
+  void deallocate(Number* array, std::size_t) { std::free(array); }
+  /// A number that is not given: calloc() has made it 0.
+  void construct(Number*) {}
+  template <class... Of>
+  void construct(Number* at, Of&&... of) {
+    std::construct_at(at, std::forward<Of>(of)...);
+  }
+  friend bool operator==(ZeroAllocator, ZeroAllocator) { return true; }
 };
 
 /// An array of numbers of points.

@@ -50,8 +50,6 @@ class Solver {
   virtual void write_points(const std::function<void(const FieldsInTurn&)>& write) const {
     if (const Snapshot all = points(); !all.fields.empty()) write(all);
   }
-  /// Whether it holds what the scene says of points and never asks the scene for them again.
-  virtual bool has_taken_points() const { return false; }
   virtual Snapshot grid() const = 0;
   /// Fields of bodies that have a mesh of their own beside that of grid(); none else.
   virtual Snapshot solids() const { return {time(), {}}; }

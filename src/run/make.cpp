@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/make.hpp"
 
+#include <utility>
+#include <variant>
+
 #include "physics/bars/fields.hpp"
 #include "physics/bars/solver.hpp"
 #include "physics/box/columns.hpp"
@@ -31,6 +34,11 @@ struct MakeSolver {
 }  // namespace
 
 std::unique_ptr<Solver> make_solver(const Plan& plan) { return std::visit(MakeSolver{plan}, plan.scene.physics); }
+
+std::unique_ptr<Solver> make_solver_with_points_of(Plan& plan) {
+  if (!std::holds_alternative<MaterialPoints>(plan.scene.physics)) return make_solver(plan);
+  return std::make_unique<mpm::MpmSolver>(plan, std::move(plan.scene.points));
+}
 
 std::vector<PhysicsColumns> columns_of_all_physics() {
   return {{"points", mpm::history_table().described()}, {"bars", fem::bar_table().described()},

@@ -36,12 +36,11 @@ class Runner {
       : plan_(std::move(plan)),
         request_(request),
         clocks_(request.clocks),
-        solver_(make_solver(plan_)),
+        solver_(plan_.scene.reference == ReferenceKind::none ? make_solver_with_points_of(plan_) : make_solver(plan_)),
         lock_(request.folder, request.deck),
         earlier_(request.restart.empty() ? earlier_run(request.folder, request.deck_effective) : EarlierRun{}),
         outputs_(plan_, request, *solver_),
         watch_(plan_.scene, solver_->history_layout()) {
-    if (solver_->has_taken_points() && plan_.scene.reference == ReferenceKind::none) plan_.scene.points = {};
     if (!lock_.weakness().empty())
       outputs_.warn(
           fmt::format("the folder cannot be locked ({}): another run into it would not be refused", lock_.weakness()));

@@ -60,14 +60,17 @@ std::vector<LineArray<double> Points::*> asked_by(const Scene& scene) {
 
 }  // namespace
 
-Points::Points(const Scene& scene) {
-  for (const auto array : asked_by(scene)) (this->*array).resize(1);
-  each_array([n = scene.points.size()](auto& array) { array.resize(n); });
-  const PointSet& given = scene.points;
-  const auto take = [](LineArray<double>& array, const std::vector<double>& of) { array.assign(of.begin(), of.end()); };
+Points::Points(const Scene& scene, PointSet& given) {
+  const std::size_t n = given.size();
+  const auto take = [](LineArray<double>& array, std::vector<double>& of) {
+    array.assign(of.begin(), of.end());
+    std::vector<double>().swap(of);
+  };
   take(x, given.x), take(y, given.y), take(vx, given.vx), take(vy, given.vy);
   take(mass, given.mass), take(volume, given.volume);
   take(sxx, given.sxx), take(syy, given.syy), take(sxy, given.sxy);
+  for (const auto array : asked_by(scene)) (this->*array).resize(n);
+  each_array([n](auto& array) { array.resize(n); });
   if (find_body<FiniteElastic>(scene)) {
     for (auto* array : {&fxx, &fyy, &fzz}) array->assign(size(), 1.0);
   }

@@ -74,8 +74,9 @@ struct Points {
     };
   }
 
-  /// With the arrays that its laws and its method ask for.
-  explicit Points(const Scene& scene);
+  /// Of the scene, with the arrays that its laws and its method ask for. `given` is empty then: each of its arrays goes
+  /// once it has been read, for both do not fit in the memory of a large run.
+  Points(const Scene& scene, PointSet& given);
   /// Slots, of which not all need hold a point.
   std::size_t size() const { return x.size(); }
   bool holds(std::size_t p) const { return id[p] >= 0; }

@@ -37,7 +37,7 @@ struct BodyMotion {
 };
 
 /// Sums over a body in the order of its points' numbers, so that constant sums stay constant to the last bit.
-inline BodyMotion motion_of(std::span<const std::size_t> body, const Points& P, Pair offset) {
+inline BodyMotion motion_of(std::span<const std::uint32_t> body, const Points& P, Pair offset) {
   BodyMotion motion{offset};
   for (const std::size_t p : body) motion.add(P, p);
   return motion;

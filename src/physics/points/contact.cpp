@@ -17,8 +17,7 @@ bool is_fluid(const Material& material) {
 Pair pair_of(const Vec<2>& n) { return pair(n[0], n[1]); }
 
 /// Half the distance of a body's points: of a solid by its volume, of a membrane half its thickness.
-std::vector<double> radii(const Scene& scene) {
-  const PointSet& P = scene.points;
+std::vector<double> radii(const Scene& scene, const Points& P) {
   std::vector<double> of(P.size(), 0.0);
   for (const Body& body : scene.bodies) {
     for_points(Range{body.first, body.first + body.count}, [&](std::size_t p) {
@@ -34,7 +33,7 @@ std::vector<double> radii(const Scene& scene) {
 
 }  // namespace
 
-Contact::Contact(const Scene& scene, const Frame& frame)
+Contact::Contact(const Scene& scene, const Points& points, const Frame& frame)
     : rule_(scene.method.contact),
       criterion_(scene.method.criterion),
       half_cell_(0.5 * std::max(scene.grid.dx, scene.grid.dy)) {
@@ -52,7 +51,7 @@ Contact::Contact(const Scene& scene, const Frame& frame)
   }
   if (rule_ == ContactRule::none) groups_ = 1;
   if (!on()) return;
-  radius_ = radii(scene);
+  radius_ = radii(scene, points);
   near_points_.resize(scene.bodies.size());
   pushed_.resize(static_cast<std::size_t>(groups_));
   const std::size_t n = frame.shape.nodes();

@@ -25,7 +25,7 @@ namespace tether::mpm {
 /// impulse along the normal, without friction.
 class Contact {
  public:
-  Contact(const Scene& scene, const Frame& frame);
+  Contact(const Scene& scene, const Points& points, const Frame& frame);
 
   bool on() const { return groups_ > 1; }
   int group_of(std::size_t body) const { return group_of_[body]; }

@@ -89,7 +89,7 @@ Extent extent(const IdealGas& law, const Points& P, std::size_t p, Geometry geom
   return {volume, now, geometry == Geometry::plane ? -now : P.szz[p]};
 }
 
-constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 template <class Counts>
 Order order_where(const State& state, const Counts& counts) {
@@ -103,7 +103,7 @@ Order order_where(const State& state, const Counts& counts) {
     // By their numbers, with gaps where points have gone.
     order.slots.resize(begin + static_cast<std::size_t>(std::max(0, last - first + 1)), nowhere);
     for_points(state.points, range, [&](std::size_t p) {
-      if (counts(p)) order.slots[begin + static_cast<std::size_t>(id[p] - first)] = p;
+      if (counts(p)) order.slots[begin + static_cast<std::size_t>(id[p] - first)] = static_cast<std::uint32_t>(p);
     });
     std::erase(order.slots, nowhere);
     order.bodies.push_back({begin, order.slots.size()});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace tether::mpm {
 
 /// The slots in which points stand, body after body, in each by the points' numbers.
 struct Order {
-  std::vector<std::size_t> slots;
+  std::vector<std::uint32_t> slots;
   std::vector<Range> bodies;  // of `slots`
 
   /// Of which body point k is.
@@ -21,7 +22,7 @@ struct Order {
     while (k >= bodies[b].end) ++b;
     return b;
   }
-  std::span<const std::size_t> of(std::size_t b) const {
+  std::span<const std::uint32_t> of(std::size_t b) const {
     return {slots.data() + bodies[b].begin, bodies[b].end - bodies[b].begin};
   }
 };

@@ -124,8 +124,9 @@ Columns<PointSums> history_columns(const Scene& scene) {
 
 PointSums sums_of(const State& state, const Scene& scene) {
   const Points& P = state.points;
-  const Order order = order_within(state);
-  PointSums s{{}, state, scene, order, stored_energy(scene, state, order)};
+  PointSums s{{}, state, scene, order_within(state), {}};
+  const Order& order = s.order;
+  s.energies = stored_energy(scene, state, order);
   const double quarter = scene.method.kernel == Kernel::bspline ? 0.25 : 0;  // bilinear fields are not orthogonal
   const Pair D = quarter * pair(scene.grid.dx * scene.grid.dx, scene.grid.dy * scene.grid.dy);
   BodyMotion all;

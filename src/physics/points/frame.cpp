@@ -153,6 +153,7 @@ Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry,
   const auto width = integrals(kernel, x, shape.x0, deck.dx, [&](double r) { return depth(geometry, std::abs(r)); });
   const auto height = integrals(kernel, y, shape.y0, deck.dy, [](double) { return 1.0; });
   const auto nx = static_cast<std::size_t>(shape.nx);
+  per_volume.reserve(image.size());
   for (const std::size_t n : image) per_volume.push_back(1 / (width[n % nx] * height[n / nx]));
 }
 

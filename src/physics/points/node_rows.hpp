@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grid/boxes.hpp"
+#include "loops/line_allocator.hpp"
 
 namespace tether::mpm {
 
@@ -21,7 +22,7 @@ class NodeRow {
 
   /// Rows of one node's numbers must not all fall on one place of the cache: each is `shift` lines further on.
   explicit NodeRow(std::size_t nodes = 0, std::size_t shift = 0)
-      : first_(margin + numbers_in_line * shift), nodes_(nodes), numbers_(first_ + nodes + margin, 0.0) {}
+      : first_(margin + numbers_in_line * shift), nodes_(nodes), numbers_(first_ + nodes + margin) {}
 
   std::size_t size() const { return nodes_; }
   bool empty() const { return nodes_ == 0; }
@@ -34,7 +35,7 @@ class NodeRow {
  private:
   static constexpr std::size_t numbers_in_line = 8;
   std::size_t first_, nodes_;
-  std::vector<double> numbers_;
+  std::vector<double, ZeroAllocator<double>> numbers_;
 };
 
 /// A vector of one node, where its components are stored.

@@ -122,14 +122,16 @@ const char* wave_text(const Scene& scene) {
 
 }  // namespace
 
-MpmSolver::MpmSolver(const Plan& plan)
+MpmSolver::MpmSolver(const Plan& plan) : MpmSolver(plan, plan.scene.points) {}
+
+MpmSolver::MpmSolver(const Plan& plan, PointSet points)
     : plan_(plan),
       set_(step_set(plan.scene)),
-      state_(start(plan.scene)),
+      state_(start(plan.scene, std::move(points))),
       strings_(plan.scene),
       stretches_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),
-      leaks_(plan.scene),
+      leaks_(plan.scene, state_),
       columns_(history_columns(plan.scene)) {
   if (strings_.on()) strings_.look(state_, plan.scene, messages_);
   messages_.clear();  // the deck's remarks have it

@@ -28,6 +28,8 @@ namespace tether::mpm {
 class MpmSolver final : public Solver {
  public:
   explicit MpmSolver(const Plan& plan);
+  /// With the scene's points apart from it, which are gone then.
+  MpmSolver(const Plan& plan, PointSet points);
 
   double time() const override { return state_.time; }
   using Solver::advance;
@@ -40,7 +42,6 @@ class MpmSolver final : public Solver {
   Record record() const override { return columns_.record(sums_of(state_, plan_.scene)); }
   Snapshot points() const override;
   void write_points(const std::function<void(const FieldsInTurn&)>& write) const override;
-  bool has_taken_points() const override { return true; }
   Snapshot grid() const override;
   Summary more_summary() const override;
   std::vector<std::string> take_messages() override;

@@ -37,7 +37,7 @@ static_assert(bytes_of_saved_arrays(Points::rows()) + bytes_of_strips <= more_by
 /// Of the points' mean mass: nodes with less have it from points on a line of the grid, 1e-12 of their masses.
 constexpr double light_part = 1e-9;
 
-double mean_mass(const PointSet& points) {
+double mean_mass(const Points& points) {
   return std::accumulate(points.mass.begin(), points.mass.end(), 0.0) / static_cast<double>(points.size());
 }
 
@@ -148,8 +148,10 @@ void sort_bodies(CellSort& sort, State& state, const Scene& scene) {
   }
 }
 
-State start(const Scene& scene, const LaneChoice& lanes) {
-  State state(scene, lanes.set);
+State start(const Scene& scene, const LaneChoice& lanes) { return start(scene, scene.points, lanes); }
+
+State start(const Scene& scene, PointSet points, const LaneChoice& lanes) {
+  State state(scene, points, lanes.set);
   state.density = cell_density(scene, state.grid.frame);
   for (const Body& body : scene.bodies) {
     state.ranges.push_back({body.first, body.first + body.count});
@@ -157,7 +159,7 @@ State start(const Scene& scene, const LaneChoice& lanes) {
                                   [&](std::size_t p) { return p >= body.first && p < body.first + body.count; });
     state.has_pins.push_back(pins ? 1 : 0);
   }
-  state.light_node = light_part * mean_mass(scene.points);
+  state.light_node = light_part * mean_mass(state.points);
   state.strips.fill(state.body_points(), scene);
   state.list_fluids(scene);
   state.keeps_ledger = keeps_ledger(scene);

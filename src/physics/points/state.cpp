@@ -154,7 +154,7 @@ SavedState save(const State& state) {
 }
 
 void restore(State& state, const Scene& scene, const SavedState& saved) {
-  state.grid.sums.clear(), state.grid.loss.clear();
+  for_nodes(state.grid.active, [&](std::size_t n) { state.grid.sums[n] = NodeSums{}; });
   StateRestorer restorer(saved);
   ActiveSums sums;
   take_ranges(state, sums);

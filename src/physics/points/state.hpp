@@ -90,8 +90,9 @@ struct State : StateNumbers, StepClock {
   LaneFindings lane_findings;                        // of the last pass
   double light_node = 0;                             // mass of which no motion is, for the balance [mass]
 
-  State(const Scene& scene, InstructionSet set)
-      : points(scene), grid(scene, set), strips(scene), contact(scene, grid.frame) {}
+  /// `given` is empty then.
+  State(const Scene& scene, PointSet& given, InstructionSet set)
+      : points(scene, given), grid(scene, set), strips(scene, points), contact(scene, points, grid.frame) {}
 
   std::size_t point_count() const { return points.size() - empty_slots; }
   /// What strips change of it.
@@ -113,6 +114,8 @@ struct LaneChoice {
 /// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
 /// 1 of the algorithm), so that every step begins with its sums in place.
 State start(const Scene& scene, const LaneChoice& lanes = {});
+/// The same with the scene's points apart from it, which are gone then.
+State start(const Scene& scene, PointSet points, const LaneChoice& lanes = {});
 
 /// Sorts the slots of all bodies that do not stand in blocks, but for strings, which keep the order of their file: it
 /// runs along them.

@@ -46,12 +46,12 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-Strips::Strips(const Scene& scene)
+Strips::Strips(const Scene& scene, const Points& points)
     : on_(scene.edges.any()), grid_(scene.grid), geometry_(scene.geometry), edges_(scene.edges) {
   if (!on_) return;
   if (scene.method.kernel == Kernel::bspline) D_ = 0.25 * pair(grid_.dx * grid_.dx, grid_.dy * grid_.dy);
   gm1_ = std::get<IdealGas>(find_body<IdealGas>(scene)->material).gm1;  // $fluid has one for all gases
-  next_id_ = static_cast<int>(scene.points.size());
+  next_id_ = static_cast<int>(points.size());
 }
 
 double Strips::line(std::size_t k) const {

@@ -65,7 +65,7 @@ struct Passed {
 /// there at the lattice spacing.
 class Strips {
  public:
-  explicit Strips(const Scene& scene);
+  Strips(const Scene& scene, const Points& points);
   bool on() const { return on_; }
 
   /// Fills the strips at the start, before densities and energies are found; then gives them the gas on the edge, and

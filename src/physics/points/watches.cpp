@@ -33,14 +33,14 @@ double distance(const Vec<2>& a, const Vec<2>& b, const Vec<2>& at) {
 
 }  // namespace
 
-LeakWatch::LeakWatch(const Scene& scene) : deep_(0.5 * std::min(scene.grid.dx, scene.grid.dy)) {
+LeakWatch::LeakWatch(const Scene& scene, const State& state) : deep_(0.5 * std::min(scene.grid.dx, scene.grid.dy)) {
   if (!find_body<IdealGas>(scene)) return;
-  const PointSet& P = scene.points;
+  const Points& P = state.points;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     if (!std::holds_alternative<Membrane>(body.material) || body.count < 3) continue;
     Corners points;
-    for_points(Range{body.first, body.first + body.count}, [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
+    for_points(state.ranges[b].full(), [&](std::size_t p) { points.push_back({P.x[p], P.y[p]}); });
     Parting parting{b, -1, -1, {}};
     if (!body.closed) {
       parting.first_side = side_at(scene.grid, points.front(), points[1]);
@@ -48,8 +48,10 @@ LeakWatch::LeakWatch(const Scene& scene) : deep_(0.5 * std::min(scene.grid.dx, s
       if (parting.first_side < 0 || parting.last_side < 0) continue;
     }
     const Outline around(closed(parting, scene.grid, std::move(points)));
-    for_points(Range{0, P.size()}, [&](std::size_t p) {
-      parting.inside.push_back(around.holds({P.x[p], P.y[p]}) ? 1 : 0);
+    parting.inside.resize(scene.bodies.back().first + scene.bodies.back().count);
+    for_points(P, Slots{0, P.size()}, [&](std::size_t p) {
+      const auto number = static_cast<std::size_t>(P.id[p]);  // strips have points that are not the scene's
+      if (number < parting.inside.size()) parting.inside[number] = around.holds({P.x[p], P.y[p]}) ? 1 : 0;
     });
     walls_.push_back(std::move(parting));
   }

@@ -16,7 +16,7 @@ namespace tether::mpm {
 /// edges of the grid. A point that is on the other side than at the start, half a cell deep, has passed.
 class LeakWatch {
  public:
-  explicit LeakWatch(const Scene& scene);
+  LeakWatch(const Scene& scene, const State& state);
 
   bool on() const { return !walls_.empty(); }
   /// Counts at the present places, and adds to `messages` what there is to warn of, once a run.

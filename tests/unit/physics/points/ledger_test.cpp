@@ -25,7 +25,7 @@ class Transfer : public testing::TestWithParam<Wall> {
   Transfer()
       : scene_(scene_on(BackgroundGrid(9, 7, 0, 1.6, 0, 1.8), all_walls(GetParam()), 0.01, robust_set())),
         grid_(scene_, instruction_set()),
-        points_((add_body(scene_, robust_gas(), lattice(0.1, 0, 1.6, 0, 1.8), 1, 1), scene_)) {
+        points_((add_body(scene_, robust_gas(), lattice(0.1, 0, 1.6, 0, 1.8), 1, 1), scene_), scene_.points) {
     for (std::size_t n = 0; n < grid_.frame.shape.nodes(); ++n) {
       grid_.convected[n] = any(), grid_.motion.u[n] = any();
       if (grid_.frame.held[n] & holds_x) grid_.convected[n][0] = grid_.motion.u[n][0] = 0;

@@ -59,7 +59,8 @@ void expect_marks(const Points& points) {
 
 TEST(PointArrays, MoveWithTheirPointsWhenSorted) {
   const Scene scene = blocks();
-  State state(scene, instruction_set());
+  PointSet given = scene.points;
+  State state(scene, given, instruction_set());
   for (const Body& body : scene.bodies) state.ranges.push_back({body.first, body.first + body.count});
   mark_all(state.points);
   const auto before = state.points.id;
