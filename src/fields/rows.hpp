@@ -43,11 +43,16 @@ using ArrayOf = std::remove_reference_t<decltype(std::declval<Owner&>().*std::de
 template <class Row, class Owner>
 using NumberOf = typename ArrayOf<Row, Owner>::value_type;
 
-/// Memory that all arrays take for one point [bytes].
+/// Memory that arrays take for one point [bytes]: those that are always there, and those that a scene may ask for.
+struct ArrayBytes {
+  std::size_t always = 0, asked = 0;
+};
 template <class Owner, class Rows>
-constexpr std::size_t bytes_of_arrays(const Rows& rows) {
-  std::size_t bytes = 0;
-  each_row(rows, [&](const auto& row) { bytes += sizeof(NumberOf<decltype(row), Owner>); });
+constexpr ArrayBytes bytes_of_arrays(const Rows& rows) {
+  ArrayBytes bytes;
+  each_row(rows, [&](const auto& row) {
+    (row.kept == Kept::always ? bytes.always : bytes.asked) += sizeof(NumberOf<decltype(row), Owner>);
+  });
   return bytes;
 }
 

@@ -3,17 +3,18 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <utility>
 #include <vector>
 
+#include "base/pages.hpp"
+
 namespace tether {
 
 /// Memory for arrays that lanes run over: it begins at a line of the cache, so that eight lanes lie in one. Long arrays
-/// begin at unlike places of their first page: the numbers of one point in all of them would else compete for one place
-/// of the cache.
+/// have pages of their own, and begin at unlike places of their first page: the numbers of one point in all of them
+/// would else compete for one place of the cache.
 template <class Number>
 class LineAllocator {
  public:
@@ -26,28 +27,32 @@ class LineAllocator {
   Number* allocate(std::size_t n) {
     const std::size_t bytes = n * sizeof(Number);
     if (!is_long(n)) return static_cast<Number*>(::operator new(bytes, std::align_val_t(line)));
-    auto* begin = static_cast<std::byte*>(::operator new(bytes + page, std::align_val_t(page)));
+    std::byte* begin = take_pages(bytes + page_size, Pages::many);
     return reinterpret_cast<Number*>(begin + line * lines_on(begin));
   }
   void deallocate(Number* array, std::size_t n) {
     if (!is_long(n)) return ::operator delete(array, std::align_val_t(line));
-    const std::size_t ahead = reinterpret_cast<std::uintptr_t>(array) % page;
-    ::operator delete(reinterpret_cast<std::byte*>(array) - ahead, std::align_val_t(page));
+    const std::size_t ahead = reinterpret_cast<std::uintptr_t>(array) % page_size;
+    release_pages(reinterpret_cast<std::byte*>(array) - ahead, n * sizeof(Number) + page_size);
   }
   friend bool operator==(LineAllocator, LineAllocator) { return true; }
 
  private:
-  static constexpr std::size_t line = 64, page = 4096;
-  static bool is_long(std::size_t n) { return n * sizeof(Number) >= 8 * page; }
+  static constexpr std::size_t line = 64;
+  static bool is_long(std::size_t n) { return n * sizeof(Number) >= 8 * page_size; }
   /// From the page's number, whose neighbours get unlike ones.
   static std::size_t lines_on(const void* begin) {
     constexpr std::uint64_t spread = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
-    return (static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(begin) / page) * spread) >> 58;
+    return (static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(begin) / page_size) * spread) >> 58;
   }
 };
 
-/// Memory that holds zeros, of which long arrays take as much as has been written to: what lies in pages that nobody
-/// writes to takes none. Numbers that are not given when the array is made are 0; it does not grow later.
+/// An array of numbers of points.
+template <class Number>
+using LineArray = std::vector<Number, LineAllocator<Number>>;
+
+/// Memory of zeros, of which an array takes as much as has been written to: pages that nobody writes to take none.
+/// Numbers that are not given when the array is made are 0; it does not grow later.
 template <class Number>
 class ZeroAllocator {
  public:
@@ -58,22 +63,23 @@ class ZeroAllocator {
   ZeroAllocator(const ZeroAllocator<Other>&) {}
 
   Number* allocate(std::size_t n) {
-    void* begin = std::calloc(n, sizeof(Number));
-    if (!begin) throw std::bad_alloc();
-    return static_cast<Number*>(begin);
+    if (!is_long(n)) return new Number[n]();
+    return reinterpret_cast<Number*>(take_pages(n * sizeof(Number), Pages::one_by_one));
   }
-  void deallocate(Number* array, std::size_t) { std::free(array); }
-  /// A number that is not given: calloc() has made it 0.
+  void deallocate(Number* array, std::size_t n) {
+    if (!is_long(n)) return delete[] array;
+    release_pages(reinterpret_cast<std::byte*>(array), n * sizeof(Number));
+  }
+  /// A number that is not given: it is 0 already.
   void construct(Number*) {}
   template <class... Of>
   void construct(Number* at, Of&&... of) {
     std::construct_at(at, std::forward<Of>(of)...);
   }
   friend bool operator==(ZeroAllocator, ZeroAllocator) { return true; }
-};
 
-/// An array of numbers of points.
-template <class Number>
-using LineArray = std::vector<Number, LineAllocator<Number>>;
+ private:
+  static bool is_long(std::size_t n) { return n * sizeof(Number) >= 8 * page_size; }
+};
 
 }  // namespace tether

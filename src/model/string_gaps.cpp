@@ -75,7 +75,7 @@ void remark_gaps(const Scene& scene, const Body& body, std::vector<GapRemark>& r
 
 void remark_ends(const Scene& scene, const Body& body, std::vector<GapRemark>& remarks) {
   for (const bool first : {true, false}) {
-    const StringEnd end = end_at_wall(scene, body, first);
+    const StringEnd end = end_at_wall(scene, body, points_of(scene, body), first);
     if (!end.name || end.cells <= widest_sound_end + rounding) continue;
     remarks.push_back(
         {Severity::warning, first ? 0 : body.count - 1,
@@ -118,9 +118,9 @@ double cells_off(const BackgroundGrid& grid, const StringEnd& end, double x, dou
   return cells[end.side];
 }
 
-StringEnd end_at_wall(const Scene& scene, const Body& body, bool first) {
+StringEnd end_at_wall(const Scene& scene, const Body& body, const StringPoints& points, bool first) {
   if (body.closed || body.count < 2 || is_pinned(scene, body.first + (first ? 0 : body.count - 1))) return {};
-  const StringEnd end = string_end(scene.grid, scene.walls, points_of(scene, body), first);
+  const StringEnd end = string_end(scene.grid, scene.walls, points, first);
   const bool element = scene.method.membrane_strain == MembraneStrain::element;
   if (end.name && mirrors(end.wall) && (element || !has_fluid(scene))) return {};
   return end;

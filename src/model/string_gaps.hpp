@@ -40,9 +40,9 @@ struct StringEnd {
 /// if it went on.
 StringEnd string_end(const BackgroundGrid& grid, const Walls& walls, const StringPoints& points, bool first);
 
-/// The end of a string that needs its wall: none where it is pinned or closed, and at a wall that mirrors, where an
-/// element goes on beyond it, none but where fluid minds the gap.
-StringEnd end_at_wall(const Scene& scene, const Body& body, bool first);
+/// The end of a body's string that needs its wall: none where it is pinned or closed, and at a wall that mirrors, where
+/// an element goes on beyond it, none but where fluid minds the gap.
+StringEnd end_at_wall(const Scene& scene, const Body& body, const StringPoints& points, bool first);
 /// How far a place is from the wall of an end [cells].
 double cells_off(const BackgroundGrid& grid, const StringEnd& end, double x, double y);
 

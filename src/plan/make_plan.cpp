@@ -93,15 +93,30 @@ double points_of_strips(const Scene& scene) {
   return cells * lattice * lattice;
 }
 
+/// Memory of a node and of a point of the scene [bytes].
+struct Bytes {
+  double node = bytes_per_node, point = bytes_per_point;
+};
+
+Bytes bytes_of(const Scene& scene) {
+  const bool gas = find_body<IdealGas>(scene);
+  Bytes bytes;
+  if (gas) bytes.node += bytes_of_gas_node, bytes.point += bytes_of_gas;
+  if (scene.method.transfer == Transfer::apic) bytes.point += bytes_of_field;
+  if (find_body<FiniteElastic>(scene)) bytes.point += bytes_of_deformation;
+  if (find_body<Membrane>(scene)) bytes.point += bytes_of_membrane;
+  if (scene.outputs.checkpoint > 0) bytes.node += more_bytes_per_node, bytes.point += more_bytes_per_point;
+  return bytes;
+}
+
 Cost cost_of(const Scene& scene, const StepRule& rule) {
   const double points = static_cast<double>(scene.points.size()) + points_of_strips(scene);
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * points;
-  const bool more = scene.outputs.checkpoint > 0;
-  cost.megabytes = megabytes_of_program +
-                   1e-6 * (static_cast<double>(scene.grid.nodes()) * (bytes_per_node + more * more_bytes_per_node) +
-                           points * (bytes_per_point + more * more_bytes_per_point));
+  const Bytes bytes = bytes_of(scene);
+  cost.megabytes =
+      megabytes_of_program + 1e-6 * (static_cast<double>(scene.grid.nodes()) * bytes.node + points * bytes.point);
   cost.seconds = cost.point_steps * seconds_per_point_step;
   return cost;
 }

@@ -30,10 +30,10 @@ class PointMemory(ProgramTest):
         self.assertLess((many_bytes - few_bytes) / (many - few), most)
 
     def test_the_thesis_method(self):
-        self.check("thesis", 310)
+        self.check("thesis", 190)
 
     def test_the_robust_method(self):
-        self.check("robust", 380)
+        self.check("robust", 230)
 
     def test_what_the_parent_holds_does_not_count(self):
         large = b"1" * 400_000_000

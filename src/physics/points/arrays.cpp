@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "base/pages.hpp"
 #include "grid/kernels.hpp"
 #include "loops/points.hpp"
 #include "physics/points/waits.hpp"
@@ -65,6 +66,7 @@ Points::Points(const Scene& scene, PointSet& given) {
   const auto take = [](LineArray<double>& array, std::vector<double>& of) {
     array.assign(of.begin(), of.end());
     std::vector<double>().swap(of);
+    give_back_freed_memory();
   };
   take(x, given.x), take(y, given.y), take(vx, given.vx), take(vy, given.vy);
   take(mass, given.mass), take(volume, given.volume);

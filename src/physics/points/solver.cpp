@@ -128,7 +128,7 @@ MpmSolver::MpmSolver(const Plan& plan, PointSet points)
     : plan_(plan),
       set_(step_set(plan.scene)),
       state_(start(plan.scene, std::move(points))),
-      strings_(plan.scene),
+      strings_(plan.scene, state_),
       stretches_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),
       leaks_(plan.scene, state_),

@@ -21,15 +21,21 @@ namespace {
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: state.cpp
 constexpr double bytes_of_frame = sizeof(std::uint32_t) + sizeof(Signs) + sizeof(double) + 1;
 constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
-constexpr double bytes_of_node =
-    sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + 2 * sizeof(double) + 2 * sizeof(double) + bytes_of_frame;
-static_assert(bytes_of_node <= bytes_per_node, "model/size.hpp: a node takes more than it says");
+constexpr double bytes_of_rows = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + bytes_of_frame;
+constexpr double bytes_of_gas_rows = sizeof(double) + 2 * sizeof(double) + 2 * sizeof(double);  // mass, (4.5), ledger
+static_assert(bytes_of_rows - sizeof(double) <= bytes_per_node, "model/size.hpp: a node takes more than it says");
+static_assert(bytes_of_gas_rows <= bytes_of_gas_node,
+              "model/size.hpp: a node takes more than it says where there is gas");
 static_assert(bytes_of_contact + bytes_of_saved_node <= more_bytes_per_node, "model/size.hpp: the same");
 // Of a point: its arrays and the work space of sorting and of tangents; strips, and a checkpoint.
 constexpr double bytes_of_sorting = sizeof(CellSort::Key) + sizeof(double) + sizeof(int) + 1;
 constexpr double bytes_of_tangents = 2 * sizeof(double);
 constexpr double bytes_of_strips = sizeof(std::size_t) + 10 * sizeof(double) + 2;
-static_assert(bytes_of_arrays<Points>(Points::rows()) + bytes_of_sorting + bytes_of_tangents <= bytes_per_point,
+constexpr ArrayBytes bytes_of_point = bytes_of_arrays<Points>(Points::rows());
+static_assert(bytes_of_point.always + bytes_of_sorting <= bytes_per_point,
+              "model/size.hpp: a point takes more than it says");
+static_assert(bytes_of_point.asked + bytes_of_tangents <=
+                  bytes_of_field + bytes_of_gas + bytes_of_deformation + bytes_of_membrane,
               "model/size.hpp: a point takes more than it says");
 static_assert(bytes_of_saved_arrays(Points::rows()) + bytes_of_strips <= more_bytes_per_point,
               "model/size.hpp: the same");

@@ -187,13 +187,13 @@ std::string gap_text(State& state, const Scene& scene, std::size_t b) {
 
 }  // namespace
 
-StringWatch::StringWatch(const Scene& scene) {
+StringWatch::StringWatch(const Scene& scene, const State& state) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     if (!std::holds_alternative<Membrane>(body.material)) continue;
     on_ = true;
     for (const bool first : {true, false}) {
-      const StringEnd end = end_at_wall(scene, body, first);
+      const StringEnd end = end_at_wall(scene, body, points_of(state, b, body.closed), first);
       // What is too far away at the start the deck's remarks tell.
       if (end.name && end.cells <= widest_sound_end) ends_.push_back({b, first ? 0 : body.count - 1, end});
     }

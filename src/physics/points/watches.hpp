@@ -54,7 +54,7 @@ class StretchWatch {
 /// Looks whether the strings and membranes still hold together and to their walls, and how far apart neighbours are.
 class StringWatch {
  public:
-  explicit StringWatch(const Scene& scene);
+  StringWatch(const Scene& scene, const State& state);
 
   bool on() const { return on_; }
   /// Looks at the present places, and adds to `messages` what there is to warn of, each once a run: neighbours of which

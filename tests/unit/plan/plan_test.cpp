@@ -137,7 +137,7 @@ TEST(PlanText, SaysWhatIsModelledAndWhatIsLeftOutAndWhy) {
       "  heat conduction: not in the source's energy equation (4.8)\n"
       "  third dimension: the scene is plane, one unit deep\n"
       "step: 0.0625 at the start (deck 0.125, limit dx/c 0.0625, cfl 1)\n"
-      "cost: 16 steps, 16 point-steps, 25 MB, about ";
+      "cost: 16 steps, 16 point-steps, 30 MB, about ";
   EXPECT_EQ(text.substr(0, expected.size()), expected);
   EXPECT_NE(text.find(" CPU s on one core (an estimate by formulas: no steps were made on trial)\nwarning: the deck's "
                       "step 0.125 is 2.00 times the limit dx/c = 0.0625: steps are "

@@ -218,8 +218,9 @@ HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {
   }
 }
 
-/// Takes out the points of a tile that have left their cells: they are noted with all their numbers, and what they have
-/// lost belongs to where they are now. By APIC without records the fields about them are written first.
+/// Takes out the points of a tile that have left their cells: they are noted, the first of them with all their numbers,
+/// and what they have lost belongs to where they are now. By APIC without records the fields about them are written
+/// first.
 template <bool affine, bool books = false>
 HWY_NOINLINE void take_out(const LaneWork& work, Tile& tile, LaneFindings& found) {
   for (std::size_t k = 0; k < tile.layers; ++k) {
@@ -230,6 +231,7 @@ HWY_NOINLINE void take_out(const LaneWork& work, Tile& tile, LaneFindings& found
       const Blocks::Cell cell{static_cast<int>(tile.y0), static_cast<int>(tile.x0) + static_cast<int>(l)};
       found.moved.push_back({p, cell, books ? tile.lost[k][l] : 0});
       if (books) tile.lost[k][l] = 0;
+      if (found.moved.size() > LaneFindings::most_noted) continue;
       for (const double* array : work.arrays) found.numbers.push_back(array[p]);
     }
   }

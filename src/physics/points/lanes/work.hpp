@@ -58,7 +58,11 @@ struct LaneFindings {
   double wave = 0;             // largest
   std::size_t unsound = none;  // first slot whose numbers are none any more
   std::vector<Moved> moved;
-  std::vector<double> numbers;  // of each of them, one from each of LaneWork::arrays
+  std::vector<double> numbers;  // of the first of them, one from each of LaneWork::arrays
+
+  /// Of so many points the numbers are noted while they are at hand; a body that changes its cells as a whole would
+  /// need as much room for them again as it has.
+  static constexpr std::size_t most_noted = 4096;
 
   /// Nothing is found yet; the lists keep their room.
   void begin() {

@@ -2,6 +2,7 @@
 // Points by lanes: the same bits by every instruction set, and what the passes one by one find.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -153,7 +154,7 @@ TEST(LaneLayout, GivesABodyMoreSlots) {
   std::vector<double> numbers;
   for (const double* array : arrays_of(state.points)) numbers.push_back(array[state.ranges[0].begin + slot]);
   const Blocks::Cell cell{blocks.groups()[0].row, blocks.groups()[0].cell + 7};
-  Movers(state, run.scene(), 0).move({{slot, cell, 0}}, {{1, 1}}, numbers);
+  Movers(state, run.scene(), 0).move(std::array{Moved{slot, cell, 0}}, std::array{Blocks::Cell{1, 1}}, numbers);
   EXPECT_GT(state.ranges[0].size(), slots);
   EXPECT_EQ(state.ranges[1].begin, state.ranges[0].end);
   EXPECT_EQ(state.ranges[1].size(), other);
@@ -163,6 +164,27 @@ TEST(LaneLayout, GivesABodyMoreSlots) {
   lay_out(state, run.scene()), state.list_fluids(run.scene());
   EXPECT_FALSE(state.blocks[0]->scattered());
   EXPECT_EQ(run.field(&Points::x), before);
+}
+
+// More of them than there are notes of: they go in batches, group by group.
+TEST(LaneLayout, MovesABodyThatChangesItsCellsAsAWhole) {
+  const LaneScene edge{"AtTheEdgesOfCells", [](Scene& s) {
+                         std::vector<PointAt> points;
+                         for (int k = 0; k < 12000; ++k) {
+                           const double x = s.grid.x0 + (6.5 + k % 12) * s.grid.dx - 2e-4;  // half way between nodes
+                           points.push_back({x, -1.2 + 1.4 * (k + 0.5) / 12000, 3e-4});
+                         }
+                         add_body(s, plane_strain(3, 0.3), points, 1.3);
+                       }};
+  LaneRun run(edge, Wall::free_slip, {}), alone(edge, Wall::free_slip, {InstructionSet::one, false});
+  run.steps(1), alone.steps(1);
+  EXPECT_GT(run.moved(), 2 * LaneFindings::most_noted);
+  run.steps(4), alone.steps(4);
+  EXPECT_EQ(run.moved(), alone.moved());
+  for (const auto array : {&Points::x, &Points::y, &Points::vx, &Points::sxx}) {
+    const auto a = run.field(array), b = alone.field(array);
+    for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11) << k;
+  }
 }
 
 // Where the stress waits for the points' new places, a crowd needs more blocks in the midst of a step.
