@@ -5,8 +5,8 @@
 
 namespace tether {
 
-/// Pages of zeros from the kernel. They take room once they are written to, and go back when they are released, whatever
-/// else the process keeps.
+/// Pages of zeros from the kernel. They take room once they are written to, and go back when they are released,
+/// whatever else the process keeps.
 constexpr std::size_t page_size = 4096;  // [B]
 
 /// How the kernel is to hand them out: each by itself, or many at once where they will all be written to, which the
