@@ -108,8 +108,8 @@ struct LinearKernel {
   }
   /// -(a G_ix + b G_iy) added to each node, a and b the columns of V sigma (3.16).
   template <class Add>
-  static void minus_divergence(const Locator& locator, const Place& at, const Nodes& nodes, Pair a, Pair b,
-                               const Add& add) {
+  [[gnu::always_inline]] static void minus_divergence(const Locator& locator, const Place& at, const Nodes& nodes,
+                                                      Pair a, Pair b, const Add& add) {
     const auto forces = LinearGradient(at, locator.per_dx, locator.per_dy).minus_divergence(a, b);
     for (std::size_t k = 0; k < size; ++k) add(nodes[k], forces[k]);
   }

@@ -10,7 +10,7 @@
 
 namespace tether {
 
-/// Nodes in a row, the end excluded.
+/// Nodes one after the other, the end excluded.
 struct NodeSpan {
   std::size_t begin = 0, end = 0;
 };
@@ -41,7 +41,7 @@ class ActiveNodes {
         if (marks_[j * eights_ + k] == 0) continue;
         const std::size_t from = k;
         while (k + 1 < eights_ && marks_[j * eights_ + k + 1] != 0) ++k;
-        spans_.push_back({j * nx_ + from * eight, j * nx_ + std::min(nx_, (k + 1) * eight)});
+        add({j * nx_ + from * eight, j * nx_ + std::min(nx_, (k + 1) * eight)});
       }
     }
   }
@@ -57,6 +57,14 @@ class ActiveNodes {
   }
 
  private:
+  /// A row that is touched as a whole goes on in the next one.
+  void add(NodeSpan span) {
+    if (!spans_.empty() && spans_.back().end == span.begin)
+      spans_.back().end = span.end;
+    else
+      spans_.push_back(span);
+  }
+
   static constexpr std::size_t eight = 8;
   std::size_t nx_, eights_;
   std::vector<std::uint8_t> marks_;  // of eight columns of a row

@@ -55,8 +55,8 @@ Contact::Contact(const Scene& scene, const Points& points, const Frame& frame)
   near_points_.resize(scene.bodies.size());
   pushed_.resize(static_cast<std::size_t>(groups_));
   const std::size_t n = frame.shape.nodes();
-  for (auto* array : {&cell_stamp_, &owner_stamp_, &slot_stamp_, &near_stamp_}) array->assign(n, 0);
-  owner_.assign(n, 0), slot_.assign(n, 0);
+  for (auto* array : {&cell_stamp_, &owner_stamp_, &near_stamp_}) array->assign(n, 0);
+  owner_.assign(n, 0), slot_.assign(n, -1);
   if (rule_ != ContactRule::release) return;
   const Walls open{Wall::open, Wall::open, Wall::open, Wall::open};  // a padded grid's edges are no walls
   normals_.assign(static_cast<std::size_t>(groups_),
@@ -65,6 +65,7 @@ Contact::Contact(const Scene& scene, const Points& points, const Frame& frame)
 
 void Contact::begin() {
   ++stamp_;
+  for (const int node : nodes_) slot_[static_cast<std::size_t>(node)] = -1;
   nodes_.clear();
 }
 
@@ -72,8 +73,7 @@ void Contact::touch(int group, std::size_t node) {
   if (owner_stamp_[node] != stamp_) {
     owner_stamp_[node] = stamp_;
     owner_[node] = group;
-  } else if (owner_[node] != group && slot_stamp_[node] != stamp_) {
-    slot_stamp_[node] = stamp_;
+  } else if (owner_[node] != group && slot_[node] < 0) {
     slot_[node] = static_cast<int>(nodes_.size());
     nodes_.push_back(static_cast<int>(node));
   }

@@ -45,7 +45,7 @@ class Contact {
   /// A body of the group gives to this node.
   void touch(int group, std::size_t node);
   /// Number of a shared node, -1 of any other.
-  int slot(std::size_t node) const { return slot_stamp_[node] == stamp_ ? slot_[node] : -1; }
+  int slot(std::size_t node) const { return slot_[node]; }
   NodeSums& sums(int slot, int group) { return sums_[index(slot, group)]; }
   /// Point p, or where it gives to a ghost its image, stands at `place`.
   void add_point(int slot, int group, std::size_t p, Pair place, double N) {
@@ -106,11 +106,12 @@ class Contact {
   std::vector<int> group_of_;   // of each body
   std::vector<double> radius_;  // of each point: half its spacing, half a membrane's thickness [length]
   std::uint64_t stamp_ = 0;     // of the step
-  std::vector<std::uint64_t> cell_stamp_, owner_stamp_, slot_stamp_, near_stamp_;
-  std::vector<int> owner_, slot_;  // of each node: the first group that touched it; its number
-  std::vector<int> nodes_;         // the shared ones
-  std::vector<Ghost> ghosts_;      // theirs
-  std::vector<NodeSums> sums_;     // of each shared node and group, as all below
+  std::vector<std::uint64_t> cell_stamp_, owner_stamp_, near_stamp_;
+  std::vector<int> owner_;      // of each node: the first group that touched it
+  std::vector<int> slot_;       // of each node: its number, -1 of one that is not shared
+  std::vector<int> nodes_;      // the shared ones
+  std::vector<Ghost> ghosts_;   // theirs
+  std::vector<NodeSums> sums_;  // of each shared node and group, as all below
   std::vector<NodeMotion> motion_;
   std::vector<Pair> convected_;
   std::vector<Vec<2>> normal_;

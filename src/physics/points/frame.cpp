@@ -158,6 +158,7 @@ Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry,
 }
 
 Pair Frame::before_walls(std::size_t n, Pair place) const {
+  if (image[n] == n) return place;
   const auto nx = static_cast<std::size_t>(shape.nx);
   const std::size_t i = n % nx, j = n / nx, at_i = image[n] % nx, at_j = image[n] / nx;
   // The wall is half way between ghost and image.

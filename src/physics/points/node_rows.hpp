@@ -23,19 +23,29 @@ class NodeRow {
   /// Rows of one node's numbers must not all fall on one place of the cache: each is `shift` lines further on.
   explicit NodeRow(std::size_t nodes = 0, std::size_t shift = 0)
       : first_(margin + numbers_in_line * shift), nodes_(nodes), numbers_(first_ + nodes + margin) {}
+  NodeRow(const NodeRow& other) : first_(other.first_), nodes_(other.nodes_), numbers_(other.numbers_) {}
+  NodeRow(NodeRow&& other) noexcept { *this = std::move(other); }
+  NodeRow& operator=(const NodeRow& other) { return *this = NodeRow(other); }
+  NodeRow& operator=(NodeRow&& other) noexcept {
+    first_ = other.first_, nodes_ = std::exchange(other.nodes_, 0), numbers_ = std::move(other.numbers_);
+    node_0_ = std::exchange(other.node_0_, nullptr);
+    return *this;
+  }
+  ~NodeRow() = default;
 
   std::size_t size() const { return nodes_; }
   bool empty() const { return nodes_ == 0; }
-  double& operator[](std::size_t n) { return numbers_[first_ + n]; }
-  double operator[](std::size_t n) const { return numbers_[first_ + n]; }
-  double* data() { return numbers_.data() + first_; }
-  const double* data() const { return numbers_.data() + first_; }
+  double& operator[](std::size_t n) { return node_0_[n]; }
+  double operator[](std::size_t n) const { return node_0_[n]; }
+  double* data() { return node_0_; }
+  const double* data() const { return node_0_; }
   void clear() { std::fill(numbers_.begin(), numbers_.end(), 0.0); }
 
  private:
   static constexpr std::size_t numbers_in_line = 8;
-  std::size_t first_, nodes_;
+  std::size_t first_ = 0, nodes_ = 0;
   std::vector<double, ZeroAllocator<double>> numbers_;
+  double* node_0_ = numbers_.data() + first_;
 };
 
 /// A vector of one node, where its components are stored.

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double bytes_of_saved_node = 14 * sizeof(double) + 2 * sizeof(double);  // of a checkpoint: state.cpp
 constexpr double bytes_of_frame = sizeof(std::uint32_t) + sizeof(Signs) + sizeof(double) + 1;
-constexpr double bytes_of_contact = 4 * sizeof(std::uint64_t) + 2 * sizeof(int);
+constexpr double bytes_of_contact = 3 * sizeof(std::uint64_t) + 2 * sizeof(int);
 constexpr double bytes_of_rows = sizeof(NodeSums) + sizeof(NodeMotion) + sizeof(Pair) + bytes_of_frame;
 constexpr double bytes_of_gas_rows = sizeof(double) + 2 * sizeof(double) + 2 * sizeof(double);  // mass, (4.5), ledger
 static_assert(bytes_of_rows - sizeof(double) <= bytes_per_node, "model/size.hpp: a node takes more than it says");
