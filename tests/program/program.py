@@ -43,9 +43,12 @@ def summary(folder):
     return dict(line.split(" = ", 1) for line in lines if not line.startswith("#"))
 
 
-def history(folder):
-    """history.txt as columns by name."""
-    lines = (folder / "history.txt").read_text().splitlines()
+def history(folder, killed=False):
+    """history.txt as columns by name; of a killed run without the last line, where the kill left a part of it."""
+    lines = (folder / "history.txt").read_text().splitlines(keepends=True)
+    if killed and not lines[-1].endswith("\n"):
+        del lines[-1]
+    lines = [line.removesuffix("\n") for line in lines]
     names = lines[0].removeprefix("# ").split(" ")
     rows = numpy.array([[float(word) for word in line.split(" ")] for line in lines[1:]])
     return dict(zip(names, rows.T, strict=True))

@@ -103,7 +103,7 @@ class Restart(ProgramTest):
             if found:
                 with_checkpoints += 1
                 kept = netcdf(found[0])["history"]
-                columns = history(folder)
+                columns = history(folder, killed=True)
                 self.assertTrue(numpy.array_equal(kept.T, [column[:len(kept)] for column in columns.values()]))
                 self.assertTrue(numpy.array_equal(netcdf(folder / "history.nc")["time"][:len(kept)], kept[:, 0]))
         print(f"{KILLS} kills, {with_checkpoints} with a checkpoint, every one of them whole", flush=True)
