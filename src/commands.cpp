@@ -51,17 +51,17 @@ std::filesystem::path folder_of(const std::string& deck, const RunOptions& optio
   return options.out.empty() || several ? out / deck_name(deck) : out;
 }
 
-/// Nobody is to wait for threads that nothing uses; empty where none were asked for.
-std::string threads_remark(int threads) {
-  if (threads == 1) return "";
+/// Nobody is to wait for threads that nothing uses; empty where none were asked for, or some do.
+std::string threads_remark(const Plan& plan, int threads) {
+  if (threads <= 1 || shares_work(plan)) return "";
   return fmt::format(
-      "remark: --threads {} changes nothing: every path computes with one thread so far; several runs go "
-      "side by side by tether sweep --jobs",
+      "remark: --threads {} changes nothing: this path computes with one thread; several runs go side by side by "
+      "tether sweep --jobs",
       threads);
 }
 
-void print_threads_remark(int threads) {
-  if (const auto remark = threads_remark(threads); !remark.empty()) fmt::print(stderr, "tether: {}\n", remark);
+void print_threads_remark(const std::string& name, const Plan& plan, int threads) {
+  if (const auto remark = threads_remark(plan, threads); !remark.empty()) fmt::print(stderr, "{}: {}\n", name, remark);
 }
 
 void print_warnings(const std::string& name, const Loaded& loaded) {
@@ -113,6 +113,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   Loaded loaded = load(name, options);
   const auto folder = folder_of(name, run_options, several);
   if (!run_options.quiet) {
+    print_threads_remark(name, loaded.plan, run_options.threads);
     print_warnings(name, loaded);
     print_number_of_remarks(name, loaded,
                             run_options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string());
@@ -125,7 +126,9 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
     if (!run_options.quiet) fmt::print(stderr, "{}: warning: {}\n", name, text);
   };
   RunRequest request = request_of(loaded, folder, run_options.command);
-  if (const auto remark = threads_remark(run_options.threads); !remark.empty()) request.messages.push_back(remark);
+  if (const auto remark = threads_remark(loaded.plan, run_options.threads); !remark.empty())
+    request.messages.push_back(remark);
+  request.threads = threads_for(loaded.plan, run_options.threads);
   request.clocks = clocks;
   request.progress = std::ref(progress);
   request.warn = warn;
@@ -196,7 +199,6 @@ bool run_published(const PublishedOptions& published, const RunOptions& options)
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
   int worst = guarded("tether", [&] { refuse_shared_folders(decks, run_options); });
   if (worst != exit_done) return worst;
-  if (!run_options.quiet) print_threads_remark(run_options.threads);
   for (const auto& deck : decks) {
     worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
     if (worst > exit_signal) break;
@@ -221,8 +223,8 @@ int check_command(const std::string& name, const DeckOptions& options) {
 
 int plan_command(const std::string& deck, const DeckOptions& options, int threads) {
   return guarded(deck, [&] {
-    print_threads_remark(threads);
     const Loaded loaded = load(deck, options);
+    print_threads_remark(deck, loaded.plan, threads);
     for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
     print_thin_bodies(deck, loaded.plan.scene);
     print_number_of_remarks(deck, loaded, shown_by_check);

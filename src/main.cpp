@@ -42,7 +42,10 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
 }
 
 void add_threads(CLI::App& app, int& threads) {
-  app.add_option("--threads", threads, "threads; results are the same for any number, and so far all paths use one")
+  app.add_option(
+         "--threads", threads,
+         "threads that share the work of a run (default: one for each core where that is faster); results are the "
+         "same for any number")
       ->check(CLI::Range(1, 1024));
 }
 

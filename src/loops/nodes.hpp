@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "loops/team.hpp"
 
 // The loops over nodes of a background grid.
 
@@ -35,7 +38,7 @@ class ActiveNodes {
     }
   }
   void end() {
-    spans_.clear();
+    spans_.clear(), pieces_.clear();
     for (std::size_t j = 0; j < marks_.size() / eights_; ++j) {
       for (std::size_t k = 0; k < eights_; ++k) {
         if (marks_[j * eights_ + k] == 0) continue;
@@ -44,8 +47,15 @@ class ActiveNodes {
         add({j * nx_ + from * eight, j * nx_ + std::min(nx_, (k + 1) * eight)});
       }
     }
+    cut_into_pieces();
   }
   const std::vector<NodeSpan>& spans() const { return spans_; }
+  /// Spans of about as many nodes, for one thread or another; they do not depend on how many there are.
+  std::size_t pieces() const { return pieces_.size(); }
+  std::span<const NodeSpan> piece(std::size_t k) const {
+    const std::size_t begin = k > 0 ? pieces_[k - 1] : 0;
+    return std::span(spans_).subspan(begin, pieces_[k] - begin);
+  }
   /// Whether one of the nine nodes in and around a column of a row may be touched, or one of those that fill it up.
   bool any_around(std::size_t n) const {
     const std::size_t i = n % nx_, j = n / nx_, left = i > 0 ? (i - 1) / eight : 0,
@@ -57,26 +67,45 @@ class ActiveNodes {
   }
 
  private:
-  /// A row that is touched as a whole goes on in the next one.
+  /// A row that is touched as a whole goes on in the next one, up to the length of a piece.
   void add(NodeSpan span) {
-    if (!spans_.empty() && spans_.back().end == span.begin)
-      spans_.back().end = span.end;
-    else
-      spans_.push_back(span);
+    if (!spans_.empty() && spans_.back().end == span.begin) span.begin = spans_.back().begin, spans_.pop_back();
+    for (; span.end > span.begin + nodes_in_piece; span.begin += nodes_in_piece)
+      spans_.push_back({span.begin, span.begin + nodes_in_piece});
+    spans_.push_back(span);
+  }
+  void cut_into_pieces() {
+    std::size_t nodes = 0;
+    for (std::size_t s = 0; s < spans_.size(); ++s) {
+      nodes += spans_[s].end - spans_[s].begin;
+      if (nodes < nodes_in_piece && s + 1 < spans_.size()) continue;
+      pieces_.push_back(s + 1), nodes = 0;
+    }
   }
 
-  static constexpr std::size_t eight = 8;
+  static constexpr std::size_t eight = 8, nodes_in_piece = 4096;
   std::size_t nx_, eights_;
   std::vector<std::uint8_t> marks_;  // of eight columns of a row
   std::vector<NodeSpan> spans_;
+  std::vector<std::size_t> pieces_;  // the span after each one's last
 };
 
-/// Calls body(n) for each active node, in their order.
+/// Calls body(n) for each node of some spans, in their order.
 template <class Body>
-inline void for_nodes(const ActiveNodes& active, const Body& body) {
-  for (const NodeSpan span : active.spans()) {
+inline void for_nodes(std::span<const NodeSpan> spans, const Body& body) {
+  for (const NodeSpan span : spans) {
     for (std::size_t n = span.begin; n < span.end; ++n) body(n);
   }
+}
+/// The same for each active node.
+template <class Body>
+inline void for_nodes(const ActiveNodes& active, const Body& body) {
+  for_nodes(std::span(active.spans()), body);
+}
+/// The same in any order, by all threads of a team; the body writes at node n alone.
+template <class Body>
+inline void for_nodes(Team& team, const ActiveNodes& active, const Body& body) {
+  team.each(0, active.pieces(), [&](std::size_t k) { for_nodes(active.piece(k), body); });
 }
 
 }  // namespace tether

@@ -51,6 +51,7 @@ inline constexpr auto summary_rows = [] {
       SummaryRow{"wall_seconds", all, number, "seconds of the clock on the wall"},
       SummaryRow{"setup_cpu_seconds", all, number, "those before the first step: the deck, the scene, first outputs"},
       SummaryRow{"setup_wall_seconds", all, number, "the same of the clock on the wall"},
+      SummaryRow{"threads", all, number, "threads that shared the work"},
       SummaryRow{"ns_per_point_step", all, number, "nanoseconds of the processor a point and step, without setup"},
       SummaryRow{"peak_memory_mb", all, number, "most memory held at a time, in megabytes"},
       SummaryRow{"energy_drift", all, number,

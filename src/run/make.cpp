@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/make.hpp"
 
+#include <algorithm>
+#include <thread>
 #include <utility>
 #include <variant>
 
@@ -20,10 +22,16 @@
 namespace tether {
 namespace {
 
+/// A step of fewer points takes less time than threads need to come together.
+constexpr std::size_t points_worth_threads = 10000;
+
 /// The solver of each physics.
 struct MakeSolver {
   const Plan& plan;
-  std::unique_ptr<Solver> operator()(const MaterialPoints&) const { return std::make_unique<mpm::MpmSolver>(plan); }
+  int threads;
+  std::unique_ptr<Solver> operator()(const MaterialPoints&) const {
+    return std::make_unique<mpm::MpmSolver>(plan, threads);
+  }
   std::unique_ptr<Solver> operator()(const Bars&) const { return std::make_unique<fem::BarSolver>(plan); }
   std::unique_ptr<Solver> operator()(const ElasticBodies&) const { return std::make_unique<fem::SolidSolver>(plan); }
   std::unique_ptr<Solver> operator()(const RigidBody&) const { return std::make_unique<fem::RigidSolver>(plan); }
@@ -33,11 +41,22 @@ struct MakeSolver {
 
 }  // namespace
 
-std::unique_ptr<Solver> make_solver(const Plan& plan) { return std::visit(MakeSolver{plan}, plan.scene.physics); }
+std::unique_ptr<Solver> make_solver(const Plan& plan, int threads) {
+  return std::visit(MakeSolver{plan, threads}, plan.scene.physics);
+}
 
-std::unique_ptr<Solver> make_solver_with_points_of(Plan& plan) {
-  if (!std::holds_alternative<MaterialPoints>(plan.scene.physics)) return make_solver(plan);
-  return std::make_unique<mpm::MpmSolver>(plan, std::move(plan.scene.points));
+std::unique_ptr<Solver> make_solver_with_points_of(Plan& plan, int threads) {
+  if (!std::holds_alternative<MaterialPoints>(plan.scene.physics)) return make_solver(plan, threads);
+  return std::make_unique<mpm::MpmSolver>(plan, std::move(plan.scene.points), threads);
+}
+
+bool shares_work(const Plan& plan) { return std::holds_alternative<MaterialPoints>(plan.scene.physics); }
+
+int threads_for(const Plan& plan, int asked) {
+  if (!shares_work(plan)) return 1;
+  if (asked > 0) return asked;
+  if (plan.scene.points.size() < points_worth_threads) return 1;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::vector<PhysicsColumns> columns_of_all_physics() {

@@ -81,6 +81,7 @@ struct RunRequest {
   std::filesystem::path restart;                   ///< checkpoint to go on from; empty: from the start
   std::shared_ptr<const std::string> mesh_text;    ///< of the file next to deck.effective; null without one
   std::string deck;                                ///< its file, for others that want the folder
+  int threads = 1;                                 ///< that share the work
   Clocks clocks;                                   ///< from when on the run's time counts
   std::function<void(const std::string&)> remark;  ///< called with what the run replaces in its folder
 };

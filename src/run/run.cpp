@@ -36,7 +36,8 @@ class Runner {
       : plan_(std::move(plan)),
         request_(request),
         clocks_(request.clocks),
-        solver_(plan_.scene.reference == ReferenceKind::none ? make_solver_with_points_of(plan_) : make_solver(plan_)),
+        solver_(plan_.scene.reference == ReferenceKind::none ? make_solver_with_points_of(plan_, request.threads)
+                                                             : make_solver(plan_, request.threads)),
         lock_(request.folder, request.deck),
         earlier_(request.restart.empty() ? earlier_run(request.folder, request.deck_effective) : EarlierRun{}),
         outputs_(plan_, request, *solver_),
@@ -218,6 +219,7 @@ class Runner {
             line_of("wall_seconds", whole.wall),
             line_of("setup_cpu_seconds", setup.cpu),
             line_of("setup_wall_seconds", setup.wall),
+            line_of("threads", request_.threads),
             line_of("ns_per_point_step",
                     1e9 * (whole - setup).cpu / static_cast<double>(std::max(counts.point_steps, 1LL))),
             line_of("peak_memory_mb", peak_memory_mb()),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run that was interrupted at random steps, and each time went on from its checkpoint, leaves the same numbers as one
-// that was not, to the last bit: in every variable of history, snapshots and the final checkpoint, for every deck.
+// A run that was interrupted at random steps, and each time went on from its checkpoint on another number of threads,
+// leaves the same numbers as one that was not, on one thread, to the last bit: in every variable of history, snapshots
+// and the final checkpoint, for every deck.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <random>
 
@@ -22,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int steps_a_deck = 5;
+/// Of the parts of a run, and so how often it stops.
+constexpr std::array threads_of_parts{2, 3, 8, 1, 2};
 
 struct Case {
   std::string deck, variant;
@@ -67,9 +70,10 @@ class Restart : public testing::TestWithParam<Case> {
   }
   /// Goes on from a checkpoint (from the start without one), stops at the first step that reaches the time, and returns
   /// the checkpoint of that step.
-  fs::path run_until(double time, const fs::path& from) const {
+  fs::path run_until(double time, const fs::path& from, int threads) const {
     const Loaded deck = with_outputs(time);
     RunRequest request = request_of(deck, folder_ / "parts", "");
+    request.threads = threads;
     double reached = 0;
     request.restart = from;
     request.progress = [&reached](const Progress& progress) { reached = progress.time; };
@@ -81,6 +85,7 @@ class Restart : public testing::TestWithParam<Case> {
     const Loaded deck = with_outputs(tmax_);
     RunRequest request = request_of(deck, folder_ / "parts", "");
     request.restart = from;
+    request.threads = 3;
     run(deck.plan, request);
   }
   /// Random times in order, the last at least a step before the end.
@@ -88,7 +93,7 @@ class Restart : public testing::TestWithParam<Case> {
     std::mt19937 random(std::hash<std::string>{}(GetParam().name()));
     const double last = tmax_ - 1.5 * loaded({}).plan.step.deck_step;
     std::uniform_real_distribution<double> any(0.001 * tmax_, last);
-    std::vector<double> times(steps_a_deck);
+    std::vector<double> times(threads_of_parts.size());
     for (double& time : times) time = any(random);
     std::sort(times.begin(), times.end());
     return times;
@@ -114,7 +119,7 @@ void expect_same_bits(const fs::path& a, const fs::path& b) {
 std::vector<std::string> lines_of_the_run(const fs::path& file) {
   auto lines = split_lines(read_file(file));
   std::erase_if(lines, [](const std::string& line) {
-    for (const char* start : {"# ", "cpu_", "wall_", "setup_", "ns_per", "peak_", "assembly_", "solve_", "analysis_",
+    for (const char* start : {"# ", "threads", "cpu_", "wall_", "setup_", "ns_per", "peak_", "assembly_", "solve_", "analysis_",
                               "goes on", "interrupted"}) {
       if (line.starts_with(start)) return true;
     }
@@ -123,11 +128,12 @@ std::vector<std::string> lines_of_the_run(const fs::path& file) {
   return lines;
 }
 
-TEST_P(Restart, GoesOnToTheLastBitFromRandomSteps) {
+TEST_P(Restart, GoesOnToTheLastBitFromRandomStepsOnOtherThreads) {
   const fs::path whole = run_whole(), parts = folder_ / "parts";
   fs::path checkpoint;
-  for (const double time : random_times()) {
-    checkpoint = run_until(time, checkpoint);
+  const std::vector<double> times = random_times();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    checkpoint = run_until(times[k], checkpoint, threads_of_parts[k]);
     const Checkpoint at = read_checkpoint(checkpoint);
     fmt::print("{}: stopped after step {}, t = {:.6g} of {:.6g}\n", GetParam().name(), at.state.at("steps").front(),
                at.time, tmax_);

@@ -14,8 +14,8 @@ from program import DECKS, ROOT, TETHER, ProgramTest, history, netcdf, sets, sum
 BOXES = ROOT / "tests" / "thesis-boxes"
 
 SUMMARY_KEYS = ["path", "steps", "points", "cells_active", "dx", "time_end", "dt_min", "cpu_seconds", "wall_seconds",
-                "setup_cpu_seconds", "setup_wall_seconds", "ns_per_point_step", "peak_memory_mb", "energy_drift",
-                "energy_lost", "energy_growth", "energy_rise", "mass_drift", "energy_step_largest"]
+                "setup_cpu_seconds", "setup_wall_seconds", "threads", "ns_per_point_step", "peak_memory_mb",
+                "energy_drift", "energy_lost", "energy_growth", "energy_rise", "mass_drift", "energy_step_largest"]
 SCENE_COLUMNS = ["time", "dt", "energy_kinetic", "energy_strain", "energy_internal", "energy_potential", "energy_total",
                  "mass", "momentum_x", "momentum_y", "angular_momentum_z", "energy_transfer", "energy_walls",
                  "energy_integration"]

@@ -129,6 +129,7 @@ void Blocks::make_strips() {
       if (strip % 2 == round) strips_.push_back({g, end});
       g = end;
     }
+    if (round == 0) second_round_ = strips_.size();
   }
   unsettled_ = false;
 }

@@ -40,6 +40,8 @@ class Blocks {
   const std::vector<Group>& groups() const { return groups_; }
   /// In the order of their sweep: every other one first.
   const std::vector<Strip>& strips() const { return strips_; }
+  /// How many strips the first round has.
+  std::size_t second_round() const { return second_round_; }
   std::uint32_t next(std::uint32_t block) const { return next_[block]; }
   std::size_t blocks() const { return next_.size(); }
   /// Points in all cells.
@@ -91,6 +93,7 @@ class Blocks {
   std::size_t cells_x_, cells_y_, groups_x_;
   std::vector<Group> groups_;
   std::vector<Strip> strips_;
+  std::size_t second_round_ = 0;      // its first strip
   std::vector<std::uint32_t> next_;   // of each block
   std::vector<std::uint32_t> free_;   // blocks that no group has
   std::vector<std::uint32_t> group_;  // of eight cells: its number, none where it holds no point

@@ -88,54 +88,69 @@ void join(StepFindings& found, const LaneFindings& lanes, std::size_t first) {
   if (lanes.unsound != LaneFindings::none) found.trouble.note(TroubleKind::unsound, first + lanes.unsound);
 }
 
-/// A law of which points are asked one by one, and what it finds.
+/// A law of which points are asked one by one.
 template <class Law, bool about_axis>
 struct AskedOneByOne {
   const Law& law;
   Points& points;
   std::size_t first;  // slot of the body
   const StepContext& step;
-  StepFindings& found;
 
-  static double update(const void* asked, std::size_t slot, const PointRate& rate) {
-    const auto& [law, P, first, step, found] = *static_cast<const AskedOneByOne*>(asked);
+  static double update(const void* asked, std::size_t slot, const PointRate& rate, LaneFindings& lanes) {
+    const auto& [law, P, first, step] = *static_cast<const AskedOneByOne*>(asked);
     const std::size_t p = first + slot;
+    StepFindings found;
     law_update<about_axis>(law, P, p, {{rate.xx, rate.yy, rate.xy, rate.zz}, rate.spin}, step, found);
-    if (!sound(law, P, p)) found.trouble.note(TroubleKind::unsound, p);
+    lanes.wave = std::max(lanes.wave, found.wave_max);
+    if (lanes.unsound == LaneFindings::none && !sound(law, P, p)) lanes.unsound = slot;
     return law_volume(law, P, p);
   }
 };
 
+/// Every strip of a round is swept by whoever is free; those of the next round share nodes with them.
+void sweep(Team& team, const LaneWork& work, LanePasses::Pass run, std::vector<LaneFindings>& found) {
+  const std::vector<Blocks::Strip>& strips = work.blocks->strips();
+  const std::size_t second = work.blocks->second_round();
+  const auto sweep_strip = [&](std::size_t k) {
+    found[k].begin();
+    run(work, strips[k], found[k]);
+  };
+  team.each(0, second, sweep_strip);
+  team.each(second, strips.size(), sweep_strip);
+}
+
 template <bool about_axis>
-void run_one_by_one(LaneWork& lanes, const Material& material, const PassWork& pass, std::size_t first,
-                    LanePasses::Pass run, LaneFindings& lanes_found, StepFindings& found) {
+void sweep_one_by_one(Team& team, LaneWork& lanes, const Material& material, const PassWork& pass, std::size_t first,
+                      LanePasses::Pass run, std::vector<LaneFindings>& found) {
   std::visit(
       [&]<class Law>(const Law& law) {
-        const AskedOneByOne<Law, about_axis> asked{law, pass.P, first, pass.step, found};
+        const AskedOneByOne<Law, about_axis> asked{law, pass.P, first, pass.step};
         lanes.body.each = {AskedOneByOne<Law, about_axis>::update, &asked};
-        run(lanes, lanes_found);
+        sweep(team, lanes, run, found);
       },
       material);
 }
 
 }  // namespace
 
-const LaneFindings& run_by_lanes(StepWork& work, const PassWork& pass, std::size_t b, LanePasses::Pass run) {
-  LaneFindings& found = work.state.lane_findings;
-  found.begin();
-  std::vector<double*> arrays = arrays_of(work.state.points);
-  for (double*& array : arrays) array += work.state.ranges[b].begin;
+const std::vector<LaneFindings>& run_by_lanes(StepWork& work, const PassWork& pass, std::size_t b,
+                                              LanePasses::Pass run) {
+  State& state = work.state;
+  std::vector<double*> arrays = arrays_of(state.points);
+  for (double*& array : arrays) array += state.ranges[b].begin;
   LaneWork lanes = lane_work(work, pass, b);
   lanes.arrays = arrays;
   const Material& material = work.scene.bodies[b].material;
-  const std::size_t first = work.state.ranges[b].begin;
+  const std::size_t first = state.ranges[b].begin;
+  std::vector<LaneFindings>& found = state.lane_findings;
+  found.resize(lanes.blocks->strips().size());
   if (lanes.body.law != LaneLaw::one_by_one)
-    run(lanes, found);
+    sweep(*state.team, lanes, run, found);
   else if (work.scene.geometry == Geometry::axisymmetric)
-    run_one_by_one<true>(lanes, material, pass, first, run, found, work.found);
+    sweep_one_by_one<true>(*state.team, lanes, material, pass, first, run, found);
   else
-    run_one_by_one<false>(lanes, material, pass, first, run, found, work.found);
-  join(work.found, found, work.state.ranges[b].begin);
+    sweep_one_by_one<false>(*state.team, lanes, material, pass, first, run, found);
+  for (const LaneFindings& strip : found) join(work.found, strip, first);
   return found;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "physics/points/lanes/work.hpp"
 #include "physics/points/movers.hpp"
 #include "physics/points/passes.hpp"
@@ -11,8 +13,9 @@ namespace tether::mpm {
 // Passes by lanes over the points of a body, and what is left of them to be done one by one: points that have left
 // their cells.
 
-/// Runs a pass over body b and adds what it found to what the step found before.
-const LaneFindings& run_by_lanes(StepWork& work, const PassWork& pass, std::size_t b, LanePasses::Pass run);
+/// Runs a pass over the strips of body b and adds what it found to what the step found before, strip by strip.
+const std::vector<LaneFindings>& run_by_lanes(StepWork& work, const PassWork& pass, std::size_t b,
+                                              LanePasses::Pass run);
 /// That of several passes which is for the body's law.
 LanePasses::Pass of_law(const LanePasses::Pass* passes, const StepWork& work, std::size_t b);
 
@@ -39,17 +42,26 @@ void map_moved(StepWork& work, const PassWork& pass, const Material& material, s
 
 /// Gives points that have left their cells new slots; map(p, lost, place) does what else is to be done with each.
 template <class S, class Map>
-void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const LaneFindings& lanes, const Map& map) {
-  if (lanes.moved.empty() || work.found.trouble.kind != TroubleKind::none) return;
+void settle_moved(StepWork& work, const PassWork& pass, std::size_t b, const std::vector<LaneFindings>& strips,
+                  const Map& map) {
+  const auto some_moved = [](const LaneFindings& strip) { return !strip.moved.empty(); };
+  if (std::none_of(strips.begin(), strips.end(), some_moved)) return;
   std::vector<Blocks::Cell> entered;
-  for (const Moved& point : lanes.moved) {
-    const std::size_t p = work.state.ranges[b].begin + point.slot;
-    typename S::Kernel::Place at{point.cell.cell, point.cell.row, 0, 0};
-    if (!accept_place<typename S::Kernel>(work.state.points, p, pass.locator, pass.grid.frame, at, work.found)) return;
-    map(p, point.lost, at);
-    entered.push_back({at.j, at.i});
+  Movers movers(work.state, work.scene, b);
+  for (const LaneFindings& lanes : strips) {
+    if (work.found.trouble.kind != TroubleKind::none) return;
+    entered.clear();
+    for (const Moved& point : lanes.moved) {
+      const std::size_t p = work.state.ranges[b].begin + point.slot;
+      typename S::Kernel::Place at{point.cell.cell, point.cell.row, 0, 0};
+      if (!accept_place<typename S::Kernel>(work.state.points, p, pass.locator, pass.grid.frame, at, work.found))
+        return;
+      map(p, point.lost, at);
+      entered.push_back({at.j, at.i});
+    }
+    movers.move(lanes.moved, entered, lanes.numbers);
   }
-  Movers(work.state, work.scene, b).move(lanes.moved, entered, lanes.numbers);
+  movers.settle();
 }
 
 /// Strain rates, stresses and forces of a body whose points stay.
@@ -71,7 +83,7 @@ inline void stress_and_map_moved_by_lanes(StepWork& work, const PassWork& pass, 
 template <class S>
 void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
   const LanePasses& passes = *work.state.lane_passes;
-  const LaneFindings& found = run_by_lanes(
+  const std::vector<LaneFindings>& found = run_by_lanes(
       work, pass, b, work.state.keeps_ledger ? passes.accelerate_book_move_and_map : passes.accelerate_move_and_map);
   settle_moved<S>(work, pass, b, found, [&](std::size_t p, double lost, const auto& at) {
     map_moved<S, false>(work, pass, work.scene.bodies[b].material, p, lost, at);
@@ -81,7 +93,8 @@ void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std:
 /// Strain rates, places, stresses, and all that a body gives to the nodes.
 template <class S>
 void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  const LaneFindings& found = run_by_lanes(work, pass, b, of_law(work.state.lane_passes->strain_move_and_map, work, b));
+  const std::vector<LaneFindings>& found =
+      run_by_lanes(work, pass, b, of_law(work.state.lane_passes->strain_move_and_map, work, b));
   settle_moved<S>(work, pass, b, found, [&](std::size_t p, double lost, const auto& at) {
     map_moved<S, true>(work, pass, work.scene.bodies[b].material, p, lost, at);
   });
@@ -90,7 +103,7 @@ void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::siz
 /// Strain rates and places of a body whose law waits for its neighbours' new places.
 template <class S>
 void strain_and_move_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  const LaneFindings& found = run_by_lanes(work, pass, b, work.state.lane_passes->strain_and_move);
+  const std::vector<LaneFindings>& found = run_by_lanes(work, pass, b, work.state.lane_passes->strain_and_move);
   settle_moved<S>(work, pass, b, found, [](std::size_t, double, const auto&) {});
 }
 

@@ -9,26 +9,6 @@
 
 namespace tether::mpm {
 
-namespace {
-
-bool of_one_group(const Moved& a, const Moved& b) {
-  const auto group = [](Blocks::Cell cell) { return static_cast<std::size_t>(cell.cell) / Blocks::lanes; };
-  return a.cell.row == b.cell.row && group(a.cell) == group(b.cell);
-}
-
-/// How many of these points are the next batch: no more than have their numbers noted, but at least a group's.
-std::size_t batch_of(std::span<const Moved> moved) {
-  if (moved.size() <= LaneFindings::most_noted) return moved.size();
-  std::size_t end = LaneFindings::most_noted;
-  while (end > 0 && of_one_group(moved[end - 1], moved[end])) --end;
-  if (end > 0) return end;
-  while (++end < moved.size() && of_one_group(moved[end - 1], moved[end])) {
-  }
-  return end;
-}
-
-}  // namespace
-
 std::vector<double*> arrays_of(Points& points) {
   std::vector<double*> arrays;
   points.each_array([&](auto& array) {
@@ -40,36 +20,25 @@ std::vector<double*> arrays_of(Points& points) {
 Movers::Movers(State& state, const Scene& scene, std::size_t body)
     : state_(state), scene_(scene), body_(body), blocks_(*state.blocks[body]), arrays_(arrays_of(state.points)) {}
 
-void Movers::move(std::span<const Moved> moved, std::span<const Blocks::Cell> entered,
-                  const std::vector<double>& numbers) {
-  const std::size_t noted = numbers.size() / arrays_.size();
-  for (std::size_t begin = 0; begin < moved.size();) {
-    const std::size_t count = batch_of(moved.subspan(begin));
-    const auto batch = moved.subspan(begin, count);
-    const bool known = begin + count <= noted;
-    const std::vector<double> read = known ? std::vector<double>{} : numbers_of(batch);
-    move_batch(batch, entered.subspan(begin, count), known ? numbers.data() + begin * arrays_.size() : read.data());
-    begin += count;
-  }
-  blocks_.settle();
-}
-
-void Movers::move_batch(std::span<const Moved> moved, std::span<const Blocks::Cell> entered, const double* numbers) {
+void Movers::move(std::span<const Moved> moved, std::span<const Blocks::Cell> entered, std::span<const double> noted) {
+  const std::size_t numbers = arrays_.size(), known = noted.size() / numbers;
   ids_.clear();
   for (const Moved& point : moved) ids_.push_back(state_.points.id[state_.ranges[body_].begin + point.slot]);
+  read(moved.subspan(known));
   // Of a cell the last first: whoever stands after one that leaves is there to stay.
   for (auto point = moved.rbegin(); point != moved.rend(); ++point) leave(*point);
-  for (std::size_t k = 0; k < moved.size(); ++k) enter(entered[k], ids_[k], numbers + k * arrays_.size());
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    enter(entered[k], ids_[k], k < known ? &noted[k * numbers] : &numbers_[(k - known) * numbers]);
   for (const Moved& point : moved) blocks_.close_ranks(point.cell);
 }
 
-std::vector<double> Movers::numbers_of(std::span<const Moved> moved) const {
-  std::vector<double> numbers;
-  numbers.reserve(moved.size() * arrays_.size());
+void Movers::settle() { blocks_.settle(); }
+
+void Movers::read(std::span<const Moved> moved) {
+  numbers_.clear();
   for (const Moved& point : moved) {
-    for (const double* array : arrays_) numbers.push_back(array[state_.ranges[body_].begin + point.slot]);
+    for (const double* array : arrays_) numbers_.push_back(array[state_.ranges[body_].begin + point.slot]);
   }
-  return numbers;
 }
 
 /// The cell's last point moves up.

@@ -24,6 +24,17 @@ NodeRows rows_of(Grid& grid) {
           .u_y = grid.motion.u.y.data()};
 }
 
+/// Runs a pass over pieces of the active nodes by all threads.
+template <class Pass>
+void each_piece(const State& state, const Pass& pass) {
+  const ActiveNodes& active = state.grid.active;
+  state.team->each(0, active.pieces(), [&](std::size_t k) { pass(active.piece(k)); });
+}
+
+void clear(State& state, std::span<double* const> rows) {
+  each_piece(state, [&](std::span<const NodeSpan> nodes) { state.grid.passes.clear(rows, nodes); });
+}
+
 /// Takes the components that walls hold out of a field.
 void hold(const Frame& frame, PairRow& field) {
   for (const std::size_t n : frame.at_walls) {
@@ -32,19 +43,20 @@ void hold(const Frame& frame, PairRow& field) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 LaneTotals solve_at_nodes(StepWork& work, double dt, Sums after) {
   Grid& grid = work.state.grid;
-  const LaneTotals totals = grid.passes.solve(rows_of(grid), grid.active,
-                                              {.gravity = work.scene.gravity,
-                                               .dt = dt,
-                                               .light = work.state.light_node,
-                                               .held = grid.frame.held.data(),
-                                               .clears = after == Sums::cleared});
+  const NodeStep step{.gravity = work.scene.gravity,
+                      .dt = dt,
+                      .light = work.state.light_node,
+                      .held = grid.frame.held.data(),
+                      .clears = after == Sums::cleared};
+  std::vector<LaneTotals>& found = work.state.node_findings;
+  found.resize(grid.active.pieces());
+  work.state.team->each(
+      0, found.size(), [&](std::size_t k) { found[k] = grid.passes.solve(rows_of(grid), grid.active.piece(k), step); });
   grid.unfold_motion();
+  LaneTotals totals;
+  for (const LaneTotals& piece : found) totals.join(piece);
   return totals;
 }
 
@@ -71,28 +83,30 @@ void total_with_contact(StepWork& work, double dt) {
   contact.total(work.nodes, grid.frame, dt);
 }
 
-void divide_convected(Grid& grid) {
-  grid.passes.divide_convected(rows_of(grid), grid.active);
+void divide_convected(State& state) {
+  Grid& grid = state.grid;
+  each_piece(state, [&](std::span<const NodeSpan> nodes) { grid.passes.divide_convected(rows_of(grid), nodes); });
   hold(grid.frame, grid.convected);
   grid.unfold_convected();
 }
 
-void mapped_velocity(Grid& grid) {
-  grid.passes.map_velocity(rows_of(grid), grid.active);
+void mapped_velocity(State& state) {
+  Grid& grid = state.grid;
+  each_piece(state, [&](std::span<const NodeSpan> nodes) { grid.passes.map_velocity(rows_of(grid), nodes); });
   hold(grid.frame, grid.convected);
   grid.unfold_convected();
 }
 
-void clear_convected(Grid& grid) {
-  grid.passes.clear(std::array{grid.convected.x.data(), grid.convected.y.data()}, grid.active);
+void clear_convected(State& state) {
+  Grid& grid = state.grid;
+  clear(state, std::array{grid.convected.x.data(), grid.convected.y.data()});
   for (const Ghost& ghost : grid.ghosts) grid.convected[static_cast<std::size_t>(ghost.node)] = Pair{};
 }
 
-void clear_sums(Grid& grid) {
-  NodeSumsRow& sums = grid.sums;
-  grid.passes.clear(std::array{sums.m.data(), sums.gas.data(), sums.momentum.x.data(), sums.momentum.y.data(),
-                               sums.force.x.data(), sums.force.y.data()},
-                    grid.active);
+void clear_sums(State& state) {
+  NodeSumsRow& sums = state.grid.sums;
+  clear(state, std::array{sums.m.data(), sums.gas.data(), sums.momentum.x.data(), sums.momentum.y.data(),
+                          sums.force.x.data(), sums.force.y.data()});
 }
 
 void map_anew(State& state, const Scene& scene, const StepSet& set) {
@@ -110,17 +124,18 @@ void map_anew(State& state, const Scene& scene, const StepSet& set) {
 }
 
 void forget_sums(State& state, const StepSet& set) {
-  clear_sums(state.grid);
+  clear_sums(state);
   set.list_active(state);
-  clear_sums(state.grid);
+  clear_sums(state);
 }
 
-void clear_forces(Grid& grid) {
-  grid.passes.clear(std::array{grid.sums.force.x.data(), grid.sums.force.y.data()}, grid.active);
+void clear_forces(State& state) {
+  clear(state, std::array{state.grid.sums.force.x.data(), state.grid.sums.force.y.data()});
 }
 
-void gas_at_nodes(Grid& grid) {
-  for_nodes(grid.active, [&](std::size_t n) {
+void gas_at_nodes(State& state) {
+  Grid& grid = state.grid;
+  for_nodes(*state.team, grid.active, [&](std::size_t n) {
     const double gas = std::exchange(grid.sums.gas[n], 0);  // nobody asks again
     grid.gas.rho[n] = gas * grid.frame.per_volume[n];
     if (!grid.loss.empty()) grid.gas.heat[n] = grid.loss[n] * inverse(gas);
@@ -136,12 +151,13 @@ void give_to_all_gas(State& state, double energy) {
 
 void clear_heat(State& state) {
   Grid& grid = state.grid;
-  for_nodes(grid.active, [&](std::size_t n) { grid.loss[n] = 0; });
+  for_nodes(*state.team, grid.active, [&](std::size_t n) { grid.loss[n] = 0; });
   state.heat_under_way = state.heat_for_all = 0;
 }
 
-void note_squares(Grid& grid) {
-  for_nodes(grid.active,
+void note_squares(State& state) {
+  Grid& grid = state.grid;
+  for_nodes(*state.team, grid.active,
             [&](std::size_t n) { grid.squares[n] = squared(grid.convected[n]) + squared(grid.motion.u[n]); });
   grid.unfold_squares();
 }

@@ -18,13 +18,13 @@ void solve_common_field(StepWork& work, double dt);
 void total_with_contact(StepWork& work, double dt);
 
 /// v_i = sum m_p v_p N_i / m_i from the momenta that points gave to `convected` (3.24), walls; the sums are 0 then.
-void divide_convected(Grid& grid);
+void divide_convected(State& state);
 /// The same quotient from the momenta mapped at the start of the step.
-void mapped_velocity(Grid& grid);
+void mapped_velocity(State& state);
 
-void clear_convected(Grid& grid);
-void clear_sums(Grid& grid);
-void clear_forces(Grid& grid);
+void clear_convected(State& state);
+void clear_sums(State& state);
+void clear_forces(State& state);
 
 /// The list of nodes, and all sums, from where the points are now: for points that came, went or were moved
 /// outside a step. Heat under way at nodes that no point reaches any more has gone with the gas that was there.
@@ -33,12 +33,12 @@ void map_anew(State& state, const Scene& scene, const StepSet& set);
 void forget_sums(State& state, const StepSet& set);
 
 /// Density of the gas at the nodes from its mass there.
-void gas_at_nodes(Grid& grid);
+void gas_at_nodes(State& state);
 /// Books energy that was lost away from the gas as heat of all gas alike.
 void give_to_all_gas(State& state, double energy);
 /// The heat has been taken.
 void clear_heat(State& state);
 /// |v|^2 before and after the solve, for the ledger.
-void note_squares(Grid& grid);
+void note_squares(State& state);
 
 }  // namespace tether::mpm

@@ -122,12 +122,12 @@ const char* wave_text(const Scene& scene) {
 
 }  // namespace
 
-MpmSolver::MpmSolver(const Plan& plan) : MpmSolver(plan, plan.scene.points) {}
+MpmSolver::MpmSolver(const Plan& plan, int threads) : MpmSolver(plan, plan.scene.points, threads) {}
 
-MpmSolver::MpmSolver(const Plan& plan, PointSet points)
+MpmSolver::MpmSolver(const Plan& plan, PointSet points, int threads)
     : plan_(plan),
       set_(step_set(plan.scene)),
-      state_(start(plan.scene, std::move(points))),
+      state_(start(plan.scene, std::move(points), {.threads = threads})),
       strings_(plan.scene, state_),
       stretches_(plan.scene),
       mixing_(plan.scene, state_.grid.frame),

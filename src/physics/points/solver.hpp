@@ -24,12 +24,12 @@ namespace tether::mpm {
 [[noreturn]] void stop_on_vanishing_step(const State& state, const char* waves, double dt);
 
 /// The material point method: the thesis' own (chapters 3 to 5: lumped mass, momentum formulation, linear
-/// quadrilaterals, FLIP) or the robust set, by the scene's method; one thread. The plan must outlive the solver.
+/// quadrilaterals, FLIP) or the robust set, by the scene's method. The plan must outlive the solver.
 class MpmSolver final : public Solver {
  public:
-  explicit MpmSolver(const Plan& plan);
+  explicit MpmSolver(const Plan& plan, int threads = 1);
   /// With the scene's points apart from it, which are gone then.
-  MpmSolver(const Plan& plan, PointSet points);
+  MpmSolver(const Plan& plan, PointSet points, int threads = 1);
 
   double time() const override { return state_.time; }
   using Solver::advance;

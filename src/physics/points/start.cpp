@@ -157,7 +157,7 @@ void sort_bodies(CellSort& sort, State& state, const Scene& scene) {
 State start(const Scene& scene, const LaneChoice& lanes) { return start(scene, scene.points, lanes); }
 
 State start(const Scene& scene, PointSet points, const LaneChoice& lanes) {
-  State state(scene, points, lanes.set);
+  State state(scene, points, lanes);
   state.density = cell_density(scene, state.grid.frame);
   for (const Body& body : scene.bodies) {
     state.ranges.push_back({body.first, body.first + body.count});

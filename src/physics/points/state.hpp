@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/warned.hpp"
 #include "loops/points.hpp"
+#include "loops/team.hpp"
 #include "model/scene.hpp"
 #include "physics/points/arrays.hpp"
 #include "physics/points/balance.hpp"
@@ -64,6 +66,13 @@ struct StateNumbers {
     };
   }
 };
+/// How points run that may run by lanes: by which instructions and on how many threads, or not at all.
+struct LaneChoice {
+  InstructionSet set = instruction_set();
+  bool on = true;
+  int threads = 1;
+};
+
 /// All that changes while a scene runs.
 struct State : StateNumbers, StepClock {
   Points points;
@@ -87,12 +96,18 @@ struct State : StateNumbers, StepClock {
   std::vector<std::optional<Blocks>> blocks;         // of each body whose points run by lanes
   std::size_t empty_slots = 0;                       // slots that hold no point
   std::optional<LanePasses> lane_passes;             // where some do
-  LaneFindings lane_findings;                        // of the last pass
+  std::vector<LaneFindings> lane_findings;           // of the last pass, for each strip
+  std::vector<LaneTotals> node_findings;             // of the last solve, for each piece of the nodes
+  std::unique_ptr<Team> team;                        // of threads
   double light_node = 0;                             // mass of which no motion is, for the balance [mass]
 
   /// `given` is empty then.
-  State(const Scene& scene, PointSet& given, InstructionSet set)
-      : points(scene, given), grid(scene, set), strips(scene, points), contact(scene, points, grid.frame) {}
+  State(const Scene& scene, PointSet& given, const LaneChoice& lanes)
+      : points(scene, given),
+        grid(scene, lanes.set),
+        strips(scene, points),
+        contact(scene, points, grid.frame),
+        team(std::make_unique<Team>(lanes.threads)) {}
 
   std::size_t point_count() const { return points.size() - empty_slots; }
   /// What strips change of it.
@@ -103,12 +118,6 @@ struct State : StateNumbers, StepClock {
   void list_fluids(const Scene& scene);
   /// New tangents alone; those of before say which way they run.
   void find_tangents(std::size_t b);
-};
-
-/// How points run that may run by lanes: by which instructions, or not at all.
-struct LaneChoice {
-  InstructionSet set = instruction_set();
-  bool on = true;
 };
 
 /// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step

@@ -34,7 +34,7 @@ inline PassWork pass_work(StepWork& work, double dt) {
 template <class S>
 void accelerate_and_convect_all(StepWork& work, double dt) {
   State& state = work.state;
-  clear_convected(state.grid);
+  clear_convected(state);
   state.contact.clear_convected();
   const PassWork pass = pass_work(work, dt);
   for (std::size_t b = 0; b < state.ranges.size(); ++b) {
@@ -47,7 +47,7 @@ void accelerate_and_convect_all(StepWork& work, double dt) {
                                    : accelerate_and_convect<S, false>(pass, state.ranges[b].full(), work.found);
   }
   state.grid.fold_convected();
-  divide_convected(state.grid);
+  divide_convected(state);
   state.contact.divide_convected(state.grid.frame);
 }
 
@@ -186,7 +186,7 @@ void solve_with_contact(StepWork& work, double dt, Sums after) {
   map_shared_force<S>(pass_work(work, dt), state, work.scene);
   state.contact.solve(state.points, state.grid.frame, work.scene.gravity, dt);
   total_with_contact(work, dt);
-  if (after == Sums::cleared) clear_sums(state.grid);
+  if (after == Sums::cleared) clear_sums(state);
 }
 
 template <class S>
@@ -212,14 +212,14 @@ template <class S>
 struct Usf {
   static void step(StepWork& work, double dt) {
     State& state = work.state;
-    mapped_velocity(state.grid);  // v_i = (mv)_i / m_i, walls
-    if (!state.gas_by_nodes.empty()) gas_at_nodes(state.grid);
+    mapped_velocity(state);  // v_i = (mv)_i / m_i, walls
+    if (!state.gas_by_nodes.empty()) gas_at_nodes(state);
     open_contact<S>(work, dt);  // each body's own field at shared nodes
-    clear_forces(state.grid);
+    clear_forces(state);
     strain_stress_and_map_all<S, UsfPass>(work, dt);  // (3.23), laws, (3.16)
     if (work.found.trouble.kind != TroubleKind::none) return;
     solve_with_contact<S>(work, dt, Sums::cleared);  // (3.19), (3.20), walls, impulses
-    if (state.keeps_ledger) clear_heat(state), note_squares(state.grid);
+    if (state.keeps_ledger) clear_heat(state), note_squares(state);
     accelerate_move_and_map_all<S>(work, dt);  // (3.22), (3.21), (4.10) centred, (3.15)
     if (state.keeps_ledger && work.found.trouble.kind == TroubleKind::none) settle_ledger<S>(work, pass_work(work, dt));
   }

@@ -94,14 +94,14 @@ class OneByOne {
   HWY_INLINE OneByOne(const LaneWork& work, std::ptrdiff_t, std::size_t) : law_(work.body.each) {}
 
   HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D>, const typename Kernel::template Weights<D>&,
-                                const Rates<D>& rate, LaneFindings&) const {
+                                const Rates<D>& rate, LaneFindings& found) const {
     double xx[width<D>], yy[width<D>], xy[width<D>], zz[width<D>], spin[width<D>], volume[width<D>];
     const V<D> half = all<D>(0.5);
     store<D>(rate.xx, xx), store<D>(rate.yy, yy), store<D>(half * rate.xy, xy), store<D>(rate.zz, zz);
     store<D>(half * rate.turn, spin);
     for (std::size_t l = 0; l < width<D>; ++l) {
       const bool there = P.mass[p + l] > 0;
-      volume[l] = there ? law_.update(law_.law, p + l, {xx[l], yy[l], xy[l], zz[l], spin[l]}) : 0;
+      volume[l] = there ? law_.update(law_.law, p + l, {xx[l], yy[l], xy[l], zz[l], spin[l]}, found) : 0;
     }
     return {load<D>(volume),
             {load<D>(P.sxx + p), load<D>(P.syy + p), load<D>(P.sxy + p), axis ? load<D>(P.szz + p) : hn::Zero(D())}};

@@ -21,10 +21,10 @@ HWY_INLINE V<D> inverse_of(V<D> m) {
   return hn::IfThenElseZero(m > hn::Zero(D()), all<D>(1) / m);
 }
 
-/// Calls body.template at<Lanes>(n) for all active nodes: by all lanes, and one by one what is left of a span.
+/// Calls body.template at<Lanes>(n) for all nodes: by all lanes, and one by one what is left of a span.
 template <class Body>
-HWY_INLINE void each_node(const ActiveNodes& active, const Body& body) {
-  for (const NodeSpan span : active.spans()) {
+HWY_INLINE void each_node(std::span<const NodeSpan> nodes, const Body& body) {
+  for (const NodeSpan span : nodes) {
     std::size_t n = span.begin;
     for (; n + width<All> <= span.end; n += width<All>) body.template at<All>(n);
     for (; n < span.end; ++n) body.template at<One>(n);
@@ -38,7 +38,7 @@ struct Clear {
     for (double* row : rows) store<D>(hn::Zero(D()), row + n);
   }
 };
-void clear(std::span<double* const> rows, const ActiveNodes& active) { each_node(active, Clear{rows}); }
+void clear(std::span<double* const> rows, std::span<const NodeSpan> nodes) { each_node(nodes, Clear{rows}); }
 
 /// Momenta over masses.
 struct Divide {
@@ -50,8 +50,8 @@ struct Divide {
     store<D>(per_m * load<D>(x + n), u + n), store<D>(per_m * load<D>(y + n), v + n);
   }
 };
-void map_velocity(const NodeRows& r, const ActiveNodes& active) {
-  each_node(active, Divide{r.m, r.momentum_x, r.momentum_y, r.convected_x, r.convected_y});
+void map_velocity(const NodeRows& r, std::span<const NodeSpan> nodes) {
+  each_node(nodes, Divide{r.m, r.momentum_x, r.momentum_y, r.convected_x, r.convected_y});
 }
 
 template <class D>
@@ -67,7 +67,7 @@ struct DivideAndClear {
     clear_sums<D>(r, n);
   }
 };
-void divide_convected(const NodeRows& r, const ActiveNodes& active) { each_node(active, DivideAndClear{r}); }
+void divide_convected(const NodeRows& r, std::span<const NodeSpan> nodes) { each_node(nodes, DivideAndClear{r}); }
 
 /// The momentum equation, and its sums: a lane each for the eight nodes of a column of eights, in the order of spans.
 struct Solve {
@@ -112,9 +112,9 @@ double sum_of(const double (&lanes)[eight]) {
   return sum;
 }
 
-LaneTotals solve(const NodeRows& rows, const ActiveNodes& active, const NodeStep& step) {
+LaneTotals solve(const NodeRows& rows, std::span<const NodeSpan> nodes, const NodeStep& step) {
   Solve pass{rows, step};
-  for (const NodeSpan span : active.spans()) {
+  for (const NodeSpan span : nodes) {
     std::size_t n = span.begin, lane = 0;
     for (; n + width<All> <= span.end; n += width<All>, lane = (lane + width<All>) % eight) pass.at<All>(n, lane);
     for (; n < span.end; ++n, lane = (lane + 1) % eight) pass.at<One>(n, lane);

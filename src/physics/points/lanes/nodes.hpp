@@ -21,6 +21,11 @@ struct NodeRows {
 /// Sums over nodes, as NodeTotals has them.
 struct LaneTotals {
   double power = 0, squares = 0, gained = 0, upward = 0;
+
+  /// Adds what was found at later nodes.
+  void join(const LaneTotals& later) {
+    power += later.power, squares += later.squares, gained += later.gained, upward += later.upward;
+  }
 };
 
 /// What is the same for all nodes of a solve.
@@ -33,14 +38,15 @@ struct NodeStep {
 
 /// One table for each instruction set. Walls hold nothing but in the solve.
 struct NodePasses {
-  /// 0 at the active nodes of some rows.
-  void (*clear)(std::span<double* const> rows, const ActiveNodes& active);
+  using Spans = std::span<const NodeSpan>;
+  /// 0 at the nodes of some rows.
+  void (*clear)(std::span<double* const> rows, Spans nodes);
   /// v_i = (mv)_i / m_i.
-  void (*map_velocity)(const NodeRows& rows, const ActiveNodes& active);
+  void (*map_velocity)(const NodeRows& rows, Spans nodes);
   /// The momenta that points gave back, divided by the masses (3.24), after which the sums are 0.
-  void (*divide_convected)(const NodeRows& rows, const ActiveNodes& active);
+  void (*divide_convected)(const NodeRows& rows, Spans nodes);
   /// a = f / m + g, u = (mv) / m + dt a (3.19), (3.20), walls; returns the sums of the balance of energy.
-  LaneTotals (*solve)(const NodeRows& rows, const ActiveNodes& active, const NodeStep& step);
+  LaneTotals (*solve)(const NodeRows& rows, Spans nodes, const NodeStep& step);
 };
 
 NodePasses node_passes(InstructionSet set);

@@ -41,7 +41,7 @@ HWY_NOINLINE void strain_and_pull(const LaneWork& work, std::ptrdiff_t n, Tile& 
 }
 
 template <class D, class Kernel, class Law>
-void strain_and_pull(const LaneWork& work, LaneFindings& found) {
+void strain_and_pull(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   ForceRows<D, Kernel, Law::about_axis> forces(work);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     if (Law::is_gas && work.N.heat) {
@@ -51,7 +51,8 @@ void strain_and_pull(const LaneWork& work, LaneFindings& found) {
     forces.begin(n);
     strain_and_pull<D, Kernel, Law>(work, n, tile, forces, found);
   };
-  sweep(work, each, [&]() HWY_ATTR { forces.close(); });
+  sweep(work, strip, each);
+  forces.close();
 }
 
 // Second pass: velocities (3.22), heat of gas (4.10), places (3.21), mass and momentum (3.15).
@@ -115,7 +116,7 @@ HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n,
 }
 
 template <class D, class Kernel, bool affine, bool axis, bool books>
-void accelerate_move_and_map(const LaneWork& work, LaneFindings& found) {
+void accelerate_move_and_map(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   MomentumRows<D, Kernel> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
@@ -125,7 +126,8 @@ void accelerate_move_and_map(const LaneWork& work, LaneFindings& found) {
       if (momenta.used > row_of_loss) Kernel::template scatter_value<D>(tile, tile.lost, momenta, row_of_loss);
     }
   };
-  sweep(work, each, [&]() HWY_ATTR { momenta.close(); });
+  sweep(work, strip, each);
+  momenta.close();
 }
 
 }  // namespace tether::mpm::HWY_NAMESPACE

@@ -39,14 +39,15 @@ HWY_NOINLINE void accelerate(const LaneWork& work, std::ptrdiff_t n, Tile& tile,
 }
 
 template <class D, class Kernel, bool affine>
-void accelerate_and_convect(const LaneWork& work, LaneFindings& found) {
+void accelerate_and_convect(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   Putting<D, Kernel, 2> momenta(work.grid.nx);
   momenta.rows[row_of_x] = work.N.convected_x, momenta.rows[row_of_y] = work.N.convected_y;
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     momenta.begin(n);
     accelerate<D, Kernel, affine>(work, n, tile, momenta, found);
   };
-  sweep(work, each, [&]() HWY_ATTR { momenta.close(); });
+  sweep(work, strip, each);
+  momenta.close();
 }
 
 // Strain rate at the old place (3.23), new place (3.21), stress, and the map to the new place's nodes (3.15), (3.16).
@@ -91,7 +92,7 @@ HWY_NOINLINE void strain_move_and_map(const LaneWork& work, std::ptrdiff_t n, Ti
 }
 
 template <class D, class Kernel, bool affine, bool last, class Law>
-void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
+void strain_move_and_map(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   MomentumRows<D, Kernel> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   ForceRows<D, Kernel, Law::about_axis> forces(work);
@@ -103,7 +104,9 @@ void strain_move_and_map(const LaneWork& work, LaneFindings& found) {
     if constexpr (affine && last) record_motion<D>(work, tile);
     if (tile.some_left) take_out<false>(work, tile, found);
   };
-  sweep(work, each, [&]() HWY_ATTR { momenta.close(), forces.close(); });
+  sweep(work, strip, each);
+  momenta.close();
+  forces.close();
 }
 
 // The same where a law waits for its neighbours' new places: the strain rates stand in the points' arrays meanwhile.
@@ -141,13 +144,13 @@ HWY_NOINLINE void strain_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& 
 }
 
 template <class D, class Kernel, bool affine, bool axis, bool last>
-void strain_and_move(const LaneWork& work, LaneFindings& found) {
+void strain_and_move(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     strain_and_move<D, Kernel, affine, axis, last>(work, n, tile, found);
     if constexpr (affine && last) record_motion<D>(work, tile);
     if (tile.some_left) take_out<false>(work, tile, found);
   };
-  sweep(work, each, []() {});
+  sweep(work, strip, each);
 }
 
 template <class D, class Kernel, bool affine, class Law>
@@ -172,7 +175,7 @@ HWY_NOINLINE void stress_and_map(const LaneWork& work, std::ptrdiff_t n, Tile& t
 }
 
 template <class D, class Kernel, bool affine, class Law>
-void stress_and_map(const LaneWork& work, LaneFindings& found) {
+void stress_and_map(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   MomentumRows<D, Kernel> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   ForceRows<D, Kernel, Law::about_axis> forces(work);
@@ -181,7 +184,9 @@ void stress_and_map(const LaneWork& work, LaneFindings& found) {
     stress_and_map<D, Kernel, affine, Law>(work, n, tile, momenta, forces, found);
     note_waves<D, affine>(work, tile, found), record_stress<D, Law::about_axis>(work, tile);
   };
-  sweep(work, each, [&]() HWY_ATTR { momenta.close(), forces.close(); });
+  sweep(work, strip, each);
+  momenta.close();
+  forces.close();
 }
 
 }  // namespace tether::mpm::HWY_NAMESPACE

@@ -12,21 +12,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace tether::mpm::HWY_NAMESPACE {
 
-// What all passes do: a sweep over the groups of a body, and sums for the nodes' rows.
+// What all passes do: a sweep over the groups of a strip, and sums for the nodes' rows.
 
-/// Calls each(tile, n) for the points of all groups, n the node of a group's first cell, and done() after each strip.
-template <class Each, class Done>
-HWY_INLINE void sweep(const LaneWork& work, const Each& each, const Done& done) {
+/// Calls each(tile, n) for the points of the strip's groups, n the node of a group's first cell.
+template <class Each>
+HWY_INLINE void sweep(const LaneWork& work, Blocks::Strip strip, const Each& each) {
   const Blocks& blocks = *work.blocks;
   Tile tile;
-  for (const Blocks::Strip strip : blocks.strips()) {
-    for (std::size_t g = strip.begin; g < strip.end; ++g) {
-      const Blocks::Group& group = blocks.groups()[g];
-      tile.x0 = group.cell, tile.y0 = group.row;
-      for (std::uint32_t block = group.first; next_layers(blocks, block, tile);)
-        each(tile, group.row * work.grid.nx + group.cell);
-    }
-    done();
+  for (std::size_t g = strip.begin; g < strip.end; ++g) {
+    const Blocks::Group& group = blocks.groups()[g];
+    tile.x0 = group.cell, tile.y0 = group.row;
+    for (std::uint32_t block = group.first; next_layers(blocks, block, tile);)
+      each(tile, group.row * work.grid.nx + group.cell);
   }
 }
 

@@ -48,7 +48,7 @@ struct Moved {
   double lost;        // what the ledger booked of it [energy]
 };
 
-/// Sums of what the lanes find, a number a lane; joined at the end in the order of lanes.
+/// What a pass finds in a strip: sums, a number a lane, and who has left.
 struct LaneFindings {
   static constexpr std::size_t lanes = Blocks::lanes, none = static_cast<std::size_t>(-1);
   double squares[lanes] = {};  // FLIP: as StepFindings::squares
@@ -62,7 +62,7 @@ struct LaneFindings {
 
   /// Of so many points the numbers are noted while they are at hand; a body that changes its cells as a whole would
   /// need as much room for them again as it has.
-  static constexpr std::size_t most_noted = 4096;
+  static constexpr std::size_t most_noted = 1024;
 
   /// Nothing is found yet; the lists keep their room.
   void begin() {
@@ -85,8 +85,9 @@ struct PointRate {
 };
 /// A law that is asked point by point.
 struct LawOfPoints {
-  /// Updates slot p, counted from the body's first one, and returns the volume in which its stress pulls.
-  double (*update)(const void* law, std::size_t p, const PointRate& rate) = nullptr;
+  /// Updates slot p, counted from the body's first one, and returns the volume in which its stress pulls; notes
+  /// wave speeds and who is unsound.
+  double (*update)(const void* law, std::size_t p, const PointRate& rate, LaneFindings& found) = nullptr;
   const void* law = nullptr;
 };
 
@@ -117,10 +118,10 @@ struct LaneWork {
   bool reads_stress = false;  // usf: the stress of gas is read before the points move
 };
 
-/// The passes over a body, one table for each instruction set, with what the scheme's order asks for. They sweep its
-/// strips of rows in their order; those by law have it as LaneLaw counts.
+/// The passes over a strip of a body's rows, one table for each instruction set, with what the scheme's order asks for;
+/// those by law have it as LaneLaw counts. Strips of one round may be swept at the same time.
 struct LanePasses {
-  using Pass = void (*)(const LaneWork& work, LaneFindings& found);
+  using Pass = void (*)(const LaneWork& work, Blocks::Strip strip, LaneFindings& found);
   /// musl: velocities (3.22), and their momenta back on the nodes (3.24).
   Pass accelerate_and_convect = nullptr;
   /// musl and usl: strain rate (3.23), of usl velocities (3.22), places (3.21), stress, the map (3.15), (3.16).

@@ -37,7 +37,7 @@ class Meeting {
  public:
   explicit Meeting(Scene scene) : scene_(std::move(scene)), state_(start(scene_)) {
     StepWork work{state_, scene_, {}};
-    mapped_velocity(state_.grid);
+    mapped_velocity(state_);
     open_contact<Splines>(work, dt_);
     solve_with_contact<Splines>(work, dt_, Sums::kept);
     for (std::size_t n = 0; n < state_.grid.frame.shape.nodes(); ++n) read_node(n);

@@ -107,6 +107,18 @@ TEST_P(Lanes, HaveTheSameBitsByEveryInstructionSet) {
   }
 }
 
+TEST_P(Lanes, HaveTheSameBitsOnAnyNumberOfThreads) {
+  LaneRun one = run({});
+  one.steps(steps());
+  for (const int threads : {2, 3, 8}) {
+    LaneRun other = run({.threads = threads});
+    other.steps(steps());
+    for (const auto array : compared) EXPECT_EQ(other.field(array), one.field(array)) << threads << " threads";
+    EXPECT_EQ(other.transfer(), one.transfer());
+    EXPECT_EQ(other.state().heat_given, one.state().heat_given);
+  }
+}
+
 // Velocities are written only where somebody reads them, which must be no matter of results.
 TEST_P(Lanes, DoNotDependOnWhenTheyAreRead) {
   LaneRun seldom = run({}), often = run({});
@@ -166,7 +178,7 @@ TEST(LaneLayout, GivesABodyMoreSlots) {
   EXPECT_EQ(run.field(&Points::x), before);
 }
 
-// More of them than there are notes of: they go in batches, group by group.
+// More of them than there are notes of.
 TEST(LaneLayout, MovesABodyThatChangesItsCellsAsAWhole) {
   const LaneScene edge{"AtTheEdgesOfCells", [](Scene& s) {
                          std::vector<PointAt> points;
@@ -178,7 +190,7 @@ TEST(LaneLayout, MovesABodyThatChangesItsCellsAsAWhole) {
                        }};
   LaneRun run(edge, Wall::free_slip, {}), alone(edge, Wall::free_slip, {InstructionSet::one, false});
   run.steps(1), alone.steps(1);
-  EXPECT_GT(run.moved(), 2 * LaneFindings::most_noted);
+  EXPECT_GT(run.moved(), 4 * LaneFindings::most_noted);
   run.steps(4), alone.steps(4);
   EXPECT_EQ(run.moved(), alone.moved());
   for (const auto array : {&Points::x, &Points::y, &Points::vx, &Points::sxx}) {

@@ -60,7 +60,7 @@ void expect_marks(const Points& points) {
 TEST(PointArrays, MoveWithTheirPointsWhenSorted) {
   const Scene scene = blocks();
   PointSet given = scene.points;
-  State state(scene, given, instruction_set());
+  State state(scene, given, {});
   for (const Body& body : scene.bodies) state.ranges.push_back({body.first, body.first + body.count});
   mark_all(state.points);
   const auto before = state.points.id;
