@@ -119,8 +119,8 @@ void expect_same_bits(const fs::path& a, const fs::path& b) {
 std::vector<std::string> lines_of_the_run(const fs::path& file) {
   auto lines = split_lines(read_file(file));
   std::erase_if(lines, [](const std::string& line) {
-    for (const char* start : {"# ", "threads", "cpu_", "wall_", "setup_", "ns_per", "peak_", "assembly_", "solve_", "analysis_",
-                              "goes on", "interrupted"}) {
+    for (const char* start : {"# ", "threads", "cpu_", "wall_", "setup_", "ns_per", "peak_", "assembly_", "solve_",
+                              "analysis_", "goes on", "interrupted"}) {
       if (line.starts_with(start)) return true;
     }
     return false;
