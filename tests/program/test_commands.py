@@ -4,7 +4,7 @@ import re
 import subprocess
 import unittest
 
-from program import DECKS, TETHER, ProgramTest, diagnostics, run, without_cost
+from program import DECKS, TETHER, ProgramTest, diagnostics, run, summary, without_cost
 
 SOD = DECKS / "sod.in"
 
@@ -108,14 +108,22 @@ class Talk(ProgramTest):
                 self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_threads_that_nothing_uses_are_told_of(self):
-        deck, remark = DECKS / "stability-side.in", "remark: --threads 3 changes nothing: this path computes with one thread"
-        result = self.expect(0, deck, DECKS / "stability-centre.in", "--threads", "3", folder=self.folder)
+        deck, remark = DECKS / "rigid-torque.in", "remark: --threads 3 changes nothing: this path computes with one thread"
+        result = self.expect(0, deck, DECKS / "bar-vibration.in", "--threads", "3", folder=self.folder)
         self.assertEqual(result.stderr.count(remark), 2)
-        self.assertIn(remark, (self.folder / "out/stability-side/messages.txt").read_text())
+        folder = self.folder / "out/rigid-torque"
+        self.assertIn(remark, (folder / "messages.txt").read_text())
+        self.assertEqual(summary(folder)["threads"], "1")
         self.assertEqual(self.expect(0, "--threads", "3", "plan", deck).stderr.count(remark), 1)
         for words in ((deck, "--threads", "1"), (deck,), ("plan", deck)):
             self.assertNotIn("threads", self.expect(0, *words, folder=self.folder).stderr)
-        self.assertNotIn("threads", (self.folder / "out/stability-side/messages.txt").read_text())
+        self.assertNotIn("threads", (folder / "messages.txt").read_text())
+
+    def test_threads_are_those_asked_for_or_as_many_as_are_worth_it(self):
+        deck = DECKS / "stability-side.in"  # of few points
+        for words, threads in (((), "1"), (("--threads", "3"), "3")):
+            self.assertNotIn("threads", self.expect(0, deck, *words, folder=self.folder).stderr)
+            self.assertEqual(summary(self.folder / "out/stability-side")["threads"], threads)
 
     def test_an_output_that_takes_no_text_is_told(self):
         for words in (["vars"], ["check", DECKS / "sod.in"]):
