@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loops/blocks.hpp"
+
 namespace tether {
 namespace {
 
@@ -47,22 +49,6 @@ Aggregates pairs(const SymmetricRows& A) {
   return pair;
 }
 
-/// The unknowns of each aggregate, one aggregate after the other.
-struct Members {
-  std::vector<int> start, unknown;
-  explicit Members(const Aggregates& aggregates) : start(at(aggregates.count) + 1, 0) {
-    for (const int I : aggregates.of) {
-      if (I >= 0) ++start[at(I) + 1];
-    }
-    for (std::size_t I = 0; I + 1 < start.size(); ++I) start[I + 1] += start[I];
-    unknown.resize(at(start.back()));
-    std::vector<int> next = start;
-    for (std::size_t i = 0; i < aggregates.of.size(); ++i) {
-      if (const int I = aggregates.of[i]; I >= 0) unknown[at(next[at(I)]++)] = static_cast<int>(i);
-    }
-  }
-};
-
 /// Sums the rows of A that belong to one aggregate.
 class RowSum {
  public:
@@ -101,7 +87,7 @@ class RowSum {
 };
 
 SymmetricRows coarse_matrix(const SymmetricRows& A, const Aggregates& aggregates) {
-  const Members members(aggregates);
+  const Lists members = members_of(aggregates);
   SymmetricRows coarse;
   coarse.n = aggregates.count;
   coarse.start.assign(1, 0);
@@ -109,7 +95,7 @@ SymmetricRows coarse_matrix(const SymmetricRows& A, const Aggregates& aggregates
   RowSum row(A, aggregates);
   for (int I = 0; I < aggregates.count; ++I) {
     row.begin(I);
-    for (int m = members.start[at(I)]; m < members.start[at(I) + 1]; ++m) row.add(at(members.unknown[at(m)]));
+    for (const int member : members[at(I)]) row.add(at(member));
     row.append_to(coarse);
   }
   return coarse;
@@ -117,34 +103,92 @@ SymmetricRows coarse_matrix(const SymmetricRows& A, const Aggregates& aggregates
 
 }  // namespace
 
-void SymmetricRows::multiply(std::span<const double> x, std::span<double> y) const {
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    double sum = diagonal[i] * x[i];
-    for (auto k = at(start[i]); k < at(start[i + 1]); ++k) sum += value[k] * x[at(column[k])];
-    y[i] = sum;
+Lists members_of(const Aggregates& aggregates) {
+  Lists members;
+  members.start.assign(at(aggregates.count) + 1, 0);
+  for (const int I : aggregates.of) {
+    if (I >= 0) ++members.start[at(I) + 1];
   }
+  for (std::size_t I = 0; I + 1 < members.start.size(); ++I) members.start[I + 1] += members.start[I];
+  members.number.resize(at(members.start.back()));
+  std::vector<int> next = members.start;
+  for (std::size_t i = 0; i < aggregates.of.size(); ++i) {
+    if (const int I = aggregates.of[i]; I >= 0) members.number[at(next[at(I)]++)] = static_cast<int>(i);
+  }
+  return members;
 }
 
-SymmetricRows rows_of(const SparseMatrix& A) {
-  SymmetricRows rows;
-  rows.n = static_cast<int>(A.n);
-  rows.start.assign(1, 0), rows.diagonal.assign(at(A.n), 0.0);
-  rows.column.reserve(A.row.size()), rows.value.reserve(A.row.size());
-  for (std::int64_t i = 0; i < A.n; ++i) {
-    auto left = rows.start.back();
-    for (auto k = at(A.start[at(i)]); k < at(A.start[at(i) + 1]); ++k) {
-      left += A.row[k] < i;
-      if (A.row[k] == i) {
-        rows.diagonal[at(i)] = A.value[k];
-      } else {
-        rows.column.push_back(static_cast<std::int32_t>(A.row[k])), rows.value.push_back(A.value[k]);
-      }
+void SymmetricRows::multiply(Team& team, std::span<const double> x, std::span<double> y) const {
+  each_block(team, y.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      double sum = diagonal[i] * x[i];
+      for (auto k = at(start[i]); k < at(start[i + 1]); ++k) sum += value[k] * x[at(column[k])];
+      y[i] = sum;
     }
-    rows.middle.push_back(left);
-    rows.start.push_back(static_cast<std::int64_t>(rows.column.size()));
+  });
+}
+
+namespace {
+
+/// Puts rows together entry by entry, the columns of a row ascending.
+class RowWriter {
+ public:
+  RowWriter(std::int64_t n, std::size_t nonzeros) {
+    rows_.n = static_cast<int>(n);
+    rows_.start.assign(1, 0), rows_.diagonal.assign(at(n), 0.0);
+    rows_.start.reserve(at(n) + 1), rows_.middle.reserve(at(n));
+    rows_.column.reserve(nonzeros), rows_.value.reserve(nonzeros);
   }
-  rows.scale = rows.diagonal;
-  return rows;
+  void begin() { left_ = rows_.start.back(); }
+  void add(std::int64_t row, std::int64_t column, double value) {
+    if (column == row) {
+      rows_.diagonal[at(row)] = value;
+      return;
+    }
+    left_ += column < row;
+    rows_.column.push_back(static_cast<std::int32_t>(column)), rows_.value.push_back(value);
+  }
+  void end() {
+    rows_.middle.push_back(left_);
+    rows_.start.push_back(static_cast<std::int64_t>(rows_.column.size()));
+  }
+  SymmetricRows take() {
+    rows_.scale = rows_.diagonal;
+    return std::move(rows_);
+  }
+
+ private:
+  SymmetricRows rows_;
+  std::int64_t left_ = 0;
+};
+
+}  // namespace
+
+SymmetricRows rows_of(const SparseMatrix& A) {
+  RowWriter rows(A.n, A.row.size());
+  for (std::int64_t i = 0; i < A.n; ++i) {
+    rows.begin();
+    for (auto k = at(A.start[at(i)]); k < at(A.start[at(i) + 1]); ++k) rows.add(i, A.row[k], A.value[k]);
+    rows.end();
+  }
+  return rows.take();
+}
+
+SymmetricRows rows_of_sum(const SparseMatrix& A, const EigenSparse& S) {
+  RowWriter rows(A.n, A.row.size() + at(S.nonZeros()));
+  for (std::int64_t i = 0; i < A.n; ++i) {
+    rows.begin();
+    EigenSparse::InnerIterator other(S, i);
+    for (auto k = at(A.start[at(i)]); k < at(A.start[at(i) + 1]); ++k) {
+      for (; other && other.row() < A.row[k]; ++other) rows.add(i, other.row(), other.value());
+      const bool both = other && other.row() == A.row[k];
+      rows.add(i, A.row[k], both ? A.value[k] + other.value() : A.value[k]);
+      if (both) ++other;
+    }
+    for (; other; ++other) rows.add(i, other.row(), other.value());
+    rows.end();
+  }
+  return rows.take();
 }
 
 SparseMatrix columns_of(const SymmetricRows& A) {

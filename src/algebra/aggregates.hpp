@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "algebra/eigen_sparse.hpp"
 #include "algebra/sparse_matrix.hpp"
+#include "loops/team.hpp"
 
 namespace tether {
 
@@ -14,20 +16,22 @@ struct SymmetricRows {
   int n = 0;
   std::vector<std::int64_t> start;   ///< n + 1: where each row begins in column and value
   std::vector<std::int64_t> middle;  ///< n: where its part right of the diagonal begins
-  std::vector<std::int32_t> column;  ///< ascending in a row, without the diagonal
+  std::vector<std::int32_t>
+      column;  ///< of a row, without the diagonal; ascending, unless a level of multigrid sorts them
   std::vector<double> value;
   std::vector<double> diagonal;
   std::vector<double> scale;  ///< the diagonal entries that came together in each diagonal entry, summed
 
   /// y = A x
-  void multiply(std::span<const double> x, std::span<double> y) const;
+  void multiply(Team& team, std::span<const double> x, std::span<double> y) const;
   /// Whether diagonal entry i is more than what rounding leaves of a pocket without an outlet.
   bool positive(std::size_t i) const { return diagonal[i] > 1e-12 * scale[i]; }
   double nonzeros() const { return static_cast<double>(column.size() + diagonal.size()); }
 };
 
-/// Of a symmetric matrix with both triangles.
+/// Of symmetric matrices with both triangles: A, or A + S.
 SymmetricRows rows_of(const SparseMatrix& A);
+SymmetricRows rows_of_sum(const SparseMatrix& A, const EigenSparse& S);
 SparseMatrix columns_of(const SymmetricRows& A);
 
 /// A number for each unknown, that of its aggregate, or `alone`.
@@ -36,6 +40,9 @@ struct Aggregates {
   std::vector<int> of;
   int count = 0;
 };
+
+/// The unknowns of each aggregate, ascending.
+Lists members_of(const Aggregates& aggregates);
 
 /// Aggregates of up to 8 unknowns by pairing three times: each unknown with the one it is most strongly and negatively
 /// coupled with, if that is free and about as strong as its strongest coupling; then pairs with pairs. `coarse` becomes

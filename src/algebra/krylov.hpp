@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "base/numbers.hpp"
+#include "loops/blocks.hpp"
 
 namespace tether {
 
@@ -46,6 +48,20 @@ class KrylovBasis {
 /// Summed in the order of the entries, so that it is the same from run to run.
 double dot(std::span<const double> a, std::span<const double> b);
 double norm(std::span<const double> x);
+
+/// The same by blocks, whose sums are summed.
+inline double dot(Team& team, std::span<const double> a, std::span<const double> b) {
+  return sum_of_blocks(team, a.size(), [&](std::size_t begin, std::size_t end) {
+    return dot(a.subspan(begin, end - begin), b.subspan(begin, end - begin));
+  });
+}
+inline double norm(Team& team, std::span<const double> x) { return std::sqrt(dot(team, x, x)); }
+/// y += factor x
+inline void add(Team& team, double factor, std::span<const double> x, std::span<double> y) {
+  each_block(team, y.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) y[i] += factor * x[i];
+  });
+}
 
 /// What became of a solution.
 struct KrylovResult {
@@ -104,40 +120,43 @@ KrylovResult bicgstab(const SparseMatrix& A, std::span<const double> b, std::spa
 /// where A or P turns out not to be positive definite. A singular A will do where b has a solution.
 /// Source: G. H. Golub, Q. Ye, SIAM J. Sci. Comput. 21 (1999) 1305-1320.
 template <class Multiply, class Precondition>
-KrylovResult pcg(const Multiply& multiply, const Precondition& precondition, std::span<const double> b,
+KrylovResult pcg(Team& team, const Multiply& multiply, const Precondition& precondition, std::span<const double> b,
                  std::span<double> x, double tolerance, int most) {
   const std::size_t n = b.size();
   std::vector<double> r(n), z(n), p(n), q(n);
   constexpr double small = 1e-8;
-  const double enough = tolerance * norm(b);
+  const double enough = tolerance * norm(team, b);
   double before = std::numeric_limits<double>::infinity();  // the residual at the last start from x
   KrylovResult result;
   if (enough == 0) std::fill(x.begin(), x.end(), 0.0);
   while (true) {
     multiply(std::span<const double>(x), std::span<double>(q));
     for (std::size_t i = 0; i < n; ++i) r[i] = b[i] - q[i];
-    double residual = norm(r);
+    double residual = norm(team, r);
     const bool finite = residual < 1e300;
-    const bool rounded = residual > 0.5 * before && residual <= small * norm(b);
+    const bool rounded = residual > 0.5 * before && residual <= small * norm(team, b);
     result.converged = finite && (residual <= enough || rounded);
     if (result.converged || !finite || result.iterations >= most) return result;
     before = residual;
     precondition(std::span<const double>(r), std::span<double>(z));
     std::copy(z.begin(), z.end(), p.begin());
-    double rz = dot(r, z);
+    double rz = dot(team, r, z);
     while (residual > enough && result.iterations < most) {
       multiply(std::span<const double>(p), std::span<double>(q));
-      const double pq = dot(p, q);
+      const double pq = dot(team, p, q);
       if (!(rz > 0) || !(pq > 0)) return result;
       ++result.iterations;
       const double step = rz / pq;
-      for (std::size_t i = 0; i < n; ++i) x[i] += step * p[i], r[i] -= step * q[i];
-      residual = norm(r);
+      add(team, step, p, x), add(team, -step, q, r);
+      residual = norm(team, r);
       if (!(residual > enough)) break;
       precondition(std::span<const double>(r), std::span<double>(z));
-      const double change = -step * dot(q, z);  // (r - the r before) . z
-      for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + change / rz * p[i];
-      rz = dot(r, z);
+      const double change = -step * dot(team, q, z);  // (r - the r before) . z
+      const double conjugate = change / rz;
+      each_block(team, n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) p[i] = z[i] + conjugate * p[i];
+      });
+      rz = dot(team, r, z);
     }
   }
 }

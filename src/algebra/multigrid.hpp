@@ -4,7 +4,9 @@
 #include <memory>
 #include <span>
 
+#include "algebra/aggregates.hpp"
 #include "algebra/sparse_matrix.hpp"
+#include "loops/team.hpp"
 
 namespace tether {
 
@@ -17,7 +19,8 @@ namespace tether {
 /// 123-146.
 class AggregationMultigrid {
  public:
-  AggregationMultigrid();
+  /// The team shares its loops, and must outlive it.
+  explicit AggregationMultigrid(Team& team);
   ~AggregationMultigrid();
   AggregationMultigrid(AggregationMultigrid&&) noexcept;
   AggregationMultigrid& operator=(AggregationMultigrid&&) noexcept;
@@ -25,7 +28,10 @@ class AggregationMultigrid {
   /// Makes the levels of A, both triangles of which must be there. Rows without couplings and parts that are singular
   /// (pockets of pressure without an outlet) are taken. False where a diagonal entry is not positive, or the coarsest
   /// matrix is no use.
-  bool set_up(const SparseMatrix& A);
+  bool set_up(const SparseMatrix& A) { return make_levels(rows_of(A)) && factorise(); }
+  /// The same in two parts, of which only the second one calls BLAS, which is not made for two threads at once.
+  bool make_levels(SymmetricRows A);
+  bool factorise();
   /// z = P^-1 r, each of A.n numbers and apart; P is symmetric positive definite but for what two inner iterations
   /// vary, which pcg forgives.
   void precondition(std::span<const double> r, std::span<double> z);

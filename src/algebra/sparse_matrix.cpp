@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "loops/blocks.hpp"
+
 namespace tether {
 namespace {
 
@@ -41,6 +43,17 @@ void SparseMatrix::multiply(std::span<const double> x, std::span<double> y) cons
       y[static_cast<std::size_t>(row[k])] += value[k] * x[j];
     }
   }
+}
+
+void multiply_symmetric(Team& team, const SparseMatrix& A, std::span<const double> x, std::span<double> y) {
+  each_block(team, y.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      double sum = 0;
+      for (auto k = static_cast<std::size_t>(A.start[i]); k < static_cast<std::size_t>(A.start[i + 1]); ++k)
+        sum += A.value[k] * x[static_cast<std::size_t>(A.row[k])];
+      y[i] = sum;
+    }
+  });
 }
 
 NodalPattern::NodalPattern(int dim, std::size_t node_count, std::span<const int> nodes, int per_element)

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "loops/team.hpp"
+
 namespace tether {
 
 /// Square sparse matrix by compressed columns, the rows of a column ascending.
@@ -18,6 +20,9 @@ struct SparseMatrix {
   /// y = A x, both of n numbers.
   void multiply(std::span<const double> x, std::span<double> y) const;
 };
+
+/// y = A x of a symmetric A that has both triangles, whose columns are its rows.
+void multiply_symmetric(Team& team, const SparseMatrix& A, std::span<const double> x, std::span<double> y);
 
 /// The matrix of a mesh whose nodes have `dim` unknowns each, dim A .. dim A + dim - 1, and couple with the nodes of
 /// their elements; and where each element's numbers stand in it, so that an assembly neither searches nor allocates.

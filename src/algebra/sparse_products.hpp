@@ -10,7 +10,7 @@ namespace tether {
 /// E^T S E of a square S (n x n) and E (n x m): S in the unknowns that E makes its own of.
 EigenSparse congruent(const EigenSparse& S, const EigenSparse& E);
 
-/// L + B D B^T of a square L (n x n), B (n x m) and a diagonal D of m numbers, both triangles.
-SparseMatrix plus_weighted_square(const SparseMatrix& L, const EigenRows& B, std::span<const double> D);
+/// B D B^T of B (n x m) and a diagonal D of m numbers, both triangles.
+EigenSparse weighted_square(const EigenRows& B, std::span<const double> D);
 
 }  // namespace tether

@@ -25,6 +25,8 @@ namespace {
 /// A step of fewer points takes less time than threads need to come together.
 constexpr std::size_t points_worth_threads = 10000;
 
+bool is_worth_threads(const Plan& plan) { return plan.scene.points.size() >= points_worth_threads; }
+
 /// The solver of each physics.
 struct MakeSolver {
   const Plan& plan;
@@ -33,10 +35,14 @@ struct MakeSolver {
     return std::make_unique<mpm::MpmSolver>(plan, threads);
   }
   std::unique_ptr<Solver> operator()(const Bars&) const { return std::make_unique<fem::BarSolver>(plan); }
-  std::unique_ptr<Solver> operator()(const ElasticBodies&) const { return std::make_unique<fem::SolidSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const ElasticBodies&) const {
+    return std::make_unique<fem::SolidSolver>(plan, threads);
+  }
   std::unique_ptr<Solver> operator()(const RigidBody&) const { return std::make_unique<fem::RigidSolver>(plan); }
-  std::unique_ptr<Solver> operator()(const MeshFlow&) const { return std::make_unique<fem::FlowSolver>(plan); }
-  std::unique_ptr<Solver> operator()(const BoxFlow&) const { return std::make_unique<coupled::CoupledSolver>(plan); }
+  std::unique_ptr<Solver> operator()(const MeshFlow&) const { return std::make_unique<fem::FlowSolver>(plan, threads); }
+  std::unique_ptr<Solver> operator()(const BoxFlow&) const {
+    return std::make_unique<coupled::CoupledSolver>(plan, threads);
+  }
 };
 
 }  // namespace
@@ -50,12 +56,14 @@ std::unique_ptr<Solver> make_solver_with_points_of(Plan& plan, int threads) {
   return std::make_unique<mpm::MpmSolver>(plan, std::move(plan.scene.points), threads);
 }
 
-bool shares_work(const Plan& plan) { return std::holds_alternative<MaterialPoints>(plan.scene.physics); }
+bool shares_work(const Plan& plan) {
+  return !std::holds_alternative<Bars>(plan.scene.physics) && !std::holds_alternative<RigidBody>(plan.scene.physics);
+}
 
 int threads_for(const Plan& plan, int asked) {
   if (!shares_work(plan)) return 1;
   if (asked > 0) return asked;
-  if (plan.scene.points.size() < points_worth_threads) return 1;
+  if (!is_worth_threads(plan)) return 1;
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 

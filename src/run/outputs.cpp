@@ -48,7 +48,6 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       points_due_(plan.scene.outputs.points),
       grid_due_(plan.scene.outputs.grid),
       checkpoint_due_(plan.scene.outputs.checkpoint) {
-  if (plan.scene.coupled()) cell_middles_ = mesh_of_middles(plan.scene.coupled()->grid);
   folder_.deck_effective(request.deck_effective);
   if (request.mesh_text) folder_.beside_deck(effective_mesh_file, *request.mesh_text);
   for (const auto& message : request.messages) note(message);
@@ -157,7 +156,8 @@ void RunOutputs::write_grid() {
 }
 
 void RunOutputs::write_grid(const Snapshot& snapshot) {
-  if (const Mesh* mesh = std::visit(MeshOfGrid{cell_middles_}, plan_.scene.physics))
+  const Mesh cell_middles = plan_.scene.coupled() ? mesh_of_middles(plan_.scene.coupled()->grid) : Mesh{};
+  if (const Mesh* mesh = std::visit(MeshOfGrid{cell_middles}, plan_.scene.physics))
     folder_.mesh(*mesh, snapshot);
   else
     folder_.grid(plan_.scene.grid, snapshot);

@@ -89,7 +89,6 @@ class RunOutputs {
   const Solver& solver_;
   ResultFolder folder_;
   History history_;
-  Mesh cell_middles_;  // of a coupled scene
   std::size_t point_snapshots_ = 0, grid_snapshots_ = 0;
   std::vector<std::string> messages_;  // of the run, beside those of its deck
   Due history_due_, points_due_, grid_due_, checkpoint_due_;

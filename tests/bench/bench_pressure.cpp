@@ -38,7 +38,8 @@ std::vector<double> right_side(std::int64_t n) {
 double measure_multigrid(const BodyInBox& box, double added, double before) {
   const SparseMatrix A = BodyMatrices(box).pressures(added);
   const std::vector<double> b = right_side(A.n);
-  AggregationMultigrid multigrid;
+  Team team;
+  AggregationMultigrid multigrid(team);
   std::vector<double> x(b.size());
   double set_up = 1e300, solve = 1e300;
   KrylovResult result;
@@ -46,8 +47,9 @@ double measure_multigrid(const BodyInBox& box, double added, double before) {
     set_up = std::min(set_up, seconds_of([&] { multigrid.set_up(A); }));
     x.assign(b.size(), 0.0);
     solve = std::min(solve, seconds_of([&] {
-                       result = pcg([&](auto v, auto y) { A.multiply(v, y); },
-                                    [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x, tolerance, 500);
+                       result = pcg(
+                           team, [&](auto v, auto y) { multiply_symmetric(team, A, v, y); },
+                           [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x, tolerance, 500);
                      }));
   }
   const double order = before > 0 ? std::log(solve / before) / (box.dim * std::log(2.0)) : 0;

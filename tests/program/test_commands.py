@@ -109,7 +109,7 @@ class Talk(ProgramTest):
 
     def test_threads_that_nothing_uses_are_told_of(self):
         deck, remark = DECKS / "rigid-torque.in", "remark: --threads 3 changes nothing: this path computes with one thread"
-        result = self.expect(0, deck, DECKS / "bar-vibration.in", "--threads", "3", folder=self.folder)
+        result = self.expect(0, deck, DECKS / "rigid-free.in", "--threads", "3", folder=self.folder)
         self.assertEqual(result.stderr.count(remark), 2)
         folder = self.folder / "out/rigid-torque"
         self.assertIn(remark, (folder / "messages.txt").read_text())

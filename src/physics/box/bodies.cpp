@@ -101,7 +101,8 @@ std::string thin_text(const Scene& scene) {
   const SolidSurface surface = surface_of(scene.solids()->mesh);
   const FlowBox box(*scene.coupled());
   const Outside outside(*scene.coupled(), scene.gravity);
-  const Placement placed = Placer(*scene.coupled(), surface, box, outside).at(scene.solids()->mesh.x);
+  Team alone;
+  const Placement placed = Placer(*scene.coupled(), surface, box, outside, alone).at(scene.solids()->mesh.x);
   return thin_text(thin_bodies(placed, surface), scene.coupled()->grid.dim);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "loops/blocks.hpp"
 #include "physics/box/flow_paths.hpp"
 
 namespace tether::coupled {
@@ -11,8 +12,8 @@ namespace {
 template <int dim>
 class Carrier {
  public:
-  Carrier(const FlowDomain& domain, const FaceValues& v, double h)
-      : domain_(domain), grid_(domain.grid), v_(v), h_(h), paths_(domain) {}
+  Carrier(Team& team, const FlowDomain& domain, const FaceValues& v, double h)
+      : team_(team), domain_(domain), grid_(domain.grid), v_(v), h_(h), paths_(domain) {}
 
   void semi_lagrangian(const FaceValues& carried, FaceValues& out) const {
     for (int axis = 0; axis < dim; ++axis) {
@@ -54,15 +55,18 @@ class Carrier {
   template <class Function>
   void each_open_face(int axis, const Function& function) const {
     const auto& kind = domain_.face[static_cast<std::size_t>(axis)];
-    const auto m = grid_.faces(axis);
-    std::size_t f = 0;
-    for (int k = 0; k < m[2]; ++k) {
-      for (int j = 0; j < m[1]; ++j) {
-        for (int i = 0; i < m[0]; ++i, ++f) {
-          if (kind[f] == FaceKind::open) function(f, paths_.middle_of_face(axis, {i, j, k}));
-        }
-      }
-    }
+    const int nx = grid_.faces(axis)[0], ny = grid_.faces(axis)[1], rows = ny * grid_.faces(axis)[2];
+    each_block(
+        team_, static_cast<std::size_t>(rows),
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t f = begin * static_cast<std::size_t>(nx);
+          for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+            for (int i = 0; i < nx; ++i, ++f) {
+              if (kind[f] == FaceKind::open) function(f, paths_.middle_of_face(axis, {i, row % ny, row / ny}));
+            }
+          }
+        },
+        rows_of_a_block);
   }
 
   // What is carried along an axis at the end of a path from the middle of a face, by the mid-point rule: with the
@@ -87,6 +91,9 @@ class Carrier {
     return u;
   }
 
+  static constexpr std::size_t rows_of_a_block = 8;
+
+  Team& team_;
   const FlowDomain& domain_;
   const StaggeredGrid& grid_;
   const FaceValues& v_;
@@ -95,22 +102,23 @@ class Carrier {
 };
 
 template <int dim>
-void carry_in(const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h, Advection advection,
-              FaceValues& out) {
-  const Carrier<dim> carrier(domain, v, h);
+void carry_in(Team& team, const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h,
+              Advection advection, FaceValues& out) {
+  const Carrier<dim> carrier(team, domain, v, h);
   advection == Advection::maccormack ? carrier.maccormack(carried, out) : carrier.semi_lagrangian(carried, out);
 }
 
 }  // namespace
 
-void carry(const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h, Advection advection,
-           FaceValues& out) {
-  domain.grid.dim == 2 ? carry_in<2>(domain, v, carried, h, advection, out)
-                       : carry_in<3>(domain, v, carried, h, advection, out);
+void carry(Team& team, const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h,
+           Advection advection, FaceValues& out) {
+  domain.grid.dim == 2 ? carry_in<2>(team, domain, v, carried, h, advection, out)
+                       : carry_in<3>(team, domain, v, carried, h, advection, out);
 }
 
-void carry_velocity(const FlowDomain& domain, const FaceValues& v, double h, Advection advection, FaceValues& out) {
-  carry(domain, v, v, h, advection, out);
+void carry_velocity(Team& team, const FlowDomain& domain, const FaceValues& v, double h, Advection advection,
+                    FaceValues& out) {
+  carry(team, domain, v, v, h, advection, out);
 }
 
 }  // namespace tether::coupled

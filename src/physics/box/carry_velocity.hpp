@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "loops/team.hpp"
 #include "model/coupled.hpp"
 #include "physics/box/outside.hpp"
 
@@ -16,10 +17,11 @@ namespace tether::coupled {
 /// has the value there. Prescribed and closed faces keep what they carry, those of v should have been extended
 /// (extend_velocity). `out` must be neither `v` nor `carried`. Source: Selle, Fedkiw, Kim, Liu, Rossignac, J. Sci.
 /// Comput. 35, 350 (2008).
-void carry(const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h, Advection advection,
-           FaceValues& out);
+void carry(Team& team, const FlowDomain& domain, const FaceValues& v, const FaceValues& carried, double h,
+           Advection advection, FaceValues& out);
 
 /// The velocity, carried along with itself.
-void carry_velocity(const FlowDomain& domain, const FaceValues& v, double h, Advection advection, FaceValues& out);
+void carry_velocity(Team& team, const FlowDomain& domain, const FaceValues& v, double h, Advection advection,
+                    FaceValues& out);
 
 }  // namespace tether::coupled

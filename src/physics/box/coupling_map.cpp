@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "loops/blocks.hpp"
 #include "model/coupled.hpp"
 #include "physics/box/film_pressures.hpp"
 #include "physics/box/pressure_sampler.hpp"
@@ -12,53 +13,77 @@
 namespace tether::coupled {
 namespace {
 
-using Entry = Eigen::Triplet<double, std::int64_t>;
+/// What pieces of the surface add to a map: entries of B, and forces by unknowns.
+struct MapPart {
+  SideSums entries;
+  std::vector<std::pair<int, double>> seen, outside, film_weight;
+};
 
-CouplingMatrix matrix_of(const std::vector<Entry>& entries, std::size_t rows, std::size_t columns) {
-  CouplingMatrix B(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(columns));
-  B.setFromTriplets(entries.begin(), entries.end());
-  return B;
+void add_to(std::span<const std::pair<int, double>> parts, std::vector<double>& sums) {
+  for (const auto& [k, value] : parts) sums[at(k)] += value;
 }
 
 class MapByPressures {
  public:
-  MapByPressures(const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut)
-      : of_(of), sampler_(sampler), cut_(cut), dim_(of.surface.dim) {
-    seen_.assign(at(of.surface.sheets * of.domain.regions), 0.0);
-  }
+  MapByPressures(Team& team, const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut)
+      : team_(team), of_(of), sampler_(sampler), cut_(cut), dim_(of.surface.dim) {}
 
   CouplingMap map(std::size_t unknowns) {
-    std::vector<int> before;
-    for (const SurfacePiece& piece : of_.pieces.pieces) before.push_back(sampler_.cell_before(piece));
-    open_side_ = open_sides_before(of_.pieces, of_.domain, sampler_, before);
-    const FilmPressures films({.surface = of_.surface,
-                               .q = sampler_.places(),
-                               .pieces = of_.pieces,
-                               .domain = of_.domain,
-                               .sampler = sampler_,
-                               .before = before,
-                               .open_side = open_side_});
-    outside_.assign(unknowns, 0.0), film_weight_.assign(unknowns, 0.0);
-    for (std::size_t k = 0; k < before.size(); ++k) {
-      const SurfacePiece& piece = of_.pieces.pieces[k];
-      if (open_side_[k] >= 0) {
-        add_before_side(piece, open_side_[k]);
-      } else if (before[k] >= 0) {
-        add(piece, at(before[k]));
-      } else {
-        const auto pressure = films.on(k);
-        add_film(piece, pressure);
-        add_film_weight(piece, films, k, pressure);
-        add_outside(piece, films, k);
-      }
-    }
-    return {matrix_of(entries_, of_.numbers.cell.size(), unknowns), seen_, outside_, film_weight_};
+    std::vector<int> before(of_.pieces.pieces.size());
+    team_.each(0, before.size(), [&](std::size_t k) { before[k] = sampler_.cell_before(of_.pieces.pieces[k]); });
+    open_side_ = open_sides_before(team_, of_.pieces, of_.domain, sampler_, before);
+    const FilmPressures films(team_, {.surface = of_.surface,
+                                      .q = sampler_.places(),
+                                      .pieces = of_.pieces,
+                                      .domain = of_.domain,
+                                      .sampler = sampler_,
+                                      .before = before,
+                                      .open_side = open_side_});
+    std::vector<MapPart> parts((before.size() + pieces_of_a_part - 1) / pieces_of_a_part);
+    each_block(
+        team_, before.size(),
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) add(k, before[k], films, parts[begin / pieces_of_a_part]);
+        },
+        pieces_of_a_part);
+    return joined(parts, unknowns);
   }
 
  private:
-  void add(const SurfacePiece& piece, std::size_t before) {
+  static constexpr std::size_t pieces_of_a_part = 256;
+
+  CouplingMap joined(std::span<MapPart> parts, std::size_t unknowns) const {
+    CouplingMap map;
+    map.area_seen.assign(at(of_.surface.sheets * of_.domain.regions), 0.0);
+    map.outside.assign(unknowns, 0.0), map.film_weight.assign(unknowns, 0.0);
+    std::vector<std::vector<SideEntry>> lists;
+    for (MapPart& part : parts) {
+      lists.push_back(part.entries.take());
+      add_to(part.seen, map.area_seen);
+      add_to(part.outside, map.outside), add_to(part.film_weight, map.film_weight);
+    }
+    map.B = matrix_of_sides(team_, of_.surface, lists, of_.numbers.cell.size(), unknowns);
+    return map;
+  }
+
+  void add(std::size_t number, int before, const FilmPressures& films, MapPart& to) const {
+    const SurfacePiece& piece = of_.pieces.pieces[number];
+    to.entries.begin(piece.side);
+    if (open_side_[number] >= 0) {
+      add_before_side(piece, open_side_[number], to);
+    } else if (before >= 0) {
+      add_before_cell(piece, at(before), to);
+    } else {
+      const auto pressure = films.on(number);
+      add_film(piece, pressure, to);
+      add_film_weight(piece, films, number, pressure, to);
+      add_outside(piece, films, number, to);
+    }
+  }
+
+  void add_before_cell(const SurfacePiece& piece, std::size_t before, MapPart& to) const {
     const Vec<3>& area = of_.pieces.area[at(piece.side)];
-    if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, area);
+    if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, area, to);
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const PressureStencil whole = sampler_.at(point.x, before);
@@ -67,15 +92,15 @@ class MapByPressures {
         const double by_area = -area[at(axis)] * point.part;
         if (cut_ != nullptr) {
           const double p = take_cut(piece.cell, axis, point.x[at(axis)], stencil);
-          if (p != 0) push(piece.side, point, axis, by_area * p, outside_);
+          if (p != 0) push(piece.side, point, axis, by_area * p, to.outside);
         }
-        add(piece.side, point, stencil, axis, by_area);
+        add(piece.side, point, stencil, axis, by_area, to);
       }
     }
   }
 
   /// The pressure of the side, with parts of cells linear towards it from the cell that the piece is in.
-  void add_before_side(const SurfacePiece& piece, int side) {
+  void add_before_side(const SurfacePiece& piece, int side, MapPart& to) const {
     const Vec<3>& area = of_.pieces.area[at(piece.side)];
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
@@ -84,14 +109,15 @@ class MapByPressures {
         PressureStencil stencil;
         double p = cut_ != nullptr ? take_cut(piece.cell, axis, point.x[at(axis)], stencil) : 0;
         if (stencil.size == 0 && of_.outside != nullptr) p = of_.outside->pressure_beyond(side, point.x[1]);
-        if (p != 0) push(piece.side, point, axis, by_area * p, outside_);
-        add(piece.side, point, stencil, axis, by_area);
+        if (p != 0) push(piece.side, point, axis, by_area * p, to.outside);
+        add(piece.side, point, stencil, axis, by_area, to);
       }
     }
   }
 
   /// One pressure all over the piece. Parts of cells say nothing about what is thinner than half a cell.
-  void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure) {
+  void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure,
+                MapPart& to) const {
     const Vec<3>& area = of_.pieces.area[at(piece.side)];
     const auto nodes = of_.surface.side(at(piece.side));
     Vec<3> share{};
@@ -102,9 +128,9 @@ class MapByPressures {
     for (const auto& [cell, weight] : pressure) {
       const int row = of_.numbers.of_cell[cell];
       if (row < 0) continue;  // void
+      auto& sums = to.entries.row(row);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        for (int axis = 0; axis < dim_; ++axis)
-          entries_.emplace_back(row, nodes[a] * dim_ + axis, -weight * share[a] * area[at(axis)]);
+        for (std::size_t i = 0; i < at(dim_); ++i) sums[3 * a + i] -= weight * share[a] * area[i];
       }
     }
   }
@@ -112,7 +138,7 @@ class MapByPressures {
   /// Harmonic from rim to rim is what the pressure differs by from that at rest at the same height: from the heights of
   /// the rims, and of the cells whose pressures theirs are, to that of the piece it grows as that at rest does.
   void add_film_weight(const SurfacePiece& piece, const FilmPressures& films, std::size_t number,
-                       const std::vector<std::pair<std::size_t, double>>& pressure) {
+                       const std::vector<std::pair<std::size_t, double>>& pressure, MapPart& to) const {
     if (of_.outside == nullptr) return;
     const auto at_rest = [&](const Vec<3>& x) { return of_.outside->pressure(x[1]); };
     double whole = films.outside_on(number, [](std::size_t) { return 1.0; });  // parts of rims, and these at rest
@@ -126,12 +152,12 @@ class MapByPressures {
       const SurfacePoint& point = of_.pieces.points[k];
       const double p = whole * at_rest(point.x) - rims;
       for (int axis = 0; axis < dim_; ++axis)
-        push(piece.side, point, axis, -area[at(axis)] * point.part * p, film_weight_);
+        push(piece.side, point, axis, -area[at(axis)] * point.part * p, to.film_weight);
     }
   }
 
   /// The pressure of the fluid outside on what is beyond an open side, and its share of that in a film.
-  void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number) {
+  void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number, MapPart& to) const {
     if (of_.outside == nullptr) return;
     const Vec<3>& area = of_.pieces.area[at(piece.side)];
     const int beyond = side_before(piece.middle);
@@ -143,13 +169,15 @@ class MapByPressures {
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const double p = beyond >= 0 ? of_.outside->pressure_beyond(beyond, point.x[1]) : in_film;
-      for (int axis = 0; axis < dim_; ++axis) push(piece.side, point, axis, -area[at(axis)] * point.part * p, outside_);
+      for (int axis = 0; axis < dim_; ++axis)
+        push(piece.side, point, axis, -area[at(axis)] * point.part * p, to.outside);
     }
   }
 
-  void push(int side, const SurfacePoint& point, int axis, double force, std::vector<double>& forces) const {
+  void push(int side, const SurfacePoint& point, int axis, double force,
+            std::vector<std::pair<int, double>>& forces) const {
     const auto nodes = of_.surface.side(at(side));
-    for (std::size_t a = 0; a < nodes.size(); ++a) forces[at(nodes[a] * dim_ + axis)] += point.share[a] * force;
+    for (std::size_t a = 0; a < nodes.size(); ++a) forces.emplace_back(nodes[a] * dim_ + axis, point.share[a] * force);
   }
 
   /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
@@ -164,20 +192,22 @@ class MapByPressures {
     return beyond;
   }
 
-  void see(const SurfacePiece& piece, int region, const Vec<3>& area) {
+  void see(const SurfacePiece& piece, int region, const Vec<3>& area, MapPart& to) const {
     double part = 0;
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) part += of_.pieces.points[k].part;
-    seen_[at(of_.surface.sheet[at(piece.side)] * of_.domain.regions + region)] +=
-        part * std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+    to.seen.emplace_back(of_.surface.sheet[at(piece.side)] * of_.domain.regions + region,
+                         part * std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]));
   }
 
-  void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, double area) {
+  void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, double area,
+           MapPart& to) const {
     const auto nodes = of_.surface.side(at(side));
     for (std::size_t s = 0; s < stencil.size; ++s) {
       const int row = of_.numbers.of_cell[stencil.cell[s]];
       if (row < 0) continue;  // void
+      auto& sums = to.entries.row(row);
       for (std::size_t a = 0; a < nodes.size(); ++a)
-        entries_.emplace_back(row, nodes[a] * dim_ + axis, stencil.weight[s] * point.share[a] * area);
+        sums[3 * a + at(axis)] += stencil.weight[s] * point.share[a] * area;
     }
   }
 
@@ -233,13 +263,11 @@ class MapByPressures {
     return of_.outside->pressure_beyond(2 * axis + (low < 0 ? 0 : 1), y);
   }
 
+  Team& team_;
   const CoupledSurface& of_;
   const PressureSampler& sampler_;
   const CutCells* cut_;
   int dim_;
-  std::vector<Entry> entries_;
-  std::vector<double> seen_;
-  std::vector<double> outside_, film_weight_;
   std::vector<int> open_side_;  // of each piece the one straight before it
 };
 
@@ -256,31 +284,9 @@ PressureNumbers number_pressures(const FlowDomain& domain) {
   return numbers;
 }
 
-CouplingMap map_by_pressures(const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut,
+CouplingMap map_by_pressures(Team& team, const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut,
                              std::size_t unknowns) {
-  return MapByPressures(of, sampler, cut).map(unknowns);
-}
-
-CouplingMatrix map_by_crossings(const CoupledSurface& of, const Crossings& crossings, std::size_t unknowns) {
-  const StaggeredGrid& grid = of.domain.grid;
-  std::vector<Entry> entries;
-  for (int axis = 0; axis < grid.dim; ++axis) {
-    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
-      if (crossings.lowest[at(axis)][f] < 0) continue;
-      const auto beside = cells_beside(grid, axis, f);
-      for (const int end : {0, 1}) {  // each cell sees the surface that is nearest to its middle
-        const int row = beside[at(end)] < 0 ? -1 : of.numbers.of_cell[at(beside[at(end)])];
-        if (row < 0) continue;
-        const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
-        const Crossing& crossing = crossings.all[at(nearest)];
-        const double out = end == 0 ? grid.area(axis) : -grid.area(axis);
-        const auto nodes = of.surface.side(at(crossing.side));
-        for (std::size_t a = 0; a < nodes.size(); ++a)
-          entries.emplace_back(row, nodes[a] * grid.dim + axis, out * crossing.share[a]);
-      }
-    }
-  }
-  return matrix_of(entries, of.numbers.cell.size(), unknowns);
+  return MapByPressures(team, of, sampler, cut).map(unknowns);
 }
 
 }  // namespace tether::coupled

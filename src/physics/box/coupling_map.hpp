@@ -3,15 +3,12 @@
 
 #include <cstdint>
 #include <vector>
-#include "algebra/eigen_sparse.hpp"
 
 #include "physics/box/outside.hpp"
 #include "physics/box/pressure_sampler.hpp"
+#include "physics/box/side_sums.hpp"
 
 namespace tether::coupled {
-
-/// Rows are pressures, columns velocities of the solids' nodes, dim a node.
-using CouplingMatrix = EigenRows;
 
 /// Numbers of the pressures: of each cell, from 0; -1 without one.
 struct PressureNumbers {
@@ -46,11 +43,11 @@ struct CoupledSurface {
 /// By pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before the surface it
 /// has the pressure of the film there. With `cut`, where neither cell is thin,
 /// pressures are linear along each axis between the middles of the cells on both sides of the point.
-CouplingMap map_by_pressures(const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut,
+CouplingMap map_by_pressures(Team& team, const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut,
                              std::size_t unknowns);
 
 /// By the lines between cells' middles: the flux through a closed face is that of the solid where the line meets it.
 /// The paper's D1 H, with the sign of B.
-CouplingMatrix map_by_crossings(const CoupledSurface& at, const Crossings& crossings, std::size_t unknowns);
+CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& at, const Crossings& crossings, std::size_t unknowns);
 
 }  // namespace tether::coupled

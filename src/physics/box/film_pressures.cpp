@@ -10,10 +10,12 @@
 
 #include "base/numbers.hpp"
 #include "grid/crossings.hpp"
+#include "loops/blocks.hpp"
 
 namespace tether::coupled {
 namespace {
 
+constexpr std::size_t rims_of_a_block = 8;
 constexpr double rounding = 1e-6;  // of a cell: surfaces that are nearer to each other touch
 
 double length(const Vec<3>& a) { return std::sqrt(dot(a, a)); }
@@ -31,13 +33,13 @@ Vec<3> unit(const Vec<3>& a) {
 
 }  // namespace
 
-FilmPressures::FilmPressures(const FilmsOf& of) : of_(of), kind_(of.before.size(), Kind::rim) {
+FilmPressures::FilmPressures(Team& team, const FilmsOf& of) : of_(of), kind_(of.before.size(), Kind::rim) {
   if (std::all_of(of.before.begin(), of.before.end(), [](int cell) { return cell >= 0; })) return;
   for (std::size_t k = 0; k < kind_.size(); ++k) kind_[k] = kind_of(k);
   list_sides_of_nodes();
   number_films();
   link_films();
-  share_rims();
+  share_rims(team);
 }
 
 FilmPressures::Kind FilmPressures::kind_of(std::size_t piece) const {
@@ -178,30 +180,41 @@ double FilmPressures::conductance(std::size_t film, std::size_t other) const {
 
 /// What the pressure of each rim, or of an outlet, is to each piece of the films: for each of them one solution of
 /// Laplace's equation.
-void FilmPressures::share_rims() {
-  const auto count = std::ssize(films_);
-  if (count == 0) return;
-  std::map<int, Eigen::Index> rims;
+void FilmPressures::share_rims(Team& team) {
   for (const Link& link : links_) {
-    if (kind_[at(link.other)] != Kind::film) rims.emplace(link.other, std::ssize(rims));
+    if (kind_[at(link.other)] != Kind::film) rims_.push_back(link.other);
   }
+  std::sort(rims_.begin(), rims_.end());
+  rims_.erase(std::unique(rims_.begin(), rims_.end()), rims_.end());
+  if (films_.empty()) return;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(laplacian());
+  shares_.resize(std::ssize(rims_), std::ssize(films_));
+  each_block(
+      team, rims_.size(),
+      [&](std::size_t begin, std::size_t end) {
+        const auto first = static_cast<Eigen::Index>(begin), count = static_cast<Eigen::Index>(end - begin);
+        Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(std::ssize(films_), count);
+        for (const Link& link : links_) {
+          const auto rim = std::lower_bound(rims_.begin(), rims_.end(), link.other) - rims_.begin() - first;
+          if (kind_[at(link.other)] != Kind::film && rim >= 0 && rim < count)
+            parts(number_[at(link.film)], rim) += link.conductance;
+        }
+        shares_.middleRows(first, count) = factors.solve(parts).transpose();
+      },
+      rims_of_a_block);
+}
+
+/// Of the films' pieces, by numbers.
+Eigen::SparseMatrix<double> FilmPressures::laplacian() const {
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(count, std::ssize(rims));
   for (const Link& link : links_) {
     const int row = number_[at(link.film)];
     entries.emplace_back(row, row, link.conductance);
     if (kind_[at(link.other)] == Kind::film) entries.emplace_back(row, number_[at(link.other)], -link.conductance);
-    if (kind_[at(link.other)] != Kind::film) parts(row, rims[link.other]) += link.conductance;
   }
-  Eigen::SparseMatrix<double> laplace(count, count);
+  Eigen::SparseMatrix<double> laplace(std::ssize(films_), std::ssize(films_));
   laplace.setFromTriplets(entries.begin(), entries.end());
-  parts = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplace).solve(parts).eval();
-  shares_.resize(static_cast<std::size_t>(count));
-  for (const auto& [rim, column] : rims) {
-    for (Eigen::Index row = 0; row < count; ++row) {
-      if (parts(row, column) != 0) shares_[static_cast<std::size_t>(row)].push_back({rim, parts(row, column)});
-    }
-  }
+  return laplace;
 }
 
 /// Each rim's pressure is taken where the rim is along the film, and where the piece is across it.
@@ -211,13 +224,13 @@ std::vector<std::pair<std::size_t, double>> FilmPressures::on(std::size_t piece)
   const SurfacePiece& film = of_.pieces.pieces[piece];
   const Vec<3> normal = unit(of_.pieces.area[at(film.side)]);
   std::map<std::size_t, double> weight;
-  for (const Share& share : shares_[at(number_[piece])]) {
-    if (kind_[at(share.rim)] == Kind::outlet) continue;
-    const Vec<3> along = along_plane(minus(of_.pieces.pieces[at(share.rim)].middle, film.middle), normal);
+  for_shares(number_[piece], [&](std::size_t rim, double part) {
+    if (kind_[rim] == Kind::outlet) return;
+    const Vec<3> along = along_plane(minus(of_.pieces.pieces[rim].middle, film.middle), normal);
     const Vec<3> x{film.middle[0] + along[0], film.middle[1] + along[1], film.middle[2] + along[2]};
-    const PressureStencil stencil = of_.sampler.at(x, at(of_.before[at(share.rim)]), 1);
-    for (std::size_t s = 0; s < stencil.size; ++s) weight[stencil.cell[s]] += share.part * stencil.weight[s];
-  }
+    const PressureStencil stencil = of_.sampler.at(x, at(of_.before[rim]), 1);
+    for (std::size_t s = 0; s < stencil.size; ++s) weight[stencil.cell[s]] += part * stencil.weight[s];
+  });
   sum.assign(weight.begin(), weight.end());
   return sum;
 }

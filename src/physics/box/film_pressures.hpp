@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,7 +29,7 @@ struct FilmsOf {
 /// linear from rim to rim. The surface leads there and never through a solid. Surfaces that touch have a film, too.
 class FilmPressures {
  public:
-  explicit FilmPressures(const FilmsOf& of);
+  FilmPressures(Team& team, const FilmsOf& of);
 
   /// The pressure on a piece without a cell before it, as a sum over cells. Empty where a film has no rims, or rims of
   /// two regions of the fluid, which the solid shuts off from each other; beyond the box; within another solid.
@@ -38,10 +40,9 @@ class FilmPressures {
   double outside_on(std::size_t piece, const Pressure& pressure) const {
     double sum = 0;
     if (number_.empty() || number_[piece] < 0) return sum;
-    for (const Share& share : shares_[static_cast<std::size_t>(number_[piece])]) {
-      const auto rim = static_cast<std::size_t>(share.rim);
-      if (kind_[rim] == Kind::outlet) sum += share.part * pressure(rim);
-    }
+    for_shares(number_[piece], [&](std::size_t rim, double part) {
+      if (kind_[rim] == Kind::outlet) sum += part * pressure(rim);
+    });
     return sum;
   }
 
@@ -58,16 +59,21 @@ class FilmPressures {
   bool number_whole(int piece);
   void link_films();
   double conductance(std::size_t film, std::size_t other) const;
-  void share_rims();
+  void share_rims(Team& team);
+  Eigen::SparseMatrix<double> laplacian() const;
 
   struct Link {
     int film = 0, other = 0;  // by piece
     double conductance = 0;
   };
-  struct Share {
-    int rim = 0;  // by piece
-    double part = 0;
-  };
+  /// Calls f(rim, part) for the rims that have a part in the pressure of a film's piece.
+  template <class Function>
+  void for_shares(int number, const Function& f) const {
+    for (Eigen::Index r = 0; r < shares_.rows(); ++r) {
+      if (shares_(r, number) != 0) f(static_cast<std::size_t>(rims_[static_cast<std::size_t>(r)]), shares_(r, number));
+    }
+  }
+
   FilmsOf of_;
   std::vector<Kind> kind_;               // of each piece
   std::vector<int> first_;               // of each side its first piece; the pieces of a side follow each other
@@ -75,7 +81,8 @@ class FilmPressures {
   std::vector<int> number_;              // of each piece that a rim is joined with, from 0; else -1
   std::vector<int> films_;               // the piece of each number
   std::vector<Link> links_;
-  std::vector<std::vector<Share>> shares_;  // of each number
+  std::vector<int> rims_;   // pieces beside films, ascending
+  Eigen::MatrixXd shares_;  // of each rim, by rows, in the pressure of each number
 };
 
 }  // namespace tether::coupled

@@ -262,8 +262,8 @@ void Placer::map(std::span<const double> q, Placement& at) const {
   at.numbers = number_pressures(at.domain);
   const PressureSampler sampler(surface_, q, at.pieces, at.domain);
   const CoupledSurface of{surface_, at.pieces, at.domain, at.numbers, &outside_};
-  at.map = map_by_pressures(of, sampler, cut, q.size());
-  if (scene_.coupling.two_maps) at.crossing_map = map_by_crossings(of, at.crossings, q.size());
+  at.map = map_by_pressures(team_, of, sampler, cut, q.size());
+  if (scene_.coupling.two_maps) at.crossing_map = map_by_crossings(team_, of, at.crossings, q.size());
 }
 
 }  // namespace tether::coupled

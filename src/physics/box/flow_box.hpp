@@ -62,8 +62,8 @@ struct Placement {
 /// Places solids in the box. All of its arguments must outlive it.
 class Placer {
  public:
-  Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside)
-      : scene_(scene), surface_(surface), box_(box), outside_(outside) {}
+  Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside, Team& team)
+      : team_(team), scene_(scene), surface_(surface), box_(box), outside_(outside) {}
 
   /// With the solids' nodes at q.
   Placement at(std::span<const double> q) const;
@@ -71,6 +71,7 @@ class Placer {
  private:
   void map(std::span<const double> q, Placement& at) const;
 
+  Team& team_;
   const Coupled& scene_;
   const SolidSurface& surface_;
   const FlowBox& box_;

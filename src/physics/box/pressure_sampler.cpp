@@ -236,14 +236,12 @@ class BeforePieces {
 
 }  // namespace
 
-std::vector<int> open_sides_before(const SurfacePieces& pieces, const FlowDomain& domain,
+std::vector<int> open_sides_before(Team& team, const SurfacePieces& pieces, const FlowDomain& domain,
                                    const PressureSampler& sampler, std::span<const int> before) {
   std::vector<int> sides(before.size(), -1);
   if (!domain.sides) return sides;
   const BeforePieces of(pieces, domain, sampler);
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    sides[k] = of.side_before(pieces.pieces[k], before[k]);
-  }
+  team.each(0, sides.size(), [&](std::size_t k) { sides[k] = of.side_before(pieces.pieces[k], before[k]); });
   return sides;
 }
 

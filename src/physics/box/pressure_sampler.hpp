@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "loops/team.hpp"
 #include "physics/box/cut_cells.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/surface_pieces.hpp"
@@ -59,7 +60,7 @@ class PressureSampler {
 /// middle of the cell before it (`before`, as the sampler finds it); -1: none. The last cell's middle is beyond such a
 /// piece, and yet it has no film: what it pushes goes out through the side, whose pressure it feels. Pieces in a side
 /// count as before it, those beyond do not.
-std::vector<int> open_sides_before(const SurfacePieces& pieces, const FlowDomain& domain,
+std::vector<int> open_sides_before(Team& team, const SurfacePieces& pieces, const FlowDomain& domain,
                                    const PressureSampler& sampler, std::span<const int> before);
 
 }  // namespace tether::coupled

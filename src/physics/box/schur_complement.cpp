@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/box/schur_complement.hpp"
 
+#include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "algebra/dense.hpp"
@@ -89,31 +91,50 @@ CouplingMatrix free_part(const CoupledEquations& of, std::span<const std::uint8_
   return B;
 }
 
-/// L + B D^-1 B^T, D the diagonal of A.
-SparseMatrix nearby(const SparseMatrix& L, const SparseMatrix& A, const CouplingMatrix& B) {
-  std::vector<double> inverse;
-  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / diagonal(A, k));
-  return plus_weighted_square(L, B, inverse);
-}
-
 }  // namespace
 
-/// The order of elimination is the whole A's: what contact holds of it changes. Multigrid is not to find constants: one
-/// pressure of each closed region is tied down for it.
+/// The order of elimination is the whole A's: what contact holds of it changes. The solids' factors and multigrid know
+/// nothing of each other.
 bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
   if (std::exchange(ordered_, equations.A.n) != equations.A.n) solids_.order_by(equations.A);
   const SparseMatrix A = held_matrix(equations.A, equations.held);
-  if (A.n > 0 && !solids_.factorise(A, Definite::positive)) throw RunError("the solids' matrix is singular");
-  B_ = free_part(equations, pinned), L_ = held_matrix(equations.L, pinned);
+  B_ = free_part(equations, pinned);
   forces_.resize(equations.b.size()), moved_.resize(equations.b.size());
+  bool has_factors = true, has_levels = true;
+  std::exception_ptr failure;
+  team_.each(0, 2, [&](std::size_t part) {
+    try {
+      (part == 0 ? has_factors : has_levels) =
+          part == 0 ? A.n == 0 || solids_.factorise(A, Definite::positive) : make_levels(equations, A);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  if (failure) std::rethrow_exception(failure);
+  if (!has_factors) throw RunError("the solids' matrix is singular");
   constants_ = ConstantPressures(equations);
   set_up_constants();
-  SparseMatrix tied = L_;
+  return has_levels && multigrid_.factorise();
+}
+
+/// Of L + B D^-1 B^T, D the diagonal of A. It is not to find constants: one pressure of each closed region is tied down
+/// for it.
+bool SchurComplement::make_levels(const CoupledEquations& equations, const SparseMatrix& A) {
+  std::vector<double> inverse;
+  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / diagonal(A, k));
+  SymmetricRows nearby = rows_of_sum(*L_, weighted_square(B_, inverse));
   const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
-  for (std::int64_t k = 0; k < tied.n; ++k) {
-    if (first[static_cast<std::size_t>(k)] != 0) add_to_diagonal(tied, k, diagonal(tied, k));
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (first[k] != 0) nearby.scale[k] = nearby.diagonal[k] += diagonal(*L_, static_cast<std::int64_t>(k));
   }
-  return multigrid_.set_up(nearby(tied, A, B_));
+  return multigrid_.make_levels(std::move(nearby));
+}
+
+/// L, with what is pinned held.
+void SchurComplement::take_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
+  const bool any = std::find(pinned.begin(), pinned.end(), 1) != pinned.end();
+  if (any && !equations.same_matrices) held_L_ = held_matrix(equations.L, pinned);
+  L_ = any ? &held_L_ : &equations.L;
 }
 
 /// Column by column of what the solids yield to constants. Two of these may drive the solids alike.
@@ -121,11 +142,11 @@ void SchurComplement::set_up_constants() {
   const auto count = static_cast<Eigen::Index>(constants_.count());
   stiffness_.resize(count, count);
   if (count == 0) return;
-  Eigen::VectorXd x(L_.n + count), y(L_.n + count);
+  Eigen::VectorXd x(L_->n + count), y(L_->n + count);
   const auto size = static_cast<std::size_t>(x.size());
   for (Eigen::Index c = 0; c < count; ++c) {
     x.setZero();
-    x[L_.n + c] = 1;
+    x[L_->n + c] = 1;
     multiply({x.data(), size}, {y.data(), size});
     stiffness_.col(c) = y.tail(count);
   }
@@ -139,7 +160,7 @@ void SchurComplement::move_solids(std::span<const double> forces) {
 
 /// Of [x; c].
 void SchurComplement::multiply(std::span<const double> x, std::span<double> y) {
-  const auto n = static_cast<std::size_t>(L_.n);
+  const auto n = static_cast<std::size_t>(L_->n);
   whole_.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
   constants_.add(x.subspan(n), whole_);
   std::fill(forces_.begin(), forces_.end(), 0.0);
@@ -148,13 +169,13 @@ void SchurComplement::multiply(std::span<const double> x, std::span<double> y) {
   std::fill(whole_.begin(), whole_.end(), 0.0), std::fill(y.begin(), y.end(), 0.0);
   add_product(B_, 1, moved_, whole_);
   constants_.add_sums(whole_, y.subspan(n));
-  L_.multiply(x.first(n), y.first(n));
+  multiply_symmetric(team_, *L_, x.first(n), y.first(n));
   for (std::size_t k = 0; k < n; ++k) y[k] += whole_[k];
 }
 
 /// x is without means, which c has.
 void SchurComplement::precondition(std::span<const double> r, std::span<double> z) {
-  const auto n = static_cast<std::size_t>(L_.n);
+  const auto n = static_cast<std::size_t>(L_->n);
   const auto count = stiffness_.rows();
   whole_.assign(r.begin(), r.begin() + static_cast<std::ptrdiff_t>(n));
   constants_.take_means(whole_);
@@ -166,6 +187,7 @@ void SchurComplement::precondition(std::span<const double> r, std::span<double> 
 
 KrylovResult SchurComplement::solve(const CoupledEquations& equations, const ReducedEquations& with, double tolerance,
                                     std::span<double> u, std::span<double> p) {
+  take_pressures(equations, with.pinned);
   if (!equations.same_matrices && !set_up(equations, with.pinned)) return {0, false};
   const std::size_t n = p.size();
   for (std::size_t k = 0; k < n; ++k) p[k] = with.pinned[k] != 0 ? 0 : p[k];
@@ -177,9 +199,10 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
   for (std::size_t k = 0; k < n; ++k) right[k] = -with.r[k];
   add_product(B_, -1, moved_, std::span(right).first(n));
   constants_.add_sums(std::span(right).first(n), std::span(right).subspan(n));
-  const KrylovResult result = pcg([&](std::span<const double> v, std::span<double> y) { multiply(v, y); },
-                                  [&](std::span<const double> r, std::span<double> z) { precondition(r, z); }, right, x,
-                                  tolerance, most_iterations);
+  const KrylovResult result = pcg(
+      team_, [&](std::span<const double> v, std::span<double> y) { multiply(v, y); },
+      [&](std::span<const double> r, std::span<double> z) { precondition(r, z); }, right, x, tolerance,
+      most_iterations);
   std::copy_n(x.begin(), n, p.begin());
   constants_.add(std::span(x).subspan(n), p);
   forces_ = with.b;
@@ -191,13 +214,12 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
 
 KrylovResult SchurComplement::solve_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned,
                                               std::span<const double> right, double tolerance, std::span<double> p) {
-  if (!equations.same_matrices) {
-    L_ = held_matrix(equations.L, pinned);
-    if (!multigrid_.set_up(L_)) return {0, false};
-  }
-  return pcg([&](std::span<const double> x, std::span<double> y) { L_.multiply(x, y); },
-             [&](std::span<const double> r, std::span<double> z) { multigrid_.precondition(r, z); }, right, p,
-             tolerance, most_iterations);
+  take_pressures(equations, pinned);
+  if (!equations.same_matrices && !multigrid_.set_up(*L_)) return {0, false};
+  return pcg(
+      team_, [&](std::span<const double> x, std::span<double> y) { multiply_symmetric(team_, *L_, x, y); },
+      [&](std::span<const double> r, std::span<double> z) { multigrid_.precondition(r, z); }, right, p, tolerance,
+      most_iterations);
 }
 
 }  // namespace tether::coupled

@@ -58,7 +58,8 @@ class RegionConstants {
 /// preconditioned by W^T B A^-1 B^T W.
 class SchurComplement {
  public:
-  explicit SchurComplement(int dim) : solids_(dim) {}
+  /// The team shares its loops, and must outlive it.
+  SchurComplement(int dim, Team& team) : team_(team), solids_(dim), multigrid_(team) {}
 
   /// p has the first guess; u is what the pressures make of it.
   KrylovResult solve(const CoupledEquations& equations, const ReducedEquations& with, double tolerance,
@@ -69,15 +70,19 @@ class SchurComplement {
 
  private:
   bool set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
+  bool make_levels(const CoupledEquations& equations, const SparseMatrix& A);
+  void take_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   void set_up_constants();
   void move_solids(std::span<const double> forces);
   void multiply(std::span<const double> x, std::span<double> y);
   void precondition(std::span<const double> r, std::span<double> z);
 
+  Team& team_;
   SparseSolver solids_;
-  std::int64_t ordered_ = 0;  // unknowns of the solids that their order is for
-  CouplingMatrix B_;          // less what is held or pinned, as L_
-  SparseMatrix L_;
+  std::int64_t ordered_ = 0;         // unknowns of the solids that their order is for
+  CouplingMatrix B_;                 // less what is held or pinned, as L_
+  SparseMatrix held_L_;              // of pinned pressures
+  const SparseMatrix* L_ = nullptr;  // it, or that of the equations where none is pinned
   AggregationMultigrid multigrid_;
   ConstantPressures constants_;
   Eigen::MatrixXd stiffness_;  // of the solids against c, (W^T B A^-1 B^T W)^-1

@@ -26,8 +26,8 @@ std::vector<double> spring_stiffness(const Coupled& scene, const fem::SolidSyste
 
 }  // namespace
 
-SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, double gravity)
-    : system(solids, gravity),
+SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, double gravity, Team& team)
+    : system(solids, gravity, team),
       A(system.pattern.matrix()),
       b(system.unknowns()),
       external(system.unknowns()),

@@ -26,10 +26,11 @@ const Solids& solids_of(const Plan& plan, const Solids& none) {
 
 }  // namespace
 
-CoupledSolver::CoupledSolver(const Plan& plan)
+CoupledSolver::CoupledSolver(const Plan& plan, int threads)
     : plan_(plan),
       none_(no_solids(*plan.scene.coupled())),
-      step_(plan.scene, solids_of(plan, none_)),
+      team_(threads),
+      step_(plan.scene, solids_of(plan, none_), team_),
       fields_(plan.scene, step_),
       state_(step_.start()),
       overlaps_(step_.solids().system.solids) {

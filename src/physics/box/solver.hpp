@@ -14,10 +14,10 @@
 namespace tether::coupled {
 
 /// An incompressible fluid and deformable solids, solved together. The plan, whose scene is coupled, must outlive the
-/// solver.
+/// solver; so many threads share its work.
 class CoupledSolver final : public Solver {
  public:
-  explicit CoupledSolver(const Plan& plan);
+  explicit CoupledSolver(const Plan& plan, int threads = 1);
 
   double time() const override { return state_.time; }
   using Solver::advance;
@@ -43,6 +43,7 @@ class CoupledSolver final : public Solver {
 
   const Plan& plan_;
   Solids none_;  // of a scene without any
+  Team team_;
   CoupledStep step_;
   CoupledFields fields_;
   CoupledState state_;

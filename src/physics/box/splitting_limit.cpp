@@ -88,7 +88,8 @@ std::optional<double> added_mass_ratio(const Scene& scene, double h) {
   box.coupling = coupling_of(CouplingMode::splitting);
   Scene split = scene;
   std::get<BoxFlow>(split.physics).box = std::make_shared<const Coupled>(box);
-  const CoupledStep step(split, *split.solids());
+  Team alone;
+  const CoupledStep step(split, *split.solids(), alone);
   return added_mass_ratio(step, scene.solids()->mesh.x, scene.coupled()->density, h);
 }
 

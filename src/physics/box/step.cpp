@@ -46,16 +46,17 @@ double cells_crossed(const FlowDomain& domain, const FaceValues& v, double h) {
 
 }  // namespace
 
-CoupledStep::CoupledStep(const Scene& scene, const Solids& solids)
-    : scene_(scene),
+CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
+    : team_(team),
+      scene_(scene),
       coupled_(*scene.coupled()),
       surface_(surface_of(solids.mesh)),
-      solids_(coupled_, solids, scene.gravity),
+      solids_(coupled_, solids, scene.gravity, team),
       box_(coupled_),
       outside_(coupled_, scene.gravity),
-      placer_(coupled_, surface_, box_, outside_),
+      placer_(coupled_, surface_, box_, outside_, team),
       contact_(coupled_, surface_),
-      system_(coupled_),
+      system_(coupled_, team),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
 
 void CoupledStep::resume(const CoupledState& state) {
@@ -108,6 +109,7 @@ void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& st
 /// The fluid's cells change with them, and smoke goes where there is fluid.
 void CoupledStep::place_solids(double time, CoupledState& state) {
   const FlowDomain before = std::move(at_.domain);
+  at_ = {};  // it takes as much room as the new one
   at_ = placer_.at(state.q);
   if (coupled_.smoke) follow_domain(before, at_.domain, state.smoke);
   note_thin_bodies(time, state);
@@ -131,7 +133,7 @@ bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
 
 void CoupledStep::carry_along(CoupledState& state, double h) {
   FaceValues carried = state.v;
-  carry_velocity(at_.domain, state.v, h, coupled_.advection, carried);
+  carry_velocity(team_, at_.domain, state.v, h, coupled_.advection, carried);
   const CarriedIn in = carried_in(coupled_, at_.domain, state.v, h);
   state.books.jets += in.jets, state.books.open_sides += in.open_sides;
   state.books.advected += energy_of(state.v) + in.jets + in.open_sides - energy_of(carried);
@@ -185,6 +187,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
     state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k] + at_.map.film_weight[k];
     state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
   }
+  solution.L = {};  // nothing else asks for it
   return solution;
 }
 

@@ -18,10 +18,10 @@ namespace tether::coupled {
 /// After these solutions of a step what touches stays as it is.
 constexpr int most_contact_solutions = 60;
 
-/// A step of fluid and solids together. The scene must outlive it.
+/// A step of fluid and solids together. The scene must outlive it, and the team that shares its loops.
 class CoupledStep {
  public:
-  CoupledStep(const Scene& scene, const Solids& solids);
+  CoupledStep(const Scene& scene, const Solids& solids, Team& team);
 
   /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
   CoupledState start();
@@ -84,6 +84,7 @@ class CoupledStep {
   void note_bodies_that_left(double time, CoupledState& state);
   void note_thin_bodies(double time, CoupledState& state);
 
+  Team& team_;
   const Scene& scene_;
   const Coupled& coupled_;
   SolidSurface surface_;

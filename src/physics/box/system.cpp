@@ -35,13 +35,15 @@ ReducedEquations balanced(const CoupledEquations& equations, double time, std::s
 }  // namespace
 
 struct CoupledSystem::Parts {
-  explicit Parts(int dim) : schur(dim) {}
+  Parts(int dim, Team& team) : schur(dim, team) {}
   QuasidefiniteSolver both, solids, fluid;
   SchurComplement schur;
 };
 
-CoupledSystem::CoupledSystem(const Coupled& scene)
-    : scene_(scene), direct_(systems_of(scene) == Systems::direct), parts_(std::make_unique<Parts>(scene.grid.dim)) {}
+CoupledSystem::CoupledSystem(const Coupled& scene, Team& team)
+    : scene_(scene),
+      direct_(systems_of(scene) == Systems::direct),
+      parts_(std::make_unique<Parts>(scene.grid.dim, team)) {}
 
 CoupledSystem::~CoupledSystem() = default;
 

@@ -25,7 +25,8 @@ struct SystemCost {
 /// Solves them, step after step: symbolic factors and orders of elimination are kept, and factors while matrices are.
 class CoupledSystem {
  public:
-  explicit CoupledSystem(const Coupled& scene);
+  /// The team shares its loops; both must outlive it.
+  CoupledSystem(const Coupled& scene, Team& team);
   ~CoupledSystem();
 
   /// Sets the velocities that are not held, and the pressures, zero in one cell of each loose region; p has the first

@@ -11,6 +11,7 @@
 
 #include "base/vec.hpp"
 #include "grid/shapes.hpp"
+#include "loops/blocks.hpp"
 #include "physics/flow/elements.hpp"
 #include "physics/flow/kernels.hpp"
 #include "physics/flow/unknowns.hpp"
@@ -29,8 +30,12 @@ class FlowElementsOf final : public FlowElements {
   using Values = typename Point::Values;
   using Local = typename Point::Local;
 
-  explicit FlowElementsOf(const FlowUnknowns& unknowns)
-      : unknowns_(unknowns), flow_(unknowns.flow), mesh_(flow_.mesh), corner_(pressure_nodes(flow_.element)) {
+  FlowElementsOf(const FlowUnknowns& unknowns, Team& team)
+      : team_(team),
+        unknowns_(unknowns),
+        flow_(unknowns.flow),
+        mesh_(flow_.mesh),
+        corner_(pressure_nodes(flow_.element)) {
     for (int k = 0; k < points; ++k) {
       const auto s = V::place(k);
       values_[index(k)] = Eigen::Map<const Values>(V::values(s).data());
@@ -57,37 +62,45 @@ class FlowElementsOf final : public FlowElements {
   FlowScale add_residual(const FlowMoment& m, std::span<double> f, std::span<double> g) const override {
     const FlowConstants c = constants(m);
     FlowScale scale;
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      const Velocities v0 = gathered(e, m.v0), v1 = gathered(e, m.v1);
-      Local r = Local::Zero();
+    struct Residual {
+      Local r;
       Size size;
-      for_points(e, m, [&](Point& at) {
-        at.evaluate(c, v0, v1, pressures(e, m.p));
-        at.add_residual(c, r);
-        size.add(at);
-      });
-      add_scale(c, v1, r, size, scale);
-      for (int a = 0; a < NV; ++a) {
-        const std::size_t n = node(e, a);
-        f[2 * n] += r[2 * a], f[2 * n + 1] += r[2 * a + 1];
-      }
-      for (int q = 0; q < NP; ++q) g[node(e, corner_[index(q)])] += r[2 * NV + q];
-    }
+    };
+    compute_then_add<Residual>(
+        team_, mesh_.element_count(),
+        [&](std::size_t e, Residual& of) {
+          const Velocities v0 = gathered(e, m.v0), v1 = gathered(e, m.v1);
+          of = {Local::Zero(), {}};
+          for_points(e, m, [&](Point& at) {
+            at.evaluate(c, v0, v1, pressures(e, m.p));
+            at.add_residual(c, of.r);
+            of.size.add(at);
+          });
+        },
+        [&](std::size_t e, const Residual& of) {
+          add_scale(c, gathered(e, m.v1), of.r, of.size, scale);
+          add_to_nodes(e, of.r, f, g);
+        });
     for (const auto& at : open_) add_open_residual(c, m, at, f);
     return rooted(scale);
   }
 
   void add_tangent(const FlowMoment& m, const ClusterPattern& pattern, SparseMatrix& K) const override {
     const FlowConstants c = constants(m);
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      const Velocities v0 = gathered(e, m.v0), v1 = gathered(e, m.v1);
-      typename Point::LocalMatrix k = Point::LocalMatrix::Zero();
-      for_points(e, m, [&](Point& at) {
-        at.evaluate(c, v0, v1, pressures(e, m.p));
-        at.add_tangent(c, k);
-      });
-      pattern.add(e, places_, numbers(e), std::span(k.data(), static_cast<std::size_t>(k.size())), K);
-    }
+    using Matrix = typename Point::LocalMatrix;
+    compute_then_add<Matrix>(
+        team_, mesh_.element_count(),
+        [&](std::size_t e, Matrix& k) {
+          const Velocities v0 = gathered(e, m.v0), v1 = gathered(e, m.v1);
+          k.setZero();
+          for_points(e, m, [&](Point& at) {
+            at.evaluate(c, v0, v1, pressures(e, m.p));
+            at.add_tangent(c, k);
+          });
+        },
+        [&](std::size_t e, const Matrix& k) {
+          pattern.add(e, places_, numbers(e), std::span(k.data(), static_cast<std::size_t>(k.size())), K);
+        });
     for (const auto& at : open_) add_open_tangent(c, at, pattern, K);
   }
 
@@ -190,6 +203,14 @@ class FlowElementsOf final : public FlowElements {
     }
   }
 
+  void add_to_nodes(std::size_t e, const Local& r, std::span<double> f, std::span<double> g) const {
+    for (int a = 0; a < NV; ++a) {
+      const std::size_t n = node(e, a);
+      f[2 * n] += r[2 * a], f[2 * n + 1] += r[2 * a + 1];
+    }
+    for (int q = 0; q < NP; ++q) g[node(e, corner_[index(q)])] += r[2 * NV + q];
+  }
+
   /// Of an element: its volume, the largest slope of the velocity there, and how far the stabilisation carries forces.
   struct Size {
     double volume = 0, slope = 0, reach = 0;
@@ -244,6 +265,7 @@ class FlowElementsOf final : public FlowElements {
     pattern.add(at.element, places_, numbers(at.element), std::span(k.data(), static_cast<std::size_t>(k.size())), K);
   }
 
+  Team& team_;
   const FlowUnknowns& unknowns_;
   const Flow& flow_;
   const Mesh& mesh_;

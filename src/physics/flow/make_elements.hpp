@@ -7,7 +7,8 @@
 
 namespace tether::fem {
 
-/// The elements of a flow; the unknowns, and the flow that they are of, must outlive them.
-std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns);
+/// The elements of a flow; the unknowns, and the flow that they are of, must outlive them, as must
+/// the team that shares their loops.
+std::unique_ptr<FlowElements> make_flow_elements(const FlowUnknowns& unknowns, Team& team);
 
 }  // namespace tether::fem

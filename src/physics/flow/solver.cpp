@@ -15,11 +15,12 @@
 
 namespace tether::fem {
 
-FlowSolver::FlowSolver(const Plan& plan)
+FlowSolver::FlowSolver(const Plan& plan, int threads)
     : plan_(plan),
       flow_(*plan.scene.flow()),
+      team_(threads),
       unknowns_(flow_),
-      step_(unknowns_, plan.scene.solids(), plan.scene.gravity),
+      step_(unknowns_, plan.scene.solids(), plan.scene.gravity, team_),
       tracers_(flow_),
       fields_(flow_, step_, tracers_),
       light_bodies_(has_light_bodies()) {

@@ -21,7 +21,7 @@ namespace tether::fem {
 /// Incompressible flow by finite elements (2.3). The plan, whose scene has a flow, must outlive the solver.
 class FlowSolver final : public Solver {
  public:
-  explicit FlowSolver(const Plan& plan);
+  explicit FlowSolver(const Plan& plan, int threads = 1);
 
   double time() const override { return state_.time; }
   using Solver::advance;
@@ -55,6 +55,7 @@ class FlowSolver final : public Solver {
 
   const Plan& plan_;
   const Flow& flow_;
+  Team team_;
   FlowUnknowns unknowns_;
   FlowStep step_;
   FlowTracers tracers_;

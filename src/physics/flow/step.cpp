@@ -16,10 +16,10 @@ constexpr int most_iterations = 25;
 
 }  // namespace
 
-FlowStep::FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity)
+FlowStep::FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity, Team& team)
     : unknowns_(unknowns),
-      elements_(make_flow_elements(unknowns)),
-      immersed_(solids ? std::make_unique<ImmersedSolids>(*solids, unknowns, gravity) : nullptr),
+      elements_(make_flow_elements(unknowns, team)),
+      immersed_(solids ? std::make_unique<ImmersedSolids>(*solids, unknowns, gravity, team) : nullptr),
       forces_(immersed_ ? std::make_unique<ImmersedForces>(*immersed_, unknowns, *elements_, gravity) : nullptr),
       gravity_(gravity),
       pattern_(unknowns.first, clusters_of(unknowns.flow)),

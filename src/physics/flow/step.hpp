@@ -43,8 +43,9 @@ struct FlowStepTime {
 /// One step of a flow from v0 at t to v1 at t + dt (47), or one steady flow.
 class FlowStep {
  public:
-  /// `gravity` acts along y [length/time2]; `solids` are immersed in the flow, or null. All must outlive it.
-  FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity);
+  /// `gravity` acts along y [length/time2]; `solids` are immersed in the flow, or null; the team shares
+  /// its loops. All must outlive it.
+  FlowStep(const FlowUnknowns& unknowns, const Solids* solids, double gravity, Team& team);
 
   /// Makes the velocities of the start incompressible, as walls and inflows that set in at once would do it, and puts
   /// solids to their places; `dt` is that of the steps to come [time].

@@ -91,7 +91,8 @@ RigidForces force_at_point(const RigidFrame& frame, const RigidForce& force) {
 
 RigidSystem::RigidSystem(const Solids& of, const Rigid& as, double gravity_y)
     : solids(of), rigid(as), gravity(0, gravity_y, 0), nodes(4, of.mesh.node_count()) {
-  const auto elements = make_elements(solids);
+  Team alone;
+  const auto elements = make_elements(solids, alone);
   body = body_of(rigid, solids.mesh, elements->mass());
   weight = rigid_gravity(body.inertia, gravity);
   for (std::size_t n = 0; n < solids.mesh.node_count(); ++n)

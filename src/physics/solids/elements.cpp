@@ -169,6 +169,9 @@ GradientModulus<dim> gradient_modulus(const PointStress<dim>& s) {
 
 template <int dim>
 GradientModulus<dim> convex(const GradientModulus<dim>& H) {
+  constexpr double rounding = 1e-13;  // of the trace: what is negative by so little is no more so by what is taken off
+  const GradientModulus<dim> raised = H + rounding * H.trace() * GradientModulus<dim>::Identity();
+  if (Eigen::LLT<GradientModulus<dim>>(raised).info() == Eigen::Success) return H;
   const Eigen::SelfAdjointEigenSolver<GradientModulus<dim>> parts(H);
   if (parts.eigenvalues()[0] >= 0) return H;
   return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();

@@ -8,6 +8,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "laws/hyperelastic.hpp"
+#include "loops/team.hpp"
 #include "model/solids.hpp"
 
 namespace tether::fem {

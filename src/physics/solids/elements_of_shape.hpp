@@ -8,6 +8,7 @@
 
 #include "base/vec.hpp"
 #include "grid/shapes.hpp"
+#include "loops/blocks.hpp"
 #include "physics/solids/elements.hpp"
 
 namespace tether::fem {
@@ -20,8 +21,10 @@ class ElementsOf final : public Elements {
   static constexpr std::size_t parts = component_count<dim>();  // of a symmetric tensor
   using Vector = Eigen::Matrix<double, dim, 1>;
   using Places = Eigen::Matrix<double, dim, nodes>;
+  using ElementMatrix = std::array<double, static_cast<std::size_t>(unknowns* unknowns)>;
+  static constexpr std::size_t elements_of_a_block = 64;
 
-  explicit ElementsOf(const Solids& solids) : solids_(solids), mesh_(solids.mesh) {
+  ElementsOf(const Solids& solids, Team& team) : team_(team), solids_(solids), mesh_(solids.mesh) {
     const std::size_t count = mesh_.element_count() * points;
     gradients_.reserve(count), weights_.reserve(count), places_.reserve(count);
     for (int k = 0; k < points; ++k) values_[index(k)] = Shapes::values(Shapes::place(k));
@@ -32,31 +35,34 @@ class ElementsOf final : public Elements {
 
   void add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
                   std::span<double> f) const override {
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) add_element_forces(at, e, q0, q1, f);
+    compute_then_add<Places>(
+        team_, mesh_.element_count(), [&](std::size_t e, Places& sum) { sum = element_forces(at, e, q0, q1); },
+        [&](std::size_t e, const Places& sum) {
+          for (int a = 0; a < nodes; ++a)
+            Eigen::Map<Vector>(&f[static_cast<std::size_t>(mesh_.element(e)[a]) * dim]) += sum.col(a);
+        });
   }
 
   void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
                    const NodalPattern& pattern, SparseMatrix& K, std::span<const double> stresses) const override {
-    std::array<double, static_cast<std::size_t>(unknowns * unknowns)> k;
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      element_tangent(at, e, q0, q1, inertia, stresses, k);
-      pattern.add(e, k, K);
-    }
+    compute_then_add<ElementMatrix>(
+        team_, mesh_.element_count(),
+        [&](std::size_t e, ElementMatrix& k) { element_tangent(at, e, q0, q1, inertia, stresses, k); },
+        [&](std::size_t e, const ElementMatrix& k) { pattern.add(e, k, K); });
   }
 
   void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
                      SparseMatrix& K) const override {
-    std::array<double, static_cast<std::size_t>(unknowns * unknowns)> k;
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      element_stiffness(e, gathered(e, q), convex, k);
-      pattern.add(e, k, K);
-    }
+    compute_then_add<ElementMatrix>(
+        team_, mesh_.element_count(),
+        [&](std::size_t e, ElementMatrix& k) { element_stiffness(e, gathered(e, q), convex, k); },
+        [&](std::size_t e, const ElementMatrix& k) { pattern.add(e, k, K); });
   }
 
   void predict_stress(StressAt at, std::span<const double> q0, std::span<const double> q1,
                       std::span<const double> change, std::vector<double>& stresses) const override {
     stresses.resize(mesh_.element_count() * points * parts);
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    team_.each(0, mesh_.element_count(), [&](std::size_t e) {
       const Places at0 = gathered(e, q0), at1 = gathered(e, q1), by = gathered(e, change);
       for (int k = 0; k < points; ++k) {
         const auto s = stress<true>(at, e, k, at0, at1);
@@ -65,17 +71,22 @@ class ElementsOf final : public Elements {
         Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
         predicted = s.S + s.D * strain;
       }
-    }
+    });
   }
 
   double strain_energy(std::span<const double> q) const override {
-    double energy = 0;
-    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      const Places at = gathered(e, q);
-      for (int k = 0; k < points; ++k)
-        energy += weight(e, k) * energy_at<dim>(law(e), deformation(at, e, k), place(e, k)[0], place(e, k)[1]);
-    }
-    return energy;
+    return sum_of_blocks(
+        team_, mesh_.element_count(),
+        [&](std::size_t begin, std::size_t end) {
+          double energy = 0;
+          for (std::size_t e = begin; e < end; ++e) {
+            const Places at = gathered(e, q);
+            for (int k = 0; k < points; ++k)
+              energy += weight(e, k) * energy_at<dim>(law(e), deformation(at, e, k), place(e, k)[0], place(e, k)[1]);
+          }
+          return energy;
+        },
+        elements_of_a_block);
   }
 
   std::vector<double> nodal_stress(std::span<const double> q) const override;
@@ -124,22 +135,18 @@ class ElementsOf final : public Elements {
                                            place(e, k)[1]);
   }
 
-  void add_element_forces(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
-                          std::span<double> f) const {
+  Places element_forces(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1) const {
     const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
     Places sum = Places::Zero();
     for (int k = 0; k < points; ++k) {
       const auto s = stress<false>(rule, e, k, at0, at1);
       sum += weight(e, k) * (s.A * full<dim>(s.S)) * gradients(e, k);
     }
-    for (int a = 0; a < nodes; ++a) {
-      Eigen::Map<Vector>(&f[static_cast<std::size_t>(mesh_.element(e)[a]) * dim]) += sum.col(a);
-    }
+    return sum;
   }
 
   void element_tangent(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
-                       double inertia, std::span<const double> stresses,
-                       std::array<double, static_cast<std::size_t>(unknowns* unknowns)>& out) const {
+                       double inertia, std::span<const double> stresses, ElementMatrix& out) const {
     const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
@@ -150,8 +157,7 @@ class ElementsOf final : public Elements {
     }
   }
 
-  void element_stiffness(std::size_t e, const Places& at, bool made_convex,
-                         std::array<double, static_cast<std::size_t>(unknowns* unknowns)>& out) const {
+  void element_stiffness(std::size_t e, const Places& at, bool made_convex, ElementMatrix& out) const {
     Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
@@ -187,6 +193,7 @@ class ElementsOf final : public Elements {
     }
   }
 
+  Team& team_;
   const Solids& solids_;
   const Mesh& mesh_;
   std::array<Values<nodes>, std::size_t{points}> values_;
@@ -265,7 +272,7 @@ ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
 template <class Shapes>
 double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<const double> lumped) const {
   double largest = 0;
-  std::array<double, static_cast<std::size_t>(unknowns * unknowns)> K;
+  ElementMatrix K;
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     element_tangent(StressAt::end, e, q, q, 0, {}, K);
     double volume = 0;

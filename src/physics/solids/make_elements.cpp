@@ -25,9 +25,9 @@ double side_measure(const Mesh& mesh, const int* side, const std::array<double, 
 
 }  // namespace
 
-std::unique_ptr<Elements> make_elements(const Solids& solids) {
+std::unique_ptr<Elements> make_elements(const Solids& solids, Team& team) {
   return with_shapes(solids.mesh.kind, [&](auto shapes) -> std::unique_ptr<Elements> {
-    return std::make_unique<ElementsOf<decltype(shapes)>>(solids);
+    return std::make_unique<ElementsOf<decltype(shapes)>>(solids, team);
   });
 }
 

@@ -10,8 +10,8 @@
 
 namespace tether::fem {
 
-/// The elements of the solids' mesh, which must outlive them.
-std::unique_ptr<Elements> make_elements(const Solids& solids);
+/// The elements of the solids' mesh, which must outlive them, as must the team that shares their loops.
+std::unique_ptr<Elements> make_elements(const Solids& solids, Team& team);
 
 /// <N_A> over sides of the reference shape: a load's part of each node [area].
 std::vector<double> side_areas(const Mesh& mesh, const Sides& sides);

@@ -13,9 +13,10 @@
 
 namespace tether::fem {
 
-SolidSolver::SolidSolver(const Plan& plan)
+SolidSolver::SolidSolver(const Plan& plan, int threads)
     : plan_(plan),
-      system_(*plan.scene.solids(), plan.scene.gravity),
+      team_(threads),
+      system_(*plan.scene.solids(), plan.scene.gravity, team_),
       step_(system_),
       columns_(solid_columns(system_.solids)),
       overlaps_(system_.solids),

@@ -17,7 +17,7 @@ namespace tether::fem {
 class SolidSolver final : public Solver {
  public:
   /// Throws RunError where the start wants an equilibrium that Newton's method does not find.
-  explicit SolidSolver(const Plan& plan);
+  explicit SolidSolver(const Plan& plan, int threads = 1);
 
   double time() const override { return state_.time; }
   using Solver::advance;
@@ -50,6 +50,7 @@ class SolidSolver final : public Solver {
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;
+  Team team_;
   SolidSystem system_;
   SolidStep step_;
   SolidState state_;

@@ -26,9 +26,9 @@ std::vector<std::vector<double>> masses_of_regions(const SolidSystem& system) {
 
 }  // namespace
 
-SolidSystem::SolidSystem(const Solids& of, double gravity)
+SolidSystem::SolidSystem(const Solids& of, double gravity, Team& team)
     : solids(of),
-      elements(make_elements(of)),
+      elements(make_elements(of, team)),
       pattern(of.mesh.dim(), of.mesh.node_count(), of.mesh.nodes, node_count_of(of.mesh.kind)),
       mass(elements->mass()),
       lumped(elements->lumped_mass()),

@@ -44,8 +44,8 @@ void exchange(Exchange& with, SolidState& state) {
 /// What the equations of elastic bodies are made of, that no step changes. Vectors have dim numbers a node.
 class SolidSystem {
  public:
-  /// `gravity` acts along y [length/time2]. The solids must outlive the system.
-  SolidSystem(const Solids& solids, double gravity);
+  /// `gravity` acts along y [length/time2]. The solids must outlive the system, and the team that shares its loops.
+  SolidSystem(const Solids& solids, double gravity, Team& team);
 
   int dim() const { return solids.mesh.dim(); }
   std::size_t unknowns() const { return solids.mesh.x.size(); }

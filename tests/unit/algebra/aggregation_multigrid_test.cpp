@@ -9,6 +9,7 @@
 #include "algebra/aggregates.hpp"
 #include "algebra/krylov.hpp"
 #include "unit/algebra/pressure_matrices.hpp"
+#include "unit/alone.hpp"
 
 namespace tether {
 namespace {
@@ -21,13 +22,14 @@ std::vector<double> waves(std::int64_t n, double first = 0) {
 
 KrylovResult solve(AggregationMultigrid& multigrid, const SparseMatrix& A, const std::vector<double>& b,
                    std::vector<double>& x) {
-  return pcg([&](auto v, auto y) { A.multiply(v, y); }, [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x,
-             1e-10, 200);
+  return pcg(
+      alone(), [&](auto v, auto y) { A.multiply(v, y); }, [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x,
+      1e-10, 200);
 }
 
 /// Iterations for a known solution, which must be found.
 int iterations(const SparseMatrix& A) {
-  AggregationMultigrid multigrid;
+  AggregationMultigrid multigrid(alone());
   EXPECT_TRUE(multigrid.set_up(A));
   const std::vector<double> exact = waves(A.n);
   std::vector<double> b(exact.size()), x(exact.size(), 0.0);
@@ -69,8 +71,16 @@ TEST(Aggregates, HaveTheMatrixThatTheirSumsMake) {
 TEST(Aggregates, MultiplyAsTheMatrixDoes) {
   const SparseMatrix A = BodyMatrices({3, 6}).pressures(3);
   std::vector<double> y(static_cast<std::size_t>(A.n)), z(y.size());
-  A.multiply(waves(A.n), y), rows_of(A).multiply(waves(A.n), z);
+  A.multiply(waves(A.n), y), rows_of(A).multiply(alone(), waves(A.n), z);
   for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], z[i], 1e-12);
+}
+
+TEST(Aggregates, HaveRowsOfASumOfMatrices) {
+  const SparseMatrix A = BodyMatrices({2, 12}).pressures(3), some = BodyMatrices({2, 12}).pressures();
+  Eigen::MatrixXd S = full_of(some);
+  S.topRows(30).setZero(), S.leftCols(30).setZero(), S(2, 9) = S(9, 2) = 5;  // where A has nothing
+  const SymmetricRows sum = rows_of_sum(A, EigenSparse(S.sparseView()));
+  EXPECT_EQ(full_of(columns_of(sum)), full_of(A) + S);
 }
 
 TEST(Aggregates, FollowStrongCouplingsAndLeaveDominatedRowsAlone) {
@@ -105,9 +115,30 @@ TEST(AggregationMultigrid, TakesDenserRowsOfABody) {
   for (const double added : {0.1, 1.0, 10.0}) EXPECT_LE(iterations(body.pressures(added)), bare + 8);
 }
 
+/// Slabs are swept out of order, by whoever is free.
+TEST(AggregationMultigrid, HasTheSameBitsOnAnyNumberOfThreads) {
+  const SparseMatrix A = BodyMatrices({3, 24, 0.01, true, 1}).pressures(1);
+  const std::vector<double> b = waves(A.n);
+  std::vector<double> one(b.size(), 0.0);
+  AggregationMultigrid by_one(alone());
+  ASSERT_TRUE(by_one.set_up(A));
+  const KrylovResult found = solve(by_one, A, b, one);
+  for (const int threads : {2, 3, 8}) {
+    Team team(threads);
+    AggregationMultigrid multigrid(team);
+    ASSERT_TRUE(multigrid.set_up(A));
+    std::vector<double> x(b.size(), 0.0);
+    const KrylovResult again = pcg(
+        team, [&](auto v, auto y) { multiply_symmetric(team, A, v, y); },
+        [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x, 1e-10, 200);
+    EXPECT_EQ(again.iterations, found.iterations);
+    EXPECT_EQ(x, one) << threads;
+  }
+}
+
 TEST(AggregationMultigrid, IsSymmetricAndPositiveOnTwoLevels) {
   const SparseMatrix A = BodyMatrices({2, 40}).pressures(1);
-  AggregationMultigrid multigrid;
+  AggregationMultigrid multigrid(alone());
   ASSERT_TRUE(multigrid.set_up(A));
   ASSERT_EQ(multigrid.levels(), 2);
   const std::vector<double> r = waves(A.n), s = waves(A.n, 2);
@@ -123,7 +154,7 @@ TEST(AggregationMultigrid, IsTheInverseOfASmallMatrix) {
 }
 
 TEST(AggregationMultigrid, CostsLittleMoreThanTheMatrix) {
-  AggregationMultigrid multigrid;
+  AggregationMultigrid multigrid(alone());
   ASSERT_TRUE(multigrid.set_up(BodyMatrices({3, 24}).pressures()));
   EXPECT_GE(multigrid.levels(), 3);
   EXPECT_LT(multigrid.complexity(), 1.5);
@@ -139,7 +170,7 @@ TEST(AggregationMultigrid, TakesPocketsWithoutAnOutlet) {
   }
   const SparseMatrix box = BodyMatrices({2, 64, 0, false}).pressures(), pockets = entries.matrix();
   for (const SparseMatrix& A : {box, pockets}) {
-    AggregationMultigrid multigrid;
+    AggregationMultigrid multigrid(alone());
     ASSERT_TRUE(multigrid.set_up(A));
     std::vector<double> b(static_cast<std::size_t>(A.n)), x(b.size(), 0.0);
     A.multiply(waves(A.n), b);
@@ -154,13 +185,13 @@ TEST(AggregationMultigrid, TakesRowsWithoutCouplingsAndNoRows) {
   Entries diagonal(3000);
   for (int i = 0; i < 3000; ++i) diagonal.add(i, i, 1 + i % 7);
   EXPECT_EQ(iterations(diagonal.matrix()), 1);
-  AggregationMultigrid multigrid;
-  ASSERT_TRUE(multigrid.set_up({0, {0}, {}, {}}));
+  AggregationMultigrid multigrid(alone());
+  ASSERT_TRUE(multigrid.set_up(SparseMatrix{0, {0}, {}, {}}));
   multigrid.precondition({}, {});
 }
 
 TEST(AggregationMultigrid, SaysWhereADiagonalIsNotPositive) {
-  AggregationMultigrid multigrid;
+  AggregationMultigrid multigrid(alone());
   for (const double bad :
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     SparseMatrix A = BodyMatrices({2, 32}).pressures();
@@ -175,7 +206,7 @@ TEST(AggregationMultigrid, IsTheSameFromRunToRun) {
   const SparseMatrix A = BodyMatrices({3, 16}).pressures(1);
   const std::vector<double> b = waves(A.n);
   std::vector<double> x(b.size(), 0.0), y(b.size(), 0.0);
-  AggregationMultigrid one, other;
+  AggregationMultigrid one(alone()), other(alone());
   ASSERT_TRUE(other.set_up(BodyMatrices({2, 40}).pressures()));  // what was before leaves no trace
   ASSERT_TRUE(one.set_up(A) && other.set_up(A));
   solve(one, A, b, x), solve(other, A, b, y);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "unit/algebra/pressure_matrices.hpp"
+#include "unit/alone.hpp"
 
 namespace tether {
 namespace {
@@ -19,7 +20,8 @@ void copy(View r, Room z) { std::copy(r.begin(), r.end(), z.begin()); }
 
 KrylovResult solve(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x, double tolerance,
                    int most) {
-  return pcg([&](View v, Room y) { A.multiply(v, y); }, copy, b, x, tolerance, most);
+  return pcg(
+      alone(), [&](View v, Room y) { A.multiply(v, y); }, copy, b, x, tolerance, most);
 }
 
 SparseMatrix diagonal(const std::vector<double>& entries) {
@@ -49,11 +51,12 @@ TEST(ConjugateGradients, NeedsOneIterationWithTheInverse) {
   std::vector<double> entries(50), x(50, 3.0);
   for (std::size_t i = 0; i < 50; ++i) entries[i] = 1 + 1e3 * static_cast<double>(i);
   const SparseMatrix A = diagonal(entries);
-  const auto result = pcg([&](View v, Room y) { A.multiply(v, y); },
-                          [&](View r, Room z) {
-                            for (std::size_t i = 0; i < 50; ++i) z[i] = r[i] / entries[i];
-                          },
-                          std::vector<double>(50, 1.0), x, 1e-10, 100);
+  const auto result = pcg(
+      alone(), [&](View v, Room y) { A.multiply(v, y); },
+      [&](View r, Room z) {
+        for (std::size_t i = 0; i < 50; ++i) z[i] = r[i] / entries[i];
+      },
+      std::vector<double>(50, 1.0), x, 1e-10, 100);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.iterations, 1);
 }

@@ -41,11 +41,11 @@ StressAt rule_of(const Flow& flow, const Solids& solids) {
 
 }  // namespace
 
-ImmersedSolids::ImmersedSolids(const Solids& solids, const FlowUnknowns& unknowns, double gravity)
+ImmersedSolids::ImmersedSolids(const Solids& solids, const FlowUnknowns& unknowns, double gravity, Team& team)
     : solids_(solids),
       unknowns_(unknowns),
       excess_(with_excess_density(solids, unknowns.flow.density)),
-      system_(excess_, gravity),
+      system_(excess_, gravity, team),
       inertia_(make_excess_inertia(excess_)),
       rule_(rule_of(unknowns.flow, solids)),
       carried_(unknowns.flow.mesh, solids.mesh, lighter_regions(unknowns.flow, solids)),
@@ -59,7 +59,7 @@ ImmersedSolids::ImmersedSolids(const Solids& solids, const FlowUnknowns& unknown
   if (any_own_volume(unknowns.flow)) pressure_.emplace(unknowns.flow, solids, gravity);
   if (!any(unknowns.flow.volume_penalty)) return;
   penalised_ = with_penalty(solids, unknowns.flow.volume_penalty);
-  penalty_ = make_elements(penalised_);
+  penalty_ = make_elements(penalised_, team);
 }
 
 /// Chooses the nodes that the fluid carries and finds where these are in it.

@@ -41,7 +41,7 @@ struct ImmersedMoment {
 class ImmersedSolids {
  public:
   /// Flow, unknowns and solids must outlive it.
-  ImmersedSolids(const Solids& solids, const FlowUnknowns& unknowns, double gravity);
+  ImmersedSolids(const Solids& solids, const FlowUnknowns& unknowns, double gravity, Team& team);
 
   /// Places and velocities of the nodes at the start; those of supported ones over a part of a step of dt.
   void start(FlowState& state, double dt);

@@ -13,6 +13,7 @@
 #include "model/solids.hpp"
 #include "physics/box/coupling_map.hpp"
 #include "physics/box/flow_box.hpp"
+#include "unit/alone.hpp"
 
 // Solids in a box of fluid for the tests of the coupled path, and what the path makes of where they are.
 
@@ -145,7 +146,7 @@ struct Surroundings {
     if (cuts) cut = cut_cells(pieces, crossings, domain), domain = box.around(crossings, cut);
     numbers = number_pressures(domain);
     const PressureSampler sampler(surface, q, pieces, domain);
-    map = map_by_pressures({surface, pieces, domain, numbers}, sampler, cuts ? &cut : nullptr, q.size());
+    map = map_by_pressures(alone(), {surface, pieces, domain, numbers}, sampler, cuts ? &cut : nullptr, q.size());
   }
   Surroundings(const Coupled& coupled, const Mesh& mesh) : Surroundings(coupled, mesh, mesh.x) {}
 

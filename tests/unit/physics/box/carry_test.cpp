@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "unit/alone.hpp"
 #include "unit/physics/box/support.hpp"
 
 namespace tether::coupled {
@@ -44,7 +45,7 @@ double error_of_whirl(int dim, int n, Advection advection) {
   const double time = 0.25;
   const int steps = n / 4;
   for (int i = 0; i < steps; ++i) {
-    carry(domain, v, now, time / steps, advection, next);
+    carry(alone(), domain, v, now, time / steps, advection, next);
     now.swap(next);
   }
   return mean_distance(domain, now, faces_of(domain.grid, [&](const Place& x) { return waves(origin(x, time)); }));
@@ -76,7 +77,7 @@ TEST(Carry, WholeCellsAreExact) {
                      carried = faces_of(domain.grid, waves);
     for (const auto advection : {Advection::semi_lagrangian, Advection::maccormack}) {
       FaceValues out = face_values(domain.grid);
-      carry(domain, v, carried, 0.125, advection, out);
+      carry(alone(), domain, v, carried, 0.125, advection, out);
       for (int axis = 0; axis < dim; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         for (std::size_t f = 0; f < out[a].size(); ++f) {
@@ -94,7 +95,7 @@ TEST(Carry, AParallelFlowStaysAndSoDoesWhatComesIn) {
   const FaceValues v = faces_of(domain.grid, [](const Place& x) { return Place{1 + x[1] * x[1], 0, 0}; });
   for (const auto advection : {Advection::semi_lagrangian, Advection::maccormack}) {
     FaceValues out = face_values(domain.grid);
-    carry_velocity(domain, v, 0.3, advection, out);
+    carry_velocity(alone(), domain, v, 0.3, advection, out);
     EXPECT_LT(largest_distance(domain, v, out), 1e-14);
   }
 }
@@ -104,7 +105,7 @@ TEST(Carry, PrescribedAndClosedFacesKeepTheirs) {
   close_face(domain, 0, {4, 4, 0});
   const FaceValues v = faces_of(domain.grid, waves);
   FaceValues out = face_values(domain.grid);
-  carry_velocity(domain, v, 0.1, Advection::maccormack, out);
+  carry_velocity(alone(), domain, v, 0.1, Advection::maccormack, out);
   for (int axis = 0; axis < 2; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     int kept = 0;
@@ -142,8 +143,8 @@ void expect_that_nothing_comes_through(int dim, Advection advection, bool left_s
   };
   FaceValues one = face_values(domain.grid), other = one;
   const FaceValues start = flow(2);
-  carry_velocity(domain, start, 0.1, advection, one);
-  carry_velocity(domain, flow(-1e6), 0.1, advection, other);
+  carry_velocity(alone(), domain, start, 0.1, advection, one);
+  carry_velocity(alone(), domain, flow(-1e6), 0.1, advection, other);
   int seen = 0, moved = 0;
   for (int axis = 0; axis < dim; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -179,7 +180,7 @@ TEST(Carry, NoNewExtremaInLongSteps) {
                      return Place{s, 1 - s, 0};
                    });
   FaceValues out = face_values(domain.grid);
-  carry(domain, v, steps, 1, Advection::maccormack, out);
+  carry(alone(), domain, v, steps, 1, Advection::maccormack, out);
   for (std::size_t a = 0; a < 2; ++a) {
     for (const double u : out[a]) EXPECT_TRUE(u > -1e-14 && u < 1 + 1e-14) << u;
   }
@@ -192,7 +193,7 @@ TEST(Carry, VelocitiesThatAreNoNumbers) {
     FaceValues v = faces_of(domain.grid, whirl);
     v[0][domain.grid.face(0, 4, 4, 0)] = bad;
     FaceValues out = face_values(domain.grid);
-    carry_velocity(domain, v, 0.1, Advection::maccormack, out);
+    carry_velocity(alone(), domain, v, 0.1, Advection::maccormack, out);
     EXPECT_TRUE(std::isfinite(out[0][domain.grid.face(0, 1, 1, 0)]));
   }
 }

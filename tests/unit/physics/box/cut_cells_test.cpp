@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "physics/box/projection.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 
 namespace tether::coupled {
@@ -169,8 +170,8 @@ TEST_P(Cut, ABodyThatMovesWithTheFluidMakesNoFlowByCrossings) {
   for (const double side : {0.5, 0.03}) {
     const Mesh mesh = solid_block(dim, 3, {0.46, 0.49, 0.49}, side, 0.4);
     const Surroundings about(box_of(dim, 13, CouplingMode::paper), mesh);
-    const CouplingMatrix B =
-        map_by_crossings({about.surface, about.pieces, about.domain, about.numbers}, about.crossings, mesh.x.size());
+    const CouplingMatrix B = map_by_crossings(alone(), {about.surface, about.pieces, about.domain, about.numbers},
+                                              about.crossings, mesh.x.size());
     ASSERT_GT(B.nonZeros(), 0);
     const auto flux = flux_of_common_motion(about, B, {0.7, -0.4, 1.3}, mesh.x.size());
     EXPECT_LT(largest(flux), 1e-14);

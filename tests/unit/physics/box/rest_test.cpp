@@ -8,6 +8,7 @@
 
 #include "physics/box/matrix.hpp"
 #include "physics/box/solver.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/box/plan_support.hpp"
 
 namespace tether::coupled {
@@ -110,7 +111,7 @@ TEST(CoupledRest, LiftsWhatIsBeyondASideToo) {
       "$mesh element='p1',cells(1,1)=4,2 $\n$coupled density=1000.,mode='cut-cell' $\n";
   const auto force = [&](double way, const char* level, const char* side) {
     const Plan plan = plan_of(deck, {level, side});
-    CoupledStep step(plan.scene, *plan.scene.solids());
+    CoupledStep step(plan.scene, *plan.scene.solids(), alone());
     CoupledState state = step.start();
     for (std::size_t n = 0; n < state.q.size(); n += 2) state.q[n] += way;
     const Placement at = step.placed(state.q);
@@ -145,7 +146,7 @@ TEST(CoupledRest, LiftsABlockInACorner) {
               std::string(places) +
               " $\n$mesh element='p1',cells(1,1)=4,3 $\n$coupled density=1000.,side(4)='open',mode='" + mode + "' $\n",
           {});
-      CoupledStep step(plan.scene, *plan.scene.solids());
+      CoupledStep step(plan.scene, *plan.scene.solids(), alone());
       const CoupledState state = step.start();
       const Placement at = step.placed(state.q);
       std::vector<double> nodes = at.map.film_weight, p;

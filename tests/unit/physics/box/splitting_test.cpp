@@ -11,6 +11,7 @@
 #include "physics/box/splitting_limit.hpp"
 #include "plan/make_plan.hpp"
 #include "read/build.hpp"
+#include "unit/alone.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -33,7 +34,7 @@ Scene scene_of(double density, const std::string& coupled = "", const std::strin
 }
 
 double ratio_of(const Scene& scene, double h = 0.05) {
-  const CoupledStep step(scene, *scene.solids());
+  const CoupledStep step(scene, *scene.solids(), alone());
   return added_mass_ratio(step, scene.solids()->mesh.x, scene.coupled()->density, h).value();
 }
 
@@ -45,7 +46,7 @@ double size_of(const std::vector<double>& u) {
 
 /// By what the velocities grow in a step, from the steps 40 to 50.
 double growth_of(const Scene& scene, double h = 0.05) {
-  CoupledStep step(scene, *scene.solids());
+  CoupledStep step(scene, *scene.solids(), alone());
   CoupledState state = step.start();
   double before = 0;
   for (int n = 0; n < 50; ++n) {
@@ -71,7 +72,7 @@ struct Matrices {
   Dense M, C, K, Ma;
 
   explicit Matrices(const Scene& scene) {
-    const CoupledStep step(scene, *scene.solids());
+    const CoupledStep step(scene, *scene.solids(), alone());
     const SolidEquations& solids = step.solids();
     const auto& q = scene.solids()->mesh.x;
     SparseMatrix stiffness = solids.system.pattern.matrix();
@@ -212,7 +213,7 @@ TEST(SplittingLimit, IsToldOfScenes) {
 
 TEST(SplittingLimit, AClosedBoxHasNone) {
   const Scene scene = scene_of(3, ",side(2)='wall'");
-  const CoupledStep step(scene, *scene.solids());
+  const CoupledStep step(scene, *scene.solids(), alone());
   EXPECT_FALSE(added_mass_ratio(step, scene.solids()->mesh.x, 1, .05).has_value());
 }
 

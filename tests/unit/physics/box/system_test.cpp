@@ -10,6 +10,7 @@
 #include "physics/box/matrix.hpp"
 #include "physics/box/projection.hpp"
 #include "physics/box/solid_equations.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 
 namespace tether::coupled {
@@ -37,7 +38,7 @@ struct Problem {
     });
     solids = elastic(together(hollow_block(dim, 1, {0.42, 0.48, 0.51}, 0.6, 0.3), plate), 20, poisson, 1.5);
     about = std::make_unique<Surroundings>(coupled, solids.mesh);
-    equations = std::make_unique<SolidEquations>(coupled, solids, -1);
+    equations = std::make_unique<SolidEquations>(coupled, solids, -1, alone());
     const std::size_t n = solids.mesh.x.size();
     equations->assemble(solids.mesh.x, random_numbers(n, 1), 0, 0.05);
     held.assign(n, hold_all ? 1 : 0), known = random_numbers(n, 2);
@@ -94,7 +95,7 @@ struct Answer {
 Answer solved(const Problem& problem, CouplingMode mode, Systems systems) {
   Coupled coupled = problem.coupled;
   coupled.coupling = coupling_of(mode), coupled.systems = systems, coupled.tolerance = 1e-13;
-  CoupledSystem system(coupled);
+  CoupledSystem system(coupled, alone());
   Answer answer{problem.known, Values(problem.r.size(), 0.0)};
   system.solve(problem.all_of(), 0, answer.u, answer.p);
   EXPECT_TRUE(system.take_messages().empty());
@@ -133,7 +134,7 @@ TEST(PaperSystem, IsSolvedByFactorsWhereBicgstabIsNot) {
     const Problem problem(dim, true, false, 0.5 - 1e-9);
     Coupled coupled = problem.coupled;
     coupled.coupling = coupling_of(CouplingMode::paper), coupled.tolerance = 1e-13;
-    CoupledSystem system(coupled);
+    CoupledSystem system(coupled, alone());
     Answer answer{problem.known, Values(problem.r.size(), 0.0)};
     system.solve(problem.all_of(), 0, answer.u, answer.p);
     EXPECT_EQ(system.cost().lu_solves, 1) << dim;
@@ -188,7 +189,7 @@ TEST_P(System, IsSolvedAgainWithTheFactorsThatItHas) {
         }
         return answer;
       };
-      CoupledSystem kept(coupled), fresh(coupled);
+      CoupledSystem kept(coupled, alone()), fresh(coupled, alone());
       solve(kept, false);
       problem.equations->b = random_numbers(problem.equations->b.size(), 11);
       for (double& u : problem.known) u *= 1.5;
@@ -228,7 +229,7 @@ TEST(Systems, TellPivotsThatAreMissing) {
   }
   EXPECT_THROW(solved(problem, CouplingMode::symmetric, Systems::direct), RunError);
   problem.coupled.convex = false, problem.coupled.systems = Systems::direct;
-  CoupledSystem system(problem.coupled);
+  CoupledSystem system(problem.coupled, alone());
   Answer answer{problem.known, Values(problem.r.size(), 0.0)};
   system.solve(problem.all_of(), 0, answer.u, answer.p);
   const auto messages = system.take_messages();
@@ -242,7 +243,7 @@ TEST_P(System, OneAfterTheOtherSolvesEachAlone) {
   for (const Systems systems : {Systems::direct, Systems::krylov}) {
     Coupled coupled = problem.coupled;
     coupled.coupling = coupling_of(CouplingMode::splitting), coupled.systems = systems, coupled.tolerance = 1e-13;
-    CoupledSystem system(coupled);
+    CoupledSystem system(coupled, alone());
     CoupledEquations equations = problem.all_of();
     const CoupledEquations split{equations.A,     equations.b,      equations.B,      equations.flux,
                                  equations.L,     equations.r,      equations.held,   equations.cell,
@@ -275,7 +276,7 @@ TEST(Systems, AreChosenByDimensionAndSize) {
   const auto name = [](int dim, int n, CouplingMode mode) {
     Coupled coupled = fluid_in_box(dim, n);
     coupled.coupling = coupling_of(mode);
-    return std::string(CoupledSystem(coupled).solver_name());
+    return std::string(CoupledSystem(coupled, alone()).solver_name());
   };
   EXPECT_EQ(name(2, 100, CouplingMode::symmetric), "direct");
   EXPECT_EQ(name(3, 12, CouplingMode::symmetric), "direct");

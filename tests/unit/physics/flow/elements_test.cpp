@@ -3,6 +3,7 @@
 
 #include "physics/flow/make_elements.hpp"
 #include "physics/flow/unknowns.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/flow/support.hpp"
 
 // The elements of a flow: derivatives against differences, forces in balance.
@@ -50,7 +51,7 @@ std::vector<double> residual(const FlowUnknowns& unknowns, const FlowElements& e
 double tangent_error(FlowElement element, bool steady) {
   const Flow flow = open_channel(element, steady);
   const FlowUnknowns unknowns(flow);
-  const auto elements = make_flow_elements(unknowns);
+  const auto elements = make_flow_elements(unknowns, alone());
   Numbers at = some_numbers(flow, *elements);
   const FlowMoment m{
       at.v0, at.v1, at.p, steady ? 1 : 0.5, steady ? 0 : 4.0, flow.viscosity, at.b, Linearisation::newton};

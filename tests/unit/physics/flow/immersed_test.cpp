@@ -3,6 +3,7 @@
 
 #include "base/diagnostics.hpp"
 #include "physics/flow/unknowns.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/flow/support.hpp"
 
 // Solids immersed in a flow: derivatives against differences, and what their forces do.
@@ -71,7 +72,7 @@ SparseMatrix tangent_of(ImmersedSolids& immersed, const FlowUnknowns& unknowns) 
 }
 
 /// Largest difference between the tangent's columns and central differences, over its largest number; of the solids
-/// alone, in a flow that is neither smooth nor symmetric.
+/// alone(), in a flow that is neither smooth nor symmetric.
 double tangent_error(const TangentCase& of) {
   Flow flow = box(of.element, 7);
   flow.integrator = of.flow_integrator, flow.volume_by_fluid = {!of.own_volume};
@@ -79,7 +80,7 @@ double tangent_error(const TangentCase& of) {
   Solids solids = block(0.22, 0.31, 0.55, 0.62, of.nx, of.ny, 3, 40);
   solids.integrator = of.integrator;
   solids.supports.push_back({{0}, {true, true, false}, {}, {}, 1});
-  ImmersedSolids immersed(solids, unknowns, -1);
+  ImmersedSolids immersed(solids, unknowns, -1, alone());
   FlowState state;
   state.v.resize(unknowns.velocity.size());
   for (std::size_t k = 0; k < state.v.size(); ++k) state.v[k] = 0.1 * std::sin(3.0 * static_cast<double>(k));

@@ -10,6 +10,7 @@
 #include "physics/flow/solver.hpp"
 #include "physics/flow/unknowns.hpp"
 #include "plan/load.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/flow/support.hpp"
 
 // The same flows by factors and by GMRES, and what GMRES is made of.
@@ -99,7 +100,7 @@ TEST(FlowLinear, DependsOnNoUnits) {
   }
 }
 
-/// Steps depend on their starts alone, not on what GMRES kept from before.
+/// Steps depend on their starts alone(), not on what GMRES kept from before.
 TEST(FlowLinear, StepsForgetThoseBefore) {
   Flow flow = cavity(FlowElement::q1q1, 12);
   flow.systems = Systems::krylov;
@@ -115,7 +116,7 @@ TEST(FlowLinear, StepsForgetThoseBefore) {
 
 /// A flow's elements and first K.
 struct System {
-  explicit System(const Flow& flow) : unknowns(flow), elements(make_flow_elements(unknowns)) {
+  explicit System(const Flow& flow) : unknowns(flow), elements(make_flow_elements(unknowns, alone())) {
     v.resize(2 * flow.twin.size()), p.resize(flow.twin.size());
     unknowns.prescribe(0, v);
     b = elements->accelerations(0, 0);
@@ -214,7 +215,7 @@ TEST(FlowLinear, MatricesOfPressuresAreExact) {
   for (const FlowElement element : both_elements) {
     const Flow flow = rectangle_flow(element, 3, 2, 2, 0.5, {});
     const FlowUnknowns unknowns(flow);
-    const auto elements = make_flow_elements(unknowns);
+    const auto elements = make_flow_elements(unknowns, alone());
     const SparseMatrix Mp = elements->pressure_mass(), Lp = elements->pressure_laplacian();
     EXPECT_NEAR(product(unknowns, Mp, x, x), 8.0 / 3 * 0.5, 1e-13);
     EXPECT_NEAR(product(unknowns, Mp, x, y), 2 * 0.125, 1e-13);
@@ -229,7 +230,7 @@ TEST(FlowLinear, LaplacianHoldsPressuresOfOpenSides) {
   for (const FlowElement element : both_elements) {
     const Flow flow = channel(element);
     const FlowUnknowns unknowns(flow);
-    const SparseMatrix Lp = make_flow_elements(unknowns)->pressure_laplacian();
+    const SparseMatrix Lp = make_flow_elements(unknowns, alone())->pressure_laplacian();
     const auto one = [](double, double) { return 1.0; };
     const auto at_the_end = [](double at, double) { return at > 2 - 1e-9 ? 1.0 : 0.0; };
     const auto before = [](double at, double) { return at > 2 - 1e-9 ? 0.0 : 1.0; };

@@ -12,6 +12,7 @@
 #include "grid/block_mesh.hpp"
 #include "model/flow.hpp"
 #include "physics/flow/step.hpp"
+#include "unit/alone.hpp"
 
 // Flows on rectangles for tests.
 
@@ -54,7 +55,7 @@ inline Flow rectangle_flow(FlowElement element, int nx, int ny, double width, do
 /// A flow with its step, from the flow's start.
 struct RunningFlow {
   RunningFlow(const Flow& of, double gravity = 0, const Solids* solids = nullptr)
-      : unknowns(of), step(unknowns, solids, gravity) {
+      : unknowns(of), step(unknowns, solids, gravity, alone()) {
     state.v.resize(unknowns.velocity.size()), state.p.resize(unknowns.pressure.size());
     state.force.resize(unknowns.velocity.size());
     for (std::size_t n = 0; n < of.mesh.node_count(); ++n) {

@@ -11,6 +11,7 @@
 #include "grid/block_mesh.hpp"
 #include "physics/solids/make_elements.hpp"
 #include "physics/solids/step.hpp"
+#include "unit/alone.hpp"
 
 namespace tether::fem {
 namespace {
@@ -75,7 +76,7 @@ TEST(Solids, PatchOfNeoHookeanElementsTakesAConstantStretch) {
       }
       solids.supports.push_back(support);
     }
-    const SolidSystem system(solids, 0);
+    const SolidSystem system(solids, 0, alone());
     SolidStep step(system);
     SolidState state;
     state.q = solids.mesh.x, state.v.assign(state.q.size(), 0.0);
@@ -89,7 +90,7 @@ TEST(Solids, TurnedBodiesFeelNothing) {
   for (const ElementKind kind : all_kinds) {
     for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3})}) {
       const Solids solids = skew_block(kind, law);
-      const auto elements = make_elements(solids);
+      const auto elements = make_elements(solids, alone());
       const std::vector<double> q = mapped(solids.mesh, turn);
       std::vector<double> f(q.size(), 0.0);
       elements->add_forces(StressAt::end, q, q, f);
@@ -124,7 +125,7 @@ TEST(Solids, PulledBarMeetsTheClosedForm) {
     solids.supports.push_back(support);
   }
   solids.loads.push_back({solids.mesh.sides.at("1.right"), -1, {force, 0, 0}, {}});
-  const SolidSystem system(solids, 0);
+  const SolidSystem system(solids, 0, alone());
   SolidStep step(system);
   SolidState state;
   state.q = solids.mesh.x, state.v.assign(state.q.size(), 0.0);
@@ -142,7 +143,7 @@ TEST(Solids, TangentIsTheDerivativeOfTheForces) {
     for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3}),
                                   ElasticLaw(LinearElastic{{2, 1.3}}), ElasticLaw(HoopFibre{1.5, -3, -4})}) {
       const Solids solids = skew_block(kind, law, {1, 1, 1});
-      const auto elements = make_elements(solids);
+      const auto elements = make_elements(solids, alone());
       const NodalPattern pattern(solids.mesh.dim(), solids.mesh.node_count(), solids.mesh.nodes, node_count_of(kind));
       const std::vector<double> q0 = shaken(solids.mesh, 1, 0.04), q1 = shaken(solids.mesh, 2, 0.04);
       for (const StressAt rule : {StressAt::gradient, StressAt::middle, StressAt::end}) {
@@ -173,7 +174,7 @@ TEST(Solids, NewtonsMethodIsQuadratic) {
     for (const ElasticLaw& law : {neo_hookean(), ElasticLaw(StVenantKirchhoff{2, 1.3})}) {
       Solids solids = skew_block(ElementKind::hex8, law);
       solids.integrator = integrator;
-      const SolidSystem system(solids, 0);
+      const SolidSystem system(solids, 0, alone());
       SolidStep step(system);
       SolidState state;
       state.q = shaken(solids.mesh, 3, 0.02), state.v.assign(state.q.size(), 0.0);
@@ -204,7 +205,7 @@ double bar_frequency(ElementKind kind, int cells) {
   for (std::size_t n = 0; n < solids.mesh.node_count(); ++n) along.nodes.push_back(static_cast<int>(n));
   along.fixed = {false, true, false};
   solids.supports = {clamp, along};
-  const SolidSystem system(solids, 0);
+  const SolidSystem system(solids, 0, alone());
   SparseMatrix K = system.pattern.matrix();
   system.elements->add_tangent(StressAt::end, solids.mesh.x, solids.mesh.x, 0, system.pattern, K);
   hold(K, system.held, 1);
@@ -240,7 +241,7 @@ TEST(Solids, FrequenciesOfABarAreOfOrderTwoAndFour) {
 TEST(Solids, MassesAndLoadsAddUp) {
   for (const ElementKind kind : all_kinds) {
     const Solids solids = skew_block(kind, neo_hookean());
-    const auto elements = make_elements(solids);
+    const auto elements = make_elements(solids, alone());
     const double area = 0.5 * ((2 * 1.4 - 2.2 * 0.3) + (2.2 * 1 + 0.2 * 1.4));  // by the shoelace formula
     const double volume = area * (solids.mesh.dim() == 3 ? 1.1 : 1);
     double lumped = 0, nodal = 0;

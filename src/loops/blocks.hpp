@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "loops/team.hpp"
+
+// Loops over numbers that stand one after the other, in blocks that do not depend on how many threads there are: sums
+// are then the same to the last bit for any number of them.
+
+namespace tether {
+
+/// Long enough that a thread is worth waking for one, short enough that many threads have one.
+constexpr std::size_t numbers_of_a_block = 2048;
+
+/// Calls body(begin, end) for blocks that make up 0 to `count`, the end excluded.
+template <class Body>
+void each_block(Team& team, std::size_t count, const Body& body, std::size_t size = numbers_of_a_block) {
+  team.each(0, (count + size - 1) / size, [&](std::size_t b) { body(b * size, std::min(count, (b + 1) * size)); });
+}
+
+/// The sum of what part(begin, end) returns for blocks of `least` numbers or more, in their order.
+template <class Part>
+double sum_of_blocks(Team& team, std::size_t count, const Part& part, std::size_t least = numbers_of_a_block) {
+  std::array<double, 1024> parts;
+  const std::size_t size = std::max(least, (count + parts.size() - 1) / parts.size());
+  each_block(
+      team, count, [&](std::size_t begin, std::size_t end) { parts[begin / size] = part(begin, end); }, size);
+  double sum = 0;
+  for (std::size_t b = 0; b * size < count; ++b) sum += parts[b];
+  return sum;
+}
+
+/// For each k below `count` first compute(k, value), by whoever is free, then add(k, value), by one thread in the order
+/// of k: what is added has the same bits for any number of threads, and needs no place of its own but for a batch.
+template <class Value, class Compute, class Add>
+void compute_then_add(Team& team, std::size_t count, const Compute& compute, const Add& add) {
+  constexpr std::size_t at_a_time = 8, batch = 256;
+  if (team.threads() == 1) {
+    Value value;
+    for (std::size_t k = 0; k < count; ++k) compute(k, value), add(k, value);
+    return;
+  }
+  std::vector<Value> values(std::min(count, batch));
+  for (std::size_t first = 0; first < count; first += batch) {
+    const std::size_t here = std::min(batch, count - first);
+    each_block(
+        team, here,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) compute(first + k, values[k]);
+        },
+        at_a_time);
+    for (std::size_t k = 0; k < here; ++k) add(first + k, values[k]);
+  }
+}
+
+}  // namespace tether

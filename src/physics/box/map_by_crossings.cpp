@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/numbers.hpp"
+#include "physics/box/coupling_map.hpp"
+
+namespace tether::coupled {
+
+CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& of, const Crossings& crossings,
+                                std::size_t unknowns) {
+  const StaggeredGrid& grid = of.domain.grid;
+  SideSums entries;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
+      if (crossings.lowest[at(axis)][f] < 0) continue;
+      const auto beside = cells_beside(grid, axis, f);
+      for (const int end : {0, 1}) {  // each cell sees the surface that is nearest to its middle
+        const int row = beside[at(end)] < 0 ? -1 : of.numbers.of_cell[at(beside[at(end)])];
+        if (row < 0) continue;
+        const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
+        const Crossing& crossing = crossings.all[at(nearest)];
+        const double out = end == 0 ? grid.area(axis) : -grid.area(axis);
+        const auto nodes = of.surface.side(at(crossing.side));
+        entries.begin(crossing.side);
+        auto& sums = entries.row(row);
+        for (std::size_t a = 0; a < nodes.size(); ++a) sums[3 * a + at(axis)] += out * crossing.share[a];
+      }
+    }
+  }
+  const std::vector<std::vector<SideEntry>> lists{entries.take()};
+  return matrix_of_sides(team, of.surface, lists, of.numbers.cell.size(), unknowns);
+}
+
+}  // namespace tether::coupled
