@@ -165,7 +165,7 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   const auto folder = folder_of(name, options, false);
   if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
   ProgressLine progress(name, options.quiet);
-  const SweepResult result = sweep(study, {folder, options.jobs, options.command, std::ref(progress)});
+  const SweepResult result = sweep(study, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
   progress.clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
@@ -182,7 +182,8 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
 bool run_published(const PublishedOptions& published, const RunOptions& options) {
   ProgressLine progress("reproduce", options.quiet);
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  const ReproduceOptions how{published.decks, out, published.write, options.jobs, options.command, std::ref(progress)};
+  const ReproduceOptions how{published.decks,   out, published.write, options.jobs, options.threads, options.command,
+                             std::ref(progress)};
   if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
   const ReproduceResult result = reproduce(published.names, how);
   progress.clear();

@@ -10,8 +10,8 @@ namespace tether {
 
 struct RunOptions {
   std::string out;      ///< empty: out/<deck name>
-  int threads = 0;      ///< 0: as many as are worth it
-  int jobs = 1;         ///< runs of a sweep side by side
+  int threads = 0;      ///< of a run; 0: as many as are worth it
+  int jobs = 0;         ///< runs of a sweep side by side
   std::string restart;  ///< checkpoint to go on from; empty: from the start
   bool quiet = false;
   bool dry_run = false;

@@ -41,20 +41,28 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
       ->check(CLI::IsMember({"mpm", "fem", "coupled"}));
 }
 
-void add_threads(CLI::App& app, int& threads) {
+constexpr const char* one_a_core = "one for each core where that is faster";
+
+void add_threads(CLI::App& app, int& threads, const std::string& otherwise) {
   app.add_option(
          "--threads", threads,
-         "threads that share the work of a run (default: one for each core where that is faster); results are the "
-         "same for any number")
+         "threads that share the work of a run (default: " + otherwise + "); results are the same for any number")
       ->check(CLI::Range(1, 1024));
 }
 
 /// What all commands of many runs take.
 void add_many_runs(CLI::App& app, RunOptions& options) {
-  options.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  app.add_option("--jobs", options.jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 1024));
+  app.add_option("--jobs", options.jobs, "runs side by side (default: as many as there are cores for their threads)")
+      ->check(CLI::Range(1, 1024));
+  add_threads(app, options.threads, "1");
   app.add_flag("--quiet", options.quiet, "no progress, no table on the terminal");
   app.add_flag("--dry-run", options.dry_run, "list the runs and which are finished, run nothing");
+}
+
+void share_cores(RunOptions& options) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.threads = std::max(1, options.threads);
+  if (options.jobs == 0) options.jobs = std::max(1, cores / options.threads);
 }
 
 CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
@@ -154,7 +162,7 @@ int main(int argc, char** argv) {
   auto* deck_names = app.add_option("deck", decks, "decks to run");
   add_deck_options(app, options);
   app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)")->check(refuse_no_folder);
-  add_threads(app, run_options.threads);
+  add_threads(app, run_options.threads, one_a_core);
   app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
       ->needs(deck_names)
       ->check(refuse_no_file);
@@ -169,7 +177,7 @@ int main(int argc, char** argv) {
   auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
   plan->add_option("deck", deck, "the deck")->required();
   add_deck_options(*plan, options);
-  add_threads(*plan, run_options.threads);
+  add_threads(*plan, run_options.threads, one_a_core);
   auto* sweep = add_sweep(app, deck, run_options);
   PublishedOptions published;
   auto* reproduce = add_reproduce(app, published, run_options);
@@ -186,6 +194,7 @@ int main(int argc, char** argv) {
   run_options.command = typed(argc, argv);
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options, run_options.threads);
+  if (*sweep || *reproduce) share_cores(run_options);
   if (*sweep) return sweep_command(deck, run_options);
   if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);

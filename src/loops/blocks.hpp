@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,16 +24,34 @@ void each_block(Team& team, std::size_t count, const Body& body, std::size_t siz
   team.each(0, (count + size - 1) / size, [&](std::size_t b) { body(b * size, std::min(count, (b + 1) * size)); });
 }
 
-/// The sum of what part(begin, end) returns for blocks of `least` numbers or more, in their order.
-template <class Part>
-double sum_of_blocks(Team& team, std::size_t count, const Part& part, std::size_t least = numbers_of_a_block) {
+/// What part(begin, end) returns for blocks of `least` numbers or more, joined to 0 by join(sum, part) in their order.
+template <class Part, class Join>
+double join_blocks(Team& team, std::size_t count, const Part& part, const Join& join, std::size_t least) {
   std::array<double, 1024> parts;
   const std::size_t size = std::max(least, (count + parts.size() - 1) / parts.size());
   each_block(
       team, count, [&](std::size_t begin, std::size_t end) { parts[begin / size] = part(begin, end); }, size);
-  double sum = 0;
-  for (std::size_t b = 0; b * size < count; ++b) sum += parts[b];
-  return sum;
+  double joined = 0;
+  for (std::size_t b = 0; b * size < count; ++b) joined = join(joined, parts[b]);
+  return joined;
+}
+
+/// Their sum.
+template <class Part>
+double sum_of_blocks(Team& team, std::size_t count, const Part& part, std::size_t least = numbers_of_a_block) {
+  return join_blocks(team, count, part, std::plus<>(), least);
+}
+
+/// The largest of what value(k) returns for each k below `count`, or 0.
+template <class Value>
+double largest_of(Team& team, std::size_t count, const Value& value, std::size_t least = numbers_of_a_block) {
+  const auto larger = [](double a, double b) { return std::max(a, b); };
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    double largest = 0;
+    for (std::size_t k = begin; k < end; ++k) largest = std::max(largest, value(k));
+    return largest;
+  };
+  return join_blocks(team, count, part, larger, least);
 }
 
 /// For each k below `count` first compute(k, value), by whoever is free, then add(k, value), by one thread in the order

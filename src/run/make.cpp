@@ -22,10 +22,20 @@
 namespace tether {
 namespace {
 
-/// A step of fewer points takes less time than threads need to come together.
-constexpr std::size_t points_worth_threads = 10000;
+/// A step of less takes little more time than threads need to come together.
+constexpr std::size_t points_worth_threads = 10000, elements_worth_threads = 1000, cells_worth_threads = 4000;
 
-bool is_worth_threads(const Plan& plan) { return plan.scene.points.size() >= points_worth_threads; }
+struct WorthThreads {
+  const Plan& plan;
+  bool operator()(const MaterialPoints&) const { return plan.scene.points.size() >= points_worth_threads; }
+  bool operator()(const Bars&) const { return false; }
+  bool operator()(const ElasticBodies& bodies) const {
+    return bodies.solids->mesh.element_count() >= elements_worth_threads;
+  }
+  bool operator()(const RigidBody&) const { return false; }
+  bool operator()(const MeshFlow& flow) const { return flow.flow->mesh.element_count() >= elements_worth_threads; }
+  bool operator()(const BoxFlow& box) const { return box.box->grid.cell_count() >= cells_worth_threads; }
+};
 
 /// The solver of each physics.
 struct MakeSolver {
@@ -63,7 +73,7 @@ bool shares_work(const Plan& plan) {
 int threads_for(const Plan& plan, int asked) {
   if (!shares_work(plan)) return 1;
   if (asked > 0) return asked;
-  if (!is_worth_threads(plan)) return 1;
+  if (!std::visit(WorthThreads{plan}, plan.scene.physics)) return 1;
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 

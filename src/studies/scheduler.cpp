@@ -18,6 +18,7 @@
 #include "base/numbers.hpp"
 #include "results/checkpoint.hpp"
 #include "results/summary_keys.hpp"
+#include "run/make.hpp"
 #include "run/run.hpp"
 
 namespace tether {
@@ -139,7 +140,7 @@ std::filesystem::path checkpoint_of(const std::string& deck_effective, const std
 
 /// A run as the command line does it; of a run that ends well the message is its warnings, since its numbers may mean
 /// less than they seem to. For the child process: signals end it at its next look.
-Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, const std::string& command) {
+Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, const std::string& command, int threads) {
   const Clocks clocks;
   SignalWatch watch;
   std::string warnings;
@@ -149,6 +150,7 @@ Ending run_in_folder(const Deck& deck, const std::filesystem::path& folder, cons
     Loaded loaded = load_scene(deck, {}, diagnostics);
     RunRequest request = request_of(loaded, folder, command);
     request.clocks = clocks;
+    request.threads = threads_for(loaded.plan, threads);
     request.restart = checkpoint_of(request.deck_effective, folder);
     request.interrupted = [&watch] { return watch.take(); };
     request.warn = warn;
@@ -178,12 +180,13 @@ bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && 
 
 }  // namespace
 
-Scheduler::Scheduler(const Study& study, std::filesystem::path out, int jobs,
+Scheduler::Scheduler(const Study& study, std::filesystem::path out, Shares shares,
                      std::function<void(const SweepProgress&)> progress)
     : study_(study),
       combinations_(combinations(study)),
       out_(std::move(out)),
-      jobs_(static_cast<std::size_t>(jobs)),
+      jobs_(static_cast<std::size_t>(shares.jobs)),
+      threads_(shares.threads),
       progress_(std::move(progress)) {}
 
 Scheduler::Outcome Scheduler::run_all(Sequences& sequences) {
@@ -222,7 +225,7 @@ bool Scheduler::start(const Variant& variant, Sequences& sequences) {
     return true;
   }
   const auto command = command_of(deck.file(), overrides_of(study_, combination, variant.varied));
-  workers_.start(next_id_, [&] { return run_in_folder(deck, folder, command); });
+  workers_.start(next_id_, [&] { return run_in_folder(deck, folder, command, threads_); });
   started_[next_id_++] = {variant, key};
   return true;
 }

@@ -56,12 +56,18 @@ struct SweepProgress {
   double wall_seconds = 0, seconds_left = 0;
 };
 
+/// How the cores are shared out among runs.
+struct Shares {
+  int jobs = 1;     ///< runs side by side
+  int threads = 1;  ///< of each run
+};
+
 /// Runs what a study wants, several runs side by side, each in a folder and a process of its own. A run that had been
 /// finished before is not run again.
 class Scheduler {
  public:
   /// The references must outlive this.
-  Scheduler(const Study& study, std::filesystem::path out, int jobs,
+  Scheduler(const Study& study, std::filesystem::path out, Shares shares,
             std::function<void(const SweepProgress&)> progress);
 
   /// All runs, or those that were finished when a signal came: SIGINT or SIGTERM, which then is `signal`.
@@ -89,6 +95,7 @@ class Scheduler {
   std::vector<Combination> combinations_;
   std::filesystem::path out_;
   std::size_t jobs_;
+  int threads_;
   std::function<void(const SweepProgress&)> progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   SignalWatch watch_{SIGINT, SIGTERM, SIGCHLD};

@@ -104,7 +104,7 @@ SweepResult sweep(const Study& study, const SweepOptions& options) {
   const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
   remove_earlier_outcome(options.out);
   Sequences sequences(study);
-  Scheduler scheduler(study, options.out, options.jobs, options.progress);
+  Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
   const auto [runs, signal] = scheduler.run_all(sequences);
   const StudyTable table = run_table(study, runs);
   write_files(options.out / "table", table, study, options.command);

@@ -15,6 +15,7 @@ namespace tether {
 struct SweepOptions {
   std::filesystem::path out;  ///< folder for the tables and, below it, the runs
   int jobs = 1;               ///< runs side by side
+  int threads = 1;            ///< of each run
   std::string command;        ///< as it was typed, for the files' provenance
   std::function<void(const SweepProgress&)> progress;
 };

@@ -65,6 +65,15 @@ class Tables(SweepTest):
         self.assertEqual(*tables)
         self.assertEqual(len(tables[0]), 8)
 
+    def test_runs_have_one_thread_each_unless_more_are_asked_for(self):
+        for words, threads in (((), "1"), (("--threads", "2"), "2")):
+            out = self.folder / threads
+            self.sweep(self.study(self.GRID), *words, out=out)
+            folders = list((out / "runs").iterdir())
+            self.assertEqual(len(folders), 8)
+            for folder in folders:
+                self.assertIn(f"threads = {threads}\n", (folder / "summary.txt").read_text())
+
     def test_observed_orders_along_the_first_axis(self):
         self.sweep(self.study("decks='../decks/sod.in'\naxis(1)='in.nx=11,21,41'\naxis(2)='mpm.cfl=0.5,1.0'\n"
                               "set='in.tmax=0.05'\nquantities='error_density','dx'\norder='dx'"))

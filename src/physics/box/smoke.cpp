@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "loops/blocks.hpp"
+
 namespace tether::coupled {
 namespace {
 
@@ -114,8 +116,10 @@ inline double half_slope(double below, double own, double above) {
 
 class SmokeCarrier {
  public:
-  SmokeCarrier(const FlowDomain& domain, const FaceValues& v, const std::vector<SmokeJet>& jets, Smoke& smoke)
-      : full_(domain.grid.volume()),
+  SmokeCarrier(Team& team, const FlowDomain& domain, const FaceValues& v, const std::vector<SmokeJet>& jets,
+               Smoke& smoke)
+      : team_(team),
+        full_(domain.grid.volume()),
         count_(smoke.volume.size()),
         smoke_(smoke),
         jets_(jets),
@@ -124,8 +128,9 @@ class SmokeCarrier {
         temperature_(count_, beyond_),
         up_(count_, beyond_),
         down_(count_, beyond_) {
-    for (int axis = 0; axis < domain.grid.dim; ++axis)
-      passages_.push_back(smoke_passages(domain, axis, v[static_cast<std::size_t>(axis)], jets));
+    passages_.resize(static_cast<std::size_t>(domain.grid.dim));
+    team.each(0, passages_.size(),
+              [&](std::size_t a) { passages_[a] = smoke_passages(domain, static_cast<int>(a), v[a], jets); });
   }
 
   SmokeFlow carry(double h) {
@@ -151,19 +156,18 @@ class SmokeCarrier {
   }
 
   void sweep(const SmokePassages& along, double h) {
-    find_concentrations();
-    leave(along, h);
+    each_block(team_, count_, [&](std::size_t begin, std::size_t end) { find_concentrations(begin, end); });
+    each_block(team_, count_, [&](std::size_t begin, std::size_t end) { leave(along, h, begin, end); });
     for (const SmokePassages::Outer& face : along.out) go_out(face);
-    arrive(along.stride);
+    each_block(team_, count_, [&](std::size_t begin, std::size_t end) { arrive(along.stride, begin, end); });
     for (const SmokePassages::Outer& face : along.in) come_in(face, h);
   }
 
-  void find_concentrations() {
+  void find_concentrations(std::size_t begin, std::size_t end) {
     const double *volume = smoke_.volume.data(), *smoke = smoke_.smoke.data(), *heat = smoke_.heat.data();
     double *density = density_.data(), *temperature = temperature_.data();
-    const std::size_t count = count_;
 #pragma GCC ivdep
-    for (std::size_t c = 0; c < count; ++c) {
+    for (std::size_t c = begin; c < end; ++c) {
       const double per_volume = 1 / (volume[c] + tiny);
       density[c] = smoke[c] * per_volume;
       temperature[c] = heat[c] * per_volume;
@@ -171,15 +175,15 @@ class SmokeCarrier {
   }
 
   // Of what is linear in a cell the mean over the share that leaves it.
-  void leave(const SmokePassages& along, double h) {
+  void leave(const SmokePassages& along, double h, std::size_t begin, std::size_t end) {
     const double *rate_up = along.up.data(), *rate_down = along.down.data(), *has_slope = along.has_slope.data();
     const double *density = density_.data(), *temperature = temperature_.data(), *volume = smoke_.volume.data();
     double *volume_up = up_.volume.data(), *smoke_up = up_.smoke.data(), *heat_up = up_.heat.data();
     double *volume_down = down_.volume.data(), *smoke_down = down_.smoke.data(), *heat_down = down_.heat.data();
-    const std::ptrdiff_t s = along.stride, count = static_cast<std::ptrdiff_t>(count_);
+    const std::ptrdiff_t s = along.stride, last = static_cast<std::ptrdiff_t>(end);
     const double full = full_;
 #pragma GCC ivdep
-    for (std::ptrdiff_t c = 0; c < count; ++c) {
+    for (auto c = static_cast<std::ptrdiff_t>(begin); c < last; ++c) {
       const double held = volume[c], most = std::min(std::max(held - kept * full, 0.0), all_but_some * held);
       const double given = h * (rate_up[c] + rate_down[c]), part = std::min(1.0, most / (given + tiny));
       const double up = h * rate_up[c] * part, down = h * rate_down[c] * part, per_volume = 1 / (held + tiny);
@@ -201,17 +205,17 @@ class SmokeCarrier {
     volume = smoke = heat = 0;
   }
 
-  void arrive(std::ptrdiff_t stride) {
-    add_arriving(up_.volume.data(), down_.volume.data(), stride, smoke_.volume);
-    add_arriving(up_.smoke.data(), down_.smoke.data(), stride, smoke_.smoke);
-    add_arriving(up_.heat.data(), down_.heat.data(), stride, smoke_.heat);
+  void arrive(std::ptrdiff_t stride, std::size_t begin, std::size_t end) {
+    const auto first = static_cast<std::ptrdiff_t>(begin), last = static_cast<std::ptrdiff_t>(end);
+    add_arriving(up_.volume.data(), down_.volume.data(), stride, first, last, smoke_.volume.data());
+    add_arriving(up_.smoke.data(), down_.smoke.data(), stride, first, last, smoke_.smoke.data());
+    add_arriving(up_.heat.data(), down_.heat.data(), stride, first, last, smoke_.heat.data());
   }
 
-  static void add_arriving(const double* up, const double* down, std::ptrdiff_t s, std::vector<double>& content) {
-    double* held = content.data();
-    const auto count = static_cast<std::ptrdiff_t>(content.size());
+  static void add_arriving(const double* up, const double* down, std::ptrdiff_t s, std::ptrdiff_t first,
+                           std::ptrdiff_t last, double* held) {
 #pragma GCC ivdep
-    for (std::ptrdiff_t c = 0; c < count; ++c) held[c] += (up[c - s] - down[c]) - (up[c] - down[c + s]);
+    for (std::ptrdiff_t c = first; c < last; ++c) held[c] += (up[c - s] - down[c]) - (up[c] - down[c + s]);
   }
 
   void come_in(const SmokePassages::Outer& face, double h) {
@@ -223,6 +227,7 @@ class SmokeCarrier {
     flow_.smoke_in += volume * jet.density, flow_.heat_in += volume * jet.temperature;
   }
 
+  Team& team_;
   double full_;
   std::size_t count_;
   Smoke& smoke_;
@@ -244,9 +249,9 @@ Smoke clean_smoke(const FlowDomain& domain) {
   return smoke;
 }
 
-SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, const std::vector<SmokeJet>& jets,
-                      Smoke& smoke) {
-  return SmokeCarrier(domain, v, jets, smoke).carry(h);
+SmokeFlow carry_smoke(Team& team, const FlowDomain& domain, const FaceValues& v, double h,
+                      const std::vector<SmokeJet>& jets, Smoke& smoke) {
+  return SmokeCarrier(team, domain, v, jets, smoke).carry(h);
 }
 
 namespace {

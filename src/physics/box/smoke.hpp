@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "loops/team.hpp"
 #include "physics/box/outside.hpp"
 
 namespace tether::coupled {
@@ -64,8 +65,8 @@ Smoke clean_smoke(const FlowDomain& domain);
 /// gives nine tenths at most. What comes in through listed faces is theirs; from others it is
 /// clean. Contents change by nothing but what is returned. Order 2 for smooth flows. Source: van Leer, J.
 /// Comput. Phys. 14, 361 (1974).
-SmokeFlow carry_smoke(const FlowDomain& domain, const FaceValues& v, double h, const std::vector<SmokeJet>& jets,
-                      Smoke& smoke);
+SmokeFlow carry_smoke(Team& team, const FlowDomain& domain, const FaceValues& v, double h,
+                      const std::vector<SmokeJet>& jets, Smoke& smoke);
 
 /// Adds to the velocities v of open faces across y what smoke and warmth do in a time h: h (lift T - weight s), by the
 /// mean of the fluid cells beside. `lift` and `weight` are accelerations by a temperature and a density of 1.

@@ -221,7 +221,7 @@ std::vector<SmokeJet> CoupledStep::smoke_sources(double time, double h) const {
 
 void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
   if (!coupled_.smoke) return;
-  const SmokeFlow flow = carry_smoke(at_.domain, state.v, h, smoke_sources(state.time, h), state.smoke);
+  const SmokeFlow flow = carry_smoke(team_, at_.domain, state.v, h, smoke_sources(state.time, h), state.smoke);
   settle_smoke(at_.domain, clean_smoke(at_.domain).volume, state.smoke);  // which has no finer place than cells
   state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
   state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;

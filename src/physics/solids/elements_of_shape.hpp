@@ -271,11 +271,10 @@ ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
 /// (B. M. Irons, J. Eng. Mech. Div. 97 (1971) 1219-1225), each with its own part of the lumped masses.
 template <class Shapes>
 double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<const double> lumped) const {
-  double largest = 0;
-  ElementMatrix K;
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+  const auto of_element = [&](std::size_t e) {
+    ElementMatrix K;
     element_tangent(StressAt::end, e, q, q, 0, {}, K);
-    double volume = 0;
+    double volume = 0, largest = 0;
     for (int k = 0; k < points; ++k) volume += weight(e, k);
     for (int row = 0; row < unknowns; ++row) {
       double sum = 0;
@@ -284,8 +283,9 @@ double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<
       const double whole = lumped[static_cast<std::size_t>(mesh_.element(e)[row / dim])];
       largest = std::max(largest, sum / std::min(share, whole));
     }
-  }
-  return std::sqrt(largest);
+    return largest;
+  };
+  return std::sqrt(largest_of(team_, mesh_.element_count(), of_element, elements_of_a_block));
 }
 
 }  // namespace tether::fem

@@ -46,6 +46,7 @@ struct ReproduceOptions {
   std::filesystem::path out;              ///< folder for the runs
   std::filesystem::path write;            ///< file for the table in Markdown; empty for none
   int jobs = 1;                           ///< runs side by side
+  int threads = 1;                        ///< of each run
   std::string command;                    ///< as it was typed
   std::function<void(const SweepProgress&)> progress;
 };

@@ -36,9 +36,9 @@ std::optional<RunRecord> record_of(const PlannedRun& run) {
 }
 
 /// For the process of a run. A kill or a full disk leaves no record of a run: the last line of the report tells of it.
-Ending sweep_alone(const PlannedRun& run, const std::string& command) {
+Ending sweep_alone(const PlannedRun& run, const std::string& command, int threads) {
   return end_of(run.study.file, [&] {
-    const SweepResult result = sweep(run.study, {run.out, 1, command, {}});
+    const SweepResult result = sweep(run.study, {run.out, 1, threads, command, {}});
     if (result.signal != 0) throw Interrupted(result.signal, "interrupted");
     if (!result.verdicts.empty()) throw RunError(result.verdicts.front());
     if (run.study.mode == Mode::bisect || record_of(run)) return;
@@ -57,9 +57,14 @@ Ending ending_of(const PlannedRun& run, const Ending& of_process) {
 /// Runs under way and those that wait.
 class Pool {
  public:
-  Pool(const std::vector<PlannedRun>& runs, std::size_t jobs, const std::string& command,
+  Pool(const std::vector<PlannedRun>& runs, Shares shares, const std::string& command,
        const std::function<void(const SweepProgress&)>& progress)
-      : runs_(runs), jobs_(jobs), command_(command), progress_(progress), ends_(runs.size()) {}
+      : runs_(runs),
+        jobs_(static_cast<std::size_t>(shares.jobs)),
+        threads_(shares.threads),
+        command_(command),
+        progress_(progress),
+        ends_(runs.size()) {}
 
   std::vector<RunEnd> run_all() {
     while (next_ < runs_.size() || workers_.count() > 0) {
@@ -76,7 +81,7 @@ class Pool {
  private:
   void start() {
     const PlannedRun& run = runs_[next_];
-    workers_.start(next_++, [&] { return sweep_alone(run, command_); });
+    workers_.start(next_++, [&] { return sweep_alone(run, command_, threads_); });
   }
   void take(const Finished& ended) {
     const PlannedRun& run = runs_[ended.id];
@@ -102,6 +107,7 @@ class Pool {
 
   const std::vector<PlannedRun>& runs_;
   std::size_t jobs_;
+  int threads_;
   const std::string& command_;
   const std::function<void(const SweepProgress&)>& progress_;
   std::vector<RunEnd> ends_;
@@ -115,9 +121,9 @@ class Pool {
 
 }  // namespace
 
-std::vector<RunEnd> run_all(const std::vector<PlannedRun>& runs, int jobs, const std::string& command,
+std::vector<RunEnd> run_all(const std::vector<PlannedRun>& runs, Shares shares, const std::string& command,
                             const std::function<void(const SweepProgress&)>& progress) {
-  return Pool(runs, static_cast<std::size_t>(jobs), command, progress).run_all();
+  return Pool(runs, shares, command, progress).run_all();
 }
 
 namespace {

@@ -40,7 +40,7 @@ std::vector<PlannedRun> plan_runs(const std::vector<Problem>& problems, const st
 
 /// Does them, several side by side, each in a process of its own; those that had been finished are not run again.
 /// Throws Interrupted, after the runs under way have stopped.
-std::vector<RunEnd> run_all(const std::vector<PlannedRun>& runs, int jobs, const std::string& command,
+std::vector<RunEnd> run_all(const std::vector<PlannedRun>& runs, Shares shares, const std::string& command,
                             const std::function<void(const SweepProgress&)>& progress);
 
 }  // namespace tether::published

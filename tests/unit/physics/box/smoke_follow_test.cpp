@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "unit/alone.hpp"
 #include "unit/physics/box/support.hpp"
 
 namespace tether::coupled {
@@ -232,7 +233,7 @@ TEST(SmokeFollow, APlateInAFlow) {
     x += 0.15;
     const FlowDomain now = plate_at(x);
     follow_domain(before, now, smoke);
-    const SmokeFlow flow = carry_smoke(now, v, 0.15, jets, smoke);
+    const SmokeFlow flow = carry_smoke(alone(), now, v, 0.15, jets, smoke);
     EXPECT_NEAR(sum(smoke.smoke), start + 3 * 0.15 * i, 1e-12);
     EXPECT_NEAR(flow.smoke_out, 0, 1e-15);
     double behind = 0;
@@ -271,7 +272,7 @@ TEST(SmokeFollow, ABlockLosesNothing) {
       }
       follow_domain(before, now, smoke);
       for (std::size_t c = 0; c < own.size(); ++c) EXPECT_EQ(smoke.volume[c] > 0, now.kind[c] == CellKind::fluid);
-      carry_smoke(now, v, 0.1, {}, smoke);
+      carry_smoke(alone(), now, v, 0.1, {}, smoke);
       settle_smoke(now, own, smoke);
       EXPECT_NEAR(sum(smoke.smoke), all, 1e-12);
       EXPECT_NEAR(sum(smoke.heat), heat, 1e-12);

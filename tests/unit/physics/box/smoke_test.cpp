@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "unit/alone.hpp"
 #include "unit/physics/box/support.hpp"
 
 namespace tether::coupled {
@@ -69,7 +70,7 @@ double error_of_whirl(int dim, int n) {
   const FaceValues v = whirl_without_sources(domain.grid);
   Smoke smoke = smoke_of(domain, bump);
   const double time = 0.25;
-  for (int i = 0; i < n / 4; ++i) carry_smoke(domain, v, 4 * time / n, {}, smoke);
+  for (int i = 0; i < n / 4; ++i) carry_smoke(alone(), domain, v, 4 * time / n, {}, smoke);
   double error = 0;
   for (std::size_t c = 0; c < smoke.volume.size(); ++c)
     error += std::abs(smoke.density(c) - bump(origin(middle_of(domain.grid, c), time))) * domain.grid.volume();
@@ -101,8 +102,8 @@ TEST(Smoke, BoundsAndSumsInAnyFlow) {
             uneven = smoke_of(domain, [](const Place&x) { return std::sin(50 * x[0] * x[1]) > 0 ? 1.0 : 0.0; });
       const double before = sum(uneven.smoke), volume = sum(uneven.volume);
       for (int i = 0; i < 20; ++i) {
-        carry_smoke(domain, v, h, {}, even);
-        carry_smoke(domain, v, h, {}, uneven);
+        carry_smoke(alone(), domain, v, h, {}, even);
+        carry_smoke(alone(), domain, v, h, {}, uneven);
       }
       EXPECT_NEAR(sum(uneven.smoke), before, 1e-13);
       EXPECT_NEAR(sum(uneven.heat), -2 * before, 1e-13);
@@ -135,7 +136,7 @@ TEST(Smoke, WhatJetsBringAndWhatLeavesIsTold) {
   Smoke smoke = clean_smoke(domain);
   SmokeFlow all;
   for (int i = 0; i < 40; ++i) {
-    const SmokeFlow flow = carry_smoke(domain, v, 0.1, jets, smoke);
+    const SmokeFlow flow = carry_smoke(alone(), domain, v, 0.1, jets, smoke);
     EXPECT_NEAR(flow.smoke_in, 0.5 * 0.1 * 3, 1e-14);
     EXPECT_NEAR(flow.heat_in, 0.5 * 0.1 * 2, 1e-14);
     all.smoke_out += flow.smoke_out, all.heat_out += flow.heat_out;
@@ -147,7 +148,7 @@ TEST(Smoke, WhatJetsBringAndWhatLeavesIsTold) {
   EXPECT_NEAR(smoke.temperature(grid.cell(7, 2, 0)), 5, 1e-2);
   // The other way round clean fluid comes in.
   for (double& u : v[0]) u = -0.5;
-  const SmokeFlow flow = carry_smoke(domain, v, 4, {}, smoke);
+  const SmokeFlow flow = carry_smoke(alone(), domain, v, 4, {}, smoke);
   EXPECT_EQ(flow.smoke_in, 0);
   EXPECT_NEAR(flow.smoke_out, 3, 0.3);
   EXPECT_NEAR(sum(smoke.volume), 60.0 / 64, 1e-12);
@@ -170,7 +171,7 @@ TEST(Smoke, NothingCrossesAClosedFace) {
     const auto carried = [&](double left, double right) {
       Smoke smoke = smoke_of(
           domain, [&](const Place& x) { return (2 + std::sin(9 * x[0] + x[1])) * (x[0] < 0.5 ? left : right); });
-      for (int i = 0; i < 10; ++i) carry_smoke(domain, v, 0.1, {}, smoke);
+      for (int i = 0; i < 10; ++i) carry_smoke(alone(), domain, v, 0.1, {}, smoke);
       return smoke;
     };
     const Smoke both = carried(1, 5), left = carried(1, 0), right = carried(0, 5);
