@@ -11,9 +11,7 @@ namespace tether {
 FieldsInTurn::FieldsInTurn(const Snapshot& snapshot)
     : time_(snapshot.time),
       count_(snapshot.fields.empty() ? 0 : snapshot.fields.front().values.size()),
-      fill_([&snapshot](std::size_t field, std::span<double> numbers) {
-        std::copy_n(snapshot.fields[field].values.begin(), numbers.size(), numbers.begin());
-      }) {
+      view_([&snapshot](std::size_t field) { return std::span(snapshot.fields[field].values); }) {
   for (const Field& field : snapshot.fields) {
     if (field.values.size() != count_)
       throw std::invalid_argument(fmt::format("field {} with {} numbers where {} with {} was expected",
@@ -21,6 +19,18 @@ FieldsInTurn::FieldsInTurn(const Snapshot& snapshot)
                                               snapshot.fields.front().quantity.name, count_));
     quantities_.push_back(field.quantity);
   }
+}
+
+void FieldsInTurn::fill(std::size_t field, std::span<double> numbers) const {
+  if (!view_) return fill_(field, numbers);
+  const auto there = view_(field);
+  std::copy(there.begin(), there.end(), numbers.begin());
+}
+
+std::span<const double> FieldsInTurn::numbers(std::size_t field, std::span<double> room) const {
+  if (view_) return view_(field);
+  fill_(field, room);
+  return room;
 }
 
 Snapshot FieldsInTurn::snapshot() const {

@@ -128,10 +128,15 @@ void SnapshotFile::append(const FieldsInTurn& snapshot) {
     part.count.push_back(axis.grows ? values_ : axis.length);
   }
   // With no numbers in place of points that other records have.
-  std::vector<double> numbers(values_, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> room(values_, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < variables_.size(); ++k) {
-    snapshot.fill(k, std::span(numbers).first(snapshot.count()));
-    file_.put(variables_[k], part, numbers);
+    const auto numbers = snapshot.numbers(k, std::span(room).first(snapshot.count()));
+    if (numbers.size() == values_) {
+      file_.put(variables_[k], part, numbers);
+    } else {
+      if (numbers.data() != room.data()) std::copy(numbers.begin(), numbers.end(), room.begin());
+      file_.put(variables_[k], part, room);
+    }
   }
   file_.sync();
   ++records_;

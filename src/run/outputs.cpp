@@ -7,6 +7,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/text.hpp"
+#include "loops/channel.hpp"
 #include "model/coupled.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
@@ -24,6 +25,14 @@ EarlierSnapshots earlier_snapshots(const RunRequest& request) {
   return request.restart.empty() ? EarlierSnapshots::removed : EarlierSnapshots::set_aside;
 }
 
+constexpr std::size_t most_waiting = std::size_t{128} << 20U;  // bytes, of what waits to be written
+
+std::size_t bytes_of(const Snapshot& snapshot) {
+  std::size_t numbers = 0;
+  for (const Field& field : snapshot.fields) numbers += field.values.size();
+  return numbers * sizeof(double);
+}
+
 /// The mesh that the fields of Solver::grid() stand on; null for those of the background grid.
 struct MeshOfGrid {
   const Mesh& cell_middles;
@@ -34,6 +43,44 @@ struct MeshOfGrid {
   const Mesh* operator()(const MeshFlow& flow) const { return &flow.flow->mesh; }
   const Mesh* operator()(const BoxFlow&) const { return &cell_middles; }
 };
+
+/// Closes a channel when nobody is left who would take anything from it.
+struct Closing {
+  explicit Closing(std::shared_ptr<Channel> of) : channel(std::move(of)) {}
+  ~Closing() { channel->close(); }
+  Closing(const Closing&) = delete;
+  Closing& operator=(const Closing&) = delete;
+  std::shared_ptr<Channel> channel;
+};
+
+std::size_t fields_that_may_wait(const FieldsInTurn& snapshot) {
+  return std::max<std::size_t>(1, most_waiting / (sizeof(double) * std::max<std::size_t>(1, snapshot.count())));
+}
+
+/// The fields of a snapshot as they come through a channel.
+FieldsInTurn fields_of(const FieldsInTurn& snapshot, const std::shared_ptr<Channel>& channel) {
+  const auto take = [channel, count = snapshot.count(),
+                     taken = std::make_shared<Channel::Numbers>()](std::size_t) -> std::span<const double> {
+    *taken = nullptr;
+    *taken = channel->take();
+    return {taken->get(), count};
+  };
+  return {snapshot.time(), snapshot.quantities(), snapshot.count(), FieldsInTurn::View(take)};
+}
+
+/// As many at a time as there are threads to make them.
+void put_fields(const FieldsInTurn& snapshot, Channel& channel) {
+  Team alone;
+  Team& team = snapshot.team() != nullptr ? *snapshot.team() : alone;
+  const std::size_t fields = snapshot.quantities().size(), together = static_cast<std::size_t>(team.threads());
+  for (std::size_t first = 0; first < fields; first += together) {
+    std::vector<Channel::Numbers> made(std::min(together, fields - first));
+    for (auto& numbers : made) numbers = std::make_unique_for_overwrite<double[]>(snapshot.count());
+    team.each(0, made.size(),
+              [&](std::size_t k) { snapshot.fill(first + k, std::span(made[k].get(), snapshot.count())); });
+    for (auto& numbers : made) channel.put(std::move(numbers));
+  }
+}
 
 }  // namespace
 
@@ -47,7 +94,8 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       history_due_(plan.scene.outputs.history),
       points_due_(plan.scene.outputs.points),
       grid_due_(plan.scene.outputs.grid),
-      checkpoint_due_(plan.scene.outputs.checkpoint) {
+      checkpoint_due_(plan.scene.outputs.checkpoint),
+      queue_(most_waiting) {
   folder_.deck_effective(request.deck_effective);
   if (request.mesh_text) folder_.beside_deck(effective_mesh_file, *request.mesh_text);
   for (const auto& message : request.messages) note(message);
@@ -135,32 +183,48 @@ void RunOutputs::take_over(const std::string& name, const WantedSnapshots& wante
 }
 
 void RunOutputs::write(Record record) {
-  folder_.append(record);
-  history_.records.push_back(std::move(record));
+  history_.records.push_back(record);
+  queue_.give([this, record = std::move(record)] { folder_.append(record); }, 0);
 }
 
 void RunOutputs::write_points() {
   solver_.write_points([this](const FieldsInTurn& fields) { write_points(fields); });
 }
 
+/// Field by field: the thread of its own writes those that are there while the next ones are made.
 void RunOutputs::write_points(const FieldsInTurn& snapshot) {
-  folder_.points(snapshot);
+  if (queue_.has_thread()) {
+    const auto fields = std::make_shared<Channel>(fields_that_may_wait(snapshot));
+    queue_.give([this, taken = fields_of(snapshot, fields),
+                 closing = std::make_shared<Closing>(fields)] { folder_.points(taken); },
+                0);
+    put_fields(snapshot, *fields);
+  } else {
+    folder_.points(snapshot);
+  }
   ++point_snapshots_;
 }
 
 void RunOutputs::write_grid() {
   if (plan_.scene.outputs.grid == 0) return;
   write_grid(solver_.grid());
-  const Snapshot solids = solver_.solids();
-  if (!solids.fields.empty()) folder_.solids(plan_.scene.solids()->mesh, solids);
+  Snapshot solids = solver_.solids();
+  if (solids.fields.empty()) return;
+  const std::size_t bytes = bytes_of(solids);
+  queue_.give([this, solids = std::move(solids)] { folder_.solids(plan_.scene.solids()->mesh, solids); }, bytes);
 }
 
-void RunOutputs::write_grid(const Snapshot& snapshot) {
-  const Mesh cell_middles = plan_.scene.coupled() ? mesh_of_middles(plan_.scene.coupled()->grid) : Mesh{};
-  if (const Mesh* mesh = std::visit(MeshOfGrid{cell_middles}, plan_.scene.physics))
-    folder_.mesh(*mesh, snapshot);
-  else
-    folder_.grid(plan_.scene.grid, snapshot);
+void RunOutputs::write_grid(Snapshot snapshot) {
+  const std::size_t bytes = bytes_of(snapshot);
+  queue_.give(
+      [this, snapshot = std::move(snapshot)] {
+        const Mesh cell_middles = plan_.scene.coupled() ? mesh_of_middles(plan_.scene.coupled()->grid) : Mesh{};
+        if (const Mesh* mesh = std::visit(MeshOfGrid{cell_middles}, plan_.scene.physics))
+          folder_.mesh(*mesh, snapshot);
+        else
+          folder_.grid(plan_.scene.grid, snapshot);
+      },
+      bytes);
   ++grid_snapshots_;
 }
 

@@ -10,6 +10,7 @@
 
 #include "fields/fields_in_turn.hpp"
 #include "grid/mesh.hpp"
+#include "loops/task_queue.hpp"
 #include "physics/solver.hpp"
 #include "plan/plan.hpp"
 #include "results/checkpoint.hpp"
@@ -57,6 +58,10 @@ class RunOutputs {
   RunOutputs(const Plan& plan, const RunRequest& request, const Solver& solver);
 
   void write_the_start();
+  /// From now on by a thread of its own: what it cannot write, a later call throws.
+  void write_meanwhile() { queue_.start_thread(); }
+  /// Until all of it is with the system.
+  void wait() { queue_.wait(); }
   double next() const;               ///< time at which something is due next, a checkpoint too [time]
   void write_what_is_due(bool end);  ///< all but the checkpoint; at the end everything that is on
   bool takes_checkpoint(bool end);   ///< whether one is due now
@@ -80,7 +85,7 @@ class RunOutputs {
   void write_points();
   void write_points(const FieldsInTurn& snapshot);
   void write_grid();
-  void write_grid(const Snapshot& snapshot);
+  void write_grid(Snapshot snapshot);
   void take_over(const std::string& name, const WantedSnapshots& wanted,
                  const std::function<void(const Snapshot&)>& write_one);
 
@@ -92,6 +97,7 @@ class RunOutputs {
   std::size_t point_snapshots_ = 0, grid_snapshots_ = 0;
   std::vector<std::string> messages_;  // of the run, beside those of its deck
   Due history_due_, points_due_, grid_due_, checkpoint_due_;
+  TaskQueue queue_;  // of what NetCDF writes, which is not made for two threads at once
 };
 
 }  // namespace tether

@@ -65,6 +65,7 @@ class Runner {
 
   RunOutcome to_the_end() {
     solver_->stop_when([this] { return is_asked_to_stop(); });
+    if (request_.threads > 1) outputs_.write_meanwhile();
     while (!at_end()) {
       const double next = std::min(plan_.scene.clock.tmax, outputs_.next());
       go_on(std::min(next, look_ahead()), next);
@@ -76,6 +77,7 @@ class Runner {
 
   /// The error's text with what there is to go on from, which also goes into messages.txt.
   std::string stopped(const std::string& why) {
+    outputs_.wait();
     pass_messages();
     std::string text = why;
     if (!last_checkpoint_.empty()) {
@@ -134,6 +136,7 @@ class Runner {
     if (outputs_.takes_checkpoint(at_end())) write_checkpoint();
   }
   void write_checkpoint() {
+    outputs_.wait();
     Checkpoint now;
     now.provenance = request_.provenance;
     now.deck_effective = request_.deck_effective;
@@ -158,6 +161,7 @@ class Runner {
     throw Interrupted(signal_, text);
   }
   RunOutcome finish() {
+    outputs_.wait();
     const Comparison comparison = compare_or_say_why_not();
     warn_of_what_looks_wrong(comparison);
     if (!comparison.exact.names.empty()) outputs_.folder().reference(comparison.exact);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Exit codes of the contract: 0 done, 2 wrong input, 3 a run that diverged or lost a point, 4 file trouble."""
 import functools
+import itertools
 import resource
 import unittest
 
@@ -211,10 +212,16 @@ class FileTrouble(Blocks):
         self.assertIn(f"{file / 'out'}: the folder cannot be made: Not a directory", result.stderr)
 
     def test_a_full_disk(self):
-        """A history of far more than 560 kB on a disk that takes no more: what was written is what a run writes."""
+        """A history of far more than 560 kB on a disk that takes no more: what was written is what a run writes, also
+        where a thread of its own writes it."""
         deck, many = DECKS / "spring-mass.in", ["--set", "in.tiout(33)=2e-5"]
         whole = self.run_ok(deck, *many, out="whole")
-        result = self.expect(4, deck, "--quiet", "--out", self.out, *many,
+        for threads in ("1", "2"):
+            with self.subTest(threads=threads):
+                self.fill_the_disk(deck, whole, *many, "--threads", threads)
+
+    def fill_the_disk(self, deck, whole, *words):
+        result = self.expect(4, deck, "--quiet", "--out", self.out, *words,
                              before=functools.partial(limit_file_size, 560_000))
         self.assertIn("history.txt: cannot be written: File too large", result.stderr)
         text, all_text = (self.out / "history.txt").read_bytes(), (whole / "history.txt").read_bytes()
@@ -227,9 +234,10 @@ class FileTrouble(Blocks):
         self.assertFalse((self.out / "summary.txt").exists())
 
     def test_a_disk_that_is_full_at_once(self):
-        for most in (0, 500, 5_000, 50_000):
-            with self.subTest(most=most):
-                result = self.expect(4, DECKS / "spring-mass.in", "--quiet", "--out", self.out / str(most),
+        for most, threads in itertools.product((0, 500, 5_000, 50_000), ("1", "2")):
+            with self.subTest(most=most, threads=threads):
+                result = self.expect(4, DECKS / "spring-mass.in", "--quiet", "--out", self.out / f"{most}-{threads}",
+                                     "--threads", threads,
                                      before=functools.partial(limit_file_size, most))
                 self.assertIn("File too large", result.stderr)
 

@@ -14,10 +14,10 @@ DECK = pathlib.Path(__file__).resolve().parents[1] / "bench" / "disks.in"
 
 
 class PointMemory(ProgramTest):
-    def run_of(self, method, nodes):
+    def run_of(self, method, nodes, threads=1):
         """Peak of memory [B], and points."""
-        folder = self.folder / f"{method}-{nodes}"
-        command = [TETHER, DECK, "--quiet", "--out", folder,
+        folder = self.folder / f"{method}-{nodes}-{threads}"
+        command = [TETHER, DECK, "--quiet", "--out", folder, "--threads", str(threads),
                    *sets(mpm__method=f"'{method}'", in__nx=nodes, in__ny=nodes, in__tmax=2e-4)]
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL)
         _, status, usage = os.wait4(process.pid, 0)
@@ -34,6 +34,12 @@ class PointMemory(ProgramTest):
 
     def test_the_robust_method(self):
         self.check("robust", 230)
+
+    def test_what_waits_to_be_written_by_a_thread_of_its_own_is_bounded(self):
+        """Fields of 1e6 points take 140 MB at least."""
+        alone, points = self.run_of("thesis", 801)
+        self.assertGreater(points, 1_000_000)
+        self.assertLess(self.run_of("thesis", 801, 2)[0] - alone, 200e6)
 
     def test_what_the_parent_holds_does_not_count(self):
         large = b"1" * 400_000_000

@@ -91,7 +91,7 @@ class Restart(ProgramTest):
         options = sets(**{"in__iout(41)": 1, "in__tiout(41)": 5e-5})
         with_checkpoints = 0
         for kill in range(KILLS):
-            process, folder = self.start(*options, out=f"kill-{kill}")
+            process, folder = self.start(*options, "--threads", str(1 + kill % 2), out=f"kill-{kill}")
             time.sleep(SLOWER * draw.uniform(0.02, 0.5))
             process.kill()
             process.wait()

@@ -226,7 +226,7 @@ RunCounts MpmSolver::counts() const {
 Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene).snapshot(); }
 
 void MpmSolver::write_points(const std::function<void(const FieldsInTurn&)>& write) const {
-  write(point_fields(state_, plan_.scene));
+  write(point_fields(state_, plan_.scene).shared_by(*state_.team));
 }
 
 Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
