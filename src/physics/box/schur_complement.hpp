@@ -68,6 +68,9 @@ class SchurComplement {
   KrylovResult solve_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned,
                                std::span<const double> right, double tolerance, std::span<double> p);
 
+  /// Lets go of what only solutions with the same matrices would need.
+  void let_go() { multigrid_ = AggregationMultigrid(team_), B_ = {}, held_L_ = {}; }
+
  private:
   bool set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   bool make_levels(const CoupledEquations& equations, const SparseMatrix& A);

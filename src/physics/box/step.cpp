@@ -187,7 +187,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
     state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k] + at_.map.film_weight[k];
     state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
   }
-  solution.L = {};  // nothing else asks for it
+  solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
   return solution;
 }
 

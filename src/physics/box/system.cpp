@@ -189,6 +189,8 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   if (!result.converged) refuse(time, "conjugate gradients do not converge for the pressures");
 }
 
+void CoupledSystem::let_go() { parts_->schur.let_go(); }
+
 const char* CoupledSystem::solver_name() const {
   if (scene_.coupling.two_maps) return "bicgstab";
   return direct_ ? "direct" : "krylov";

@@ -37,6 +37,8 @@ class CoupledSystem {
   /// The fluid alone, -L p = r + flux u with all velocities given.
   void solve_fluid(const CoupledEquations& equations, double time, std::span<const double> u, std::span<double> p);
 
+  /// Lets go of what only solutions with the same matrices would need: no more of them follow.
+  void let_go();
   /// "bicgstab", "direct" or "krylov".
   const char* solver_name() const;
   /// The orders of elimination that have been found, as numbers to be saved; with them another object's solutions are

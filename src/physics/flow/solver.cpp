@@ -92,7 +92,7 @@ FlowReport FlowSolver::advance_by(double part) {
   const FlowStepTime at{.start = state_.time, .dt = part, .tmax = plan_.scene.clock.tmax};
   FlowReport report = steady_bodies_ ? steady_bodies_->advance(state_, at) : step_.advance(state_, at);
   if (!report.residuals.empty()) state_.residual = flow_.tolerance * report.residuals.back();
-  if (report.converged) tracers_.advance(state_, part);
+  if (report.converged) tracers_.advance(team_, state_, part);
   return report;
 }
 

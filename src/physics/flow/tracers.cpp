@@ -2,6 +2,7 @@
 #include "physics/flow/tracers.hpp"
 
 #include "fields/columns.hpp"
+#include "loops/blocks.hpp"
 #include "physics/flow/elements.hpp"
 
 namespace tether::fem {
@@ -95,20 +96,29 @@ Vec<2> FlowTracers::velocity(std::span<const double> v, const PointFinder::Found
   return sum;
 }
 
-void FlowTracers::advance(FlowState& state, double dt) const {
+void FlowTracers::advance(Team& team, FlowState& state, double dt) const {
   if (state.tracers.empty()) return;
   std::vector<double> mean(state.v.size());
   for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = 0.5 * (state.v_before[k] + state.v[k]);
-  for (std::size_t n = 0; n < state.tracer_left.size(); ++n) {
-    double* x = &state.tracers[2 * n];
-    const auto at = finder_.find({x[0], x[1]});
-    if (state.tracer_left[n] != 0 || !at) continue;
-    const auto first = velocity(mean, *at);
-    const auto middle = finder_.find({x[0] + 0.5 * dt * first[0], x[1] + 0.5 * dt * first[1]});
-    const auto v = middle ? velocity(mean, *middle) : first;
-    x[0] += dt * v[0], x[1] += dt * v[1];
-    state.tracer_left[n] = finder_.find({x[0], x[1]}) ? 0 : 1;
-  }
+  each_block(
+      team, state.tracer_left.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n) {
+          if (state.tracer_left[n] == 0) state.tracer_left[n] = move(mean, dt, &state.tracers[2 * n]) ? 0 : 1;
+        }
+      },
+      tracers_of_a_block);
+}
+
+/// False where it leaves the mesh. One that is in no element stays where it is.
+bool FlowTracers::move(std::span<const double> mean, double dt, double* x) const {
+  const auto at = finder_.find({x[0], x[1]});
+  if (!at) return true;
+  const auto first = velocity(mean, *at);
+  const auto middle = finder_.find({x[0] + 0.5 * dt * first[0], x[1] + 0.5 * dt * first[1]});
+  const auto v = middle ? velocity(mean, *middle) : first;
+  x[0] += dt * v[0], x[1] += dt * v[1];
+  return finder_.find({x[0], x[1]}).has_value();
 }
 
 std::size_t FlowTracers::count_inside(const Solids& solids, const FlowState& state) const {

@@ -6,6 +6,7 @@
 
 #include "base/vec.hpp"
 #include "grid/point_finder.hpp"
+#include "loops/team.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
 #include "physics/flow/state.hpp"
@@ -23,13 +24,16 @@ class FlowTracers {
   /// whose nodes are at state.q.
   void start(const Solids* solids, FlowState& state) const;
   /// Moves them over a step of dt by the mid-point rule in the mean of the velocities at its ends, those of the state.
-  void advance(FlowState& state, double dt) const;
+  void advance(Team& team, FlowState& state, double dt) const;
   /// How many are inside of solids whose nodes are at state.q.
   std::size_t count_inside(const Solids& solids, const FlowState& state) const;
   /// Places, numbers from 1, velocities, and whether they left.
   Snapshot fields(const FlowState& state) const;
 
  private:
+  static constexpr std::size_t tracers_of_a_block = 128;
+
+  bool move(std::span<const double> mean, double dt, double* x) const;
   Vec<2> velocity(std::span<const double> v, const PointFinder::Found& at) const;
 
   const Flow& flow_;
