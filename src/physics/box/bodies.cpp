@@ -63,11 +63,11 @@ std::string leaving_text(const Coupled& scene, const SolidSurface& surface, std:
 
 ThinBodies thin_bodies(const Placement& placed, const SolidSurface& surface) {
   ThinBodies found;
-  const auto& thin = placed.cut.thin;
+  const auto& thin = placed.thin;
   found.cells = static_cast<std::size_t>(std::count(thin.begin(), thin.end(), 1));
   if (found.cells == 0) return found;
   std::vector<std::uint8_t> met(thin.size(), 0);
-  for (const SurfacePiece& piece : placed.pieces.pieces) {
+  for (const SurfacePiece& piece : placed.pieces) {
     if (!placed.domain.grid.has_cell(piece.cell)) continue;
     const std::size_t cell = placed.domain.grid.cell(piece.cell);
     met[cell] = 1;

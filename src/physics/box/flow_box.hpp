@@ -50,9 +50,8 @@ void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain);
 
 /// Where the solids are and what that makes of the fluid: what a step begins with.
 struct Placement {
-  SurfacePieces pieces;
-  Crossings crossings;
-  CutCells cut;
+  std::vector<SurfacePiece> pieces;  ///< of the surface
+  std::vector<std::uint8_t> thin;    ///< cells where a solid is thinner than a cell, of modes that cut faces
   FlowDomain domain;
   PressureNumbers numbers;
   CouplingMap map;
@@ -69,7 +68,13 @@ class Placer {
   Placement at(std::span<const double> q) const;
 
  private:
-  void map(std::span<const double> q, Placement& at) const;
+  /// How the surface lies in the grid.
+  struct Cuts {
+    SurfacePieces pieces;
+    Crossings crossings;
+    CutCells cells;
+  };
+  void map(std::span<const double> q, const Cuts& cuts, Placement& at) const;
 
   Team& team_;
   const Coupled& scene_;
