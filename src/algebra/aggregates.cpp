@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "loops/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace tether {
 namespace {

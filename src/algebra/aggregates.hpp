@@ -7,7 +7,7 @@
 
 #include "algebra/eigen_sparse.hpp"
 #include "algebra/sparse_matrix.hpp"
-#include "loops/team.hpp"
+#include "base/team.hpp"
 
 namespace tether {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/blocks.hpp"
 #include "base/numbers.hpp"
-#include "loops/blocks.hpp"
 
 namespace tether {
 

@@ -6,7 +6,7 @@
 
 #include "algebra/aggregates.hpp"
 #include "algebra/sparse_matrix.hpp"
-#include "loops/team.hpp"
+#include "base/team.hpp"
 
 namespace tether {
 

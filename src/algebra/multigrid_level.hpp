@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "algebra/aggregates.hpp"
-#include "loops/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace tether {
 
 /// A level's matrix and how it is swept: slab by slab of rows, each so long that its rows couple with none beyond the
-/// slabs beside it. All slabs of even number, by as many threads as there are, come before all of odd number.
+/// slabs next to it. All slabs of even number, by as many threads as there are, come before all of odd number.
 struct MultigridLevel {
   explicit MultigridLevel(SymmetricRows matrix)
       : A(std::move(matrix)), inverse(static_cast<std::size_t>(A.n)), slab(inverse.size()) {
@@ -68,7 +68,7 @@ struct MultigridLevel {
     });
   }
 
-  SymmetricRows A;                   // of slabs a row's part behind `middle` is what is swept after it
+  SymmetricRows A;                   // the part of a row after `middle` is what is swept after it
   std::vector<double> inverse;       // of the diagonal
   std::size_t slab;                  // rows; the last one may have more
   Aggregates aggregates;             // none on the coarsest level

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "loops/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace tether {
 namespace {

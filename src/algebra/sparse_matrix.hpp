@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "loops/team.hpp"
+#include "base/team.hpp"
 
 namespace tether {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
 #include "fields/column_text.hpp"
-#include "loops/team.hpp"
 
 namespace tether {
 

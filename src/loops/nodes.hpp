@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "loops/team.hpp"
+#include "base/team.hpp"
 
 // The loops over nodes of a background grid.
 

@@ -7,10 +7,10 @@
 
 #include "base/diagnostics.hpp"
 #include "base/text.hpp"
-#include "loops/channel.hpp"
 #include "model/coupled.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
+#include "run/fields_underway.hpp"
 
 namespace tether {
 namespace {
@@ -43,44 +43,6 @@ struct MeshOfGrid {
   const Mesh* operator()(const MeshFlow& flow) const { return &flow.flow->mesh; }
   const Mesh* operator()(const BoxFlow&) const { return &cell_middles; }
 };
-
-/// Closes a channel when nobody is left who would take anything from it.
-struct Closing {
-  explicit Closing(std::shared_ptr<Channel> of) : channel(std::move(of)) {}
-  ~Closing() { channel->close(); }
-  Closing(const Closing&) = delete;
-  Closing& operator=(const Closing&) = delete;
-  std::shared_ptr<Channel> channel;
-};
-
-std::size_t fields_that_may_wait(const FieldsInTurn& snapshot) {
-  return std::max<std::size_t>(1, most_waiting / (sizeof(double) * std::max<std::size_t>(1, snapshot.count())));
-}
-
-/// The fields of a snapshot as they come through a channel.
-FieldsInTurn fields_of(const FieldsInTurn& snapshot, const std::shared_ptr<Channel>& channel) {
-  const auto take = [channel, count = snapshot.count(),
-                     taken = std::make_shared<Channel::Numbers>()](std::size_t) -> std::span<const double> {
-    *taken = nullptr;
-    *taken = channel->take();
-    return {taken->get(), count};
-  };
-  return {snapshot.time(), snapshot.quantities(), snapshot.count(), FieldsInTurn::View(take)};
-}
-
-/// As many at a time as there are threads to make them.
-void put_fields(const FieldsInTurn& snapshot, Channel& channel) {
-  Team alone;
-  Team& team = snapshot.team() != nullptr ? *snapshot.team() : alone;
-  const std::size_t fields = snapshot.quantities().size(), together = static_cast<std::size_t>(team.threads());
-  for (std::size_t first = 0; first < fields; first += together) {
-    std::vector<Channel::Numbers> made(std::min(together, fields - first));
-    for (auto& numbers : made) numbers = std::make_unique_for_overwrite<double[]>(snapshot.count());
-    team.each(0, made.size(),
-              [&](std::size_t k) { snapshot.fill(first + k, std::span(made[k].get(), snapshot.count())); });
-    for (auto& numbers : made) channel.put(std::move(numbers));
-  }
-}
 
 }  // namespace
 
@@ -194,11 +156,9 @@ void RunOutputs::write_points() {
 /// Field by field: the thread of its own writes those that are there while the next ones are made.
 void RunOutputs::write_points(const FieldsInTurn& snapshot) {
   if (queue_.has_thread()) {
-    const auto fields = std::make_shared<Channel>(fields_that_may_wait(snapshot));
-    queue_.give([this, taken = fields_of(snapshot, fields),
-                 closing = std::make_shared<Closing>(fields)] { folder_.points(taken); },
-                0);
-    put_fields(snapshot, *fields);
+    const auto channel = channel_for(snapshot, most_waiting);
+    queue_.give([this, fields = fields_from(channel, snapshot)] { folder_.points(fields); }, 0);
+    put_fields(snapshot, *channel);
   } else {
     folder_.points(snapshot);
   }

@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ORDER = "base loops fields algebra grid laws model deck read reference plan results physics run studies".split()
+ORDER = "base fields algebra grid laws model deck read reference plan results loops physics run studies".split()
 PATHS = "points bars solids rigid flow box".split()  # inside physics/
 WITHOUT_DECK = "model reference results loops physics".split()
 DECK = ("deck/", "read/")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "loops/team.hpp"
+#include "base/team.hpp"
 
 namespace tether {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "loops/blocks.hpp"
+#include "base/blocks.hpp"
 #include "physics/box/flow_paths.hpp"
 
 namespace tether::coupled {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/blocks.hpp"
 #include "base/numbers.hpp"
-#include "loops/blocks.hpp"
 #include "model/coupled.hpp"
 #include "physics/box/film_pressures.hpp"
 #include "physics/box/pressure_sampler.hpp"
@@ -219,18 +219,18 @@ class MapByPressures {
     const double box = (x - grid.low[at(axis)]) / grid.d[at(axis)] - 0.5;
     const int low = static_cast<int>(std::floor(box));
     for (std::size_t i = 0; i < 3; ++i) cell[i] = std::clamp(cell[i], 0, grid.n[i] - 1);  // of a piece in a side
-    std::array<int, 2> beside{};
+    std::array<int, 2> around{};
     for (const int end : {0, 1}) {
       cell[at(axis)] = low + end;
-      beside[at(end)] = grid.has_cell(cell) ? static_cast<int>(grid.cell(cell)) : -1;
+      around[at(end)] = grid.has_cell(cell) ? static_cast<int>(grid.cell(cell)) : -1;
     }
     cell[at(axis)] = low + 1;
     const bool open = of_.domain.face[at(axis)][grid.face(axis, cell)] == FaceKind::open;
-    for (const int c : beside) {
+    for (const int c : around) {
       if (c >= 0 && cut_->thin[at(c)] != 0) return 0;
     }
     const auto holds = [&](int c) { return c >= 0 && of_.domain.kind[at(c)] == CellKind::fluid; };
-    const auto [a, b] = beside;
+    const auto [a, b] = around;
     const double t = box - low;
     PressureStencil linear;
     if (open && a >= 0 && b >= 0) {

@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
+#include "base/blocks.hpp"
 #include "base/numbers.hpp"
 #include "grid/crossings.hpp"
-#include "loops/blocks.hpp"
 
 namespace tether::coupled {
 namespace {

@@ -81,7 +81,7 @@ class FilmPressures {
   std::vector<int> number_;              // of each piece that a rim is joined with, from 0; else -1
   std::vector<int> films_;               // the piece of each number
   std::vector<Link> links_;
-  std::vector<int> rims_;   // pieces beside films, ascending
+  std::vector<int> rims_;   // pieces next to films, ascending
   Eigen::MatrixXd shares_;  // of each rim, by rows, in the pressure of each number
 };
 

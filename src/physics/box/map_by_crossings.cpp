@@ -11,9 +11,9 @@ CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& of, const Cros
   for (int axis = 0; axis < grid.dim; ++axis) {
     for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
       if (crossings.lowest[at(axis)][f] < 0) continue;
-      const auto beside = cells_beside(grid, axis, f);
+      const auto cells = cells_beside(grid, axis, f);
       for (const int end : {0, 1}) {  // each cell sees the surface that is nearest to its middle
-        const int row = beside[at(end)] < 0 ? -1 : of.numbers.of_cell[at(beside[at(end)])];
+        const int row = cells[at(end)] < 0 ? -1 : of.numbers.of_cell[at(cells[at(end)])];
         if (row < 0) continue;
         const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
         const Crossing& crossing = crossings.all[at(nearest)];

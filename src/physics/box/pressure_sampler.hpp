@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "loops/team.hpp"
+#include "base/team.hpp"
 #include "physics/box/cut_cells.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/surface_pieces.hpp"

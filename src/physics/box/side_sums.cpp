@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "base/blocks.hpp"
 #include "base/numbers.hpp"
-#include "loops/blocks.hpp"
 
 namespace tether::coupled {
 namespace {

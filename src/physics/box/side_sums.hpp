@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "algebra/eigen_sparse.hpp"
+#include "base/team.hpp"
 #include "grid/solid_surface.hpp"
-#include "loops/team.hpp"
 
 namespace tether::coupled {
 

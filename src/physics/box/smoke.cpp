@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "loops/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace tether::coupled {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "loops/team.hpp"
+#include "base/team.hpp"
 #include "physics/box/outside.hpp"
 
 namespace tether::coupled {

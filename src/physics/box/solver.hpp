@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "loops/thread_team.hpp"
 #include "physics/box/fields.hpp"
 #include "physics/box/step.hpp"
 #include "physics/solids/body_doubts.hpp"
@@ -43,7 +44,7 @@ class CoupledSolver final : public Solver {
 
   const Plan& plan_;
   Solids none_;  // of a scene without any
-  Team team_;
+  ThreadTeam team_;
   CoupledStep step_;
   CoupledFields fields_;
   CoupledState state_;

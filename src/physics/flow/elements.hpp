@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/team.hpp"
 #include "base/vec.hpp"
 #include "grid/shapes.hpp"
-#include "loops/team.hpp"
 #include "model/flow.hpp"
 #include "physics/flow/unknowns.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "base/vec.hpp"
 #include "grid/shapes.hpp"
-#include "loops/blocks.hpp"
+#include "loops/elements.hpp"
 #include "physics/flow/elements.hpp"
 #include "physics/flow/kernels.hpp"
 #include "physics/flow/unknowns.hpp"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grid/thickness.hpp"
+#include "loops/thread_team.hpp"
 #include "physics/flow/fields.hpp"
 #include "physics/flow/state.hpp"
 #include "physics/flow/steady.hpp"
@@ -55,7 +56,7 @@ class FlowSolver final : public Solver {
 
   const Plan& plan_;
   const Flow& flow_;
-  Team team_;
+  ThreadTeam team_;
   FlowUnknowns unknowns_;
   FlowStep step_;
   FlowTracers tracers_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/flow/tracers.hpp"
 
+#include "base/blocks.hpp"
 #include "fields/columns.hpp"
-#include "loops/blocks.hpp"
 #include "physics/flow/elements.hpp"
 
 namespace tether::fem {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
 #include "base/vec.hpp"
 #include "grid/point_finder.hpp"
-#include "loops/team.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
 #include "physics/flow/state.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/warned.hpp"
 #include "loops/points.hpp"
-#include "loops/team.hpp"
+#include "loops/thread_team.hpp"
 #include "model/scene.hpp"
 #include "physics/points/arrays.hpp"
 #include "physics/points/balance.hpp"
@@ -107,7 +107,7 @@ struct State : StateNumbers, StepClock {
         grid(scene, lanes.set),
         strips(scene, points),
         contact(scene, points, grid.frame),
-        team(std::make_unique<Team>(lanes.threads)) {}
+        team(std::make_unique<ThreadTeam>(lanes.threads)) {}
 
   std::size_t point_count() const { return points.size() - empty_slots; }
   /// What strips change of it.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "base/team.hpp"
 #include "laws/hyperelastic.hpp"
-#include "loops/team.hpp"
 #include "model/solids.hpp"
 
 namespace tether::fem {

@@ -8,7 +8,7 @@
 
 #include "base/vec.hpp"
 #include "grid/shapes.hpp"
-#include "loops/blocks.hpp"
+#include "loops/elements.hpp"
 #include "physics/solids/elements.hpp"
 
 namespace tether::fem {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "loops/thread_team.hpp"
 #include "physics/solids/body_doubts.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/solids/step.hpp"
@@ -50,7 +51,7 @@ class SolidSolver final : public Solver {
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;
-  Team team_;
+  ThreadTeam team_;
   SolidSystem system_;
   SolidStep step_;
   SolidState state_;

@@ -115,27 +115,6 @@ TEST(AggregationMultigrid, TakesDenserRowsOfABody) {
   for (const double added : {0.1, 1.0, 10.0}) EXPECT_LE(iterations(body.pressures(added)), bare + 8);
 }
 
-/// Slabs are swept out of order, by whoever is free.
-TEST(AggregationMultigrid, HasTheSameBitsOnAnyNumberOfThreads) {
-  const SparseMatrix A = BodyMatrices({3, 24, 0.01, true, 1}).pressures(1);
-  const std::vector<double> b = waves(A.n);
-  std::vector<double> one(b.size(), 0.0);
-  AggregationMultigrid by_one(alone());
-  ASSERT_TRUE(by_one.set_up(A));
-  const KrylovResult found = solve(by_one, A, b, one);
-  for (const int threads : {2, 3, 8}) {
-    Team team(threads);
-    AggregationMultigrid multigrid(team);
-    ASSERT_TRUE(multigrid.set_up(A));
-    std::vector<double> x(b.size(), 0.0);
-    const KrylovResult again = pcg(
-        team, [&](auto v, auto y) { multiply_symmetric(team, A, v, y); },
-        [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x, 1e-10, 200);
-    EXPECT_EQ(again.iterations, found.iterations);
-    EXPECT_EQ(x, one) << threads;
-  }
-}
-
 TEST(AggregationMultigrid, IsSymmetricAndPositiveOnTwoLevels) {
   const SparseMatrix A = BodyMatrices({2, 40}).pressures(1);
   AggregationMultigrid multigrid(alone());

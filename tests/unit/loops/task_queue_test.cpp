@@ -62,7 +62,7 @@ TEST(TaskQueue, TellsOfAFailureAndDoesNothingAfterIt) {
   queue.give([&] { ++done; }, 0);
   go = true, go.notify_one();
   EXPECT_THROW(queue.wait(), std::runtime_error);
-  queue.wait();  // it is told once
+  queue.wait();  // the error is reported once
   EXPECT_EQ(done, 0);
 }
 

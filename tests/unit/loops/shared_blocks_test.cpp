@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loops/blocks.hpp"
+#include "loops/elements.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
+
+#include "loops/thread_team.hpp"
 
 namespace tether {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 class Blocks : public testing::TestWithParam<int> {};
 
 TEST_P(Blocks, MakeUpAllOfTheNumbersOnce) {
-  Team team(GetParam());
+  ThreadTeam team(GetParam());
   for (const std::size_t count : {0U, 1U, 2047U, 2048U, 2049U, 100000U}) {
     std::vector<int> seen(count, 0);
     each_block(team, count, [&](std::size_t begin, std::size_t end) {
@@ -23,7 +26,7 @@ TEST_P(Blocks, MakeUpAllOfTheNumbersOnce) {
 }
 
 TEST_P(Blocks, HaveSumsThatDoNotDependOnThreads) {
-  Team one, team(GetParam());
+  ThreadTeam one(1), team(GetParam());
   for (const std::size_t count : {0U, 3000U, 5000000U}) {  // the last: more blocks of the least size than there are
     const auto part = [](std::size_t begin, std::size_t end) {
       double sum = 0;
@@ -39,7 +42,7 @@ TEST_P(Blocks, HaveSumsThatDoNotDependOnThreads) {
 }
 
 TEST_P(Blocks, AddWhatIsComputedInOrder) {
-  Team team(GetParam());
+  ThreadTeam team(GetParam());
   for (const std::size_t count : {0U, 1U, 7U, 1000U}) {
     std::string added, in_order;
     compute_then_add<std::size_t>(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loops/team.hpp"
+#include "loops/thread_team.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Teams, testing::Values(1, 2, 3, 8));
 
 // Most loops have fewer parts than there are threads, or none: those who come late find nothing left to do.
 TEST_P(Teams, DoEachPartOfEachLoopOnce) {
-  Team team(GetParam());
+  ThreadTeam team(GetParam());
   EXPECT_EQ(team.threads(), GetParam());
   for (std::size_t loop = 0; loop < 3000; ++loop) {
     const std::size_t begin = loop % 3, end = begin + loop % 17;
@@ -31,7 +31,7 @@ TEST_P(Teams, DoEachPartOfEachLoopOnce) {
 
 // What one loop has written, the next one reads, whoever does it.
 TEST_P(Teams, SeeWhatTheLoopBeforeHasWritten) {
-  Team team(GetParam());
+  ThreadTeam team(GetParam());
   std::vector<long> numbers(1000, 1);
   for (long loop = 1; loop < 200; ++loop) {
     const long sum = std::accumulate(numbers.begin(), numbers.end(), 0L);
@@ -42,7 +42,7 @@ TEST_P(Teams, SeeWhatTheLoopBeforeHasWritten) {
 
 // Between loops the others go to sleep, and the end of the team wakes them.
 TEST_P(Teams, WakeAfterALongPause) {
-  Team team(GetParam());
+  ThreadTeam team(GetParam());
   for (int loop = 0; loop < 3; ++loop) {
     std::atomic<int> parts = 0;
     team.each(0, 100, [&](std::size_t) { ++parts; });
@@ -52,7 +52,7 @@ TEST_P(Teams, WakeAfterALongPause) {
 }
 
 TEST(Teams, ShareTheWorkWhereItIsLong) {
-  Team team(2);
+  ThreadTeam team(2);
   std::atomic<int> inside = 0;
   std::atomic<bool> together = false;
   team.each(0, 2, [&](std::size_t) {  // each waits for the other, so one thread alone would find nobody

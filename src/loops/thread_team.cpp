@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loops/team.hpp"
+#include "loops/thread_team.hpp"
 
 #include <algorithm>
 
@@ -26,11 +26,11 @@ void wait_for_change(const std::atomic<std::uint32_t>& value, std::uint32_t old)
 
 }  // namespace
 
-Team::Team(int threads) {
+ThreadTeam::ThreadTeam(int threads) : Team(std::max(0, threads - 1)) {
   for (int t = 1; t < threads; ++t) others_.emplace_back([this] { work_on_loops(); });
 }
 
-Team::~Team() {
+ThreadTeam::~ThreadTeam() {
   ends_ = true;
   loop_.fetch_add(1, std::memory_order_release);
   loop_.notify_all();
@@ -38,7 +38,7 @@ Team::~Team() {
 }
 
 /// Does not wait for threads that have not woken by the time all parts are taken.
-void Team::share(Task task, std::size_t begin, std::size_t end) {
+void ThreadTeam::share(Task task, std::size_t begin, std::size_t end) {
   task_ = task, end_ = end;
   next_.store(begin, std::memory_order_relaxed);
   gate_.store(0, std::memory_order_release);
@@ -48,14 +48,14 @@ void Team::share(Task task, std::size_t begin, std::size_t end) {
   close();
 }
 
-void Team::do_parts() {
+void ThreadTeam::do_parts() {
   for (std::size_t k = next_.fetch_add(1, std::memory_order_relaxed); k < end_;
        k = next_.fetch_add(1, std::memory_order_relaxed))
-    task_.part(task_.body, k);
+    task_(k);
 }
 
 /// Once nobody is in the loop any more.
-void Team::close() {
+void ThreadTeam::close() {
   std::uint32_t inside = 0;
   while (!gate_.compare_exchange_strong(inside, closed, std::memory_order_acq_rel)) {
     wait_for_change(gate_, inside);
@@ -63,7 +63,7 @@ void Team::close() {
   }
 }
 
-bool Team::enter() {
+bool ThreadTeam::enter() {
   std::uint32_t inside = gate_.load(std::memory_order_acquire);
   while ((inside & closed) == 0) {
     if (gate_.compare_exchange_weak(inside, inside + 1, std::memory_order_acq_rel)) return true;
@@ -71,11 +71,11 @@ bool Team::enter() {
   return false;
 }
 
-void Team::leave() {
+void ThreadTeam::leave() {
   if (gate_.fetch_sub(1, std::memory_order_acq_rel) == 1) gate_.notify_one();
 }
 
-void Team::work_on_loops() {
+void ThreadTeam::work_on_loops() {
   for (std::uint32_t seen = 0;;) {
     wait_for_change(loop_, seen);
     if (ends_) return;
