@@ -94,6 +94,7 @@ bool AggregationMultigrid::make_levels(SymmetricRows A) {
     levels.back().join(std::move(aggregates));
     levels.emplace_back(std::move(coarse));
   }
+  for (std::size_t level = 1; level < levels.size(); ++level) levels[level].prepare_iterations();
   return true;
 }
 

@@ -8,6 +8,7 @@ namespace tether {
 void MultigridLevel::join(Aggregates with) {
   aggregates = std::move(with);
   members = members_of(aggregates);
+  Ux.resize(inverse.size());
   make_slabs();
 }
 

@@ -18,11 +18,14 @@ struct MultigridLevel {
   explicit MultigridLevel(SymmetricRows matrix)
       : A(std::move(matrix)), inverse(static_cast<std::size_t>(A.n)), slab(inverse.size()) {
     for (std::size_t i = 0; i < inverse.size(); ++i) inverse[i] = A.positive(i) ? 1 / A.diagonal[i] : 0;
-    for (auto* room : {&r, &z, &Ux, &p, &Ap, &q, &Aq}) room->resize(inverse.size());
   }
 
   /// Joins it with the next level, and makes its slabs.
   void join(Aggregates with);
+  /// Room for what the cycles of a coarser level need.
+  void prepare_iterations() {
+    for (auto* room : {&r, &z, &p, &Ap, &q, &Aq}) room->resize(inverse.size());
+  }
   /// z = (D + L)^-1 r, L the couplings with rows that have been swept before.
   void sweep_forward(Team& team, std::span<const double> right, std::span<double> x) const {
     each_slab(team, {0, 1}, [&](std::size_t begin, std::size_t end) {
@@ -73,8 +76,8 @@ struct MultigridLevel {
   std::size_t slab;                  // rows; the last one may have more
   Aggregates aggregates;             // none on the coarsest level
   Lists members;                     // of each aggregate
-  std::vector<double> r, z;          // the level's right side and solution
   std::vector<double> Ux;            // of the residual after a forward sweep
+  std::vector<double> r, z;          // of a coarser level its right side and solution
   std::vector<double> p, Ap, q, Aq;  // directions of its two iterations
 
  private:

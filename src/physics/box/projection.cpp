@@ -2,6 +2,7 @@
 #include "physics/box/projection.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/numbers.hpp"
 
@@ -38,6 +39,8 @@ SparseMatrix pressure_matrix(const FlowDomain& domain, const PressureNumbers& nu
     }
   });
   SparseMatrix L;
+  const std::size_t entries = std::accumulate(size.begin(), size.end(), std::size_t{0});
+  L.start.reserve(size.size() + 1), L.row.reserve(entries), L.value.reserve(entries);
   L.n = static_cast<std::int64_t>(column.size());
   L.start.push_back(0);
   for (std::size_t p = 0; p < column.size(); ++p) {

@@ -97,15 +97,20 @@ CouplingMatrix free_part(const CoupledEquations& of, std::span<const std::uint8_
 /// nothing of each other.
 bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned) {
   if (std::exchange(ordered_, equations.A.n) != equations.A.n) solids_.order_by(equations.A);
-  const SparseMatrix A = held_matrix(equations.A, equations.held);
+  SparseMatrix A = held_matrix(equations.A, equations.held);
+  std::vector<double> inverse;  // of A's diagonal
+  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / diagonal(A, k));
+  multigrid_ = AggregationMultigrid(team_);  // what another solution had left makes room before anything is made
   B_ = free_part(equations, pinned);
   forces_.resize(equations.b.size()), moved_.resize(equations.b.size());
   bool has_factors = true, has_levels = true;
   std::exception_ptr failure;
   team_.each(0, 2, [&](std::size_t part) {
     try {
-      (part == 0 ? has_factors : has_levels) =
-          part == 0 ? A.n == 0 || solids_.factorise(A, Definite::positive) : make_levels(equations, A);
+      if (part == 0)
+        has_factors = A.n == 0 || solids_.factorise(std::exchange(A, {}), Definite::positive);
+      else
+        has_levels = make_levels(equations, inverse);
     } catch (...) {
       failure = std::current_exception();
     }
@@ -117,11 +122,9 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   return has_levels && multigrid_.factorise();
 }
 
-/// Of L + B D^-1 B^T, D the diagonal of A. It is not to find constants: one pressure of each closed region is tied down
-/// for it.
-bool SchurComplement::make_levels(const CoupledEquations& equations, const SparseMatrix& A) {
-  std::vector<double> inverse;
-  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / diagonal(A, k));
+/// Of L + B D^-1 B^T, of which `inverse` has D^-1: D is the diagonal of A. It is not to find constants: one pressure of
+/// each closed region is tied down for it.
+bool SchurComplement::make_levels(const CoupledEquations& equations, std::span<const double> inverse) {
   SymmetricRows nearby = rows_of_sum(*L_, weighted_square(B_, inverse));
   const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
   for (std::size_t k = 0; k < first.size(); ++k) {

@@ -73,7 +73,7 @@ class SchurComplement {
 
  private:
   bool set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
-  bool make_levels(const CoupledEquations& equations, const SparseMatrix& A);
+  bool make_levels(const CoupledEquations& equations, std::span<const double> inverse);
   void take_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   void set_up_constants();
   void move_solids(std::span<const double> forces);

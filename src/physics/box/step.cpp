@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "physics/box/carry_velocity.hpp"
 #include "physics/box/cut_faces.hpp"
 #include "physics/box/matrix.hpp"
@@ -191,16 +192,14 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
   return solution;
 }
 
-/// With the volume term: what each cell takes of it.
+/// With the volume term: what each cell of a region takes of it.
 void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution& solution) const {
-  solution.regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,
-                                solution.held, h);
-  const bool splitting = !coupled_.coupling.simultaneous;
-  solution.source.assign(at_.numbers.cell.size(), 0.0);
-  for (std::size_t k = 0; k < solution.source.size(); ++k) {
-    const auto region = static_cast<std::size_t>(at_.domain.region[at_.numbers.cell[k]]);
-    if (coupled_.volume_term && !splitting && solution.regions.compliant[region] != 0)
-      solution.source[k] = solution.regions.source[region];
+  Regions& regions = solution.regions;
+  regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,
+                       solution.held, h);
+  const bool any = coupled_.volume_term && coupled_.coupling.simultaneous;
+  for (std::size_t k = 0; k < regions.source.size(); ++k) {
+    if (!any || regions.compliant[k] == 0) regions.source[k] = 0;
   }
 }
 
@@ -214,8 +213,8 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
   for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + at_.map.outside[k] + at_.map.film_weight[k];
   solution.lifts = contact_.lifts(state.touches, b.size());
   solids_.add_lifts(solution.lifts, b);
-  for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.source[k];
   const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.regions.source[at(region[k])];
   std::vector<std::uint8_t> loose = solution.regions.closed;
   for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
     loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
@@ -283,12 +282,7 @@ CoupledState CoupledStep::start() {
   add_pressure(at_.domain, at_.numbers, p, 1, state.v);
   end_velocity(scene_.clock.tstep, state.v);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
-  state.smoke = clean_smoke(at_.domain);
-  const FirstSmoke first = first_smoke(coupled_);
-  for (std::size_t c = 0; c < first.density.size(); ++c) {
-    state.smoke.smoke[c] = first.density[c] * state.smoke.volume[c];
-    state.smoke.heat[c] = first.temperature[c] * state.smoke.volume[c];
-  }
+  if (coupled_.smoke) state.smoke = smoke_at_start();
   note_thin_bodies(0, state);
   return state;
 }

@@ -54,7 +54,6 @@ class CoupledStep {
     std::vector<double> p;                                  ///< of each pressure [stress]
     std::vector<double> b;                                  ///< of the solids, with friction and lifts [force]
     std::vector<double> Au;                                 ///< A u1 [force]
-    std::vector<double> source;                             ///< volume term of each pressure [volume/time]
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
     std::vector<double> lifts;                              ///< of the nodes that contact halts [length]
   };
@@ -72,6 +71,7 @@ class CoupledStep {
   double energy_of(const FaceValues& v) const;
   double stored(std::span<const double> q) const;
   std::vector<SmokeJet> smoke_sources(double time, double h) const;
+  Smoke smoke_at_start() const;
   void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
   void carry_along(CoupledState& state, double h);

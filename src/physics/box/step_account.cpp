@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
+#include "base/numbers.hpp"
 #include "physics/box/bodies.hpp"
 #include "physics/box/closed_regions.hpp"
 #include "physics/box/matrix.hpp"
@@ -43,7 +44,8 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
   const double moving = kinetic_energy(at_.domain, state.v, change, coupled_.density) * 2 / h,
                let_in = prescribed_power(at_.domain, at_.numbers, solution.p, state.v);
   double sources = 0;
-  for (std::size_t k = 0; k < solution.p.size(); ++k) sources += solution.p[k] * solution.source[k];
+  for (std::size_t k = 0; k < solution.p.size(); ++k)
+    sources += solution.p[k] * solution.regions.source[at(at_.domain.region[at_.numbers.cell[k]])];
   state.last.interface_power = taken;
   const double in_motion = energy_of(state.v) / h,
                passing = energy_of(change) / h + std::abs(moving) + std::abs(let_in) + std::abs(sources);
@@ -217,6 +219,16 @@ std::vector<SmokeJet> CoupledStep::smoke_sources(double time, double h) const {
     });
   }
   return sources;
+}
+
+Smoke CoupledStep::smoke_at_start() const {
+  Smoke smoke = clean_smoke(at_.domain);
+  const FirstSmoke first = first_smoke(coupled_);
+  for (std::size_t c = 0; c < first.density.size(); ++c) {
+    smoke.smoke[c] = first.density[c] * smoke.volume[c];
+    smoke.heat[c] = first.temperature[c] * smoke.volume[c];
+  }
+  return smoke;
 }
 
 void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
