@@ -20,14 +20,18 @@ std::vector<double> History::column(const std::string& name) const {
   return values;
 }
 
-const std::vector<double>& saved_array(const SavedState& saved, const std::string& name, std::size_t length) {
+const std::vector<double>& saved_array(const SavedState& saved, const std::string& name) {
   const auto found = saved.find(name);
   if (found == saved.end()) throw FileError(fmt::format("the saved state has no {}: of another version or path", name));
-  if (length > 0 && found->second.size() != length) {
-    throw FileError(fmt::format("the saved state has {} numbers for {}, not {}: of another scene or version",
-                                found->second.size(), name, length));
-  }
   return found->second;
+}
+
+const std::vector<double>& saved_array(const SavedState& saved, const std::string& name, std::size_t length) {
+  const std::vector<double>& numbers = saved_array(saved, name);
+  if (numbers.size() != length)
+    throw FileError(fmt::format("the saved state has {} numbers for {}, not {}: of another scene or version",
+                                numbers.size(), name, length));
+  return numbers;
 }
 
 }  // namespace tether

@@ -76,7 +76,9 @@ class StateSaver {
   SavedState saved_;
 };
 
-/// The array of that name; throws FileError where there is none, or (`length` > 0) where it is of another length.
+/// The array of that name; throws FileError where there is none.
+const std::vector<double>& saved_array(const SavedState& saved, const std::string& name);
+/// The same, of which the scene has so many numbers; throws FileError where it is of another length.
 const std::vector<double>& saved_array(const SavedState& saved, const std::string& name, std::size_t length);
 
 /// Gives the parts of a state back. Throws FileError where a part is missing or does not have the scene's length.
@@ -94,7 +96,7 @@ class StateRestorer {
   }
   template <class Number, class Allocator>
   void list(const char* name, std::vector<Number, Allocator>& array) {
-    const auto& from = saved_array(saved_, name, 0);
+    const auto& from = saved_array(saved_, name);
     array.resize(from.size());
     copy(from, array);
   }

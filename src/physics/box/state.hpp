@@ -89,7 +89,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
   with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
-  with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
+  if (!state.smoke.volume.empty())
+    with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
   with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);
   with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
   with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);

@@ -159,13 +159,14 @@ TEST_F(CheckpointTest, AFolderThatDoesNotTakeItIsTold) {
 TEST(SavedState, TellsWhatIsMissingOrOfAnotherLength) {
   const SavedState saved{{"x", {1, 2, 3}}};
   StateRestorer restorer(saved);
-  std::vector<double> two(2), three(3);
+  std::vector<double> two(2), three(3), none;
   std::vector<int> grows;
   restorer("x", three);
   restorer.list("x", grows);
   EXPECT_EQ(three, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(grows, (std::vector<int>{1, 2, 3}));
   EXPECT_THROW(restorer("x", two), FileError);
+  EXPECT_THROW(restorer("x", none), FileError);
   EXPECT_THROW(restorer("y", three), FileError);
 }
 
