@@ -24,6 +24,8 @@
 #include "run/rehearsal.hpp"
 #include "run/restart.hpp"
 #include "run/run.hpp"
+#include "studies/chart/make_chart.hpp"
+#include "studies/chart/read_chart.hpp"
 #include "studies/read_study.hpp"
 #include "studies/reproduce/reproduce.hpp"
 #include "studies/sweep.hpp"
@@ -159,6 +161,11 @@ void refuse_shared_folders(const std::vector<std::string>& decks, const RunOptio
   }
 }
 
+void refuse_file_trouble(std::size_t runs) {
+  if (runs > 0)
+    throw FileError(fmt::format("{} runs could not read or write a file; the same command tries them again", runs));
+}
+
 /// False where a bisection found nothing.
 bool run_sweep(const std::string& name, const RunOptions& options) {
   const Study study = read_study(name);
@@ -172,10 +179,22 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   if (result.signal != 0)
     throw Interrupted(result.signal,
                       fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
-  if (result.file_trouble > 0)
-    throw FileError(
-        fmt::format("{} runs could not read or write a file; the same command tries them again", result.file_trouble));
+  refuse_file_trouble(result.file_trouble);
   return result.verdicts.empty();
+}
+
+/// False where a run did not end well.
+bool run_chart(const std::string& name, const RunOptions& options) {
+  const chart::Chart chart = chart::read_chart(name);
+  const auto folder = folder_of(name, options, false);
+  if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
+  ProgressLine progress(name, options.quiet);
+  const chart::ChartResult result =
+      make_chart(chart, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  refuse_file_trouble(result.file_trouble);
+  return result.failed == 0;
 }
 
 /// False where a method does not agree where it is judged.
@@ -189,9 +208,7 @@ bool run_published(const PublishedOptions& published, const RunOptions& options)
   progress.clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& row : result.disagreed) fmt::print(stderr, "reproduce: error: {}\n", row);
-  if (result.file_trouble > 0)
-    throw FileError(
-        fmt::format("{} runs could not read or write a file; the same command tries them again", result.file_trouble));
+  refuse_file_trouble(result.file_trouble);
   return result.disagreed.empty();
 }
 
@@ -237,6 +254,12 @@ int sweep_command(const std::string& name, const RunOptions& options) {
   bool all_found = true;
   const int code = guarded(name, [&] { all_found = run_sweep(name, options); });
   return code == exit_done && !all_found ? exit_verdict : code;
+}
+
+int chart_command(const std::string& name, const RunOptions& options) {
+  bool all_ended = true;
+  const int code = guarded(name, [&] { all_ended = run_chart(name, options); });
+  return code == exit_done && !all_ended ? exit_verdict : code;
 }
 
 int reproduce_command(const PublishedOptions& published, const RunOptions& options) {

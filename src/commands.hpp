@@ -33,6 +33,7 @@ int run_command(const std::vector<std::string>& decks, const DeckOptions& option
 int check_command(const std::string& deck, const DeckOptions& options);
 int plan_command(const std::string& deck, const DeckOptions& options, int threads);
 int sweep_command(const std::string& study, const RunOptions& options);
+int chart_command(const std::string& study, const RunOptions& options);
 int reproduce_command(const PublishedOptions& published, const RunOptions& options);
 int vars_command(const std::string& group, bool markdown);
 int columns_command(bool markdown);

@@ -74,6 +74,16 @@ CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
   return sweep;
 }
 
+CLI::App* add_chart(CLI::App& app, std::string& study, RunOptions& options) {
+  auto* chart =
+      app.add_subcommand("chart", "run a chart deck: error against cost over paths, methods, meshes and steps");
+  chart->add_option("study", study, "the chart deck")->required();
+  chart->add_option("--out", options.out, "folder for the table and the runs (default out/<chart name>)")
+      ->check(refuse_no_folder);
+  add_many_runs(*chart, options);
+  return chart;
+}
+
 CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& options) {
   auto* reproduce =
       app.add_subcommand("reproduce", "run published problems, compare their numbers with this program's");
@@ -179,6 +189,7 @@ int main(int argc, char** argv) {
   add_deck_options(*plan, options);
   add_threads(*plan, run_options.threads, one_a_core);
   auto* sweep = add_sweep(app, deck, run_options);
+  auto* chart = add_chart(app, deck, run_options);
   PublishedOptions published;
   auto* reproduce = add_reproduce(app, published, run_options);
   auto* vars = app.add_subcommand("vars", "the deck reference");
@@ -194,8 +205,9 @@ int main(int argc, char** argv) {
   run_options.command = typed(argc, argv);
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options, run_options.threads);
-  if (*sweep || *reproduce) share_cores(run_options);
+  if (*sweep || *chart || *reproduce) share_cores(run_options);
   if (*sweep) return sweep_command(deck, run_options);
+  if (*chart) return chart_command(deck, run_options);
   if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);
   if (*columns) return columns_command(markdown);

@@ -90,6 +90,27 @@ Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) co
   return Deck(std::move(contents));
 }
 
+Deck Deck::with_path(const std::string& path) const {
+  Contents contents = contents_;
+  contents.values["in.path"][{1, 1}] = {path, place_of_group("in")};
+  return Deck(std::move(contents));
+}
+
+Deck Deck::with_only(const std::function<bool(const Variable&)>& wanted) const {
+  Contents contents = contents_;
+  std::set<std::string> groups{std::string(study_group), std::string(published_group)};
+  for (const Variable& variable : variables()) {
+    if (wanted(variable)) {
+      groups.insert(std::string(variable.group));
+      continue;
+    }
+    const std::string key = key_of(AnyVariable(variable));
+    contents.values.erase(key), contents.failed.erase(key);
+  }
+  std::erase_if(contents.groups, [&](const auto& group) { return groups.count(group.first) == 0; });
+  return Deck(std::move(contents));
+}
+
 Deck Deck::with_mesh_text(std::string text) const {
   Contents contents = contents_;
   contents.mesh_text = std::make_shared<const std::string>(std::move(text));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -77,6 +78,10 @@ class Deck {
   /// notes behind the data from the first one on that would open a group.
   Deck with_particle_data(const std::vector<std::string>& particle_lines) const;
 
+  /// The same deck with that path named in $in.
+  Deck with_path(const std::string& path) const;
+  /// The same deck without the variables that are not wanted, and without the groups of which none is.
+  Deck with_only(const std::function<bool(const Variable&)>& wanted) const;
   /// The same deck with the text of the mesh file that it names.
   Deck with_mesh_text(std::string text) const;
   /// That text, or null where no file was named or read.

@@ -40,13 +40,12 @@ std::string assignments(const Deck& deck, const Variable& variable) {
 
 }  // namespace
 
-std::string effective_deck(const Deck& deck, const std::vector<std::string>& also) {
+std::string effective_deck(const Deck& deck) {
   std::string text;
   for (const auto& line : deck.header()) text += line + "\n";
   for (const auto& group : deck.possible_groups()) {
     if (group == published_group) continue;  // it says nothing to the run
-    const bool silent = chooses_path(group) && !deck.has_group(group);
-    if (silent && std::find(also.begin(), also.end(), group) == also.end()) continue;
+    if (chooses_path(group) && !deck.has_group(group)) continue;
     std::string items;
     for (const auto& variable : variables()) {
       if (variable.group == group) items += assignments(deck, variable);

@@ -11,7 +11,7 @@ namespace tether {
 /// A deck that reads back with the same values, bit by bit, and shows the defaults too: the header lines, every group
 /// with what the deck gives and the defaults of scalars and of regions 1..nreg, the text behind the groups.
 /// A variable that has no default and is not given is left out.
-std::string effective_deck(const Deck& deck, const std::vector<std::string>& also = {});
+std::string effective_deck(const Deck& deck);
 
 /// For `tether check`: a line for each variable, and for each element of an array that the deck gives: name, value,
 /// given or default, unit, place, and whether it is read without effect.

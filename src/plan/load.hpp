@@ -35,8 +35,8 @@ Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics&
 constexpr const char* effective_mesh_file = "deck.effective.msh";
 
 /// The text of deck.effective: all values, the particle data in place of the file that the deck names, the copy of the
-/// mesh file, and the group that chooses the path.
-std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles, Path path);
+/// mesh file.
+std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles);
 
 /// Mesh and particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as
 /// far as the deck can be understood: throws InputError with all of them.

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
 #include "model/method.hpp"
-#include "model/physics.hpp"
 
 namespace tether {
 
@@ -21,10 +18,5 @@ Method robust_set();
 
 /// Whether the deck asks for the robust set.
 bool is_robust(const Deck& deck);
-
-/// The path that `wanted` names ("": the deck's own: coupled with $coupled, fem with $fem, $mesh, $rigid or $flow, else
-/// mpm). A deck that describes a mesh has no points for the mpm path, and $coupled belongs to one path: asking for
-/// another is an error.
-Path path_of(const Deck& deck, const std::string& wanted, Diagnostics& diagnostics);
 
 }  // namespace tether

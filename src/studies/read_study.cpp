@@ -25,6 +25,11 @@ namespace fs = std::filesystem;
 /// More runs than this were never meant.
 constexpr double most_runs = 100000;
 
+Mode mode_of(const std::string& word) {
+  if (word == "chart") return Mode::chart;
+  return word == "grid" ? Mode::grid : word == "ensemble" ? Mode::ensemble : Mode::bisect;
+}
+
 /// Takes the study out of its deck; every mistake becomes a remark at its place.
 class StudyReader {
  public:
@@ -35,8 +40,7 @@ class StudyReader {
     study_.file = deck_.file();
     study_.text = deck_.text();
     study_.title = fmt::format("{}", fmt::join(deck_.header(), "\n"));
-    const std::string mode = text("study.mode");
-    study_.mode = mode == "grid" ? Mode::grid : mode == "ensemble" ? Mode::ensemble : Mode::bisect;
+    study_.mode = mode_of(text("study.mode"));
     if (!diagnostics_.has_errors()) check_mode(deck_, study_.mode, remarks_);  // what was not read is not missing
     read_decks();
     for (const auto& at : given("study.set")) read_set(at[0]);
@@ -44,7 +48,7 @@ class StudyReader {
     for (const auto& at : given("study.linked")) link(at[0]);
     for (const auto& at : given("study.quantities")) study_.quantities.push_back(quantity("study.quantities", at[0]));
     study_.order = text("study.order");
-    if (study_.mode != Mode::grid && is_given("study.vary")) read_vary();
+    if ((study_.mode == Mode::ensemble || study_.mode == Mode::bisect) && is_given("study.vary")) read_vary();
     if (study_.mode == Mode::ensemble) read_ensemble();
     if (study_.mode == Mode::bisect) read_bisection();
     check_decks(deck_, study_, remarks_, diagnostics_);
@@ -94,7 +98,7 @@ class StudyReader {
     remarks_.tell("study.axis", k, assignment.mistakes);
     if (!assignment.mistakes.empty()) return;
     own("study.axis", k, assignment.one_value);
-    Axis axis{assignment.variable, {}, {}, study_.axes.size()};
+    StudyAxis axis{assignment.variable, {}, {}, study_.axes.size()};
     for (std::size_t v = 0; v < assignment.values.size(); ++v) {
       axis.overrides.push_back(assignment.override_text(v));
       axis.cells.push_back(assignment.cell(v));
@@ -105,7 +109,7 @@ class StudyReader {
   }
 
   /// Of an axis that moves alone: one that follows may well stay where it is.
-  void tell_of_doubles(int k, const Axis& axis, const std::vector<std::string>& values) {
+  void tell_of_doubles(int k, const StudyAxis& axis, const std::vector<std::string>& values) {
     std::set<Cell> seen;
     for (std::size_t v = 0; v < values.size(); ++v) {
       if (!seen.insert(axis.cells[v]).second)
@@ -120,7 +124,7 @@ class StudyReader {
       return remarks_.error("study.linked", k, fmt::format("axis {} cannot move along with axis {}", k, leader),
                             "linked(2)=1 lets axis 2 move along with axis 1: both are there, the lower number leads");
     if (numbers_.count(k) == 0 || numbers_.count(leader) == 0) return;  // told with its axis
-    Axis &axis = study_.axes[numbers_[k]], &first = study_.axes[numbers_[leader]];
+    StudyAxis &axis = study_.axes[numbers_[k]], &first = study_.axes[numbers_[leader]];
     if (axis.cells.size() != first.cells.size()) {
       remarks_.error("study.linked", k,
                      fmt::format("axis {} has {} values, axis {} has {}: axes that move together have equally many", k,
@@ -224,14 +228,23 @@ class StudyReader {
 
 }  // namespace
 
-Study read_study(const std::string& file) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(read_file(file), file, {}, diagnostics);
+Deck read_study_deck(const std::string& file, Diagnostics& diagnostics) {
+  Deck deck = read_deck(read_file(file), file, {}, diagnostics);
   if (!deck.is_study()) {
     diagnostics.error({file, 0, 0}, "", "there is no group $study", "A deck that is no study is run by: tether DECK");
     diagnostics.throw_if_errors();
   }
-  Study study = StudyReader(deck, diagnostics).read();
+  return deck;
+}
+
+Study study_of(const Deck& deck, Diagnostics& diagnostics) { return StudyReader(deck, diagnostics).read(); }
+
+Study read_study(const std::string& file) {
+  Diagnostics diagnostics;
+  const Deck deck = read_study_deck(file, diagnostics);
+  Study study = study_of(deck, diagnostics);
+  if (study.mode == Mode::chart)
+    StudyRemarks(deck, diagnostics).error("study.mode", 1, "this study is a chart", "tether chart makes it");
   diagnostics.throw_if_errors();
   return study;
 }

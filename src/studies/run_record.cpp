@@ -16,7 +16,6 @@
 #include "base/text.hpp"
 #include "plan/load.hpp"
 #include "read/mesh/mesh_of_file.hpp"
-#include "read/method.hpp"
 #include "read/points/points_group.hpp"
 #include "results/summary_keys.hpp"
 #include "results/text_file.hpp"
@@ -49,8 +48,7 @@ std::string run_key(const Deck& deck) {
   Diagnostics of_the_run;  // which meets them itself, and fails with them
   const Deck whole = load_mesh(deck, of_the_run);
   const auto particles = load_particles(whole, std::nullopt, of_the_run);
-  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(),
-                            effective_text(whole, particles, path_of(whole, "", of_the_run))));
+  return sha256(fmt::format("{} {}\n{}", program_version(), git_hash(), effective_text(whole, particles)));
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key) {

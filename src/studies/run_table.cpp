@@ -130,7 +130,7 @@ void add_inputs(StudyTable& table, const Study& study, const std::vector<Combina
   for (const auto& row : rows) decks.push_back(study.decks[row.deck].file);
   table.columns.push_back({"deck", "base deck", "", decks});
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    const Axis& axis = study.axes[a];
+    const StudyAxis& axis = study.axes[a];
     TableColumn column{axis.variable, "deck value", "", Numbers{}};
     if (std::holds_alternative<std::string>(axis.cells.front())) column.cells = Texts{};
     for (const auto& row : rows) {

@@ -56,10 +56,10 @@ class Bisection {
   double holds_ = std::numeric_limits<double>::quiet_NaN(), fails_ = holds_;
 };
 
-enum class Mode { grid, ensemble, bisect };
+enum class Mode { grid, ensemble, bisect, chart };
 
 /// A deck value and the values that it takes in turn.
-struct Axis {
+struct StudyAxis {
   std::string variable;                ///< the name of its column, "in.nx"
   std::vector<std::string> overrides;  ///< one a value: "in.nx=51"
   std::vector<Cell> cells;             ///< the values
@@ -91,7 +91,7 @@ struct Study {
   std::string file, text, title;
   Mode mode = Mode::grid;
   std::vector<BaseDeck> decks;
-  std::vector<Axis> axes;
+  std::vector<StudyAxis> axes;
   std::vector<std::string> sets;
   std::vector<std::string> quantities;      ///< their columns: keys of summary.txt, names of values of the history
   std::vector<WantedValue> history_values;  ///< those of quantities and criterion

@@ -24,14 +24,14 @@ constexpr std::size_t longest_shown_line = 1000;
 
 }  // namespace
 
-void StudyRemarks::error(AnyVariable name, int k, const std::string& message, const std::string& hint) {
-  add(deck_.remark(Severity::error, name, {k, 1}, message, hint));
+void StudyRemarks::error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+  add(deck_.remark(Severity::error, name, at, message, hint));
 }
 
-void StudyRemarks::tell(TextVariable name, int k, const std::vector<Mistake>& mistakes) {
-  const std::string text = deck_.text(name, k);
+void StudyRemarks::tell(TextVariable name, Subscript at, const std::vector<Mistake>& mistakes) {
+  const std::string text = deck_.text(name, at[0], at[1]);
   for (const auto& mistake : mistakes) {
-    auto remark = deck_.remark(Severity::error, name, {k, 1}, mistake.message, mistake.hint);
+    auto remark = deck_.remark(Severity::error, name, at, mistake.message, mistake.hint);
     const auto quote = static_cast<std::size_t>(remark.place.column);  // the text begins behind it
     const bool as_written = remark.line_text.compare(std::min(quote, remark.line_text.size()), text.size(), text) == 0;
     if (as_written) remark.place.column += mistake.column;
@@ -46,21 +46,41 @@ void StudyRemarks::add(Diagnostic remark) {
 
 namespace {
 
+constexpr unsigned bit(Mode mode) { return 1U << static_cast<unsigned>(mode); }
+constexpr unsigned grid = bit(Mode::grid), ensemble = bit(Mode::ensemble), bisect = bit(Mode::bisect),
+                   chart = bit(Mode::chart);
+
 /// For which modes a variable of $study is, and which of them need it.
 struct Rule {
   AnyVariable name;
-  bool grid, ensemble, bisect;
-  bool required;
-  bool is_for(Mode mode) const { return mode == Mode::grid ? grid : mode == Mode::ensemble ? ensemble : bisect; }
+  unsigned modes;
+  bool required = false;
+  bool is_for(Mode mode) const { return (modes & bit(mode)) != 0; }
 };
 
 constexpr std::array rules{
-    Rule{"study.order", true, false, false, false},    Rule{"study.quantities", true, true, false, true},
-    Rule{"study.vary", false, true, true, true},       Rule{"study.fraction", false, true, false, true},
-    Rule{"study.runs", false, true, false, true},      Rule{"study.low", false, false, true, true},
-    Rule{"study.high", false, false, true, true},      Rule{"study.tolerance", false, false, true, false},
-    Rule{"study.criterion", false, false, true, true}, Rule{"study.at_least", false, false, true, false},
-    Rule{"study.at_most", false, false, true, false},
+    Rule{"study.axis", grid | ensemble | bisect},
+    Rule{"study.linked", grid | ensemble | bisect},
+    Rule{"study.order", grid},
+    Rule{"study.quantities", grid | ensemble, true},
+    Rule{"study.vary", ensemble | bisect, true},
+    Rule{"study.fraction", ensemble, true},
+    Rule{"study.runs", ensemble, true},
+    Rule{"study.low", bisect, true},
+    Rule{"study.high", bisect, true},
+    Rule{"study.tolerance", bisect},
+    Rule{"study.criterion", bisect, true},
+    Rule{"study.at_least", bisect},
+    Rule{"study.at_most", bisect},
+    Rule{"study.is", chart, true},
+    Rule{"study.exact", chart, true},
+    Rule{"study.family", chart, true},
+    Rule{"study.family_set", chart},
+    Rule{"study.cells", chart, true},
+    Rule{"study.steps", chart},
+    Rule{"study.space_order", chart},
+    Rule{"study.step_order", chart},
+    Rule{"study.setting", chart},
 };
 
 /// Keys of summary.txt that are numbers of the run itself; the table has the cost of the whole process anyhow.
@@ -77,7 +97,8 @@ class Keys {
   void add_runs(const Deck& deck) {
     using namespace runs_of;
     const bool mesh = deck.has_group("mesh"), box = deck.has_group("coupled");
-    add(summary_keys((!mesh && !box ? points | bars : 0) | (mesh ? meshes : 0) | (box ? boxes : 0)));
+    const bool by_points = (!mesh && !box) || deck.given("in.path");
+    add(summary_keys((by_points ? points | bars : 0) | (mesh ? meshes : 0) | (box ? boxes : 0)));
   }
   const std::vector<std::string>& known() const { return known_; }
 
@@ -128,7 +149,7 @@ void check_criterion(const Study& study, std::vector<std::string> known, StudyRe
 void check_order(const Study& study, const std::vector<std::string>& known, StudyRemarks& remarks) {
   if (study.order.empty()) return;
   std::vector<std::string> columns = study.quantities;
-  for (const Axis& axis : study.axes) {
+  for (const StudyAxis& axis : study.axes) {
     if (std::holds_alternative<double>(axis.cells.front())) columns.push_back(axis.variable);
   }
   if (study.axes.empty()) remarks.error("study.order", 1, "an order is told along axis 1, and there is none");
@@ -174,7 +195,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     tell_of(base, study.decks[k].number, found, remarks, diagnostics);
     keys.add_runs(base), keys.add_figures(base.text("reference.solution"));
   }
-  for (const Axis& axis : study.axes) {
+  for (const StudyAxis& axis : study.axes) {
     if (axis.variable != "reference.solution") continue;
     for (const Cell& cell : axis.cells) keys.add_figures(std::get<std::string>(cell));
   }

@@ -17,9 +17,13 @@ class StudyRemarks {
   StudyRemarks(const Deck& deck, Diagnostics& diagnostics) : deck_(deck), diagnostics_(diagnostics) {}
 
   /// At name(k), else at its group.
-  void error(AnyVariable name, int k, const std::string& message, const std::string& hint = {});
+  void error(AnyVariable name, int k, const std::string& message, const std::string& hint = {}) {
+    error(name, Subscript{k, 1}, message, hint);
+  }
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint = {});
   /// Those of the text that stands in name(k), each at its column where the deck has the text on one line.
-  void tell(TextVariable name, int k, const std::vector<Mistake>& mistakes);
+  void tell(TextVariable name, int k, const std::vector<Mistake>& mistakes) { tell(name, Subscript{k, 1}, mistakes); }
+  void tell(TextVariable name, Subscript at, const std::vector<Mistake>& mistakes);
 
  private:
   void add(Diagnostic remark);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails when a folder of src/ includes one that stands after it, when files include each other in a circle, when what
-runs a scene reaches the deck, or when a mutable global stands in a file. The order of the folders is the architecture:
+runs a scene reaches the deck, when a mutable global stands in a file, or when two types share a name. The order of the folders is the architecture:
 data flows one way."""
 import pathlib
 import re
@@ -19,6 +19,8 @@ GLOBAL = re.compile(
     r"(?!(?:static |inline )*constexpr\b|const\b|constexpr\b|constinit const\b|using\b|namespace\b|template\b|struct\b|class\b|concept\b|enum\b|return\b|typedef\b|friend\b|BENCHMARK|TEST)"
     r"[\w:<>,*& ]+ \w+(\[\w*\])*\s*(=|;|\{)"
 )
+# A type that is defined at the left margin, where namespaces do not indent.
+TYPE = re.compile(r"(?:struct|class|enum class|enum) (\w+)(?: final)?(?: :[^;]*)? \{")
 
 
 def rank(parts):
@@ -96,6 +98,23 @@ def mutable_globals(files):
                 yield f"{file}:{number}: mutable global? {line.strip()}"
 
 
+def types_of_one_name(files):
+    """Two types of one name in one namespace: the linker takes the functions of one of them for both."""
+    first = {}
+    for file in files:
+        namespaces = []
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            if match := re.match(r"namespace ?([\w:]*) ?\{", line):
+                namespaces.append(match[1])
+            elif line.startswith("}  // namespace") and namespaces:
+                namespaces.pop()
+            elif (match := TYPE.match(line)) and "" not in namespaces:
+                name = "::".join([*namespaces, match[1]])
+                if name in first:
+                    yield f"{file}:{number}: {name} is a type of {first[name]}, too"
+                first.setdefault(name, file)
+
+
 def main():
     src = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "src")
     files = sorted(p for pattern in ("*.hpp", "*.cpp") for p in src.rglob(pattern))
@@ -103,7 +122,7 @@ def main():
         print(f"no sources in {src}")
         return 1
     found = [*downward_includes(src, files), *circles(src, files), *reaches_deck(src, files),
-             *mutable_globals(files)]
+             *mutable_globals(files), *types_of_one_name(files)]
     print("\n".join(found) if found else f"{len(files)} files in order")
     return 1 if found else 0
 

@@ -54,6 +54,16 @@ class OrderCheck(unittest.TestCase):
         for line in ("int counter = 0;", "static double x;", "std::vector<int> all{1};", "inline int n = 3;"):
             self.assertEqual(self.run_on({"base/b.cpp": line + "\n"})[0], 1, line)
 
+    def test_refuses_two_types_of_one_name_in_a_namespace(self):
+        here, there = "namespace a {\nstruct B {\n  int x;\n};\n}  // namespace a\n", "namespace a {\nclass B : public C {\n};\n}\n"
+        code, text = self.run_on({"base/b.hpp": here, "grid/b.hpp": there})
+        self.assertEqual(code, 1)
+        self.assertIn("grid/b.hpp:2: a::B is a type of", text)
+        self.assertEqual(self.run_on({"base/b.hpp": here, "grid/b.hpp": here.replace("namespace a", "namespace c")})[0], 0)
+        hidden = "namespace a {\nnamespace {\nstruct B {};\n}  // namespace\n}  // namespace a\n"
+        self.assertEqual(self.run_on({"base/b.cpp": hidden, "grid/b.cpp": hidden})[0], 0)
+        self.assertEqual(self.run_on({"base/b.hpp": here, "grid/b.hpp": "namespace a {\nstruct B;\n}  // namespace a\n"})[0], 0)
+
     def test_refuses_an_empty_folder(self):
         self.assertEqual(self.run_on({"notes.txt": ""})[0], 1)
 

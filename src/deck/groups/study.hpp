@@ -15,9 +15,9 @@ inline constexpr int most_decks = 20, most_axes = 20, most_sets = 50, most_quant
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 inline constexpr std::array study_rows{
-    Variable{study_group, "mode", text, 0, 1, 1, "", -none, none, "grid|ensemble|bisect", "'grid'",
+    Variable{study_group, "mode", text, 0, 1, 1, "", -none, none, "grid|ensemble|bisect|chart", "'grid'",
              "All combinations of the axes; or several runs of each with a value varied about its own; or the largest "
-             "value of each for which a criterion holds."},
+             "value of each for which a criterion holds; or error against cost of families of runs."},
     Variable{study_group, "decks", text, 1, most_decks, 1, "", -none, none, "", "",
              "Base decks, each a path from the study deck's folder, at most one folder up."},
     Variable{study_group, "axis", text, 1, most_axes, 1, "", -none, none, "", "",
@@ -50,6 +50,32 @@ inline constexpr std::array study_rows{
              "Bisection: the criterion holds from this value on."},
     Variable{study_group, "at_most", real, 0, 1, 1, "", -none, none, "", "",
              "Bisection: the criterion holds up to this value."},
+};
+
+inline constexpr int most_families = 40, most_together = 10;
+
+// group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
+inline constexpr std::array chart_rows{
+    Variable{study_group, "is", text, 0, 1, 1, "", -none, none, "", "''",
+             "Chart: what is read off each run, an expression as those of $published, "
+             "'first(body_y_1) - min(body_y_1)'."},
+    Variable{
+        study_group, "exact", text, 0, 1, 1, "", -none, none, "", "''",
+        "Chart: the answer, an expression likewise, or 'converged': what the finest runs of the families lead to."},
+    Variable{study_group, "family", text, 1, most_families, 1, "", -none, none, "", "",
+             "Chart: name of family k of runs, those by one path or method from coarse to fine."},
+    Variable{study_group, "family_set", text, 2, most_together, most_families, "", -none, none, "", "",
+             "Value j that all runs of family k share, 'group.name=value'."},
+    Variable{study_group, "cells", text, 2, most_together, most_families, "", -none, none, "", "",
+             "What makes family k's runs finer in space, one after the other: 'in.ny=25,49,97'; several values move "
+             "together. The first one counts cells, or nodes where it is nx, ny or nz."},
+    Variable{study_group, "steps", text, 2, most_together, most_families, "", -none, none, "", "",
+             "The same in time, of runs on the middle one of the meshes: 'in.tstep=.02,.01,.005'."},
+    Variable{study_group, "space_order", real, 1, most_families, 1, "", above_zero, none, "", "",
+             "Order of family k in space by its theory, shown next to what is found."},
+    Variable{study_group, "step_order", real, 1, most_families, 1, "", above_zero, none, "", "", "The same in time."},
+    Variable{study_group, "setting", integer, 1, 2, 1, "", 1, 1000, "", "",
+             "Chart: family and number of the run that was published; cheaper ones that are as accurate are named."},
 };
 
 inline constexpr int most_rows = 40, most_overrides = 20;

@@ -70,6 +70,10 @@ inline constexpr std::array in_rows{
              "1 for an axisymmetric problem (x is the radius), 0 for a plane one."},
     Variable{"in", "units", text, 0, 1, 1, "", -none, none, choices<Units>, "'none'",
              "Unit system that labels the outputs; nothing is converted."},
+    Variable{"in", "path", text, 0, 1, 1, "", -none, none, "mpm|fem|coupled", "",
+             "Path that runs the scene: material points, finite elements, or a fluid in a box coupled with elements. "
+             "What only other paths have a use for is left out, with a remark. Where it is not given, the deck's "
+             "groups say it: $coupled, or $fem, $mesh, $rigid or $flow, else material points."},
     Variable{"in", "particles", text, 0, 1, 1, "", -none, none, "", "''",
              "Particle file, relative to the deck, at most one folder up."},
 };

@@ -12,6 +12,7 @@
 #include "grid/overlaps.hpp"
 #include "read/mesh/sides.hpp"
 #include "read/mesh/solids.hpp"
+#include "read/path.hpp"
 #include "read/points/geometry.hpp"
 #include "read/values.hpp"
 
@@ -21,17 +22,6 @@ namespace {
 void warn(const Deck& deck, const Variable& variable, Subscript at, const std::string& message, const std::string& hint,
           Diagnostics& diagnostics) {
   diagnostics.add(deck.remark(Severity::warning, AnyVariable(variable), at, message, hint));
-}
-
-/// Whether a deck with a mesh has a use for a variable of the groups that points have, too.
-bool is_of_meshes(const Variable& variable) {
-  constexpr std::array regions{"nreg", "nvi", "xvi", "yvi", "densir", "matr", "ipath", "vrx", "vry"};
-  if (variable.group == "reg")
-    return std::find(regions.begin(), regions.end(), std::string_view(variable.name)) != regions.end();
-  if (variable.group == "points") return variable.name == "tracked_at";
-  if (variable.group == "in") return variable.name != "particles";
-  if (variable.group == "fluid") return variable.name == "pambient";  // told elsewhere
-  return variable.group != "membrane" && variable.group != "mpm";
 }
 
 /// Of what the deck says of points and membranes, other than what stands there by itself.

@@ -11,6 +11,7 @@
 #include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "deck/reader.hpp"
+#include "read/path.hpp"
 #include "read/values.hpp"
 #include "studies/reproduce/problem.hpp"
 #include "studies/reproduce/read_formula.hpp"
@@ -35,9 +36,8 @@ auto chosen(const Words& words, const std::string& word) {
 
 /// Whether points are the deck's path, which alone has two methods.
 bool is_by_points(const Deck& deck) {
-  const auto groups = deck.possible_groups();
-  return std::none_of(groups.begin(), groups.end(),
-                      [&](const std::string& group) { return chooses_path(group) && deck.has_group(group); });
+  Diagnostics of_the_run;
+  return path_of(deck, of_the_run) == Path::mpm;
 }
 
 /// Takes a problem out of the deck that has it, or of the deck that this one is like; each mistake is noted at its

@@ -9,8 +9,8 @@ namespace {
 using Texts = std::vector<std::string>;
 
 /// An axis of n values named letter1, letter2 ...
-Axis axis(const std::string& letter, std::size_t n, std::size_t leader) {
-  Axis result{letter, {}, {}, leader};
+StudyAxis axis(const std::string& letter, std::size_t n, std::size_t leader) {
+  StudyAxis result{letter, {}, {}, leader};
   for (std::size_t k = 1; k <= n; ++k) {
     result.overrides.push_back(letter + std::to_string(k));
     result.cells.emplace_back(static_cast<double>(k));

@@ -173,7 +173,7 @@ TEST(CoupledChecks, SayNothingOfTheEffectiveDeck) {
       "density=2.,side(2)='open'," +
       in + "hinge(1,1)=.5,.25 $\n" + square_body("beta=.1");
   const Deck deck = read_deck(text, "a.in", {}, diagnostics);
-  const std::string effective = effective_deck(deck, {});
+  const std::string effective = effective_deck(deck);
   EXPECT_NE(effective.find("area_repair = .true."), std::string::npos);
   const Deck again = read_deck(effective, "b.in", {}, diagnostics);
   const Scene scene = build_scene(again, std::nullopt, Path::coupled, diagnostics);

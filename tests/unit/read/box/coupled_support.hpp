@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/coupled.hpp"
-#include "read/method.hpp"
+#include "read/path.hpp"
 #include "unit/read/scene_support.hpp"
 
 namespace tether::test {
@@ -18,7 +18,7 @@ inline Built box(const std::string& coupled, const std::string& others = "", con
   const std::string text = "$in\nnx=9,ny=5,xleft=0.,xright=2.,ybot=0.,ytop=1.,tmax=2.,tstep=.01," + in +
                            "\n$\n$coupled density=2.,\n" + coupled + "\n$\n" + others;
   const Deck deck = read_deck(text, "a.in", overrides, built.diagnostics);
-  built.scene = build_scene(deck, std::nullopt, path_of(deck, "", built.diagnostics), built.diagnostics);
+  built.scene = build_scene(deck, std::nullopt, path_of(deck, built.diagnostics), built.diagnostics);
   return built;
 }
 

@@ -248,29 +248,5 @@ TEST(CoupledScene, LargeOnesInSpaceGoByConjugateGradients) {
   EXPECT_EQ(systems_of(c), Systems::direct);
 }
 
-TEST(CoupledPath, BelongsToItsGroup) {
-  const auto path = [](const std::string& groups, const std::string& wanted, std::string& error) {
-    Diagnostics diagnostics;
-    const Deck deck = read_deck("$in nx=2 $\n" + groups, "a.in", {}, diagnostics);
-    Diagnostics told;
-    const Path path = path_of(deck, wanted, told);
-    error = told.has_errors() ? told.errors()[0].message : "";
-    return path;
-  };
-  std::string error;
-  EXPECT_EQ(path("$coupled $\n$mesh $\n", "", error), Path::coupled);
-  EXPECT_EQ(path("$coupled $\n", "coupled", error), Path::coupled);
-  EXPECT_EQ(error, "");
-  path("$coupled $\n", "mpm", error);
-  EXPECT_EQ(error, "the mpm path has no use for $coupled");
-  path("$coupled $\n", "fem", error);
-  EXPECT_EQ(error, "the fem path has no use for $coupled");
-  path("$mesh $\n", "coupled", error);
-  EXPECT_EQ(error, "the coupled path needs $coupled");
-  EXPECT_EQ(path("", "", error), Path::mpm);
-  EXPECT_EQ(path("", "fem", error), Path::fem);
-  EXPECT_EQ(error, "");
-}
-
 }  // namespace
 }  // namespace tether::test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "deck/document.hpp"
-#include "read/method.hpp"
+#include "read/path.hpp"
 #include "unit/read/flow/flow_support.hpp"
 
 namespace tether::test {
@@ -210,16 +210,6 @@ TEST(FlowDecks, TracersOfASteadyFlowAreAWarning) {
   EXPECT_EQ(warnings_of(channel("tracers=2,2")), Texts{});
 }
 
-TEST(FlowDecks, MaterialPointsHaveNoUseForThem) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(on_unit_square("$\n$flow $\n"), "a.in", {}, diagnostics);
-  EXPECT_EQ(path_of(deck, "", diagnostics), Path::fem);
-  EXPECT_TRUE(diagnostics.errors().empty());
-  path_of(deck, "mpm", diagnostics);
-  ASSERT_EQ(diagnostics.errors().size(), 1u);
-  EXPECT_EQ(diagnostics.errors()[0].message, "the mpm path has no incompressible flow");
-}
-
 TEST(FlowDecks, ReadBackAsTheyTookEffect) {
   Diagnostics diagnostics;
   const std::string text =
@@ -230,11 +220,11 @@ TEST(FlowDecks, ReadBackAsTheyTookEffect) {
       in.substr(0, 16) + "2" + in.substr(17) +
       "y*(1-y)'\nboundary_on(2)='2.right',boundary(2)='open',"
       "boundary_time(1,1)=0.,1.,boundary_factor(1,1)=0.,1. $\n";
-  const std::string effective = effective_deck(read_deck(text, "a.in", {}, diagnostics), {});
+  const std::string effective = effective_deck(read_deck(text, "a.in", {}, diagnostics));
   const Deck again = read_deck(effective, "b.in", {}, diagnostics);
-  const Scene scene = build_scene(again, std::nullopt, path_of(again, "", diagnostics), diagnostics);
+  const Scene scene = build_scene(again, std::nullopt, path_of(again, diagnostics), diagnostics);
   for (const auto& d : diagnostics.all()) ADD_FAILURE() << to_text(d);
-  EXPECT_EQ(effective_deck(again, {}), effective);
+  EXPECT_EQ(effective_deck(again), effective);
   ASSERT_TRUE(scene.flow() && scene.solids());
   EXPECT_EQ(side_of(*scene.flow(), "2.left").velocity.at(0, .5, .5), (std::array<double, 2>{.125, 0}));
 }

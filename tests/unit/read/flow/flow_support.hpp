@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/flow.hpp"
-#include "read/method.hpp"
+#include "read/path.hpp"
 #include "unit/read/scene_support.hpp"
 
 namespace tether::test {
@@ -21,7 +21,7 @@ inline Built build_flow(const std::string& groups, const std::vector<std::string
   const std::string text =
       "$in\nnx=2,ny=2,xleft=-9.,xright=9.,ybot=-9.,ytop=9.,tmax=2.,tstep=.01,wl=1,wr=1,wb=1,wt=1\n$\n" + groups;
   const Deck deck = read_deck(text, "a.in", overrides, built.diagnostics);
-  built.scene = build_scene(deck, std::nullopt, path_of(deck, "", built.diagnostics), built.diagnostics);
+  built.scene = build_scene(deck, std::nullopt, path_of(deck, built.diagnostics), built.diagnostics);
   return built;
 }
 

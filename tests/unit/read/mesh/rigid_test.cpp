@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "read/method.hpp"
+#include "read/path.hpp"
 #include "unit/read/scene_support.hpp"
 
 namespace tether::test {
@@ -19,7 +19,7 @@ Built build_rigid(const std::string& groups, const std::vector<std::string>& ove
       "densir=1.,3. $\n$mesh z(1,1)=0.,1.,0.,1. $\n" +
       groups;
   const Deck deck = read_deck(text, "a.in", overrides, built.diagnostics);
-  built.scene = build_scene(deck, std::nullopt, path_of(deck, "", built.diagnostics), built.diagnostics);
+  built.scene = build_scene(deck, std::nullopt, path_of(deck, built.diagnostics), built.diagnostics);
   return built;
 }
 
@@ -98,16 +98,6 @@ TEST(RigidScene, WhatHasNoEffectIsAWarning) {
   EXPECT_EQ(warnings(build_rigid("$fem tolerance=1e-11,cfl=.9,integrator='midpoint' $\n$rigid $\n")), Texts{});
   EXPECT_EQ(warnings(build_rigid("$fem tolerance=1e-9,cfl=.5 $\n$rigid $\n")),
             (Texts{"tolerance of $fem has no effect on a rigid body", "cfl of $fem has no effect on a rigid body"}));
-}
-
-TEST(RigidScene, MaterialPointsHaveNoUseForIt) {
-  Diagnostics diagnostics;
-  const Deck deck = read_deck(on_unit_square("$\n$rigid $\n"), "a.in", {}, diagnostics);
-  EXPECT_EQ(path_of(deck, "", diagnostics), Path::fem);
-  EXPECT_TRUE(diagnostics.errors().empty());
-  path_of(deck, "mpm", diagnostics);
-  ASSERT_EQ(diagnostics.errors().size(), 1u);
-  EXPECT_EQ(diagnostics.errors()[0].hint, "leave --path away: a deck with $rigid runs by finite elements");
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/path.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "deck/spelling.hpp"
+#include "read/values.hpp"
+
+namespace tether {
+namespace {
+
+/// The path that the deck's groups ask for.
+Path path_of_groups(const Deck& deck) {
+  if (deck.has_group("coupled")) return Path::coupled;
+  const bool fem = deck.has_group("mesh") || deck.has_group("rigid") || deck.has_group("fem") || has_flow(deck);
+  return fem ? Path::fem : Path::mpm;
+}
+
+/// Whether a path has a use for a variable.
+using Used = std::function<bool(const Variable&)>;
+
+template <std::size_t n>
+bool is_one_of(std::string_view name, const std::array<std::string_view, n>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Of a fluid's box, whose solids take the step that $coupled says and stand in its walls.
+bool is_of_boxes(const Variable& variable) {
+  constexpr std::array<std::string_view, 5> of_other_steps{"static", "settle", "integrator", "tolerance", "cfl"};
+  constexpr std::array<std::string_view, 4> walls{"wl", "wr", "wb", "wt"};
+  if (variable.group == "flow" || variable.group == "rigid") return false;
+  if (variable.group == "fem") return !is_one_of(variable.name, of_other_steps);
+  if (variable.group == "in") return is_of_meshes(variable) && !is_one_of(variable.name, walls);
+  return is_of_meshes(variable);
+}
+
+/// Of material points, or of bars where the fem path has no mesh.
+bool is_of_points(const Variable& variable) {
+  constexpr std::array<std::string_view, 5> others{"mesh", "fem", "rigid", "flow", "coupled"};
+  return !is_one_of(variable.group, others);
+}
+
+/// Whether the path has a use for a variable of this deck.
+bool is_of(Path path, bool mesh, const Variable& variable) {
+  if (path == Path::coupled) return is_of_boxes(variable);
+  if (path == Path::fem) return variable.group != "coupled" && (!mesh || is_of_meshes(variable));
+  return is_of_points(variable);
+}
+
+/// Whether a deck says more of a variable than what stands there by itself.
+bool says(const Deck& deck, AnyVariable variable) {
+  const auto elements = deck.given_elements(variable);
+  return std::any_of(elements.begin(), elements.end(), [&](const Subscript& at) {
+    return value_text(deck.value(variable, at[0], at[1])) != variable.row().fallback;
+  });
+}
+
+/// Remarks on what is left out of a group.
+void note_unused(const Deck& deck, const std::string& group, Path path, const Used& used, Diagnostics& diagnostics) {
+  bool whole = true;
+  std::string names;
+  Subscript at{};
+  std::optional<AnyVariable> first;
+  for (const Variable& variable : variables()) {
+    if (variable.group != group) continue;
+    if (used(variable)) {
+      whole = false;
+    } else if (says(deck, AnyVariable(variable))) {
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", variable.name);
+      if (!first) first = AnyVariable(variable), at = deck.given_elements(*first).front();
+    }
+  }
+  const std::string what = fmt::format("the {} path has no use for ", path_name(path));
+  if (whole) return diagnostics.add(deck.remark_on_group(Severity::remark, group, what + "$" + group));
+  if (first) diagnostics.add(deck.remark(Severity::remark, *first, at, fmt::format("{}{} of ${}", what, names, group)));
+}
+
+}  // namespace
+
+bool is_of_meshes(const Variable& variable) {
+  constexpr std::array<std::string_view, 11> of_regions{"nreg",  "nvi", "xvi", "yvi", "densir",    "matr",
+                                                        "ipath", "vrx", "vry", "law", "volumetric"};
+  if (variable.group == "reg") return is_one_of(variable.name, of_regions);
+  if (variable.group == "points") return variable.name == "tracked_at";
+  if (variable.group == "in") return variable.name != "particles";
+  if (variable.group == "fluid") return variable.name == "pambient";  // told elsewhere
+  return variable.group != "membrane" && variable.group != "mpm";
+}
+
+Path path_of(const Deck& deck, Diagnostics& diagnostics) {
+  if (!deck.given("in.path")) return path_of_groups(deck);
+  const std::string name = deck.text("in.path");
+  if (name == path_name(Path::coupled) && !deck.has_group("coupled")) {
+    diagnostics.add(deck.remark(Severity::error, "in.path", {1, 1}, "the coupled path needs $coupled",
+                                "it describes the fluid in the box of $in"));
+    return path_of_groups(deck);
+  }
+  return name == path_name(Path::coupled) ? Path::coupled : name == path_name(Path::fem) ? Path::fem : Path::mpm;
+}
+
+Deck deck_of_path(const Deck& deck, Path path, Diagnostics& diagnostics) {
+  if (!deck.given("in.path")) return deck;
+  const bool mesh = deck.has_group("mesh") || deck.has_group("rigid") || has_flow(deck);
+  const Used used = [&](const Variable& variable) { return is_of(path, mesh, variable); };
+  for (const auto& group : group_names()) {
+    if (deck.has_group(group) && group != study_group && group != published_group)
+      note_unused(deck, group, path, used, diagnostics);
+  }
+  return deck.with_only(used);
+}
+
+}  // namespace tether

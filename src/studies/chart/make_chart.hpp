@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "studies/chart/chart.hpp"
+#include "studies/scheduler.hpp"
+
+namespace tether::chart {
+
+/// How a chart is to be run.
+struct ChartOptions {
+  std::filesystem::path out;  ///< folder for the table and, below it, the runs
+  Shares shares;
+  std::string command;  ///< as it was typed, for the files' provenance
+  std::function<void(const SweepProgress&)> progress;
+};
+
+/// What there is to say at the end.
+struct ChartResult {
+  std::string report;            ///< for people
+  std::size_t failed = 0;        ///< runs that did not end well
+  std::size_t file_trouble = 0;  ///< of them those that could not read or write a file
+};
+
+/// Runs all families and writes chart.nc, chart.csv and chart.txt, the report. Throws FileError, Interrupted.
+ChartResult make_chart(const Chart& chart, const ChartOptions& options);
+
+/// The runs, a line each: whether it is finished, its deck, its overrides.
+std::string list_chart_runs(const Chart& chart, const std::filesystem::path& out);
+
+}  // namespace tether::chart

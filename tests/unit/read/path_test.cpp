@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "deck/reader.hpp"
+
+namespace tether {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+struct Seen {
+  Path path;
+  Deck deck;
+  Texts remarks, errors;
+};
+
+/// What the path sees of a deck.
+Seen seen(const std::string& groups, const std::string& in = "") {
+  Diagnostics of_reader, diagnostics;
+  const Deck deck =
+      read_deck("$in nx=2,ny=2,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax=1.,tstep=1." + in + " $\n" + groups, "a.in", {},
+                of_reader);
+  EXPECT_FALSE(of_reader.has_errors());
+  const Path path = path_of(deck, diagnostics);
+  Seen all{path, deck_of_path(deck, path, diagnostics), {}, {}};
+  for (const auto& remark : diagnostics.remarks()) all.remarks.push_back(remark.message);
+  for (const auto& error : diagnostics.errors()) all.errors.push_back(error.message);
+  EXPECT_TRUE(diagnostics.warnings().empty());
+  return all;
+}
+
+TEST(PathOfADeck, IsWhatItsGroupsAskFor) {
+  EXPECT_EQ(seen("").path, Path::mpm);
+  for (const char* group : {"mesh", "fem", "rigid", "flow"})
+    EXPECT_EQ(seen(std::string("$") + group + " $\n").path, Path::fem);
+  EXPECT_EQ(seen("$reg nreg=1 $\n$fem law(1)='fluid' $\n").path, Path::fem);
+  const Seen coupled = seen("$coupled $\n$mesh $\n$mpm method='robust' $\n");
+  EXPECT_EQ(coupled.path, Path::coupled);
+  EXPECT_EQ(coupled.remarks, Texts{});
+  EXPECT_TRUE(coupled.deck.has_group("mpm"));  // of which the path itself warns
+}
+
+TEST(PathOfADeck, IsWhatTheDeckNames) {
+  const std::string all = "$mpm method='robust' $\n$mesh element='q2' $\n$fem cfl=.5 $\n$coupled density=2. $\n";
+  const Seen mpm = seen(all, ",path='mpm'");
+  EXPECT_EQ(mpm.path, Path::mpm);
+  EXPECT_EQ(mpm.remarks, (Texts{"the mpm path has no use for $mesh", "the mpm path has no use for $fem",
+                                "the mpm path has no use for $coupled"}));
+  EXPECT_FALSE(mpm.deck.has_group("mesh") || mpm.deck.has_group("fem") || mpm.deck.has_group("coupled"));
+  EXPECT_EQ(mpm.deck.text("mpm.method"), "robust");
+  const Seen fem = seen(all, ",path='fem'");
+  EXPECT_EQ(fem.path, Path::fem);
+  EXPECT_EQ(fem.remarks, (Texts{"the fem path has no use for $mpm", "the fem path has no use for $coupled"}));
+  EXPECT_EQ(fem.deck.text("mesh.element"), "q2");
+  const Seen coupled = seen(all, ",path='coupled'");
+  EXPECT_EQ(coupled.path, Path::coupled);
+  EXPECT_EQ(coupled.remarks,
+            (Texts{"the coupled path has no use for $mpm", "the coupled path has no use for cfl of $fem"}));
+  EXPECT_FALSE(coupled.deck.given("fem.cfl"));
+  EXPECT_EQ(coupled.deck.real("coupled.density"), 2);
+}
+
+TEST(PathOfADeck, LeavesOutOfAGroupWhatIsOfPoints) {
+  const Seen fem = seen("$reg nreg=1,nprg=9,densir(1)=2. $\n$points heavy(2)=1.,tracked_at(1,1)=0.,1. $\n$mesh $\n",
+                        ",path='fem',wl=0");
+  EXPECT_EQ(fem.remarks,
+            (Texts{"the fem path has no use for nprg of $reg", "the fem path has no use for heavy of $points"}));
+  EXPECT_EQ(fem.deck.integer("in.wl"), 0);
+  EXPECT_EQ(fem.deck.real("reg.densir", 1), 2);
+  EXPECT_TRUE(fem.deck.given("points.tracked_at", 2, 1));
+  EXPECT_FALSE(fem.deck.given("points.heavy", 2));
+  const Seen coupled = seen("$mesh $\n$coupled $\n", ",path='coupled',wl=0");
+  EXPECT_EQ(coupled.remarks, Texts{"the coupled path has no use for wl of $in"});
+}
+
+TEST(PathOfADeck, OfStringsWithoutAMeshIsThatOfPoints) {
+  const Seen bars = seen("$points heavy(2)=1. $\n$membrane wrinkle=.true. $\n", ",path='fem'");
+  EXPECT_EQ(bars.path, Path::fem);
+  EXPECT_EQ(bars.remarks, Texts{});
+  EXPECT_EQ(bars.deck.real("points.heavy", 2), 1);
+}
+
+TEST(PathOfADeck, NeedsAFluidToBeCoupled) {
+  EXPECT_EQ(seen("$mesh $\n", ",path='coupled'").errors, Texts{"the coupled path needs $coupled"});
+}
+
+TEST(PathOfADeck, IsNamedByTheCommandLine) {
+  Diagnostics diagnostics;
+  const Deck deck = read_deck("$in nx=2, path='fem' $\n$mesh $\n", "a.in", {}, diagnostics).with_path("mpm");
+  EXPECT_EQ(path_of(deck, diagnostics), Path::mpm);
+  EXPECT_EQ(deck.place("in.path").line, 1);
+}
+
+}  // namespace
+}  // namespace tether
