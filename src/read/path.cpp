@@ -80,6 +80,18 @@ void note_unused(const Deck& deck, const std::string& group, Path path, const Us
   if (first) diagnostics.add(deck.remark(Severity::remark, *first, at, fmt::format("{}{} of ${}", what, names, group)));
 }
 
+/// Warns of what acts on the scene by another path and is left out: the scene is another one then.
+void warn_of_lost_actions(const Deck& deck, Path path, const Used& used, Diagnostics& diagnostics) {
+  for (const AnyVariable name : Variables{"fem.static", "fem.settle", "fem.load_on", "flow.boundary", "coupled.jet_on",
+                                          "coupled.spring_on", "coupled.hinge"}) {
+    if (used(name.row()) || !says(deck, name)) continue;
+    diagnostics.add(deck.remark(Severity::warning, name, deck.given_elements(name).front(),
+                                fmt::format("the {} path leaves {} of ${} out, which acts on the scene",
+                                            path_name(path), name.name(), name.group()),
+                                "the path runs the scene without it"));
+  }
+}
+
 }  // namespace
 
 bool is_of_meshes(const Variable& variable) {
@@ -111,6 +123,7 @@ Deck deck_of_path(const Deck& deck, Path path, Diagnostics& diagnostics) {
     if (deck.has_group(group) && group != study_group && group != published_group)
       note_unused(deck, group, path, used, diagnostics);
   }
+  warn_of_lost_actions(deck, path, used, diagnostics);
   return deck.with_only(used);
 }
 

@@ -12,7 +12,8 @@ namespace tether {
 Path path_of(const Deck& deck, Diagnostics& diagnostics);
 
 /// The deck without what only other paths have a use for, if $in names the path: so one deck describes a scene for
-/// several paths. What is left out is a remark, one a group. The same deck where $in names none.
+/// several paths. What is left out is a remark, one a group, and a warning where it acts on the scene. The same deck
+/// where $in names none.
 Deck deck_of_path(const Deck& deck, Path path, Diagnostics& diagnostics);
 
 /// Whether a deck whose regions are bodies on a mesh has a use for a variable that points, or the grid, have one for.

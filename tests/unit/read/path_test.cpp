@@ -16,7 +16,7 @@ using Texts = std::vector<std::string>;
 struct Seen {
   Path path;
   Deck deck;
-  Texts remarks, errors;
+  Texts remarks, warnings, errors;
 };
 
 /// What the path sees of a deck.
@@ -27,10 +27,10 @@ Seen seen(const std::string& groups, const std::string& in = "") {
                 of_reader);
   EXPECT_FALSE(of_reader.has_errors());
   const Path path = path_of(deck, diagnostics);
-  Seen all{path, deck_of_path(deck, path, diagnostics), {}, {}};
+  Seen all{path, deck_of_path(deck, path, diagnostics), {}, {}, {}};
   for (const auto& remark : diagnostics.remarks()) all.remarks.push_back(remark.message);
   for (const auto& error : diagnostics.errors()) all.errors.push_back(error.message);
-  EXPECT_TRUE(diagnostics.warnings().empty());
+  for (const auto& warning : diagnostics.warnings()) all.warnings.push_back(warning.message);
   return all;
 }
 
@@ -83,6 +83,22 @@ TEST(PathOfADeck, OfStringsWithoutAMeshIsThatOfPoints) {
   EXPECT_EQ(bars.path, Path::fem);
   EXPECT_EQ(bars.remarks, Texts{});
   EXPECT_EQ(bars.deck.real("points.heavy", 2), 1);
+}
+
+TEST(PathOfADeck, WarnsOfWhatActsOnTheSceneAndIsLeftOut) {
+  const std::string all =
+      "$mesh $\n$fem settle=.true.,static=.false.,load_on(1)='1.right',fix_on(1)='1.left' $\n"
+      "$coupled jet_on(1)='left',spring_on(1)='region 1' $\n";
+  EXPECT_EQ(seen(all, ",path='mpm'").warnings,
+            (Texts{"the mpm path leaves settle of $fem out, which acts on the scene",
+                   "the mpm path leaves load_on of $fem out, which acts on the scene",
+                   "the mpm path leaves jet_on of $coupled out, which acts on the scene",
+                   "the mpm path leaves spring_on of $coupled out, which acts on the scene"}));
+  EXPECT_EQ(seen(all, ",path='fem'").warnings,
+            (Texts{"the fem path leaves jet_on of $coupled out, which acts on the scene",
+                   "the fem path leaves spring_on of $coupled out, which acts on the scene"}));
+  EXPECT_EQ(seen(all, ",path='coupled'").warnings,
+            Texts{"the coupled path leaves settle of $fem out, which acts on the scene"});
 }
 
 TEST(PathOfADeck, NeedsAFluidToBeCoupled) {
