@@ -49,7 +49,7 @@ class Charts(ChartTest):
         self.assertRegex(report, r"elements: (1\.[89]|2\.[012])\d \(2 by theory\); (1\.[89]|2\.[012])\d \(2 by theory\)")
         self.assertRegex(report, r"points: .*; not studied")
         self.assertRegex(report, r"published setting: elements: mesh\.cells\(2,1\)=40 in\.tstep=2\.5d-4, error")
-        self.assertIn("the cheapest choice for an error of\n    10 %  ", report)
+        self.assertIn("the cheapest choice for a lasting error of\n    10 %  ", report)
         table = netcdf(self.out / "chart.nc")
         self.assertEqual([float(row["error"]) for row in rows], list(table["error"]))
 

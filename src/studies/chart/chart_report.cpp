@@ -24,7 +24,7 @@ std::string name_of(const Chart& chart, const ChartRun& run) {
 
 std::vector<Point> points_of(const Measurement& measurement, double Measured::*cost) {
   std::vector<Point> points;
-  for (const Measured& run : measurement.runs) points.push_back({run.*cost, run.error});
+  for (const Measured& run : measurement.runs) points.push_back({run.*cost, run.lasting});
   return points;
 }
 
@@ -38,7 +38,7 @@ std::string answer_text(const Chart& chart, const Measurement& measurement) {
 
 std::string front_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement,
                        const char* of, double Measured::*cost, const char* unit) {
-  std::string text = fmt::format("\nno run beats these in error and {}:\n", of);
+  std::string text = fmt::format("\nno run beats these in lasting error and {}:\n", of);
   const auto points = points_of(measurement, cost);
   for (const std::size_t k : front(points))
     text += fmt::format("  {:>10} {:>10.4g} {}  {}\n", percent(points[k].error), points[k].cost, unit,
@@ -47,7 +47,7 @@ std::string front_text(const Chart& chart, const std::vector<ChartRun>& runs, co
 }
 
 std::string cheapest_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement) {
-  std::string text = "\nthe cheapest choice for an error of\n";
+  std::string text = "\nthe cheapest choice for a lasting error of\n";
   const auto points = points_of(measurement, &Measured::seconds);
   for (const double tolerance : tolerances) {
     const auto best = cheapest(points, tolerance);
@@ -89,12 +89,12 @@ std::string setting_text(const Chart& chart, const std::vector<ChartRun>& runs, 
   while (runs[k].family != (*chart.setting)[0] || runs[k].of != Of::cells || runs[k].rung != (*chart.setting)[1]) ++k;
   const Measured& published = measurement.runs[k];
   std::string text = fmt::format("\npublished setting: {}, error {}, {:.4g} s\n", name_of(chart, runs[k]),
-                                 percent(published.error), published.seconds);
-  const auto best = cheapest(points_of(measurement, &Measured::seconds), published.error);
+                                 percent(published.lasting), published.seconds);
+  const auto best = cheapest(points_of(measurement, &Measured::seconds), published.lasting);
   if (!best || *best == k) return text + "  no cheaper one is as accurate\n";
   const Measured& found = measurement.runs[*best];
   return text + fmt::format("  {:.3g} times cheaper, error {}: {}\n", published.seconds / found.seconds,
-                            percent(found.error), name_of(chart, runs[*best]));
+                            percent(found.lasting), name_of(chart, runs[*best]));
 }
 
 }  // namespace

@@ -68,6 +68,12 @@ void find_errors(const Chart& chart, const std::vector<ChartRun>& runs, Measurem
     const double exact = chart.exact && std::isfinite(run.exact) ? run.exact : measurement.answer;
     run.error = distance(run.value, exact);
   }
+  for (std::size_t f = 0; f < chart.families.size(); ++f) {
+    const auto kept = lasting(numbers_of(runs, measurement, f, Of::cells, &Measured::error));
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      if (runs[k].family == f && runs[k].of == Of::cells) measurement.runs[k].lasting = kept[runs[k].rung];
+    }
+  }
 }
 
 std::vector<double> errors_of_steps(const std::vector<double>& size, const std::vector<double>& value, double answer) {

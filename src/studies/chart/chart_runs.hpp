@@ -28,7 +28,8 @@ std::vector<ChartRun> runs_of(const Chart& chart);
 struct Measured {
   double value = std::numeric_limits<double>::quiet_NaN();
   double exact = value;
-  double error = value;  ///< over the answer
+  double error = value;    ///< over the answer
+  double lasting = value;  ///< the largest error of it and the family's finer meshes; none of runs that study steps
   double seconds = value, megabytes = value;
 };
 

@@ -44,6 +44,15 @@ double order_of_distances(double s0, double s1, double s2, double ratio) {
 
 }  // namespace
 
+std::vector<double> lasting(std::span<const double> error) {
+  std::vector<double> all(error.begin(), error.end());
+  double largest = 0;
+  for (std::size_t k = all.size(); k-- > 0;) {
+    if (std::isfinite(all[k])) all[k] = largest = std::max(largest, all[k]);
+  }
+  return all;
+}
+
 std::vector<std::size_t> front(std::span<const Point> runs) {
   std::vector<std::size_t> by_cost;
   for (std::size_t k = 0; k < runs.size(); ++k) {

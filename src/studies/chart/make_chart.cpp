@@ -60,14 +60,14 @@ TableColumn column(const char* name, const char* meaning, std::vector<Cell> cell
 StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement,
                     const std::vector<published::RunEnd>& ends) {
   std::vector<std::string> family, of, values, folder;
-  std::vector<double> size, value, error, seconds, megabytes, exit_code;
+  std::vector<double> size, value, error, lasting, seconds, megabytes, exit_code;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const Family& each = chart.families[runs[k].family];
     const Measured& run = measurement.runs[k];
     family.push_back(each.name), of.emplace_back(runs[k].of == Of::cells ? "cells" : "steps");
     values.push_back(fmt::format("{}", fmt::join(runs[k].study.sets, " ")));
     size.push_back((runs[k].of == Of::cells ? each.cells : each.steps).size[runs[k].rung]);
-    value.push_back(run.value), error.push_back(run.error);
+    value.push_back(run.value), error.push_back(run.error), lasting.push_back(run.lasting);
     seconds.push_back(run.seconds), megabytes.push_back(run.megabytes);
     exit_code.push_back(ends[k].ending.exit_code), folder.push_back(ends[k].folder.string());
   }
@@ -76,6 +76,8 @@ StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const
            column("size", "of a cell, over the scene's, or of a step", size),
            column("value", "what was read off the run", value),
            column("error", "its distance from the answer, over the answer", error, "1"),
+           column("lasting_error", "the largest of it and of the family's finer meshes, which counts in the front",
+                  lasting, "1"),
            column("cpu_seconds", "of the run", seconds, "s"),
            column("peak_memory_mb", "of its process", megabytes, "1e6 byte"),
            column("exit_code", "0 for a run that ended well", exit_code),
@@ -106,7 +108,8 @@ ChartResult make_chart(const Chart& chart, const ChartOptions& options) {
                {chart.study.title, options.command, chart.study.text, sha256(chart.study.text), Units::none});
   replace_file(options.out / "chart.csv", csv_text(table));
   ChartResult result;
-  result.report = aligned_text(table, {"family", "of", "size", "value", "error", "cpu_seconds", "peak_memory_mb"}) +
+  result.report = aligned_text(table, {"family", "of", "size", "value", "error", "lasting_error", "cpu_seconds",
+                                       "peak_memory_mb"}) +
                   "\n" + report_text(chart, runs, measurement) + failures_text(runs, ends);
   replace_file(options.out / "chart.txt", result.report);
   for (const auto& end : ends) {

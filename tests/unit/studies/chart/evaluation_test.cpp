@@ -30,6 +30,15 @@ TEST(Front, LosesAFamilyThatIsShifted) {
   for (const std::size_t k : front(runs)) EXPECT_EQ(k % 2, 1U);
 }
 
+TEST(LastingErrors, AreThoseThatFinerRunsKeep) {
+  const Numbers kept = lasting(Numbers{.1, .001, nan, .02, .01});
+  EXPECT_EQ(kept[0], .1);
+  EXPECT_EQ(kept[1], .02);
+  EXPECT_TRUE(std::isnan(kept[2]));
+  EXPECT_EQ(kept[3], .02);
+  EXPECT_EQ(kept[4], .01);
+}
+
 TEST(Cheapest, IsTheOneWithinTheTolerance) {
   const std::vector<Point> runs{{8, .001}, {1, .1}, {2, .05}, {2, .04}, {1, nan}};
   EXPECT_EQ(cheapest(runs, .1), 1U);

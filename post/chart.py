@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A chart of tether chart: python3 post/chart.py out/NAME/chart.nc. Error over seconds and over memory with the runs that
+none beats joined, and over the size of cells.
+
+Exit codes: 0 done, 2 the file is no chart, 4 the figure could not be written.
+"""
+import argparse
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import numpy
+
+import run_folder
+import style
+import table
+
+# Okabe and Ito's colours, which all eyes tell apart, with a mark each for print without colour.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442")
+MARKS = "osD^vPX*"
+NEEDED = ("family", "of", "size", "error", "lasting_error", "cpu_seconds", "peak_memory_mb")
+
+
+def front(cost, error):
+    """Numbers of the runs that no other one beats, by ascending cost."""
+    best = []
+    for k in numpy.lexsort((error, cost)):
+        if numpy.isfinite(cost[k]) and numpy.isfinite(error[k]) and (not best or error[k] < error[best[-1]]):
+            best.append(int(k))
+    return best
+
+
+def look(number):
+    return {"color": COLOURS[number % len(COLOURS)], "marker": MARKS[number % len(MARKS)], "markersize": 4}
+
+
+def draw_over_cost(axes, columns, cost, name):
+    error, x = columns["error"], columns[cost]
+    best = front(x, columns["lasting_error"])
+    axes.plot(x[best], columns["lasting_error"][best], color="0.75", linewidth=5, solid_capstyle="round", zorder=1, label="none beats these")
+    for number, family in enumerate(dict.fromkeys(columns["family"].tolist())):
+        of = columns["family"] == family
+        cells, steps = of & (columns["of"] == "cells"), of & (columns["of"] == "steps")
+        axes.plot(x[cells], error[cells], label=family, **look(number))
+        axes.plot(x[steps], error[steps], linestyle=":", fillstyle="none", **look(number))
+    axes.set(xscale="log", yscale="log", xlabel=name, ylabel="error")
+
+
+def draw_over_size(axes, columns):
+    for number, family in enumerate(dict.fromkeys(columns["family"].tolist())):
+        rows = (columns["family"] == family) & (columns["of"] == "cells")
+        axes.plot(columns["size"][rows], columns["error"][rows], label=family, **look(number))
+    axes.set(xscale="log", yscale="log", xlabel="size of a cell", ylabel="error")
+
+
+def draw(columns):
+    figure, axes = style.panels(3, 3)
+    draw_over_cost(axes[0], columns, "cpu_seconds", "seconds of a processor")
+    draw_over_cost(axes[1], columns, "peak_memory_mb", "memory [MB]")
+    draw_over_size(axes[2], columns)
+    style.legend(axes[0])
+    style.note(figure, "Full: meshes; dotted, hollow: steps on one mesh.")
+    return figure
+
+
+def read(path):
+    columns, _ = table.read(path)
+    missing = [name for name in NEEDED if name not in columns]
+    if missing:
+        raise table.NothingToDraw(f"{path} is no chart: it has no {', '.join(missing)}")
+    if not numpy.any(columns["error"] > 0):
+        raise table.NothingToDraw(f"{path}: no run has an error that a logarithm shows")
+    return columns
+
+
+def main(words=None):
+    parser = argparse.ArgumentParser(description="Draws a chart of tether chart.")
+    parser.add_argument("chart", type=Path, metavar="CHART.nc", help="chart.nc of tether chart")
+    parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg beside it)")
+    chosen = parser.parse_args(words)
+    style.use()
+    try:
+        figure = draw(read(chosen.chart))
+    except (run_folder.NotARun, table.NothingToDraw) as mistake:
+        print(f"chart: {mistake}", file=sys.stderr)
+        return 2
+    path = chosen.out or chosen.chart.with_name("chart.svg")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        figure.savefig(path)
+    except OSError as reason:
+        print(f"chart: {reason}", file=sys.stderr)
+        return 4
+    print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
