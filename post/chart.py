@@ -80,7 +80,7 @@ def read(path):
 def main(words=None):
     parser = argparse.ArgumentParser(description="Draws a chart of tether chart.")
     parser.add_argument("chart", type=Path, metavar="CHART.nc", help="chart.nc of tether chart")
-    parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg beside it)")
+    parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg next to it)")
     chosen = parser.parse_args(words)
     style.use()
     try:

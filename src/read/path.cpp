@@ -39,17 +39,11 @@ bool is_of_boxes(const Variable& variable) {
   return is_of_meshes(variable);
 }
 
-/// Of material points, or of bars where the fem path has no mesh.
-bool is_of_points(const Variable& variable) {
-  constexpr std::array<std::string_view, 5> others{"mesh", "fem", "rigid", "flow", "coupled"};
-  return !is_one_of(variable.group, others);
-}
-
 /// Whether the path has a use for a variable of this deck.
 bool is_of(Path path, bool mesh, const Variable& variable) {
   if (path == Path::coupled) return is_of_boxes(variable);
   if (path == Path::fem) return variable.group != "coupled" && (!mesh || is_of_meshes(variable));
-  return is_of_points(variable);
+  return !chooses_path(variable.group);
 }
 
 /// Whether a deck says more of a variable than what stands there by itself.
@@ -100,7 +94,7 @@ bool is_of_meshes(const Variable& variable) {
   if (variable.group == "reg") return is_one_of(variable.name, of_regions);
   if (variable.group == "points") return variable.name == "tracked_at";
   if (variable.group == "in") return variable.name != "particles";
-  if (variable.group == "fluid") return variable.name == "pambient";  // told elsewhere
+  if (variable.group == "fluid") return variable.name == "pambient";  // reported elsewhere
   return variable.group != "membrane" && variable.group != "mpm";
 }
 
