@@ -12,7 +12,8 @@
 #include "base/text.hpp"
 #include "results/text_file.hpp"
 #include "studies/chart/chart_runs.hpp"
-#include "studies/reproduce/runs.hpp"
+#include "studies/reproduce/files.hpp"
+#include "studies/run_pool.hpp"
 #include "studies/sweep.hpp"
 #include "studies/table.hpp"
 
@@ -22,12 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Each run in a folder of its own; the same ones are known again by their keys there.
-std::vector<published::PlannedRun> planned(const std::vector<ChartRun>& runs, const fs::path& out) {
-  std::vector<published::PlannedRun> all;
+std::vector<StudyRun> planned(const std::vector<ChartRun>& runs, const fs::path& out) {
+  std::vector<StudyRun> all;
   for (const ChartRun& run : runs) {
     const std::string name =
         fmt::format("{}-{}-{}", run.family + 1, run.of == Of::cells ? "cells" : "steps", run.rung + 1);
-    all.push_back({0, published::Role::thesis, run.study, out / name});
+    all.push_back({run.study, out / name});
   }
   return all;
 }
@@ -42,7 +43,7 @@ double read(const published::Readout& readout, const published::RunFiles& files)
   }
 }
 
-Measured measured(const Chart& chart, const published::RunEnd& end) {
+Measured measured(const Chart& chart, const RunEnd& end) {
   Measured run;
   if (end.ending.exit_code != exit_done) return run;
   const published::RunFiles files(end.folder);
@@ -58,7 +59,7 @@ TableColumn column(const char* name, const char* meaning, std::vector<Cell> cell
 
 /// A row a run.
 StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement,
-                    const std::vector<published::RunEnd>& ends) {
+                    const std::vector<RunEnd>& ends) {
   std::vector<std::string> family, of, values, folder;
   std::vector<double> size, value, error, lasting, seconds, megabytes, exit_code;
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -85,7 +86,7 @@ StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const
            column("folder", "the run's", folder)}};
 }
 
-std::string failures_text(const std::vector<ChartRun>& runs, const std::vector<published::RunEnd>& ends) {
+std::string failures_text(const std::vector<ChartRun>& runs, const std::vector<RunEnd>& ends) {
   std::string text;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (ends[k].ending.exit_code != exit_done)
@@ -98,8 +99,7 @@ std::string failures_text(const std::vector<ChartRun>& runs, const std::vector<p
 
 ChartResult make_chart(const Chart& chart, const ChartOptions& options) {
   const std::vector<ChartRun> runs = runs_of(chart);
-  const auto ends =
-      published::run_all(planned(runs, options.out / "runs"), options.shares, options.command, options.progress);
+  const auto ends = run_all(planned(runs, options.out / "runs"), options.shares, options.command, options.progress);
   Measurement measurement;
   for (const auto& end : ends) measurement.runs.push_back(measured(chart, end));
   find_errors(chart, runs, measurement);

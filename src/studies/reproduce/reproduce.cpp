@@ -210,7 +210,8 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
   const auto problems = problems_named(names, options.decks);
   const auto runs = plan_runs(problems, options.out);
   refuse_lost_file(options.write);
-  const auto ends = run_all(runs, {options.jobs, options.threads}, options.command, options.progress);
+  const auto ends =
+      run_all({runs.begin(), runs.end()}, {options.jobs, options.threads}, options.command, options.progress);
   const auto rows = rows_of(problems, runs, ends);
   if (!options.write.empty()) replace_file(options.write, markdown_text(rows, problems, options.command));
   ReproduceResult result{terminal_text(rows), {}, 0};
