@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A chart of tether chart: python3 post/chart.py out/NAME/chart.nc. Error over seconds and over memory with the runs that
+"""A chart of tether chart: python3 post/chart.py out/charts/NAME/chart.nc. Error over seconds and over memory with the runs that
 none beats joined, and over the size of cells.
 
 Exit codes: 0 done, 2 the file is no chart, 4 the figure could not be written.
@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 
 import numpy
 
-import run_folder
+import one_figure
 import style
 import table
 
@@ -71,9 +71,9 @@ def read(path):
     columns, _ = table.read(path)
     missing = [name for name in NEEDED if name not in columns]
     if missing:
-        raise table.NothingToDraw(f"{path} is no chart: it has no {', '.join(missing)}")
+        raise one_figure.NothingToDraw(f"{path} is no chart: it has no {', '.join(missing)}")
     if not numpy.any(columns["error"] > 0):
-        raise table.NothingToDraw(f"{path}: no run has an error that a logarithm shows")
+        raise one_figure.NothingToDraw(f"{path}: no run has an error that a logarithm shows")
     return columns
 
 
@@ -82,21 +82,7 @@ def main(words=None):
     parser.add_argument("chart", type=Path, metavar="CHART.nc", help="chart.nc of tether chart")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg next to it)")
     chosen = parser.parse_args(words)
-    style.use()
-    try:
-        figure = draw(read(chosen.chart))
-    except (run_folder.NotARun, table.NothingToDraw) as mistake:
-        print(f"chart: {mistake}", file=sys.stderr)
-        return 2
-    path = chosen.out or chosen.chart.with_name("chart.svg")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
-    except OSError as reason:
-        print(f"chart: {reason}", file=sys.stderr)
-        return 4
-    print(path)
-    return 0
+    return one_figure.make("chart", lambda: draw(read(chosen.chart)), chosen.out or chosen.chart.with_name("chart.svg"))
 
 
 if __name__ == "__main__":

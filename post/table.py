@@ -16,12 +16,10 @@ import netCDF4
 import numpy
 from matplotlib import pyplot
 
+import one_figure
 import run_folder
 import style
-
-
-class NothingToDraw(Exception):
-    """The text says what the table lacks."""
+from one_figure import NothingToDraw
 
 
 def arguments(words):
@@ -92,21 +90,8 @@ def draw(columns, units, chosen):
 
 def main(words=None):
     chosen = arguments(words)
-    style.use()
-    try:
-        figure = draw(*read(chosen.table), chosen)
-    except (run_folder.NotARun, NothingToDraw) as mistake:
-        print(f"table: {mistake}", file=sys.stderr)
-        return 2
     path = chosen.out or chosen.table.with_name(f"{chosen.y}-over-{chosen.x}.png")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
-    except OSError as reason:
-        print(f"table: {reason}", file=sys.stderr)
-        return 4
-    print(path)
-    return 0
+    return one_figure.make("table", lambda: draw(*read(chosen.table), chosen), path)
 
 
 if __name__ == "__main__":

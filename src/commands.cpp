@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <set>
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
+#include "command_support.hpp"
 #include "deck/document.hpp"
 #include "physics/box/bodies.hpp"
 #include "physics/box/splitting_limit.hpp"
@@ -24,34 +24,11 @@
 #include "run/rehearsal.hpp"
 #include "run/restart.hpp"
 #include "run/run.hpp"
-#include "studies/chart/make_chart.hpp"
-#include "studies/chart/read_chart.hpp"
-#include "studies/read_study.hpp"
-#include "studies/reproduce/reproduce.hpp"
-#include "studies/sweep.hpp"
 
 namespace tether {
 namespace {
 
 const std::string shown_by_check = "shown by tether check";
-
-/// Runs the command, tells on stderr what went wrong, and returns the exit code.
-int guarded(const std::string& name, const std::function<void()>& command) {
-  const Ending ending = end_of(name, [&command] {
-    command();
-    if (std::fflush(stdout) != 0) throw FileError("the standard output takes no more text");
-  });
-  std::fputs(ending.message.c_str(), stderr);  // nowhere to tell of it where this fails
-  return ending.exit_code;
-}
-
-std::string deck_name(const std::string& deck) { return std::filesystem::path(deck).stem().string(); }
-
-/// One deck's own folder: DIR for a single deck, DIR/<deck name> for several, out/<deck name> without --out.
-std::filesystem::path folder_of(const std::string& deck, const RunOptions& options, bool several) {
-  const std::filesystem::path out = options.out.empty() ? "out" : options.out;
-  return options.out.empty() || several ? out / deck_name(deck) : out;
-}
 
 /// Nobody is to wait for threads that nothing uses; empty where none were asked for, or some do.
 std::string threads_remark(const Plan& plan, int threads) {
@@ -147,71 +124,6 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
     throw Interrupted(late, "interrupted when the run had come to its end: its results are whole");
 }
 
-/// Two decks of one name would write into one folder; a checkpoint is of one deck.
-void refuse_shared_folders(const std::vector<std::string>& decks, const RunOptions& options) {
-  if (decks.size() > 1 && !options.restart.empty()) {
-    throw InputError("--restart goes with one deck, the checkpoint's", "run the others by themselves");
-  }
-  std::set<std::string> names;
-  for (const auto& deck : decks) {
-    if (!names.insert(deck_name(deck)).second) {
-      throw InputError(fmt::format("two decks are named {} and would write into one folder", deck_name(deck)),
-                       "run them one by one, each with its own --out");
-    }
-  }
-}
-
-void refuse_file_trouble(std::size_t runs) {
-  if (runs > 0)
-    throw FileError(fmt::format("{} runs could not read or write a file; the same command tries them again", runs));
-}
-
-/// False where a bisection found nothing.
-bool run_sweep(const std::string& name, const RunOptions& options) {
-  const Study study = read_study(name);
-  const auto folder = folder_of(name, options, false);
-  if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
-  ProgressLine progress(name, options.quiet);
-  const SweepResult result = sweep(study, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
-  progress.clear();
-  if (!options.quiet) fmt::print("{}", result.report);
-  for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
-  if (result.signal != 0)
-    throw Interrupted(result.signal,
-                      fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
-  refuse_file_trouble(result.file_trouble);
-  return result.verdicts.empty();
-}
-
-/// False where a run did not end well.
-bool run_chart(const std::string& name, const RunOptions& options) {
-  const chart::Chart chart = chart::read_chart(name);
-  const auto folder = folder_of(name, options, false);
-  if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
-  ProgressLine progress(name, options.quiet);
-  const chart::ChartResult result =
-      make_chart(chart, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
-  progress.clear();
-  if (!options.quiet) fmt::print("{}", result.report);
-  refuse_file_trouble(result.file_trouble);
-  return result.failed == 0;
-}
-
-/// False where a method does not agree where it is judged.
-bool run_published(const PublishedOptions& published, const RunOptions& options) {
-  ProgressLine progress("reproduce", options.quiet);
-  const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  const ReproduceOptions how{published.decks,   out, published.write, options.jobs, options.threads, options.command,
-                             std::ref(progress)};
-  if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
-  const ReproduceResult result = reproduce(published.names, how);
-  progress.clear();
-  if (!options.quiet) fmt::print("{}", result.report);
-  for (const auto& row : result.disagreed) fmt::print(stderr, "reproduce: error: {}\n", row);
-  refuse_file_trouble(result.file_trouble);
-  return result.disagreed.empty();
-}
-
 }  // namespace
 
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
@@ -248,24 +160,6 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
     print_number_of_remarks(deck, loaded, shown_by_check);
     print_plan(loaded);
   });
-}
-
-int sweep_command(const std::string& name, const RunOptions& options) {
-  bool all_found = true;
-  const int code = guarded(name, [&] { all_found = run_sweep(name, options); });
-  return code == exit_done && !all_found ? exit_verdict : code;
-}
-
-int chart_command(const std::string& name, const RunOptions& options) {
-  bool all_ended = true;
-  const int code = guarded(name, [&] { all_ended = run_chart(name, options); });
-  return code == exit_done && !all_ended ? exit_verdict : code;
-}
-
-int reproduce_command(const PublishedOptions& published, const RunOptions& options) {
-  bool all_agree = true;
-  const int code = guarded("reproduce", [&] { all_agree = run_published(published, options); });
-  return code == exit_done && !all_agree ? exit_verdict : code;
 }
 
 int vars_command(const std::string& group, bool markdown) {

@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "command_words.hpp"
 #include "commands.hpp"
+#include "study_commands.hpp"
 
 // The command line: words in, one command called, its exit code out.
 
@@ -74,14 +75,26 @@ CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {
   return sweep;
 }
 
-CLI::App* add_chart(CLI::App& app, std::string& study, RunOptions& options) {
+CLI::App* add_chart(CLI::App& app, std::vector<std::string>& studies, RunOptions& options) {
   auto* chart =
-      app.add_subcommand("chart", "run a chart deck: error against cost over paths, methods, meshes and steps");
-  chart->add_option("study", study, "the chart deck")->required();
-  chart->add_option("--out", options.out, "folder for the table and the runs (default out/<chart name>)")
+      app.add_subcommand("chart", "run chart decks: error against cost over paths, methods, meshes and steps");
+  chart->add_option("study", studies, "the chart decks")->required();
+  chart
+      ->add_option("--out", options.out,
+                   "folder for table and runs, of several for their folders (default out/charts/<name>)")
       ->check(refuse_no_folder);
   add_many_runs(*chart, options);
   return chart;
+}
+
+CLI::App* add_map(CLI::App& app, std::vector<std::string>& studies, RunOptions& options) {
+  auto* map = app.add_subcommand("map", "run map decks: where over one or two deck values a method holds");
+  map->add_option("study", studies, "the map decks")->required();
+  map->add_option("--out", options.out,
+                  "folder for tables and runs, of several for their folders (default out/maps/<name>)")
+      ->check(refuse_no_folder);
+  add_many_runs(*map, options);
+  return map;
 }
 
 CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& options) {
@@ -180,6 +193,7 @@ int main(int argc, char** argv) {
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 
   std::string deck, group;
+  std::vector<std::string> studies;
   bool markdown = false;
   auto* check = app.add_subcommand("check", "list every variable of a deck: value, default or given, unit, place");
   check->add_option("deck", deck, "the deck")->required();
@@ -189,7 +203,8 @@ int main(int argc, char** argv) {
   add_deck_options(*plan, options);
   add_threads(*plan, run_options.threads, one_a_core);
   auto* sweep = add_sweep(app, deck, run_options);
-  auto* chart = add_chart(app, deck, run_options);
+  auto* chart = add_chart(app, studies, run_options);
+  auto* map = add_map(app, studies, run_options);
   PublishedOptions published;
   auto* reproduce = add_reproduce(app, published, run_options);
   auto* vars = app.add_subcommand("vars", "the deck reference");
@@ -205,9 +220,10 @@ int main(int argc, char** argv) {
   run_options.command = typed(argc, argv);
   if (*check) return check_command(deck, options);
   if (*plan) return plan_command(deck, options, run_options.threads);
-  if (*sweep || *chart || *reproduce) share_cores(run_options);
+  if (*sweep || *chart || *map || *reproduce) share_cores(run_options);
   if (*sweep) return sweep_command(deck, run_options);
-  if (*chart) return chart_command(deck, run_options);
+  if (*chart) return chart_command(studies, run_options);
+  if (*map) return map_command(studies, run_options);
   if (*reproduce) return reproduce_command(published, run_options);
   if (*vars) return vars_command(group, markdown);
   if (*columns) return columns_command(markdown);

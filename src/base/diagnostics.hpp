@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/failure.hpp"
+
 namespace tether {
 
 /// A place in a text the user wrote. Lines and columns count from 1 (columns in bytes); line 0 means the whole file,
@@ -19,7 +21,12 @@ struct Place {
 /// A run that diverged or lost a point; the text names point, cell, time and likely cause. Exit code 3.
 class RunError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit RunError(const std::string& text, Failure failure = Failure::diverges)
+      : std::runtime_error(text), failure_(failure) {}
+  Failure failure() const { return failure_; }
+
+ private:
+  Failure failure_;
 };
 
 /// A file that could not be read or written; the text names it and the system's reason. Exit code 4.

@@ -28,7 +28,7 @@ Ending end_of(const std::string& name, const std::function<void()>& work) {
   } catch (const std::bad_alloc&) {
     return {exit_input, told("it needs more memory than there is")};
   } catch (const RunError& error) {
-    return {exit_run, told(error.what())};
+    return {exit_run, told(error.what()), error.failure()};
   } catch (const FileError& error) {
     return {exit_file, told(error.what())};
   } catch (const std::system_error& error) {  // as of a terminal or a pipe that takes no more text

@@ -6,7 +6,10 @@
 #include <ctime>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
+
+#include "base/failure.hpp"
 
 namespace tether {
 
@@ -17,6 +20,7 @@ constexpr int exit_done = 0, exit_input = 2, exit_run = 3, exit_file = 4, exit_v
 struct Ending {
   int exit_code = exit_done;
   std::string message;
+  std::optional<Failure> failure = {};  ///< of a run that went wrong (exit_run)
 };
 
 /// Does the work; what it throws becomes the exit code and the message, which begins with `name` unless it names its

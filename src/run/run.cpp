@@ -263,7 +263,7 @@ RunOutcome run(Plan plan, const RunRequest& request) {
   try {
     return runner.to_the_end();
   } catch (const RunError& error) {
-    throw RunError(runner.stopped(error.what()));
+    throw RunError(runner.stopped(error.what()), error.failure());
   }
 }
 

@@ -76,13 +76,15 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
        .what = "the least volume of an element over that at the start",
        .cause = "a body too soft for what acts on it, or steps too long",
        .limit = limits.quality,
+       .failure = Failure::inverts,
        .low = true,
        .worst = 1},
       "element_quality");
   add({.name = "splitting",
        .what = "the mismatch of the power across the interface",
        .cause = "a way of coupling that does not hold: mode='cut-cell' of $coupled does",
-       .limit = limits.splitting},
+       .limit = limits.splitting,
+       .failure = Failure::contradicts_energy},
       "interface_mismatch");
   add({.name = "cfl",
        .what = "the number of cells that the fluid crosses in a step",
@@ -105,13 +107,15 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
                   .key = SummaryKey("energy_step_largest"),
                   .what = "the rise of the energy in a step that no exchange explains, over the largest energy before,",
                   .cause = "steps too long, or a way of coupling that does not hold",
-                  .limit = limits.energy_step};
+                  .limit = limits.energy_step,
+                  .failure = Failure::contradicts_energy};
   energy_growth_ = {.name = "energy_growth",
                     .what =
                         "the rise of the energy since the start that no exchange explains, over the energy then or "
                         "exchanged since",
                     .cause = "steps too long, or a run that diverges",
-                    .limit = {.stop = limits.energy_growth.stop}};  // the run warns of it at its end
+                    .limit = {.stop = limits.energy_growth.stop},  // the run warns of it at its end
+                    .failure = Failure::contradicts_energy};
 }
 
 void Watch::look(const Record& record, const Solver& solver) {
@@ -189,7 +193,8 @@ void Watch::judge(Number& number, double value, double time, const Place& where)
                        place.empty() ? "" : ", of " + place, number.low ? "below" : "above", limit, number.name,
                        number.cause);
   };
-  if (passes(number.limit.stop)) throw RunError(fmt::format("t = {:.9g}: {}", time, text(number.limit.stop)));
+  if (passes(number.limit.stop))
+    throw RunError(fmt::format("t = {:.9g}: {}", time, text(number.limit.stop)), number.failure);
   if (number.told || !passes(number.limit.warn)) return;
   number.told = true;
   messages_.push_back(fmt::format("t = {:.6g}: {}", time, text(number.limit.warn)));

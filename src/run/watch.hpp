@@ -39,8 +39,9 @@ class Watch {
     const char* what = "";               // for people
     const char* cause = "";              // why it may be so
     Limit limit = {};
-    bool low = false;                    // smaller ones are worse
-    std::vector<std::size_t> from = {};  // the columns, of which the worst counts
+    Failure failure = Failure::diverges;  // of the run that passes it
+    bool low = false;                     // smaller ones are worse
+    std::vector<std::size_t> from = {};   // the columns, of which the worst counts
     double worst = 0;
     bool told = false;
   };

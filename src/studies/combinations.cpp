@@ -63,8 +63,27 @@ std::vector<double> ensemble_factors(double fraction, int runs) {
   return factors;
 }
 
+namespace {
+
+/// Of one deck; a map of one axis is one value high.
+BorderSearch search_of(const Study& study) {
+  std::array<std::size_t, 2> size{1, 1};
+  std::array<bool, 2> ordered{false, false};
+  const auto leading = leading_axes(study);
+  for (std::size_t k = 0; k < leading.size(); ++k) {
+    const auto& cells = study.axes[leading[k]].cells;
+    size[k] = cells.size(), ordered[k] = std::holds_alternative<double>(cells.front());
+  }
+  return {size, ordered, study.coarse};
+}
+
+}  // namespace
+
 Sequences::Sequences(const Study& study) : study_(study), numbers_(combinations(study).size(), 0) {
-  if (study.mode == Mode::bisect) bisections_.assign(numbers_.size(), Bisection(study.interval));
+  if (study.bisects())
+    bisections_.assign(numbers_.size(), Bisection(study.interval));
+  else if (study.mode == Mode::map)
+    searches_.assign(study.decks.size(), search_of(study));
 }
 
 std::vector<Variant> Sequences::first() {
@@ -75,19 +94,40 @@ std::vector<Variant> Sequences::first() {
       for (const double factor : ensemble_factors(study_.fraction, study_.runs))
         add(wanted, c, study_.own_values[c] * factor);
     }
-    if (study_.mode == Mode::bisect) {
+    if (study_.bisects()) {
       for (const Variant& variant : next(c)) wanted.push_back(variant);
     }
+  }
+  return searches_.empty() ? wanted : along_borders();
+}
+
+std::vector<Variant> Sequences::after(const FinishedRun& run) {
+  const std::size_t c = run.variant.combination;
+  if (!run.decides()) return {};  // a bisection, or a border, stays where it is
+  const bool holds = study_.criterion.holds(run.value(study_.criterion.key));
+  if (!bisections_.empty()) return bisections_[c].take(*run.variant.varied, holds), next(c);
+  if (searches_.empty()) return {};
+  const std::size_t squares = numbers_.size() / searches_.size();
+  searches_[c / squares].take(c % squares, holds);
+  return along_borders();
+}
+
+std::vector<Variant> Sequences::along_borders() {
+  std::vector<Variant> wanted;
+  const std::size_t squares = numbers_.size() / searches_.size();
+  for (std::size_t deck = 0; deck < searches_.size(); ++deck) {
+    for (const std::size_t square : searches_[deck].next()) add(wanted, deck * squares + square, {});
   }
   return wanted;
 }
 
-std::vector<Variant> Sequences::after(const FinishedRun& run) {
-  if (study_.mode != Mode::bisect) return {};
-  const std::size_t c = run.variant.combination;
-  if (!run.decides()) return {};  // the bisection stays where it is
-  bisections_[c].take(*run.variant.varied, study_.criterion.holds(run.value(study_.criterion.key)));
-  return next(c);
+std::vector<std::optional<std::size_t>> Sequences::deciding() const {
+  std::vector<std::optional<std::size_t>> all;
+  for (const BorderSearch& search : searches_) {
+    const std::size_t before = all.size();
+    for (const auto& by : search.deciding()) all.push_back(by ? std::optional(before + *by) : std::nullopt);
+  }
+  return all;
 }
 
 std::vector<Variant> Sequences::next(std::size_t combination) {

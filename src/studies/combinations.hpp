@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/border_search.hpp"
 #include "studies/run_record.hpp"
 #include "studies/study.hpp"
 
@@ -62,8 +63,9 @@ struct FinishedRun {
   }
 };
 
-/// Which runs a study wants, by its mode: a run of each combination (grid), several of each (ensemble), or one after
-/// the other of each (bisect). Knows nothing of how they are run.
+/// Which runs a study wants, by its mode: a run of each combination (grid), several of each (ensemble), one after
+/// the other of each (bisect, or map), or those along the border between combinations (map). Knows nothing of how they
+/// are run.
 class Sequences {
  public:
   explicit Sequences(const Study& study);
@@ -73,16 +75,20 @@ class Sequences {
   /// Those that are wanted now that this run has ended.
   std::vector<Variant> after(const FinishedRun& run);
 
-  /// One a combination, in mode bisect.
+  /// One a combination, where the study bisects.
   const std::vector<Bisection>& bisections() const { return bisections_; }
+  /// For each combination of a map that is followed along its border the one whose run decides it.
+  std::vector<std::optional<std::size_t>> deciding() const;
 
  private:
   void add(std::vector<Variant>& wanted, std::size_t combination, std::optional<double> varied);
   std::vector<Variant> next(std::size_t combination);
+  std::vector<Variant> along_borders();
 
   const Study& study_;
   std::vector<std::size_t> numbers_;  // runs wanted so far, a combination
   std::vector<Bisection> bisections_;
+  std::vector<BorderSearch> searches_;  // one a deck
 };
 
 }  // namespace tether

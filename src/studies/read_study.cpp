@@ -25,11 +25,6 @@ namespace fs = std::filesystem;
 /// More runs than this were never meant.
 constexpr double most_runs = 100000;
 
-Mode mode_of(const std::string& word) {
-  if (word == "chart") return Mode::chart;
-  return word == "grid" ? Mode::grid : word == "ensemble" ? Mode::ensemble : Mode::bisect;
-}
-
 /// Takes the study out of its deck; every mistake becomes a remark at its place.
 class StudyReader {
  public:
@@ -40,7 +35,7 @@ class StudyReader {
     study_.file = deck_.file();
     study_.text = deck_.text();
     study_.title = fmt::format("{}", fmt::join(deck_.header(), "\n"));
-    study_.mode = mode_of(text("study.mode"));
+    study_.mode = *find_word<Mode>(text("study.mode"));
     if (!diagnostics_.has_errors()) check_mode(deck_, study_.mode, remarks_);  // what was not read is not missing
     read_decks();
     for (const auto& at : given("study.set")) read_set(at[0]);
@@ -48,9 +43,11 @@ class StudyReader {
     for (const auto& at : given("study.linked")) link(at[0]);
     for (const auto& at : given("study.quantities")) study_.quantities.push_back(quantity("study.quantities", at[0]));
     study_.order = text("study.order");
-    if ((study_.mode == Mode::ensemble || study_.mode == Mode::bisect) && is_given("study.vary")) read_vary();
+    if (study_.mode != Mode::grid && study_.mode != Mode::chart && is_given("study.vary")) read_vary();
     if (study_.mode == Mode::ensemble) read_ensemble();
-    if (study_.mode == Mode::bisect) read_bisection();
+    if (study_.mode == Mode::bisect || study_.mode == Mode::map) read_criterion();
+    if (study_.bisects()) read_interval();
+    if (study_.mode == Mode::map) study_.coarse = static_cast<std::size_t>(deck_.integer("study.coarse"));
     check_decks(deck_, study_, remarks_, diagnostics_);
     if (check_number_of_runs() && study_.mode == Mode::ensemble) find_own_values();
     if (!diagnostics_.has_errors()) check_columns(study_, remarks_);
@@ -159,7 +156,7 @@ class StudyReader {
     if (is_given("study.runs")) study_.runs = deck_.integer("study.runs");
   }
 
-  void read_bisection() {
+  void read_criterion() {
     study_.criterion.key = quantity("study.criterion");
     if (is_given("study.at_least")) study_.criterion.at_least = number("study.at_least");
     if (is_given("study.at_most")) study_.criterion.at_most = number("study.at_most");
@@ -169,6 +166,9 @@ class StudyReader {
       remarks_.error("study.criterion", 1, "the criterion has no bound", "at_most=100.0, or at_least");
     if (study_.criterion.at_least > study_.criterion.at_most)
       remarks_.error("study.at_least", 1, "nothing lies between at_least and at_most");
+  }
+
+  void read_interval() {
     if (!is_given("study.low") || !is_given("study.high")) return;
     study_.interval = {number("study.low"), number("study.high"), number("study.tolerance")};
     if (!(study_.interval.low < study_.interval.high))
@@ -245,6 +245,8 @@ Study read_study(const std::string& file) {
   Study study = study_of(deck, diagnostics);
   if (study.mode == Mode::chart)
     StudyRemarks(deck, diagnostics).error("study.mode", 1, "this study is a chart", "tether chart makes it");
+  if (study.mode == Mode::map)
+    StudyRemarks(deck, diagnostics).error("study.mode", 1, "this study is a map", "tether map makes it");
   diagnostics.throw_if_errors();
   return study;
 }

@@ -63,7 +63,7 @@ std::optional<RunRecord> read_record(const std::filesystem::path& folder, const 
   const auto cpu = parse_real(lines["cpu_seconds"]), wall = parse_real(lines["wall_seconds"]);
   if (lines["key"] != key || !code || !cpu || !wall) return std::nullopt;
   if (*code == exit_done && !is_whole(folder, lines)) return std::nullopt;
-  return RunRecord{key, {static_cast<int>(*code), lines["message"]}, *cpu, *wall};
+  return RunRecord{key, {static_cast<int>(*code), lines["message"], find_word<Failure>(lines["failure"])}, *cpu, *wall};
 }
 
 void write_record(const std::filesystem::path& folder, const RunRecord& record) {
@@ -73,6 +73,7 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record) 
   std::string text = fmt::format("key = {}\nexit_code = {}\ncpu_seconds = {}\nwall_seconds = {}\n", record.key,
                                  record.ending.exit_code, record.cpu_seconds, record.wall_seconds);
   for (const auto& [name, file] : summed) text += fmt::format("{} = {}\n", name, file_sha256(folder / file));
+  if (record.ending.failure) text += fmt::format("failure = {}\n", word_of(*record.ending.failure));
   replace_file(folder / "run.txt", text + fmt::format("message = {}\n", record.ending.message));
 }
 

@@ -66,7 +66,7 @@ std::string meaning_of(const Study& study, const std::string& key) {
 void add_quantities(StudyTable& table, const Study& study, const std::vector<FinishedRun>& runs) {
   auto keys = study.quantities;
   const bool shown = std::find(keys.begin(), keys.end(), study.criterion.key) != keys.end();
-  const bool own = study.mode == Mode::bisect && !shown && study.criterion.key != exit_code_key;
+  const bool own = !study.criterion.key.empty() && !shown && study.criterion.key != exit_code_key;
   if (own) keys.push_back(study.criterion.key);
   for (const auto& key : keys) {
     table.columns.push_back(
@@ -84,20 +84,23 @@ void add_quantities(StudyTable& table, const Study& study, const std::vector<Fin
 }
 
 void add_varied(StudyTable& table, const Study& study, const std::vector<FinishedRun>& runs) {
-  if (study.mode == Mode::grid) return;
+  if (study.vary.variable.empty()) return;
   table.columns.push_back({study.vary.variable, "deck value that is varied", "",
                            numbers(runs, [](const auto& run) { return run.variant.varied.value(); })});
 }
 
-/// A run that ends well has its warnings for a message.
-double warnings_of(const FinishedRun& run) {
+}  // namespace
+
+double count_warnings(const Ending& ending) {
   constexpr std::string_view word = "warning: ";
-  const std::string& message = run.record.ending.message;
+  const std::string& message = ending.message;
   double count = 0;
-  if (run.failed()) return count;
+  if (ending.exit_code != exit_done) return count;
   for (auto at = message.find(word); at != std::string::npos; at = message.find(word, at + word.size())) ++count;
   return count;
 }
+
+namespace {
 
 void add_endings(StudyTable& table, const std::vector<FinishedRun>& runs) {
   const auto add = [&](const char* name, const char* meaning, const char* unit, auto cells) {
@@ -110,7 +113,7 @@ void add_endings(StudyTable& table, const std::vector<FinishedRun>& runs) {
   add("exit_code", "0 done, 2 input wrong, 3 run diverged, 4 file trouble, 128 + n killed by signal n", "1",
       numbers(runs, [](const auto& run) { return run.record.ending.exit_code; }));
   add("warnings", "warnings of a run that came to its end, which stand in message", "1",
-      numbers(runs, [](const auto& run) { return warnings_of(run); }));
+      numbers(runs, [](const auto& run) { return count_warnings(run.record.ending); }));
   add("message", "why the run failed, or its warnings", "",
       texts(runs, [](const auto& run) { return run.record.ending.message; }));
   add("folder", "folder of the run, from the table's", "",
@@ -147,7 +150,8 @@ StudyTable run_table(const Study& study, const std::vector<FinishedRun>& runs) {
   Numbers number;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const Variant& variant = runs[k].variant;
-    const std::size_t place = study.mode == Mode::bisect ? k : variant.combination * each + variant.number;
+    const std::size_t place =
+        study.mode != Mode::grid && study.mode != Mode::ensemble ? k : variant.combination * each + variant.number;
     number.push_back(static_cast<double>(place + 1));
   }
   StudyTable table{"run", {{"run", "number of the run", "1", number}}};

@@ -31,14 +31,19 @@ constexpr std::size_t longest_message = 4096;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(exit_signal + SIGKILL);  // it died before it could be watched
   const Ending ending = work();
-  const auto written = write(pipe_end, ending.message.data(), std::min(ending.message.size(), longest_message));
+  const std::string text = fmt::format("{}\n{}", ending.failure ? word_of(*ending.failure) : "", ending.message);
+  const auto written = write(pipe_end, text.data(), std::min(text.size(), longest_message));
   _exit(written < 0 ? exit_file : ending.exit_code);
 }
 
-std::string read_message(int pipe_end) {
-  std::array<char, longest_message> text{};
-  const auto length = read(pipe_end, text.data(), text.size());
-  return {text.data(), static_cast<std::size_t>(std::max(length, ssize_t{0}))};
+/// How a process ended that says so through its pipe: the failure in the first line, then the message.
+Ending read_ending(int pipe_end, int exit_code) {
+  std::array<char, longest_message> chars{};
+  const auto length = read(pipe_end, chars.data(), chars.size());
+  const std::string text(chars.data(), static_cast<std::size_t>(std::max(length, ssize_t{0})));
+  const auto end = text.find('\n');
+  if (end == std::string::npos) return {exit_code, text};
+  return {exit_code, text.substr(end + 1), find_word<Failure>(text.substr(0, end))};
 }
 
 double seconds(const timeval& time) {
@@ -82,7 +87,7 @@ std::optional<Finished> Workers::take() {
     if (WIFSIGNALED(status))
       finished.ending = {exit_signal + WTERMSIG(status), fmt::format("killed by signal {}\n", WTERMSIG(status))};
     else
-      finished.ending = {WEXITSTATUS(status), read_message(process.message)};
+      finished.ending = read_ending(process.message, WEXITSTATUS(status));
     close(process.message);
     running_.erase(id);
     return finished;

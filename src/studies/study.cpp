@@ -28,4 +28,12 @@ std::string Bisection::verdict() const {
   return fails_ - holds_ <= interval_.tolerance * larger ? "found" : "not yet";
 }
 
+std::vector<std::size_t> leading_axes(const Study& study) {
+  std::vector<std::size_t> leading;
+  for (std::size_t a = 0; a < study.axes.size(); ++a) {
+    if (study.axes[a].leader == a) leading.push_back(a);
+  }
+  return leading;
+}
+
 }  // namespace tether

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -56,7 +57,14 @@ class Bisection {
   double holds_ = std::numeric_limits<double>::quiet_NaN(), fails_ = holds_;
 };
 
-enum class Mode { grid, ensemble, bisect, chart };
+enum class Mode { grid, ensemble, bisect, chart, map };
+
+template <>
+inline constexpr std::array<Word<Mode>, 5> words<Mode>{{{Mode::grid, "grid"},
+                                                        {Mode::ensemble, "ensemble"},
+                                                        {Mode::bisect, "bisect"},
+                                                        {Mode::chart, "chart"},
+                                                        {Mode::map, "map"}}};
 
 /// A deck value and the values that it takes in turn.
 struct StudyAxis {
@@ -102,6 +110,13 @@ struct Study {
   std::vector<double> own_values;  ///< ensemble: the varied value as each combination has it, a combination each
   Interval interval;
   Criterion criterion;
+  std::size_t coarse = 1;  ///< map: every how-manieth value of an axis is run, whatever the others come to
+
+  /// Whether a value is halved to where the criterion ends to hold.
+  bool bisects() const { return mode == Mode::bisect || (mode == Mode::map && !vary.variable.empty()); }
 };
+
+/// The axes that move by themselves.
+std::vector<std::size_t> leading_axes(const Study& study);
 
 }  // namespace tether

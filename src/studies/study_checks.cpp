@@ -48,39 +48,44 @@ namespace {
 
 constexpr unsigned bit(Mode mode) { return 1U << static_cast<unsigned>(mode); }
 constexpr unsigned grid = bit(Mode::grid), ensemble = bit(Mode::ensemble), bisect = bit(Mode::bisect),
-                   chart = bit(Mode::chart);
+                   chart = bit(Mode::chart), a_map = bit(Mode::map);
 
 /// For which modes a variable of $study is, and which of them need it.
 struct Rule {
   AnyVariable name;
   unsigned modes;
-  bool required = false;
+  unsigned needed_by = 0;
   bool is_for(Mode mode) const { return (modes & bit(mode)) != 0; }
+  bool is_needed_by(Mode mode) const { return (needed_by & bit(mode)) != 0; }
 };
 
 constexpr std::array rules{
-    Rule{"study.axis", grid | ensemble | bisect},
-    Rule{"study.linked", grid | ensemble | bisect},
+    Rule{"study.axis", grid | ensemble | bisect | a_map},
+    Rule{"study.linked", grid | ensemble | bisect | a_map},
     Rule{"study.order", grid},
-    Rule{"study.quantities", grid | ensemble, true},
-    Rule{"study.vary", ensemble | bisect, true},
-    Rule{"study.fraction", ensemble, true},
-    Rule{"study.runs", ensemble, true},
-    Rule{"study.low", bisect, true},
-    Rule{"study.high", bisect, true},
-    Rule{"study.tolerance", bisect},
-    Rule{"study.criterion", bisect, true},
-    Rule{"study.at_least", bisect},
-    Rule{"study.at_most", bisect},
-    Rule{"study.is", chart, true},
-    Rule{"study.exact", chart, true},
-    Rule{"study.family", chart, true},
+    Rule{"study.quantities", grid | ensemble, grid | ensemble},
+    Rule{"study.vary", ensemble | bisect | a_map, ensemble | bisect},
+    Rule{"study.fraction", ensemble, ensemble},
+    Rule{"study.runs", ensemble, ensemble},
+    Rule{"study.low", bisect | a_map, bisect},
+    Rule{"study.high", bisect | a_map, bisect},
+    Rule{"study.tolerance", bisect | a_map},
+    Rule{"study.criterion", bisect | a_map, bisect | a_map},
+    Rule{"study.at_least", bisect | a_map},
+    Rule{"study.at_most", bisect | a_map},
+    Rule{"study.coarse", a_map},
+    Rule{"study.theory", a_map},
+    Rule{"study.is", chart, chart},
+    Rule{"study.exact", chart, chart},
+    Rule{"study.family", chart, chart},
     Rule{"study.family_set", chart},
-    Rule{"study.cells", chart, true},
+    Rule{"study.family_deck", chart},
+    Rule{"study.cells", chart, chart},
     Rule{"study.steps", chart},
     Rule{"study.space_order", chart},
     Rule{"study.step_order", chart},
     Rule{"study.setting", chart},
+    Rule{"study.answer_by", chart},
 };
 
 /// Keys of summary.txt that are numbers of the run itself; the table has the cost of the whole process anyhow.
@@ -181,7 +186,7 @@ void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks) {
     const bool given = !deck.given_elements(rule.name).empty();
     if (given && !rule.is_for(mode)) {
       remarks.error(rule.name, 1, fmt::format("{} is not for mode '{}'", rule.name, word));
-    } else if (!given && rule.is_for(mode) && rule.required) {
+    } else if (!given && rule.is_needed_by(mode)) {
       remarks.error("study.mode", 1, fmt::format("a study of mode '{}' needs {}", word, rule.name));
     }
   }
@@ -201,7 +206,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
   }
   if (study.decks.empty()) return;  // told; nothing can be known of keys
   check_quantities(deck, study, keys.known(), remarks);
-  if (study.mode == Mode::bisect) check_criterion(study, keys.known(), remarks);
+  if (study.mode == Mode::bisect || study.mode == Mode::map) check_criterion(study, keys.known(), remarks);
   check_order(study, keys.known(), remarks);
 }
 

@@ -28,12 +28,6 @@ void remove_earlier_outcome(const fs::path& folder) {
   }
 }
 
-void write_files(const fs::path& stem, const StudyTable& table, const Study& study, const std::string& command) {
-  const auto file = [&stem](const char* ending) { return fs::path(stem).concat(ending); };
-  write_netcdf(file(".nc"), table, {study.title, command, study.text, sha256(study.text), Units::none});
-  replace_file(file(".csv"), csv_text(table));
-}
-
 /// For people: without what is wide, and without the axes that only follow.
 std::string report_text(const Study& study, const StudyTable& table) {
   std::set<std::string> hidden{"wall_seconds", "message", "folder", "reused"};
@@ -56,11 +50,6 @@ std::string failures_text(const std::vector<FinishedRun>& runs) {
     ++number;
   }
   return text;
-}
-
-std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
-  const auto in_trouble = [](const FinishedRun& run) { return run.record.ending.exit_code == exit_file; };
-  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
 }
 
 /// The bisections that found nothing: both ends agree, or a run ended that tells nothing.
@@ -100,6 +89,17 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
 
 }  // namespace
 
+void write_table(const fs::path& stem, const StudyTable& table, const Study& study, const std::string& command) {
+  const auto file = [&stem](const char* ending) { return fs::path(stem).concat(ending); };
+  write_netcdf(file(".nc"), table, {study.title, command, study.text, sha256(study.text), Units::none});
+  replace_file(file(".csv"), csv_text(table));
+}
+
+std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
+  const auto in_trouble = [](const FinishedRun& run) { return run.record.ending.exit_code == exit_file; };
+  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
+}
+
 SweepResult sweep(const Study& study, const SweepOptions& options) {
   const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
   remove_earlier_outcome(options.out);
@@ -107,7 +107,7 @@ SweepResult sweep(const Study& study, const SweepOptions& options) {
   Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
   const auto [runs, signal] = scheduler.run_all(sequences);
   const StudyTable table = run_table(study, runs);
-  write_files(options.out / "table", table, study, options.command);
+  write_table(options.out / "table", table, study, options.command);
   SweepResult result{report_text(study, table) + failures_text(runs),
                      signal == 0 ? broken_verdicts(study, sequences.bisections()) : std::vector<std::string>{}, signal,
                      count_file_trouble(runs)};
@@ -115,7 +115,7 @@ SweepResult sweep(const Study& study, const SweepOptions& options) {
   if (study.mode == Mode::grid) return result;
   const StudyTable outcome =
       study.mode == Mode::ensemble ? ensemble_table(study, runs) : bisection_table(study, runs, sequences.bisections());
-  write_files(options.out / "outcome", outcome, study, options.command);
+  write_table(options.out / "outcome", outcome, study, options.command);
   result.report += fmt::format("\n{}", report_text(study, outcome));
   return result;
 }

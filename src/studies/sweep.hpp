@@ -8,6 +8,7 @@
 
 #include "studies/scheduler.hpp"
 #include "studies/study.hpp"
+#include "studies/table.hpp"
 
 namespace tether {
 
@@ -32,6 +33,13 @@ struct SweepResult {
 /// outcome.csv, a row a combination, of what is finished, also after a signal. A run that fails is a row like any
 /// other. Throws FileError, also where another process works in the same folder.
 SweepResult sweep(const Study& study, const SweepOptions& options);
+
+/// Writes a study's table as STEM.nc and STEM.csv. Throws FileError.
+void write_table(const std::filesystem::path& stem, const StudyTable& table, const Study& study,
+                 const std::string& command);
+
+/// How many could not read or write a file.
+std::size_t count_file_trouble(const std::vector<FinishedRun>& runs);
 
 /// The runs that are known before the first has ended, a line each: whether it is finished, its deck, its overrides.
 std::string list_runs(const Study& study, const std::filesystem::path& out);

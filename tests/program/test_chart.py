@@ -48,7 +48,7 @@ class Charts(ChartTest):
         self.assertIn("answer 3.3333333e-07, exact", report)
         self.assertRegex(report, r"elements: (1\.[89]|2\.[012])\d \(2 by theory\); (1\.[89]|2\.[012])\d \(2 by theory\)")
         self.assertRegex(report, r"points: .*; not studied")
-        self.assertRegex(report, r"published setting: elements: mesh\.cells\(2,1\)=40 in\.tstep=2\.5d-4, error")
+        self.assertRegex(report, r"published setting: run 4, elements: mesh\.cells\(2,1\)=40, error")
         self.assertIn("the cheapest choice for a lasting error of\n    10 %  ", report)
         table = netcdf(self.out / "chart.nc")
         self.assertEqual([float(row["error"]) for row in rows], list(table["error"]))
@@ -57,7 +57,7 @@ class Charts(ChartTest):
         honest = self.chart(BAR + EXACT + ELEMENTS + POINTS, "--quiet")
         self.assertEqual(honest.stdout, "")
         front = lambda: (self.out / "chart.txt").read_text().split("and seconds:\n")[1].split("\n\n")[0]
-        self.assertIn("points: in.ny=13", front())
+        self.assertIn("run 8, points: in.ny=13", front())
         shifted = POINTS.replace("""in.path='mpm'\"""", """in.path='mpm'", 'in.gravc=-1.05e-3'""")
         self.assertNotEqual(shifted, POINTS)
         self.chart(BAR + EXACT + ELEMENTS + shifted, "--quiet")

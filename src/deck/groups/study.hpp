@@ -15,9 +15,11 @@ inline constexpr int most_decks = 20, most_axes = 20, most_sets = 50, most_quant
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 inline constexpr std::array study_rows{
-    Variable{study_group, "mode", text, 0, 1, 1, "", -none, none, "grid|ensemble|bisect|chart", "'grid'",
+    Variable{study_group, "mode", text, 0, 1, 1, "", -none, none, "grid|ensemble|bisect|chart|map", "'grid'",
              "All combinations of the axes; or several runs of each with a value varied about its own; or the largest "
-             "value of each for which a criterion holds; or error against cost of families of runs."},
+             "value of each for which a criterion holds; or error against cost of families of runs; or where over one "
+             "or two axes a criterion "
+             "holds."},
     Variable{study_group, "decks", text, 1, most_decks, 1, "", -none, none, "", "",
              "Base decks, each a path from the study deck's folder, at most one folder up."},
     Variable{study_group, "axis", text, 1, most_axes, 1, "", -none, none, "", "",
@@ -32,7 +34,8 @@ inline constexpr std::array study_rows{
     Variable{study_group, "order", text, 0, 1, 1, "", -none, none, "", "''",
              "Column against which the observed order of each error_ quantity is told, along axis 1 (grid)."},
     Variable{study_group, "vary", text, 0, 1, 1, "", -none, none, "", "''",
-             "Real deck value, 'group.name', that an ensemble or a bisection varies."},
+             "Real deck value, 'group.name', that an ensemble or a bisection varies; in a map it is bisected for each "
+             "combination of the axes."},
     Variable{study_group, "fraction", real, 0, 1, 1, "", above_zero, none, "", "",
              "Ensemble: the value is varied evenly from 1 - fraction to 1 + fraction times its own."},
     Variable{study_group, "runs", integer, 0, 1, 1, "", 2, 100000, "", "", "Ensemble: number of runs."},
@@ -50,6 +53,12 @@ inline constexpr std::array study_rows{
              "Bisection: the criterion holds from this value on."},
     Variable{study_group, "at_most", real, 0, 1, 1, "", -none, none, "", "",
              "Bisection: the criterion holds up to this value."},
+    Variable{study_group, "coarse", integer, 0, 1, 1, "", 1, 1000, "", "5",
+             "Map without vary: every how-manieth value of an axis is run in any case; between them runs follow the "
+             "border."},
+    Variable{study_group, "theory", text, 0, 1, 1, "", -none, none, "", "''",
+             "Map: where theory has the border, in values of vary, else of the last axis of numbers; an expression as "
+             "those of $published, read off a run that holds."},
 };
 
 inline constexpr int most_families = 40, most_together = 10;
@@ -64,6 +73,8 @@ inline constexpr std::array chart_rows{
         "Chart: the answer, an expression likewise, or 'converged': what the finest runs of the families lead to."},
     Variable{study_group, "family", text, 1, most_families, 1, "", -none, none, "", "",
              "Chart: name of family k of runs, those by one path or method from coarse to fine."},
+    Variable{study_group, "family_deck", integer, 1, most_families, 1, "", 1, most_decks, "", "1",
+             "Deck that family k runs: decks(family_deck(k))."},
     Variable{study_group, "family_set", text, 2, most_together, most_families, "", -none, none, "", "",
              "Value j that all runs of family k share, 'group.name=value'."},
     Variable{study_group, "cells", text, 2, most_together, most_families, "", -none, none, "", "",
@@ -74,6 +85,8 @@ inline constexpr std::array chart_rows{
     Variable{study_group, "space_order", real, 1, most_families, 1, "", above_zero, none, "", "",
              "Order of family k in space by its theory, shown next to what is found."},
     Variable{study_group, "step_order", real, 1, most_families, 1, "", above_zero, none, "", "", "The same in time."},
+    Variable{study_group, "answer_by", integer, 0, 1, 1, "", 1, most_families, "", "",
+             "Chart of a converged answer: the family whose cells lead to it; without it the best bounded one."},
     Variable{study_group, "setting", integer, 1, 2, 1, "", 1, 1000, "", "",
              "Chart: family and number of the run that was published; cheaper ones that are as accurate are named."},
 };

@@ -146,10 +146,12 @@ void CoupledStep::check(const CoupledState& state) const {
   if (shape.least > 0) return;
   const int node = solids_.system.solids.mesh.element(shape.worst)[0];
   const Vec<3> x = place_of(state.q, node, surface_.dim);
-  throw RunError(fmt::format(
-      "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, {}", state.time,
-      state.steps + 1, shape.worst + 1, x[0], x[1], surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : "",
-      splitting ? too_much_added_mass : "a solid too soft for what acts on it, or steps too long for its motion"));
+  throw RunError(
+      fmt::format(
+          "t = {:.9g}, step {}: element {} at ({:.6g}, {:.6g}{}) is turned inside out: likely cause, {}", state.time,
+          state.steps + 1, shape.worst + 1, x[0], x[1], surface_.dim == 3 ? fmt::format(", {:.6g}", x[2]) : "",
+          splitting ? too_much_added_mass : "a solid too soft for what acts on it, or steps too long for its motion"),
+      Failure::inverts);
 }
 
 /// A warning once. What the last solution holds is then not what its forces ask for.

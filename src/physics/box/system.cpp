@@ -17,8 +17,8 @@
 namespace tether::coupled {
 namespace {
 
-[[noreturn]] void refuse(double time, const std::string& what) {
-  throw RunError(fmt::format("t = {:.9g}: {}", time, what));
+[[noreturn]] void refuse(double time, const std::string& what, Failure failure = Failure::diverges) {
+  throw RunError(fmt::format("t = {:.9g}: {}", time, what), failure);
 }
 
 /// Reduced equations that have a solution.
@@ -97,9 +97,11 @@ void CoupledSystem::solve_by_gradients(const CoupledEquations& equations, double
   const KrylovResult result = parts_->schur.solve(equations, with, scene_.tolerance, u, p);
   cost_.iterations += result.iterations;
   if (!result.converged)
-    refuse(time, fmt::format("conjugate gradients do not converge in {} iterations: solver='direct' of $coupled needs "
-                             "none; likely cause, values that ran away",
-                             result.iterations));
+    refuse(time,
+           fmt::format("conjugate gradients do not converge in {} iterations: solver='direct' of $coupled needs "
+                       "none; likely cause, values that ran away",
+                       result.iterations),
+           Failure::does_not_converge);
 }
 
 void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double time, std::span<double> u,
@@ -186,7 +188,8 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   }
   const KrylovResult result = parts_->schur.solve_pressures(equations, pinned, right, scene_.tolerance, p);
   cost_.iterations += result.iterations;
-  if (!result.converged) refuse(time, "conjugate gradients do not converge for the pressures");
+  if (!result.converged)
+    refuse(time, "conjugate gradients do not converge for the pressures", Failure::does_not_converge);
 }
 
 void CoupledSystem::let_go() { parts_->schur.let_go(); }

@@ -35,10 +35,10 @@ FlowSolver::FlowSolver(const Plan& plan, int threads)
   unknowns_.copy_to_twins(state_.v, 2);
   const FlowReport report = step_.start(state_, plan.step.deck_step);
   if (!report.converged)
-    throw RunError(
-        fmt::format("t = 0: no incompressible velocities are found for the start: residuals over the "
-                    "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
-                    residuals_text(report.residuals)));
+    throw RunError(fmt::format("t = 0: no incompressible velocities are found for the start: residuals over the "
+                               "tolerance's{}: likely cause, a velocity at the start that its sides contradict",
+                               residuals_text(report.residuals)),
+                   Failure::does_not_converge);
   tracers_.start(plan.scene.solids(), state_);
   if (step_.immersed() && flow_.integrator == FlowIntegrator::steady) steady_bodies_.emplace(step_, flow_);
   if (step_.immersed()) overlaps_.emplace(step_.immersed()->solids());
@@ -138,7 +138,8 @@ void FlowSolver::check_kinetic_energy() const {
   throw RunError(
       fmt::format("t = {:.9g}, step {}: the kinetic energy is negative, {:.4g}: likely cause, bodies lighter than the "
                   "fluid whose elements are too coarse beside the fluid's: they take more mass from it than there is",
-                  state_.time, state_.steps, both));
+                  state_.time, state_.steps, both),
+      Failure::contradicts_energy);
 }
 
 void FlowSolver::stop(double dt, const FlowReport& report) const {
@@ -153,13 +154,15 @@ void FlowSolver::stop(double dt, const FlowReport& report) const {
       fmt::format("node {} at ({:.6g}, {:.6g}) with {:.4g}", worst + 1, place[0], place[1], fastest);
   const std::string residuals = residuals_text(report.residuals);
   if (flow_.integrator == FlowIntegrator::steady) stop_steady(dt, report, there);
-  throw RunError(fmt::format(
-      "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; "
-      "residuals over the tolerance's{}; fastest is {}: likely cause, {}steps too long for the flow",
-      state_.time, state_.steps + 1, dt, most_halvings, residuals, there,
-      light_bodies_ ? "bodies lighter than the fluid, whose elements are to be no coarser than the fluid's and which "
-                      "are to be stiff enough for the mass that they take from it, or "
-                    : ""));
+  throw RunError(
+      fmt::format("t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; "
+                  "residuals over the tolerance's{}; fastest is {}: likely cause, {}steps too long for the flow",
+                  state_.time, state_.steps + 1, dt, most_halvings, residuals, there,
+                  light_bodies_
+                      ? "bodies lighter than the fluid, whose elements are to be no coarser than the fluid's and which "
+                        "are to be stiff enough for the mass that they take from it, or "
+                      : ""),
+      Failure::does_not_converge);
 }
 
 /// Names the last Reynolds number, or with bodies the last part of the loads, that was reached.
@@ -171,13 +174,15 @@ void FlowSolver::stop_steady(double dt, const FlowReport& report, const std::str
     return flow_.speed > 0 ? fmt::format("a Reynolds number of {:.6g}", density * flow_.speed * flow_.length / mu)
                            : fmt::format("a viscosity of {:.6g}", mu);
   };
-  throw RunError(fmt::format(
-      "no steady {} is found at {}: residuals over the tolerance's{}{}; the last one that converged has {}; "
-      "fastest there is {}: likely cause, {}a mesh too coarse for it, steps of continuation too long, or no steady "
-      "flow that is stable",
-      steady_bodies_ ? "solution" : "flow", reached(state_.time + dt), residuals_text(report.residuals), report.cause,
-      state_.time > 0 ? reached(state_.time) : std::string("none"), fastest,
-      steady_bodies_ ? "bodies too soft for these loads, " : ""));
+  throw RunError(
+      fmt::format(
+          "no steady {} is found at {}: residuals over the tolerance's{}{}; the last one that converged has {}; "
+          "fastest there is {}: likely cause, {}a mesh too coarse for it, steps of continuation too long, or no steady "
+          "flow that is stable",
+          steady_bodies_ ? "solution" : "flow", reached(state_.time + dt), residuals_text(report.residuals),
+          report.cause, state_.time > 0 ? reached(state_.time) : std::string("none"), fastest,
+          steady_bodies_ ? "bodies too soft for these loads, " : ""),
+      Failure::does_not_converge);
 }
 
 RunCounts FlowSolver::counts() const {

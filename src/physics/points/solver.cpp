@@ -56,6 +56,8 @@ std::string beyond(const BackgroundGrid& grid, const Walls& walls, double x, dou
   return fmt::format("left the grid by the {} edge (wall {}): likely cause, {}", name, static_cast<int>(wall), cause);
 }
 
+bool is_inside_out(const Points& P, std::size_t p) { return !P.fxx.empty() && !(deformation(P, p).volume_ratio() > 0); }
+
 std::string what_happened(const State& state, const Walls& walls, const Trouble& trouble, double dt) {
   const Points& P = state.points;
   const std::size_t p = trouble.slot;
@@ -70,7 +72,7 @@ std::string what_happened(const State& state, const Walls& walls, const Trouble&
     case TroubleKind::unsound:
       if (const double rho = P.at(&Points::rho, p); rho < 0)
         return fmt::format("has the negative density {:.4g}: likely cause, dt div v below -1", rho);
-      if (!P.fxx.empty() && !(deformation(P, p).volume_ratio() > 0))
+      if (is_inside_out(P, p))
         return fmt::format(
             "is turned inside out (J = {:.4g}): likely cause, a step too long, or a squeeze beyond what "
             "the law or the grid carries (law='neo-hookean' resists it, 'svk' softens)",
@@ -84,6 +86,17 @@ std::string what_happened(const State& state, const Walls& walls, const Trouble&
   return "";
 }
 
+Failure failure_of(const State& state, const Trouble& trouble) {
+  const Points& P = state.points;
+  const std::size_t p = trouble.slot;
+  const bool placed = std::isfinite(P.x[p]) && std::isfinite(P.y[p]);
+  if (trouble.kind == TroubleKind::at_open_edge || (trouble.kind == TroubleKind::left_grid && placed))
+    return Failure::loses_points;
+  if (trouble.kind == TroubleKind::unsound && (P.at(&Points::rho, p) < 0 || is_inside_out(P, p)))
+    return Failure::inverts;
+  return Failure::diverges;
+}
+
 }  // namespace
 
 void stop_on_trouble(const State& state, const Plan& plan, const Trouble& trouble, double dt) {
@@ -93,7 +106,8 @@ void stop_on_trouble(const State& state, const Plan& plan, const Trouble& troubl
   throw RunError(fmt::format("t = {:.9g}, step {}: point {} (body {}, {}) at ({:.6g}, {:.6g}) in {} {}{}",
                              state.time + dt, state.steps + 1, state.points.id[p] + 1, b + 1, plan.scene.bodies[b].name,
                              x, y, cell_text(state.grid.frame.deck, x, y),
-                             what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)));
+                             what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)),
+                 failure_of(state, trouble));
 }
 
 void stop_on_vanishing_step(const State& state, const char* waves, double dt) {

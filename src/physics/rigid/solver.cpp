@@ -47,12 +47,14 @@ RigidReport RigidSolver::try_step(double dt) {
 
 void RigidSolver::stop(double dt, const RigidReport& report) const {
   const std::span<const double> residuals(report.residuals.data(), static_cast<std::size_t>(report.iterations) + 1);
-  throw RunError(fmt::format(
-      "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; residuals "
-      "over the terms of the balance{}; the body turns by {:.3g} in such a step: likely cause, a step too "
-      "long for its turning, or loads too large",
-      state_.time, state_.steps + 1, dt, most_halvings, residuals_text(residuals),
-      dt * rigid_angular_velocity(system_.body, state_.body).norm()));
+  throw RunError(
+      fmt::format(
+          "t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} times; residuals "
+          "over the terms of the balance{}; the body turns by {:.3g} in such a step: likely cause, a step too "
+          "long for its turning, or loads too large",
+          state_.time, state_.steps + 1, dt, most_halvings, residuals_text(residuals),
+          dt * rigid_angular_velocity(system_.body, state_.body).norm()),
+      Failure::does_not_converge);
 }
 
 RunCounts RigidSolver::counts() const {

@@ -50,10 +50,10 @@ void SolidSolver::start() {
   const NewtonReport report = step_.settle(state_, 0);
   state_.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (report.converged) return;
-  throw RunError(
-      fmt::format("t = 0: no equilibrium with the loads of the start is found: residuals over the largest "
-                  "force{}: likely cause, loads too large for one step",
-                  residuals_text(report.residuals)));
+  throw RunError(fmt::format("t = 0: no equilibrium with the loads of the start is found: residuals over the largest "
+                             "force{}: likely cause, loads too large for one step",
+                             residuals_text(report.residuals)),
+                 Failure::does_not_converge);
 }
 
 void SolidSolver::advance(double until, long long most) {
@@ -126,7 +126,8 @@ void SolidSolver::stop(double dt, const NewtonReport& report) const {
                   "cause, a step or a load increment too long, or an element turned inside out",
                   state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report.residuals), node + 1,
                   state_.q[node * static_cast<std::size_t>(system_.dim())],
-                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]));
+                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]),
+      Failure::does_not_converge);
 }
 
 RunCounts SolidSolver::counts() const {

@@ -20,10 +20,11 @@ struct Ladder {
 /// Runs by one path or method.
 struct Family {
   std::string name;
-  std::vector<std::string> sets;  ///< group.name=value, of all its runs
-  Ladder cells;
-  Ladder steps;  ///< on the middle one of the meshes; none where the deck does not study them
-  std::optional<double> space_order, step_order;  ///< of theory
+  std::size_t deck = 0;                ///< of the study's decks
+  std::vector<std::string> sets = {};  ///< group.name=value, of all its runs
+  Ladder cells = {};
+  Ladder steps = {};  ///< on the middle one of the meshes; none where the deck does not study them
+  std::optional<double> space_order = {}, step_order = {};  ///< of theory
 };
 
 /// What a chart deck says.
@@ -32,6 +33,7 @@ struct Chart {
   published::Readout value;  ///< of a finished run
   published::Readout exact;  ///< the answer; empty: what the finest runs lead to
   std::vector<Family> families;
+  std::optional<std::size_t> answered_by;  ///< family whose runs lead to a converged answer; none: the best bounded
   std::optional<std::array<std::size_t, 2>> setting;  ///< family and run that were published, from 0
 };
 

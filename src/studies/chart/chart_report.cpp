@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -14,12 +15,14 @@ constexpr std::array tolerances{0.1, 0.03, 0.01, 0.003, 0.001};
 
 std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.3g} %", 100 * part) : "-"; }
 
-/// "family, overrides" of a run.
-std::string name_of(const Chart& chart, const ChartRun& run) {
-  const Family& family = chart.families[run.family];
+/// A factor below this is within what processor times scatter by.
+constexpr double least_factor = 1.2;
+
+/// "run 3, family: in.nx=9", with the first of the values that make it finer.
+std::string name_of(const Chart& chart, const std::vector<ChartRun>& runs, std::size_t k) {
+  const Family& family = chart.families[runs[k].family];
   const std::size_t own = chart.study.sets.size() + family.sets.size();
-  return fmt::format("{}: {}", family.name,
-                     fmt::join(run.study.sets.begin() + static_cast<std::ptrdiff_t>(own), run.study.sets.end(), " "));
+  return fmt::format("run {}, {}: {}", k + 1, family.name, runs[k].study.sets[own]);
 }
 
 std::vector<Point> points_of(const Measurement& measurement, double Measured::*cost) {
@@ -30,10 +33,17 @@ std::vector<Point> points_of(const Measurement& measurement, double Measured::*c
 
 std::string answer_text(const Chart& chart, const Measurement& measurement) {
   if (!std::isfinite(measurement.answer))
-    return "no answer: no run shows the exact one, or no family's runs converge\n";
-  if (chart.exact) return fmt::format("answer {:.8g}, exact\n", measurement.answer);
-  return fmt::format("answer {:.8g} +- {:.2g}, converged: what the cells of {} lead to, by Richardson\n",
-                     measurement.answer, measurement.bound, chart.families[measurement.answered_by].name);
+    return "no answer: no run shows the exact one, or no family's cells converge with an order that can be trusted\n";
+  if (chart.exact)
+    return fmt::format("answer {:.8g}, exact{}\n", measurement.answer,
+                       measurement.answer == 0 ? "; errors are sizes, since nothing is a part of it" : "");
+  std::string text = fmt::format("answer {:.8g} +- {:.2g}, converged: what the cells of {} lead to, by Richardson\n",
+                                 measurement.answer, measurement.bound, chart.families[measurement.answered_by].name);
+  for (const std::size_t f : measurement.contradicting)
+    text +=
+        fmt::format("  {} leads elsewhere, by more than both bounds: models differ, or an answer is not that good\n",
+                    chart.families[f].name);
+  return text;
 }
 
 std::string front_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement,
@@ -42,8 +52,28 @@ std::string front_text(const Chart& chart, const std::vector<ChartRun>& runs, co
   const auto points = points_of(measurement, cost);
   for (const std::size_t k : front(points))
     text += fmt::format("  {:>10} {:>10.4g} {}  {}\n", percent(points[k].error), points[k].cost, unit,
-                        name_of(chart, runs[k]));
+                        name_of(chart, runs, k));
   return text;
+}
+
+/// Seconds for each tolerance, a line a family.
+std::string cheapest_of_families(const Chart& chart, const std::vector<ChartRun>& runs,
+                                 const Measurement& measurement) {
+  std::string text = "\nits seconds by each family alone, for a lasting error of\n";
+  for (const double tolerance : tolerances) text += fmt::format("{:>10}", percent(tolerance));
+  for (std::size_t f = 0; f < chart.families.size(); ++f) {
+    auto points = points_of(measurement, &Measured::seconds);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      if (runs[k].family != f) points[k].error = NAN;
+    }
+    text += "\n";
+    for (const double tolerance : tolerances) {
+      const auto best = cheapest(points, tolerance);
+      text += fmt::format("{:>10}", best ? fmt::format("{:.3g}", points[*best].cost) : "-");
+    }
+    text += "  " + chart.families[f].name;
+  }
+  return text + "\n";
 }
 
 std::string cheapest_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement) {
@@ -52,9 +82,9 @@ std::string cheapest_text(const Chart& chart, const std::vector<ChartRun>& runs,
   for (const double tolerance : tolerances) {
     const auto best = cheapest(points, tolerance);
     text += fmt::format("  {:>6}  {}\n", percent(tolerance),
-                        best ? fmt::format("{:.4g} s  {}", points[*best].cost, name_of(chart, runs[*best])) : "none");
+                        best ? fmt::format("{:.4g} s  {}", points[*best].cost, name_of(chart, runs, *best)) : "none");
   }
-  return text;
+  return text + cheapest_of_families(chart, runs, measurement);
 }
 
 /// "1.96 (2 by theory)", or what stands in its way.
@@ -68,33 +98,44 @@ std::string order_text(const std::vector<double>& size, const std::vector<double
   return order.first > 0 ? text + fmt::format(", from run {} on", order.first + 1) : text;
 }
 
+/// The same for steps, by their means: those that a limit cuts do not grow shorter.
+std::string steps_text(const std::vector<double>& size, const std::vector<double>& value, double answer,
+                       std::optional<double> theory) {
+  if (size.empty()) return "not studied";
+  if (!std::ranges::all_of(value, [](double each) { return std::isfinite(each); })) return "not all runs end well";
+  if (std::ranges::adjacent_find(size, [](double a, double b) { return !(b < 0.99 * a); }) != size.end())
+    return "a limit cuts the steps: they do not all grow shorter";
+  const auto errors = errors_of_steps(size, value, answer);
+  if (errors.empty() || std::isnan(errors.front())) return "values do not converge with the step";
+  return order_text(size, errors, theory) + fmt::format(", {} by the longest step", percent(errors.front()));
+}
+
 std::string orders_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement) {
   std::string text = "\norders of the error in cells; in steps, of what is the step's part of it\n";
   for (std::size_t f = 0; f < chart.families.size(); ++f) {
     const Family& family = chart.families[f];
     const auto cells = numbers_of(runs, measurement, f, Of::cells, &Measured::error);
     const auto values = numbers_of(runs, measurement, f, Of::steps, &Measured::value);
-    const auto steps = errors_of_steps(family.steps.size, values, measurement.answer);
-    text += fmt::format("  {}: {}; {}{}\n", family.name, order_text(family.cells.size, cells, family.space_order),
-                        order_text(family.steps.size, steps, family.step_order),
-                        steps.empty() ? "" : fmt::format(", {} by the longest step", percent(steps.front())));
+    const auto sizes = numbers_of(runs, measurement, f, Of::steps, &Measured::step);
+    text += fmt::format("  {}: {}; {}\n", family.name, order_text(family.cells.size, cells, family.space_order),
+                        steps_text(sizes, values, measurement.answer, family.step_order));
   }
   return text;
 }
 
-/// What is as accurate as the published setting and cheaper.
+/// What is as accurate as the published run itself, on finer meshes, too, and cheaper.
 std::string setting_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement) {
   if (!chart.setting) return "";
   std::size_t k = 0;
   while (runs[k].family != (*chart.setting)[0] || runs[k].of != Of::cells || runs[k].rung != (*chart.setting)[1]) ++k;
   const Measured& published = measurement.runs[k];
-  std::string text = fmt::format("\npublished setting: {}, error {}, {:.4g} s\n", name_of(chart, runs[k]),
-                                 percent(published.lasting), published.seconds);
-  const auto best = cheapest(points_of(measurement, &Measured::seconds), published.lasting);
-  if (!best || *best == k) return text + "  no cheaper one is as accurate\n";
-  const Measured& found = measurement.runs[*best];
-  return text + fmt::format("  {:.3g} times cheaper, error {}: {}\n", published.seconds / found.seconds,
-                            percent(found.lasting), name_of(chart, runs[*best]));
+  std::string text = fmt::format("\npublished setting: {}, error {}, lasting {}, {:.4g} s\n", name_of(chart, runs, k),
+                                 percent(published.error), percent(published.lasting), published.seconds);
+  const auto best = cheapest(points_of(measurement, &Measured::seconds), published.error);
+  const double factor = best ? published.seconds / measurement.runs[*best].seconds : 0;
+  if (factor < least_factor) return text + "  none that is as accurate is cheaper by a fifth\n";
+  return text + fmt::format("  {:.3g} times cheaper, lasting error {}: {}\n", factor,
+                            percent(measurement.runs[*best].lasting), name_of(chart, runs, *best));
 }
 
 }  // namespace

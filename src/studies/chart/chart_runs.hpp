@@ -28,18 +28,27 @@ std::vector<ChartRun> runs_of(const Chart& chart);
 struct Measured {
   double value = std::numeric_limits<double>::quiet_NaN();
   double exact = value;
-  double error = value;    ///< over the answer
-  double lasting = value;  ///< the largest error of it and the family's finer meshes; none of runs that study steps
+  double error = value;  ///< over the answer, where that is not 0
+  /// The largest error of it, of the family's finer meshes, and of what a converged answer may be off; none of runs
+  /// that study steps.
+  double lasting = value;
   double seconds = value, megabytes = value;
+  double step = value;  ///< the mean of those that it took: limits may cut the deck's own
 };
 
 /// What all runs came to, in their order, and the answer.
 struct Measurement {
   std::vector<Measured> runs;
   double answer = std::numeric_limits<double>::quiet_NaN();
-  double bound = 0;             ///< of what a converged answer may be off
-  std::size_t answered_by = 0;  ///< the family whose runs it is from
+  double bound = 0;                             ///< of what a converged answer may be off
+  std::size_t answered_by = 0;                  ///< the family whose runs it is from
+  std::vector<std::size_t> contradicting = {};  ///< families that lead elsewhere, by more than both bounds
 };
+
+/// What a family's cells lead to, as far as it can be trusted: its values come near it with an order of 0.5 or more,
+/// and not above theory's by more than 1 (5 where there is none). The bound is the larger of its distance from the
+/// finest value and that from what the meshes before led to. None for fewer than three meshes.
+std::optional<Limit> trusted_limit(const Family& family, const std::vector<double>& values);
 
 /// Errors from values, and where there is no exact answer, the answer: the limit that is best bounded of those that the
 /// families' cells lead to.

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/diagnostics.hpp"
 #include "base/file.hpp"
@@ -12,8 +13,10 @@
 #include "base/text.hpp"
 #include "results/text_file.hpp"
 #include "studies/chart/chart_runs.hpp"
+#include "studies/combinations.hpp"
 #include "studies/reproduce/files.hpp"
 #include "studies/run_pool.hpp"
+#include "studies/run_table.hpp"
 #include "studies/sweep.hpp"
 #include "studies/table.hpp"
 
@@ -33,6 +36,23 @@ std::vector<StudyRun> planned(const std::vector<ChartRun>& runs, const fs::path&
   return all;
 }
 
+/// Runs that are the same one are made once.
+std::vector<RunEnd> run_each_once(const std::vector<StudyRun>& runs, const ChartOptions& options) {
+  std::map<std::string, std::size_t> place;  // by key, among those that are made
+  std::vector<StudyRun> made;
+  std::vector<std::size_t> of;
+  for (const StudyRun& run : runs) {
+    const auto [found, fresh] =
+        place.try_emplace(run_key(read_deck(run.study, combinations(run.study).front())), made.size());
+    if (fresh) made.push_back(run);
+    of.push_back(found->second);
+  }
+  const auto ends = run_all(made, options.shares, options.command, options.progress);
+  std::vector<RunEnd> all;
+  for (const std::size_t k : of) all.push_back(ends[k]);
+  return all;
+}
+
 /// A number that a run does not show is none.
 double read(const published::Readout& readout, const published::RunFiles& files) {
   if (!readout) return NAN;
@@ -49,6 +69,7 @@ Measured measured(const Chart& chart, const RunEnd& end) {
   const published::RunFiles files(end.folder);
   run.value = read(chart.value, files), run.exact = read(chart.exact, files);
   run.seconds = files.summary("cpu_seconds"), run.megabytes = files.summary("peak_memory_mb");
+  run.step = files.summary("time_end") / files.summary("steps");
   return run;
 }
 
@@ -61,26 +82,31 @@ TableColumn column(const char* name, const char* meaning, std::vector<Cell> cell
 StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement,
                     const std::vector<RunEnd>& ends) {
   std::vector<std::string> family, of, values, folder;
-  std::vector<double> size, value, error, lasting, seconds, megabytes, exit_code;
+  std::vector<double> number, size, value, error, lasting, seconds, megabytes, warnings, exit_code;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const Family& each = chart.families[runs[k].family];
     const Measured& run = measurement.runs[k];
     family.push_back(each.name), of.emplace_back(runs[k].of == Of::cells ? "cells" : "steps");
     values.push_back(fmt::format("{}", fmt::join(runs[k].study.sets, " ")));
-    size.push_back((runs[k].of == Of::cells ? each.cells : each.steps).size[runs[k].rung]);
+    number.push_back(static_cast<double>(k + 1));
+    size.push_back(runs[k].of == Of::cells ? each.cells.size[runs[k].rung] : run.step);
     value.push_back(run.value), error.push_back(run.error), lasting.push_back(run.lasting);
     seconds.push_back(run.seconds), megabytes.push_back(run.megabytes);
+    warnings.push_back(count_warnings(ends[k].ending));
     exit_code.push_back(ends[k].ending.exit_code), folder.push_back(ends[k].folder.string());
   }
   return {"run",
-          {column("family", "family of runs", family), column("of", "what the run studies: cells or steps", of),
-           column("size", "of a cell, over the scene's, or of a step", size),
+          {column("run", "number of the run", number, "1"), column("family", "family of runs", family),
+           column("of", "what the run studies: cells or steps", of),
+           column("size", "of a cell, over the scene's, or the mean of the run's steps", size),
            column("value", "what was read off the run", value),
            column("error", "its distance from the answer, over the answer", error, "1"),
-           column("lasting_error", "the largest of it and of the family's finer meshes, which counts in the front",
-                  lasting, "1"),
+           column("lasting_error",
+                  "the largest of it, of the family's finer meshes, and of what a converged answer may be off", lasting,
+                  "1"),
            column("cpu_seconds", "of the run", seconds, "s"),
            column("peak_memory_mb", "of its process", megabytes, "1e6 byte"),
+           column("warnings", "of the run, which stand in messages.txt of its folder", warnings, "1"),
            column("exit_code", "0 for a run that ended well", exit_code),
            column("settings", "values that the run has in place of the deck's", values),
            column("folder", "the run's", folder)}};
@@ -99,17 +125,15 @@ std::string failures_text(const std::vector<ChartRun>& runs, const std::vector<R
 
 ChartResult make_chart(const Chart& chart, const ChartOptions& options) {
   const std::vector<ChartRun> runs = runs_of(chart);
-  const auto ends = run_all(planned(runs, options.out / "runs"), options.shares, options.command, options.progress);
+  const auto ends = run_each_once(planned(runs, options.out / "runs"), options);
   Measurement measurement;
   for (const auto& end : ends) measurement.runs.push_back(measured(chart, end));
   find_errors(chart, runs, measurement);
   const StudyTable table = table_of(chart, runs, measurement, ends);
-  write_netcdf(options.out / "chart.nc", table,
-               {chart.study.title, options.command, chart.study.text, sha256(chart.study.text), Units::none});
-  replace_file(options.out / "chart.csv", csv_text(table));
+  write_table(options.out / "chart", table, chart.study, options.command);
   ChartResult result;
-  result.report = aligned_text(table, {"family", "of", "size", "value", "error", "lasting_error", "cpu_seconds",
-                                       "peak_memory_mb"}) +
+  result.report = aligned_text(table, {"run", "family", "of", "size", "value", "error", "lasting_error", "cpu_seconds",
+                                       "peak_memory_mb", "warnings"}) +
                   "\n" + report_text(chart, runs, measurement) + failures_text(runs, ends);
   replace_file(options.out / "chart.txt", result.report);
   for (const auto& end : ends) {

@@ -2,6 +2,7 @@
 #include "studies/chart/read_chart.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -12,7 +13,7 @@
 #include "studies/chart/chart_runs.hpp"
 #include "studies/combinations.hpp"
 #include "studies/read_study.hpp"
-#include "studies/reproduce/read_formula.hpp"
+#include "studies/reading_checks.hpp"
 #include "studies/study_checks.hpp"
 
 namespace tether::chart {
@@ -39,33 +40,28 @@ class ChartReader {
       remarks_.error("study.mode", 1, "this study is no chart", "mode='chart' makes it one; tether sweep runs others");
       return std::move(chart_);
     }
-    if (chart_.study.decks.size() > 1)
-      remarks_.error("study.decks", chart_.study.decks[1].number, "a chart is of one deck",
-                     "path of $in, set by a family, runs it by another path");
-    chart_.value = reading("study.is");
-    if (deck_.text("study.exact") != converged) chart_.exact = reading("study.exact");
     for (const auto& at : deck_.given_elements("study.family")) read_family(at[0]);
     for (const AnyVariable name : Variables{"study.family_set", "study.cells", "study.steps"}) tell_of_orphans(name);
     if (deck_.given("study.setting", 1)) read_setting();
+    if (deck_.given("study.answer_by")) read_answer_by();
     if (!diagnostics_.has_errors()) check_runs();
+    if (diagnostics_.has_errors() && written_.columns.empty()) return std::move(chart_);  // names cannot be judged
+    chart_.value = checked_reading(deck_, "study.is", written_, remarks_);
+    if (deck_.text("study.exact") != converged)
+      chart_.exact = checked_reading(deck_, "study.exact", written_, remarks_);
     return std::move(chart_);
   }
 
  private:
-  published::Readout reading(TextVariable name) {
-    if (!deck_.given(name)) return {};  // told by the mode
-    const published::ReadReading read = published::read_reading(deck_.text(name));
-    remarks_.tell(name, 1, read.mistakes);
-    return read.reading;
-  }
-
   void read_family(int k) {
-    Family family{deck_.text("study.family", k), {}, {}, {}, order("study.space_order", k),
-                  order("study.step_order", k)};
+    Family family{.name = deck_.text("study.family", k),
+                  .deck = deck_of(k),
+                  .space_order = order("study.space_order", k),
+                  .step_order = order("study.step_order", k)};
     numbers_[k] = chart_.families.size();
     if (!names_.insert(family.name).second)
       remarks_.error("study.family", k, fmt::format("two families are called '{}'", family.name));
-    owners_.clear();
+    owners_ = owners_of_sets();
     for (const auto& at : deck_.given_elements("study.family_set")) {
       if (at[1] == k) read_set(at, family);
     }
@@ -77,6 +73,28 @@ class ChartReader {
       remarks_.error("study.family", k, fmt::format("family {} has no cells", k),
                      fmt::format("cells(1,{})='in.nx=9,17,33'", k));
     chart_.families.push_back(std::move(family));
+  }
+
+  /// The elements that all runs' values set.
+  std::map<std::string, std::string> owners_of_sets() const {
+    std::map<std::string, std::string> owners;
+    for (const auto& at : deck_.given_elements("study.set")) {
+      const Assignment assignment = read_assignment(deck_.text("study.set", at[0]), Taken::together);
+      for (const auto& element : assignment.all) owners.try_emplace(element, fmt::format("set({})", at[0]));
+    }
+    return owners;
+  }
+
+  /// decks(family_deck(k)), by its place among those that are given.
+  std::size_t deck_of(int k) {
+    const int number = deck_.integer("study.family_deck", k);
+    const auto& decks = chart_.study.decks;
+    const auto found =
+        std::find_if(decks.begin(), decks.end(), [&](const BaseDeck& deck) { return deck.number == number; });
+    if (found != decks.end()) return static_cast<std::size_t>(found - decks.begin());
+    if (!decks.empty())
+      remarks_.error("study.family_deck", k, fmt::format("there is no deck {}", number), "decks names it");
+    return 0;
   }
 
   std::optional<double> order(RealVariable name, int k) const {
@@ -140,6 +158,15 @@ class ChartReader {
     }
   }
 
+  void read_answer_by() {
+    const auto found = numbers_.find(deck_.integer("study.answer_by"));
+    if (found == numbers_.end())
+      return remarks_.error("study.answer_by", 1, "there is no such family", "family names it");
+    if (deck_.text("study.exact") != converged)
+      remarks_.error("study.answer_by", 1, "the answer is given: no family is asked for it", "exact='converged'");
+    chart_.answered_by = found->second;
+  }
+
   void read_setting() {
     const auto found = numbers_.find(deck_.integer("study.setting", 1));
     const std::size_t runs = found == numbers_.end() ? 0 : chart_.families[found->second].cells.size.size();
@@ -155,8 +182,10 @@ class ChartReader {
     for (const ChartRun& run : runs_of(chart_)) {
       if (told.count(run.family) > 0) continue;
       const Ending ending = end_of(chart_.study.file, [&] {
+        const Deck deck = read_deck(run.study, {0, {}});
         Diagnostics of_the_run;
-        load_scene(read_deck(run.study, {0, {}}), {}, of_the_run);
+        load_scene(deck, {}, of_the_run);
+        if (run.rung == 0 && run.of == Of::cells) add_written(deck, written_);
       });
       if (ending.exit_code == exit_done) continue;
       told.insert(run.family);
@@ -177,6 +206,7 @@ class ChartReader {
   Diagnostics& diagnostics_;
   StudyRemarks remarks_;
   Chart chart_;
+  Written written_;                     // by a run of each family
   std::map<int, std::size_t> numbers_;  // family(k) -> its place among the families
   std::set<std::string> names_;
   std::map<std::string, std::string> owners_;  // of the elements that a family sets

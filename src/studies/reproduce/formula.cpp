@@ -16,6 +16,32 @@ Formula::Formula(Parts parts) : parts_(std::move(parts)) {
   }
 }
 
+std::vector<std::string> Formula::keys() const {
+  std::vector<std::string> keys = parts_.names;
+  for (const Call& call : parts_.calls) {
+    for (std::size_t k = 0; k < call.arguments.size(); ++k) {
+      if (call.function->arguments[k] != ArgumentKind::number) continue;
+      const auto more = std::get<std::shared_ptr<const Formula>>(call.arguments[k])->keys();
+      keys.insert(keys.end(), more.begin(), more.end());
+    }
+  }
+  return keys;
+}
+
+std::vector<std::string> Formula::columns() const {
+  std::vector<std::string> columns;
+  for (const Call& call : parts_.calls) {
+    for (std::size_t k = 0; k < call.arguments.size(); ++k) {
+      if (call.function->arguments[k] == ArgumentKind::column)
+        columns.push_back(std::get<std::string>(call.arguments[k]));
+      if (call.function->arguments[k] != ArgumentKind::number) continue;
+      const auto more = std::get<std::shared_ptr<const Formula>>(call.arguments[k])->columns();
+      columns.insert(columns.end(), more.begin(), more.end());
+    }
+  }
+  return columns;
+}
+
 Numbers Formula::of_calls(const RunFiles& run) const {
   Numbers values;
   for (const Call& call : parts_.calls) values.push_back(call.function->value(run, call.arguments));

@@ -20,7 +20,8 @@ using Argument = std::variant<std::string, std::shared_ptr<const Formula>>;
 
 /// What an argument of a function is.
 enum class ArgumentKind {
-  word,      ///< a name: a column of the history, a field, a key, a value of the deck
+  word,      ///< a name: a field, a key, a value of the deck
+  column,    ///< a column of the history
   number,    ///< a formula of keys and functions
   of_each,   ///< a formula of the fields of points or nodes
   snapshot,  ///< first, last, or a number from 0
@@ -53,6 +54,10 @@ class Formula {
   explicit Formula(Parts parts);
 
   const std::vector<std::string>& names() const { return parts_.names; }
+  /// Keys of summary.txt that its value is made from, and columns of history.txt, in its own text and in that of what
+  /// its functions take.
+  std::vector<std::string> keys() const;
+  std::vector<std::string> columns() const;
   /// Whether the deck that ran is all that it needs: it has no names, and no function of what the run wrote.
   bool of_deck() const { return of_deck_; }
 

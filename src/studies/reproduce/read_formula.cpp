@@ -180,6 +180,7 @@ ReadReading read_reading(const std::string& text) {
   if (!read.mistakes.empty()) return read;
   read.reading = [formula](const RunFiles& run) { return formula->of_run(run); };
   read.of_deck = formula->of_deck();
+  read.keys = formula->keys(), read.columns = formula->columns();
   return read;
 }
 

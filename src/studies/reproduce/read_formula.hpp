@@ -20,6 +20,7 @@ struct ReadReading {
   Readout reading;
   bool of_deck = false;  ///< it needs the deck that ran and nothing that the run wrote
   std::vector<Mistake> mistakes;
+  std::vector<std::string> keys = {}, columns = {};  ///< of summary.txt and of history.txt that it reads
 };
 
 /// A number of a finished run as a deck asks for it: an expression (base/expression.hpp) of keys of summary.txt and of

@@ -32,12 +32,12 @@ std::size_t largest(const Numbers& values) {
 double first_of(const RunFiles& run, const Arguments& a) { return column_of(run, a[0]).front(); }
 double last_of(const RunFiles& run, const Arguments& a) { return column_of(run, a[0]).back(); }
 double min_of(const RunFiles& run, const Arguments& a) {
-  const Numbers column = column_of(run, a[0]);
-  return column[least(column)];
+  const Numbers records = column_of(run, a[0]);
+  return records[least(records)];
 }
 double max_of(const RunFiles& run, const Arguments& a) {
-  const Numbers column = column_of(run, a[0]);
-  return column[largest(column)];
+  const Numbers records = column_of(run, a[0]);
+  return records[largest(records)];
 }
 double time_of_min(const RunFiles& run, const Arguments& a) { return run.column("time")[least(column_of(run, a[0]))]; }
 double time_of_max(const RunFiles& run, const Arguments& a) {
@@ -45,30 +45,30 @@ double time_of_max(const RunFiles& run, const Arguments& a) {
 }
 
 double mean_after(const RunFiles& run, const Arguments& a) {
-  const Numbers time = run.column("time"), column = column_of(run, a[0]);
+  const Numbers time = run.column("time"), records = column_of(run, a[0]);
   const double from = number_of(run, a[1]);
   Numbers since;
   for (std::size_t k = 0; k < time.size(); ++k) {
-    if (time[k] > from) since.push_back(column[k]);
+    if (time[k] > from) since.push_back(records[k]);
   }
   return mean(since);
 }
 
 double settles(const RunFiles& run, const Arguments& a) {
-  const Numbers time = run.column("time"), column = column_of(run, a[0]);
+  const Numbers time = run.column("time"), records = column_of(run, a[0]);
   const double band = number_of(run, a[1]);
   std::size_t record = 0;
-  while (std::abs(column[record] - column.back()) > band) ++record;
+  while (std::abs(records[record] - records.back()) > band) ++record;
   return time[record];
 }
 
 /// What swings from one side to the other and back returns to its first extreme on the side where it began.
 double returns_to(const RunFiles& run, const Arguments& a) {
   const Numbers time = run.column("time");
-  Numbers column = column_of(run, a[0]);
-  const double side = column.front() < 0 ? -1 : 1;
-  for (double& value : column) value *= side;
-  return side * first_maximum_after(time, column, first_minimum(time, column).time).value;
+  Numbers records = column_of(run, a[0]);
+  const double side = records.front() < 0 ? -1 : 1;
+  for (double& value : records) value *= side;
+  return side * first_maximum_after(time, records, first_minimum(time, records).time).value;
 }
 
 double snapshot_time(const RunFiles& run, const Arguments& a) { return run.time(snapshot_of(run.snapshots(), a[0])); }
@@ -89,24 +89,24 @@ double outcome(const RunFiles& run, const Arguments& a) { return run.outcome(wor
 double of_reference(const RunFiles& run, const Arguments& a) { return number_of(run.reference(), a[0]); }
 
 const std::vector<ReadingFunction> functions{
-    {"first", {word}, false, "first(column) is the first record of a column of the history.", first_of},
-    {"last", {word}, false, "last(column) is the last record.", last_of},
-    {"min", {word}, false, "min(column) is the least record.", min_of},
-    {"max", {word}, false, "max(column) is the largest record.", max_of},
-    {"time_of_min", {word}, false, "time_of_min(column) is the time of the first least record.", time_of_min},
-    {"time_of_max", {word}, false, "time_of_max(column) is the time of the first largest record.", time_of_max},
+    {"first", {column}, false, "first(column) is the first record of a column of the history.", first_of},
+    {"last", {column}, false, "last(column) is the last record.", last_of},
+    {"min", {column}, false, "min(column) is the least record.", min_of},
+    {"max", {column}, false, "max(column) is the largest record.", max_of},
+    {"time_of_min", {column}, false, "time_of_min(column) is the time of the first least record.", time_of_min},
+    {"time_of_max", {column}, false, "time_of_max(column) is the time of the first largest record.", time_of_max},
     {"mean_after",
-     {word, number},
+     {column, number},
      false,
      "mean_after(column, t) is the mean of the records after the time t.",
      mean_after},
     {"settles",
-     {word, number},
+     {column, number},
      false,
      "settles(column, band) is the first time at which the column is as near to its last record as the band.",
      settles},
     {"returns_to",
-     {word},
+     {column},
      false,
      "returns_to(column) is the extreme of a swing when it is back on the side where it began.",
      returns_to},

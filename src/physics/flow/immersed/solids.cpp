@@ -75,7 +75,8 @@ void ImmersedSolids::place(std::span<const double> x, double time) {
   throw RunError(
       fmt::format("t = {:.9g}: node {} of the solids, at the start at ({:.6g}, {:.6g}), leaves the fluid's mesh at "
                   "({:.6g}, {:.6g}): likely cause, a body that the flow carries out, or steps too long",
-                  time, n + 1, solids_.mesh.x[2 * n], solids_.mesh.x[2 * n + 1], x[2 * n], x[2 * n + 1]));
+                  time, n + 1, solids_.mesh.x[2 * n], solids_.mesh.x[2 * n + 1], x[2 * n], x[2 * n + 1]),
+      Failure::loses_points);
 }
 
 void ImmersedSolids::start(FlowState& state, double dt) {

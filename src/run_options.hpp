@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tether {
+
+/// What the command line says of a run, or of many.
+struct RunOptions {
+  std::string out;      ///< empty: out/<deck name>, out/charts/<name>, out/maps/<name>
+  int threads = 0;      ///< of a run; 0: as many as are worth it
+  int jobs = 0;         ///< runs of a sweep side by side
+  std::string restart;  ///< checkpoint to go on from; empty: from the start
+  bool quiet = false;
+  bool dry_run = false;
+  std::string command;  ///< as it was typed, for provenance
+};
+
+/// Which published problems are wanted, and what is done with them beside what RunOptions say.
+struct PublishedOptions {
+  std::vector<std::string> names;  ///< none: all
+  std::string decks = "decks";     ///< folder of their decks
+  std::string write;               ///< file for the table in Markdown; empty for none
+};
+
+}  // namespace tether

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/map/make_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/diagnostics.hpp"
+#include "base/file.hpp"
+#include "results/text_file.hpp"
+#include "studies/reproduce/files.hpp"
+#include "studies/run_table.hpp"
+
+namespace tether::map {
+namespace {
+
+/// What theory says is read off runs that hold; one that does not show it has none.
+double theory_of(const Map& map, const FinishedRun& run, const std::filesystem::path& out) {
+  if (!map.theory || run.failed()) return NAN;
+  try {
+    return map.theory(published::RunFiles(run_folder(out, run.record.key)));
+  } catch (const FileError&) {
+    return NAN;
+  }
+}
+
+/// Of squares by what was run: their combinations become rows of the runs.
+std::vector<std::optional<std::size_t>> rows_of(const std::vector<std::optional<std::size_t>>& deciding,
+                                                const std::vector<FinishedRun>& runs) {
+  std::map<std::size_t, std::size_t> row;
+  for (std::size_t k = 0; k < runs.size(); ++k) row[runs[k].variant.combination] = k;
+  std::vector<std::optional<std::size_t>> rows;
+  for (const auto& by : deciding) rows.push_back(by ? std::optional(row.at(*by)) : std::nullopt);
+  return rows;
+}
+
+/// Of a map that was stopped nothing follows for squares that were not run.
+void keep_own(const std::vector<FinishedRun>& runs, std::vector<std::optional<std::size_t>>& decided_by) {
+  for (std::size_t k = 0; k < decided_by.size(); ++k) {
+    if (decided_by[k] && runs[*decided_by[k]].variant.combination != k) decided_by[k].reset();
+  }
+}
+
+std::size_t count_telling_nothing(const Outcome& outcome) {
+  const auto runs = std::count(outcome.verdicts.begin(), outcome.verdicts.end(), "tells nothing");
+  const auto lost = std::count_if(outcome.bisections.begin(), outcome.bisections.end(),
+                                  [](const Bisection& bisection) { return !bisection.found(); });
+  return static_cast<std::size_t>(runs + lost);
+}
+
+}  // namespace
+
+MapResult make_map(const Map& map, const SweepOptions& options) {
+  const Study& study = map.study;
+  const FolderLock lock(options.out, study.file);
+  Sequences sequences(study);
+  Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
+  auto [runs, signal] = scheduler.run_all(sequences);
+  Outcome outcome;
+  for (const FinishedRun& run : runs) {
+    outcome.verdicts.push_back(verdict_of(study.criterion, run));
+    outcome.theory.push_back(theory_of(map, run, options.out));
+  }
+  outcome.finished = signal == 0;
+  outcome.decided_by = rows_of(sequences.deciding(), runs);
+  if (!outcome.finished) keep_own(runs, outcome.decided_by);
+  outcome.bisections = sequences.bisections();
+  outcome.runs = std::move(runs);
+  StudyTable table = run_table(study, outcome.runs);
+  table.columns.push_back({"verdict", "how the run stands to the criterion", "", outcome.verdicts});
+  write_table(options.out / "table", table, study, options.command);
+  write_table(options.out / "map", squares_table(map, outcome), study, options.command);
+  MapResult result{report_text(map, outcome), signal, count_file_trouble(outcome.runs), count_telling_nothing(outcome)};
+  replace_file(options.out / "map.txt", result.report);
+  return result;
+}
+
+}  // namespace tether::map

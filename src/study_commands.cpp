@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_commands.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include "base/diagnostics.hpp"
+#include "base/process.hpp"
+#include "command_support.hpp"
+#include "progress.hpp"
+#include "studies/chart/make_chart.hpp"
+#include "studies/chart/read_chart.hpp"
+#include "studies/map/make_map.hpp"
+#include "studies/map/read_map.hpp"
+#include "studies/read_study.hpp"
+#include "studies/reproduce/reproduce.hpp"
+#include "studies/sweep.hpp"
+
+namespace tether {
+namespace {
+
+void refuse_file_trouble(std::size_t runs) {
+  if (runs > 0)
+    throw FileError(fmt::format("{} runs could not read or write a file; the same command tries them again", runs));
+}
+
+void refuse_interruption(int signal, const std::filesystem::path& folder) {
+  if (signal != 0)
+    throw Interrupted(signal,
+                      fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
+}
+
+/// False where a bisection found nothing.
+bool run_sweep(const std::string& name, const RunOptions& options) {
+  const Study study = read_study(name);
+  const auto folder = folder_of(name, options, false);
+  if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
+  ProgressLine progress(name, options.quiet);
+  const SweepResult result = sweep(study, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
+  refuse_interruption(result.signal, folder);
+  refuse_file_trouble(result.file_trouble);
+  return result.verdicts.empty();
+}
+
+/// False where a run did not end well.
+bool run_chart(const std::string& name, const RunOptions& options, const std::filesystem::path& folder) {
+  const chart::Chart chart = chart::read_chart(name);
+  if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
+  ProgressLine progress(name, options.quiet);
+  const chart::ChartResult result =
+      make_chart(chart, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  refuse_file_trouble(result.file_trouble);
+  return result.failed == 0;
+}
+
+/// False where a run tells nothing, or a bisection found nothing.
+bool run_map(const std::string& name, const RunOptions& options, const std::filesystem::path& folder) {
+  const map::Map map = map::read_map(name);
+  if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
+  ProgressLine progress(name, options.quiet);
+  const map::MapResult result =
+      make_map(map, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  refuse_interruption(result.signal, folder);
+  refuse_file_trouble(result.file_trouble);
+  return result.telling_nothing == 0;
+}
+
+using MakeStudy = bool (*)(const std::string& name, const RunOptions& options, const std::filesystem::path& folder);
+
+/// Each in a folder of its own, by default below out/KIND, so that none is that of a run of the same name.
+int make_each(const std::vector<std::string>& names, const RunOptions& options, const char* kind, MakeStudy make) {
+  RunOptions own = options;
+  const bool several = names.size() > 1 || options.out.empty();
+  if (own.out.empty()) own.out = std::filesystem::path("out") / kind;
+  int worst = guarded("tether", [&] { refuse_shared_folders(names, own); });
+  if (worst != exit_done) return worst;
+  for (const auto& name : names) {
+    bool good = true;
+    const int code = guarded(name, [&] { good = make(name, own, folder_of(name, own, several)); });
+    worst = std::max(worst, code == exit_done && !good ? exit_verdict : code);
+    if (worst > exit_signal) break;
+  }
+  return worst;
+}
+
+/// False where a method does not agree where it is judged.
+bool run_published(const PublishedOptions& published, const RunOptions& options) {
+  ProgressLine progress("reproduce", options.quiet);
+  const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
+  const ReproduceOptions how{published.decks,   out, published.write, options.jobs, options.threads, options.command,
+                             std::ref(progress)};
+  if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
+  const ReproduceResult result = reproduce(published.names, how);
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", result.report);
+  for (const auto& row : result.disagreed) fmt::print(stderr, "reproduce: error: {}\n", row);
+  refuse_file_trouble(result.file_trouble);
+  return result.disagreed.empty();
+}
+
+}  // namespace
+
+int sweep_command(const std::string& name, const RunOptions& options) {
+  bool all_found = true;
+  const int code = guarded(name, [&] { all_found = run_sweep(name, options); });
+  return code == exit_done && !all_found ? exit_verdict : code;
+}
+
+int chart_command(const std::vector<std::string>& studies, const RunOptions& options) {
+  return make_each(studies, options, "charts", run_chart);
+}
+
+int map_command(const std::vector<std::string>& studies, const RunOptions& options) {
+  return make_each(studies, options, "maps", run_map);
+}
+
+int reproduce_command(const PublishedOptions& published, const RunOptions& options) {
+  bool all_agree = true;
+  const int code = guarded("reproduce", [&] { all_agree = run_published(published, options); });
+  return code == exit_done && !all_agree ? exit_verdict : code;
+}
+
+}  // namespace tether

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""tether map: where over deck values a criterion holds, runs along the border alone, and the map decks that it refuses."""
+import signal
+import subprocess
+import time
+import unittest
+
+from program import DECKS, TETHER, diagnostics, netcdf
+from sweeps import SweepTest, rows_of
+
+GROWTH = """mode='map', decks='../decks/stability-centre.in', criterion='energy_growth', at_most=100.
+set='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tstep=1.0', 'in.dtmax=1.0', 'in.tiout(33)=1.d-4', 'in.tiout(34)=1.d-4'
+"""
+PLACES = "axis(1)='in.xleft=0.,.05,.1,.15,.2,.25,.3,.35,.4,.45', axis(2)='in.xright=5.,5.05,5.1,5.15,5.2,5.25,5.3,5.35,5.4,5.45', linked(2)=1\n"
+STEPS = "axis(3)='mpm.cfl=.8,1.,1.2,1.4,1.6,1.8,2.,2.2,2.4,2.6'\n"
+THEORY = """theory='1/sqrt(max(.3455*(1 - .3455*(1 - 4*deck(in.xleft)^2)), max(.6545*(1 - .6545*(1 - 4*deck(in.xleft)^2)),
+ .9045*(1 - .9045*(1 - 4*deck(in.xleft)^2)))))'
+""".replace(",\n ", ", ")
+
+
+def limit(xleft):
+    """Longest step by theory of points at part 0.5 - xleft of their cells."""
+    parts = [.3455, .6545, .9045]
+    return max(s * (1 - s * (1 - 4 * xleft**2)) for s in parts) ** -.5
+
+
+class MapTest(SweepTest):
+    def map(self, text, *options, code=0, out=None):
+        return self.expect(code, "map", self.study(text), "--out", out or self.out, *options)
+
+
+class Maps(MapTest):
+    def test_the_border_is_that_of_all_runs(self):
+        report = self.map(GROWTH + PLACES + STEPS + THEORY).stdout
+        few = self.table("map")
+        self.map(GROWTH + PLACES + STEPS + "coarse=1\n", "--quiet", out=self.folder / "all")
+        full = rows_of(self.folder / "all/map.csv")
+        self.assertEqual(len(few), 100)
+        self.assertEqual([row["holds"] for row in few], [row["holds"] for row in full])
+        self.assertTrue(all(row["own_run"] == "1" for row in full))
+        runs = len(rows_of(self.out / "table.csv"))
+        self.assertEqual(sum(row["own_run"] == "1" for row in few), runs)
+        self.assertLess(runs, 60)
+        self.assertIn(f"\n{runs} runs of 100 ({runs} %)", report)
+        self.assertEqual(report, (self.out / "map.txt").read_text())
+
+    def test_each_square_names_the_run_that_decided_it(self):
+        self.map(GROWTH + PLACES + STEPS, "--quiet")
+        runs = self.table()
+        for number, row in enumerate(self.table("map")):
+            by = runs[int(row["decided_by"]) - 1]
+            self.assertEqual(by["verdict"], row["verdict"])
+            self.assertEqual(row["holds"] == "1", row["verdict"] == "holds")
+            if row["own_run"] == "1":
+                self.assertEqual((by["in.xleft"], by["mpm.cfl"]), (row["in.xleft"], row["mpm.cfl"]))
+        self.assertTrue({"holds", "grows"} < {row["verdict"] for row in runs})
+
+    def test_a_value_is_bisected_for_each_square_next_to_theory(self):
+        report = self.map(GROWTH + PLACES + THEORY + "vary='mpm.cfl', low=.5, high=4., tolerance=2.e-3\n").stdout
+        rows = self.table("map")
+        self.assertEqual(len(rows), 10)
+        for row in rows:
+            found = (float(row["largest_holding"]) + float(row["smallest_failing"])) / 2
+            exact = limit(float(row["in.xleft"]))
+            self.assertLess(float(row["smallest_failing"]) - float(row["largest_holding"]), .0081)
+            self.assertAlmostEqual(float(row["theory"]), exact, delta=1e-6)
+            self.assertAlmostEqual(found / exact, 1, delta=.01)
+        self.assertRegex(report, r"in\.xleft = 0: 2\.0\d+ to 2\.\d+, 2\.1029 by theory \(-0\.\d+ %\)")
+        table = netcdf(self.out / "map.nc")
+        self.assertEqual(list(table["theory"]), [float(row["theory"]) for row in rows])
+
+    def test_words_are_taken_each_by_itself(self):
+        orders = "axis(1)=\"mpm.order='musl','usl'\"\naxis(2)='mpm.cfl=.5,1.,1.5,2.,2.5,3.'\ncoarse=5\n"
+        report = self.map(GROWTH + orders).stdout
+        self.assertIn("mpm.order = musl: holds below 2 to 2.5", report)
+        self.assertIn("mpm.order from musl to usl", report)
+
+    def test_each_way_to_fail_has_a_verdict(self):
+        text = """mode='map', decks='../decks/stability-centre.in', criterion='exit_code', axis(1)='mpm.cfl=1.,5.'
+set='in.tstep=1.0', 'in.dtmax=1.0'
+"""
+        self.map(text + "set(3)='limits.energy_step=0.,.01'\n", "--quiet")
+        self.assertEqual([row["verdict"] for row in self.table("map")], ["holds", "contradicts its energy"])
+        self.assertIn("failure = contradicts its energy", (self.out / self.table()[1]["folder"] / "run.txt").read_text())
+        self.map(text + "set(3)='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tmax=10.'\n", "--quiet")
+        self.assertIn(self.table("map")[1]["verdict"], ("loses points", "diverges"))
+
+    def test_it_goes_on_where_it_was_stopped(self):
+        study = self.study(GROWTH + PLACES + STEPS)
+        with subprocess.Popen([TETHER, "map", study, "--out", self.out, "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            while len(list(self.out.glob("runs/*/run.txt"))) < 3 and process.poll() is None:
+                time.sleep(.005)
+            process.send_signal(signal.SIGINT)
+            self.assertIn(process.wait(), (130, 0))
+        self.map(GROWTH + PLACES + STEPS, "--quiet")
+        self.assertGreater(sum(row["reused"] == "1" for row in self.table()), 1)
+        whole = [row["holds"] for row in self.table("map")]
+        self.map(GROWTH + PLACES + STEPS, "--quiet", out=self.folder / "at-once")
+        self.assertEqual(whole, [row["holds"] for row in rows_of(self.folder / "at-once/map.csv")])
+
+    def test_what_tells_nothing_is_told(self):
+        report = self.map(GROWTH + "axis(1)='in.nx=6,7'\nvary='mpm.cfl', low=.5, high=.6\n", code=5).stdout
+        self.assertIn("both ends hold", report)
+
+
+class BadMaps(MapTest):
+    """Refused before the first run, all mistakes at once, and nothing is written."""
+
+    CASES = (
+        (GROWTH + "axis(1)='in.mx=5,6'\n", "Did you mean", 5),
+        (GROWTH + "axis(1)='in.nx=5,6', axis(2)='in.nx=7,8'\n", "in.nx is set by", 5),
+        (GROWTH + "axis(1)='in.nx=5,6', axis(2)='in.ny=2,3', axis(3)='mpm.cfl=1.,2.'\n", "a map has one or two axes, this one 3", 5),
+        (GROWTH + "axis(1)='mpm.cfl=1.,2.,1.5'\n", "mpm.cfl turns back after 2", 5),
+        (GROWTH + "axis(1)=\"mpm.order='musl','usl'\"\n", "no axis has several numbers", 5),
+        (GROWTH.replace("'energy_growth'", "'energy_grows'") + "axis(1)='mpm.cfl=1.,2.'\n", "no run writes energy_grows", 3),
+        (GROWTH + "theory='2.'\n", "a map without vary needs an axis", 3),
+        (GROWTH + "axis(1)='in.nx=6,7', vary='mpm.cfl', low=1.\n", "a map with vary needs high", 5),
+        (GROWTH + "axis(1)='mpm.cfl=1.,2.', low=1.\n", "low is for a map with vary", 5),
+        (GROWTH + "axis(1)='mpm.cfl=1.,2.', theory='2*stepz'\n", "no run writes stepz into its summary", 5),
+        (GROWTH + "axis(1)='mpm.cfl=1.,2.', theory='2*max(energy_tolal)'\n", "Did you mean 'energy_total'", 5),
+        (GROWTH + "axis(1)='mpm.cfl=1.,2.', runs=3\n", "runs is not for mode 'map'", 5),
+        (GROWTH + "axis(1)=\"in.path='mpm','coupled'\", axis(2)='mpm.cfl=1.,2.'\n", "this cannot be run", 5),
+        (GROWTH.replace(", criterion='energy_growth', at_most=100.", "") + "axis(1)='mpm.cfl=1.,2.'\n", "a study of mode 'map' needs criterion", 3),
+    )
+
+    def test_each_is_refused_at_its_place(self):
+        for text, message, line in self.CASES:
+            with self.subTest(message=message):
+                found = diagnostics(self.map(text, code=2).stderr)
+                heads = [head for head, more in found if message in "\n".join([head["text"], *more])]
+                self.assertTrue(heads, found)
+                self.assertEqual(int(heads[0]["line"]), line)
+                self.assertFalse(self.out.exists())
+
+    def test_a_sweep_is_no_map_and_a_map_no_sweep(self):
+        result = self.expect(2, "sweep", self.study(GROWTH + STEPS.replace("(3)", "(1)")))
+        self.assertIn("this study is a map", result.stderr)
+        result = self.expect(2, "map", DECKS / "studies/stability.in")
+        self.assertIn("this study is no map", result.stderr)
+
+
+class ShippedMaps(MapTest):
+    def test_each_can_be_run(self):
+        for deck in sorted((DECKS / "maps").glob("*.in")):
+            with self.subTest(deck=deck.name):
+                self.assertIn("to run", self.expect(0, "map", deck, "--dry-run", folder=self.folder).stdout)
+
+    def test_several_have_a_folder_each(self):
+        decks = [DECKS / "maps/step-place.in", DECKS / "maps/step-place-verdicts.in"]
+        self.expect(0, "map", *decks, "--out", self.out, "--quiet")
+        self.assertEqual(sorted(path.parent.name for path in self.out.glob("*/map.txt")), ["step-place", "step-place-verdicts"])
+
+
+if __name__ == "__main__":
+    unittest.main()
