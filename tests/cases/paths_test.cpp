@@ -14,11 +14,6 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-DeckRun run_by(const std::string& path, const std::string& deck, Texts overrides = {}) {
-  overrides.push_back("in.path='" + path + "'");
-  return run_file(std::string(TETHER_SOURCE_DIR) + "/decks/paths/" + deck + ".in", overrides);
-}
-
 /// How far the body's centre of mass is below where it was, at each record.
 std::vector<double> sag_of(const DeckRun& run) {
   std::vector<double> sag = run.history.column("body_y_1");

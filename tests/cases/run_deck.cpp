@@ -49,6 +49,11 @@ DeckRun run_text(const std::string& name, const std::string& text, const std::ve
   return run_loaded(name, load_scene(deck, {overrides, "", ""}, diagnostics));
 }
 
+DeckRun run_by(const std::string& path, const std::string& deck, std::vector<std::string> overrides) {
+  overrides.push_back("in.path='" + path + "'");
+  return run_file(std::string(TETHER_SOURCE_DIR) + "/decks/paths/" + deck + ".in", overrides);
+}
+
 std::vector<double> read_variable(const std::string& file, const std::string& name) {
   int id = 0, variable = 0, dimensions = 0;
   EXPECT_EQ(nc_open(file.c_str(), NC_NOWRITE, &id), NC_NOERR) << file;

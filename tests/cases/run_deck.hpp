@@ -32,6 +32,9 @@ DeckRun run_text(const std::string& name, const std::string& text, const std::ve
 /// The same with a deck's file, anywhere.
 DeckRun run_file(const std::string& path, const std::vector<std::string>& overrides = {});
 
+/// Runs decks/paths/DECK.in, a scene that several paths share, by one of them.
+DeckRun run_by(const std::string& path, const std::string& deck, std::vector<std::string> overrides = {});
+
 /// A variable of a NetCDF file, all of it.
 std::vector<double> read_variable(const std::string& file, const std::string& name);
 

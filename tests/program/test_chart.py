@@ -71,6 +71,35 @@ class Charts(ChartTest):
         self.assertAlmostEqual(answer, 1e-3 / 3000, delta=2e-3 * 1e-3 / 3000)
         self.assertRegex(report, r"answer .* \+- .*, converged: what the cells of elements lead to, by Richardson")
 
+    def test_an_answer_that_a_family_contradicts_is_said_and_can_be_named(self):
+        others = ELEMENTS.replace("(1)", "(2)").replace("(1,1)", "(1,2)").replace("'elements'", "'heavier'")
+        others = others.replace('''"in.path='fem'"''', '''"in.path='fem'", 'in.gravc=-1.05e-3' ''')
+        report = self.chart(BAR + "exact='converged', answer_by=1\n" + ELEMENTS + others).stdout
+        self.assertRegex(report, r"answer 3\.33\d*e-07 .* of elements lead to")
+        self.assertIn("heavier leads elsewhere, by more than both bounds", report)
+        bound = float(report.split("+- ")[1].split(",")[0]) / 1e-3 * 3000
+        lasting = [float(row["lasting_error"]) for row in rows_of(self.out / "chart.csv") if row["lasting_error"]]
+        self.assertGreaterEqual(min(lasting), .97 * bound)
+
+    def test_errors_of_an_answer_of_nothing_are_sizes(self):
+        report = self.chart(BAR + "exact='0.'\n" + ELEMENTS).stdout
+        self.assertIn("answer 0, exact; errors are sizes", report)
+        row = rows_of(self.out / "chart.csv")[0]
+        self.assertEqual(float(row["error"]), float(row["value"]))
+
+    def test_families_may_have_decks_of_their_own(self):
+        (self.folder / "paths/other.in").write_text((self.folder / "paths/bar.in").read_text().replace("gravc=-1.e-3", "gravc=-2.e-3"))
+        text = BAR.replace("'../paths/bar.in'", "'../paths/bar.in','../paths/other.in'") + EXACT + POINTS
+        self.chart(text + "family_deck(2)=2\n", "--quiet")
+        heavy = [float(row["value"]) for row in rows_of(self.out / "chart.csv")]
+        self.chart(text, "--quiet")
+        for twice, once in zip(heavy, rows_of(self.out / "chart.csv")):
+            self.assertAlmostEqual(twice / float(once["value"]), 2, delta=.02)
+
+    def test_steps_that_a_limit_cuts_are_said(self):
+        text = POINTS + "steps(1,2)='in.tstep=4.d-1,2.d-1,1.d-1'\n"
+        self.assertIn("a limit cuts the steps", self.chart(BAR + EXACT + text).stdout)
+
     def test_it_goes_on_where_it_was_stopped(self):
         text = BAR + EXACT + ELEMENTS
         self.assertEqual(self.chart(text, "--dry-run").stdout.count("to run"), 7)
@@ -100,6 +129,11 @@ class BadCharts(ChartTest):
         (BAR + EXACT + ELEMENTS + "cells(1,4)='in.nx=5,9'\n", "there is no family 4", 9),
         (BAR + EXACT + ELEMENTS + "setting=1,5\n", "there is no such run", 9),
         (BAR + EXACT + ELEMENTS + POINTS.replace("'points'", "'elements'"), "two families are called 'elements'", 9),
+        (BAR.replace("last(body_y_1)", "last(body_q_1)") + EXACT + ELEMENTS, "no run's history.txt has a column 'body_q_1'", 4),
+        (BAR + "exact='1 + error_perod'\n" + ELEMENTS, "no run writes error_perod into its summary", 5),
+        (BAR + EXACT + ELEMENTS.replace("family_set(1,1)", "family_deck(1)=2, family_set(1,1)"), "there is no deck 2", 6),
+        (BAR + EXACT + ELEMENTS + "answer_by=1\n", "the answer is given: no family is asked for it", 9),
+        (BAR.replace("set='in.tmax", "set='mesh.cells(2,1)=3', 'in.tmax") + EXACT + ELEMENTS, "mesh.cells(2,1) is set by set(1), too", 7),
         (BAR + EXACT + "family(1)='none'\n", "a study of mode 'chart' needs cells", 3),
         (BAR + ELEMENTS, "a study of mode 'chart' needs exact", 3),
         (BAR.replace("last(body_y_1)", "lost(body_y_1)") + EXACT + ELEMENTS, "Did you mean 'last'?", 4),

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scene, one deck, several paths: the ring, the piston, the pendulum and the flap of decks/paths.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cases/run_deck.hpp"
+
+namespace tether::cases {
+namespace {
+
+using Numbers = std::vector<double>;
+
+/// How far a column is from where it was, at each record.
+Numbers way_of(const DeckRun& run, const std::string& column) {
+  Numbers way = run.history.column(column);
+  const double start = way.front();
+  for (double& each : way) each -= start;
+  return way;
+}
+
+/// When a way is back at 0 for the second time, by a line through the records on both sides [time].
+double second_return(const DeckRun& run, const std::string& column) {
+  const Numbers time = run.history.column("time"), way = way_of(run, column);
+  int returns = 0;
+  for (std::size_t k = 2; k < way.size(); ++k) {
+    if ((way[k - 1] < 0) == (way[k] < 0) || ++returns < 2) continue;
+    return time[k - 1] - way[k - 1] / (way[k] - way[k - 1]) * (time[k] - time[k - 1]);
+  }
+  return 0;
+}
+
+/// The farthest way, by a parabola through the record there and those three before and after it.
+double farthest(Numbers way) {
+  for (double& each : way) each = std::abs(each);
+  const auto found = std::max_element(way.begin() + 3, way.end() - 3) - way.begin();
+  const auto k = static_cast<std::size_t>(found);
+  const double slope = way[k + 3] - way[k - 3], bend = way[k - 3] - 2 * way[k] + way[k + 3];
+  return way[k] - slope * slope / (8 * bend);
+}
+
+/// Coupled runs without viscosity, 20, 30 and 40 elements across, lead to a period of .3583.
+TEST(SharedScene, IsARingThatSwingsInFluidByThreePaths) {
+  constexpr double period = 0.3583;
+  EXPECT_NEAR(second_return(run_by("mpm", "ring"), "point_x_1"), period, 0.01 * period);
+  EXPECT_NEAR(second_return(run_by("fem", "ring", {"reg.nreg=11", "reg.matr(1,11)=.025"}), "point_x_1"), period,
+              0.01 * period);
+  EXPECT_NEAR(second_return(run_by("coupled", "ring", {"reg.nreg=10"}), "point_x_1"), period, 0.01 * period);
+}
+
+/// Exact: the sum over the modes of a bar with a bar upon it, at the middle of the upper one.
+TEST(SharedScene, IsAPistonOnItsFluidByThreePaths) {
+  constexpr double drop = 3.02636e-5;
+  const std::vector<std::string> elastic{"reg.ipath(4,1)=0"};
+  EXPECT_NEAR(farthest(way_of(run_by("mpm", "piston"), "point_y_1")), drop, 0.01 * drop);
+  EXPECT_NEAR(farthest(way_of(run_by("fem", "piston", elastic), "point_y_1")), drop, 0.0005 * drop);
+  EXPECT_NEAR(farthest(way_of(run_by("coupled", "piston", elastic), "point_y_1")), drop, 0.0005 * drop);
+}
+
+TEST(SharedScene, IsNearerToThePistonByFinerPoints) {
+  constexpr double drop = 3.02636e-5;
+  const auto error = [](const std::vector<std::string>& grid) {
+    return std::abs(farthest(way_of(run_by("mpm", "piston", grid), "point_y_1")) - drop);
+  };
+  const double order = std::log2(error({"in.ny=31", "in.nx=2"}) / error({"in.ny=61", "in.nx=3"}));
+  EXPECT_NEAR(order, 1, 0.2);
+}
+
+TEST(SharedScene, IsAPendulumByPointsAndBars) {
+  EXPECT_LT(std::abs(run_by("mpm", "pendulum").summary.at("error_period")), 0.001);
+  EXPECT_LT(std::abs(run_by("fem", "pendulum").summary.at("error_period")), 0.001);
+}
+
+/// Coupled runs without viscosity lead to .95e-3; elements' fluid sticks to the flap, which makes its way longer.
+TEST(SharedScene, IsAFlapInAStreamByTwoPaths) {
+  constexpr double way = 0.95e-3;
+  EXPECT_NEAR(farthest(way_of(run_by("fem", "flap"), "point_x_1")), way, 0.04 * way);
+  EXPECT_NEAR(farthest(way_of(run_by("coupled", "flap", {"reg.nreg=1"}), "point_x_1")), way, 0.02 * way);
+}
+
+}  // namespace
+}  // namespace tether::cases
