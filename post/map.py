@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A map of tether map: python3 post/map.py out/maps/NAME/map.nc. Verdicts over two axes, the squares that were run dotted,
-theory as a broken line; or the largest value that holds over one axis, a line for each value of the other.
+theory as a broken line; or the largest value that holds over one axis, a line for each value of the other, hollow
+where all values hold.
 
 Exit codes: 0 done, 2 the file is no map, 4 the figure could not be written.
 """
@@ -130,8 +131,12 @@ def draw_bisected(axes, columns, names, rows, meaning):
     lines = dict.fromkeys(columns[names[1]][rows].tolist()) if names[1:] else {None: None}
     for number, key in enumerate(lines):
         mine = rows if key is None else rows[columns[names[1]][rows] == key]
-        middle = (columns["largest_holding"][mine] + columns["smallest_failing"][mine]) / 2
-        axes.plot(values, middle, label=None if key is None else table.spelled(key), **look(number))
+        low, high = columns["largest_holding"][mine], columns["smallest_failing"][mine]
+        label = None if key is None else table.spelled(key)
+        axes.plot(values, (low + high) / 2, label=label, **look(number))
+        open_ended = numpy.isnan(high)
+        axes.plot(values[open_ended], low[open_ended], linestyle="none", fillstyle="none", label=label,
+                  **{**look(number), "marker": "^", "markersize": 6})
         if numpy.isfinite(columns["theory"][mine]).any():
             axes.plot(values, columns["theory"][mine], **{**style.EXACT, "label": "theory"})
     axes.set_xscale("log" if scale == "log" else "linear")

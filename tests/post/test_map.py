@@ -68,9 +68,14 @@ class MapTest(unittest.TestCase):
 
     def test_bisected_values_are_lines_next_to_theory(self):
         axes = self.draw(BISECTED).axes[0]
-        drawn = {line.get_label(): [round(float(y), 9) for y in line.get_ydata()] for line in axes.lines}
+        drawn = {line.get_label(): [round(float(y), 9) for y in line.get_ydata()] for line in axes.lines if len(line.get_ydata())}
         self.assertEqual(drawn, {"musl": [2.1, 2.2], "theory": [2.1, 2.2], "usl": [1.1, 1.2]})
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("in.nx", "largest mpm.cfl that holds"))
+
+    def test_where_all_values_hold_the_end_is_hollow(self):
+        axes = self.draw({**BISECTED, "smallest_failing": [2.2, NAN, 1.2, 1.3]}).axes[0]
+        hollow = [line for line in axes.lines if line.get_marker() == "^" and len(line.get_xdata())]
+        self.assertEqual([(list(line.get_xdata()), list(line.get_ydata())) for line in hollow], [([9], [2.1])])
 
     def test_theory_beyond_an_axis_is_not_drawn(self):
         axes = self.draw({**VERDICTS, "theory": [NAN, 9., 1.4, NAN, NAN, NAN]}).axes[0]

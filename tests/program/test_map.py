@@ -98,9 +98,14 @@ set='in.tstep=1.0', 'in.dtmax=1.0'
         self.map(GROWTH + PLACES + STEPS, "--quiet", out=self.folder / "at-once")
         self.assertEqual(whole, [row["holds"] for row in rows_of(self.folder / "at-once/map.csv")])
 
-    def test_what_tells_nothing_is_told(self):
-        report = self.map(GROWTH + "axis(1)='in.nx=6,7'\nvary='mpm.cfl', low=.5, high=.6\n", code=5).stdout
-        self.assertIn("both ends hold", report)
+    def test_that_all_values_hold_or_none_is_an_answer(self):
+        report = self.map(GROWTH + "axis(1)='in.nx=6,7'\nvary='mpm.cfl', low=.5, high=.6\n").stdout
+        self.assertIn("in.nx = 6: above 0.6: both ends hold", report)
+        self.assertIn("in.nx = 6: below 3: both ends fail", self.map(GROWTH + "axis(1)='in.nx=6,7'\nvary='mpm.cfl', low=3., high=4.\n").stdout)
+
+    def test_each_value_is_tried_in_a_scene_before_the_first_run(self):
+        text = GROWTH + "axis(1)='in.xleft=0.,.1,.2,.3,.4', axis(2)='in.xright=5.,.05,5.2,5.3,5.4', linked(2)=1\n"
+        self.assertIn("this cannot be run", self.map(text + "axis(3)='mpm.cfl=1.,2.,3.'\n", code=2).stderr)
 
 
 class BadMaps(MapTest):

@@ -43,8 +43,9 @@ void keep_own(const std::vector<FinishedRun>& runs, std::vector<std::optional<st
 
 std::size_t count_telling_nothing(const Outcome& outcome) {
   const auto runs = std::count(outcome.verdicts.begin(), outcome.verdicts.end(), "tells nothing");
-  const auto lost = std::count_if(outcome.bisections.begin(), outcome.bisections.end(),
-                                  [](const Bisection& bisection) { return !bisection.found(); });
+  const auto lost = std::count_if(outcome.bisections.begin(), outcome.bisections.end(), [](const Bisection& bisection) {
+    return !bisection.found() && !bisection.verdict().starts_with("both ends");
+  });
   return static_cast<std::size_t>(runs + lost);
 }
 

@@ -14,7 +14,7 @@ struct MapResult {
   std::string report;               ///< for people
   int signal = 0;                   ///< that interrupted it
   std::size_t file_trouble = 0;     ///< runs that could not read or write a file
-  std::size_t telling_nothing = 0;  ///< runs without a verdict, and bisections that found nothing
+  std::size_t telling_nothing = 0;  ///< runs without a verdict, and bisections that hold at their upper end alone
 };
 
 /// Runs the squares along the border, several runs side by side, and writes map.nc and map.csv, a row a square,

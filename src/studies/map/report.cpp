@@ -132,6 +132,17 @@ std::string borders(const Map& map, const Outcome& outcome) {
   return text;
 }
 
+/// Where a bisected value ends to hold. That all of its values hold, or none, is an answer, too.
+std::string bisected_text(const Bisection& bisection, const Interval& interval, double theory) {
+  if (bisection.found())
+    return fmt::format("{:.5g} to {:.5g}{}", bisection.holds(), bisection.fails(),
+                       theory_text(theory, bisection.holds(), bisection.fails()));
+  const std::string verdict = bisection.verdict();
+  if (verdict == "both ends hold") return fmt::format("above {:.5g}: both ends hold", interval.high);
+  if (verdict == "both ends fail") return fmt::format("below {:.5g}: both ends fail", interval.low);
+  return verdict;
+}
+
 std::string bisections(const Map& map, const Outcome& outcome) {
   const auto all = combinations(map.study);
   const StudyTable table = squares_table(map, outcome);
@@ -140,13 +151,9 @@ std::string bisections(const Map& map, const Outcome& outcome) {
                                       return column.name == "theory";
                                     })->cells);
   std::string text = fmt::format("the largest {} that holds\n", map.study.vary.variable);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const Bisection& bisection = outcome.bisections[k];
+  for (std::size_t k = 0; k < all.size(); ++k)
     text += fmt::format("  {}{}\n", values_text(map.study, all[k]),
-                        bisection.found() ? fmt::format("{:.5g} to {:.5g}{}", bisection.holds(), bisection.fails(),
-                                                        theory_text(theory[k], bisection.holds(), bisection.fails()))
-                                          : bisection.verdict());
-  }
+                        bisected_text(outcome.bisections[k], map.study.interval, theory[k]));
   return text;
 }
 
