@@ -35,7 +35,9 @@ def front(cost, error):
 
 
 def look(number):
-    return {"color": COLOURS[number % len(COLOURS)], "marker": MARKS[number % len(MARKS)], "markersize": 4}
+    """Colours begin again after eight, with the marks one further."""
+    mark = (number + number // len(COLOURS)) % len(MARKS)
+    return {"color": COLOURS[number % len(COLOURS)], "marker": MARKS[mark], "markersize": 4}
 
 
 def draw_over_cost(axes, columns, cost, name):
@@ -58,11 +60,12 @@ def draw_over_size(axes, columns):
 
 
 def draw(columns):
-    figure, axes = style.panels(3, 3)
+    figure, axes = style.panels(4, 4)
     draw_over_cost(axes[0], columns, "cpu_seconds", "seconds of a processor")
     draw_over_cost(axes[1], columns, "peak_memory_mb", "memory [MB]")
     draw_over_size(axes[2], columns)
-    style.legend(axes[0])
+    axes[3].axis("off")  # room for the names, which would hide curves
+    axes[3].legend(*axes[0].get_legend_handles_labels(), loc="center left")
     style.note(figure, "Full: meshes; dotted, hollow: steps on one mesh.")
     return figure
 

@@ -133,9 +133,9 @@ def draw_bisected(axes, columns, names, rows, meaning):
         mine = rows if key is None else rows[columns[names[1]][rows] == key]
         low, high = columns["largest_holding"][mine], columns["smallest_failing"][mine]
         label = None if key is None else table.spelled(key)
-        axes.plot(values, (low + high) / 2, label=label, **look(number))
         open_ended = numpy.isnan(high)
-        axes.plot(values[open_ended], low[open_ended], linestyle="none", fillstyle="none", label=label,
+        axes.plot(values, (low + high) / 2, label=None if open_ended.all() else label, **look(number))
+        axes.plot(values[open_ended], low[open_ended], linestyle="none", fillstyle="none", label=label if open_ended.all() else None,
                   **{**look(number), "marker": "^", "markersize": 6})
         if numpy.isfinite(columns["theory"][mine]).any():
             axes.plot(values, columns["theory"][mine], **{**style.EXACT, "label": "theory"})

@@ -47,7 +47,8 @@ class ChartTest(unittest.TestCase):
     def test_each_family_is_a_line_and_the_front_joins_the_best(self):
         write_chart(self.folder / "chart.nc", NUMBERS)
         figure = chart.draw(chart.read(self.folder / "chart.nc"))
-        seconds, memory, size = figure.axes
+        seconds, memory, size, names = figure.axes
+        self.assertEqual([text.get_text() for text in names.get_legend().get_texts()], ["none beats these", "points", "elements"])
         drawn = {line.get_label(): (list(line.get_xdata()), list(line.get_ydata())) for line in seconds.lines}
         self.assertEqual(drawn["points"], ([1, 2, 8], [.04, .02, .01]))
         self.assertEqual(drawn["elements"], ([3, 6], [.03, .001]))
