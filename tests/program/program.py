@@ -103,3 +103,10 @@ class ProgramTest(unittest.TestCase):
         result = run(*arguments, **how)
         self.assertEqual(result.returncode, code, f"{arguments}\n{result.stderr}")
         return result
+
+    def assert_said_at(self, stderr, message, line):
+        """Some message, or the lines that go with it, has these words, and stands at this line of its deck."""
+        found = diagnostics(stderr)
+        heads = [head for head, more in found if message in "\n".join([head["text"], *more])]
+        self.assertTrue(heads, found)
+        self.assertEqual(int(heads[0]["line"]), line)

@@ -3,7 +3,7 @@
 import shutil
 import unittest
 
-from program import DECKS, ProgramTest, diagnostics, netcdf
+from program import DECKS, ProgramTest, netcdf
 from sweeps import rows_of
 
 BAR = """decks='../paths/bar.in', mode='chart', set='in.tmax=.0948683298050514'
@@ -144,10 +144,7 @@ class BadCharts(ChartTest):
     def test_each_is_refused_at_its_place(self):
         for text, message, line in self.CASES:
             with self.subTest(message=message):
-                found = diagnostics(self.chart(text, code=2).stderr)
-                heads = [head for head, more in found if message in "\n".join([head["text"], *more])]
-                self.assertTrue(heads, found)
-                self.assertEqual(int(heads[0]["line"]), line)
+                self.assert_said_at(self.chart(text, code=2).stderr, message, line)
                 self.assertFalse(self.out.exists())
 
     def test_a_sweep_is_no_chart_and_a_chart_no_sweep(self):

@@ -5,7 +5,7 @@ import subprocess
 import time
 import unittest
 
-from program import DECKS, TETHER, diagnostics, netcdf
+from program import DECKS, TETHER, netcdf
 from sweeps import SweepTest, rows_of
 
 GROWTH = """mode='map', decks='../decks/stability-centre.in', criterion='energy_growth', at_most=100.
@@ -131,10 +131,7 @@ class BadMaps(MapTest):
     def test_each_is_refused_at_its_place(self):
         for text, message, line in self.CASES:
             with self.subTest(message=message):
-                found = diagnostics(self.map(text, code=2).stderr)
-                heads = [head for head, more in found if message in "\n".join([head["text"], *more])]
-                self.assertTrue(heads, found)
-                self.assertEqual(int(heads[0]["line"]), line)
+                self.assert_said_at(self.map(text, code=2).stderr, message, line)
                 self.assertFalse(self.out.exists())
 
     def test_a_sweep_is_no_map_and_a_map_no_sweep(self):
