@@ -85,14 +85,16 @@ void check_lengths(const Deck& deck, const std::optional<ParticleFile>& particle
   }
 }
 
-/// Of what the deck asks of material points, other than what they do by themselves.
+/// What the deck asks of material points, other than what they do by themselves. Where the path is named, the deck is
+/// one for several paths, and it does no harm there.
 void warn_of_the_other_method(const Deck& deck, Diagnostics& diagnostics) {
+  const Severity severity = deck.given("in.path") ? Severity::remark : Severity::warning;
   for (const Variable& variable : variables()) {
     const AnyVariable name(variable);
     if (variable.group != "mpm" || !deck.given(name)) continue;
     if (value_text(deck.value(name)) == variable.fallback) continue;
-    diagnostics.add(deck.remark(Severity::warning, name, {1, 1},
-                                fmt::format("{} of $mpm has no effect on the fem path", variable.name)));
+    diagnostics.add(
+        deck.remark(severity, name, {1, 1}, fmt::format("{} of $mpm has no effect on the fem path", variable.name)));
   }
 }
 
