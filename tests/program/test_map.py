@@ -75,6 +75,10 @@ class Maps(MapTest):
         self.assertIn("mpm.order = musl: holds below 2 to 2.5", report)
         self.assertIn("mpm.order from musl to usl", report)
 
+    def test_an_axis_may_fall(self):
+        report = self.map(GROWTH + "axis(1)='mpm.cfl=4.,3.,2.5,2.,1.,.5'\ntheory='2.1029'\n").stdout
+        self.assertIn("  holds below 2 to 2.5, 2.1029 by theory, between them\n", report)
+
     def test_each_way_to_fail_has_a_verdict(self):
         text = """mode='map', decks='../decks/stability-centre.in', criterion='exit_code', axis(1)='mpm.cfl=1.,5.'
 set='in.tstep=1.0', 'in.dtmax=1.0'

@@ -37,7 +37,7 @@ std::string verdict_of(const Criterion& criterion, const FinishedRun& run);
 
 /// Where the verdict changes between two neighbouring values of an axis.
 struct Crossing {
-  std::size_t square = 0;    ///< on the side of the lower value
+  std::size_t square = 0;    ///< the one of both that comes first
   double low = 0, high = 0;  ///< the values
   bool holds_below = true;
   double theory = std::numeric_limits<double>::quiet_NaN();

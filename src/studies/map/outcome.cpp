@@ -101,7 +101,8 @@ std::vector<Crossing> crossings_along(std::size_t axis, const Map& map, const Ou
     if (all[k].values[axis] + 1 != all[k + next].values[axis] || !here || !there) continue;
     const bool below = outcome.verdicts[*here] == "holds", above = outcome.verdicts[*there] == "holds";
     if (below == above) continue;
-    crossings.push_back({k, number_of(cells[all[k].values[axis]]), number_of(cells[all[k + next].values[axis]]), below,
+    const double first = number_of(cells[all[k].values[axis]]), second = number_of(cells[all[k + next].values[axis]]);
+    crossings.push_back({k, std::min(first, second), std::max(first, second), below == (first < second),
                          outcome.theory[below ? *here : *there]});
   }
   std::stable_sort(crossings.begin(), crossings.end(), [&](const Crossing& a, const Crossing& b) {
