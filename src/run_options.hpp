@@ -17,7 +17,7 @@ struct RunOptions {
   std::string command;  ///< as it was typed, for provenance
 };
 
-/// Which published problems are wanted, and what is done with them beside what RunOptions say.
+/// Which published problems are wanted, and what is done with them next to what RunOptions say.
 struct PublishedOptions {
   std::vector<std::string> names;  ///< none: all
   std::string decks = "decks";     ///< folder of their decks
