@@ -15,6 +15,7 @@ import matplotlib
 matplotlib.use("Agg")
 
 import numpy
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
@@ -80,7 +81,7 @@ def draw_verdicts(axes, columns, names, rows):
     axes.pcolormesh(ex, ey, number, cmap=ListedColormap([colour for colour, _ in VERDICTS.values()]), vmin=-0.5, vmax=len(VERDICTS) - 0.5)
     for name, (_, hatch) in VERDICTS.items():
         if hatch and (verdict == name).any():
-            axes.contourf(*hatching(ex, ey, verdict == name), levels=[0.5, 1.5], colors="none", hatches=[hatch])
+            axes.add_collection(PolyCollection(squares(ex, ey, verdict == name), facecolors="none", linewidths=0, hatch=hatch))
     own = columns["own_run"][rows].reshape(shape) == 1
     gx, gy = numpy.meshgrid(x, y)
     axes.plot(gx[own], gy[own], ".", color="black", markersize=2)
@@ -98,14 +99,9 @@ def draw_verdicts(axes, columns, names, rows):
     return sorted(set(verdict.ravel().tolist()), key=list(VERDICTS).index)
 
 
-def hatching(ex, ey, of):
-    """Corner places and values from which a contour encloses the squares' middles."""
-    fine = numpy.kron(of, numpy.ones((4, 4)))
-    return spread(ex), spread(ey), fine
-
-
-def spread(ends):
-    return numpy.concatenate([ends[:-1, None] + numpy.diff(ends)[:, None] * (numpy.arange(4) + 0.5) / 4]).ravel()
+def squares(ex, ey, of):
+    """Corners of the squares that are so, whatever the scales."""
+    return [[(ex[i], ey[j]), (ex[i + 1], ey[j]), (ex[i + 1], ey[j + 1]), (ex[i], ey[j + 1])] for j, i in zip(*numpy.nonzero(of))]
 
 
 def draw_theory(axes, theory, x, y, values, upward):

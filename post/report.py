@@ -19,6 +19,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+from matplotlib import pyplot
+
 import chart
 import map as stability_map
 import one_figure
@@ -35,7 +37,12 @@ table{border-collapse:collapse;font-size:12.5px}td,th{border:1px solid #ccc;padd
 def drawn(path, draw):
     """The figure as an image that stands in the page itself."""
     text = io.BytesIO()
-    draw().savefig(text, format="svg")
+    try:
+        figure = draw()
+    except one_figure.NothingToDraw as reason:
+        return f"<p>{html.escape(str(reason))}</p>"  # the report and the numbers are there all the same
+    figure.savefig(text, format="svg")
+    pyplot.close(figure)
     return f'<img alt="{html.escape(str(path.parent.name))}" src="data:image/svg+xml;base64,{base64.b64encode(text.getvalue()).decode()}">'
 
 

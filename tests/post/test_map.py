@@ -105,6 +105,19 @@ class MapTest(unittest.TestCase):
         self.assertEqual(page.count('src="data:image/svg+xml;base64,'), 2)
         self.assertFalse(re.search(r'(src|href)="(?!data:|#)', page))
 
+    def test_a_chart_without_errors_has_its_words_on_the_page(self):
+        write(self.folder / "one/chart.nc", {**CHART, "error": [NAN, NAN]})
+        out = self.folder / "report.html"
+        self.assertEqual(self.script("report.py", self.folder / "one", "--out", out).returncode, 0)
+        self.assertIn("no run has an error that a logarithm shows", out.read_text())
+
+    def test_hatches_fill_their_squares_on_any_scale(self):
+        cells = {**VERDICTS, "in.xleft": [.01, .1, 1., .01, .1, 1.]}
+        axes = self.draw(cells).axes[0]
+        corners = axes.collections[1].get_paths()[0].vertices
+        for got, want in zip((corners[:, 0].min(), corners[:, 0].max()), (.1 / 10**.5, .1 * 10**.5)):
+            self.assertAlmostEqual(got, want, places=9)
+
     def test_folders_without_either_are_refused(self):
         (self.folder / "none").mkdir()
         result = self.script("report.py", self.folder / "none")
