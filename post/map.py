@@ -85,7 +85,8 @@ def draw_verdicts(axes, columns, names, rows):
     own = columns["own_run"][rows].reshape(shape) == 1
     gx, gy = numpy.meshgrid(x, y)
     axes.plot(gx[own], gy[own], ".", color="black", markersize=2)
-    upward = values[1].dtype.kind == "f" and numpy.diff(verdict == "holds", axis=0).any()
+    holds = columns["holds"][rows].reshape(shape)
+    upward = values[1].dtype.kind == "f" and (abs(numpy.diff(holds, axis=0)) == 1).any()
     draw_theory(axes, columns["theory"][rows].reshape(shape), x, y, values, upward)
     axes.set_xscale("log" if x_scale == "log" else "linear")
     axes.set_yscale("log" if y_scale == "log" else "linear")
@@ -129,8 +130,8 @@ def draw_bisected(axes, columns, names, rows, meaning):
         mine = rows if key is None else rows[columns[names[1]][rows] == key]
         low, high = columns["largest_holding"][mine], columns["smallest_failing"][mine]
         label = None if key is None else table.spelled(key)
-        open_ended = numpy.isnan(high)
-        axes.plot(values, (low + high) / 2, label=None if open_ended.all() else label, **look(number))
+        found, open_ended = columns["verdict"][mine] == "found", columns["verdict"][mine] == "both ends hold"
+        axes.plot(values, numpy.where(found, (low + high) / 2, numpy.nan), label=None if open_ended.all() else label, **look(number))
         axes.plot(values[open_ended], low[open_ended], linestyle="none", fillstyle="none", label=label if open_ended.all() else None,
                   **{**look(number), "marker": "^", "markersize": 6})
         if numpy.isfinite(columns["theory"][mine]).any():
@@ -160,7 +161,7 @@ def draw(columns, meaning):
             axes.set_title(Path(deck).stem)
     if seen:
         marks = [Patch(facecolor=VERDICTS[name][0], hatch=VERDICTS[name][1], edgecolor="black", linewidth=.5, label=name) for name in VERDICTS if name in seen]
-        lines = [line for line in panels[0].lines if line.get_label() == "theory"][:1]
+        lines = [line for axes in panels for line in axes.lines if line.get_label() == "theory"][:1]
         panels[0].legend(handles=marks + lines, loc="lower left", bbox_to_anchor=(0, 1.06), ncols=3)
     return figure
 

@@ -59,7 +59,7 @@ def folded(name, inside):
     return f"<details><summary>{html.escape(name)}</summary>{inside}</details>"
 
 
-def section(folder):
+def section(folder, link):
     """What a folder of a chart or a map has to show."""
     kind = next((kind for kind in ("chart", "map") if (folder / f"{kind}.nc").is_file()), None)
     if kind is None:
@@ -69,7 +69,7 @@ def section(folder):
     with run_folder.open_dataset(path) as data:
         title, command, deck = data.title, data.history, data.deck
         version = f"{data.program}, {data.git_hash}"
-    parts = [f"<h2 id=\"{html.escape(folder.name)}\">{html.escape(folder.name)} ({kind})</h2>", f"<p>{html.escape(title)}</p>", drawn(path, figure)]
+    parts = [f"<h2 id=\"{link}\">{html.escape(folder.resolve().name)} ({kind})</h2>", f"<p>{html.escape(title)}</p>", drawn(path, figure)]
     report = folder / f"{kind}.txt"
     if report.is_file():
         parts.append(f"<pre>{html.escape(report.read_text(encoding='utf-8'))}</pre>")
@@ -86,8 +86,8 @@ def machine():
 
 def page(folders):
     style.use()
-    sections = [section(folder) for folder in folders]
-    links = " · ".join(f'<a href="#{html.escape(folder.name)}">{html.escape(folder.name)}</a>' for folder in folders)
+    sections = [section(folder, f"study-{number}") for number, folder in enumerate(folders)]
+    links = " · ".join(f'<a href="#study-{number}">{html.escape(folder.resolve().name)}</a>' for number, folder in enumerate(folders))
     return f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>tether: charts and maps</title><style>{STYLE}</style></head><body>
 <h1>Charts and maps</h1><p>{links}</p>
@@ -104,7 +104,7 @@ def main(words=None):
     chosen = parser.parse_args(words)
     try:
         text = page(chosen.folders)
-    except (run_folder.NotARun, one_figure.NothingToDraw) as mistake:
+    except (run_folder.NotARun, one_figure.NothingToDraw, OSError) as mistake:
         print(f"report: {mistake}", file=sys.stderr)
         return 2
     try:

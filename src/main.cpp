@@ -97,6 +97,13 @@ CLI::App* add_map(CLI::App& app, std::vector<std::string>& studies, RunOptions& 
   return map;
 }
 
+/// A list that the program knows and the guide repeats.
+CLI::App* add_listing(CLI::App& app, const std::string& name, const std::string& meaning, bool& markdown) {
+  auto* listing = app.add_subcommand(name, meaning);
+  listing->add_flag("--markdown", markdown, "as in decks/README.md");
+  return listing;
+}
+
 CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& options) {
   auto* reproduce =
       app.add_subcommand("reproduce", "run published problems, compare their numbers with this program's");
@@ -143,6 +150,14 @@ void settle_in() {
 int refuse(const std::string& why) {
   std::fputs(with_short_words(why).c_str(), stderr);
   return exit_input;
+}
+
+/// Neither a deck nor a command was given.
+int refuse_nothing(const CLI::App& app) {
+  return refuse(
+      fmt::format("tether: error: a deck or a command is missing\n  tether DECK runs a deck. The commands are "
+                  "{}; tether --help says what they do.\n",
+                  command_names(app)));
 }
 
 std::string typed(int argc, char** argv) {
@@ -207,13 +222,10 @@ int main(int argc, char** argv) {
   auto* map = add_map(app, studies, run_options);
   PublishedOptions published;
   auto* reproduce = add_reproduce(app, published, run_options);
-  auto* vars = app.add_subcommand("vars", "the deck reference");
+  auto* vars = add_listing(app, "vars", "the deck reference", markdown);
   vars->add_option("group", group, "only this group");
-  vars->add_flag("--markdown", markdown, "as the tables of decks/README.md");
-  auto* columns = app.add_subcommand("columns", "the columns that histories may have");
-  columns->add_flag("--markdown", markdown, "as the table of decks/README.md");
-  auto* keys = app.add_subcommand("keys", "the keys that summaries may have");
-  keys->add_flag("--markdown", markdown, "as the table of decks/README.md");
+  auto* columns = add_listing(app, "columns", "the columns that histories may have", markdown);
+  auto* keys = add_listing(app, "keys", "the keys that summaries may have", markdown);
 
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   settle_in();
@@ -228,10 +240,6 @@ int main(int argc, char** argv) {
   if (*vars) return vars_command(group, markdown);
   if (*columns) return columns_command(markdown);
   if (*keys) return keys_command(markdown);
-  if (decks.empty())
-    return refuse(
-        fmt::format("tether: error: a deck or a command is missing\n  tether DECK runs a deck. The commands are "
-                    "{}; tether --help says what they do.\n",
-                    command_names(app)));
+  if (decks.empty()) return refuse_nothing(app);
   return run_command(decks, options, run_options);
 }

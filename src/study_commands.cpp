@@ -48,47 +48,53 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   return result.verdicts.empty();
 }
 
-/// False where a run did not end well.
-bool run_chart(const std::string& name, const RunOptions& options, const std::filesystem::path& folder) {
-  const chart::Chart chart = chart::read_chart(name);
-  if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
-  ProgressLine progress(name, options.quiet);
-  const chart::ChartResult result =
-      make_chart(chart, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
-  progress.clear();
-  if (!options.quiet) fmt::print("{}", result.report);
-  refuse_file_trouble(result.file_trouble);
-  return result.failed == 0;
+/// What is left to do of a study that was read, in a folder. False where it did not come out well.
+using Work = std::function<bool(const std::filesystem::path& folder)>;
+using ReadStudy = Work (*)(const std::string& name, const RunOptions& options);
+
+/// Its work is false where a run did not end well, or none has an error.
+Work chart_work(const std::string& name, const RunOptions& options) {
+  return [name, &options, chart = chart::read_chart(name)](const std::filesystem::path& folder) {
+    if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
+    ProgressLine progress(name, options.quiet);
+    const chart::ChartResult result =
+        make_chart(chart, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+    progress.clear();
+    if (!options.quiet) fmt::print("{}", result.report);
+    refuse_file_trouble(result.file_trouble);
+    return result.failed == 0 && !result.shows_nothing;
+  };
 }
 
-/// False where a run tells nothing, or a bisection found nothing.
-bool run_map(const std::string& name, const RunOptions& options, const std::filesystem::path& folder) {
-  const map::Map map = map::read_map(name);
-  if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
-  ProgressLine progress(name, options.quiet);
-  const map::MapResult result =
-      make_map(map, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
-  progress.clear();
-  if (!options.quiet) fmt::print("{}", result.report);
-  refuse_interruption(result.signal, folder);
-  refuse_file_trouble(result.file_trouble);
-  return result.telling_nothing == 0;
+/// Its work is false where a run tells nothing.
+Work map_work(const std::string& name, const RunOptions& options) {
+  return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
+    if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
+    ProgressLine progress(name, options.quiet);
+    const map::MapResult result =
+        make_map(map, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
+    progress.clear();
+    if (!options.quiet) fmt::print("{}", result.report);
+    refuse_interruption(result.signal, folder);
+    refuse_file_trouble(result.file_trouble);
+    return result.telling_nothing == 0;
+  };
 }
 
-using MakeStudy = bool (*)(const std::string& name, const RunOptions& options, const std::filesystem::path& folder);
-
-/// Each in a folder of its own, by default below out/KIND, so that none is that of a run of the same name.
-int make_each(const std::vector<std::string>& names, const RunOptions& options, const char* kind, MakeStudy make) {
-  RunOptions own = options;
+/// All are read before the first is made. Each goes to a folder of its own, by default below out/KIND, so that none is
+/// that of a run of the same name.
+int make_each(const std::vector<std::string>& names, RunOptions options, const char* kind, ReadStudy read) {
   const bool several = names.size() > 1 || options.out.empty();
-  if (own.out.empty()) own.out = std::filesystem::path("out") / kind;
-  int worst = guarded("tether", [&] { refuse_shared_folders(names, own); });
+  if (options.out.empty()) options.out = std::filesystem::path("out") / kind;
+  int worst = guarded("tether", [&] { refuse_shared_folders(names, options); });
+  std::vector<Work> all(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k)
+    worst = std::max(worst, guarded(names[k], [&] { all[k] = read(names[k], options); }));
   if (worst != exit_done) return worst;
-  for (const auto& name : names) {
+  for (std::size_t k = 0; k < names.size() && worst < exit_signal; ++k) {
     bool good = true;
-    const int code = guarded(name, [&] { good = make(name, own, folder_of(name, own, several)); });
+    const int code = guarded(names[k], [&] { good = all[k](folder_of(names[k], options, several)); });
     worst = std::max(worst, code == exit_done && !good ? exit_verdict : code);
-    if (worst > exit_signal) break;
   }
   return worst;
 }
@@ -117,11 +123,11 @@ int sweep_command(const std::string& name, const RunOptions& options) {
 }
 
 int chart_command(const std::vector<std::string>& studies, const RunOptions& options) {
-  return make_each(studies, options, "charts", run_chart);
+  return make_each(studies, options, "charts", chart_work);
 }
 
 int map_command(const std::vector<std::string>& studies, const RunOptions& options) {
-  return make_each(studies, options, "maps", run_map);
+  return make_each(studies, options, "maps", map_work);
 }
 
 int reproduce_command(const PublishedOptions& published, const RunOptions& options) {

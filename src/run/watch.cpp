@@ -103,6 +103,10 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     if (changes_freely(scene, b)) continue;
     volume_.from.push_back(volumes[b]), bodies_.push_back(b);
   }
+  watch_energy(limits);
+}
+
+void Watch::watch_energy(const Limits& limits) {
   energy_step_ = {.name = "energy_step",
                   .key = SummaryKey("energy_step_largest"),
                   .what = "the rise of the energy in a step that no exchange explains, over the largest energy before,",

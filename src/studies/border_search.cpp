@@ -62,7 +62,7 @@ void BorderSearch::want_half(std::size_t axis, std::size_t low, std::size_t high
   }
 }
 
-/// Neighbours that differ have the border between them: it goes on between two other corners of the squares' square.
+/// Neighbours that differ have the border between them: it goes on across another side of these two by two squares.
 void BorderSearch::want_along_border() {
   for (const std::size_t axis : {0UL, 1UL}) {
     const std::size_t other = 1 - axis;

@@ -9,10 +9,10 @@
 namespace tether {
 
 /// Which squares of a map are to be run so that its border is known: where neighbours along an axis differ in whether
-/// they hold. Those of a coarse grid are; where two of them differ, halves between them lead to a piece of the border;
-/// and from each piece the squares on both its sides, so that it is followed to its end. What is wanted depends on what
-/// is known alone, not on the order in which it became known. A part of the border that encloses no square of the
-/// coarse grid, and no piece that was found, stays unseen.
+/// they hold. The squares of a coarse grid are run first. Where two of them differ, halves between them lead to a piece
+/// of the border; from each piece the squares on both its sides are run, so that it is followed to its end. What is
+/// wanted depends on what is known alone, not on the order in which it became known. A closed border around no square
+/// of the coarse grid is not seen.
 class BorderSearch {
  public:
   /// A map of size[0] times size[1] squares; square k stands at (k % size[0], k / size[0]). Along an axis that is not

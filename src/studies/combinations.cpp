@@ -103,12 +103,12 @@ std::vector<Variant> Sequences::first() {
 
 std::vector<Variant> Sequences::after(const FinishedRun& run) {
   const std::size_t c = run.variant.combination;
-  if (!run.decides()) return {};  // a bisection, or a border, stays where it is
-  const bool holds = study_.criterion.holds(run.value(study_.criterion.key));
-  if (!bisections_.empty()) return bisections_[c].take(*run.variant.varied, holds), next(c);
-  if (searches_.empty()) return {};
+  if (bisections_.empty() && searches_.empty()) return {};
+  const auto meets = run.meets(study_.criterion);
+  if (!meets) return {};  // a bisection, or a border, stays where it is
+  if (!bisections_.empty()) return bisections_[c].take(*run.variant.varied, *meets), next(c);
   const std::size_t squares = numbers_.size() / searches_.size();
-  searches_[c / squares].take(c % squares, holds);
+  searches_[c / squares].take(c % squares, *meets);
   return along_borders();
 }
 

@@ -55,6 +55,13 @@ struct FinishedRun {
   /// Whether it came to its end or diverged. A full disk, a kill or a scene that cannot be built tell nothing of a
   /// criterion.
   bool decides() const { return !failed() || record.ending.exit_code == exit_run; }
+  /// Whether it meets the criterion. None where it tells nothing of it: it ended well and has no such number, or in a
+  /// way that is no fault of the scene.
+  std::optional<bool> meets(const Criterion& criterion) const {
+    const double found = value(criterion.key);
+    if (!decides() || (!failed() && std::isnan(found))) return std::nullopt;
+    return criterion.holds(found);
+  }
   /// One of them, or exit_code; not a number where the run has none of that name.
   double value(const std::string& key) const {
     if (key == exit_code_key) return record.ending.exit_code;

@@ -45,16 +45,19 @@ int column_of(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-void add_written(const Deck& deck, Written& written) {
-  Diagnostics of_the_run;
-  const Loaded loaded = load_scene(deck, {}, of_the_run);
-  add(written.columns, make_solver(loaded.plan)->history_layout().column_names());
-  add(written.keys, summary_keys(kinds_of(loaded.plan.scene.path())));
-  add(written.keys, figure_keys(reference_kind(deck.text("reference.solution"))));
+Ending try_scene(const std::string& name, const Deck& deck, Written* written) {
+  return end_of(name, [&] {
+    Diagnostics of_the_run;
+    const Loaded loaded = load_scene(deck, {}, of_the_run);
+    if (written == nullptr) return;
+    add(written->columns, make_solver(loaded.plan)->history_layout().column_names());
+    add(written->keys, summary_keys(kinds_of(loaded.plan.scene.path())));
+    add(written->keys, figure_keys(reference_kind(deck.text("reference.solution"))));
+  });
 }
 
 published::Readout checked_reading(const Deck& deck, TextVariable name, const Written& written, StudyRemarks& remarks) {
-  if (!deck.given(name)) return {};  // a mode that needs it has told so
+  if (!deck.given(name)) return {};  // check_mode reports where it is missing
   const std::string text = deck.text(name);
   published::ReadReading read = published::read_reading(text);
   for (const auto& key : read.keys) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/process.hpp"
 #include "deck/deck.hpp"
 #include "studies/reproduce/read_formula.hpp"
 #include "studies/study_checks.hpp"
@@ -15,8 +16,8 @@ struct Written {
   std::vector<std::string> keys, columns;
 };
 
-/// Adds what a run of this deck may write; its scene is built without a step. Throws InputError where it cannot be.
-void add_written(const Deck& deck, Written& written);
+/// Builds a run's scene without a step, and adds what the run may write where `written` is given. How that ended.
+Ending try_scene(const std::string& name, const Deck& deck, Written* written);
 
 /// The reading that stands in `name`; names that no run writes are mistakes at their columns, as others are.
 published::Readout checked_reading(const Deck& deck, TextVariable name, const Written& written, StudyRemarks& remarks);

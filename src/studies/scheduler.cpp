@@ -256,8 +256,8 @@ void Scheduler::take_what_ended(Sequences& sequences) {
 void Scheduler::finish(const Variant& variant, RunRecord record, bool reused, Sequences& sequences) {
   FinishedRun run{variant, std::move(record), reused, {}};
   if (!run.failed()) read_numbers(study_, run_folder(out_, run.record.key), run);
-  if (outcome_.signal == 0) {
-    for (const Variant& next : sequences.after(run)) queue_.push_back(next);
+  for (const Variant& next : sequences.after(run)) {
+    if (outcome_.signal == 0) queue_.push_back(next);
   }
   outcome_.runs.push_back(std::move(run));
 }

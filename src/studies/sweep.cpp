@@ -19,15 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A study of another mode may have been run here.
-void remove_earlier_outcome(const fs::path& folder) {
-  for (const char* name : {"outcome.nc", "outcome.csv"}) {
-    std::error_code reason;
-    fs::remove(folder / name, reason);
-    if (reason) throw FileError(fmt::format("{}: cannot be removed: {}", (folder / name).string(), reason.message()));
-  }
-}
-
 /// For people: without what is wide, and without the axes that only follow.
 std::string report_text(const Study& study, const StudyTable& table) {
   std::set<std::string> hidden{"wall_seconds", "message", "folder", "reused"};
@@ -89,6 +80,15 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
 
 }  // namespace
 
+void remove_earlier_results(const fs::path& folder) {
+  for (const char* name :
+       {"outcome.nc", "outcome.csv", "chart.nc", "chart.csv", "chart.txt", "map.nc", "map.csv", "map.txt"}) {
+    std::error_code reason;
+    fs::remove(folder / name, reason);
+    if (reason) throw FileError(fmt::format("{}: cannot be removed: {}", (folder / name).string(), reason.message()));
+  }
+}
+
 void write_table(const fs::path& stem, const StudyTable& table, const Study& study, const std::string& command) {
   const auto file = [&stem](const char* ending) { return fs::path(stem).concat(ending); };
   write_netcdf(file(".nc"), table, {study.title, command, study.text, sha256(study.text), Units::none});
@@ -102,7 +102,7 @@ std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
 
 SweepResult sweep(const Study& study, const SweepOptions& options) {
   const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
-  remove_earlier_outcome(options.out);
+  remove_earlier_results(options.out);
   Sequences sequences(study);
   Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
   const auto [runs, signal] = scheduler.run_all(sequences);

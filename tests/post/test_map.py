@@ -17,7 +17,7 @@ import map as stability_map
 
 NAN = float("nan")
 VERDICTS = {"square": [1, 2, 3, 4, 5, 6], "in.xleft": [0, 1, 2, 0, 1, 2], "mpm.cfl": [1, 1, 1, 2, 2, 2],
-            "verdict": ["holds", "holds", "holds", "holds", "grows", "inverts"], "own_run": [1, 0, 1, 1, 1, 0], "theory": [NAN, 1.5, 1.4, NAN, NAN, NAN]}
+            "verdict": ["holds", "holds", "holds", "holds", "grows", "inverts"], "holds": [1, 1, 1, 1, 0, 0], "own_run": [1, 0, 1, 1, 1, 0], "theory": [NAN, 1.5, 1.4, NAN, NAN, NAN]}
 BISECTED = {"square": [1, 2, 3, 4], "in.nx": [5, 9, 5, 9], "mpm.order": ["musl", "musl", "usl", "usl"], "verdict": ["found"] * 4,
             "largest_holding": [2, 2.1, 1, 1.1], "smallest_failing": [2.2, 2.3, 1.2, 1.3], "theory": [2.1, 2.2, NAN, NAN]}
 CHART = {"family": ["points", "points"], "of": ["cells", "cells"], "size": [.1, .05], "error": [.04, .02], "lasting_error": [.04, .02],
@@ -73,9 +73,11 @@ class MapTest(unittest.TestCase):
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("in.nx", "largest mpm.cfl that holds"))
 
     def test_where_all_values_hold_the_end_is_hollow(self):
-        axes = self.draw({**BISECTED, "smallest_failing": [2.2, NAN, 1.2, 1.3]}).axes[0]
+        axes = self.draw({**BISECTED, "smallest_failing": [2.2, NAN, 1.2, 1.3], "verdict": ["found", "both ends hold", "not yet", "found"]}).axes[0]
         hollow = [line for line in axes.lines if line.get_marker() == "^" and len(line.get_xdata())]
         self.assertEqual([(list(line.get_xdata()), list(line.get_ydata())) for line in hollow], [([9], [2.1])])
+        usl = {line.get_label(): line for line in axes.lines}["usl"]
+        self.assertTrue(numpy.isnan(usl.get_ydata()[0]))  # it was not found
 
     def test_theory_beyond_an_axis_is_not_drawn(self):
         axes = self.draw({**VERDICTS, "theory": [NAN, 9., 1.4, NAN, NAN, NAN]}).axes[0]
@@ -117,6 +119,20 @@ class MapTest(unittest.TestCase):
         corners = axes.collections[1].get_paths()[0].vertices
         for got, want in zip((corners[:, 0].min(), corners[:, 0].max()), (.1 / 10**.5, .1 * 10**.5)):
             self.assertAlmostEqual(got, want, places=9)
+
+    def test_folders_of_one_name_have_links_of_their_own(self):
+        for part in ("charts", "maps"):
+            write(self.folder / part / "sod/map.nc", VERDICTS)
+        out = self.folder / "report.html"
+        self.assertEqual(self.script("report.py", self.folder / "charts/sod", self.folder / "maps/sod", "--out", out).returncode, 0)
+        ids = re.findall(r'<h2 id="([^"]*)"', out.read_text())
+        self.assertEqual(len(set(ids)), 2)
+        self.assertEqual(re.findall(r'href="#([^"]*)"', out.read_text()), ids)
+
+    def test_a_folder_that_lacks_a_file_is_refused(self):
+        write(self.folder / "one/map.nc", VERDICTS).with_suffix(".csv").unlink()
+        result = self.script("report.py", self.folder / "one", "--out", self.folder / "report.html")
+        self.assertEqual((result.returncode, "Traceback" in result.stderr), (2, False), result.stderr)
 
     def test_folders_without_either_are_refused(self):
         (self.folder / "none").mkdir()

@@ -110,3 +110,10 @@ class ProgramTest(unittest.TestCase):
         heads = [head for head, more in found if message in "\n".join([head["text"], *more])]
         self.assertTrue(heads, found)
         self.assertEqual(int(heads[0]["line"]), line)
+
+    def assert_refused(self, cases, call, out):
+        """Each (text, words of the message, its line) is refused by call(text), and nothing is written to `out`."""
+        for text, message, line in cases:
+            with self.subTest(message=message):
+                self.assert_said_at(call(text).stderr, message, line)
+                self.assertFalse(out.exists())

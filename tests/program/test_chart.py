@@ -83,9 +83,20 @@ class Charts(ChartTest):
 
     def test_errors_of_an_answer_of_nothing_are_sizes(self):
         report = self.chart(BAR + "exact='0.'\n" + ELEMENTS).stdout
-        self.assertIn("answer 0, exact; errors are sizes", report)
+        self.assertIn("answer 0, exact; errors are absolute", report)
         row = rows_of(self.out / "chart.csv")[0]
         self.assertEqual(float(row["error"]), float(row["value"]))
+
+    def test_values_that_no_run_shows_are_said(self):
+        report = self.chart(BAR.replace("first(body_y_1)", "sqrt(-1.) + first(body_y_1)") + EXACT + POINTS, code=5).stdout
+        self.assertIn("run 3 ended well, and does not show the number that is read off", report)
+
+    def test_equal_runs_are_made_once(self):
+        steps = POINTS + "steps(1,2)='in.tstep=5.d-4,2.5d-4,1.25d-4'\n"
+        self.assertEqual(self.chart(BAR + EXACT + steps, "--dry-run").stdout.count("to run"), 5)
+        self.chart(BAR + EXACT + steps, "--quiet")
+        rows = rows_of(self.out / "chart.csv")
+        self.assertEqual((len(rows), rows[1]["folder"]), (6, rows[3]["folder"]))
 
     def test_families_may_have_decks_of_their_own(self):
         (self.folder / "paths/other.in").write_text((self.folder / "paths/bar.in").read_text().replace("gravc=-1.e-3", "gravc=-2.e-3"))
@@ -142,10 +153,7 @@ class BadCharts(ChartTest):
     )
 
     def test_each_is_refused_at_its_place(self):
-        for text, message, line in self.CASES:
-            with self.subTest(message=message):
-                self.assert_said_at(self.chart(text, code=2).stderr, message, line)
-                self.assertFalse(self.out.exists())
+        self.assert_refused(self.CASES, lambda text: self.chart(text, code=2), self.out)
 
     def test_a_sweep_is_no_chart_and_a_chart_no_sweep(self):
         self.chart(BAR + EXACT + ELEMENTS, "--dry-run")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tether map: where over deck values a criterion holds, runs along the border alone, and the map decks that it refuses."""
+import shutil
 import signal
 import subprocess
 import time
@@ -87,20 +88,44 @@ set='in.tstep=1.0', 'in.dtmax=1.0'
         self.assertEqual([row["verdict"] for row in self.table("map")], ["holds", "contradicts its energy"])
         self.assertIn("failure = contradicts its energy", (self.out / self.table()[1]["folder"] / "run.txt").read_text())
         self.map(text + "set(3)='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tmax=10.'\n", "--quiet")
-        self.assertIn(self.table("map")[1]["verdict"], ("loses points", "diverges"))
+        self.assertEqual(self.table("map")[1]["verdict"], "loses points")
 
     def test_it_goes_on_where_it_was_stopped(self):
         study = self.study(GROWTH + PLACES + STEPS)
         with subprocess.Popen([TETHER, "map", study, "--out", self.out, "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
             while len(list(self.out.glob("runs/*/run.txt"))) < 3 and process.poll() is None:
-                time.sleep(.005)
+                time.sleep(.002)
             process.send_signal(signal.SIGINT)
-            self.assertIn(process.wait(), (130, 0))
-        self.map(GROWTH + PLACES + STEPS, "--quiet")
+            self.assertEqual(process.wait(), 130)
+        self.assertTrue((self.out / "map.txt").read_text().startswith("NOT FINISHED"))
+        stopped = self.table("map")
+        self.assertTrue(all(row["own_run"] == "1" for row in stopped if row["verdict"] != "tells nothing"))
+        self.assertEqual(sum(row["own_run"] == "1" for row in stopped), len(self.table()))
+        self.map(GROWTH + PLACES + STEPS, "--quiet", "--jobs", "1")
         self.assertGreater(sum(row["reused"] == "1" for row in self.table()), 1)
-        whole = [row["holds"] for row in self.table("map")]
-        self.map(GROWTH + PLACES + STEPS, "--quiet", out=self.folder / "at-once")
-        self.assertEqual(whole, [row["holds"] for row in rows_of(self.folder / "at-once/map.csv")])
+        whole = (self.out / "map.csv").read_text()
+        self.map(GROWTH + PLACES + STEPS, "--quiet", "--jobs", "4", out=self.folder / "at-once")
+        self.assertEqual(whole, (self.folder / "at-once/map.csv").read_text())
+
+    def test_decks_have_a_map_each(self):
+        text = GROWTH.replace("decks='../decks/stability-centre.in'", "decks='../decks/stability-centre.in','../decks/stability-side.in'")
+        report = self.map(text + "axis(1)='mpm.cfl=.6,.9,1.2,1.5,1.8,2.1,2.4', axis(2)='in.tmax=.02,.03', coarse=3\n").stdout
+        self.assertEqual(report.count("mpm.cfl from 0.6 to 2.4"), 2)
+        rows = self.table("map")
+        holding = [max(float(row["mpm.cfl"]) for row in rows if row["deck"].endswith(deck) and row["holds"] == "1" and row["in.tmax"] == "0.03")
+                   for deck in ("centre.in", "side.in")]
+        self.assertEqual(holding, [1.8, .9])
+        self.assertIn("side.in, in.tmax = 0.03: holds below 0.9 to 1.2", report)
+
+    def test_a_run_without_the_criterions_number_tells_nothing(self):
+        text = """mode='map', decks='../decks/paths/bar.in', criterion='newton_iterations', at_most=1000.
+axis(1)="in.path='mpm','fem'", axis(2)='in.tmax=.01,.02'
+"""
+        shutil.copytree(DECKS / "paths", self.folder / "decks/paths")
+        report = self.map(text, code=5).stdout
+        self.assertIn("tells nothing: it ended well, and has no number for newton_iterations", report)
+        self.assertEqual({row["holds"] for row in self.table("map") if row["in.path"] == "mpm"}, {""})
+        self.assertEqual({row["holds"] for row in self.table("map") if row["in.path"] == "fem"}, {"1"})
 
     def test_that_all_values_hold_or_none_is_an_answer(self):
         report = self.map(GROWTH + "axis(1)='in.nx=6,7'\nvary='mpm.cfl', low=.5, high=.6\n").stdout
@@ -125,6 +150,8 @@ class BadMaps(MapTest):
         (GROWTH + "theory='2.'\n", "a map without vary needs an axis", 3),
         (GROWTH + "axis(1)='in.nx=6,7', vary='mpm.cfl', low=1.\n", "a map with vary needs high", 5),
         (GROWTH + "axis(1)='mpm.cfl=1.,2.', low=1.\n", "low is for a map with vary", 5),
+        (GROWTH + "axis(1)='mpm.cfl=1.,2.', tolerance=.1\n", "tolerance is for a map with vary", 5),
+        (GROWTH + "axis(1)='in.nx=6,7', vary='mpm.cfl', low=1., high=2., coarse=2\n", "coarse is for a map without vary", 5),
         (GROWTH + "axis(1)='mpm.cfl=1.,2.', theory='2*stepz'\n", "no run writes stepz into its summary", 5),
         (GROWTH + "axis(1)='mpm.cfl=1.,2.', theory='2*max(energy_tolal)'\n", "Did you mean 'energy_total'", 5),
         (GROWTH + "axis(1)='mpm.cfl=1.,2.', runs=3\n", "runs is not for mode 'map'", 5),
@@ -133,10 +160,16 @@ class BadMaps(MapTest):
     )
 
     def test_each_is_refused_at_its_place(self):
-        for text, message, line in self.CASES:
-            with self.subTest(message=message):
-                self.assert_said_at(self.map(text, code=2).stderr, message, line)
-                self.assertFalse(self.out.exists())
+        self.assert_refused(self.CASES, lambda text: self.map(text, code=2), self.out)
+
+    def test_a_right_name_is_not_called_wrong_next_to_another_mistake(self):
+        result = self.map(GROWTH + "axis(1)='mpm.cfl=1.,2.,1.5', theory='energy_growth'\n", code=2)
+        self.assertEqual(result.stderr.count("error:"), 1, result.stderr)
+
+    def test_all_decks_are_read_before_the_first_is_run(self):
+        good, bad = self.study(GROWTH + "axis(1)='mpm.cfl=1.,2.'\n", "studies/good.in"), self.study(GROWTH, "studies/bad.in")
+        self.expect(2, "map", good, bad, "--out", self.out)
+        self.assertFalse(self.out.exists())
 
     def test_a_sweep_is_no_map_and_a_map_no_sweep(self):
         result = self.expect(2, "sweep", self.study(GROWTH + STEPS.replace("(3)", "(1)")))

@@ -36,7 +36,7 @@ std::string answer_text(const Chart& chart, const Measurement& measurement) {
     return "no answer: no run shows the exact one, or no family's cells converge with an order that can be trusted\n";
   if (chart.exact)
     return fmt::format("answer {:.8g}, exact{}\n", measurement.answer,
-                       measurement.answer == 0 ? "; errors are sizes, since nothing is a part of it" : "");
+                       measurement.answer == 0 ? "; errors are absolute" : "");
   std::string text = fmt::format("answer {:.8g} +- {:.2g}, converged: what the cells of {} lead to, by Richardson\n",
                                  measurement.answer, measurement.bound, chart.families[measurement.answered_by].name);
   for (const std::size_t f : measurement.contradicting)
@@ -105,8 +105,10 @@ std::string steps_text(const std::vector<double>& size, const std::vector<double
   if (!std::ranges::all_of(value, [](double each) { return std::isfinite(each); })) return "not all runs end well";
   if (std::ranges::adjacent_find(size, [](double a, double b) { return !(b < 0.99 * a); }) != size.end())
     return "a limit cuts the steps: they do not all grow shorter";
+  if (size.size() < 3) return "three steps at least show an order";
+  if (!std::isfinite(answer)) return "no answer to set it against";
   const auto errors = errors_of_steps(size, value, answer);
-  if (errors.empty() || std::isnan(errors.front())) return "values do not converge with the step";
+  if (std::isnan(errors.front())) return "values do not converge with the step";
   return order_text(size, errors, theory) + fmt::format(", {} by the longest step", percent(errors.front()));
 }
 
@@ -131,9 +133,10 @@ std::string setting_text(const Chart& chart, const std::vector<ChartRun>& runs, 
   const Measured& published = measurement.runs[k];
   std::string text = fmt::format("\npublished setting: {}, error {}, lasting {}, {:.4g} s\n", name_of(chart, runs, k),
                                  percent(published.error), percent(published.lasting), published.seconds);
+  if (!std::isfinite(published.error)) return text + "  it has no error to compare with\n";
   const auto best = cheapest(points_of(measurement, &Measured::seconds), published.error);
   const double factor = best ? published.seconds / measurement.runs[*best].seconds : 0;
-  if (factor < least_factor) return text + "  none that is as accurate is cheaper by a fifth\n";
+  if (factor < least_factor) return text + "  none that is as accurate is 1.2 times cheaper\n";
   return text + fmt::format("  {:.3g} times cheaper, lasting error {}: {}\n", factor,
                             percent(measurement.runs[*best].lasting), name_of(chart, runs, *best));
 }

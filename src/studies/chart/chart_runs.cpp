@@ -20,9 +20,10 @@ Study study_of_run(const Chart& chart, const Family& family, const std::vector<s
   return study;
 }
 
-double distance(double value, double answer) {
-  return std::abs(value - answer) / (answer == 0 ? 1 : std::abs(answer));  // of a norm the answer is 0
-}
+/// What errors are over: the answer, unless that is 0, as of a norm.
+double measure_of(double answer) { return answer == 0 ? 1 : std::abs(answer); }
+
+double distance(double value, double answer) { return std::abs(value - answer) / measure_of(answer); }
 
 }  // namespace
 
@@ -115,7 +116,7 @@ std::vector<double> errors_of_steps(const std::vector<double>& size, const std::
   const Limit limit = limit_of(size, value);
   std::vector<double> errors;
   for (const double each : value)
-    errors.push_back(limit.converges ? std::abs(each - limit.value) / std::abs(answer) : NAN);
+    errors.push_back(limit.converges ? std::abs(each - limit.value) / measure_of(answer) : NAN);
   return errors;
 }
 

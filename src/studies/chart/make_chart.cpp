@@ -37,37 +37,36 @@ std::vector<StudyRun> planned(const std::vector<ChartRun>& runs, const fs::path&
 }
 
 /// Runs that are the same one are made once.
-std::vector<RunEnd> run_each_once(const std::vector<StudyRun>& runs, const ChartOptions& options) {
-  std::map<std::string, std::size_t> place;  // by key, among those that are made
-  std::vector<StudyRun> made;
-  std::vector<std::size_t> of;
+struct Distinct {
+  std::vector<StudyRun> runs;
+  std::vector<std::size_t> of;  ///< for each run of the chart its place among them
+};
+
+Distinct distinct(const std::vector<StudyRun>& runs) {
+  std::map<std::string, std::size_t> place;  // by key
+  Distinct all;
   for (const StudyRun& run : runs) {
-    const auto [found, fresh] =
-        place.try_emplace(run_key(read_deck(run.study, combinations(run.study).front())), made.size());
-    if (fresh) made.push_back(run);
-    of.push_back(found->second);
+    const std::string key = run_key(read_deck(run.study, combinations(run.study).front()));
+    const auto [found, fresh] = place.try_emplace(key, all.runs.size());
+    if (fresh) all.runs.push_back(run);
+    all.of.push_back(found->second);
   }
-  const auto ends = run_all(made, options.shares, options.command, options.progress);
-  std::vector<RunEnd> all;
-  for (const std::size_t k : of) all.push_back(ends[k]);
   return all;
 }
 
-/// A number that a run does not show is none.
-double read(const published::Readout& readout, const published::RunFiles& files) {
-  if (!readout) return NAN;
-  try {
-    return readout(files);
-  } catch (const FileError&) {
-    return NAN;
-  }
+std::vector<RunEnd> run_each_once(const std::vector<StudyRun>& runs, const ChartOptions& options) {
+  const Distinct made = distinct(runs);
+  const auto ends = run_all(made.runs, options.shares, options.command, options.progress);
+  std::vector<RunEnd> all;
+  for (const std::size_t k : made.of) all.push_back(ends[k]);
+  return all;
 }
 
 Measured measured(const Chart& chart, const RunEnd& end) {
   Measured run;
   if (end.ending.exit_code != exit_done) return run;
   const published::RunFiles files(end.folder);
-  run.value = read(chart.value, files), run.exact = read(chart.exact, files);
+  run.value = number_or_none(chart.value, files), run.exact = number_or_none(chart.exact, files);
   run.seconds = files.summary("cpu_seconds"), run.megabytes = files.summary("peak_memory_mb");
   run.step = files.summary("time_end") / files.summary("steps");
   return run;
@@ -112,11 +111,13 @@ StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const
            column("folder", "the run's", folder)}};
 }
 
-std::string failures_text(const std::vector<ChartRun>& runs, const std::vector<RunEnd>& ends) {
+std::string failures_text(const std::vector<Measured>& runs, const std::vector<RunEnd>& ends) {
   std::string text;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (ends[k].ending.exit_code != exit_done)
       text += fmt::format("run {} failed: {}\n", k + 1, ends[k].ending.message);
+    else if (!std::isfinite(runs[k].value))
+      text += fmt::format("run {} ended well, and does not show the number that is read off\n", k + 1);
   }
   return text;
 }
@@ -124,6 +125,7 @@ std::string failures_text(const std::vector<ChartRun>& runs, const std::vector<R
 }  // namespace
 
 ChartResult make_chart(const Chart& chart, const ChartOptions& options) {
+  remove_earlier_results(options.out);
   const std::vector<ChartRun> runs = runs_of(chart);
   const auto ends = run_each_once(planned(runs, options.out / "runs"), options);
   Measurement measurement;
@@ -134,18 +136,20 @@ ChartResult make_chart(const Chart& chart, const ChartOptions& options) {
   ChartResult result;
   result.report = aligned_text(table, {"run", "family", "of", "size", "value", "error", "lasting_error", "cpu_seconds",
                                        "peak_memory_mb", "warnings"}) +
-                  "\n" + report_text(chart, runs, measurement) + failures_text(runs, ends);
+                  "\n" + report_text(chart, runs, measurement) + failures_text(measurement.runs, ends);
   replace_file(options.out / "chart.txt", result.report);
   for (const auto& end : ends) {
     result.failed += end.ending.exit_code == exit_done ? 0 : 1;
     result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
   }
+  result.shows_nothing =
+      std::ranges::none_of(measurement.runs, [](const Measured& run) { return std::isfinite(run.error); });
   return result;
 }
 
 std::string list_chart_runs(const Chart& chart, const fs::path& out) {
   std::string text;
-  for (const auto& run : planned(runs_of(chart), out / "runs")) text += list_runs(run.study, run.out);
+  for (const auto& run : distinct(planned(runs_of(chart), out / "runs")).runs) text += list_runs(run.study, run.out);
   return text;
 }
 

@@ -22,6 +22,7 @@ struct ChartOptions {
 struct ChartResult {
   std::string report;            ///< for people
   std::size_t failed = 0;        ///< runs that did not end well
+  bool shows_nothing = false;    ///< no run has an error: there is no answer, or no value
   std::size_t file_trouble = 0;  ///< of them those that could not read or write a file
 };
 

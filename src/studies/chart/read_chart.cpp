@@ -9,7 +9,6 @@
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
-#include "plan/load.hpp"
 #include "studies/chart/chart_runs.hpp"
 #include "studies/combinations.hpp"
 #include "studies/read_study.hpp"
@@ -181,12 +180,8 @@ class ChartReader {
     std::set<std::size_t> told;
     for (const ChartRun& run : runs_of(chart_)) {
       if (told.count(run.family) > 0) continue;
-      const Ending ending = end_of(chart_.study.file, [&] {
-        const Deck deck = read_deck(run.study, {0, {}});
-        Diagnostics of_the_run;
-        load_scene(deck, {}, of_the_run);
-        if (run.rung == 0 && run.of == Of::cells) add_written(deck, written_);
-      });
+      const bool is_first = run.rung == 0 && run.of == Of::cells;
+      const Ending ending = try_scene(chart_.study.file, read_deck(run.study, {0, {}}), is_first ? &written_ : nullptr);
       if (ending.exit_code == exit_done) continue;
       told.insert(run.family);
       remarks_.error("study.family", number_of(run.family),

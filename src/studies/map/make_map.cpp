@@ -14,14 +14,9 @@
 namespace tether::map {
 namespace {
 
-/// What theory says is read off runs that hold; one that does not show it has none.
+/// What theory says is read off runs that end well; one that does not show it has none.
 double theory_of(const Map& map, const FinishedRun& run, const std::filesystem::path& out) {
-  if (!map.theory || run.failed()) return NAN;
-  try {
-    return map.theory(published::RunFiles(run_folder(out, run.record.key)));
-  } catch (const FileError&) {
-    return NAN;
-  }
+  return run.failed() ? NAN : number_or_none(map.theory, published::RunFiles(run_folder(out, run.record.key)));
 }
 
 /// Of squares by what was run: their combinations become rows of the runs.
@@ -54,6 +49,7 @@ std::size_t count_telling_nothing(const Outcome& outcome) {
 MapResult make_map(const Map& map, const SweepOptions& options) {
   const Study& study = map.study;
   const FolderLock lock(options.out, study.file);
+  remove_earlier_results(options.out);
   Sequences sequences(study);
   Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
   auto [runs, signal] = scheduler.run_all(sequences);

@@ -17,22 +17,13 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double number_of(const Cell& cell) { return std::holds_alternative<double>(cell) ? std::get<double>(cell) : none; }
 
-/// What theory says for a bisected square: the number read off the run of the largest value that holds.
-double theory_of_bisection(const Outcome& outcome, std::size_t square) {
-  for (std::size_t k = 0; k < outcome.runs.size(); ++k) {
-    const Variant& variant = outcome.runs[k].variant;
-    if (variant.combination == square && variant.varied == outcome.bisections[square].holds()) return outcome.theory[k];
-  }
-  return none;
-}
-
 void add_bisections(StudyTable& table, const std::string& vary, const Outcome& outcome) {
   Numbers low, high, theory;
   Texts verdict;
   for (std::size_t k = 0; k < outcome.bisections.size(); ++k) {
     const Bisection& bisection = outcome.bisections[k];
     low.push_back(bisection.holds()), high.push_back(bisection.fails());
-    theory.push_back(theory_of_bisection(outcome, k)), verdict.push_back(bisection.verdict());
+    theory.push_back(bisected_theory(outcome, k)), verdict.push_back(bisection.verdict());
   }
   table.columns.push_back({"largest_holding", "largest " + vary + " that holds", "", low});
   table.columns.push_back({"smallest_failing", "smallest " + vary + " that does not", "", high});
@@ -62,12 +53,19 @@ void add_verdicts(StudyTable& table, const Map& map, const Outcome& outcome) {
 }  // namespace
 
 std::string verdict_of(const Criterion& criterion, const FinishedRun& run) {
-  if (!run.decides()) return "tells nothing";
-  const double value = run.value(criterion.key);
-  if (criterion.holds(value)) return "holds";
+  const auto meets = run.meets(criterion);
+  if (!meets) return "tells nothing";
+  if (*meets) return "holds";
   if (run.failed()) return std::string(word_of(run.record.ending.failure.value_or(Failure::diverges)));
-  if (std::isnan(value)) return "tells nothing";
-  return value > criterion.at_most ? "grows" : "falls short";
+  return run.value(criterion.key) > criterion.at_most ? "grows" : "falls short";
+}
+
+double bisected_theory(const Outcome& outcome, std::size_t square) {
+  for (std::size_t k = 0; k < outcome.runs.size(); ++k) {
+    const Variant& variant = outcome.runs[k].variant;
+    if (variant.combination == square && variant.varied == outcome.bisections[square].holds()) return outcome.theory[k];
+  }
+  return none;
 }
 
 std::vector<std::size_t> border_axes(const Study& study) {

@@ -7,7 +7,6 @@
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
-#include "plan/load.hpp"
 #include "studies/read_study.hpp"
 #include "studies/reading_checks.hpp"
 #include "studies/study_checks.hpp"
@@ -30,6 +29,7 @@ class MapReader {
     check_axes();
     check_interval();
     if (!diagnostics_.has_errors()) check_scenes();
+    if (diagnostics_.has_errors() && written_.columns.empty()) return std::move(map_);  // names cannot be judged
     if (deck_.given("study.theory")) map_.theory = checked_reading(deck_, "study.theory", written_, remarks_);
     return std::move(map_);
   }
@@ -42,7 +42,7 @@ class MapReader {
       return remarks_.error("study.axis", given.back()[0],
                             fmt::format("a map has one or two axes, this one {}", leading.size()),
                             "linked(3)=1 lets axis 3 move along with axis 1");
-    const bool bare = given.empty() && !map_.study.bisects();
+    const bool bare = given.empty() && !deck_.given("study.vary");
     if (bare) remarks_.error("study.mode", 1, "a map without vary needs an axis", "axis(1)='in.tstep=.01,.02,.03'");
     if (given.empty() || map_.study.bisects() || diagnostics_.has_errors()) return;
     if (border_axes(map_.study).empty())
@@ -67,15 +67,20 @@ class MapReader {
     for (const AnyVariable end : Variables{"study.low", "study.high"}) {
       if (varies && !deck_.given(end))
         remarks_.error("study.vary", 1, fmt::format("a map with vary needs {}", end.name()));
-      if (!varies && deck_.given(end)) remarks_.error(end, 1, fmt::format("{} is for a map with vary", end.name()));
     }
+    for (const AnyVariable name : Variables{"study.low", "study.high", "study.tolerance"}) {
+      if (!varies && deck_.given(name)) remarks_.error(name, 1, fmt::format("{} is for a map with vary", name.name()));
+    }
+    if (varies && deck_.given("study.coarse")) remarks_.error("study.coarse", 1, "coarse is for a map without vary");
   }
 
   /// Each value of each axis in a scene of its own; an axis' mistakes are those of its first value that has some.
   void check_scenes() {
     const auto given = deck_.given_elements("study.axis");
     for (std::size_t d = 0; d < map_.study.decks.size(); ++d) {
-      check_scene({d, std::vector<std::size_t>(map_.study.axes.size(), 0)}, "study.decks", map_.study.decks[d].number);
+      const Combination first{d, std::vector<std::size_t>(map_.study.axes.size(), 0)};
+      check_scene(first, low_end(), "study.decks", map_.study.decks[d].number);
+      if (map_.study.bisects()) check_scene(first, map_.study.interval.high, "study.high", 1);
       if (diagnostics_.has_errors()) return;
       for (const std::size_t a : leading_axes(map_.study)) {
         if (check_axis(d, a, given[a][0], false)) check_axis(d, a, given[a][0], true);
@@ -90,19 +95,17 @@ class MapReader {
     for (std::size_t v = 0; v < axes[axis].cells.size(); ++v) {
       for (std::size_t a = 0; a < axes.size(); ++a)
         at.values[a] = axes[a].leader == axis ? v : at_the_end ? axes[a].cells.size() - 1 : 0;
-      if (!check_scene(at, "study.axis", number)) return false;
+      if (!check_scene(at, low_end(), "study.axis", number)) return false;
     }
     return true;
   }
 
-  bool check_scene(const Combination& at, AnyVariable name, int number) {
-    const std::optional<double> varied = map_.study.bisects() ? std::optional(map_.study.interval.low) : std::nullopt;
-    const Ending ending = end_of(map_.study.file, [&] {
-      const Deck deck = read_deck(map_.study, at, varied);
-      Diagnostics of_the_run;
-      load_scene(deck, {}, of_the_run);
-      if (written_.columns.empty()) add_written(deck, written_);
-    });
+  std::optional<double> low_end() const {
+    return map_.study.bisects() ? std::optional(map_.study.interval.low) : std::nullopt;
+  }
+
+  bool check_scene(const Combination& at, std::optional<double> varied, AnyVariable name, int number) {
+    const Ending ending = try_scene(map_.study.file, read_deck(map_.study, at, varied), &written_);
     if (ending.exit_code == exit_done) return true;
     remarks_.error(name, number, fmt::format("this cannot be run:\n{}", ending.message),
                    fmt::format("{}", fmt::join(overrides_of(map_.study, at, varied), " ")));
@@ -113,7 +116,7 @@ class MapReader {
   Diagnostics& diagnostics_;
   StudyRemarks remarks_;
   Map map_;
-  Written written_;  // by a run of the first square
+  Written written_;  // by a run of each value of each axis
 };
 
 }  // namespace

@@ -23,11 +23,11 @@ struct Sign {
 constexpr std::array signs{Sign{"holds", '.'},
                            Sign{"grows", 'g'},
                            Sign{"falls short", 'f'},
-                           Sign{"diverges", 'd'},
-                           Sign{"loses points", 'l'},
-                           Sign{"inverts", 'i'},
-                           Sign{"does not converge", 'c'},
-                           Sign{"contradicts its energy", 'e'},
+                           Sign{word_of(Failure::diverges), 'd'},
+                           Sign{word_of(Failure::loses_points), 'l'},
+                           Sign{word_of(Failure::inverts), 'i'},
+                           Sign{word_of(Failure::does_not_converge), 'c'},
+                           Sign{word_of(Failure::contradicts_energy), 'e'},
                            Sign{"tells nothing", '?'}};
 
 char sign_of(std::string_view verdict, bool own) {
@@ -58,11 +58,12 @@ std::string legend(const Outcome& outcome) {
   const std::set<std::string> seen(outcome.verdicts.begin(), outcome.verdicts.end());
   std::string text = "+ and capital letters are runs, the rest follows from them:";
   for (const Sign& sign : signs) {
-    if (seen.contains(std::string(sign.verdict)))
+    if (sign.sign != '?' && seen.contains(std::string(sign.verdict)))
       text += fmt::format(" {}{} {}", sign.sign, sign.sign == '.' ? "+" : std::string(1, sign_of(sign.verdict, true)),
                           sign.verdict);
   }
-  return text + "\n";
+  const bool open = std::ranges::any_of(outcome.decided_by, [](const auto& by) { return !by; });
+  return text + (open ? " ? not known" : "") + "\n";
 }
 
 /// A line a value of the second axis, the largest first, a sign a value of the first.
@@ -100,6 +101,7 @@ std::string pictures(const Study& study, const Outcome& outcome) {
 /// ", 2.0 by theory, between them", or how far the middle is from it: ", 2.0 by theory (-1.3 %)".
 std::string theory_text(double theory, double low, double high) {
   if (!std::isfinite(theory)) return "";
+  if (theory == 0) return ", 0 by theory";
   const std::string text = fmt::format(", {:.5g} by theory", theory);
   if (theory >= std::min(low, high) && theory <= std::max(low, high)) return text + ", between them";
   return text + fmt::format(" ({:+.2g} %)", 100 * (0.5 * (low + high) / theory - 1));
@@ -145,15 +147,10 @@ std::string bisected_text(const Bisection& bisection, const Interval& interval, 
 
 std::string bisections(const Map& map, const Outcome& outcome) {
   const auto all = combinations(map.study);
-  const StudyTable table = squares_table(map, outcome);
-  const auto& theory =
-      std::get<std::vector<double>>(std::find_if(table.columns.begin(), table.columns.end(), [](const auto& column) {
-                                      return column.name == "theory";
-                                    })->cells);
   std::string text = fmt::format("the largest {} that holds\n", map.study.vary.variable);
   for (std::size_t k = 0; k < all.size(); ++k)
     text += fmt::format("  {}{}\n", values_text(map.study, all[k]),
-                        bisected_text(outcome.bisections[k], map.study.interval, theory[k]));
+                        bisected_text(outcome.bisections[k], map.study.interval, bisected_theory(outcome, k)));
   return text;
 }
 
@@ -178,11 +175,14 @@ std::string cost(const Map& map, const Outcome& outcome) {
                      seconds, fmt::join(each, ", "));
 }
 
-std::string telling_nothing(const Outcome& outcome) {
+std::string telling_nothing(const Map& map, const Outcome& outcome) {
   std::string text;
   for (std::size_t k = 0; k < outcome.runs.size(); ++k) {
-    if (outcome.verdicts[k] == "tells nothing")
-      text += fmt::format("run {} tells nothing: {}\n", k + 1, outcome.runs[k].record.ending.message);
+    const FinishedRun& run = outcome.runs[k];
+    if (run.meets(map.study.criterion)) continue;
+    text += fmt::format(
+        "run {} tells nothing: {}\n", k + 1,
+        run.failed() ? run.record.ending.message : "it ended well, and has no number for " + map.study.criterion.key);
   }
   return text;
 }
@@ -190,11 +190,11 @@ std::string telling_nothing(const Outcome& outcome) {
 }  // namespace
 
 std::string report_text(const Map& map, const Outcome& outcome) {
-  std::string text = outcome.finished ? "" : "NOT FINISHED: the same command goes on\n\n";
+  std::string text = outcome.finished ? "" : "NOT FINISHED: the same command continues it\n\n";
   text += map.study.bisects() ? bisections(map, outcome) : pictures(map.study, outcome) + borders(map, outcome);
   const bool has_theory = std::ranges::any_of(outcome.theory, [](double each) { return std::isfinite(each); });
   if (map.theory && !has_theory) text += "  No run shows what theory reads.\n";
-  return text + cost(map, outcome) + telling_nothing(outcome);
+  return text + cost(map, outcome) + telling_nothing(map, outcome);
 }
 
 }  // namespace tether::map

@@ -8,6 +8,15 @@
 #include "base/text.hpp"
 
 namespace tether::published {
+
+double number_or_none(const Readout& readout, const RunFiles& run) {
+  if (!readout) return std::numeric_limits<double>::quiet_NaN();
+  try {
+    return readout(run);
+  } catch (const FileError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
 namespace {
 
 /// One number: how it is meant, its digits, its band, its place, and whether another follows.

@@ -18,6 +18,9 @@ namespace tether::published {
 /// where the run did not write what is read.
 using Readout = std::function<double(const RunFiles&)>;
 
+/// The number, and not a number where there is no readout, or the run did not write what it reads.
+double number_or_none(const Readout& readout, const RunFiles& run);
+
 /// A number of the thesis, where it stands, and its band: how far off a value may be that agrees with it.
 struct Printed {
   double value = 0;
