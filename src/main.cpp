@@ -39,7 +39,7 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
       ->allow_extra_args(false);
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
   app.add_option("--path", options.path, "solver path: mpm, fem or coupled (default: what the deck's groups say)")
-      ->check(CLI::IsMember({"mpm", "fem", "coupled"}));
+      ->check(CLI::IsMember({"mpm", "fem", "bars", "coupled"}));
 }
 
 constexpr const char* one_a_core = "one for each core where that is faster";

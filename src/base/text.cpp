@@ -5,7 +5,9 @@
 #include <openssl/evp.h>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -143,6 +145,11 @@ NoText no_text(std::string_view bytes) {
   if (is_binary(bytes)) return {"this is a binary file, no plain text", plain};
   if (trim(bytes).empty()) return {"the file holds nothing but blanks", ""};
   return {};
+}
+
+std::vector<std::string> split_words(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 }  // namespace tether

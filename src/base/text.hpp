@@ -11,6 +11,7 @@ namespace tether {
 std::string lower(std::string_view text);                     ///< ASCII letters in lower case
 std::string_view trim(std::string_view text);                 ///< without blanks, tabs and line ends on both sides
 std::vector<std::string> split_lines(std::string_view text);  ///< at LF, CRLF or CR; no empty last line
+std::vector<std::string> split_words(std::string_view text);  ///< at blanks and line ends
 
 /// Number of single-letter changes between two words (insert, delete, replace).
 std::size_t edit_distance(std::string_view a, std::string_view b);

@@ -18,6 +18,12 @@ inline constexpr std::array<Word<DensityRule>, 4> words<DensityRule>{{{DensityRu
                                                                       {DensityRule::continuity, "continuity"},
                                                                       {DensityRule::grid, "grid"}}};
 
+/// 2 mu (eps' - tr(eps') / 3 I), of (4.1)
+inline Stress friction_stress(double mu, const StrainRate& d) {
+  const double mean = (d.xx + d.yy + d.zz) / 3;
+  return {2 * mu * (d.xx - mean), 2 * mu * (d.yy - mean), 2 * mu * d.xy, 2 * mu * (d.zz - mean)};
+}
+
 /// Compressible viscous ideal gas (chapter 4).
 struct IdealGas {
   double gm1 = 0.4;             // gamma - 1
@@ -41,9 +47,8 @@ struct IdealGas {
 
   /// sigma = -(p + q) I + 2 mu (eps' - tr(eps') / 3 I)  (4.1)
   Stress stress(double p_plus_q, const StrainRate& d) const {
-    const double mean = (d.xx + d.yy + d.zz) / 3;
-    return {-p_plus_q + 2 * mu * (d.xx - mean), -p_plus_q + 2 * mu * (d.yy - mean), 2 * mu * d.xy,
-            -p_plus_q + 2 * mu * (d.zz - mean)};
+    const Stress s = friction_stress(mu, d);
+    return {s.xx - p_plus_q, s.yy - p_plus_q, s.xy, s.zz - p_plus_q};
   }
 
   /// rho^{k+1} = rho^k / (1 + dt div v)  (4.7)
@@ -55,9 +60,11 @@ struct IdealGas {
   }
 };
 
-/// The piston's fluid (6.1): p = -beta div U, so that pressure accumulates strain instead of following density.
+/// The piston's fluid (6.1): p = -beta div U, so that pressure accumulates strain instead of following density. With
+/// viscosity, which the source leaves out, its friction is the gas' of (4.1).
 struct LinearFluid {
   double beta = 0;  // bulk modulus [stress]
+  double mu = 0;    // shear viscosity [stress time]
 
   double updated_pressure(double p, double divergence, double dt) const { return p - beta * divergence * dt; }
   double energy_density(double p) const { return p * p / (2 * beta); }

@@ -22,8 +22,8 @@ Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid) {
 bool has_fluid_beyond(const Coupled& coupled, int side) {
   const BoxSide kind = coupled.sides[static_cast<std::size_t>(side)];
   return kind == BoxSide::open ||
-         (kind == BoxSide::wall && std::any_of(coupled.openings.begin(), coupled.openings.end(),
-                                               [&](const Opening& opening) { return opening.side == side; }));
+         (is_wall(kind) && std::any_of(coupled.openings.begin(), coupled.openings.end(),
+                                       [&](const Opening& opening) { return opening.side == side; }));
 }
 
 Systems systems_of(const Coupled& coupled) {
@@ -132,7 +132,7 @@ void SideFaces::add_side(const Coupled& coupled, int side) {
   for (std::size_t k = 0; k < coupled.jets.size(); ++k) {
     if (coupled.jets[k].side == side) patches.push_back(coupled.jets[k].patch), jets.push_back(static_cast<int>(k));
   }
-  const bool open_side = coupled.sides[static_cast<std::size_t>(side)] != BoxSide::wall;
+  const bool open_side = !is_wall(coupled.sides[static_cast<std::size_t>(side)]);
   for_faces(side, coupled.grid, [&](std::size_t f, const std::array<int, 3>& place) {
     Face face;
     const std::vector<double> part = parts(side, extent_of(side, coupled.grid, place), patches);

@@ -80,12 +80,14 @@ template <>
 inline constexpr std::array<Word<Advection>, 2> words<Advection>{
     {{Advection::semi_lagrangian, "semi-lagrangian"}, {Advection::maccormack, "maccormack"}}};
 
-/// What a side of the box is: a wall without friction (with, where the fluid is viscous); open to fluid at rest, whose
-/// pressure grows with the depth; or open with nothing beyond, where the pressure is zero.
-enum class BoxSide { wall, open, empty };
+/// What a side of the box is: a wall, which a viscous fluid sticks to; a wall that any fluid slips along; open to fluid
+/// at rest, whose pressure grows with the depth; or open with nothing beyond, where the pressure is zero.
+enum class BoxSide { wall, slip, open, empty };
 template <>
-inline constexpr std::array<Word<BoxSide>, 3> words<BoxSide>{
-    {{BoxSide::wall, "wall"}, {BoxSide::open, "open"}, {BoxSide::empty, "void"}}};
+inline constexpr std::array<Word<BoxSide>, 4> words<BoxSide>{
+    {{BoxSide::wall, "wall"}, {BoxSide::slip, "slip"}, {BoxSide::open, "open"}, {BoxSide::empty, "void"}}};
+
+inline bool is_wall(BoxSide side) { return side == BoxSide::wall || side == BoxSide::slip; }
 
 /// Numbers of the sides of a box.
 enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, side_front };
@@ -142,6 +144,7 @@ struct Coupled {
   double tolerance = 1e-12;  ///< of conjugate gradients and BiCGSTAB: residual over the right side
   double density = 1;        ///< of the fluid [mass/volume]
   double viscosity = 0;      ///< mu [stress time]
+  bool bodies_slip = true;   ///< whether a viscous fluid slips along bodies
   std::array<BoxSide, 6> sides{};
   double level = 0;  ///< height at which the fluid beyond open sides has no pressure [length]
   std::vector<Opening> openings;
@@ -161,6 +164,9 @@ struct Coupled {
   bool convex = true;       ///< whether K' is made positive semi-definite
   std::vector<Spring> springs;
 };
+
+/// Whether the fluid rubs at bodies.
+inline bool sticks_to_bodies(const Coupled& coupled) { return coupled.viscosity > 0 && !coupled.bodies_slip; }
 
 /// Whether there is fluid beyond a side: it is open, or a wall with an opening.
 bool has_fluid_beyond(const Coupled& coupled, int side);

@@ -108,8 +108,8 @@ double way_out(const Coupled& coupled, const BodyOfMesh& body) {
   for (int axis = 0; axis < grid.dim; ++axis) {
     const auto i = at(axis);
     const auto consider = [&](double gap) { least = std::min(least, std::max(gap, grid.d[i]) / section(grid, axis)); };
-    if (coupled.sides[2 * i] != BoxSide::wall) consider(body.low[i] - grid.low[i]);
-    if (coupled.sides[2 * i + 1] != BoxSide::wall) consider(grid.high(axis) - body.high[i]);
+    if (!is_wall(coupled.sides[2 * i])) consider(body.low[i] - grid.low[i]);
+    if (!is_wall(coupled.sides[2 * i + 1])) consider(grid.high(axis) - body.high[i]);
   }
   for (const Box<3>& empty : coupled.voids) {
     int across = 0;

@@ -45,7 +45,7 @@ double area_of(int side, const Box<3>& patch) {
 std::string sides_text(const Coupled& coupled, double gravity) {
   std::string to_fluid, to_nothing;
   for (std::size_t side = 0; side < 2 * static_cast<std::size_t>(coupled.grid.dim); ++side) {
-    if (coupled.sides[side] == BoxSide::wall) continue;
+    if (is_wall(coupled.sides[side])) continue;
     std::string& text = coupled.sides[side] == BoxSide::open ? to_fluid : to_nothing;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", box_side_names[side]);
   }
@@ -89,7 +89,7 @@ std::vector<Term> fluid_terms(const Scene& scene) {
        c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2" : "semi-Lagrangian: of order 1"},
       term("viscosity", c.viscosity > 0,
            fmt::format("mu {:.4g}: walls and obstacles hold the fluid{}", c.viscosity,
-                       scene.solids() ? ", bodies do not" : ""),
+                       scene.solids() ? (c.bodies_slip ? ", bodies do not" : ", and so do bodies") : ""),
            "mu = 0: the fluid slips along walls"),
       term("gravity", scene.gravity != 0, fmt::format("gravc = {:.6g} in y", scene.gravity), "gravc = 0"),
       term("smoke", c.smoke, fmt::format("weight {:.4g}, lift {:.4g}", c.smoke_weight, c.smoke_lift),
@@ -119,8 +119,8 @@ std::vector<Term> body_terms(const Scene& scene) {
       term("contact", c.contact, fmt::format("with walls and obstacles, friction {:.4g}", c.friction),
            "contact = .false."),
       {"contact between bodies", false, "bodies go through one another"},
-      {"friction of the fluid on bodies", false,
-       c.viscosity > 0 ? "the fluid slips along them: mu acts at walls and obstacles alone" : "mu = 0"},
+      term("friction of the fluid on bodies", sticks_to_bodies(c), "it sticks to them",
+           c.viscosity > 0 ? "bodies_slip = .true.: mu acts at walls and obstacles alone" : "mu = 0"),
       term("damping", s.alpha > 0 || s.beta > 0, fmt::format("alpha {:.4g}, beta {:.4g}", s.alpha, s.beta),
            "alpha = beta = 0"),
       term("loads", !s.loads.empty(), fmt::format("{}, dead", s.loads.size()), "none given"),

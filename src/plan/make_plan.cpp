@@ -47,10 +47,11 @@ struct SharpLimit {
   double h;
   double operator()(const PlaneElastic& law) const { return h / std::sqrt((law.lambda + 2 * law.G) / body.density); }
   double operator()(const FiniteElastic& law) const { return h / law.sound_speed(body.density); }
-  double operator()(const IdealGas& law) const {
-    return law.mu > 0 ? body.density * h * h / (16.0 / 3 * law.mu) : std::numeric_limits<double>::infinity();
+  double operator()(const IdealGas& law) const { return by_friction(law.mu); }
+  double by_friction(double mu) const {
+    return mu > 0 ? body.density * h * h / (16.0 / 3 * mu) : std::numeric_limits<double>::infinity();
   }
-  double operator()(const LinearFluid&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const LinearFluid& law) const { return by_friction(law.mu); }
   double operator()(const Membrane&) const { return std::numeric_limits<double>::infinity(); }
 };
 

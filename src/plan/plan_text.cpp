@@ -102,7 +102,8 @@ struct Namer {
     return fmt::format("ideal gas, gamma {:.4g}, density {}", gas.gm1 + 1, rule);
   }
   std::string operator()(const LinearFluid& law) const {
-    return fmt::format("linear fluid, beta {:.4g} (6.1)", law.beta);
+    return fmt::format("linear fluid, beta {:.4g} (6.1){}", law.beta,
+                       law.mu > 0 ? fmt::format(", viscosity {:.4g}", law.mu) : "");
   }
   std::string operator()(const Membrane& law) const {
     const std::string way = law.wrinkle ? "one-way" : "two-way";

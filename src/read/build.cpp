@@ -82,8 +82,9 @@ bool check_memory(const Deck& deck, const BackgroundGrid& grid, std::size_t rows
 void add_bodies(const Deck& deck, const std::optional<ParticleFile>& particles, Scene& scene,
                 Diagnostics& diagnostics) {
   const int igen = deck.integer("in.igen");
-  const int regions = igen == 0 ? 0 : deck.integer("reg.nreg");
-  for (int r = 1; r <= regions; ++r) add_region(deck, r, scene, diagnostics);
+  if (igen != 0) {
+    for (const int r : regions_of(deck)) add_region(deck, r, scene, diagnostics);
+  }
   const std::size_t file_first = scene.points.size();
   const std::size_t file_body = scene.bodies.size();
   if (particles) add_file_body(deck, *particles, scene, diagnostics);
@@ -149,7 +150,7 @@ void check_curves(const Deck& deck, const Method& method, Diagnostics& diagnosti
 bool lacks_mesh(const Deck& deck) {
   if (!deck.has_group("fem") || deck.integer("in.igen") == 0) return false;
   for (const AnyVariable name : Variables{"fem.law", "fem.fix_on", "fem.load_on", "fem.static"}) {
-    if (!deck.given_elements(name).empty()) return deck.integer("reg.nreg") > 0;
+    if (!deck.given_elements(name).empty()) return !regions_of(deck).empty();
   }
   return false;
 }
@@ -178,7 +179,7 @@ void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
   edges_of(deck, walls, diagnostics);
   check_curves(deck, method, diagnostics);
   if (deck.integer("in.igen") == 0) return;
-  for (int r = 1; r <= deck.integer("reg.nreg"); ++r) check_region(deck, r, diagnostics);
+  for (const int r : regions_of(deck)) check_region(deck, r, diagnostics);
 }
 
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Path path, Diagnostics& diagnostics) {

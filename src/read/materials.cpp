@@ -155,7 +155,10 @@ std::optional<Material> region_material(const Deck& deck, int r, Diagnostics& di
     case 8:
       if (!(first > 0))
         refuse(1, fmt::format("a linear fluid needs its bulk modulus > 0, not {:.6g}", first), "matr(1) is beta");
-      return LinearFluid{first};
+      if (deck.real("reg.matr", 2, r) < 0)
+        refuse(2, fmt::format("a linear fluid needs its viscosity >= 0, not {:.6g}", deck.real("reg.matr", 2, r)),
+               "matr(2) is mu");
+      return LinearFluid{first, deck.real("reg.matr", 2, r)};
     default:
       break;
   }

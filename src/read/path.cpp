@@ -8,11 +8,38 @@
 #include <optional>
 #include <string>
 
+#include "base/text.hpp"
 #include "deck/spelling.hpp"
 #include "read/values.hpp"
 
 namespace tether {
 namespace {
+
+constexpr std::string_view bars = "bars";  // of strings: a word for the path fem where the deck has a mesh, too
+
+/// Which paths have which region, where the deck says so.
+void check_paths(const Deck& deck, Diagnostics& diagnostics) {
+  const std::vector<std::string> all = split_choices(AnyVariable("in.path").row());
+  std::string left_out;
+  Subscript first{};
+  for (const Subscript at : deck.given_elements("reg.paths")) {
+    for (const std::string& path : split_words(deck.text("reg.paths", at[0]))) {
+      if (std::find(all.begin(), all.end(), path) != all.end()) continue;
+      diagnostics.add(deck.remark(Severity::error, "reg.paths", at, fmt::format("'{}' is no path", path),
+                                  fmt::format("{}, with blanks between", fmt::join(all, ", "))));
+    }
+    if (at[0] > deck.integer("reg.nreg") || has_region(deck, at[0])) continue;
+    if (left_out.empty()) first = at;
+    left_out += fmt::format("{}{}", left_out.empty() ? "" : ", ", at[0]);
+  }
+  if (!deck.given("in.path") && !deck.given_elements("reg.paths").empty())
+    diagnostics.add(deck.remark(Severity::warning, "reg.paths", deck.given_elements("reg.paths").front(),
+                                "paths has no effect: the deck names no path", "path of $in, or --path, does"));
+  if (!left_out.empty())
+    diagnostics.add(
+        deck.remark(Severity::remark, "reg.paths", first,
+                    fmt::format("the {} path leaves regions of others out: {}", deck.text("in.path"), left_out)));
+}
 
 /// The path that the deck's groups ask for.
 Path path_of_groups(const Deck& deck) {
@@ -37,6 +64,12 @@ bool is_of_boxes(const Variable& variable) {
   if (variable.group == "fem") return !is_one_of(variable.name, of_other_steps);
   if (variable.group == "in") return is_of_meshes(variable) && !is_one_of(variable.name, walls);
   return is_of_meshes(variable);
+}
+
+/// What makes elements of regions, and acts on them; strings have none of it.
+bool is_of_mesh_alone(const Variable& variable) {
+  if (variable.group == "fem") return variable.name != "cfl";
+  return variable.group == "mesh" || variable.group == "rigid" || variable.group == "flow";
 }
 
 /// Whether the path has a use for a variable of this deck.
@@ -89,8 +122,8 @@ void warn_of_lost_actions(const Deck& deck, Path path, const Used& used, Diagnos
 }  // namespace
 
 bool is_of_meshes(const Variable& variable) {
-  constexpr std::array<std::string_view, 11> of_regions{"nreg",  "nvi", "xvi", "yvi", "densir",    "matr",
-                                                        "ipath", "vrx", "vry", "law", "volumetric"};
+  constexpr std::array<std::string_view, 12> of_regions{"nreg",  "nvi", "xvi", "yvi", "densir",     "matr",
+                                                        "ipath", "vrx", "vry", "law", "volumetric", "paths"};
   if (variable.group == "reg") return is_one_of(variable.name, of_regions);
   if (variable.group == "points") return variable.name == "tracked_at";
   if (variable.group == "in") return variable.name != "particles";
@@ -106,13 +139,18 @@ Path path_of(const Deck& deck, Diagnostics& diagnostics) {
                                 "it describes the fluid in the box of $in"));
     return path_of_groups(deck);
   }
+  if (name == bars) return Path::fem;
   return name == path_name(Path::coupled) ? Path::coupled : name == path_name(Path::fem) ? Path::fem : Path::mpm;
 }
 
 Deck deck_of_path(const Deck& deck, Path path, Diagnostics& diagnostics) {
+  check_paths(deck, diagnostics);
   if (!deck.given("in.path")) return deck;
-  const bool mesh = deck.has_group("mesh") || deck.has_group("rigid") || has_flow(deck);
-  const Used used = [&](const Variable& variable) { return is_of(path, mesh, variable); };
+  const bool strings = deck.text("in.path") == bars;
+  const bool mesh = !strings && (deck.has_group("mesh") || deck.has_group("rigid") || has_flow(deck));
+  const Used used = [&](const Variable& variable) {
+    return is_of(path, mesh, variable) && !(strings && is_of_mesh_alone(variable));
+  };
   for (const auto& group : group_names()) {
     if (deck.has_group(group) && group != study_group && group != published_group)
       note_unused(deck, group, path, used, diagnostics);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "deck/words.hpp"
 
 namespace tether {
@@ -18,11 +19,23 @@ std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable n
   }
 }
 
-std::vector<int> regions_of(const Deck& deck, bool fluid) {
+bool has_region(const Deck& deck, int r) {
+  if (!deck.given("in.path") || !deck.given("reg.paths", r)) return true;
+  const std::vector<std::string> paths = split_words(deck.text("reg.paths", r));
+  return std::find(paths.begin(), paths.end(), deck.text("in.path")) != paths.end();
+}
+
+std::vector<int> regions_of(const Deck& deck) {
   std::vector<int> regions;
   for (int r = 1; r <= deck.integer("reg.nreg"); ++r) {
-    if ((deck.text("fem.law", r) == fluid_word) == fluid) regions.push_back(r);
+    if (has_region(deck, r)) regions.push_back(r);
   }
+  return regions;
+}
+
+std::vector<int> regions_of(const Deck& deck, bool fluid) {
+  std::vector<int> regions = regions_of(deck);
+  std::erase_if(regions, [&](int r) { return (deck.text("fem.law", r) == fluid_word) != fluid; });
   return regions;
 }
 

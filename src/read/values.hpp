@@ -37,6 +37,10 @@ std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable n
 
 /// Whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
 bool has_flow(const Deck& deck);
+/// Whether the path that the deck names has region r: `paths` of $reg may leave it to others.
+bool has_region(const Deck& deck, int r);
+/// The deck's numbers, from 1, of all regions that its path has.
+std::vector<int> regions_of(const Deck& deck);
 /// The deck's numbers, from 1, of the regions that are a fluid, or of those that are not.
 std::vector<int> regions_of(const Deck& deck, bool fluid);
 

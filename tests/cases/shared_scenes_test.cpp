@@ -81,5 +81,50 @@ TEST(SharedScene, IsAFlapInAStreamByTwoPaths) {
   EXPECT_NEAR(farthest(way_of(run_by("coupled", "flap", {"reg.nreg=1"}), "point_x_1")), way, 0.02 * way);
 }
 
+/// Mean of a column from a time on.
+double mean_from(const DeckRun& run, const std::string& column, double time) {
+  const Numbers times = run.history.column("time"), values = run.history.column(column);
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] >= time - 1e-9) sum += values[k], ++count;
+  }
+  return sum / count;
+}
+
+/// Finer and finer elements, at half the step, lead to a speed of .0357.
+TEST(SharedScene, IsABlockThatSinksByThreePaths) {
+  constexpr double speed = 0.0357;
+  for (const char* path : {"mpm", "fem", "coupled"})
+    EXPECT_NEAR(-mean_from(run_by(path, "block"), "body_vy_1", 1), speed, 0.03 * speed) << path;
+}
+
+/// The drag of a step is that of the speed that the body keeps: longer and shorter steps lead to the same.
+TEST(SharedScene, IsABlockThatSinksAsFastByOtherSteps) {
+  constexpr double speed = 0.0357;
+  for (const char* step : {"in.tstep=.05", "in.tstep=.005"}) {
+    const DeckRun run = run_by("coupled", "block", {step, "in.nx=33", "in.ny=65"});
+    EXPECT_NEAR(-mean_from(run, "body_vy_1", 1), speed, 0.07 * speed) << step;
+    EXPECT_LE(run.summary.at("energy_drift"), 1e-10) << step;
+  }
+}
+
+/// A column of viscous linear fluid that slides down between two walls: g L^2 / (8 nu) in its middle.
+TEST(ViscousLinearFluid, SlidesBetweenWallsAsAParabola) {
+  const auto error = [](int cells) {
+    const std::string text =
+        "$in path='mpm',nx=" + std::to_string(cells + 1) + ",ny=" + std::to_string(6 * cells + 1) +
+        ",xleft=0.,xright=.5,ybot=-.5,ytop=2.5,wl=0,wr=0,wb=1,wt=1,gravc=-.1,tmax=2.,tstep=.02,iout(33)=1,"
+        "tiout(33)=.1 $\n"
+        "$reg nreg=1,nvi=4,densir=1.,xvi(1,1)=0,.5,.5,0.,yvi(1,1)=0.,0.,2.,2.,matr(1,1)=20.,.05,ipath(4,1)=8 $\n"
+        "$mpm method='robust' $\n$points tracked_at(1,1)=.25,1. $\n";
+    const DeckRun run = run_text("column", text);
+    EXPECT_LE(run.summary.at("energy_drift"), 1e-10);
+    return std::abs(-run.last("point_vy_1") / 0.0625 - 1);
+  };
+  const double coarse = error(8), fine = error(16);
+  EXPECT_LT(fine, 0.01);
+  EXPECT_GT(std::log2(coarse / fine), 1.7);
+}
+
 }  // namespace
 }  // namespace tether::cases

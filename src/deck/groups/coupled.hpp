@@ -35,14 +35,19 @@ inline constexpr std::array coupled_rows{
     Variable{"coupled", "density", real, 0, 1, 1, "mass/length3", above_zero, none, "", "",
              "Density of the fluid, which $coupled must give."},
     Variable{"coupled", "viscosity", real, 0, 1, 1, "stress time", 0, none, "", "0.0", "Viscosity mu of the fluid."},
+    Variable{
+        "coupled", "bodies_slip", logical, 0, 1, 1, "", -none, none, "", ".true.",
+        "Whether a fluid with viscosity slips along bodies; else it sticks to them, as to walls and obstacles, and "
+        "drags them along."},
     Variable{"coupled", "nz", integer, 0, 1, 1, "", 2, 1e9, "", "",
              "Nodes of the grid in z; with it the problem is three-dimensional, and so is $mesh. Cells along x and y "
              "are nx - 1 and ny - 1 of $in."},
     Variable{"coupled", "zback", real, 0, 1, 1, "length", -none, none, "", "", "Lowest z of the box."},
     Variable{"coupled", "zfront", real, 0, 1, 1, "length", -none, none, "", "", "Highest z of the box."},
     Variable{"coupled", "side", text, 1, 6, 1, "", -none, none, choices<BoxSide>, "'wall'",
-             "What the box's left, right, bottom, top, back and front are: walls, without friction where the fluid has "
-             "no viscosity; open to fluid at rest, whose pressure grows with the depth where gravc acts; or open with "
+             "What the box's left, right, bottom, top, back and front are: walls, which a fluid with viscosity sticks "
+             "to; walls that it slips along; open to fluid at rest, whose pressure grows with the depth where gravc "
+             "acts; or open with "
              "nothing beyond, at a pressure of zero."},
     Variable{"coupled", "level", real, 0, 1, 1, "length", -none, none, "", "",
              "Height at which the fluid beyond open sides has a pressure of zero, as voids have it; ytop where it is "

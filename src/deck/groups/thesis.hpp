@@ -70,8 +70,9 @@ inline constexpr std::array in_rows{
              "1 for an axisymmetric problem (x is the radius), 0 for a plane one."},
     Variable{"in", "units", text, 0, 1, 1, "", -none, none, choices<Units>, "'none'",
              "Unit system that labels the outputs; nothing is converted."},
-    Variable{"in", "path", text, 0, 1, 1, "", -none, none, "mpm|fem|coupled", "",
-             "Path that runs the scene: material points, finite elements, or a fluid in a box coupled with elements. "
+    Variable{"in", "path", text, 0, 1, 1, "", -none, none, "mpm|fem|bars|coupled", "",
+             "Path that runs the scene: material points, finite elements, strings as bars (which fem makes of them "
+             "where nothing else is there), or a fluid in a box coupled with elements. "
              "What only other paths have a use for is left out, with a remark. Where it is not given, the deck's "
              "groups say it: $coupled, or $fem, $mesh, $rigid or $flow, else material points."},
     Variable{"in", "particles", text, 0, 1, 1, "", -none, none, "", "''",
@@ -120,9 +121,15 @@ inline constexpr std::array reg_rows{
     Variable{"reg", "nprg", integer, 1, nr, 1, "points/cell", 1, largest_integer, "", "4",
              "Points that fill a cell of region r, the square of a whole number."},
     Variable{"reg", "densir", real, 1, nr, 1, "mass/length3", above_zero, none, "", "", "Density of region r."},
-    Variable{"reg", "matr", real, 2, nr, nr, "", -none, none, "", "0.0",
-             "Constants of region r: matr(1,r) is E, or beta of a linear fluid [stress]; matr(2,r) is nu; matr(3..7,r) "
-             "are read and have no effect."},
+    Variable{
+        "reg", "matr", real, 2, nr, nr, "", -none, none, "", "0.0",
+        "Constants of region r: matr(1,r) is E, or beta of a linear fluid [stress]; matr(2,r) is nu, or the viscosity "
+        "of a linear fluid [stress time]; matr(3..7,r) "
+        "are read and have no effect."},
+    Variable{
+        "reg", "paths", text, 1, nr, 1, "", -none, none, "", "",
+        "Paths that have region r, of those that path of $in may name, such as 'mpm fem'; others leave it out. All "
+        "have it where this is not given."},
     Variable{"reg", "law", text, 1, nr, 1, "", -none, none, point_laws, "",
              "Law of the elastic region r, with E and nu of matr(1..2,r): small strains, St Venant-Kirchhoff or "
              "compressible neo-Hookean. Where it is not given, points follow their rate of strain (linear), and a mesh "

@@ -53,7 +53,7 @@ void Contact::begin(std::span<const double> q, std::span<const double> u, double
 
 void Contact::meet_walls(std::size_t node, const Vec<3>& x, double reach) {
   for (int side = 0; side < 2 * scene_.grid.dim; ++side) {
-    if (scene_.sides[at(side)] != BoxSide::wall) continue;
+    if (!is_wall(scene_.sides[at(side)])) continue;
     const int axis = axis_of_side(side);
     const double up = is_low_side(side) ? 1 : -1;
     const double place = is_low_side(side) ? scene_.grid.low[at(axis)] : scene_.grid.high(axis);

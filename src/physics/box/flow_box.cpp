@@ -96,7 +96,9 @@ void FlowBox::open_faces(const Crossings& crossings, FlowDomain& domain) const {
 }
 
 FlowDomain FlowBox::around(const Crossings& crossings) const {
-  FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0, side_faces_};
+  FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0, {}, side_faces_};
+  for (std::size_t side = 0; side < domain.slips.size(); ++side)
+    domain.slips[side] = scene_.sides[side] == BoxSide::slip;
   for (std::size_t cell = 0; cell < kind_.size(); ++cell) {
     if (kind_[cell] == CellKind::wall) continue;
     if (crossings.inside[cell] != 0)
@@ -254,6 +256,7 @@ Placement Placer::at(std::span<const double> q) const {
     drop_regions(pockets, at.domain);
     map(q, cuts, at);
   }
+  if (sticks_to_bodies(scene_)) at.beside = surface_beside_faces(surface_, q, scene_.grid);
   at.pieces = std::move(cuts.pieces.pieces), at.thin = std::move(cuts.cells.thin);
   return at;
 }

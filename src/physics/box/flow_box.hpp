@@ -7,6 +7,7 @@
 #include "model/coupled.hpp"
 #include "physics/box/closed_regions.hpp"
 #include "physics/box/cut_cells.hpp"
+#include "physics/box/drag.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/smoke.hpp"
 
@@ -56,6 +57,7 @@ struct Placement {
   PressureNumbers numbers;
   CouplingMap map;
   CouplingMatrix crossing_map;  ///< of the paper's own mode
+  SurfaceBesideFaces beside;    ///< where the fluid sticks to bodies
 };
 
 /// Places solids in the box. All of its arguments must outlive it.

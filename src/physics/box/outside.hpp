@@ -36,6 +36,7 @@ struct FlowDomain {
   FaceValues volume;                          ///< of the fluid that an open face's velocity moves [volume]
   std::vector<int> region;                    ///< of each fluid cell, from 0: cells that open faces join; else -1
   int regions = 0;
+  std::array<bool, 6> slips{};                       ///< sides of the box that a viscous fluid slips along
   std::shared_ptr<const SideFaces> sides = nullptr;  ///< what the box's sides are where no solid is; null: no openings
 };
 

@@ -102,6 +102,7 @@ std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step
 
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
+  const Coupled& scene = *plan_.scene.coupled();
   Summary summary{line_of("mode", word_of(plan_.scene.coupled()->coupling.mode)),
                   line_of("linear_solver", step_.system().solver_name()),
                   line_of("unknowns", state_.q.size() + plan_.scene.coupled()->grid.cell_count()),
@@ -114,7 +115,7 @@ Summary CoupledSolver::more_summary() const {
                   line_of("cfl_largest", state_.cfl_largest),
                   line_of("nodes_inside", state_.overlap.most),
                   line_of("bodies_left", std::count(state_.left.begin(), state_.left.end(), 1)),
-                  line_of("bodies_slip", plan_.scene.coupled()->viscosity > 0 ? state_.left.size() : 0),
+                  line_of("bodies_slip", scene.viscosity > 0 && scene.bodies_slip ? state_.left.size() : 0),
                   line_of("interface_mismatch", state_.worst_mismatch)};
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;

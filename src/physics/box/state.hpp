@@ -56,11 +56,12 @@ struct StepAccount {
 
 /// All that changes in a run.
 struct CoupledState : StepClock {
-  FaceValues v;              ///< of the fluid, extended into the solids [velocity]
-  FaceValues driven;         ///< of a viscous one's open faces, by pressures and forces in the last step [acceleration]
-  std::vector<double> p;     ///< of each cell, extended into the solids [stress]
-  std::vector<double> q, u;  ///< places and velocities of the solids' nodes, dim numbers a node
-  std::vector<Touch> touches;  ///< of the nodes, a number a velocity
+  FaceValues v;       ///< of the fluid, extended into the solids [velocity]
+  FaceValues driven;  ///< of a viscous one's open faces, by pressures and forces in the last step [acceleration]
+  std::vector<double> driven_nodes;  ///< of nodes that a viscous one sticks to, likewise by all but its friction
+  std::vector<double> p;             ///< of each cell, extended into the solids [stress]
+  std::vector<double> q, u;          ///< places and velocities of the solids' nodes, dim numbers a node
+  std::vector<Touch> touches;        ///< of the nodes, a number a velocity
   std::vector<double> fluid_force,
       wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
   Smoke smoke;
@@ -75,6 +76,7 @@ struct CoupledState : StepClock {
   std::vector<double> orders;       ///< of elimination, when the state was saved
   long long contact_solutions = 0;  ///< solutions found again because of contact
   long long unmeasured = 0;         ///< 1 once it was told that a closed volume is not held
+  long long heated_up = 0;          ///< 1 once it was told that friction has given more energy than it took
   fem::OverlapCount overlap;        ///< of the solids
   std::vector<int> left;            ///< of each body, 1 once it was found to be wholly beyond a side of the box
   long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
@@ -87,6 +89,7 @@ void exchange(Exchange& with, CoupledState& state) {
   exchange_clock(with, state);
   with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
   with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
+  with("driven_nodes", state.driven_nodes);
   with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   if (!state.smoke.volume.empty())
@@ -106,7 +109,7 @@ void exchange(Exchange& with, CoupledState& state) {
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
   fem::exchange(with, state.overlap);
   with("left", state.left);
-  with("unmeasured", state.unmeasured);
+  with("unmeasured", state.unmeasured), with("heated_up", state.heated_up);
   with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);
   with.list("orders", state.orders);
 }

@@ -11,7 +11,6 @@
 #include "physics/box/matrix.hpp"
 #include "physics/box/projection.hpp"
 #include "physics/box/smoke_follow.hpp"
-#include "physics/box/viscosity.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -58,6 +57,7 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
       placer_(coupled_, surface_, box_, outside_, team),
       contact_(coupled_, surface_),
       system_(coupled_, team),
+      drag_(solids_.system.unknowns(), 0.0),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
 
 void CoupledStep::resume(const CoupledState& state) {
@@ -79,32 +79,18 @@ bool CoupledStep::advance(CoupledState& state, double h) {
   end_velocity(h, state.v);
   if (coupled_.viscosity > 0) keep_drive(given, h, state);
   move_solids(state, u0, h);  // (5)
+  if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
   book_solids(q0, u0, solution, state, h);
+  note_friction_that_gives(state);
   place_solids(state.time + h, state);
   state.books.remeshed += found - energy_of(state.v);
   return true;
-}
-
-bool CoupledStep::may_stop(double h) const {
-  return stop_ != nullptr && h * coupled_.viscosity > 0 &&
-         viscous_steps(coupled_.grid, coupled_.viscosity / coupled_.density, h) > steps_between_questions;
 }
 
 /// What the next step is to find, in cut faces and in the solids.
 void CoupledStep::end_velocity(double h, FaceValues& v) const {
   if (coupled_.coupling.cuts_faces) blend_cut_faces(at_.domain, h, v);
   extend_velocity(at_.domain, v, layers_around_fluid);
-}
-
-/// What pressures and forces gave each open face in this step, and the end of the step after them: the viscosity of the
-/// next one sees it. `unforced_` holds what these changed.
-void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& state) const {
-  for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
-    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
-      const double change = unforced_[axis][f] + (state.v[axis][f] - given[axis][f]);
-      state.driven[axis][f] = at_.domain.face[axis][f] == FaceKind::open ? change / h : 0;
-    }
-  }
 }
 
 /// The fluid's cells change with them, and smoke goes where there is fluid.
@@ -121,12 +107,7 @@ bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
   box_.prescribe(at_.domain, state.time, h, state.v);
   extend_velocity(at_.domain, state.v, layers_around_fluid);
   carry_along(state, h);
-  if (coupled_.viscosity > 0) {
-    const double before = energy_of(state.v);
-    const double nu = coupled_.viscosity / coupled_.density;
-    if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, may_stop(h) ? stop_ : nullptr) < 0) return false;
-    state.books.viscous += before - energy_of(state.v);
-  }
+  if (coupled_.viscosity > 0 && !add_friction(state, h)) return false;
   unforced_ = state.v;
   add_forces(state.smoke, h, state.v);
   return true;
@@ -185,7 +166,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
   state.p = on_cells(at_.numbers, solution.p);
   extend_pressure(at_.domain, state.p, layers_around_fluid);
   for (std::size_t k = 0; k < solution.friction.size(); ++k) {
-    state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k] + at_.map.film_weight[k];
+    state.fluid_force[k] = solution.fluid_force[k] + at_.map.outside[k] + at_.map.film_weight[k] + drag_[k];
     state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
   }
   solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
@@ -210,7 +191,8 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
   b = solids_.b;
   solution.friction.assign(b.size(), 0.0);
   contact_.add_friction(solution.friction);
-  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + at_.map.outside[k] + at_.map.film_weight[k];
+  for (std::size_t k = 0; k < b.size(); ++k)
+    b[k] += solution.friction[k] + at_.map.outside[k] + at_.map.film_weight[k] + drag_[k];
   solution.lifts = contact_.lifts(state.touches, b.size());
   solids_.add_lifts(solution.lifts, b);
   const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
@@ -268,6 +250,7 @@ CoupledState CoupledStep::start() {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
   if (coupled_.viscosity > 0) state.driven = face_values(coupled_.grid);
+  state.driven_nodes.assign(sticks_to_bodies(coupled_) ? state.u.size() : 0, 0.0);
   state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
   at_ = placer_.at(state.q);
   box_.prescribe(at_.domain, 0, 0, state.v);

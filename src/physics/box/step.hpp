@@ -59,6 +59,8 @@ class CoupledStep {
   };
 
   bool move_fluid_freely(CoupledState& state, double h);
+  bool add_friction(CoupledState& state, double h);
+  StickingBodies sticking(const CoupledState& state) const;
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
   Solution solve(CoupledState& state, double h);
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
@@ -80,8 +82,10 @@ class CoupledStep {
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, FaceValues& v) const;
   void keep_drive(const FaceValues& given, double h, CoupledState& state) const;
+  void keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h, CoupledState& state) const;
   void place_solids(double time, CoupledState& state);
   void note_bodies_that_left(double time, CoupledState& state);
+  void note_friction_that_gives(CoupledState& state);
   void note_thin_bodies(double time, CoupledState& state);
 
   Team& team_;
@@ -98,6 +102,7 @@ class CoupledStep {
   std::function<bool()> stop_;
   Placement at_;                       // of the solids now
   FaceValues unforced_;                // velocities before forces and pressures act; then what these change
+  std::vector<double> drag_;           // of the fluid's friction on the nodes in this step [force]
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "physics/box/drag.hpp"
 #include "physics/box/outside.hpp"
 
 namespace tether::coupled {
@@ -12,7 +13,8 @@ namespace tether::coupled {
 /// weight positive. Returns how many (about 3 dim h nu / d^2; none where nu is 0).
 ///
 /// Walls, obstacles and jets (prescribed faces) hold what flows along them where `walls_no_slip`, at half a cell's
-/// distance; else only what meets them. Along solids and open sides nothing is exchanged, nor through a solid.
+/// distance, but for sides of the box that slip; else only what meets them. Along open sides nothing is exchanged, nor
+/// through a solid; with `bodies` the fluid sticks to these, else it slips along them.
 ///
 /// `driven` is the acceleration by pressures and forces that these faces had in the step before. It acts meanwhile, and
 /// at the end h times it is taken back, for the pressure to find anew: what stays is what viscosity does to a velocity
@@ -22,7 +24,8 @@ namespace tether::coupled {
 ///
 /// Where `stop` is given, it is asked meanwhile, and where it says so, the velocities are left half-way: -1.
 int add_viscosity(const FlowDomain& domain, FaceValues& v, double nu, double h, bool walls_no_slip,
-                  const FaceValues* driven = nullptr, const std::function<bool()>& stop = nullptr);
+                  const FaceValues* driven = nullptr, const std::function<bool()>& stop = nullptr,
+                  StickingBodies* bodies = nullptr);
 
 /// About how many of its own steps viscosity takes in a time h.
 double viscous_steps(const StaggeredGrid& grid, double nu, double h);

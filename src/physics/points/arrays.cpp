@@ -47,12 +47,17 @@ std::vector<LineArray<double> Points::*> asked_by(const Scene& scene) {
   };
   const bool finite = find_body<FiniteElastic>(scene), gas = find_body<IdealGas>(scene),
              membrane = find_body<Membrane>(scene);
+  const bool rubs = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+    const auto* fluid = std::get_if<LinearFluid>(&body.material);
+    return fluid && fluid->mu > 0;
+  });
   const bool some_wait = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
     return waits(body.material, scene.method.order != StressOrder::usf);
   });
   ask(scene.method.transfer == Transfer::apic, {&P::vxx, &P::vyx, &P::vxy, &P::vyy});
-  ask(scene.geometry == Geometry::axisymmetric || finite || membrane, {&P::szz});
-  ask(gas, {&P::rho, &P::energy});
+  ask(scene.geometry == Geometry::axisymmetric || finite || membrane || rubs, {&P::szz});
+  ask(gas, {&P::rho});
+  ask(gas || rubs, {&P::energy});
   ask(membrane, {&P::strain, &P::hoop, &P::tx, &P::ty});
   ask(finite, {&P::fxx, &P::fxy, &P::fyx, &P::fyy, &P::fzz});
   ask(some_wait, {&P::dxx, &P::dyy, &P::dxy, &P::dzz});

@@ -25,7 +25,7 @@ double stored(const FiniteElastic& law, const Points& P, std::size_t p, Geometry
   return P.volume[p] * answer(law, P, p, geometry).energy;
 }
 double stored(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
-  return P.volume[p] * law.energy_density(-P.sxx[p]);
+  return P.volume[p] * law.energy_density(fluid_pressure(law, P, p));
 }
 double stored(const Membrane& law, const Points& P, std::size_t p, Geometry) {
   return P.volume[p] * law.energy_density(P.strain[p], P.hoop[p]);
@@ -37,7 +37,9 @@ double across(const PlaneElastic& law, const Points& P, std::size_t p, Geometry 
   return geometry == Geometry::plane ? law.out_of_plane_stress(stress_of(P, p)) : P.szz[p];
 }
 double across(const FiniteElastic&, const Points& P, std::size_t p, Geometry) { return P.szz[p]; }
-double across(const LinearFluid&, const Points& P, std::size_t p, Geometry) { return P.sxx[p]; }
+double across(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
+  return law.mu == 0 ? P.sxx[p] : P.szz[p];
+}
 double across(const Membrane&, const Points& P, std::size_t p, Geometry) { return P.szz[p]; }
 
 double pressure(const PlaneElastic& law, const Points& P, std::size_t p, Geometry geometry) {
@@ -47,7 +49,7 @@ double pressure(const PlaneElastic& law, const Points& P, std::size_t p, Geometr
 double pressure(const FiniteElastic&, const Points& P, std::size_t p, Geometry) {
   return -(P.sxx[p] + P.syy[p] + P.szz[p]) / 3;
 }
-double pressure(const LinearFluid&, const Points& P, std::size_t p, Geometry) { return -P.sxx[p]; }
+double pressure(const LinearFluid& law, const Points& P, std::size_t p, Geometry) { return fluid_pressure(law, P, p); }
 double pressure(const Membrane&, const Points& P, std::size_t p, Geometry) { return -(P.sxx[p] + P.syy[p]) / 3; }
 
 /// Rates of strain add up to the logarithm of the volume over that at the start.
@@ -56,7 +58,7 @@ double filled(const PlaneElastic& law, const Points& P, std::size_t p, Geometry 
 }
 double filled(const FiniteElastic& law, const Points& P, std::size_t p, Geometry) { return law_volume(law, P, p); }
 double filled(const LinearFluid& law, const Points& P, std::size_t p, Geometry) {
-  return P.volume[p] * std::exp(P.sxx[p] / law.beta);
+  return P.volume[p] * std::exp(-fluid_pressure(law, P, p) / law.beta);
 }
 double filled(const Membrane&, const Points& P, std::size_t p, Geometry) { return P.volume[p]; }
 double filled(const IdealGas& law, const Points& P, std::size_t p, Geometry) { return law_volume(law, P, p); }
@@ -132,12 +134,13 @@ void Energies::add(const Scene& scene, std::size_t b, const State& state, const 
     ambient += state.elements_of[b]->ambient_energy(P);
     return;
   }
-  const bool gas = std::holds_alternative<IdealGas>(body.material);
+  const auto* fluid = std::get_if<LinearFluid>(&body.material);
+  const bool heats = std::holds_alternative<IdealGas>(body.material) || (fluid && fluid->mu > 0);
   std::visit(
       [&](const auto& law) {
         for (const std::size_t p : order.of(b)) {
           strain += stored(law, P, p, scene.geometry);
-          if (gas) internal += P.mass[p] * P.energy[p];
+          if (heats) internal += P.mass[p] * P.energy[p];
         }
       },
       body.material);

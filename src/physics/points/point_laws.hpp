@@ -85,7 +85,9 @@ inline bool sound(const FiniteElastic&, const Points& P, std::size_t p) {
   return deformation(P, p).volume_ratio() > 0 &&
          std::abs(P.sxx[p]) + std::abs(P.syy[p]) + std::abs(P.sxy[p]) < std::numeric_limits<double>::infinity();
 }
-inline bool sound(const LinearFluid&, const Points& P, std::size_t p) { return std::isfinite(P.sxx[p]); }
+inline bool sound(const LinearFluid&, const Points& P, std::size_t p) {
+  return std::isfinite(P.sxx[p] + P.syy[p] + P.sxy[p]);
+}
 inline bool sound(const Membrane&, const Points& P, std::size_t p) { return std::isfinite(P.strain[p]); }
 inline bool sound(const IdealGas&, const Points& P, std::size_t p) {
   return P.rho[p] > 0 && P.rho[p] < std::numeric_limits<double>::infinity() && std::isfinite(P.energy[p]);
@@ -120,12 +122,22 @@ inline void law_update(const FiniteElastic& law, Points& P, std::size_t p, const
   found.wave_max = std::max(found.wave_max, std::sqrt(answer.modulus * P.volume[p] / P.mass[p]));
 }
 
+/// The mean of its stresses, which friction leaves alone; without any they all are -p.
+inline double fluid_pressure(const LinearFluid& law, const Points& P, std::size_t p) {
+  return law.mu == 0 ? -P.sxx[p] : -(P.sxx[p] + P.syy[p] + P.szz[p]) / 3;
+}
+
 template <bool about_axis>
 inline void law_update(const LinearFluid& law, Points& P, std::size_t p, const Rate& rate, const StepContext& step,
                        StepFindings&) {
-  const double pressure = law.updated_pressure(-P.sxx[p], rate.d.xx + rate.d.yy + rate.d.zz, step.dt);  // (6.1)
-  P.sxx[p] = P.syy[p] = -pressure;
-  if constexpr (about_axis) P.szz[p] = -pressure;
+  const StrainRate& d = rate.d;
+  const double pressure = law.updated_pressure(fluid_pressure(law, P, p), d.xx + d.yy + d.zz, step.dt);  // (6.1)
+  const Stress s = friction_stress(law.mu, d);
+  P.sxx[p] = s.xx - pressure, P.syy[p] = s.yy - pressure;
+  if constexpr (about_axis) P.szz[p] = s.zz - pressure;
+  if (law.mu == 0) return;
+  P.sxy[p] = s.xy, P.szz[p] = s.zz - pressure;
+  P.energy[p] += step.dt * power(s, d) * P.volume[p] / P.mass[p];  // its friction's heat
 }
 
 /// The strains have been brought up to date with the tangents.

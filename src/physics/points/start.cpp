@@ -63,7 +63,7 @@ struct StartPoints {
   }
   void operator()(const LinearFluid&) {
     Points& P = state.points;  // an accumulated pressure starts at zero strain
-    for_points(P, range, [&](std::size_t p) { P.sxx[p] = P.syy[p] = P.sxy[p] = 0; });
+    for_points(P, range, [&](std::size_t p) { P.sxx[p] = P.syy[p] = P.sxy[p] = 0; });  // the other arrays are 0
   }
   /// A stress in the file is an initial strain E eps = t . sigma . t: negative is slack.
   void operator()(const Membrane& law) {

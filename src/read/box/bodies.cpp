@@ -244,7 +244,7 @@ void add_openings(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) 
     opening.number = at[0];
     opening.side = reader.side();
     opening.patch = reader.patch_of(opening.side);
-    if (coupled.sides[static_cast<std::size_t>(opening.side)] != BoxSide::wall)
+    if (!is_wall(coupled.sides[static_cast<std::size_t>(opening.side)]))
       diagnostics.add(deck.remark(Severity::warning, "coupled.open_on", at,
                                   fmt::format("opening {} has no effect: all of that side is open", opening.number),
                                   fmt::format("leave side({}) away", opening.side + 1)));

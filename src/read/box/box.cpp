@@ -33,6 +33,7 @@ void read_method(const Deck& deck, Coupled& coupled) {
   coupled.tolerance = deck.real("coupled.tolerance");
   coupled.contact = deck.logical("coupled.contact");
   coupled.friction = deck.real("coupled.friction");
+  coupled.bodies_slip = deck.logical("coupled.bodies_slip");
   coupled.volume_term = deck.logical("coupled.volume_term");
   coupled.area_repair = deck.logical("coupled.area_repair");
   coupled.convex = deck.logical("coupled.convex");

@@ -39,7 +39,7 @@ class CoupledChecks {
   void plane() {
     if (coupled_.grid.dim == 3) return;
     for (const int side : {5, 6}) {
-      if (word<BoxSide>(deck_, "coupled.side", side) != BoxSide::wall)
+      if (!is_wall(word<BoxSide>(deck_, "coupled.side", side)))
         flat("coupled.side", {side, 1}, fmt::format("side {}, the {}, is open", side, box_side_names[at(side - 1)]));
     }
     if (coupled_.start[2] != 0) flat("coupled.w0", {1, 1}, "the fluid starts along z");
@@ -53,6 +53,7 @@ class CoupledChecks {
             "leave friction away, or contact=.false.");
     if (coupled_.coupling.simultaneous) unused("coupled.area_repair", "mode='splitting' repairs areas");
     if (coupled_.systems == Systems::direct) unused("coupled.tolerance", "factors need none");
+    if (coupled_.viscosity == 0) unused("coupled.bodies_slip", "viscosity is 0: the fluid rubs nowhere");
     level();
     if (coupled_.smoke) return;
     for (const AnyVariable name : Variables{"coupled.smoke_weight", "coupled.smoke_lift"})
@@ -73,16 +74,14 @@ class CoupledChecks {
             fmt::format("viscosity takes {:.3g} steps of its own in each step, more than {:.0e}", steps, most),
             "shorter steps, larger cells or less viscosity");
   }
-  /// Walls and obstacles hold a viscous fluid; bodies do not.
+  /// Walls and obstacles hold a viscous fluid; bodies do where the deck says so.
   void friction_of_bodies() {
-    if (coupled_.viscosity == 0 || !deck_.has_group("mesh")) return;
+    if (coupled_.viscosity == 0 || !coupled_.bodies_slip || !deck_.has_group("mesh")) return;
     diagnostics_.add(deck_.remark(
         Severity::warning, "coupled.viscosity", {1, 1},
         "a viscous fluid slips along bodies: it rubs at walls and obstacles alone, bodies feel its pressure and no "
-        "drag "
-        "of friction",
-        "what stands still may be an obstacle, which holds the fluid; bodies immersed in a fluid of finite elements "
-        "($reg, without $coupled) move with it"));
+        "drag of friction",
+        "bodies_slip=.false. has it stick to bodies"));
   }
   /// What the deck says of bodies, which it has none of.
   void no_bodies() {
@@ -96,8 +95,8 @@ class CoupledChecks {
     if (coupled_.cavities_only)
       error("coupled.fluid_in", {1, 1}, "the grid is all void: no body encloses fluid, the deck has no $mesh",
             "write fluid_in='box', or add bodies");
-    for (const AnyVariable name :
-         Variables{"coupled.contact", "coupled.friction", "coupled.volume_term", "coupled.convex"})
+    for (const AnyVariable name : Variables{"coupled.contact", "coupled.friction", "coupled.volume_term",
+                                            "coupled.convex", "coupled.bodies_slip"})
       unused(name, "the deck has no $mesh");
     check_mesh_deck(deck_, diagnostics_);
     for (const Variable& variable : variables()) {

@@ -28,7 +28,8 @@ void read_material(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
     const auto error = [&](AnyVariable name, Subscript at, const std::string& message, const char* hint) {
       refuse(deck, name, at, fmt::format("region {}: {}", r, message), hint, diagnostics);
     };
-    const double viscosity = deck.real("reg.matr", 1, r);
+    const bool linear = deck.given("reg.ipath", 4, r) && deck.integer("reg.ipath", 4, r) == 8;  // its first is beta
+    const double viscosity = deck.real("reg.matr", linear ? 2 : 1, r);
     if (!deck.given("reg.densir", r)) {
       error("reg.densir", {r, 1}, fmt::format("densir({}) is not given", r), "every region needs its density");
       continue;
@@ -36,8 +37,8 @@ void read_material(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
     const double density = deck.real("reg.densir", r);
     if (r == regions.front()) flow.density = density, flow.viscosity = viscosity;
     if (!(viscosity > 0))
-      error("reg.matr", {1, r}, fmt::format("the viscosity must be > 0, not {:.6g}", viscosity),
-            "matr(1,r) is mu of a fluid");
+      error("reg.matr", {linear ? 2 : 1, r}, fmt::format("the viscosity must be > 0, not {:.6g}", viscosity),
+            linear ? "matr(2,r) is mu of a fluid with ipath(4,r) = 8" : "matr(1,r) is mu of a fluid");
     constexpr const char* one = "the regions of a fluid are one fluid, of one density and one viscosity";
     if (density != flow.density)
       error("reg.densir", {r, 1},

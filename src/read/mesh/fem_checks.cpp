@@ -20,8 +20,8 @@ constexpr double one_place = 1e-12;
 constexpr const char* use_points = "strings alone become bars; --path mpm runs it by material points";
 
 void check_regions(const Deck& deck, Diagnostics& diagnostics) {
-  const int regions = deck.integer("in.igen") == 0 ? 0 : deck.integer("reg.nreg");
-  for (int r = 1; r <= regions; ++r) {
+  if (deck.integer("in.igen") == 0) return;
+  for (const int r : regions_of(deck)) {
     const int ipath = deck.given("reg.ipath", 4, r) ? deck.integer("reg.ipath", 4, r) : -1;
     const char* what = ipath == 7 || ipath == 9   ? "a gas"
                        : ipath == 8               ? "a linear fluid"

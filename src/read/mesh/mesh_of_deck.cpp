@@ -137,7 +137,7 @@ std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>
 
 DeckMeshes meshes_of(const Deck& deck, Diagnostics& diagnostics) {
   DeckMeshes meshes;
-  if (deck.integer("reg.nreg") == 0) {
+  if (regions_of(deck).empty()) {
     diagnostics.add(deck.remark(Severity::error, "reg.nreg", {1, 1}, "a mesh needs a region at least",
                                 "nreg counts the blocks that the mesh is made of, or the physical groups of its file"));
     return meshes;

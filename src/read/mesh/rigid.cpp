@@ -83,7 +83,7 @@ class RigidReader {
     for (int i = 0; i < 3; ++i) {
       const RealVariable name = names[static_cast<std::size_t>(i)];
       first[i] = deck_.real(name, 1);
-      for (int r = 2; r <= deck_.integer("reg.nreg"); ++r) {
+      for (const int r : regions_of(deck_)) {
         const double v = deck_.real(name, r);
         if (v == first[i]) continue;
         error(name, {r, 1},

@@ -12,6 +12,7 @@
 
 #include "read/bodies.hpp"
 #include "read/points/region_extent.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {
@@ -26,7 +27,7 @@ struct FilledRegion {
 
 std::vector<FilledRegion> filled_regions(const Deck& deck, const Scene& scene) {
   std::vector<FilledRegion> regions;
-  for (int r = 1; r <= deck.integer("reg.nreg"); ++r) {
+  for (const int r : regions_of(deck)) {
     const auto named = [r](const Body& body) { return body.name == fmt::format("region {}", r); };
     const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(), named);
     const auto shape = body == scene.bodies.end() ? std::nullopt : region_shape(deck, r);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deck/reader.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {
@@ -110,6 +111,27 @@ TEST(PathOfADeck, IsNamedByTheCommandLine) {
   const Deck deck = read_deck("$in nx=2, path='fem' $\n$mesh $\n", "a.in", {}, diagnostics).with_path("mpm");
   EXPECT_EQ(path_of(deck, diagnostics), Path::mpm);
   EXPECT_EQ(deck.place("in.path").line, 1);
+}
+
+TEST(RegionsOfAPath, AreThoseThatTheDeckGivesIt) {
+  const std::string regions = "$reg nreg=3,paths(2)='mpm fem',paths(3)='coupled' $\n$coupled $\n";
+  const Seen mpm = seen(regions, ",path='mpm'");
+  EXPECT_EQ(regions_of(mpm.deck), (std::vector<int>{1, 2}));
+  EXPECT_EQ(mpm.remarks.front(), "the mpm path leaves regions of others out: 3");
+  EXPECT_EQ(regions_of(seen(regions, ",path='coupled'").deck), (std::vector<int>{1, 3}));
+  EXPECT_EQ(regions_of(seen(regions, ",path='bars'").deck), (std::vector<int>{1}));
+  const Seen unnamed = seen(regions);
+  EXPECT_EQ(regions_of(unnamed.deck), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(unnamed.warnings, Texts{"paths has no effect: the deck names no path"});
+  EXPECT_EQ(seen("$reg nreg=1,paths(1)='mpm fme' $\n", ",path='mpm'").errors, Texts{"'fme' is no path"});
+}
+
+TEST(PathOfADeck, MakesBarsOfTheStringsOfADeckWithAMesh) {
+  const Seen bars = seen("$mesh element='q2' $\n$fem cfl=.5 $\n$membrane wrinkle=.true. $\n", ",path='bars'");
+  EXPECT_EQ(bars.path, Path::fem);
+  EXPECT_FALSE(bars.deck.has_group("mesh"));
+  EXPECT_TRUE(bars.deck.has_group("membrane"));
+  EXPECT_EQ(bars.deck.real("fem.cfl"), 0.5);
 }
 
 }  // namespace
