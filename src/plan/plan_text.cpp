@@ -2,6 +2,7 @@
 #include "plan/plan_text.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "model/bars.hpp"
 #include "model/solids.hpp"
@@ -173,6 +174,10 @@ std::string material_name(const Material& material, Geometry geometry) { return 
 std::vector<Term> terms_of(const Scene& scene) {
   const Body* gas_body = find_body<IdealGas>(scene);
   const IdealGas* gas = gas_body ? &std::get<IdealGas>(gas_body->material) : nullptr;
+  const bool rubs = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+    const auto* fluid = std::get_if<LinearFluid>(&body.material);
+    return fluid && fluid->mu > 0;
+  });
   const Method& method = scene.method;
   const bool strings = find_body<Membrane>(scene) != nullptr;
   const bool elements = strings && method.membrane_strain == MembraneStrain::element;
@@ -186,7 +191,7 @@ std::vector<Term> terms_of(const Scene& scene) {
       {"shape functions and transfer", true, kernel_reason(method)},
       term("gravity", scene.gravity != 0, fmt::format("gravc = {:.6g} in y", scene.gravity), "gravc = 0"),
       term("energy equation (4.8)", gas, "a gas is there", "no gas"),
-      term("viscosity (4.1)", gas && gas->mu != 0, "mu > 0", gas ? "mu = 0" : "no gas"),
+      term("viscosity (4.1)", (gas && gas->mu != 0) || rubs, "mu > 0", gas ? "mu = 0" : "no gas"),
       term("artificial viscosity (4.11)", shocks,
            gas && gas->local_speed ? "both coefficients 1, with the local sound speed" : "lambda and a coefficient > 0",
            gas ? "lambda or both coefficients are 0" : "no gas"),
