@@ -16,6 +16,8 @@
 #include "base/text.hpp"
 #include "command_words.hpp"
 #include "commands.hpp"
+#include "deck/deck.hpp"
+#include "deck/spelling.hpp"
 #include "study_commands.hpp"
 
 // The command line: words in, one command called, its exit code out.
@@ -38,8 +40,8 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
       ->option_text("GROUP.NAME=VALUE")
       ->allow_extra_args(false);
   app.add_option("--particles", options.particles, "particle file, in place of the one the deck names");
-  app.add_option("--path", options.path, "solver path: mpm, fem or coupled (default: what the deck's groups say)")
-      ->check(CLI::IsMember({"mpm", "fem", "bars", "coupled"}));
+  app.add_option("--path", options.path, "solver path: mpm, fem, bars or coupled (default: what the deck's groups say)")
+      ->check(CLI::IsMember(split_choices(AnyVariable("in.path").row())));
 }
 
 constexpr const char* one_a_core = "one for each core where that is faster";

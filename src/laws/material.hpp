@@ -17,4 +17,10 @@ inline bool is_solid(const Material& material) {
   return std::holds_alternative<PlaneElastic>(material) || std::holds_alternative<FiniteElastic>(material);
 }
 
+/// A linear fluid with viscosity, whose friction heats it.
+inline bool is_viscous_fluid(const Material& material) {
+  const auto* fluid = std::get_if<LinearFluid>(&material);
+  return fluid != nullptr && fluid->mu > 0;
+}
+
 }  // namespace tether

@@ -174,10 +174,8 @@ std::string material_name(const Material& material, Geometry geometry) { return 
 std::vector<Term> terms_of(const Scene& scene) {
   const Body* gas_body = find_body<IdealGas>(scene);
   const IdealGas* gas = gas_body ? &std::get<IdealGas>(gas_body->material) : nullptr;
-  const bool rubs = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
-    const auto* fluid = std::get_if<LinearFluid>(&body.material);
-    return fluid && fluid->mu > 0;
-  });
+  const bool rubs = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                [](const Body& body) { return is_viscous_fluid(body.material); });
   const Method& method = scene.method;
   const bool strings = find_body<Membrane>(scene) != nullptr;
   const bool elements = strings && method.membrane_strain == MembraneStrain::element;

@@ -11,7 +11,7 @@
 
 namespace tether::coupled {
 
-/// A viscous fluid sticks to bodies. The middle of a face and the body's surface beside it, on a line along an axis,
+/// A viscous fluid sticks to bodies. The middle of a face and the nearest surface of a body on a line along an axis
 /// exchange momentum as if the velocity were linear between them: a force mu A (v - u) / distance, u being the
 /// surface's velocity where the line meets it. (F. Gibou et al., J. Comput. Phys. 176 (2002) 205-227, hold a value at
 /// such a place alike: of order 2 in the velocity.)
@@ -31,7 +31,7 @@ struct SurfaceNear {
 /// The volume of the box about a face, from one cell's middle to the next; half a cell's at the sides.
 double whole_box(const StaggeredGrid& grid, int axis, std::size_t face);
 
-/// What of the surface lies beside the faces across one axis.
+/// The surface next to the faces across one axis.
 class NearSurface {
  public:
   /// Both must outlive it.
@@ -64,7 +64,7 @@ struct StickingBodies {
   std::vector<double> impulse = {};  ///< result: what the fluid gave the nodes [momentum]
 };
 
-/// The exchange between the faces across one axis and the surface beside them.
+/// The exchange between the faces across one axis and the surface next to them.
 class Drag {
  public:
   Drag(const StaggeredGrid& grid, int axis) : grid_(grid), axis_(at(axis)) {}

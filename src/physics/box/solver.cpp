@@ -103,9 +103,9 @@ std::vector<CostPart> CoupledSolver::cost_parts() const { return {{"solve", step
 Summary CoupledSolver::more_summary() const {
   const SystemCost& cost = step_.system().cost();
   const Coupled& scene = *plan_.scene.coupled();
-  Summary summary{line_of("mode", word_of(plan_.scene.coupled()->coupling.mode)),
+  Summary summary{line_of("mode", word_of(scene.coupling.mode)),
                   line_of("linear_solver", step_.system().solver_name()),
-                  line_of("unknowns", state_.q.size() + plan_.scene.coupled()->grid.cell_count()),
+                  line_of("unknowns", state_.q.size() + scene.grid.cell_count()),
                   line_of("krylov_iterations", state_.iterations),
                   line_of("lu_solutions", state_.lu_solutions),
                   line_of("factor_nonzeros", cost.factor_nonzeros),
@@ -119,11 +119,10 @@ Summary CoupledSolver::more_summary() const {
                   line_of("interface_mismatch", state_.worst_mismatch)};
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;
-    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * plan_.scene.coupled()->grid.volume();
+    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * scene.grid.volume();
   };
-  if (!plan_.scene.coupled()->obstacles.empty())
-    summary.push_back(line_of("obstacle_volume", volume_of(CellKind::wall)));
-  if (!plan_.scene.coupled()->voids.empty() && !plan_.scene.coupled()->cavities_only)
+  if (!scene.obstacles.empty()) summary.push_back(line_of("obstacle_volume", volume_of(CellKind::wall)));
+  if (!scene.voids.empty() && !scene.cavities_only)
     summary.push_back(line_of("void_volume", volume_of(CellKind::empty)));
   if (ratio_) summary.push_back(line_of("added_mass_ratio", *ratio_));
   return summary;

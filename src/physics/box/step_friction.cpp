@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
 #include "base/numbers.hpp"
 #include "physics/box/step.hpp"
 #include "physics/box/viscosity.hpp"
@@ -24,13 +26,11 @@ bool CoupledStep::may_stop(double h) const {
 bool CoupledStep::add_friction(CoupledState& state, double h) {
   const double before = energy_of(state.v), nu = coupled_.viscosity / coupled_.density;
   const auto stop = may_stop(h) ? stop_ : nullptr;
-  if (sticks_to_bodies(coupled_)) {
-    StickingBodies bodies = sticking(state);
-    if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, stop, &bodies) < 0) return false;
-    for (std::size_t k = 0; k < drag_.size(); ++k) drag_[k] = bodies.impulse[k] / h;
-  } else if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, stop) < 0) {
+  std::optional<StickingBodies> bodies;
+  if (sticks_to_bodies(coupled_)) bodies.emplace(sticking(state));
+  if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, stop, bodies ? &*bodies : nullptr) < 0)
     return false;
-  }
+  for (std::size_t k = 0; bodies && k < drag_.size(); ++k) drag_[k] = bodies->impulse[k] / h;
   state.books.viscous += before - energy_of(state.v);
   return true;
 }

@@ -47,10 +47,8 @@ std::vector<LineArray<double> Points::*> asked_by(const Scene& scene) {
   };
   const bool finite = find_body<FiniteElastic>(scene), gas = find_body<IdealGas>(scene),
              membrane = find_body<Membrane>(scene);
-  const bool rubs = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
-    const auto* fluid = std::get_if<LinearFluid>(&body.material);
-    return fluid && fluid->mu > 0;
-  });
+  const bool rubs = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                [](const Body& body) { return is_viscous_fluid(body.material); });
   const bool some_wait = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
     return waits(body.material, scene.method.order != StressOrder::usf);
   });

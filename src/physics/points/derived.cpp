@@ -134,8 +134,7 @@ void Energies::add(const Scene& scene, std::size_t b, const State& state, const 
     ambient += state.elements_of[b]->ambient_energy(P);
     return;
   }
-  const auto* fluid = std::get_if<LinearFluid>(&body.material);
-  const bool heats = std::holds_alternative<IdealGas>(body.material) || (fluid && fluid->mu > 0);
+  const bool heats = std::holds_alternative<IdealGas>(body.material) || is_viscous_fluid(body.material);
   std::visit(
       [&](const auto& law) {
         for (const std::size_t p : order.of(b)) {

@@ -44,7 +44,7 @@ void read_material(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
       error("reg.densir", {r, 1},
             fmt::format("the density {:.6g} is not {:.6g} of region {}", density, flow.density, regions[0]), one);
     if (viscosity != flow.viscosity)
-      error("reg.matr", {1, r},
+      error("reg.matr", {linear ? 2 : 1, r},
             fmt::format("the viscosity {:.6g} is not {:.6g} of region {}", viscosity, flow.viscosity, regions[0]), one);
   }
 }
