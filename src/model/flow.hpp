@@ -89,8 +89,9 @@ struct TracerGrid {
 struct Flow {
   Mesh mesh;  ///< quad4 for q1q1, quad9 for q2q1
   FlowElement element = FlowElement::q2q1;
-  double density = 0;    // [mass/volume]
-  double viscosity = 0;  // mu [stress time]
+  double stabilisation = 1;  ///< factor of tau and tau_L of q1q1; 0 takes them out
+  double density = 0;        // [mass/volume]
+  double viscosity = 0;      // mu [stress time]
   /// All of the boundary, each part once. Where sides meet, a node belongs to the wall at rest before the moving wall
   /// before the inflow; slip holds what these leave.
   std::vector<FlowSide> sides;

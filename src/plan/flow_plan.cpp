@@ -95,7 +95,7 @@ std::string volume_text(const Flow& flow) {
 
 std::vector<Term> flow_terms(const Scene& scene) {
   const Flow& flow = *scene.flow();
-  const bool stabilised = flow.element == FlowElement::q1q1, closed = !has(flow, Boundary::open);
+  const bool equal_orders = flow.element == FlowElement::q1q1, closed = !has(flow, Boundary::open);
   const bool driven = !flow.acceleration.absent(), solids = scene.solids() != nullptr;
   return {
       {"inertia", true,
@@ -103,9 +103,10 @@ std::vector<Term> flow_terms(const Scene& scene) {
                    flow.linearisation == Linearisation::newton ? "Newton's method" : "Picard's iteration")},
       {"time", flow.integrator != FlowIntegrator::steady, integrator_text(flow.integrator, solids)},
       {"viscosity", true, size_text(flow)},
-      {"stabilisation", stabilised,
-       stabilised ? "SUPG, PSPG and LSIC, which equal orders of velocity and pressure need"
-                  : "a pressure of lower order than the velocity needs none"},
+      {"stabilisation", equal_orders && flow.stabilisation > 0,
+       equal_orders ? fmt::format("{:.6g} of SUPG, PSPG and LSIC, which equal orders of velocity and pressure need",
+                                  flow.stabilisation)
+                    : "a pressure of lower order than the velocity needs none"},
       {"boundary", true, sides_text(flow)},
       {"pressure pinned", closed && !any_own_volume(flow), closed ? closed_text(flow) : outside_text(scene)},
       {"gravity", scene.gravity != 0,

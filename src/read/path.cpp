@@ -72,8 +72,9 @@ bool is_of_mesh_alone(const Variable& variable) {
   return variable.group == "mesh" || variable.group == "rigid" || variable.group == "flow";
 }
 
-/// Whether the path has a use for a variable of this deck.
+/// Whether the path has a use for a variable of this deck. Exact solutions are of points and bars.
 bool is_of(Path path, bool mesh, const Variable& variable) {
+  if (variable.group == "reference") return path == Path::mpm || (path == Path::fem && !mesh);
   if (path == Path::coupled) return is_of_boxes(variable);
   if (path == Path::fem) return variable.group != "coupled" && (!mesh || is_of_meshes(variable));
   return !chooses_path(variable.group);

@@ -42,8 +42,8 @@ void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks);
 void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Diagnostics& diagnostics);
 
 /// The columns of the history that a study wants are those of some of its runs: their scenes are built, without a
-/// step, until each column was found. Where that cannot be known (a scene that cannot be built, more runs than are
-/// looked at), nothing is told; the runs will show.
+/// step, until each column was found; of many runs those along the edges of the axes. Where that cannot be known (a
+/// scene that cannot be built, more than 400 to build), nothing is told; the runs will show.
 void check_columns(const Study& study, StudyRemarks& remarks);
 
 }  // namespace tether

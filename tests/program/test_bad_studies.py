@@ -66,6 +66,8 @@ class BadStudies(SweepTest):
         (GOOD + "quantities(2)='energy_total'", "no run writes energy_total", (4, 15)),
         (GOOD + "axis=\"mpm.method='thesis','robust'\"\nquantities(2)='max(energy_heat)'",
          "no run's history.txt has a column 'energy_heat'", (5, 20)),
+        (GOOD + "axis(1)='in.nx=51,52,53,54,55,56,57,58,59,60,61'\naxis(2)='in.dtmax=1,2,3,4,5,6,7,8,9,10'\n"
+         "quantities(2)='last(body_vx_2)'", "no run's history.txt has a column 'body_vx_2'", (6, 21)),
         ("decks='../decks/spring-mass.in'\nmode='bisect', vary='mpm.cfl', low=0.1, high=1.0\n"
          "criterion='max(point_y_2)', at_most=1.0", "no run's history.txt has a column 'point_y_2'", (5, 16)),
         ("decks='../decks/spring-mass.in'\nmode='bisect', vary='mpm.cfl', low=0.1, high=1.0\n"

@@ -19,6 +19,10 @@ inline constexpr std::array flow_rows{
     Variable{"flow", "element", text, 0, 1, 1, "", -none, none, choices<FlowElement>, "'q2q1'",
              "Elements of the fluid: bilinear velocity and pressure, stabilised, or biquadratic velocity and bilinear "
              "pressure. Those of immersed bodies are element of $mesh."},
+    Variable{
+        "flow", "stabilisation", real, 0, 1, 1, "", 0, none, "", "1.0",
+        "Factor of what stabilises q1q1, of which 1 is published; with 0 nothing does, and pressures may swing from "
+        "node to node."},
     Variable{"flow", "integrator", text, 0, 1, 1, "", -none, none, choices<FlowIntegrator>, "'midpoint'",
              "Time step of the fluid: the mid-point rule or backward Euler."},
     Variable{

@@ -126,7 +126,7 @@ class FlowElementsOf final : public FlowElements {
     return static_cast<std::size_t>(flow_.twin[static_cast<std::size_t>(mesh_.element(e)[a])]);
   }
   FlowConstants constants(const FlowMoment& m) const {
-    return {m.theta, m.rate, flow_.density, m.viscosity, m.linearisation == Linearisation::newton};
+    return {m.theta, m.rate, flow_.density, m.viscosity, flow_.stabilisation, m.linearisation == Linearisation::newton};
   }
   std::span<const int> numbers(std::size_t e) const {
     return std::span(numbers_).subspan(e * Point::size, Point::size);

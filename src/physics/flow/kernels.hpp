@@ -20,7 +20,8 @@ namespace tether::fem {
 /// Numbers of a step that are the same everywhere.
 struct FlowConstants {
   double theta = 0.5, rate = 0, rho = 0, mu = 0;
-  bool newton = true;  // else the convective term's derivative is that of Picard's iteration
+  double stabilisation = 1;  // factor of tau and tau_L
+  bool newton = true;        // else the convective term's derivative is that of Picard's iteration
 };
 
 /// Of a velocity element with NV nodes and a pressure element with NP.
@@ -48,7 +49,7 @@ struct FlowPoint {
   Eigen::Vector2d momentum;                 // rho (dv/dt + convection - b)
   double p = 0, divergence = 0;             // of v1
   double tau = 0, tau_L = 0;                // stabilisation [time], [stress time]
-  Eigen::Vector2d tau_slope;                // (G v) where tau follows v1, else 0
+  Eigen::Vector2d tau_slope;                // (G v)/s^2 of the factor s where tau follows v1, else 0
 
   void evaluate(const FlowConstants& c, const Velocities& v0, const Velocities& v1, const Pressures& pressures) {
     const Velocities vt = (1 - c.theta) * v0 + c.theta * v1;
@@ -69,7 +70,9 @@ struct FlowPoint {
     const Eigen::Vector2d slope = metric * with;
     tau = 1 / std::sqrt(4 * c.rate * c.rate + with.dot(slope) + 4.5 * nu * nu * metric.squaredNorm());
     tau_L = c.rho / (tau * metric.trace());
-    tau_slope = follows ? slope : Eigen::Vector2d::Zero();
+    tau *= c.stabilisation, tau_L *= c.stabilisation;
+    tau_slope = follows && c.stabilisation > 0 ? Eigen::Vector2d(slope / (c.stabilisation * c.stabilisation))
+                                               : Eigen::Vector2d::Zero();
   }
 
   /// Adds the residuals: of the momentum of each node and direction, then of incompressibility.
@@ -127,7 +130,7 @@ struct FlowPoint {
     Eigen::Matrix2d k = tau * carried[a] * dR + tau_L * G.col(a) * G.col(n).transpose();
     if (!c.newton) return k;
     k += tau * c.theta * N[n] * residual * G.col(a).transpose();
-    // d tau = -tau^3 (G v) . dv, d tau_L = tau_L tau^2 (G v) . dv
+    // d tau = -tau^3/s^2 (G v) . dv, d tau_L = tau_L tau^2/s^2 (G v) . dv
     const Eigen::Vector2d by_tau = -tau * tau * tau * carried[a] * residual + tau_L * tau * tau * divergence * G.col(a);
     k += c.theta * N[n] * by_tau * tau_slope.transpose();
     return k;

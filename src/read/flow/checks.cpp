@@ -95,6 +95,17 @@ class FlowChecks {
     }
   }
   /// What is said of the fluid beyond open sides, where there is none, or no gravity that it matters in.
+  void stabilisation() {
+    constexpr double least = 0.1;
+    const double factor = deck_.real("flow.stabilisation");
+    if (word<FlowElement>(deck_, "flow.element") == FlowElement::q2q1) {
+      if (factor != 1) warn("flow.stabilisation", {1, 1}, "stabilisation has no effect: q2q1 needs none", "");
+    } else if (factor < least) {
+      warn("flow.stabilisation", {1, 1},
+           fmt::format("stabilisation = {:.6g} lets the pressure swing from node to node", factor),
+           "1 is the published factor; 0.1 or less leaves pressures wrong on all but very fine meshes");
+    }
+  }
   void outside() {
     bool open = false;
     for (const Subscript at : deck_.given_elements("flow.boundary"))
@@ -179,6 +190,7 @@ void check_flow_deck(const Deck& deck, Diagnostics& diagnostics) {
   checks.steps();
   checks.solids();
   checks.solver();
+  checks.stabilisation();
   checks.outside();
   checks.regions();
   checks.starts();

@@ -65,6 +65,7 @@ FlowVector start_of(const Deck& deck, Diagnostics& diagnostics) {
 
 void read_method(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
   flow.element = word<FlowElement>(deck, "flow.element");
+  flow.stabilisation = deck.real("flow.stabilisation");
   flow.integrator =
       deck.logical("flow.steady") ? FlowIntegrator::steady : word<FlowIntegrator>(deck, "flow.integrator");
   flow.linearisation = word<Linearisation>(deck, "flow.linearisation");

@@ -71,6 +71,11 @@ double returns_to(const RunFiles& run, const Arguments& a) {
   return side * first_maximum_after(time, records, first_minimum(time, records).time).value;
 }
 
+/// Twice the mean time between passages through a level.
+double period_of(const RunFiles& run, const Arguments& a) {
+  return period_about(run.column("time"), column_of(run, a[0]), number_of(run, a[1]));
+}
+
 double snapshot_time(const RunFiles& run, const Arguments& a) { return run.time(snapshot_of(run.snapshots(), a[0])); }
 double deck_value(const RunFiles& run, const Arguments& a) { return run.deck_value(word_of(a[0])); }
 double of_scene(const RunFiles& run, const Arguments& a) {
@@ -110,6 +115,11 @@ const std::vector<ReadingFunction> functions{
      false,
      "returns_to(column) is the extreme of a swing when it is back on the side where it began.",
      returns_to},
+    {"period",
+     {column, number},
+     false,
+     "period(column, level) is twice the mean time between the column's passages through the level.",
+     period_of},
     {"points_sum",
      {of_each, of_each, snapshot},
      false,

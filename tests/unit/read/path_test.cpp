@@ -66,6 +66,15 @@ TEST(PathOfADeck, IsWhatTheDeckNames) {
   EXPECT_EQ(coupled.deck.real("coupled.density"), 2);
 }
 
+TEST(PathOfADeck, LeavesExactSolutionsToPointsAndBars) {
+  const std::string text = "$membrane $\n$mesh $\n$reference solution='pendulum' $\n";
+  EXPECT_EQ(seen(text, ",path='mpm'").deck.text("reference.solution"), "pendulum");
+  EXPECT_EQ(seen(text, ",path='bars'").deck.text("reference.solution"), "pendulum");
+  const Seen fem = seen(text, ",path='fem'");
+  EXPECT_EQ(fem.remarks, (Texts{"the fem path has no use for $membrane", "the fem path has no use for $reference"}));
+  EXPECT_EQ(fem.deck.text("reference.solution"), "");
+}
+
 TEST(PathOfADeck, LeavesOutOfAGroupWhatIsOfPoints) {
   const Seen fem = seen("$reg nreg=1,nprg=9,densir(1)=2. $\n$points heavy(2)=1.,tracked_at(1,1)=0.,1. $\n$mesh $\n",
                         ",path='fem',wl=0");

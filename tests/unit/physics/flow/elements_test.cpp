@@ -48,8 +48,9 @@ std::vector<double> residual(const FlowUnknowns& unknowns, const FlowElements& e
 }
 
 /// The largest difference between the tangent and the residual's central differences, over the largest number.
-double tangent_error(FlowElement element, bool steady) {
-  const Flow flow = open_channel(element, steady);
+double tangent_error(FlowElement element, bool steady, double stabilisation = 1) {
+  Flow flow = open_channel(element, steady);
+  flow.stabilisation = stabilisation;
   const FlowUnknowns unknowns(flow);
   const auto elements = make_flow_elements(unknowns, alone());
   Numbers at = some_numbers(flow, *elements);
@@ -85,6 +86,10 @@ TEST(FlowElements, TangentIsTheResidualsDerivative) {
   EXPECT_LT(tangent_error(FlowElement::q1q1, true), 1e-8);
   EXPECT_LT(tangent_error(FlowElement::q2q1, false), 1e-8);
   EXPECT_LT(tangent_error(FlowElement::q2q1, true), 1e-8);
+  for (const double factor : {0.0, 0.3, 2.0}) {
+    EXPECT_LT(tangent_error(FlowElement::q1q1, false, factor), 1e-8) << factor;
+    EXPECT_LT(tangent_error(FlowElement::q1q1, true, factor), 1e-8) << factor;
+  }
 }
 
 /// A fluid at rest in gravity presses on its walls by its weight, and the walls carry it.

@@ -194,6 +194,13 @@ TEST(FlowDecks, WhatHasNoEffectIsAWarning) {
              "vrx(1) has no effect: u0 of $flow is there"}));
 }
 
+TEST(FlowChecks, TellThatPressuresSwingWithoutStabilisation) {
+  EXPECT_EQ(warnings_of(channel("element='q1q1',stabilisation=.2")), Texts{});
+  EXPECT_EQ(warnings_of(channel("element='q1q1',stabilisation=.05")),
+            Texts{"stabilisation = 0.05 lets the pressure swing from node to node"});
+  EXPECT_EQ(warnings_of(channel("stabilisation=.5")), Texts{"stabilisation has no effect: q2q1 needs none"});
+}
+
 TEST(FlowDecks, BodiesStartWithTheFluid) {
   const Built built =
       channel_with_body("integrator='euler'", ",integrator='midpoint',spin(3,1)=1.,vrz=2.", {"reg.vrx=1.,0."});

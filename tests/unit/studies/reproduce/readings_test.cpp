@@ -29,6 +29,13 @@ TEST_F(Readings, AQuantityIsFirstNearItsEnd) {
   EXPECT_EQ(readout("settles(body_vx_1, 2)")(run), 0);
 }
 
+TEST_F(Readings, APeriodIsTwiceTheTimeBetweenPassages) {
+  const MadeUpQuantity x{"body_x", {{2, 0, 2, 0, 2}}};  // through 1 at .5, 1.5, 2.5, 3.5
+  const RunFiles run = MadeUpRun{{0, 1, 2, 3, 4}, {}, {x}, {}, {}}.write(folder);
+  EXPECT_DOUBLE_EQ(readout("period(body_x_1, 1)")(run), 2);
+  EXPECT_TRUE(std::isnan(readout("period(body_x_1, 3)")(run)));
+}
+
 TEST_F(Readings, ColumnsOfCellsHaveTheMeanOfTheirPoints) {
   MadeUpRun run{.summary = {{"dx", "0.5"}}};
   run.snapshots = {{0, {{"x", {0, 0, 0}}, {"y", {0, 0, 0}}, {"q", {0, 0, 0}}}},
