@@ -83,8 +83,9 @@ struct Spelling {
   const char* cgs;
 };
 
-constexpr std::array<Spelling, 21> spellings{{
+constexpr std::array<Spelling, 22> spellings{{
     {Dimension::number, "-", "1", "1"},
+    {Dimension::whole, "-", "1", "1"},
     {Dimension::time, "time", "s", "s"},
     {Dimension::length, "length", "m", "cm"},
     {Dimension::area, "area", "m2", "cm2"},

@@ -30,6 +30,7 @@ inline constexpr std::array<Word<Units>, 3> words<Units>{
 /// What a quantity measures, for its unit attribute.
 enum class Dimension {
   number,
+  whole,  ///< a number that counts or names something
   time,
   length,
   area,

@@ -144,11 +144,6 @@ struct StaggeredGrid {
   bool has_cell(const std::array<int, 3>& c) const {
     return c[0] >= 0 && c[0] < n[0] && c[1] >= 0 && c[1] < n[1] && c[2] >= 0 && c[2] < n[2];
   }
-
- private:
 };
-
-/// A mesh whose nodes are the cells' middles, for what is drawn.
-Mesh mesh_of_middles(const StaggeredGrid& grid);
 
 }  // namespace tether

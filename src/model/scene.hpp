@@ -56,9 +56,22 @@ inline constexpr std::array<Word<ReferenceKind>, 7> words<ReferenceKind>{{{Refer
                                                                           {ReferenceKind::radial_gas, "radial-gas"},
                                                                           {ReferenceKind::thin_ring, "thin-ring"}}};
 
+/// Whether snapshots are written as VTK files, too: where they are not large, always, or never.
+enum class VtkFiles { automatic, yes, no };
+template <>
+inline constexpr std::array<Word<VtkFiles>, 3> words<VtkFiles>{
+    {{VtkFiles::automatic, "auto"}, {VtkFiles::yes, "yes"}, {VtkFiles::no, "no"}}};
+
+/// Snapshots of more points, nodes or cells are written as VTK files only where the deck asks for them.
+constexpr std::size_t most_in_vtk = 200000;
+constexpr bool writes_vtk(VtkFiles wanted, std::size_t count) {
+  return wanted == VtkFiles::yes || (wanted == VtkFiles::automatic && count <= most_in_vtk);
+}
+
 /// Intervals between outputs [time]; 0 where an output is off.
 struct OutputIntervals {
   double history = 0, points = 0, grid = 0, checkpoint = 0;
+  VtkFiles vtk = VtkFiles::automatic;
   bool tracked_angle = false;
 };
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "model/size.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 namespace {
@@ -124,6 +125,7 @@ OutputIntervals outputs_of(const Deck& deck, const Scene& scene, Diagnostics& di
   outputs.points = shortest(deck, {13, 32, 35, 36, 40}, diagnostics);
   outputs.grid = shortest(deck, {30, 31, 37, 39}, diagnostics);
   outputs.checkpoint = shortest(deck, {41}, diagnostics);
+  outputs.vtk = word<VtkFiles>(deck, "in.vtk");
   if (outputs.history == 0) outputs.history = scene.clock.tmax / default_records;
   outputs.tracked_angle = deck.integer("in.iout", 38) == 1 && scene.tracked.size() >= 2;
   return outputs;

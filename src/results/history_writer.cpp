@@ -51,7 +51,9 @@ void HistoryWriter::define(const Provenance& provenance) {
     if (q.per == Per::body) dimensions.push_back(body);
     if (q.per == Per::point) dimensions.push_back(point);
     const bool any = layout_.count(q) > 0;
-    variables_.push_back(any ? define_quantity(numbers_, q, dimensions, provenance.units) : -1);
+    variables_.push_back(!any               ? -1
+                         : q.name == "time" ? define_time(numbers_, q, time, provenance.units)
+                                            : define_quantity(numbers_, q, dimensions, provenance.units));
   }
   const int body_name = bodies ? numbers_.text_variable("body_name", {body, letters}) : -1;
   const int point_name = points ? numbers_.text_variable("point_name", {point, letters}) : -1;

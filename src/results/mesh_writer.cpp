@@ -3,26 +3,36 @@
 
 #include <numeric>
 
-#include "results/text_file.hpp"
-
 namespace tether {
 namespace {
 
-/// The nodes of the elements, element by element.
-FixedNumbers elements_of(const Mesh& mesh) {
+/// Nodes of the elements, element by element: as many as `count` in VTK's order.
+FixedNumbers nodes_of_elements(const Mesh& mesh, const char* name, const char* axis, std::size_t count,
+                               const char* meaning) {
   const std::vector<int> order = vtk_order(mesh.kind);
-  const bool plane = mesh.dim() == 2;
   std::vector<double> nodes;
-  nodes.reserve(mesh.nodes.size());
+  nodes.reserve(mesh.element_count() * count);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const int a : order) nodes.push_back(mesh.element(e)[a]);
+    for (std::size_t a = 0; a < count; ++a) nodes.push_back(mesh.element(e)[order[a]]);
   }
-  return {"element_nodes",
-          {{"element", mesh.element_count(), {}}, {"node_of_element", order.size(), {}}},
+  return {name,
+          {{"element", mesh.element_count()}, {axis, count}},
           std::move(nodes),
-          {{"cf_role", plane ? "face_node_connectivity" : "volume_node_connectivity"},
-           {"start_index", 0},
-           {"long_name", "nodes of the elements, from 0"}}};
+          {{"start_index", 0}, {"long_name", meaning}}};
+}
+
+bool of_order_2(const Mesh& mesh) { return row_of(mesh.kind).order == 2; }
+
+/// What the topology says: UGRID knows corners alone, which VTK counts first.
+FixedNumbers corners_of_elements(const Mesh& mesh) {
+  const bool plane = mesh.dim() == 2;
+  const std::size_t all = vtk_order(mesh.kind).size(), corners = of_order_2(mesh) ? (plane ? 4 : 8) : all;
+  FixedNumbers nodes =
+      of_order_2(mesh)
+          ? nodes_of_elements(mesh, "element_corners", "corner", corners, "corners of the elements, from 0")
+          : nodes_of_elements(mesh, "element_nodes", "node_of_element", all, "nodes of the elements, from 0");
+  nodes.attributes.emplace_back("cf_role", plane ? "face_node_connectivity" : "volume_node_connectivity");
+  return nodes;
 }
 
 /// One coordinate of the nodes of the reference shape.
@@ -48,15 +58,19 @@ std::vector<FixedNumbers> topology(const Mesh& mesh, Units units) {
                                    {{"cf_role", "mesh_topology"},
                                     {"topology_dimension", mesh.dim()},
                                     {"node_coordinates", plane ? "node_x node_y" : "node_x node_y node_z"},
-                                    {plane ? "face_node_connectivity" : "volume_node_connectivity", "element_nodes"},
+                                    {plane ? "face_node_connectivity" : "volume_node_connectivity",
+                                     of_order_2(mesh) ? "element_corners" : "element_nodes"},
                                     {plane ? "face_dimension" : "volume_dimension", "element"}}},
-                                  elements_of(mesh),
+                                  corners_of_elements(mesh),
                                   {"element_region",
                                    {{"element", mesh.element_count(), {}}},
                                    {mesh.region.begin(), mesh.region.end()},
                                    {{"long_name", "region of the deck that each element belongs to, from 0"},
                                     {"mesh", "mesh"},
                                     {"location", plane ? "face" : "volume"}}}};
+  if (of_order_2(mesh))
+    parts.push_back(nodes_of_elements(mesh, "element_nodes", "node_of_element", vtk_order(mesh.kind).size(),
+                                      "all nodes of the elements, from 0, in the order of VTK"));
   for (int axis = 0; axis < mesh.dim(); ++axis) parts.push_back(places_of(mesh, axis, units));
   return parts;
 }
@@ -68,8 +82,11 @@ std::vector<int> vtk_order(ElementKind kind) {
   return {row.in_vtk.begin(), row.in_vtk.begin() + row.nodes};
 }
 
-MeshWriter::MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance)
-    : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
+MeshWriter::MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance, VtkFiles vtk)
+    : folder_(std::move(folder)),
+      name_(std::move(name)),
+      provenance_(std::move(provenance)),
+      vtk_(folder_, name_, "vtu", vtk) {}
 
 void MeshWriter::append(const Mesh& mesh, const Snapshot& snapshot) {
   if (!file_) {
@@ -77,12 +94,9 @@ void MeshWriter::append(const Mesh& mesh, const Snapshot& snapshot) {
         topology(mesh, provenance_.units), {{"mesh", "mesh"}, {"location", "node"}}, "CF-1.10 UGRID-1.0"};
     file_.emplace(folder_ / (name_ + ".nc"), std::vector<Axis>{{"node", mesh.node_count(), {}}}, snapshot, provenance_,
                   fixed);
-    series_ = {name_ + ".nc", {}, {}};
-    for (const auto& field : snapshot.fields) series_.fields.push_back(field.quantity.name);
   }
-  file_->append(snapshot);
-  series_.times.push_back(snapshot.time);
-  replace_file(folder_ / (name_ + ".xmf"), xdmf_mesh(series_, mesh));
+  vtk_.append(
+      *file_, [&] { return vtk_of_mesh(mesh); }, snapshot);
 }
 
 void MeshWriter::close() {

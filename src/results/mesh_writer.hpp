@@ -9,7 +9,7 @@
 #include "grid/mesh.hpp"
 #include "results/results.hpp"
 #include "results/snapshot_file.hpp"
-#include "results/xdmf.hpp"
+#include "results/vtk_series.hpp"
 
 namespace tether {
 
@@ -18,11 +18,10 @@ namespace tether {
 std::vector<int> vtk_order(ElementKind kind);
 
 /// Writes NAME.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions (1.0, with places of
-/// the reference shape; the fields x, y, z are where the nodes are at a time), and NAME.xmf. As
-/// PointWriter.
+/// the reference shape; the fields x, y, z are where the nodes are at a time). As PointWriter.
 class MeshWriter {
  public:
-  MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance);
+  MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance, VtkFiles vtk = VtkFiles::automatic);
   /// The snapshot's first fields are the places of the nodes; mesh and fields are the same every time. Throws
   /// FileError.
   void append(const Mesh& mesh, const Snapshot& snapshot);
@@ -32,7 +31,7 @@ class MeshWriter {
   std::filesystem::path folder_;
   std::string name_;
   Provenance provenance_;
-  XdmfSeries series_;
+  VtkSeries vtk_;
   std::optional<SnapshotFile> file_;
 };
 

@@ -126,9 +126,10 @@ void NetcdfFile::chunk(int variable, const std::vector<std::size_t>& lengths) {
   check(nc_set_var_chunk_cache(id_, variable, 1, 1, 0), fmt::format("turn the cache of {} off", name));
 }
 
-void NetcdfFile::fill_with_nan(int variable) {
+void NetcdfFile::fill(int variable, bool of_integers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  check(nc_def_var_fill(id_, variable, NC_FILL, &nan), fmt::format("set what fills {}", variable_name(variable)));
+  const void* filling = of_integers ? static_cast<const void*>(&no_whole_number) : &nan;
+  check(nc_def_var_fill(id_, variable, NC_FILL, filling), fmt::format("set what fills {}", variable_name(variable)));
 }
 
 void NetcdfFile::end_definitions() { check(nc_enddef(id_), "write the definitions"); }
@@ -181,8 +182,16 @@ std::size_t provenance_room(const Provenance& provenance) {
   return provenance.title.size() + provenance.command.size() + provenance.deck_text.size() + names_and_versions;
 }
 
+int define_time(NetcdfFile& file, const Quantity& time, int dimension, Units units) {
+  const int variable = define_quantity(file, time, {dimension}, units);
+  file.attribute(variable, "axis", "T");
+  if (units != Units::none) file.attribute(variable, "standard_name", "time");
+  return variable;
+}
+
 int define_quantity(NetcdfFile& file, const Quantity& quantity, const std::vector<int>& dimensions, Units units) {
-  const int variable = file.number_variable(quantity.name, dimensions);
+  const int variable = is_whole(quantity) ? file.integer_variable(quantity.name, dimensions)
+                                          : file.number_variable(quantity.name, dimensions);
   file.attribute(variable, "units", unit_text(quantity.dimension, units));
   file.attribute(variable, "long_name", quantity.meaning);
   return variable;

@@ -46,8 +46,8 @@ class NetcdfFile {
   void global_attribute(const std::string& name, std::string_view text);
   /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.
   void chunk(int variable, const std::vector<std::size_t>& lengths);
-  /// What is not put of this variable is no number.
-  void fill_with_nan(int variable);
+  /// What is not put of this variable is no number, of integers `no_whole_number`.
+  void fill(int variable, bool of_integers);
   void end_definitions();
 
   /// Puts as many values as the part has (else std::invalid_argument), the last dimension fastest.
@@ -84,6 +84,16 @@ void write_provenance(NetcdfFile& file, const Provenance& provenance);
 
 /// Bytes that write_provenance takes at most.
 std::size_t provenance_room(const Provenance& provenance);
+
+/// What stands in place of an integer that is not there.
+inline constexpr int no_whole_number = -2147483647;
+
+/// Whether a quantity is written as an integer.
+inline bool is_whole(const Quantity& quantity) { return quantity.dimension == Dimension::whole; }
+
+/// A variable for the time over its dimension, as define_quantity(); the CF conventions, 4.4, call it an axis. It has
+/// no date: readers keep "s" as a number.
+int define_time(NetcdfFile& file, const Quantity& time, int dimension, Units units);
 
 /// A variable for the quantity over these dimensions, with its `units` and `long_name`. Returns its identifier.
 int define_quantity(NetcdfFile& file, const Quantity& quantity, const std::vector<int>& dimensions, Units units);

@@ -13,10 +13,10 @@
 namespace tether {
 namespace {
 
-constexpr std::array owned{"history.nc",     "history.txt",  "particles.nc",      "particles.xmf",
-                           "mesh.nc",        "mesh.xmf",     "solids.nc",         "solids.xmf",
-                           "reference.txt",  "summary.txt",  "particles.xmf.new", "mesh.xmf.new",
-                           "solids.xmf.new", "messages.txt", "deck.effective",    "deck.effective.msh"};
+constexpr std::array owned{"history.nc",    "history.txt",    "particles.nc",       "particles.pvd",     "mesh.nc",
+                           "mesh.pvd",      "solids.nc",      "solids.pvd",         "reference.txt",     "summary.txt",
+                           "messages.txt",  "deck.effective", "deck.effective.msh", "particles.pvd.new", "mesh.pvd.new",
+                           "solids.pvd.new"};
 
 constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc"};
 
@@ -40,12 +40,27 @@ void set_aside(const std::filesystem::path& folder) {
   }
 }
 
+/// Those of the series that belong to this class; the folder goes where nothing else is in it.
+void remove_vtk_files(const std::filesystem::path& folder) {
+  std::error_code reason;
+  const std::filesystem::directory_iterator files(folder / vtk_folder, reason);
+  if (reason) return;  // there is none
+  for (const auto& file : files) {
+    const std::string name = file.path().filename().string();
+    for (const char* series : {"particles-", "mesh-", "solids-"}) {
+      if (name.starts_with(series)) remove_earlier(file.path());
+    }
+  }
+  std::filesystem::remove(folder / vtk_folder, reason);
+}
+
 std::filesystem::path prepared(const std::filesystem::path& folder, EarlierSnapshots earlier) {
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: the folder cannot be made: {}", folder.string(), reason.message()));
   if (earlier == EarlierSnapshots::set_aside) set_aside(folder);
   for (const char* name : owned) remove_earlier(folder / name);
+  remove_vtk_files(folder);
   for (const char* name : snapshot_files) {
     if (earlier == EarlierSnapshots::removed) remove_earlier(aside(folder, name));
   }
@@ -55,14 +70,14 @@ std::filesystem::path prepared(const std::filesystem::path& folder, EarlierSnaps
 }  // namespace
 
 ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout,
-                           const Provenance& provenance, EarlierSnapshots earlier, bool points_change)
-    : folder_(prepared(folder, earlier)),
+                           const Provenance& provenance, const FolderUse& use)
+    : folder_(prepared(folder, use.earlier)),
       command_(provenance.command),
       history_(folder_, layout, provenance),
-      points_(folder_, provenance, points_change),
-      grid_(folder_, provenance),
-      mesh_(folder_, "mesh", provenance),
-      solids_(folder_, "solids", provenance),
+      points_(folder_, provenance, use.vtk, use.points_change),
+      grid_(folder_, provenance, use.vtk),
+      mesh_(folder_, "mesh", provenance, use.vtk),
+      solids_(folder_, "solids", provenance, use.vtk),
       messages_(folder_ / "messages.txt") {}
 
 std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::path& folder, const std::string& name) {
@@ -82,7 +97,7 @@ void ResultFolder::append(const Record& record) { history_.append(record); }
 
 void ResultFolder::points(const FieldsInTurn& snapshot) { points_.append(snapshot); }
 
-void ResultFolder::grid(const BackgroundGrid& grid, const Snapshot& snapshot) { grid_.append(grid, snapshot); }
+void ResultFolder::grid(const RegularGrid& grid, const Snapshot& snapshot) { grid_.append(grid, snapshot); }
 
 void ResultFolder::mesh(const Mesh& mesh, const Snapshot& snapshot) { mesh_.append(mesh, snapshot); }
 

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "fields/fields_in_turn.hpp"
-#include "grid/boxes.hpp"
 #include "grid/mesh.hpp"
+#include "results/grid_writer.hpp"
 #include "results/history_writer.hpp"
 #include "results/mesh_writer.hpp"
+#include "results/point_writer.hpp"
 #include "results/results.hpp"
-#include "results/snapshot_file.hpp"
 #include "results/text_file.hpp"
 
 namespace tether {
@@ -19,6 +19,13 @@ namespace tether {
 /// checkpoint has taken over what is its own.
 enum class EarlierSnapshots { removed, set_aside };
 
+/// How a run's folder is used.
+struct FolderUse {
+  VtkFiles vtk = VtkFiles::automatic;
+  EarlierSnapshots earlier = EarlierSnapshots::removed;
+  bool points_change = false;  ///< whether their number does
+};
+
 /// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
 /// call returns, so that a crash or a full disk loses nothing that was told before. All members throw FileError.
 class ResultFolder {
@@ -26,7 +33,7 @@ class ResultFolder {
   /// Creates the folder and those above it, and removes what an earlier run left there under the names that belong to
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
-               EarlierSnapshots earlier = EarlierSnapshots::removed, bool points_change = false);
+               const FolderUse& use = {});
   /// Where the snapshots of an earlier run stand, those of particles.nc, mesh.nc or solids.nc: set aside or not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
   /// Ends the setting aside of one of these.
@@ -34,11 +41,11 @@ class ResultFolder {
   /// The same for what could not be taken over: it stays as NAME.unused, which is returned; empty where there is none.
   std::filesystem::path keep_what_was_set_aside(const std::string& name);
 
-  void append(const Record& record);                                ///< history.nc and history.txt
-  void points(const FieldsInTurn& snapshot);                        ///< particles.nc and particles.xmf
-  void grid(const BackgroundGrid& grid, const Snapshot& snapshot);  ///< mesh.nc and mesh.xmf
-  void mesh(const Mesh& mesh, const Snapshot& snapshot);            ///< the same, of finite elements
-  void solids(const Mesh& mesh, const Snapshot& snapshot);          ///< solids.nc and solids.xmf, beside mesh.nc
+  void append(const Record& record);                             ///< history.nc and history.txt
+  void points(const FieldsInTurn& snapshot);                     ///< particles.nc
+  void grid(const RegularGrid& grid, const Snapshot& snapshot);  ///< mesh.nc
+  void mesh(const Mesh& mesh, const Snapshot& snapshot);         ///< the same, of finite elements
+  void solids(const Mesh& mesh, const Snapshot& snapshot);       ///< solids.nc, beside mesh.nc
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
   /// A file that deck.effective names, under a name that begins with its.

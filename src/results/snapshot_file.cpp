@@ -50,22 +50,19 @@ void SnapshotFile::define(const FieldsInTurn& first, const Provenance& provenanc
   write_provenance(file_, provenance);
   if (!fixed_.conventions.empty()) file_.global_attribute("Conventions", fixed_.conventions);
   std::vector<int> dimensions{file_.dimension("time", NetcdfFile::unlimited)};
-  time_ = define_quantity(file_, {"time", Dimension::time, "time"}, dimensions, provenance.units);
+  time_ = define_time(file_, {"time", Dimension::time, "time"}, dimensions.front(), provenance.units);
   std::vector<std::size_t> chunk{1};
   std::vector<int> places;
   for (const auto& axis : axes_) {
     dimensions.push_back(dimension(axis));
     chunk.push_back(axis.length);
-    if (axis.places.empty()) continue;
-    const Quantity place{axis.name, Dimension::length, "place of the nodes"};
-    places.push_back(define_quantity(file_, place, {dimensions.back()}, provenance.units));
+    places.push_back(axis.places.empty() ? -1 : define_places(axis, dimensions.back(), provenance.units));
   }
   for (const Quantity& quantity : first.quantities()) {
     names_.push_back(quantity.name);
-    variables_.push_back(define_quantity(file_, quantity, dimensions, provenance.units));
-    for (const auto& [name, text] : fixed_.of_each_field) file_.attribute(variables_.back(), name, text);
+    whole_.push_back(is_whole(quantity));
+    variables_.push_back(define_field(quantity, dimensions, provenance.units));
     file_.chunk(variables_.back(), chunk);
-    if (grows()) file_.fill_with_nan(variables_.back());
   }
   const std::vector<int> fixed = define_fixed();
   file_.end_definitions();
@@ -74,11 +71,32 @@ void SnapshotFile::define(const FieldsInTurn& first, const Provenance& provenanc
     for (const auto& axis : fixed_.numbers[k].axes) whole.start.push_back(0), whole.count.push_back(axis.length);
     file_.put(fixed[k], whole, fixed_.numbers[k].values);
   }
-  auto place = places.begin();
-  for (const auto& axis : axes_) {
-    if (!axis.places.empty()) file_.put(*place++, {{0}, {axis.length}}, axis.places);
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (places[k] >= 0) file_.put(places[k], {{0}, {axes_[k].length}}, axes_[k].places);
   }
   file_.sync();
+}
+
+/// The axis' coordinate variable; the cells' bounds become one of the fixed numbers. Source: CF conventions, 4 and 7.1.
+int SnapshotFile::define_places(const Axis& axis, int dimension, Units units) {
+  const bool cells = axis.cell > 0;
+  const Quantity place{axis.name, Dimension::length, cells ? "middles of the cells" : "place of the nodes"};
+  const int variable = define_quantity(file_, place, {dimension}, units);
+  file_.attribute(variable, "axis", std::string(1, axis.direction));
+  if (!cells) return variable;
+  file_.attribute(variable, "bounds", axis.name + "_bounds");
+  std::vector<double> bounds;
+  for (const double middle : axis.places)
+    bounds.push_back(middle - axis.cell / 2), bounds.push_back(middle + axis.cell / 2);
+  fixed_.numbers.push_back({axis.name + "_bounds", {axis, {"side", 2}}, std::move(bounds), {}, false});
+  return variable;
+}
+
+int SnapshotFile::define_field(const Quantity& quantity, const std::vector<int>& dimensions, Units units) {
+  const int variable = define_quantity(file_, quantity, dimensions, units);
+  for (const auto& [name, text] : fixed_.of_each_field) file_.attribute(variable, name, text);
+  if (grows()) file_.fill(variable, is_whole(quantity));
+  return variable;
 }
 
 int SnapshotFile::dimension(const Axis& axis) {
@@ -118,7 +136,7 @@ std::size_t SnapshotFile::checked_length(const FieldsInTurn& snapshot) const {
   return length;
 }
 
-void SnapshotFile::append(const FieldsInTurn& snapshot) {
+void SnapshotFile::append(const FieldsInTurn& snapshot, const TakeField& also) {
   values_ = std::max(values_, checked_length(snapshot));
   file_.reserve(variables_.size() * (values_ * sizeof(double) + room_per_variable) + room_per_file);
   file_.put(time_, {{records_}, {1}}, std::array{snapshot.time()});
@@ -127,84 +145,24 @@ void SnapshotFile::append(const FieldsInTurn& snapshot) {
     part.start.push_back(0);
     part.count.push_back(axis.grows ? values_ : axis.length);
   }
-  // With no numbers in place of points that other records have.
   std::vector<double> room(values_, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < variables_.size(); ++k) {
     const auto numbers = snapshot.numbers(k, std::span(room).first(snapshot.count()));
-    if (numbers.size() == values_) {
-      file_.put(variables_[k], part, numbers);
-    } else {
-      if (numbers.data() != room.data()) std::copy(numbers.begin(), numbers.end(), room.begin());
-      file_.put(variables_[k], part, room);
-    }
+    if (also) also(k, numbers);
+    put(k, part, numbers, room);
   }
   file_.sync();
   ++records_;
 }
 
-namespace {
-
-std::vector<std::string> field_names(const FieldsInTurn& snapshot) {
-  std::vector<std::string> names;
-  for (const Quantity& quantity : snapshot.quantities()) names.push_back(quantity.name);
-  return names;
-}
-
-void check_points(const FieldsInTurn& first) {
-  const auto names = field_names(first);
-  const auto has = [&names](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  if (!has("x") || !has("y")) throw std::invalid_argument("a snapshot of points needs the fields x and y");
-  if (first.count() == 0) throw std::invalid_argument("a snapshot without points");
-}
-
-/// Nodes along one direction, from 0: first + k step.
-Axis nodes(const char* name, int count, double first, double step) {
-  Axis axis{name, static_cast<std::size_t>(count), {}};
-  for (int k = 0; k < count; ++k) axis.places.push_back(first + k * step);
-  return axis;
-}
-
-}  // namespace
-
-PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, bool changing)
-    : folder_(std::move(folder)), provenance_(std::move(provenance)), changing_(changing) {}
-
-void PointWriter::append(const FieldsInTurn& snapshot) {
-  if (!file_) {
-    check_points(snapshot);
-    const std::vector<Axis> axes{{"point", snapshot.count(), {}, changing_}};
-    file_.emplace(folder_ / "particles.nc", axes, snapshot, provenance_);
-    series_ = {"particles.nc", field_names(snapshot), {}};
-  }
-  file_->append(snapshot);
-  series_.times.push_back(snapshot.time());
-  counts_.push_back(snapshot.count());
-  replace_file(folder_ / "particles.xmf", xdmf_points(series_, counts_));
-}
-
-void PointWriter::close() {
-  if (file_) file_->close();
-}
-
-GridWriter::GridWriter(std::filesystem::path folder, Provenance provenance)
-    : folder_(std::move(folder)), provenance_(std::move(provenance)) {}
-
-void GridWriter::append(const BackgroundGrid& grid, const FieldsInTurn& snapshot) {
-  if (!file_) {
-    const std::vector<Axis> axes{nodes("node_y", grid.ny, grid.y0, grid.dy),
-                                 nodes("node_x", grid.nx, grid.x0, grid.dx)};
-    file_.emplace(folder_ / "mesh.nc", axes, snapshot, provenance_);
-    grid_ = grid;
-    series_ = {"mesh.nc", field_names(snapshot), {}};
-  }
-  if (!(grid == grid_)) throw std::invalid_argument("the grid of the snapshots has changed");
-  file_->append(snapshot);
-  series_.times.push_back(snapshot.time());
-  replace_file(folder_ / "mesh.xmf", xdmf_grid(series_, grid));
-}
-
-void GridWriter::close() {
-  if (file_) file_->close();
+/// With no numbers in place of points that other records have; `room` may hold the numbers already.
+void SnapshotFile::put(std::size_t field, const NetcdfFile::Part& part, std::span<const double> numbers,
+                       std::vector<double>& room) {
+  if (numbers.size() == values_) return file_.put(variables_[field], part, numbers);
+  if (numbers.data() != room.data()) std::copy(numbers.begin(), numbers.end(), room.begin());
+  const double none = whole_[field] ? no_whole_number : std::numeric_limits<double>::quiet_NaN();
+  std::fill(room.begin() + static_cast<std::ptrdiff_t>(numbers.size()), room.end(), none);
+  file_.put(variables_[field], part, room);
 }
 
 }  // namespace tether

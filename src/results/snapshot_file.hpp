@@ -2,17 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
-#include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "fields/fields_in_turn.hpp"
-#include "grid/boxes.hpp"
 #include "results/netcdf_file.hpp"
 #include "results/results.hpp"
-#include "results/xdmf.hpp"
 
 namespace tether {
 
@@ -20,8 +19,10 @@ namespace tether {
 struct Axis {
   std::string name;
   std::size_t length = 0;
-  std::vector<double> places;  ///< none, or as many as the length: then a coordinate variable of the axis' name
-  bool grows = false;          ///< the only axis, whose length a record may change: what it lacks is no number
+  std::vector<double> places = {};  ///< none, or as many as the length: then a coordinate variable of the axis' name
+  bool grows = false;               ///< the only axis, whose length a record may change: what it lacks is no number
+  char direction = 0;               ///< of the places: 'X', 'Y' or 'Z'
+  double cell = 0;                  ///< size of cells, of which the places are the middles; 0 where they are nodes
 };
 
 /// Numbers that no record changes, and what they are: a mesh's nodes of its elements. Axes of one name are one.
@@ -50,14 +51,20 @@ class SnapshotFile {
                const Provenance& provenance, FixedPart fixed = {});
   /// One more record, with the system before this returns. Throws FileError, and the records before stay readable;
   /// std::invalid_argument where the fields are not those of the first snapshot.
-  void append(const FieldsInTurn& snapshot);
+  void append(const FieldsInTurn& snapshot) { append(snapshot, {}); }
+  /// The same, and hands each field's numbers on to `also`, where there is one.
+  using TakeField = std::function<void(std::size_t field, std::span<const double> numbers)>;
+  void append(const FieldsInTurn& snapshot, const TakeField& also);
   void close() { file_.close(); }
 
  private:
   bool grows() const { return axes_.front().grows; }
   void define(const FieldsInTurn& first, const Provenance& provenance);
+  int define_places(const Axis& axis, int dimension, Units units);
+  int define_field(const Quantity& quantity, const std::vector<int>& dimensions, Units units);
   int dimension(const Axis& axis);
   std::vector<int> define_fixed();
+  void put(std::size_t field, const NetcdfFile::Part& part, std::span<const double> numbers, std::vector<double>& room);
   /// Numbers of each field; throws where there are others than in the first snapshot.
   std::size_t checked_length(const FieldsInTurn& snapshot) const;
 
@@ -68,46 +75,9 @@ class SnapshotFile {
   std::map<std::string, int> dimensions_;  ///< of all axes by name
   int time_ = -1;
   std::vector<std::string> names_;
+  std::vector<bool> whole_;
   std::vector<int> variables_;  ///< of the fields
   std::size_t records_ = 0;
-};
-
-/// Writes particles.nc, fields over (time, point), and particles.xmf, by which ParaView opens it. Nothing is created
-/// before the first snapshot; each one is with the system, and the .xmf whole, before append() returns.
-/// While the run goes on its NetCDF-4 files are locked by HDF5; who wants to read them then sets
-/// HDF5_USE_FILE_LOCKING=FALSE.
-class PointWriter {
- public:
-  /// `changing`: how many points there are.
-  PointWriter(std::filesystem::path folder, Provenance provenance, bool changing = false);
-  /// The snapshot has the fields `x` and `y`, and the same fields every time, and, unless their number changes, the
-  /// same points; else a record with fewer than another has no numbers at its end. Throws FileError.
-  void append(const FieldsInTurn& snapshot);
-  void close();
-
- private:
-  std::filesystem::path folder_;
-  Provenance provenance_;
-  bool changing_;
-  std::vector<std::size_t> counts_;  // of points in each record
-  XdmfSeries series_;
-  std::optional<SnapshotFile> file_;
-};
-
-/// Writes mesh.nc, fields over (time, node_y, node_x) with the coordinates of the nodes, and mesh.xmf. As PointWriter.
-class GridWriter {
- public:
-  GridWriter(std::filesystem::path folder, Provenance provenance);
-  /// The grid is the same every time (else std::invalid_argument). Throws FileError.
-  void append(const BackgroundGrid& grid, const FieldsInTurn& snapshot);
-  void close();
-
- private:
-  std::filesystem::path folder_;
-  Provenance provenance_;
-  BackgroundGrid grid_;
-  XdmfSeries series_;
-  std::optional<SnapshotFile> file_;
 };
 
 }  // namespace tether

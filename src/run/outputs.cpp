@@ -33,15 +33,14 @@ std::size_t bytes_of(const Snapshot& snapshot) {
   return numbers * sizeof(double);
 }
 
-/// The mesh that the fields of Solver::grid() stand on; null for those of the background grid.
+/// The mesh that the fields of Solver::grid() stand on; null for those of a regular grid.
 struct MeshOfGrid {
-  const Mesh& cell_middles;
   const Mesh* operator()(const MaterialPoints&) const { return nullptr; }
   const Mesh* operator()(const Bars&) const { return nullptr; }
   const Mesh* operator()(const ElasticBodies& bodies) const { return &bodies.solids->mesh; }
   const Mesh* operator()(const RigidBody& body) const { return &body.solids->mesh; }
   const Mesh* operator()(const MeshFlow& flow) const { return &flow.flow->mesh; }
-  const Mesh* operator()(const BoxFlow&) const { return &cell_middles; }
+  const Mesh* operator()(const BoxFlow&) const { return nullptr; }
 };
 
 }  // namespace
@@ -50,8 +49,8 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
     : plan_(plan),
       request_(request),
       solver_(solver),
-      folder_(request.folder, solver.history_layout(), request.provenance, earlier_snapshots(request),
-              plan.scene.edges.any()),
+      folder_(request.folder, solver.history_layout(), request.provenance,
+              {plan.scene.outputs.vtk, earlier_snapshots(request), plan.scene.edges.any()}),
       history_{solver.history_layout(), {}},
       history_due_(plan.scene.outputs.history),
       points_due_(plan.scene.outputs.points),
@@ -178,11 +177,11 @@ void RunOutputs::write_grid(Snapshot snapshot) {
   const std::size_t bytes = bytes_of(snapshot);
   queue_.give(
       [this, snapshot = std::move(snapshot)] {
-        const Mesh cell_middles = plan_.scene.coupled() ? mesh_of_middles(plan_.scene.coupled()->grid) : Mesh{};
-        if (const Mesh* mesh = std::visit(MeshOfGrid{cell_middles}, plan_.scene.physics))
+        const Scene& scene = plan_.scene;
+        if (const Mesh* mesh = std::visit(MeshOfGrid{}, scene.physics))
           folder_.mesh(*mesh, snapshot);
         else
-          folder_.grid(plan_.scene.grid, snapshot);
+          folder_.grid(scene.coupled() ? RegularGrid(scene.coupled()->grid) : scene.grid, snapshot);
       },
       bytes);
   ++grid_snapshots_;

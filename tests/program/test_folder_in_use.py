@@ -32,7 +32,7 @@ class FolderInUse(ProgramTest):
     def state(self):
         """The files of the run that owns the folder, which it opened once."""
         return {path.name: path.stat().st_ino for path in self.out.iterdir()
-                if not path.name.startswith("checkpoint-") and ".xmf" not in path.name}
+                if not path.name.startswith("checkpoint-") and ".pvd" not in path.name and path.is_file()}
 
     def test_the_second_run_is_refused_and_told_whose_the_folder_is(self):
         process = self.start()

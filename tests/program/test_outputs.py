@@ -59,8 +59,8 @@ class Sod(ProgramTest):
 
     def test_files(self):
         self.assertEqual(sorted(path.name for path in self.out.iterdir()),
-                         ["deck.effective", "history.nc", "history.txt", "mesh.nc", "mesh.xmf", "messages.txt",
-                          "particles.nc", "particles.xmf", "reference.txt", "summary.txt"])
+                         ["deck.effective", "history.nc", "history.txt", "mesh.nc", "mesh.pvd", "messages.txt",
+                          "particles.nc", "particles.pvd", "reference.txt", "summary.txt", "vtk"])
 
     def test_summary(self):
         told = summary(self.out)

@@ -113,7 +113,7 @@ class Restart(ProgramTest):
         options = sets(**{"in__iout(13)": 1, "in__tiout(13)": 2e-3})
         whole = self.run_ok(*LONG, *options, out="whole")
         process, folder = self.start(*options)
-        self.wait_for(folder / "particles.xmf", process)
+        self.wait_for(folder / "particles.pvd", process)
         time.sleep(0.5)
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(), 143)

@@ -53,7 +53,7 @@ class Tables(SweepTest):
         folder = self.out / self.table()[3]["folder"]
         values = sets(in__tmax="4.d-3", mpm__order="'usl'")
         alone = self.run_ok(self.folder / "decks/spring-mass.in", *values, out="alone")
-        for name in ("history.txt", "deck.effective", "particles.xmf"):
+        for name in ("history.txt", "deck.effective", "particles.pvd"):
             self.assertEqual((folder / name).read_bytes(), (alone / name).read_bytes(), name)
 
     def test_the_number_of_jobs_changes_nothing_but_the_cost(self):

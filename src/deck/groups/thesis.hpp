@@ -70,6 +70,10 @@ inline constexpr std::array in_rows{
              "1 for an axisymmetric problem (x is the radius), 0 for a plane one."},
     Variable{"in", "units", text, 0, 1, 1, "", -none, none, choices<Units>, "'none'",
              "Unit system that labels the outputs; nothing is converted."},
+    Variable{"in", "vtk", text, 0, 1, 1, "", -none, none, choices<VtkFiles>, "'auto'",
+             "Whether snapshots are written as VTK files for ParaView, too: yes, no, or auto: where they have 200,000 "
+             "points, "
+             "nodes or cells at the most."},
     Variable{"in", "path", text, 0, 1, 1, "", -none, none, "mpm|fem|bars|coupled", "",
              "Path that runs the scene: material points, finite elements, strings as bars (which fem makes of them "
              "where nothing else is there), or a fluid in a box coupled with elements. "

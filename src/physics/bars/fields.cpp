@@ -86,8 +86,8 @@ const ColumnTable<ColumnSetting, PointSource>& point_table() {
   static const ColumnTable<ColumnSetting, S> table({{{
       {"x", D::length, "place, x", of(&BarState::x)},
       {"y", D::length, "place, y", of(&BarState::y)},
-      {"id", D::number, "number of the point, from 1", [](const S&, std::size_t p) { return p + 1; }},
-      {"body", D::number, "number of its body, from 1", [](const S& s, std::size_t p) { return s.body[p]; }},
+      {"id", D::whole, "number of the point, from 1", [](const S&, std::size_t p) { return p + 1; }},
+      {"body", D::whole, "number of its body, from 1", [](const S& s, std::size_t p) { return s.body[p]; }},
       {"vx", D::velocity, "velocity, x", of(&BarState::vx)},
       {"vy", D::velocity, "velocity, y", of(&BarState::vy)},
       {"mass", D::mass, "mass", [](const S& s, std::size_t p) { return s.scene.points.mass[p]; }},

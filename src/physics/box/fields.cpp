@@ -85,21 +85,17 @@ const ColumnTable<CellSetting, CellSource>& cell_table() {
   using S = CellSource;
   using Row = Column<CellSetting, S>;
   using D = Dimension;
-  const auto place = [](const S& s, std::size_t axis, std::size_t c) {
-    return s.grid.middle(static_cast<int>(axis), s.grid.place_of_cell(c)[axis]);
-  };
   const auto velocity = [](const S& s, std::size_t axis, std::size_t c) {
     return s.fluid(c) ? s.velocity(static_cast<int>(axis), c) : 0;
   };
   const When<CellSetting> smoke("with smoke", [](const CellSetting& s) { return s.with_smoke; });
   static const ColumnTable<CellSetting, S> table({{{
-      Row("", D::length, "place", place).vector(),
       Row("v", D::velocity, "velocity, zero where there is no fluid", velocity).vector(),
       {"p", D::stress, "pressure, of the last step",
        [](const S& s, std::size_t c) { return s.fluid(c) ? s.state.p[c] : 0; }},
-      {"kind", D::number, "fluid 0, solid 1, obstacle 2, void 3",
+      {"kind", D::whole, "fluid 0, solid 1, obstacle 2, void 3",
        [](const S& s, std::size_t c) { return static_cast<double>(s.domain.kind[c]); }},
-      {"region", D::number, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
+      {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
        [](const S& s, std::size_t c) { return s.domain.region[c] + 1.0; }},
       Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.state.smoke.density(c); })
           .when(smoke),

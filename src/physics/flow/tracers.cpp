@@ -56,7 +56,7 @@ const ColumnTable<ColumnSetting, TracerSource>& tracer_table() {
   const auto velocity = [](const S& s, std::size_t axis, std::size_t n) { return s.velocity[n][axis]; };
   static const ColumnTable<ColumnSetting, S> table({{{
       Row("", D::length, "place", place).vector(),
-      {"id", D::number, "number of the tracer, from 1", [](const S&, std::size_t n) { return n + 1; }},
+      {"id", D::whole, "number of the tracer, from 1", [](const S&, std::size_t n) { return n + 1; }},
       Row("v", D::velocity, "velocity", velocity).vector(),
       {"left", D::number, "1 of tracers that left the fluid's mesh, which stay where they did",
        [](const S& s, std::size_t n) { return s.state.tracer_left[n]; }},

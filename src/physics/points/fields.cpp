@@ -188,9 +188,9 @@ const ColumnTable<ColumnSetting, PointSource>& point_table() {
   static const ColumnTable<ColumnSetting, PointSource> table({{{
       {"x", D::length, "place, x", of(&Points::x)},
       {"y", D::length, "place, y", of(&Points::y)},
-      {"id", D::number, "number of the point, from 1",
+      {"id", D::whole, "number of the point, from 1",
        [](const PointSource& s, std::size_t k) { return s.P.id[s.order.slots[k]] + 1.0; }},
-      {"body", D::number, "number of its body, from 1",
+      {"body", D::whole, "number of its body, from 1",
        [](const PointSource& s, std::size_t k) { return static_cast<double>(s.order.body_of(k) + 1); }},
       {"vx", D::velocity, "velocity, x", of(&Points::vx)},
       {"vy", D::velocity, "velocity, y", of(&Points::vy)},

@@ -11,7 +11,8 @@
 #include "base/text.hpp"
 #include "results/checkpoint.hpp"
 #include "results/history_writer.hpp"
-#include "results/snapshot_file.hpp"
+#include "results/grid_writer.hpp"
+#include "results/point_writer.hpp"
 #include "unit/results/support.hpp"
 
 namespace tether {
@@ -90,16 +91,17 @@ TEST_F(FullDiskTest, SnapshotsKeepTheirRecords) {
   }
 }
 
-TEST_F(FullDiskTest, TheTextForParaviewStaysWhole) {
+/// A file of 960 kB, next to one of NetCDF of 740.
+TEST_F(FullDiskTest, AVtkFileWithoutRoomLeavesNoneAndNoRecord) {
   const auto write = [this] {
-    PointWriter writer(folder, test::provenance());
-    for (int k = 0; k < 5000; ++k) writer.append(test::three_points(k));
+    Snapshot many = test::three_points(0);
+    for (Field& field : many.fields) field.values.resize(20000, 1.0);
+    PointWriter(folder, test::provenance()).append(many);
   };
-  EXPECT_EXIT(write_until_full(300000, write), testing::ExitedWithCode(told), "particles.xmf.*File too large");
-  const auto text = read_file(folder / "particles.xmf");
-  EXPECT_EQ(text.substr(text.size() - 8), "</Xdmf>\n");
-  EXPECT_FALSE(std::filesystem::exists(folder / "particles.xmf.new"));
-  EXPECT_GT(test::Reader(folder / "particles.nc").length("time"), 100u);
+  EXPECT_EXIT(write_until_full(850000, write), testing::ExitedWithCode(told), "particles-0000.vtp.*File too large");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "vtk"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "particles.pvd"));
+  EXPECT_EQ(test::Reader(folder / "particles.nc").length("time"), 0u);
 }
 
 TEST_F(FullDiskTest, GridsKeepTheirRecords) {

@@ -100,9 +100,26 @@ TEST_F(MeshWriterTest, WritesElementsAndFieldsOfEachRecord) {
   EXPECT_EQ(reader.values("node_y"), (Values{0, 0, 1, 1}));
   EXPECT_EQ(reader.dimensions("node_x"), std::vector<std::string>{"node"});
   EXPECT_EQ(reader.dimensions("element_region"), std::vector<std::string>{"element"});
-  const std::string xdmf = read_file(folder / "mesh.xmf");
-  EXPECT_NE(xdmf.find("TopologyType=\"Quadrilateral\" NumberOfElements=\"1\""), std::string::npos);
-  EXPECT_NE(xdmf.find("<Time Value=\"0.5\"/>"), std::string::npos);
+  const std::string series = read_file(folder / "mesh.pvd");
+  EXPECT_NE(series.find("timestep=\"0.5\" part=\"0\" file=\"vtk/mesh-0001.vtu\""), std::string::npos) << series;
+  EXPECT_TRUE(std::filesystem::exists(folder / "vtk" / "mesh-0001.vtu"));
+}
+
+/// UGRID has no middles of edges: a face of 9 nodes would be read as a 9-gon.
+TEST_F(MeshWriterTest, GivesReadersOfUgridTheCornersAlone) {
+  const Mesh mesh = unit_box(ElementKind::quad9);
+  MeshWriter writer(folder, "mesh", test::provenance());
+  Snapshot snapshot{0, {}};
+  snapshot.fields.push_back({{"x", Dimension::length, "place"}, Values(mesh.node_count(), 0.0)});
+  writer.append(mesh, snapshot);
+  writer.close();
+  const test::Reader reader(folder / "mesh.nc");
+  EXPECT_EQ(reader.attribute("face_node_connectivity", "mesh"), "element_corners");
+  EXPECT_EQ(reader.dimensions("element_corners"), (std::vector<std::string>{"element", "corner"}));
+  Values corners = reader.values("element_nodes");
+  ASSERT_EQ(corners.size(), 9u);
+  corners.resize(4);
+  EXPECT_EQ(reader.values("element_corners"), corners);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::vector<double> replayed_times(const std::filesystem::path& file, std::size_
 }
 
 void write_points(const std::filesystem::path& folder, EarlierSnapshots earlier, const std::vector<double>& times) {
-  ResultFolder results(folder, test::small_layout(), test::provenance(), earlier);
+  ResultFolder results(folder, test::small_layout(), test::provenance(), {.earlier = earlier});
   for (const double time : times) results.points(test::three_points(time));
 }
 
@@ -45,7 +45,7 @@ TEST_F(ResultFolderTest, SetsEarlierSnapshotsAsideUntilTheyAreTakenOver) {
   std::string lost;
   EXPECT_EQ(replayed_times(earlier, 3, lost), (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(lost, "");
-  ResultFolder(folder, test::small_layout(), test::provenance(), EarlierSnapshots::set_aside)
+  ResultFolder(folder, test::small_layout(), test::provenance(), {.earlier = EarlierSnapshots::set_aside})
       .remove_what_was_set_aside("particles.nc");
   EXPECT_FALSE(std::filesystem::exists(earlier));
   EXPECT_EQ(ResultFolder::earlier_snapshots(folder, "particles.nc"), folder / "particles.nc");
@@ -72,7 +72,7 @@ TEST_F(ResultFolderTest, SnapshotsOfAnotherRunOrShapeAreNotTakenOver) {
 
 TEST_F(ResultFolderTest, WhatIsNotTakenOverStaysUnused) {
   write_points(folder, EarlierSnapshots::removed, {0, 1});
-  ResultFolder again(folder, test::small_layout(), test::provenance(), EarlierSnapshots::set_aside);
+  ResultFolder again(folder, test::small_layout(), test::provenance(), {.earlier = EarlierSnapshots::set_aside});
   EXPECT_EQ(again.keep_what_was_set_aside("particles.nc"), folder / "particles.nc.unused");
   EXPECT_EQ(again.keep_what_was_set_aside("mesh.nc"), std::filesystem::path());
   std::string lost;
@@ -107,8 +107,8 @@ TEST_F(ResultFolderTest, HoldsTheFilesOfTheContract) {
   results.reference({{"x"}, {{1}}});
   results.finish({{"steps", "1"}});
   EXPECT_EQ(names_in(deep),
-            (std::set<std::string>{"deck.effective", "history.nc", "history.txt", "mesh.nc", "mesh.xmf", "messages.txt",
-                                   "particles.nc", "particles.xmf", "reference.txt", "summary.txt"}));
+            (std::set<std::string>{"deck.effective", "history.nc", "history.txt", "mesh.nc", "mesh.pvd", "messages.txt",
+                                   "particles.nc", "particles.pvd", "reference.txt", "summary.txt", "vtk"}));
   EXPECT_EQ(read_file(deep / "deck.effective"), "$in $end\n");
   EXPECT_EQ(read_file(deep / "reference.txt"), "# x\n1\n");
   EXPECT_EQ(read_file(deep / "summary.txt"),
@@ -125,13 +125,17 @@ TEST_F(ResultFolderTest, WritesOnlyWhatItIsGiven) {
 
 TEST_F(ResultFolderTest, RemovesItsOwnFilesOfAnEarlierRunOnly) {
   for (const char* name :
-       {"history.nc", "history.txt", "particles.nc", "particles.xmf", "mesh.nc", "mesh.xmf", "summary.txt",
+       {"history.nc", "history.txt", "particles.nc", "particles.pvd", "mesh.nc", "mesh.pvd", "summary.txt",
         "messages.txt", "deck.effective", "reference.txt", "checkpoint-1.nc", "notes.md"}) {
     write_file(folder / name, "stale");
   }
+  std::filesystem::create_directory(folder / "vtk");
+  for (const char* name : {"particles-0000.vtp", "mesh-0017.vti", "mesh-0003.vtu", "solids-0000.vtu", "own.vtu"})
+    write_file(folder / "vtk" / name, "stale");
   const ResultFolder results(folder, test::small_layout(), test::provenance());
+  EXPECT_EQ(names_in(folder / "vtk"), std::set<std::string>{"own.vtu"});
   EXPECT_EQ(names_in(folder),
-            (std::set<std::string>{"history.nc", "history.txt", "messages.txt", "checkpoint-1.nc", "notes.md"}));
+            (std::set<std::string>{"history.nc", "history.txt", "messages.txt", "checkpoint-1.nc", "notes.md", "vtk"}));
   EXPECT_EQ(read_file(folder / "messages.txt"), "");
   EXPECT_EQ(read_file(folder / "checkpoint-1.nc"), "stale");
   EXPECT_EQ(test::Reader(folder / "history.nc").length("time"), 0u);

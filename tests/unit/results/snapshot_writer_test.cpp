@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "results/snapshot_file.hpp"
+#include "results/grid_writer.hpp"
+#include "results/point_writer.hpp"
 
 #include <cmath>
 #include <limits>
@@ -52,7 +53,7 @@ Snapshot first_points(double time, std::size_t n) {
 }
 
 TEST_F(SnapshotWriterTest, ARecordWithFewerPointsHasNoNumbersAtItsEnd) {
-  PointWriter writer(folder, test::provenance(), true);
+  PointWriter writer(folder, test::provenance(), VtkFiles::automatic, true);
   for (const std::size_t n : {2, 3, 1, 0}) writer.append(first_points(0.5, n));
   writer.close();
   const test::Reader reader(folder / "particles.nc");
@@ -62,9 +63,10 @@ TEST_F(SnapshotWriterTest, ARecordWithFewerPointsHasNoNumbersAtItsEnd) {
   const Values expected{1, 2, gone, 1, 2, 3, 1, gone, gone, gone, gone, gone};
   for (std::size_t k = 0; k < id.size(); ++k)
     EXPECT_TRUE(id[k] == expected[k] || (std::isnan(id[k]) && std::isnan(expected[k]))) << k << ": " << id[k];
-  const std::string xmf = read_file(folder / "particles.xmf");
-  for (const char* count : {"NumberOfElements=\"2\"", "NumberOfElements=\"3\"", "NumberOfElements=\"1\""})
-    EXPECT_NE(xmf.find(count), std::string::npos) << count;
+  for (const auto& [record, count] : {std::pair{0, 2}, {1, 3}, {2, 1}, {3, 0}}) {
+    const std::string vtk = read_file(folder / "vtk" / ("particles-000" + std::to_string(record) + ".vtp"));
+    EXPECT_NE(vtk.find("NumberOfPoints=\"" + std::to_string(count) + "\""), std::string::npos) << record;
+  }
 }
 
 TEST_F(SnapshotWriterTest, WritesFieldsOfNodesWithTheirPlaces) {
@@ -141,7 +143,8 @@ TEST_F(SnapshotWriterTest, WritesTheSameBytesTwice) {
     points.close();
   }
   EXPECT_EQ(read_file(folder / "one" / "particles.nc"), read_file(folder / "two" / "particles.nc"));
-  EXPECT_EQ(read_file(folder / "one" / "particles.xmf"), read_file(folder / "two" / "particles.xmf"));
+  for (const char* name : {"particles.pvd", "vtk/particles-0002.vtp"})
+    EXPECT_EQ(read_file(folder / "one" / name), read_file(folder / "two" / name)) << name;
 }
 
 }  // namespace

@@ -70,13 +70,13 @@ TEST_F(TextTest, TextFileNamesWhatFailed) {
 }
 
 TEST_F(TextTest, ReplacingKeepsTheOldTextWhenItFails) {
-  std::filesystem::create_directories(folder / "a.xmf.new");
-  write_file(folder / "a.xmf", "old");
-  EXPECT_THROW(replace_file(folder / "a.xmf", "new"), FileError);
-  EXPECT_EQ(read_file(folder / "a.xmf"), "old");
-  std::filesystem::remove(folder / "a.xmf.new");
-  replace_file(folder / "a.xmf", "new");
-  EXPECT_EQ(read_file(folder / "a.xmf"), "new");
+  std::filesystem::create_directories(folder / "a.pvd.new");
+  write_file(folder / "a.pvd", "old");
+  EXPECT_THROW(replace_file(folder / "a.pvd", "new"), FileError);
+  EXPECT_EQ(read_file(folder / "a.pvd"), "old");
+  std::filesystem::remove(folder / "a.pvd.new");
+  replace_file(folder / "a.pvd", "new");
+  EXPECT_EQ(read_file(folder / "a.pvd"), "new");
 }
 
 }  // namespace

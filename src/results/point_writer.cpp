@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/point_writer.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tether {
+namespace {
+
+void check_points(const FieldsInTurn& first) {
+  const auto has = [&](const char* name) {
+    return std::any_of(first.quantities().begin(), first.quantities().end(),
+                       [&](const Quantity& quantity) { return quantity.name == name; });
+  };
+  if (!has("x") || !has("y")) throw std::invalid_argument("a snapshot of points needs the fields x and y");
+  if (first.count() == 0) throw std::invalid_argument("a snapshot without points");
+}
+
+}  // namespace
+
+PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, VtkFiles vtk, bool changing)
+    : folder_(std::move(folder)),
+      provenance_(std::move(provenance)),
+      changing_(changing),
+      vtk_(folder_, "particles", "vtp", vtk) {}
+
+void PointWriter::append(const FieldsInTurn& snapshot) {
+  if (!file_) {
+    check_points(snapshot);
+    const std::vector<Axis> axes{{"point", snapshot.count(), {}, changing_}};
+    file_.emplace(folder_ / "particles.nc", axes, snapshot, provenance_);
+  }
+  vtk_.append(
+      *file_, [&] { return vtk_of_points(snapshot.count()); }, snapshot);
+}
+
+void PointWriter::close() {
+  if (file_) file_->close();
+}
+
+}  // namespace tether

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""ParaView's default readers open every series of VTK files, and read back what the NetCDF files have."""
+import json
+import subprocess
+import unittest
+
+import netCDF4
+import numpy
+
+from program import DECKS, ProgramTest
+
+FIELDS = ("--set", "in.iout(39)=1", "--set", "in.tiout(39)=.01")
+
+
+def by_paraview(paths):
+    words = ["pvpython", "--force-offscreen-rendering", "tests/program/read_by_paraview.py", *map(str, paths)]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    return json.loads(done.stdout[done.stdout.index("{"):])
+
+
+class ParaView(ProgramTest):
+    def compare(self, folder, name, vectors, numbers, where="of_points"):
+        """The last record of NAME.nc, and what ParaView reads of NAME.pvd."""
+        found = by_paraview([folder / f"{name}.pvd"])[str(folder / f"{name}.pvd")]
+        self.assertEqual(found["reader"], "PVDReader")
+        with netCDF4.Dataset(folder / f"{name}.nc") as data:
+            self.assertEqual(found["times"], data["time"][:].tolist())
+            for vector, parts in vectors.items():
+                read = numpy.array(found["points"] if vector == "points" else found[where][vector])
+                for part, column in zip(parts, read.T):
+                    self.assertEqual(column.tolist(), data[part][-1].ravel().tolist(), part)
+            for number in numbers:
+                self.assertEqual(found[where][number], data[number][-1].ravel().tolist(), number)
+        return found
+
+    def test_points_and_the_nodes_of_their_grid(self):
+        out = self.run_ok(DECKS / "gas-expansion.in", "--set", "in.iout(13)=1", "--set", "in.tiout(13)=.01", *FIELDS)
+        points = self.compare(out, "particles", {"points": ("x", "y"), "v": ("vx", "vy")}, ("pressure", "sxx", "id"))
+        self.assertEqual(points["cells"][7], [7])
+        grid = self.compare(out, "mesh", {"v": ("vx", "vy"), "force": ("force_x", "force_y")}, ("mass", "pressure"))
+        with netCDF4.Dataset(out / "mesh.nc") as data:
+            places = [[x, y, 0.0] for y in data["node_y"][:] for x in data["node_x"][:]]
+        self.assertLess(numpy.abs(numpy.array(grid["points"]) - places).max(), 1e-12)
+
+    def test_elements_of_nine_nodes(self):
+        out = self.run_ok(DECKS / "cylinder.in")
+        mesh = self.compare(out, "mesh", {"points": ("x", "y"), "v": ("vx", "vy")}, ("p", "stream"))
+        with netCDF4.Dataset(out / "mesh.nc") as data:
+            self.assertEqual(mesh["cells"], data["element_nodes"][:50].tolist())
+            self.assertEqual(mesh["of_cells"]["region"], data["element_region"][:].tolist())
+
+    def test_a_box_in_space_and_the_bodies_in_it(self):
+        out = self.run_ok(DECKS / "coupled-paddle-3d.in", "--set", "in.tmax=.1")
+        box = self.compare(out, "mesh", {"v": ("vx", "vy", "vz")}, ("p", "kind"), "of_cells")
+        with netCDF4.Dataset(out / "mesh.nc") as data:
+            low = [data[f"{axis}_bounds"][0, 0] for axis in "xyz"]
+            high = [data[f"{axis}_bounds"][-1, 1] for axis in "xyz"]
+            self.assertEqual(data["p"].dimensions, ("time", "z", "y", "x"))
+        self.assertLess(numpy.abs(numpy.min(box["points"], axis=0) - low).max(), 1e-12)
+        self.assertLess(numpy.abs(numpy.max(box["points"], axis=0) - high).max(), 1e-12)
+        self.compare(out, "solids", {"points": ("x", "y", "z"), "u": ("ux", "uy", "uz")}, ("sxx", "sxz"))
+
+    def test_is_left_out_where_the_deck_says_so(self):
+        out = self.run_ok(DECKS / "plate-hole.in", "--set", "in.vtk='no'")
+        self.assertTrue((out / "mesh.nc").is_file())
+        self.assertFalse((out / "mesh.pvd").exists() or (out / "vtk").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
