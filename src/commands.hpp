@@ -20,5 +20,9 @@ int vars_command(const std::string& group, bool markdown);
 int columns_command(bool markdown);
 /// The keys of summary.txt.
 int keys_command(bool markdown);
+/// Lists the decks that come with the program, or copies one of them, 'get NAME', into a folder.
+int decks_command(const std::vector<std::string>& words, const std::string& into);
+/// Hands the words over to the script of post/ with the command's name.
+int script_command(const std::string& command, const std::vector<std::string>& words);
 
 }  // namespace tether

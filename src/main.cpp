@@ -106,6 +106,42 @@ CLI::App* add_listing(CLI::App& app, const std::string& name, const std::string&
   return listing;
 }
 
+/// What is drawn by a script of post/, which reads the words once more.
+struct Pictures {
+  CLI::App *plot, *film, *compare, *page;
+  std::vector<std::string> folders, times;
+  std::string out, field, column;
+  bool gif = false;
+
+  explicit Pictures(CLI::App& app) {
+    plot = add(app, "plot", "pictures of a run: its fields at some times, its histories", "folder for the pictures");
+    plot->add_option("--time", times, "a time to draw, of several one each (default: evenly between start and end)")
+        ->allow_extra_args(false);
+    plot->add_option("--field", field, "the field that colours show (default: what the scene is about)");
+    film = add(app, "film", "a film of a run", "the film's file");
+    film->add_flag("--gif", gif, "a GIF in place of an MP4");
+    compare = add(app, "compare", "two runs, or a run and a table of numbers, as figure and table", "folder for both", 2);
+    compare->add_option("--column", column, "only this column of the histories");
+    page = add(app, "page", "one HTML page of a run, with a slider over time", "the page's file");
+  }
+  bool called() const { return *plot || *film || *compare || *page; }
+
+ private:
+  CLI::App* add(CLI::App& app, const char* name, const char* meaning, const char* result, int count = 1) {
+    auto* command = app.add_subcommand(name, meaning);
+    command->add_option("folder", folders, "folder of a run")->required()->expected(count);
+    command->add_option("--out", out, std::string(result) + " (default: in the run's folder)")->check(refuse_no_folder);
+    return command;
+  }
+};
+
+CLI::App* add_decks(CLI::App& app, std::vector<std::string>& words, std::string& into) {
+  auto* decks = app.add_subcommand("decks", "list the decks that come with the program; decks get NAME copies one");
+  decks->add_option("words", words, "get NAME")->expected(0, 2);
+  decks->add_option("--out", into, "folder for the copies (default: this one)")->check(refuse_no_folder);
+  return decks;
+}
+
 CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& options) {
   auto* reproduce =
       app.add_subcommand("reproduce", "run published problems, compare their numbers with this program's");
@@ -168,12 +204,12 @@ std::string typed(int argc, char** argv) {
   return command;
 }
 
-/// Reads the words, which may stand in any order behind the command; -1 where there is something to do.
-int parse(CLI::App& app, int argc, char** argv) {
+/// Reads the words, which may stand in any order after the command, and puts them into their order; -1 where there is
+/// something to do.
+int parse(CLI::App& app, std::vector<std::string>& words) {
   try {
-    auto words = ordered_words(app, {argv + 1, argv + argc});
-    std::reverse(words.begin(), words.end());  // as the parser takes them
-    app.parse(std::move(words));
+    words = ordered_words(app, words);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as the parser takes them
     return -1;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
@@ -224,12 +260,18 @@ int main(int argc, char** argv) {
   auto* map = add_map(app, studies, run_options);
   PublishedOptions published;
   auto* reproduce = add_reproduce(app, published, run_options);
+  const Pictures pictures(app);
+  std::vector<std::string> deck_words;
+  std::string into;
+  auto* shipped = add_decks(app, deck_words, into);
   auto* vars = add_listing(app, "vars", "the deck reference", markdown);
   vars->add_option("group", group, "only this group");
   auto* columns = add_listing(app, "columns", "the columns that histories may have", markdown);
   auto* keys = add_listing(app, "keys", "the keys that summaries may have", markdown);
 
-  if (const int code = parse(app, argc, argv); code >= 0) return code;
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (const int code = parse(app, words); code >= 0) return code;
+  if (pictures.called()) return script_command(words.front(), {words.begin() + 1, words.end()});
   settle_in();
   run_options.command = typed(argc, argv);
   if (*check) return check_command(deck, options);
@@ -239,6 +281,7 @@ int main(int argc, char** argv) {
   if (*chart) return chart_command(studies, run_options);
   if (*map) return map_command(studies, run_options);
   if (*reproduce) return reproduce_command(published, run_options);
+  if (*shipped) return decks_command(deck_words, into);
   if (*vars) return vars_command(group, markdown);
   if (*columns) return columns_command(markdown);
   if (*keys) return keys_command(markdown);
