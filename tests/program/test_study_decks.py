@@ -30,10 +30,10 @@ class StudyDecks(SweepTest):
         self.sweep(folder / f"{name}.in")
         return self.table()
 
-    def test_each_study_is_run_by_a_test_and_told_of_in_the_readme(self):
+    def test_each_study_is_run_by_a_test_and_stands_in_the_guide(self):
         tests = {name.removeprefix("test_").replace("_", "-") for name in dir(self)}
         self.assertEqual(STUDIES - tests, ELSEWHERE)
-        rows = {line.split(" |")[0] for line in (DECKS / "README.md").read_text().splitlines()}
+        rows = {line.split(" |")[0] for line in (DECKS / "guide/studies-shipped.md").read_text().splitlines()}
         self.assertEqual({name for name in STUDIES if f"| studies/{name}" not in rows}, set())
 
     def test_two_bar_step(self):
