@@ -164,7 +164,7 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
 
 int vars_command(const std::string& group, bool markdown) {
   return guarded("tether vars", [&] {
-    const std::string listing = markdown ? variables_markdown() : variables_listing(lower(group));
+    const std::string listing = markdown ? variables_markdown(lower(group)) : variables_listing(lower(group));
     if (listing.empty()) throw InputError(fmt::format("there is no group {}", group), "tether vars lists all");
     fmt::print("{}", listing);
   });

@@ -102,7 +102,7 @@ CLI::App* add_map(CLI::App& app, std::vector<std::string>& studies, RunOptions& 
 /// A list that the program knows and the guide repeats.
 CLI::App* add_listing(CLI::App& app, const std::string& name, const std::string& meaning, bool& markdown) {
   auto* listing = app.add_subcommand(name, meaning);
-  listing->add_flag("--markdown", markdown, "as in decks/README.md");
+  listing->add_flag("--markdown", markdown, "as in decks/guide");
   return listing;
 }
 
@@ -120,7 +120,8 @@ struct Pictures {
     plot->add_option("--field", field, "the field that colours show (default: what the scene is about)");
     film = add(app, "film", "a film of a run", "the film's file");
     film->add_flag("--gif", gif, "a GIF in place of an MP4");
-    compare = add(app, "compare", "two runs, or a run and a table of numbers, as figure and table", "folder for both", 2);
+    compare =
+        add(app, "compare", "two runs, or a run and a table of numbers, as figure and table", "folder for both", 2);
     compare->add_option("--column", column, "only this column of the histories");
     page = add(app, "page", "one HTML page of a run, with a slider over time", "the page's file");
   }
@@ -147,7 +148,7 @@ CLI::App* add_reproduce(CLI::App& app, PublishedOptions& published, RunOptions& 
       app.add_subcommand("reproduce", "run published problems, compare their numbers with this program's");
   reproduce->add_option("name", published.names,
                         "problems, or decks of your own that end with .in (default: all problems)");
-  reproduce->add_option("--decks", published.decks, "folder of their decks (default decks)");
+  reproduce->add_option("--decks", published.decks, "folder of their decks (default decks, else those of the program)");
   reproduce->add_option("--write", published.write, "file for the table, as Markdown");
   reproduce->add_option("--out", options.out, "folder for the runs (default out/reproduce)")->check(refuse_no_folder);
   add_many_runs(*reproduce, options);

@@ -20,7 +20,7 @@ struct RunOptions {
 /// Which published problems are wanted, and what is done with them next to what RunOptions say.
 struct PublishedOptions {
   std::vector<std::string> names;  ///< none: all
-  std::string decks = "decks";     ///< folder of their decks
+  std::string decks;              ///< folder of their decks; "" for decks/ here, else the program's own
   std::string write;               ///< file for the table in Markdown; empty for none
 };
 

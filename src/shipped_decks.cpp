@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 
@@ -16,12 +17,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Up to the first full stop that a blank or an end follows.
-std::string first_sentence(const std::string& text) {
-  std::string header(text.substr(0, text.find('$')));
-  std::replace(header.begin(), header.end(), '\n', ' ');
-  const auto stop = header.find(". ");
-  return std::string(trim(stop == std::string::npos ? header : header.substr(0, stop + 1)));
+/// Longer titles are cut after a word.
+constexpr std::size_t longest_title = 100;
+
+/// Where the first sentence ends: before a line or after a full stop that a capital follows.
+std::size_t end_of_sentence(const std::string& header) {
+  for (std::size_t k = 1; k + 1 < header.size(); ++k) {
+    const bool capital = std::isupper(static_cast<unsigned char>(header[k + 1])) != 0;
+    if (capital && (header[k] == '\n' || (header[k] == ' ' && header[k - 1] == '.'))) return k;
+  }
+  return header.size();
+}
+
+/// The first sentence of a deck's header, without the lines in quotes that the thesis' decks begin with.
+std::string title_of(const std::string& text) {
+  std::string header;
+  for (const std::string& line : split_lines(text.substr(0, text.find('$')))) {
+    const bool quoted = line.find_first_of("\"'") == line.find_first_not_of(" ");
+    if (!quoted) header += line + "\n";
+  }
+  if (const auto rest = header.find_first_not_of("' "); rest != std::string::npos) header = header.substr(rest);
+  std::string title(trim(header.substr(0, end_of_sentence(header))));
+  std::replace(title.begin(), title.end(), '\n', ' ');
+  if (title.size() <= longest_title) return title;
+  return title.substr(0, title.rfind(' ', longest_title)) + " ...";
 }
 
 std::string name_of(const fs::path& deck, const fs::path& decks) {
@@ -102,8 +121,9 @@ void refuse_unknown(const std::vector<ShippedDeck>& all, const std::string& name
 std::vector<ShippedDeck> shipped_decks(const fs::path& folder) {
   std::vector<ShippedDeck> found;
   for (const auto& file : fs::recursive_directory_iterator(folder / "decks")) {
-    if (file.path().extension() == ".in")
-      found.push_back({name_of(file.path(), folder / "decks"), first_sentence(read_file(file.path()))});
+    const bool of_numbers = file.path().parent_path().filename() == "published";  // other decks' published numbers
+    if (file.path().extension() == ".in" && !of_numbers)
+      found.push_back({name_of(file.path(), folder / "decks"), title_of(read_file(file.path()))});
   }
   std::sort(found.begin(), found.end(), [](const ShippedDeck& a, const ShippedDeck& b) {
     const bool deep_a = a.name.find('/') != std::string::npos, deep_b = b.name.find('/') != std::string::npos;

@@ -11,6 +11,7 @@
 #include "base/process.hpp"
 #include "command_support.hpp"
 #include "progress.hpp"
+#include "shared_files.hpp"
 #include "studies/chart/make_chart.hpp"
 #include "studies/chart/read_chart.hpp"
 #include "studies/map/make_map.hpp"
@@ -99,11 +100,16 @@ int make_each(const std::vector<std::string>& names, RunOptions options, const c
   return worst;
 }
 
+std::string decks_of(const PublishedOptions& published) {
+  if (!published.decks.empty()) return published.decks;
+  return std::filesystem::is_directory("decks") ? "decks" : (shared_folder() / "decks").string();
+}
+
 /// False where a method does not agree where it is judged.
 bool run_published(const PublishedOptions& published, const RunOptions& options) {
   ProgressLine progress("reproduce", options.quiet);
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  const ReproduceOptions how{published.decks,   out, published.write, options.jobs, options.threads, options.command,
+  const ReproduceOptions how{decks_of(published),   out, published.write, options.jobs, options.threads, options.command,
                              std::ref(progress)};
   if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
   const ReproduceResult result = reproduce(published.names, how);

@@ -147,9 +147,10 @@ std::string variables_listing(std::string_view group) {
   return text;
 }
 
-std::string variables_markdown() {
+std::string variables_markdown(const std::string& group) {
   std::string text;
   for (const auto& name : group_names()) {
+    if (!group.empty() && name != group) continue;
     text +=
         fmt::format("{}## `${}`\n\n| name | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n",
                     text.empty() ? "" : "\n", name);

@@ -21,6 +21,6 @@ std::string check_listing(const Deck& deck);
 std::string variables_listing(std::string_view group);
 
 /// The table as Markdown, a section for each group, for the deck reference.
-std::string variables_markdown();
+std::string variables_markdown(const std::string& group = "");
 
 }  // namespace tether

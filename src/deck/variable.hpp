@@ -23,7 +23,7 @@ enum class ValueType { integer, real, logical, text };
 enum class Effect { used, none };
 
 /// A row of THE table of deck variables, from which the reader, `tether vars`, `tether check`, `deck.effective` and
-/// decks/README.md are all made.
+/// decks/guide/variables are all made.
 struct Variable {
   std::string_view group, name;
   ValueType type;

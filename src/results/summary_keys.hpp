@@ -119,7 +119,7 @@ inline constexpr auto summary_rows = [] {
       SummaryRow{"mode", boxes, number, "mode of the coupling"},
       SummaryRow{"lu_solutions", boxes, number, "solutions by factors within iterations", "mode='paper'"},
       SummaryRow{"contact_solutions", boxes, number, "steps' systems that were solved again for contact"},
-      SummaryRow{"contact_unsettled", boxes, number, "steps in which 20 such did not settle it"},
+      SummaryRow{"contact_unsettled", boxes, number, "steps in which 60 such did not settle it"},
       SummaryRow{"cfl_largest", boxes, number, "most cells that the fluid crossed in a step"},
       SummaryRow{"thin_cells", boxes, number, "most cells that a body is too thin for", "mode='cut-cell'"},
       SummaryRow{"bodies_left", boxes, number, "bodies that were found wholly beyond a side of the box"},

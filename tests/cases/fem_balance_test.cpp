@@ -105,7 +105,7 @@ TEST(FemBalance, SteadyFlowsHaveNone) {
   EXPECT_LT(run.summary.at("steady_residual"), 1e-5);
 }
 
-/// What the README says of bodies that nothing holds is in summary.txt.
+/// What the guide says of bodies that nothing holds is in summary.txt.
 TEST(FemBalance, FreeBodiesKeepTheirMomenta) {
   for (const char* name : {"l-block", "elastic-body"}) {
     const DeckRun run = run_deck(name, {"in.tmax=8."});

@@ -74,7 +74,7 @@ TEST(ReadingText, MinAndMaxAreOfAColumnOrOfTwoNumbers) {
 }
 
 TEST(ReadingFunctions, StandInTheGuide) {
-  const std::string guide = read_file(decks / "README.md");
+  const std::string guide = read_file(decks / "guide/published.md");
   for (const ReadingFunction& function : reading_functions()) {
     const auto is = function.meaning.find(" is ");
     const std::string row = "| `" + function.meaning.substr(0, is) + "` | " + function.meaning.substr(is + 4) + " |";
