@@ -2,6 +2,7 @@
 #include "command_support.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstdio>
 #include <set>
 
@@ -15,13 +16,32 @@ std::string deck_name(const std::string& deck) { return std::filesystem::path(de
 
 }  // namespace
 
-int guarded(const std::string& name, const std::function<void()>& command) {
+Voice::Voice(const std::string& log, bool quiet) : quiet_(quiet) {
+  if (!log.empty()) log_.emplace(log);
+}
+
+void Voice::out(const std::string& text) { say(stdout, !quiet_, text); }
+void Voice::err(const std::string& text) { say(stderr, !quiet_, text); }
+
+void Voice::say(std::FILE* stream, bool heard, const std::string& text) {
+  if (heard) std::fputs(text.c_str(), stream);  // guarded() finds out where stdout takes no more
+  log(text);
+}
+
+void Voice::log(const std::string& text) {
+  if (log_ && !text.empty()) log_->append(text);
+}
+
+int guarded(const std::string& name, const std::function<void()>& command, Voice* voice) {
   const Ending ending = end_of(name, [&command] {
     command();
     if (std::fflush(stdout) != 0) throw FileError("the standard output takes no more text");
   });
-  std::fputs(ending.message.c_str(), stderr);  // nowhere to tell of it where this fails
-  return ending.exit_code;
+  std::fputs(ending.message.c_str(), stderr);  // nowhere to report it where this fails
+  if (voice == nullptr || ending.exit_code == exit_done) return ending.exit_code;
+  const Ending logged = end_of(name, [&] { voice->log(ending.message); });
+  std::fputs(logged.message.c_str(), stderr);
+  return std::max(ending.exit_code, logged.exit_code);
 }
 
 std::filesystem::path folder_of(const std::string& deck, const RunOptions& options, bool several) {

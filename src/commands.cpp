@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -39,19 +40,22 @@ std::string threads_remark(const Plan& plan, int threads) {
       threads);
 }
 
-void print_threads_remark(const std::string& name, const Plan& plan, int threads) {
-  if (const auto remark = threads_remark(plan, threads); !remark.empty()) fmt::print(stderr, "{}: {}\n", name, remark);
+std::string warnings_text(const std::string& name, const Loaded& loaded) {
+  std::string text;
+  for (const auto& warning : loaded.warnings) text += warning;
+  for (const auto& warning : loaded.plan.warnings) text += fmt::format("{}: warning: {}\n", name, warning);
+  return text;
 }
 
-void print_warnings(const std::string& name, const Loaded& loaded) {
-  for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
-  for (const auto& warning : loaded.plan.warnings) fmt::print(stderr, "{}: warning: {}\n", name, warning);
-}
-
-/// What does no harm is one line, so that it hides no warning; `where` says who tells all of it.
-void print_number_of_remarks(const std::string& name, const Loaded& loaded, const std::string& where) {
+/// What does no harm is one line, so that it hides no warning; `where` says who reports all of it.
+std::string remarks_text(const std::string& name, const Loaded& loaded, const std::string& where) {
   const auto count = loaded.remarks.size();
-  if (count > 0) fmt::print(stderr, "{}: {} remark{} {}\n", name, count, count == 1 ? "" : "s", where);
+  return count == 0 ? "" : fmt::format("{}: {} remark{} {}\n", name, count, count == 1 ? "" : "s", where);
+}
+
+/// "DECK: remark", a line; empty for no remark.
+std::string line_of(const std::string& name, const std::string& remark) {
+  return remark.empty() ? "" : fmt::format("{}: {}\n", name, remark);
 }
 
 /// Whether the closing line names a key: what the run was for and what it can be trusted by.
@@ -65,20 +69,20 @@ bool closes_with(const std::string& key, const std::string& value) {
   return key.starts_with("error_") || key.starts_with("drag_") || key.starts_with("lift_");
 }
 
-/// Warns of bodies too thin for the cells where they stand at the start, as a run does, too.
-void print_thin_bodies(const std::string& name, const Scene& scene) {
+/// Of bodies too thin for the cells where they stand at the start, as a run warns, too.
+std::string thin_bodies_text(const std::string& name, const Scene& scene) {
   const std::string thin = coupled::thin_text(scene);
-  if (!thin.empty()) fmt::print(stderr, "{}: warning: {}\n", name, thin);
+  return thin.empty() ? "" : fmt::format("{}: warning: {}\n", name, thin);
 }
 
-void print_outcome(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
+std::string outcome_text(const std::string& name, const std::filesystem::path& folder, const Summary& summary) {
   std::string line = name + ":";
   for (const auto& [key, value] : summary) {
     if (key == "steps") line += fmt::format(" {} step{},", value, value == "1" ? "" : "s");
     if (closes_with(key, value)) line += fmt::format(" {} {:.4g},", key, std::stod(value));
   }
   line.back() = ' ';
-  fmt::print("{}in {}\n", line, folder.string());
+  return fmt::format("{}in {}\n", line, folder.string());
 }
 
 /// With its own warnings, its cost as the first steps show it, and whether splitting would hold.
@@ -87,39 +91,47 @@ void print_plan(const Loaded& loaded) {
   fmt::print("{}{}{}", to_text(rehearsed(plan)), regions_text(loaded.deck, plan.scene), coupled::splitting_text(plan));
 }
 
-void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several) {
+/// What is said before the first step.
+std::string opening_text(const std::string& name, const Loaded& loaded, const RunOptions& options,
+                         const std::filesystem::path& folder) {
+  const std::string where = options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string();
+  return line_of(name, threads_remark(loaded.plan, options.threads)) + warnings_text(name, loaded) +
+         remarks_text(name, loaded, where);
+}
+
+/// What the run hears of the command line and says back.
+RunRequest request_for(const std::string& name, const Loaded& loaded, const std::filesystem::path& folder,
+                       const RunOptions& options, ProgressLine& progress, Voice& voice) {
+  RunRequest request = request_of(loaded, folder, options.command);
+  if (const auto remark = threads_remark(loaded.plan, options.threads); !remark.empty())
+    request.messages.push_back(remark);
+  request.threads = threads_for(loaded.plan, options.threads);
+  request.progress = std::ref(progress);
+  request.warn = [&, name](const std::string& text) {
+    progress.clear();
+    voice.err(fmt::format("{}: warning: {}\n", name, text));
+  };
+  request.remark = [&, name](const std::string& text) { voice.err(fmt::format("{}: remark: {}\n", name, text)); };
+  request.restart = options.restart;
+  return request;
+}
+
+void run_deck(const std::string& name, const DeckOptions& options, const RunOptions& run_options, bool several,
+              Voice& voice) {
   const Clocks clocks;
   Loaded loaded = load(name, options);
   const auto folder = folder_of(name, run_options, several);
-  if (!run_options.quiet) {
-    print_threads_remark(name, loaded.plan, run_options.threads);
-    print_warnings(name, loaded);
-    print_number_of_remarks(name, loaded,
-                            run_options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string());
-  }
+  voice.err(opening_text(name, loaded, run_options, folder));
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
   if (run_options.dry_run) return print_plan(loaded);
   ProgressLine progress(name, run_options.quiet);
-  const auto warn = [&](const std::string& text) {
-    progress.clear();
-    if (!run_options.quiet) fmt::print(stderr, "{}: warning: {}\n", name, text);
-  };
-  RunRequest request = request_of(loaded, folder, run_options.command);
-  if (const auto remark = threads_remark(loaded.plan, run_options.threads); !remark.empty())
-    request.messages.push_back(remark);
-  request.threads = threads_for(loaded.plan, run_options.threads);
+  RunRequest request = request_for(name, loaded, folder, run_options, progress, voice);
   request.clocks = clocks;
-  request.progress = std::ref(progress);
-  request.warn = warn;
-  request.remark = [&](const std::string& text) {
-    if (!run_options.quiet) fmt::print(stderr, "{}: remark: {}\n", name, text);
-  };
   SignalWatch signals;  // from here on there is something to be kept
   request.interrupted = [&signals] { return signals.take(); };
-  request.restart = run_options.restart;
   const RunOutcome outcome = run(std::move(loaded.plan), request);
   progress.clear();
-  if (!run_options.quiet) print_outcome(name, request.folder, outcome.summary);
+  voice.out(outcome_text(name, request.folder, outcome.summary));
   if (const int late = signals.take(); late != 0)
     throw Interrupted(late, "interrupted when the run had come to its end: its results are whole");
 }
@@ -127,37 +139,41 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
 }  // namespace
 
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options) {
-  int worst = guarded("tether", [&] { refuse_shared_folders(decks, run_options); });
+  std::optional<Voice> voice;
+  int worst = guarded("tether", [&] {
+    refuse_shared_folders(decks, run_options);
+    voice.emplace(run_options.log, run_options.quiet);
+  });
   if (worst != exit_done) return worst;
   for (const auto& deck : decks) {
-    worst = std::max(worst, guarded(deck, [&] { run_deck(deck, options, run_options, decks.size() > 1); }));
+    const auto work = [&] { run_deck(deck, options, run_options, decks.size() > 1, *voice); };
+    worst = std::max(worst, guarded(deck, work, &*voice));
     if (worst > exit_signal) break;
   }
   return worst;
 }
 
-int check_command(const std::string& name, const DeckOptions& options) {
+int check_command(const std::string& name, const DeckOptions& options, bool all) {
   return guarded(name, [&] {
     Diagnostics diagnostics;
     const Deck deck = load_deck(name, options, diagnostics);
-    fmt::print("{}", check_listing(deck));
+    fmt::print("{}", check_listing(deck, {all, isatty(STDOUT_FILENO) != 0}));
     std::fflush(stdout);  // the values first, then what is to be said of them
     const Loaded loaded = load_scene(deck, options, diagnostics);
     fmt::print("{}", regions_text(loaded.deck, loaded.plan.scene));
     std::fflush(stdout);
     for (const auto& remark : loaded.remarks) fmt::print(stderr, "{}", remark);
-    print_warnings(name, loaded);
-    print_thin_bodies(name, loaded.plan.scene);
+    fmt::print(stderr, "{}{}", warnings_text(name, loaded), thin_bodies_text(name, loaded.plan.scene));
   });
 }
 
 int plan_command(const std::string& deck, const DeckOptions& options, int threads) {
   return guarded(deck, [&] {
     const Loaded loaded = load(deck, options);
-    print_threads_remark(deck, loaded.plan, threads);
-    for (const auto& warning : loaded.warnings) fmt::print(stderr, "{}", warning);
-    print_thin_bodies(deck, loaded.plan.scene);
-    print_number_of_remarks(deck, loaded, shown_by_check);
+    std::string text = line_of(deck, threads_remark(loaded.plan, threads));
+    for (const auto& warning : loaded.warnings) text += warning;
+    text += thin_bodies_text(deck, loaded.plan.scene) + remarks_text(deck, loaded, shown_by_check);
+    fmt::print(stderr, "{}", text);
     print_plan(loaded);
   });
 }

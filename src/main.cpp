@@ -231,6 +231,10 @@ int main(int argc, char** argv) {
       "diverged, 4 file trouble, 5 a bisection found nothing or a published number is missed, 130 or 143 interrupted.",
       "tether");
   app.set_version_flag("--version", version_text);
+  app.footer(
+      "Examples:\n  tether decks get sod && tether sod.in && tether plot out/sod    a first run, and its pictures\n"
+      "  tether check my.in; tether plan my.in                          what a deck says, models and costs\n"
+      "  tether my.in --set in.nx=201 --out out/fine                    the same scene on another grid\n");
   app.require_subcommand(0, 1);
 
   DeckOptions options;
@@ -243,14 +247,17 @@ int main(int argc, char** argv) {
   app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
       ->needs(deck_names)
       ->check(refuse_no_file);
+  app.add_option("--log", run_options.log, "file for all that is said of the runs, also with --quiet")
+      ->check(refuse_no_file);
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
 
   std::string deck, group;
   std::vector<std::string> studies;
-  bool markdown = false;
-  auto* check = app.add_subcommand("check", "list every variable of a deck: value, default or given, unit, place");
+  bool markdown = false, all = false;
+  auto* check = app.add_subcommand("check", "list what a deck says: each value with its unit and its place");
   check->add_option("deck", deck, "the deck")->required();
+  check->add_flag("--all", all, "every variable, also those that have their defaults or are not given");
   add_deck_options(*check, options);
   auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
   plan->add_option("deck", deck, "the deck")->required();
@@ -275,7 +282,7 @@ int main(int argc, char** argv) {
   if (pictures.called()) return script_command(words.front(), {words.begin() + 1, words.end()});
   settle_in();
   run_options.command = typed(argc, argv);
-  if (*check) return check_command(deck, options);
+  if (*check) return check_command(deck, options, all);
   if (*plan) return plan_command(deck, options, run_options.threads);
   if (*sweep || *chart || *map || *reproduce) share_cores(run_options);
   if (*sweep) return sweep_command(deck, run_options);

@@ -2,33 +2,50 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 
 namespace tether {
 namespace {
 
 constexpr double terminal_seconds = 0.1, plain_seconds = 10;  // between lines
 
+/// Of the terminal, which may change; one less, so that the cursor stays in the line.
+std::size_t terminal_width() {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return (known ? size.ws_col : usual) - 1;
+}
+
 }  // namespace
 
-ProgressLine::ProgressLine(std::string name, bool quiet)
-    : name_(std::move(name)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(const std::string& deck, bool quiet)
+    : name_(std::filesystem::path(deck).filename().string()), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+std::string fitting(const std::vector<std::string>& parts, std::size_t width) {
+  std::string line = parts.front();
+  for (std::size_t k = 1; k < parts.size() && line.size() + 2 + parts[k].size() <= width; ++k) line += ", " + parts[k];
+  return line.substr(0, width);
+}
 
 void ProgressLine::operator()(const Progress& p) {
   if (!is_due(p.wall_seconds)) return;
   const double done = p.time / p.tmax;
   const double left = done > 0 ? p.wall_seconds * (1 - done) / done : 0;
-  const double speed = 1e-6 * static_cast<double>(p.counts.point_steps) / p.wall_seconds;
-  show(fmt::format("{}: t {:.5g} of {:.5g}, step {}, dt {:.3g}, {:.2f} M point-steps/s, {:.0f} s left", name_, p.time,
-                   p.tmax, p.counts.steps, p.dt, speed, left));
+  show({fmt::format("{}: t {:.5g} of {:.5g}", name_, p.time, p.tmax), fmt::format("{:.0f} s left", left),
+        fmt::format("step {}", p.counts.steps), fmt::format("dt {:.3g}", p.dt),
+        fmt::format("{:.3g} steps/s", static_cast<double>(p.counts.steps) / p.wall_seconds)});
 }
 
 void ProgressLine::operator()(const SweepProgress& p) {
   if (!is_due(p.wall_seconds)) return;
-  show(fmt::format("{}: {} runs done, {} of them failed, {} left, {:.0f} s left", name_, p.done, p.failed, p.left,
-                   p.seconds_left));
+  show({fmt::format("{}: {} runs done", name_, p.done), fmt::format("{} of them failed", p.failed),
+        fmt::format("{} left", p.left), fmt::format("{:.0f} s left", p.seconds_left)});
 }
 
 bool ProgressLine::is_due(double wall_seconds) {
@@ -37,11 +54,11 @@ bool ProgressLine::is_due(double wall_seconds) {
   return true;
 }
 
-void ProgressLine::show(const std::string& line) {
+void ProgressLine::show(const std::vector<std::string>& parts) {
   if (terminal_)
-    fmt::print(stderr, "\r\033[K{}", line);
+    fmt::print(stderr, "\r\033[K{}", fitting(parts, terminal_width()));
   else
-    fmt::print(stderr, "{}\n", line);
+    fmt::print(stderr, "{}\n", fmt::join(parts, ", "));
   std::fflush(stderr);
   open_ = terminal_;
 }

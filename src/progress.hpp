@@ -2,16 +2,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "run/request.hpp"
 #include "studies/scheduler.hpp"
 
 namespace tether {
 
+/// The first parts of a line, a comma between them, as many as fit into so many columns; the first one is cut if it
+/// must.
+std::string fitting(const std::vector<std::string>& parts, std::size_t width);
+
 /// A line that rewrites itself on a terminal, a plain line now and then otherwise; on stderr.
 class ProgressLine {
  public:
-  ProgressLine(std::string name, bool quiet);
+  /// Of a deck, whose file's name begins the line.
+  ProgressLine(const std::string& deck, bool quiet);
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -22,7 +28,7 @@ class ProgressLine {
 
  private:
   bool is_due(double wall_seconds);
-  void show(const std::string& line);
+  void show(const std::vector<std::string>& parts);
 
   std::string name_;
   bool quiet_, terminal_;

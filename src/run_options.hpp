@@ -12,6 +12,7 @@ struct RunOptions {
   int threads = 0;      ///< of a run; 0: as many as are worth it
   int jobs = 0;         ///< runs of a sweep side by side
   std::string restart;  ///< checkpoint to go on from; empty: from the start
+  std::string log;      ///< file for all that the terminal is told; empty: none
   bool quiet = false;
   bool dry_run = false;
   std::string command;  ///< as it was typed, for provenance
@@ -20,7 +21,7 @@ struct RunOptions {
 /// Which published problems are wanted, and what is done with them next to what RunOptions say.
 struct PublishedOptions {
   std::vector<std::string> names;  ///< none: all
-  std::string decks;              ///< folder of their decks; "" for decks/ here, else the program's own
+  std::string decks;               ///< folder of their decks; "" for decks/ here, else the program's own
   std::string write;               ///< file for the table in Markdown; empty for none
 };
 

@@ -82,11 +82,35 @@ std::string check_line(const Deck& deck, const Variable& variable, Subscript at,
                                    variable.effect == Effect::none ? no_effect : ""));
 }
 
-std::string check_lines(const Deck& deck, const Variable& variable) {
+/// Whether a given element says more than its default does.
+bool differs(const Deck& deck, const Variable& variable, Subscript at) {
+  const auto fallback = default_value(variable);
+  return !fallback || value_text(deck.value(AnyVariable(variable), at[0], at[1])) != value_text(*fallback);
+}
+
+/// Name and value stand out; what has no effect is pale.
+std::string coloured(const std::string& line, const Variable& variable) {
+  constexpr std::size_t width = 46;  // of both
+  const char* look = variable.effect == Effect::none ? "\033[2m" : "\033[1m";
+  return fmt::format("{}{}\033[0m{}", look, line.substr(0, width), line.substr(std::min(width, line.size())));
+}
+
+/// Counts the variables, or elements of them, that it leaves out.
+std::string check_lines(const Deck& deck, const Variable& variable, const CheckListing& how, int& left_out) {
   const auto elements = deck.given_elements(AnyVariable(variable));
-  if (elements.empty()) return check_line(deck, variable, {1, 1}, false);
+  if (elements.empty()) {
+    if (!how.all) return ++left_out, "";
+    return check_line(deck, variable, {1, 1}, false);
+  }
   std::string text;
-  for (const auto& at : elements) text += check_line(deck, variable, at, true);
+  for (const auto& at : elements) {
+    if (!how.all && !differs(deck, variable, at)) {
+      ++left_out;
+      continue;
+    }
+    const std::string line = check_line(deck, variable, at, true);
+    text += how.colour ? coloured(line, variable) : line;
+  }
   return text;
 }
 
@@ -121,14 +145,20 @@ std::string or_dash(std::string_view text) { return text.empty() ? "-" : std::st
 
 }  // namespace
 
-std::string check_listing(const Deck& deck) {
+std::string check_listing(const Deck& deck, CheckListing how) {
   std::string text;
+  int left_out = 0;
   for (const auto& group : deck.possible_groups()) {
-    text += fmt::format("${}{}\n", group, deck.has_group(group) ? "" : " (not in the deck)");
+    if (!how.all && group == published_group) continue;  // it says nothing to the run
+    std::string lines;
     for (const auto& variable : variables()) {
-      if (variable.group == group) text += check_lines(deck, variable);
+      if (variable.group == group) lines += check_lines(deck, variable, how, left_out);
     }
+    if (how.all || !lines.empty())
+      text += fmt::format("${}{}\n{}", group, deck.has_group(group) ? "" : " (not in the deck)", lines);
   }
+  if (left_out > 0)
+    text += fmt::format("{} variables have their defaults, or are not given: --all lists them\n", left_out);
   return text;
 }
 

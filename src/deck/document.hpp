@@ -13,9 +13,15 @@ namespace tether {
 /// A variable that has no default and is not given is left out.
 std::string effective_deck(const Deck& deck);
 
+/// What `tether check` lists of a deck.
+struct CheckListing {
+  bool all = false;  ///< every variable; else what is given and differs from its default, and how many others there are
+  bool colour = false;  ///< for a terminal
+};
+
 /// For `tether check`: a line for each variable, and for each element of an array that the deck gives: name, value,
 /// given or default, unit, place, and whether it is read without effect.
-std::string check_listing(const Deck& deck);
+std::string check_listing(const Deck& deck, CheckListing how = {});
 
 /// For `tether vars`: the rows of a group of the table, of all groups if `group` is empty; "" for an unknown group.
 std::string variables_listing(std::string_view group);

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check, plan, vars and the options that only talk."""
+import fcntl
+import os
+import pty
 import re
+import struct
 import subprocess
+import termios
 import unittest
 
 from program import DECKS, TETHER, ProgramTest, diagnostics, run, summary, without_cost
@@ -65,7 +70,7 @@ class Talk(ProgramTest):
         """chek DECK once ran the deck, over the results that were there."""
         deck = DECKS / "stability-side.in"
         for words, hint in ((("chek", deck), "Did you mean 'check'?"), (("--out", "x", "paln", deck), "Did you mean 'plan'?"),
-                            (("frobnicate",), "The commands are check, plan, sweep, chart, map, reproduce, vars, columns, keys, help"),
+                            (("frobnicate",), "The commands are check, plan, sweep, chart, map, reproduce, plot, film, compare, page, decks, vars, columns, keys, help"),
                             (("help", "me"), "The commands are"), ((deck, "out"), "tether DECK runs a deck"),
                             ((deck, "check"), "tether check DECK")):
             with self.subTest(words=words):
@@ -166,6 +171,45 @@ class Talk(ProgramTest):
         self.assertIn("error: there is no group mpmm", result.stderr)
 
 
+class Terminal(ProgramTest):
+    def seen(self, columns, *words):
+        """What a terminal of so many columns is sent while the program runs."""
+        master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+        process = subprocess.Popen([TETHER, *map(str, words)], stdout=slave, stderr=slave, cwd=self.folder)
+        os.close(slave)
+        text = b""
+        while True:
+            try:
+                text += os.read(master, 4096)
+            except OSError:  # the other end is closed
+                break
+        os.close(master)
+        self.assertEqual(process.wait(), 0, text)
+        return text.decode()
+
+    def test_the_progress_line_fits_into_the_terminal(self):
+        for columns in (30, 60, 120):
+            text = self.seen(columns, DECKS / "pendulum-40.in", "--out", self.folder / str(columns))
+            lines = [line for line in re.split(r"\r|\n", text) if line.startswith("\033[K") and ": t " in line]
+            self.assertGreater(len(lines), 0)
+            self.assertLess(max(len(line.removeprefix("\033[K")) for line in lines), columns)
+
+    def test_a_listing_has_colours_on_a_terminal(self):
+        self.assertIn("\033[1m  tmax", self.seen(80, "check", SOD))
+
+    def test_a_log_has_all_that_is_said(self):
+        log = self.folder / "log.txt"
+        quiet = self.expect(0, SOD, "--set", "in.tstep=1.", "--quiet", "--log", log, "--out", self.folder / "out")
+        self.assertEqual(quiet.stdout + quiet.stderr, "")
+        self.assertIn("warning: tstep = 1 is above dtmax", log.read_text())
+        self.assertIn("1430 steps", log.read_text())
+        failed = self.expect(2, SOD, "--set", "in.nx=0", "--log", log)
+        self.assertEqual(log.read_text(), failed.stderr)
+        self.expect(4, SOD, "--log", self.folder / "none" / "log.txt", "--out", self.folder / "never")
+        self.assertFalse((self.folder / "never").exists())
+
+
 class Check(ProgramTest):
     def listed(self, text, group, name):
         """The words behind a name in a group of the listing."""
@@ -173,7 +217,7 @@ class Check(ProgramTest):
         return re.search(rf"^  {re.escape(name)} +(.*)$", part, re.MULTILINE).group(1).split()
 
     def test_value_origin_unit_and_place(self):
-        text = self.expect(0, "check", SOD).stdout
+        text = self.expect(0, "check", SOD, "--all").stdout
         self.assertEqual(self.listed(text, "in", "tmax"), ["0.143", "given", "time", "9:6"])
         self.assertEqual(self.listed(text, "in", "nx"), ["101", "given", "7:4"])
         self.assertEqual(self.listed(text, "in", "tiout(39)"), ["0.05", "given", "time", "19:22"])
@@ -184,8 +228,17 @@ class Check(ProgramTest):
         self.assertIn("$mpm (not in the deck)\n", text)
         self.assertIn("$fluid\n", text)
 
+    def test_what_has_its_default_is_left_out_unless_asked_for(self):
+        text = self.expect(0, "check", SOD, "--set", "in.units='none'", "--set", "in.tmax=.1").stdout
+        self.assertEqual(self.listed(text, "in", "tmax"), ["0.1", "given", "time", "--set", "2:9"])
+        self.assertNotIn("default", text.splitlines()[0])
+        self.assertNotIn("  units ", text)
+        self.assertNotIn("$mpm", text)
+        self.assertRegex(text, r"\d+ variables have their defaults, or are not given: --all lists them\n")
+        self.assertNotIn("\033", text)
+
     def test_a_place_is_where_the_value_stands(self):
-        text = self.expect(0, "check", SOD).stdout
+        text = self.expect(0, "check", SOD, "--all").stdout
         lines = SOD.read_text().splitlines()
         for name, written in (("fluid.gm1", ".4"), ("reg.densir(2)", "0.1250"), ("reg.xvi(2,1)", ".5e0")):
             place = self.listed(text, *name.split("."))[-1]

@@ -91,7 +91,7 @@ std::string listed(const std::string& listing, const std::string& name) {
 
 TEST(CheckListing, OneLineAVariableAndGivenElement) {
   const auto deck = read(with_in("iout(13)=1,tiout(13)=5.d-2,methd=0\n$\n$reg xvi(1,1)=.5,.7 /\n"), {"in.wl=4"}).deck;
-  const auto text = check_listing(deck);
+  const auto text = check_listing(deck, {.all = true});
   EXPECT_EQ(listed(text, "nx"), "nx 11 given 2:4");
   EXPECT_EQ(listed(text, "tmax"), "tmax 1.0 given time 2:53");
   EXPECT_EQ(listed(text, "gravc"), "gravc 0.0 default length/time2");

@@ -38,7 +38,7 @@ TEST(StudyDeck, IsListedAndWrittenWithItsOwnGroupOnly) {
 
 TEST(StudyDeck, IsNoGroupOfARun) {
   const auto deck = read(with_in("$\n")).deck;
-  EXPECT_EQ(check_listing(deck).find("$study"), std::string::npos);
+  EXPECT_EQ(check_listing(deck, {.all = true}).find("$study"), std::string::npos);
   EXPECT_EQ(effective_deck(deck).find("$study"), std::string::npos);
 }
 
