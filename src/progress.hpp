@@ -16,7 +16,7 @@ std::string fitting(const std::vector<std::string>& parts, std::size_t width);
 /// A line that rewrites itself on a terminal, a plain line now and then otherwise; on stderr.
 class ProgressLine {
  public:
-  /// Of a deck, whose file's name begins the line.
+  /// Makes the line of a deck, whose file's name begins it.
   ProgressLine(const std::string& deck, bool quiet);
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;

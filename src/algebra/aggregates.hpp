@@ -24,12 +24,12 @@ struct SymmetricRows {
 
   /// y = A x
   void multiply(Team& team, std::span<const double> x, std::span<double> y) const;
-  /// Whether diagonal entry i is more than what rounding leaves of a pocket without an outlet.
+  /// Returns whether diagonal entry i is more than what rounding leaves of a pocket without an outlet.
   bool positive(std::size_t i) const { return diagonal[i] > 1e-12 * scale[i]; }
   double nonzeros() const { return static_cast<double>(column.size() + diagonal.size()); }
 };
 
-/// Of symmetric matrices with both triangles: A, or A + S.
+/// Returns the rows of a symmetric matrix with both triangles: A, or A + S.
 SymmetricRows rows_of(const SparseMatrix& A);
 SymmetricRows rows_of_sum(const SparseMatrix& A, const EigenSparse& S);
 SparseMatrix columns_of(const SymmetricRows& A);

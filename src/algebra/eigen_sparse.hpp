@@ -13,7 +13,7 @@ using EigenSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 /// The same by compressed rows.
 using EigenRows = Eigen::SparseMatrix<double, Eigen::RowMajor, std::int64_t>;
 
-/// The same numbers, for Eigen's products.
+/// Shows the same numbers to Eigen, for its products.
 inline Eigen::Map<const EigenSparse> eigen_of(const SparseMatrix& A) {
   return {A.n, A.n, static_cast<Eigen::Index>(A.value.size()), A.start.data(), A.row.data(), A.value.data()};
 }

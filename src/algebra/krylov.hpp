@@ -18,7 +18,7 @@ namespace tether {
 /// it. Source: Y. Saad, M. H. Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869.
 class KrylovBasis {
  public:
-  /// Of up to `most` vectors of n numbers, and one more.
+  /// Makes room for up to `most` vectors of n numbers, and one more.
   KrylovBasis(std::size_t n, int most);
 
   /// Starts with r / |r|; returns |r|.
@@ -49,7 +49,7 @@ class KrylovBasis {
 double dot(std::span<const double> a, std::span<const double> b);
 double norm(std::span<const double> x);
 
-/// The same by blocks, whose sums are summed.
+/// Returns the same by blocks, whose sums are summed.
 inline double dot(Team& team, std::span<const double> a, std::span<const double> b) {
   return sum_of_blocks(team, a.size(), [&](std::size_t begin, std::size_t end) {
     return dot(a.subspan(begin, end - begin), b.subspan(begin, end - begin));

@@ -29,7 +29,7 @@ class AggregationMultigrid {
   /// (pockets of pressure without an outlet) are taken. False where a diagonal entry is not positive, or the coarsest
   /// matrix is no use.
   bool set_up(const SparseMatrix& A) { return make_levels(rows_of(A)) && factorise(); }
-  /// The same in two parts, of which only the second one calls BLAS, which is not made for two threads at once.
+  /// Does the same in two parts, of which only the second one calls BLAS, which is not made for two threads at once.
   bool make_levels(SymmetricRows A);
   bool factorise();
   /// z = P^-1 r, each of A.n numbers and apart; P is symmetric positive definite but for what two inner iterations

@@ -71,9 +71,9 @@ class SaddleSolver {
   SaddleSolver(const SaddleSolver&) = delete;
   SaddleSolver& operator=(const SaddleSolver&) = delete;
 
-  /// With A = rho / dt M + theta mu <grad v grad w> + ... they are viscous = theta mu, or 2 theta mu where the stress
-  /// is mu (grad v + grad v^T), and the weight of <div v div w> besides; inertial = rho / dt, 0 in steady flow. The
-  /// signs are those of D = -G^T; both are negative where D = G^T.
+  /// Sets the scales. With A = rho / dt M + theta mu <grad v grad w> + ... these are viscous = theta mu, or 2 theta mu
+  /// where the stress is mu (grad v + grad v^T), and the weight of <div v div w> besides; inertial = rho / dt, 0 in
+  /// steady flow. The signs are those of D = -G^T; both are negative where D = G^T.
   void scales(double viscous, double inertial);
 
   /// From the first guess x until |b - K x| <= tolerance |b|. The factors of an earlier K are used while they do in 30

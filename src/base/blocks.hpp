@@ -22,7 +22,8 @@ void each_block(Team& team, std::size_t count, const Body& body, std::size_t siz
   team.each(0, (count + size - 1) / size, [&](std::size_t b) { body(b * size, std::min(count, (b + 1) * size)); });
 }
 
-/// What part(begin, end) returns for blocks of `least` numbers or more, joined to 0 by join(sum, part) in their order.
+/// Returns what part(begin, end) returns for blocks of `least` numbers or more, joined to 0 by join(sum, part) in their
+/// order.
 template <class Part, class Join>
 double join_blocks(Team& team, std::size_t count, const Part& part, const Join& join, std::size_t least) {
   std::array<double, 1024> parts;

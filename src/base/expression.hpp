@@ -49,7 +49,7 @@ class Expression {
 /// The functions and constants, for messages and documents: "sin, cos, ...".
 std::string expression_words();
 
-/// Whether an expression may have a function of this name.
+/// Returns whether an expression may have a function of this name.
 bool is_expression_function(std::string_view name);
 
 }  // namespace tether

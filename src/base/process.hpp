@@ -32,14 +32,14 @@ Ending end_of(const std::string& name, const std::function<void()>& work);
 class SignalWatch {
  public:
   explicit SignalWatch(std::initializer_list<int> signals = {SIGINT, SIGTERM});
-  /// What came meanwhile and was not asked for takes its usual course.
+  /// Ends the watch. What came meanwhile and was not asked for takes its usual course.
   ~SignalWatch();
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
 
   /// Takes one of the signals that have come, and returns its number; 0 where there is none.
   int take() { return wait(0); }
-  /// The same, but waits so many seconds for one.
+  /// Does the same, but waits so many seconds for one.
   int wait(double seconds);
 
  private:

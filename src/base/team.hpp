@@ -15,7 +15,7 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// With the caller's, at least 1.
+  /// Counts the threads with the caller's: at least 1.
   int threads() const { return others_ + 1; }
 
   /// Calls body(k) for each k from `begin` to before `end`, each once, by whoever is free, and returns when all are

@@ -25,8 +25,8 @@ std::string sha256(std::string_view bytes);
 /// The text, with "..." in place of its middle where it is longer than `most` bytes.
 std::string shortened(std::string_view text, std::size_t most);
 
-/// The same of each of its words, which blanks and line ends part: names of files and of other things may be as long as
-/// a user makes them.
+/// Does the same for each of its words, which blanks and line ends part: names of files and of other things may be as
+/// long as a user makes them.
 std::string with_short_words(std::string_view text, std::size_t most = 300);
 
 /// Why bytes are no text that could be read: "the file is empty", "this is a NetCDF file" ...; and what would be right.

@@ -10,7 +10,7 @@ namespace tether {
 template <int dim>
 using Vec = std::array<double, std::size_t{dim}>;
 
-/// Of vectors of space.
+/// Multiplies vectors of space.
 inline double dot(const Vec<3>& a, const Vec<3>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Vec<3> minus(const Vec<3>& a, const Vec<3>& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
@@ -22,7 +22,7 @@ template <int dim>
 struct Box {
   Vec<dim> low{}, high{};
 
-  /// Whether a place lies in it or, as near as rounding shows, on its edge.
+  /// Returns whether a place lies in it or, as near as rounding shows, on its edge.
   bool contains(const Vec<dim>& place) const {
     for (std::size_t i = 0; i < low.size(); ++i) {
       const double slack = rounding * (high[i] - low[i]);
@@ -30,7 +30,7 @@ struct Box {
     }
     return true;
   }
-  /// Whether the two have a place in common, be it of their edges.
+  /// Returns whether the two have a place in common, be it of their edges.
   bool meets(const Box& other) const {
     for (std::size_t i = 0; i < low.size(); ++i)
       if (low[i] > other.high[i] || high[i] < other.low[i]) return false;

@@ -53,12 +53,12 @@ class Deck {
   const Trailer& trailer() const { return contents_.trailer; }
   const std::vector<std::string>& lines() const { return contents_.lines; }
   bool has_group(std::string_view group) const;
-  /// Whether it is a study deck, which tells of many runs and is none itself.
+  /// Returns whether it is a study deck, which describes many runs and is none itself.
   bool is_study() const { return has_group(study_group); }
   /// The groups of the table that such a deck may have, in its order; $published where it has it.
   std::vector<std::string> possible_groups() const;
 
-  /// Whether every required variable is given, so that a scene can be made of it.
+  /// Returns whether every required variable is given, so that a scene can be made of it.
   bool complete() const;
 
   // The value of an element, given or default: deck.real("reg.matr", 1, r). Throws std::logic_error where it has
@@ -67,31 +67,31 @@ class Deck {
   double real(RealVariable variable, int i = 1, int j = 1) const;
   bool logical(LogicalVariable variable, int i = 1, int j = 1) const;
   std::string text(TextVariable variable, int i = 1, int j = 1) const;
-  /// Of any type; a default's place is empty.
+  /// Returns a value of any type; a default's place is empty.
   DeckValue value(AnyVariable variable, int i = 1, int j = 1) const;
 
   bool given(AnyVariable variable, int i = 1, int j = 1) const;
   /// All elements the deck gives, in column-major order.
   std::vector<Subscript> given_elements(AnyVariable variable) const;
 
-  /// The same deck with these lines of particle data behind its groups, in place of the file that it names; without the
-  /// notes behind the data from the first one on that would open a group.
+  /// Returns the same deck with these lines of particle data after its groups, in place of the file that it names;
+  /// without the notes after the data, from the first one on that would open a group.
   Deck with_particle_data(const std::vector<std::string>& particle_lines) const;
 
-  /// The same deck with that path named in $in.
+  /// Returns the same deck with that path named in $in.
   Deck with_path(const std::string& path) const;
-  /// The same deck without the variables that are not wanted, and without the groups of which none is.
+  /// Returns the same deck without the variables that are not wanted, and without the groups of which none is.
   Deck with_only(const std::function<bool(const Variable&)>& wanted) const;
-  /// The same deck with the text of the mesh file that it names.
+  /// Returns the same deck with the text of the mesh file that it names.
   Deck with_mesh_text(std::string text) const;
   /// That text, or null where no file was named or read.
   const std::shared_ptr<const std::string>& mesh_text() const { return contents_.mesh_text; }
-  /// The same deck with that file under another name, and with the SHA-256 of its text.
+  /// Returns the same deck with that file under another name, and with the SHA-256 of its text.
   Deck with_mesh_named(const std::string& file) const;
 
-  /// Where an element was given; else where its group opens; else the file as a whole.
+  /// Returns where an element was given; else where its group opens; else the file as a whole.
   Place place(AnyVariable variable, int i = 1, int j = 1) const;
-  /// Where byte `offset` (from 0) of a text that the deck gives stands within its quotes.
+  /// Returns where byte `offset` (from 0) of a text that the deck gives stands within its quotes.
   Place place_within(AnyVariable variable, Subscript at, std::size_t offset) const;
   /// The text of a line of the deck (empty for line 0), for diagnostics.
   std::string line_text(const Place& place) const;
@@ -102,7 +102,7 @@ class Deck {
   /// A remark on a group as a whole, where it opens.
   Diagnostic remark_on_group(Severity severity, std::string_view group, std::string message,
                              std::string hint = {}) const;
-  /// The same on one byte of a text.
+  /// Does the same on one byte of a text.
   Diagnostic remark_within(Severity severity, AnyVariable variable, Subscript at, std::size_t offset,
                            std::string message, std::string hint = {}) const;
 

@@ -19,11 +19,12 @@ struct CheckListing {
   bool colour = false;  ///< for a terminal
 };
 
-/// For `tether check`: a line for each variable, and for each element of an array that the deck gives: name, value,
-/// given or default, unit, place, and whether it is read without effect.
+/// Writes what `tether check` prints. Each variable has a line, and so has each element of an array that the deck
+/// gives: name, value, given or default, unit, place, and whether it is read without effect.
 std::string check_listing(const Deck& deck, CheckListing how = {});
 
-/// For `tether vars`: the rows of a group of the table, of all groups if `group` is empty; "" for an unknown group.
+/// Writes what `tether vars` prints: the rows of a group of the table, or of all groups if `group` is empty; "" for an
+/// unknown group.
 std::string variables_listing(std::string_view group);
 
 /// The table as Markdown, a section for each group, for the deck reference.

@@ -28,7 +28,7 @@ std::optional<RowNumbers> fused_row(std::string_view row, FusedLayout layout);
 /// All layouts whose widths, 2 w1 + 5 w2, add up to a row's length, and in which it is seven numbers.
 std::vector<FusedLayout> layouts_of(std::string_view row);
 
-/// Whether a row could be a fused one: nothing but what numbers are written with.
+/// Returns whether a row could be a fused one: it has nothing but what numbers are written with.
 bool looks_fused(std::string_view row);
 
 /// A row of a particle file: position, velocity, stress.

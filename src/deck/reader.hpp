@@ -12,7 +12,7 @@
 
 namespace tether {
 
-/// What reads well but can hardly be meant, as the thesis' boxes show it: warnings. Errors: groups beside $study.
+/// Warns of what reads well but can hardly be meant, as the thesis' boxes show it. Groups beside $study are errors.
 void check_deck(const Deck& deck, Diagnostics& diagnostics);
 
 /// Errors: no $in, and required variables without a value, at the place where the deck left them empty if it did.

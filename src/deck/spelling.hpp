@@ -16,21 +16,21 @@ std::optional<DeckValue> default_value(const Variable& variable);
 std::string type_text(ValueType type);
 /// The allowed values of a variable that has choices, one by one; empty for any.
 std::vector<std::string> split_choices(const Variable& variable);
-/// What values are allowed: "> 0", ">= 0", "2 to 1000000000", "0, 1 or 3"; empty for any.
+/// Says what values are allowed: "> 0", ">= 0", "2 to 1000000000", "0, 1 or 3"; empty for any.
 std::string range_text(const Variable& variable);
 /// "rix(20)", "xvi(20,20)", or the plain name of a scalar.
 std::string shape_text(const Variable& variable);
 /// The value as a deck writes it, so that it reads back bit by bit.
 std::string value_text(const DeckValue& value);
 
-/// What a user may have meant by a variable that $group does not have: the group that has it, or the nearest name
-/// (first of the same group); empty if nothing is near. Both in lower case.
+/// Guesses what a user may have meant by a variable that $group does not have: the group that has it, or the nearest
+/// name (first of the same group); empty if nothing is near. Both in lower case.
 std::string suggest_variable(const std::string& group, const std::string& name);
 
 /// The variable "group.name" that such a suggestion means by another name; empty where there is none.
 std::string meant_variable(const std::string& group, const std::string& name);
 
-/// What a user may have meant by an unknown group: the nearest one, or else all of them.
+/// Guesses what a user may have meant by an unknown group: the nearest one, or else all of them.
 std::string suggest_group(const std::string& name);
 
 }  // namespace tether

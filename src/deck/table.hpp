@@ -60,7 +60,7 @@ constexpr const Variable* find_variable(std::string_view group, std::string_view
 std::vector<std::string> group_names();
 bool is_group(std::string_view name);
 
-/// Whether a group chooses the path of a deck by being there.
+/// Returns whether a group chooses the path of a deck by being there.
 bool chooses_path(std::string_view group);
 
 /// A variable of the table, of any type, by its name "flow.speed": a name without a row does not compile.

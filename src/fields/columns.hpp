@@ -32,7 +32,7 @@ struct When {
 
   When() = default;
   When(std::string in_words, Count how_often) : words(std::move(in_words)), count(std::move(how_often)) {}
-  /// The same of what a setting is derived from.
+  /// Takes the same of what a setting is derived from.
   template <class Base>
   requires std::derived_from<Setting, Base> When(const When<Base>& of) : words(of.words), count(of.count) {}
 
@@ -54,7 +54,7 @@ class Value {
       : fill_([f](const Source& source, std::size_t axis, std::size_t first, std::span<double> numbers) {
           for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = number(f, source, axis, first + k);
         }) {}
-  /// Of what a source is derived from.
+  /// Takes the value of what a source is derived from.
   template <class Base>
   requires(std::derived_from<Source, Base> && !std::same_as<Source, Base>) Value(const Value<Base>& other)
       : fill_(other.fill_) {}
@@ -90,7 +90,7 @@ class Column {
 
   Column(std::string name, Dimension dimension, std::string meaning, Value<Source> value)
       : quantity_{std::move(name), dimension, std::move(meaning)}, value_(std::move(value)) {}
-  /// The same of what setting and source are derived from.
+  /// Takes the same of what setting and source are derived from.
   template <class BaseSetting, class BaseSource>
   requires(!std::same_as<Column<BaseSetting, BaseSource>, Column>) Column(const Column<BaseSetting, BaseSource>& of)
       : quantity_(of.quantity_), value_(of.value_), vector_(of.vector_), when_(of.when_), meaning_of_(of.meaning_of_) {}
@@ -109,7 +109,7 @@ class Column {
 
   bool is_there(const Setting& setting) const { return when_.times(setting) > 0; }
   std::size_t axes(const Setting& setting) const { return vector_ ? static_cast<std::size_t>(setting.dim) : 1; }
-  /// Of an axis and, where the rows are numbered, of number k.
+  /// Returns the quantity of an axis and, where the rows are numbered, of number k.
   Quantity quantity(const Setting& setting, bool numbered, std::size_t k, std::size_t axis) const {
     Quantity q = quantity_;
     if (meaning_of_) q.meaning = meaning_of_(setting, k);
@@ -142,7 +142,7 @@ struct ColumnGroup {
 
   ColumnGroup(std::vector<Row> rows) : columns(std::move(rows)) {}
   ColumnGroup(When<Setting> condition, std::vector<Row> rows) : when(std::move(condition)), columns(std::move(rows)) {}
-  /// The same of what setting and source are derived from.
+  /// Takes the same of what setting and source are derived from.
   template <class BaseSetting, class BaseSource>
   requires(!std::same_as<ColumnGroup<BaseSetting, BaseSource>, ColumnGroup>)
       ColumnGroup(const ColumnGroup<BaseSetting, BaseSource>& of)
@@ -219,7 +219,7 @@ class Columns {
   Snapshot snapshot(double time, std::size_t count, const Source& source) const {
     return in_turn(time, count, [&source]() -> const Source& { return source; }).snapshot();
   }
-  /// The same one after the other; source() hands over what they are made from.
+  /// Returns the same one after the other; source() hands over what they are made from.
   template <class SourceOf>
   FieldsInTurn in_turn(double time, std::size_t count, SourceOf source) const {
     return {time, layout_.quantities, count, [columns = *this, source](std::size_t c, std::span<double> numbers) {

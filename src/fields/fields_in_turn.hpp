@@ -24,9 +24,10 @@ class FieldsInTurn {
       : time_(time), quantities_(std::move(quantities)), count_(count), fill_(std::move(fill)) {}
   FieldsInTurn(double time, std::vector<Quantity> quantities, std::size_t count, View view)
       : time_(time), quantities_(std::move(quantities)), count_(count), view_(std::move(view)) {}
-  /// Of a snapshot, which has to outlive it. Throws std::invalid_argument where a field is longer than another.
+  /// Takes the fields of a snapshot, which has to outlive it. Throws std::invalid_argument where a field is longer than
+  /// another.
   FieldsInTurn(const Snapshot& snapshot);
-  /// The same, of which a team may make several fields at once.
+  /// Returns the same, of which a team may make several fields at once.
   FieldsInTurn shared_by(Team& team) && {
     team_ = &team;
     return std::move(*this);

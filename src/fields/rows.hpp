@@ -56,7 +56,7 @@ constexpr ArrayBytes bytes_of_arrays(const Rows& rows) {
   return bytes;
 }
 
-/// What a checkpoint takes for one point [bytes]: all its numbers are doubles.
+/// Counts what a checkpoint takes for one point [bytes]: all its numbers are doubles.
 template <class Rows>
 constexpr std::size_t bytes_of_saved_arrays(const Rows& rows) {
   std::size_t bytes = 0;
@@ -64,7 +64,7 @@ constexpr std::size_t bytes_of_saved_arrays(const Rows& rows) {
   return bytes;
 }
 
-/// Whether two rows are of one array, or have one name.
+/// Returns whether two rows are of one array, or have one name.
 template <class One, class Other>
 constexpr bool same_array(const One& one, const Other& other) {
   if constexpr (std::is_same_v<One, Other>) {
@@ -73,7 +73,7 @@ constexpr bool same_array(const One& one, const Other& other) {
   return std::string_view(one.name) == other.name;
 }
 
-/// Whether `Owner`, which consists of arrays alone, has one row for each of them.
+/// Returns whether `Owner`, which consists of arrays alone, has one row for each of them.
 template <class Owner, class Rows>
 constexpr bool lists_each_array_once(const Rows& rows) {
   std::size_t bytes = 0, pairs = 0, same = 0;
@@ -119,7 +119,7 @@ constexpr std::size_t count_members() {
     return n;
 }
 
-/// Whether two rows are of one member, or have one name.
+/// Returns whether two rows are of one member, or have one name.
 template <class One, class Other>
 constexpr bool same_number(const One& one, const Other& other) {
   if constexpr (std::is_same_v<One, Other>) {
@@ -128,7 +128,7 @@ constexpr bool same_number(const One& one, const Other& other) {
   return std::string_view(one.name) == other.name;
 }
 
-/// Whether `Owner`, an aggregate of numbers alone, has one row for each of them.
+/// Returns whether `Owner`, an aggregate of numbers alone, has one row for each of them.
 template <class Owner, class... Row>
 constexpr bool lists_each_number_once(const std::tuple<Row...>& rows) {
   std::size_t same = 0;

@@ -12,7 +12,7 @@
 
 namespace tether {
 
-/// For each node the lowest number of a node at its place, to 1e-9 of the mesh's size.
+/// Returns for each node the lowest number of a node at its place, to 1e-9 of the mesh's size.
 std::vector<int> lowest_at_place(const Mesh& mesh);
 
 /// Nodes at one place, to 1e-9 of the mesh's size, become one, with the lowest of their numbers; the others follow in

@@ -28,7 +28,7 @@ constexpr double coarse_spacing = 1.7;
 /// carried at all of their nodes.
 class CarriedNodes {
  public:
-  /// Of regions marked in `whole` (none: of no region) all nodes are carried. The meshes must outlive it.
+  /// All nodes of the regions that `whole` marks are carried (none: of no region). The meshes must outlive it.
   CarriedNodes(const Mesh& fluid, const Mesh& bodies, const std::vector<bool>& whole = {});
 
   /// Chooses for bodies whose nodes stand at x.

@@ -51,12 +51,12 @@ Sides boundary_of(const Mesh& mesh);
 /// Leaves of the named sides that stand twice under one name, from both elements or by mistake, the first alone.
 void drop_twins(Mesh& mesh);
 
-/// For each node the number of its connected part of the mesh, from 0; -1 for a node of no element.
+/// Returns for each node the number of its connected part of the mesh, from 0; -1 for a node of no element.
 std::vector<int> parts_of(const Mesh& mesh);
 /// How many of them there are.
 int count_parts(const Mesh& mesh);
 
-/// For each element the number of the block of elements that it hangs together with by whole sides, from 0.
+/// Returns for each element the number of the block of elements that it hangs together with by whole sides, from 0.
 std::vector<int> blocks_by_sides(const Mesh& mesh);
 
 }  // namespace tether

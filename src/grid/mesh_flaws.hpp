@@ -22,7 +22,7 @@ std::string place_text(const Mesh& mesh, int node);
 
 /// Elements whose Jacobian is not positive at a point of quadrature, in ascending order.
 std::vector<std::size_t> inverted_elements(const Mesh& mesh);
-/// Of these the first of each region.
+/// Finds the first of these in each region.
 void find_inverted(const Mesh& mesh, std::vector<MeshFlaw>& flaws);
 
 /// A node within a side of the boundary that does not have it: parts that touch without being joined. With the regions

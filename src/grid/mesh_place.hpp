@@ -51,9 +51,9 @@ class NodeSpacings {
   /// The mesh must outlive it.
   explicit NodeSpacings(const Mesh& below) : below_(below), finder_(below) {}
 
-  /// Of element e of a body whose nodes stand at x along its edges 0 to 3 (bottom, right, top, left; of triangles the
-  /// fourth is the first); nothing where its middle lies off the mesh. `hint` is the element below, as find() takes it
-  /// and gives it.
+  /// Returns the spacing of element e of a body whose nodes stand at x, along its edges 0 to 3 (bottom, right, top,
+  /// left; of triangles the fourth is the first), or nothing where its middle lies off the mesh. `hint` is the element
+  /// below, as find() takes it and gives it.
   std::optional<std::array<NodeSpacing, 4>> of_element(const Mesh& body, std::span<const double> x, std::size_t e,
                                                        int& hint) const;
 

@@ -23,7 +23,8 @@ struct NodeLattice {
   std::vector<int> edge(std::size_t k) const;
 };
 
-/// Of each region of a plane mesh of quadrilaterals whose elements are numbered row by row; others have none.
+/// Returns the lattice of each region of a plane mesh of quadrilaterals whose elements are numbered row by row; others
+/// have none.
 std::vector<NodeLattice> node_lattices_of(const Mesh& mesh);
 
 /// Ways of lattices whose lines of nodes go on from one to the other, as their edges are the same nodes: of way `way`

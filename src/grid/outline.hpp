@@ -17,7 +17,7 @@ class Outline {
   explicit Outline(std::vector<Vec<2>> corners);
 
   const std::vector<Vec<2>>& corners() const { return corners_; }
-  /// Whether a ray from the place to the right crosses it an odd number of times.
+  /// Returns whether a ray from the place to the right crosses it an odd number of times.
   bool holds(const Vec<2>& at) const;
 
  private:

@@ -31,7 +31,7 @@ class OverlapFinder {
   explicit OverlapFinder(const Mesh& mesh);
 
   int parts() const { return static_cast<int>(parts_.size()); }
-  /// With the nodes at q, dim numbers a node.
+  /// Finds the overlap with the nodes at q, dim numbers a node.
   Overlap find(std::span<const double> q);
   /// The first two bodies whose sides cross by more than touching, whether or not a node is inside: coarse bodies that
   /// lie across each other have none there.

@@ -24,11 +24,11 @@ class PointFinder {
   /// The mesh must live as long, and keep its nodes.
   explicit PointFinder(const Mesh& mesh);
 
-  /// Of the place x [length]; nothing where it is outside of the mesh, in a hole or not finite. On an edge or corner of
-  /// several elements the one of lowest number is found. A place outside by no more than 1e-9 of the size of the
-  /// nearest element, as places on walls are by rounding, is taken to that element's edge. `hint`, an element or any
-  /// other number, only saves time where the place is in it: the answer does not depend on it. Safe to call by several
-  /// threads; allocates nothing.
+  /// Finds the element of the place x [length]; nothing where x is outside of the mesh, in a hole or not finite. On an
+  /// edge or corner of several elements the one of lowest number is found. A place outside by no more than 1e-9 of the
+  /// size of the nearest element, as places on walls are by rounding, is taken to that element's edge. `hint`, an
+  /// element or any other number, only saves time where the place is in it: the answer does not depend on it. Safe to
+  /// call by several threads; allocates nothing.
   std::optional<Found> find(Vec<2> x, int hint = -1) const;
 
  private:

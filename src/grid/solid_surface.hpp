@@ -29,7 +29,7 @@ struct SolidSurface {
   }
 };
 
-/// Of a mesh of triangles or tetrahedra.
+/// Returns the surface of a mesh of triangles or tetrahedra.
 SolidSurface surface_of(const Mesh& mesh);
 
 /// Place of a node; z is 0 in the plane.

@@ -20,9 +20,10 @@ struct ElementsAcross {
   std::vector<int> regions;
 };
 
-/// Of each connected part of a mesh of order 1, in the order of parts_of(), from its sides alone, so that it holds for
-/// any mesh: by the shortest of the ways_across() that leave opposite, from a tenth of the boundary. The thickness is
-/// at right angles to it, whatever the angle of the elements' other sides: a body bends as its own shape does.
+/// Counts the elements across each connected part of a mesh of order 1, in the order of parts_of(). It uses the sides
+/// alone, so that it holds for any mesh: the shortest of the ways_across() that leave opposite, from a tenth of the
+/// boundary. The thickness is at right angles to it, whatever the angle of the elements' other sides: a body bends as
+/// its own shape does.
 std::vector<ElementsAcross> elements_across(const Mesh& mesh);
 
 /// The thinnest of connected bodies in cells of the mesh that it lies over.
@@ -36,7 +37,7 @@ struct ThinBody {
 /// at one across and 0.92 to 1.02 at two; in biquadratic ones 1.15 to 1.32 at a half and 0.93 to 1.02 at one.
 constexpr double least_cells_across(int order_of_fluid) { return order_of_fluid == 1 ? 1.9 : 0.6; }
 
-/// What a body thinner than that does, and what helps.
+/// Says what a body thinner than that does, and what helps.
 std::string thin_body_advice(int order_of_fluid);
 
 /// Measures connected plane bodies over a mesh of quadrilaterals. A body is as thick as the rectangle of its area and
@@ -46,7 +47,7 @@ class BodyThickness {
   /// The meshes must outlive it.
   BodyThickness(const Mesh& below, const Mesh& bodies);
 
-  /// Of bodies whose nodes stand at x; elements off the mesh below do not count.
+  /// Finds the thinnest of the bodies whose nodes stand at x; elements off the mesh below do not count.
   ThinBody thinnest(std::span<const double> x);
 
  private:

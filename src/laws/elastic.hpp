@@ -32,7 +32,8 @@ struct PlaneElastic {
     const double trace = lambda / (2 * (lambda + G)) * (s.xx + s.yy);
     return {(s.xx - trace) / (2 * G), (s.yy - trace) / (2 * G), s.xy / (2 * G)};
   }
-  /// The same about an axis, where the hoop's stress is one of its own: eps = ((1 + nu) sigma - nu tr(sigma)) / E.
+  /// Returns the same about an axis, where the hoop's stress is one of its own: eps = ((1 + nu) sigma - nu tr(sigma)) /
+  /// E.
   Strain strain_about_axis(const Stress& s) const {
     const double trace = nu / (1 + nu) * (s.xx + s.yy + s.zz);
     return {(s.xx - trace) / (2 * G), (s.yy - trace) / (2 * G), s.xy / (2 * G), (s.zz - trace) / (2 * G)};
@@ -43,7 +44,7 @@ struct PlaneElastic {
     const double squares = s.xx * s.xx + s.yy * s.yy + 2 * s.xy * s.xy;
     return (squares - lambda / (2 * (lambda + G)) * trace * trace) / (4 * G);
   }
-  /// The same about an axis, where the hoop's stress is one of its own.
+  /// Returns the same about an axis, where the hoop's stress is one of its own.
   double energy_density_about_axis(const Stress& s) const {
     const double trace = s.xx + s.yy + s.zz;
     const double squares = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * s.xy * s.xy;

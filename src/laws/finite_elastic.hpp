@@ -22,8 +22,9 @@ inline DeformationGradient after_move(const DeformationGradient& F, const Veloci
   return {a * F.xx + b * F.yx, a * F.xy + b * F.yy, c * F.xx + d * F.yx, c * F.xy + d * F.yy, F.zz * (1 + dt * hoop)};
 }
 
-/// The same where L and v_r / r are those at the place after the move: (1 - dt L)^-1 F. Of a field that turns at a rate
-/// w, L there is W (1 + dt W)^-1, and both are 1 + dt W; with (1 + dt L) F each step would add (w dt)^2 to the stretch.
+/// Returns the same where L and v_r / r are those at the place after the move: (1 - dt L)^-1 F. Of a field that turns
+/// at a rate w, L there is W (1 + dt W)^-1, and both are 1 + dt W; with (1 + dt L) F each step would add (w dt)^2 to
+/// the stretch.
 inline DeformationGradient after_arrival(const DeformationGradient& F, const VelocityGradient& L, double hoop,
                                          double dt) {
   const double a = 1 - dt * L.xx, b = -dt * L.xy, c = -dt * L.yx, d = 1 - dt * L.yy, det = a * d - b * c;

@@ -121,7 +121,7 @@ struct NeoHookean {
     }
     return C33;
   }
-  /// Of tr C - 3, J^2 - 1 and C^-1.
+  /// Returns the response to tr C - 3, J^2 - 1 and C^-1.
   template <int dim>
   Response<dim> with_volume(double trace, double square, const Eigen::Matrix<double, dim, dim>& inverse_C) const {
     Response<dim> r;

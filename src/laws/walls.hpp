@@ -22,7 +22,7 @@ constexpr std::uint8_t held_by(Wall wall, Held normal) {
   return wall == Wall::fixed ? std::uint8_t{holds_x | holds_y} : std::uint8_t{normal};
 }
 
-/// Whether what lies behind the wall is the image of what lies before it, for quadratic densities and normals.
+/// Returns whether what lies beyond the wall is the image of what lies inside, for quadratic densities and normals.
 constexpr bool mirrors(Wall wall) { return wall == Wall::symmetry || wall == Wall::axis || wall == Wall::free_slip; }
 
 struct Walls {

@@ -9,8 +9,9 @@
 
 namespace tether {
 
-/// For each k below `count` first compute(k, value), by whoever is free, then add(k, value), by one thread in the order
-/// of k: what is added has the same bits for any number of threads, and needs no place of its own but for a batch.
+/// Calls for each k below `count` first compute(k, value), by whoever is free, then add(k, value), by one thread in the
+/// order of k: what is added has the same bits for any number of threads, and needs no place of its own but for a
+/// batch.
 template <class Value, class Compute, class Add>
 void compute_then_add(Team& team, std::size_t count, const Compute& compute, const Add& add) {
   constexpr std::size_t at_a_time = 8, batch = 256;

@@ -56,7 +56,8 @@ class ActiveNodes {
     const std::size_t begin = k > 0 ? pieces_[k - 1] : 0;
     return std::span(spans_).subspan(begin, pieces_[k] - begin);
   }
-  /// Whether one of the nine nodes in and around a column of a row may be touched, or one of those that fill it up.
+  /// Returns whether one of the nine nodes in and around a column of a row may be touched, or one of those that fill it
+  /// up.
   bool any_around(std::size_t n) const {
     const std::size_t i = n % nx_, j = n / nx_, left = i > 0 ? (i - 1) / eight : 0,
                       right = std::min((i + 1) / eight, eights_ - 1), rows = marks_.size() / eights_;
@@ -97,12 +98,12 @@ inline void for_nodes(std::span<const NodeSpan> spans, const Body& body) {
     for (std::size_t n = span.begin; n < span.end; ++n) body(n);
   }
 }
-/// The same for each active node.
+/// Does the same for each active node.
 template <class Body>
 inline void for_nodes(const ActiveNodes& active, const Body& body) {
   for_nodes(std::span(active.spans()), body);
 }
-/// The same in any order, by all threads of a team; the body writes at node n alone.
+/// Does the same in any order, by all threads of a team; the body writes at node n alone.
 template <class Body>
 inline void for_nodes(Team& team, const ActiveNodes& active, const Body& body) {
   team.each(0, active.pieces(), [&](std::size_t k) { for_nodes(active.piece(k), body); });

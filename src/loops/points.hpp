@@ -24,7 +24,7 @@ struct Slots {
   bool gaps = false;
 
   std::size_t size() const { return end - begin; }
-  /// Of a body that leaves no slot empty.
+  /// Returns the range of a body that leaves no slot empty.
   Range full() const {
     assert(!gaps);
     return {begin, end};
@@ -38,7 +38,7 @@ inline void for_points(Range range, const Body& body) {
   for (std::size_t p = range.begin; p < range.end; ++p) body(p);
 }
 
-/// The same for slots of which some hold no point: only for those where points.holds(p).
+/// Does the same for slots of which some hold no point: only for those where points.holds(p).
 template <class Points, class Body>
 inline void for_points(const Points& points, Slots slots, const Body& body) {
   for (std::size_t p = slots.begin; p < slots.end; ++p) {
@@ -46,8 +46,8 @@ inline void for_points(const Points& points, Slots slots, const Body& body) {
   }
 }
 
-/// The same for a body that finds something: body(p, found) adds to what it is handed, in the order of slots, and the
-/// loop returns it. Sums have the same bits whoever adds them, and no body has hold of what others find.
+/// Does the same for a body that finds something: body(p, found) adds to what it is handed, in the order of slots, and
+/// the loop returns it. Sums have the same bits whoever adds them, and no body has hold of what others find.
 template <class Found, class Body>
 [[nodiscard]] inline Found find_at_points(Range range, Found found, const Body& body) {
   for (std::size_t p = range.begin; p < range.end; ++p) body(p, found);

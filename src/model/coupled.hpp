@@ -93,7 +93,8 @@ inline bool is_wall(BoxSide side) { return side == BoxSide::wall || side == BoxS
 enum BoxSideNumber { side_left, side_right, side_bottom, side_top, side_back, side_front };
 constexpr std::array<const char*, 6> box_side_names{"left", "right", "bottom", "top", "back", "front"};
 
-/// What the cells whose middles lie in a box make of it. In the plane its z is that of the grid's layer of cells.
+/// Returns what the cells whose middles lie in a box make of it. In the plane its z is that of the grid's layer of
+/// cells.
 Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid);
 
 /// The axis across a side of the box, and whether the side is at its lower end.
@@ -165,10 +166,10 @@ struct Coupled {
   std::vector<Spring> springs;
 };
 
-/// Whether the fluid rubs at bodies.
+/// Returns whether the fluid rubs at bodies.
 inline bool sticks_to_bodies(const Coupled& coupled) { return coupled.viscosity > 0 && !coupled.bodies_slip; }
 
-/// Whether there is fluid beyond a side: it is open, or a wall with an opening.
+/// Returns whether there is fluid beyond a side: it is open, or a wall with an opening.
 bool has_fluid_beyond(const Coupled& coupled, int side);
 
 /// In space more cells than these go by conjugate gradients where the deck leaves it open.

@@ -55,7 +55,7 @@ struct FlowVector {
   Amplitude factor;
   /// Throws RunError where an expression has no finite value.
   Vec<2> at(double x, double y, double t) const;
-  /// Whether it is zero by the deck's word.
+  /// Returns whether it is zero by the deck's word.
   bool absent() const { return !component[0] && !component[1]; }
 };
 
@@ -116,13 +116,13 @@ struct Flow {
 /// Unknowns: two velocities a node, a pressure a corner, as if no side held any.
 double unknowns_of(const Flow& flow);
 
-/// Whether any immersed body has a law of its own for its volume: the fluid's pressure is outside of it alone, and
-/// where no side is open, its level is that at which such bodies together keep their volume.
+/// Returns whether any immersed body has a law of its own for its volume: the fluid's pressure is outside of it alone,
+/// and where no side is open, its level is that at which such bodies together keep their volume.
 bool any_own_volume(const Flow& flow);
 
-/// Of each region of the solids, whether it is lighter than the fluid. The fluid carries all of its nodes: what it
-/// takes of the fluid's mass is then no more than the velocities there have, which nodes that follow others would
-/// exceed.
+/// Says of each region of the solids whether it is lighter than the fluid. The fluid carries all nodes of such a
+/// region: what the region takes of the fluid's mass is then no more than the velocities there have. Nodes that follow
+/// others would exceed it.
 std::vector<bool> lighter_regions(const Flow& flow, const Solids& solids);
 
 /// More unknowns than these go by GMRES where the deck leaves it open.

@@ -101,7 +101,7 @@ struct Scene {
   Path path() const { return path_of(physics); }
   /// Bodies on a mesh, or null where there are none.
   const Solids* solids() const { return solids_of(physics); }
-  /// What a physics alone has, or null where the scene is of another one.
+  /// Returns what a physics alone has, or null where the scene is of another one.
   const Rigid* rigid() const { return part<RigidBody>(&RigidBody::rigid); }
   const Flow* flow() const { return part<MeshFlow>(&MeshFlow::flow); }
   const Coupled* coupled() const { return part<BoxFlow>(&BoxFlow::box); }
@@ -114,7 +114,7 @@ struct Scene {
   }
 };
 
-/// What the history calls tracked point k.
+/// Returns the name that the history gives to tracked point k.
 inline std::string tracked_name(const Scene& scene, std::size_t k) {
   return "point " + std::to_string(scene.tracked[k] + 1) + (k < scene.tracked_from.size() ? scene.tracked_from[k] : "");
 }
@@ -128,7 +128,7 @@ const Body* find_body(const Scene& scene) {
   return nullptr;
 }
 
-/// Whether a body is elastic and fills a region.
+/// Returns whether a body is elastic and fills a region.
 inline bool has_solid(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return is_solid(body.material); });
 }

@@ -52,7 +52,7 @@ struct GapRemark {
   std::size_t point = 0;  // in the body, from 0
   std::string message, hint;
 };
-/// Of a string or membrane; the other paths need no grid to hold one together.
+/// Lists the gaps of a string or membrane; the other paths need no grid to hold one together.
 std::vector<GapRemark> gap_remarks(const Scene& scene, const Body& body);
 
 }  // namespace tether

@@ -36,7 +36,7 @@ struct CommonSums {
 
 using CommonGroup = ColumnGroup<ColumnSetting, CommonSums>;
 
-/// Of the line from the first to the last tracked point, from the downward vertical [degrees].
+/// Returns the angle of the line from the first to the last tracked point, from the downward vertical [degrees].
 double tracked_angle(const CommonSums& sums);
 
 /// Time, dt and the energies up to their sum.

@@ -34,9 +34,9 @@ class Solver {
   /// Nothing will be read before this time, unless advance() ends because it has taken `most` steps: what record(),
   /// save() and the fields ask for need not be there earlier. Without it, it is there whenever advance() comes back.
   virtual void expect_reading(double) {}
-  /// Whether it is there now.
+  /// Returns whether it is there now.
   virtual bool readable() const { return true; }
-  /// What a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
+  /// Sets what a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
   /// before.
   virtual void stop_when(std::function<bool()>) {}
   virtual RunCounts counts() const = 0;
@@ -57,14 +57,14 @@ class Solver {
   /// throws FileError where the saved state is not of this path and scene.
   virtual SavedState save() const = 0;
   virtual void restore(const SavedState& saved) = 0;
-  /// What parts of the steps took in this process; a part may be a part of another one.
+  /// Lists what parts of the steps took in this process; a part may be a part of another one.
   virtual std::vector<CostPart> cost_parts() const { return {}; }
-  /// What the path tells in summary.txt beside what all paths do.
+  /// Returns what the path reports in summary.txt beside what all paths do.
   virtual Summary more_summary() const { return {}; }
-  /// Whether a record costs hardly anything compared with a step, so that what goes wrong can be looked for after every
-  /// step.
+  /// Returns whether a record costs hardly anything compared with a step, so that what goes wrong can be looked for
+  /// after every step.
   virtual bool watched_each_step() const { return false; }
-  /// Where the most distorted element of bodies on a mesh is, for a message.
+  /// Says where the most distorted element of bodies on a mesh is, for a message.
   virtual std::string worst_element() const { return {}; }
   /// Warnings that came up since the last call.
   virtual std::vector<std::string> take_messages() = 0;

@@ -42,7 +42,7 @@ struct StepClock {
     };
   }
 
-  /// Whether a step of dt from here ends at tmax. [time]
+  /// Returns whether a step of dt from here ends at tmax. [time]
   bool ends(double dt, double tmax) const { return tmax - time <= dt; }
   /// Counts a step of dt, or a part of one that is halved. [time]
   void pass(double dt) {
@@ -101,7 +101,7 @@ void halving_step(State& state, double dt, int halvings, const Advance& advance,
   halving_step(state, 0.5 * dt, halvings + 1, advance, stop, messages);
 }
 
-/// The same, as one step of the clock that ends at tmax [time] to the last bit.
+/// Does the same, as one step of the clock that ends at tmax [time] to the last bit.
 template <class State, class Advance, class Stop>
 void clock_step(State& state, double dt, double tmax, const Advance& advance, const Stop& stop,
                 std::vector<std::string>& messages) {

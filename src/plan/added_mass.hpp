@@ -26,7 +26,7 @@ struct SplittingEstimate {
   double inertia = 0;  ///< m + c h + k h^2/4, by the trapezoidal rule m + c h/2: with M_a what growth goes against
   double resists() const { return mass + damping; }
   bool holds() const { return added < resists(); }
-  /// By what the motion grows in a step, to first order in the growth less 1; below 1 it dies out.
+  /// Returns the factor by which the motion grows in a step, to first order in the growth less 1; below 1 it dies out.
   double growth() const { return 1 + 2 * (added - resists()) / (inertia + added); }
 };
 

@@ -10,7 +10,7 @@
 
 namespace tether {
 
-/// Of a flow on a mesh, and of solids immersed in it.
+/// Describes a flow on a mesh, and solids immersed in it.
 std::vector<Term> flow_terms(const Scene& scene);
 Cost flow_cost(const Scene& scene, const StepRule& rule);
 std::string flow_head(const Scene& scene);
@@ -24,7 +24,7 @@ struct ImmersedSpacing {
 };
 ImmersedSpacing coarsest_spacing(const Flow& flow, const Solids& solids);
 
-/// What is to be said of it and of bodies that are thin in cells of the fluid.
+/// Says what is to be said of it and of bodies that are thin in cells of the fluid.
 std::vector<std::string> immersed_warnings(const Flow& flow, const Solids& solids);
 
 }  // namespace tether

@@ -27,14 +27,15 @@ struct Locking {
 /// From this on it is reported.
 constexpr double told_stiffness = 0.05;
 
-/// Of a body divided like this, with Lame's constants as they act in the plane.
+/// Returns by how much a body divided like this is too stiff, with Lame's constants as they act in the plane.
 double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double lambda, double mu);
 
-/// Of each connected body; none where elements are of order 2, which bend, or of fibres alone, which do not resist it.
+/// Finds the locking of each connected body; none where elements are of order 2, which bend, or of fibres alone, which
+/// do not resist it.
 std::vector<Locking> locking_of(const Solids& solids);
 
-/// What is to be said of the one of those that bend that is most too stiff, nothing where it is not by told_stiffness;
-/// `coupled` bodies have no other elements.
+/// Says what is to be said of the one of those that bend that is most too stiff. It says nothing where that is not too
+/// stiff by told_stiffness; `coupled` bodies have no other elements.
 std::string locking_warning(const std::vector<Locking>& bodies, const Solids& solids, bool coupled);
 
 /// dt = min(deck's step, cfl limit); cfl 0: the deck's step. The limit of material points is h / c, c = sqrt(E / rho)

@@ -11,7 +11,7 @@ namespace tether {
 /// The plan for people: terms, step, cost (`tether plan`).
 std::string to_text(const Plan& plan);
 
-/// What of the method the scene needs, and what it does not.
+/// Lists what the scene needs of the method, and what it does not.
 std::vector<Term> terms_of(const Scene& scene);
 
 std::string material_name(const Material& material, Geometry geometry);

@@ -18,7 +18,7 @@ Cost bar_cost(const Scene& scene, const BarMesh& mesh, const StepRule& rule);
 /// The exact solution that the scene is compared with, and what it takes the scene for; no term where there is none.
 std::vector<Term> reference_terms(const Scene& scene);
 
-/// Where the solution does not hold to the end of the run, or leaves out what the scene has.
+/// Warns where the solution does not hold to the end of the run, or leaves out what the scene has.
 std::vector<std::string> reference_warnings(const Scene& scene);
 
 }  // namespace tether

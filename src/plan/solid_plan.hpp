@@ -10,8 +10,8 @@
 
 namespace tether {
 
-/// Of elastic bodies on a mesh: the step, which is the deck's but for central differences; what is modelled; the cost;
-/// and path, mesh and materials for people.
+/// Describes elastic bodies on a mesh: the step, which is the deck's but for central differences; what is modelled; the
+/// cost; and path, mesh and materials for people.
 StepRule solid_step_rule(const Scene& scene);
 std::vector<Term> solid_terms(const Solids& solids, double gravity);
 Cost solid_cost(const Scene& scene, const StepRule& rule);
@@ -29,8 +29,8 @@ std::string law_text(const Law& law) {
   return law.note().empty() ? text : fmt::format("{}, {}", text, law.note());
 }
 
-/// Of a scene whose bodies on a mesh are one rigid body, stepped as the deck says: what is modelled, the cost, and
-/// path, mesh and unknowns for people.
+/// Describes a scene whose bodies on a mesh are one rigid body, stepped as the deck says: what is modelled, the cost,
+/// and path, mesh and unknowns for people.
 std::vector<Term> rigid_terms(const Scene& scene);
 Cost rigid_cost(const Scene& scene, const StepRule& rule);
 std::string rigid_head(const Scene& scene);

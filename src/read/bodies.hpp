@@ -18,7 +18,7 @@ void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics)
 /// Tells of the same mistakes, but for those that need the grid.
 void check_region(const Deck& deck, int r, Diagnostics& diagnostics);
 
-/// What the deck draws as region r; nothing where there are mistakes.
+/// Returns what the deck draws as region r; nothing where there are mistakes.
 std::optional<RegionShape> region_shape(const Deck& deck, int r);
 
 /// Adds the particle file as a body. A point's volume is dx dy / np2 (5.4.4), about an axis times the ring of its

@@ -11,14 +11,14 @@
 
 namespace tether {
 
-/// What $limits says, by default what Limits has.
+/// Returns what $limits says, by default what Limits has.
 Limits limits_of(const Deck& deck, Diagnostics& diagnostics);
 
 /// Why a grid with so many points cannot be held, with the memory it would need; empty where it can. Counts against
 /// the machine's physical memory, and the node numbers' range.
 std::string memory_refusal(const BackgroundGrid& grid, double points);
 
-/// The same of a fluid's cells, with the systems that couple it to bodies.
+/// Does the same for a fluid's cells, with the systems that couple it to bodies.
 std::string memory_refusal(const StaggeredGrid& grid);
 
 /// Output intervals by the iout/tiout switches. The history has all its columns whichever of 33, 34, 38 is on and takes

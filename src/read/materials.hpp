@@ -20,7 +20,7 @@ namespace tether {
 /// $fem; nothing where a region of points has none.
 std::string law_word(const Deck& deck, int r);
 
-/// What the deck says of the elastic region r, which `plane` holds across.
+/// Returns what the deck says of the elastic region r, which `plane` holds across.
 ElasticConstants elastic_constants(const Deck& deck, int r, Plane plane);
 
 /// Reports where $reg and $fem give a region of a mesh different laws.

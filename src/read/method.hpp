@@ -16,7 +16,7 @@ double cfl_of(const Deck& deck);
 /// The set of method='robust'.
 Method robust_set();
 
-/// Whether the deck asks for the robust set.
+/// Returns whether the deck asks for the robust set.
 bool is_robust(const Deck& deck);
 
 }  // namespace tether

@@ -16,7 +16,8 @@ Path path_of(const Deck& deck, Diagnostics& diagnostics);
 /// where $in names none.
 Deck deck_of_path(const Deck& deck, Path path, Diagnostics& diagnostics);
 
-/// Whether a deck whose regions are bodies on a mesh has a use for a variable that points, or the grid, have one for.
+/// Returns whether a deck whose regions are bodies on a mesh has a use for a variable that points, or the grid, have
+/// one for.
 bool is_of_meshes(const Variable& variable);
 
 }  // namespace tether

@@ -24,7 +24,7 @@ E word(const Deck& deck, TextVariable variable, int i = 1, int j = 1) {
   throw std::logic_error("'" + text + "' is no word of " + std::string(variable.name()));
 }
 
-/// The same, or `otherwise` where the deck does not give the variable.
+/// Returns the same, or `otherwise` where the deck does not give the variable.
 template <class E>
 E word_or(const Deck& deck, TextVariable variable, E otherwise) {
   return deck.given(variable) ? word<E>(deck, variable) : otherwise;
@@ -35,20 +35,20 @@ E word_or(const Deck& deck, TextVariable variable, E otherwise) {
 std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable name, int k,
                                                 std::vector<std::string> variables, Diagnostics& diagnostics);
 
-/// Whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
+/// Returns whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
 bool has_flow(const Deck& deck);
-/// Whether the path that the deck names has region r: `paths` of $reg may leave it to others.
+/// Returns whether the path that the deck names has region r: `paths` of $reg may leave it to others.
 bool has_region(const Deck& deck, int r);
 /// The deck's numbers, from 1, of all regions that its path has.
 std::vector<int> regions_of(const Deck& deck);
 /// The deck's numbers, from 1, of the regions that are a fluid, or of those that are not.
 std::vector<int> regions_of(const Deck& deck, bool fluid);
 
-/// What is wrong with a path that stands in a deck ("is absolute", ...): it counts from the deck's folder and climbs at
-/// most one folder. Empty where nothing is wrong.
+/// Says what is wrong with a path that stands in a deck ("is absolute", ...): it counts from the deck's folder and
+/// climbs at most one folder. Empty where nothing is wrong.
 std::string path_mistake(const std::string& path);
 
-/// What would be right, with an example.
+/// Says what would be right, with an example.
 std::string path_hint(const std::string& example);
 
 /// The file of that name, counted from the deck's folder.

@@ -47,7 +47,7 @@ RiemannSolution solve_riemann(const RiemannProblem& problem);
 /// Speed of the foremost part of the wave to the left: of a shock, or of the head of a rarefaction.
 double left_wave_speed(const RiemannSolution& solution);
 
-/// The same problem seen in a mirror at x = 0.
+/// Returns the same problem seen in a mirror at x = 0.
 RiemannSolution mirror_image(const RiemannSolution& solution);
 
 /// Speed of the shock that a wall at rest sends to the right into gas that runs into it (velocity <= 0): the sound's
@@ -86,7 +86,7 @@ struct RiemannTube {
   /// When the left or the right end begins to send waves; infinite where it never does.
   double left_begins() const;
   double right_begins() const;
-  /// Where the solution holds at a time. After a shock from a wall has met another wave, nowhere.
+  /// Returns where the solution holds at a time. After a shock from a wall has met another wave, it holds nowhere.
   TubePart valid_part(double t) const;
 };
 

@@ -32,7 +32,7 @@ struct Checkpoint {
   std::string written_by;             ///< program, version and git hash, of one that was read
 };
 
-/// What stands in written_by of this program's checkpoints.
+/// Returns what stands in written_by of this program's checkpoints.
 std::string this_program();
 
 /// Writes the file under a temporary name, hands it to the disk and renames it, so that under its own name there is a

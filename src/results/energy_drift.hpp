@@ -16,11 +16,11 @@ constexpr double settling = 1e-3;
 /// exchanged: the largest change of any one kind or booked column. 0 where nothing was exchanged.
 double energy_drift(const History& history);
 
-/// What the method itself lost by the end, over the same: negative where it gained.
+/// Returns what the method itself lost by the end, over the same: negative where it gained.
 double energy_lost(const History& history);
 
-/// What two of the method's losses took by the end, over the same: what a fluid lost as it carried its velocity along,
-/// and as bodies opened and closed its cells. 0 where the history has no such columns.
+/// Returns what two of the method's losses took by the end, over the same: what a fluid lost as it carried its velocity
+/// along, and as bodies opened and closed its cells. 0 where the history has no such columns.
 double energy_lost_on_the_way(const History& history);
 
 /// Largest rise of the total energy over the start but for what came from outside or went out, over the largest energy

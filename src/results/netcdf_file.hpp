@@ -46,7 +46,7 @@ class NetcdfFile {
   void global_attribute(const std::string& name, std::string_view text);
   /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.
   void chunk(int variable, const std::vector<std::size_t>& lengths);
-  /// What is not put of this variable is no number, of integers `no_whole_number`.
+  /// Fills what is not put of this variable with no number, or `no_whole_number` for integers.
   void fill(int variable, bool of_integers);
   void end_definitions();
 
@@ -88,7 +88,7 @@ std::size_t provenance_room(const Provenance& provenance);
 /// What stands in place of an integer that is not there.
 inline constexpr int no_whole_number = -2147483647;
 
-/// Whether a quantity is written as an integer.
+/// Returns whether a quantity is written as an integer.
 inline bool is_whole(const Quantity& quantity) { return quantity.dimension == Dimension::whole; }
 
 /// A variable for the time over its dimension, as define_quantity(); the CF conventions, 4.4, call it an axis. It has

@@ -34,11 +34,13 @@ class ResultFolder {
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
                const FolderUse& use = {});
-  /// Where the snapshots of an earlier run stand, those of particles.nc, mesh.nc or solids.nc: set aside or not.
+  /// Returns where the snapshots of an earlier run stand, those of particles.nc, mesh.nc or solids.nc: set aside or
+  /// not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
   /// Ends the setting aside of one of these.
   void remove_what_was_set_aside(const std::string& name);
-  /// The same for what could not be taken over: it stays as NAME.unused, which is returned; empty where there is none.
+  /// Does the same for what could not be taken over: it stays as NAME.unused, which is returned; empty where there is
+  /// none.
   std::filesystem::path keep_what_was_set_aside(const std::string& name);
 
   void append(const Record& record);                             ///< history.nc and history.txt

@@ -78,7 +78,7 @@ class StateSaver {
 
 /// The array of that name; throws FileError where there is none.
 const std::vector<double>& saved_array(const SavedState& saved, const std::string& name);
-/// The same, of which the scene has so many numbers; throws FileError where it is of another length.
+/// Returns the same, of which the scene has so many numbers; throws FileError where it is of another length.
 const std::vector<double>& saved_array(const SavedState& saved, const std::string& name, std::size_t length);
 
 /// Gives the parts of a state back. Throws FileError where a part is missing or does not have the scene's length.

@@ -34,8 +34,8 @@ struct VtkPart {
   bool of_vector = false;
 };
 
-/// What each of these fields is in a VTK file: names that end in x and y (and z) after the same text are a vector, but
-/// where that text ends in x, y or z itself: sxx and sxy are components of a tensor, and stay numbers.
+/// Says what each of these fields is in a VTK file: names that end in x and y (and z) after the same text are a vector,
+/// but where that text ends in x, y or z itself: sxx and sxy are components of a tensor, and stay numbers.
 std::vector<VtkPart> vtk_parts(const std::vector<std::string>& fields);
 
 /// A VTK file of XML with its numbers appended as bytes: fields of 8 byte floating point, which are put one after the

@@ -11,7 +11,8 @@
 
 namespace tether {
 
-/// For the fields of this snapshot, of which no more than `most_waiting` bytes wait in it, or one field.
+/// Makes the channel for the fields of this snapshot, of which no more than `most_waiting` bytes wait in it, or one
+/// field.
 std::shared_ptr<Channel> channel_for(const FieldsInTurn& snapshot, std::size_t most_waiting);
 
 /// The snapshot with the fields that come through the channel, which closes when the last copy is gone: who puts any

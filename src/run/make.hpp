@@ -13,10 +13,11 @@ namespace tether {
 /// The solver of the plan's path on so many threads: the only place where run-time choices become templates. The plan
 /// must outlive it.
 std::unique_ptr<Solver> make_solver(const Plan& plan, int threads = 1);
-/// The same by a solver that takes material points out of the plan's scene, so that they are not in memory twice.
+/// Does the same with a solver that takes material points out of the plan's scene, so that they are not in memory
+/// twice.
 std::unique_ptr<Solver> make_solver_with_points_of(Plan& plan, int threads = 1);
 
-/// Whether the plan's path can share its work among threads.
+/// Returns whether the plan's path can share its work among threads.
 bool shares_work(const Plan& plan);
 /// The threads that a run takes: as many as were asked for; where none were (0), one for each core if the work is worth
 /// it, else one. One where the path does not share its work.

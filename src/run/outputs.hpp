@@ -25,7 +25,7 @@ class Due {
  public:
   explicit Due(double interval) : interval_(interval) { follow(0); }
   double next() const { return next_; }
-  /// Whether it is due at this time; if so, the next is after it.
+  /// Returns whether it is due at this time; if so, the next is after it.
   bool passed(double time) {
     if (!(time >= next_)) return false;
     follow(time);

@@ -9,14 +9,14 @@
 
 namespace tether {
 
-/// Whether energy is exchanged over time, so that energy_drift and its like have a meaning: a row of equilibria and
-/// steady flows has no time in it, and a box without columns of what goes through its sides no balance.
+/// Returns whether energy is exchanged over time, so that energy_drift and its like have a meaning: a row of equilibria
+/// and steady flows has no time in it, and a box without columns of what goes through its sides no balance.
 bool balances_energy(const Scene& scene, const HistoryLayout& layout);
 
-/// What summary.txt says of a run by what its scene is, from the plan and the whole history.
+/// Returns what summary.txt says of a run because of what its scene is, from the plan and the whole history.
 Summary scene_summary(const Plan& plan, const History& history);
 
-/// What to say of a run whose method itself lost much of the energy, on points or in a fluid in a box; empty where
+/// Says what to say of a run whose method itself lost much of the energy, on points or in a fluid in a box; empty where
 /// there is nothing to say.
 std::string lost_energy_warning(const Scene& scene, const History& history);
 

@@ -22,7 +22,7 @@ class Watch {
 
   /// The solver is asked for places alone. Throws RunError.
   void look(const Record& record, const Solver& solver);
-  /// What was passed since the last call.
+  /// Returns what was passed since the last call.
   std::vector<std::string> take_messages();
   /// The worst of each number so far.
   Summary summary() const;

@@ -24,8 +24,8 @@ class BorderSearch {
   std::vector<std::size_t> next();
   void take(std::size_t square, bool holds) { holds_[square] = holds; }
 
-  /// For each square the nearest one that was run on its side of the border: itself, where it was. None where no run
-  /// says anything, and for squares whose own run does not.
+  /// Returns for each square the nearest one that was run on its side of the border: itself, where it was. None where
+  /// no run says anything, and for squares whose own run does not.
   std::vector<std::optional<std::size_t>> deciding() const;
 
  private:

@@ -52,11 +52,11 @@ struct FinishedRun {
   std::map<std::string, std::string> lacking = {};  ///< columns that its history.txt has not; what may have been meant
 
   bool failed() const { return record.ending.exit_code != exit_done; }
-  /// Whether it came to its end or diverged. A full disk, a kill or a scene that cannot be built tell nothing of a
-  /// criterion.
+  /// Returns whether it came to its end or diverged. A full disk, a kill or a scene that cannot be built say nothing of
+  /// a criterion.
   bool decides() const { return !failed() || record.ending.exit_code == exit_run; }
-  /// Whether it meets the criterion. None where it tells nothing of it: it ended well and has no such number, or in a
-  /// way that is no fault of the scene.
+  /// Returns whether it meets the criterion. None where it says nothing of it: it ended well and has no such number, or
+  /// in a way that is no fault of the scene.
   std::optional<bool> meets(const Criterion& criterion) const {
     const double found = value(criterion.key);
     if (!decides() || (!failed() && std::isnan(found))) return std::nullopt;
@@ -84,7 +84,7 @@ class Sequences {
 
   /// One a combination, where the study bisects.
   const std::vector<Bisection>& bisections() const { return bisections_; }
-  /// For each combination of a map that is followed along its border the one whose run decides it.
+  /// Returns, for each combination of a map that is followed along its border, the one whose run decides it.
   std::vector<std::optional<std::size_t>> deciding() const;
 
  private:

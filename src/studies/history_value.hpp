@@ -10,7 +10,7 @@
 
 namespace tether {
 
-/// What a user may have meant by a name that is none of these: the nearest one, or else all of them.
+/// Guesses what a user may have meant by a name that is none of these: the nearest one, or else all of them.
 std::string meant(const std::string& name, const std::vector<std::string>& known);
 
 /// What a function makes of a column of history.txt: a study writes it as 'max(body_y_3)'.
@@ -19,12 +19,12 @@ struct HistoryValue {
   std::string column;    ///< "body_y_3"
   int at = 1;            ///< where the column's name stands in the text, from 1
 
-  /// Of its column in a table: a name that CSV, NetCDF and those who read them take without quotes.
+  /// Returns the name of its column in a table, which CSV, NetCDF and those who read them take without quotes.
   std::string name() const { return function + "_" + column; }
   std::string meaning() const;
 };
 
-/// Whether a text is meant as one: it has a bracket, which no key of summary.txt has.
+/// Returns whether a text is meant as one: it has a bracket, which no key of summary.txt has.
 bool is_history_value(const std::string& text);
 
 /// A text taken apart; where there are mistakes, the rest means nothing.

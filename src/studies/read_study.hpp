@@ -15,7 +15,7 @@ Study read_study(const std::string& file);
 
 /// The study deck alone. Throws as above where it is none.
 Deck read_study_deck(const std::string& file, Diagnostics& diagnostics);
-/// What all modes have in common of a study deck, and what its own mode has but for a chart's families.
+/// Returns what all modes have in common of a study deck, and what its own mode has but for a chart's families.
 Study study_of(const Deck& deck, Diagnostics& diagnostics);
 
 }  // namespace tether

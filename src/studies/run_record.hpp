@@ -17,8 +17,8 @@ struct RunRecord {
   double cpu_seconds = 0, wall_seconds = 0;
 };
 
-/// What makes a run this run: SHA-256 of its deck with all values and its particle data, and of the program's version
-/// and git hash.
+/// Returns what makes a run this run: SHA-256 of its deck with all values and its particle data, and of the program's
+/// version and git hash.
 std::string run_key(const Deck& deck);
 
 /// The folder below a study's in which the run writes: runs/<first digits of its key>.

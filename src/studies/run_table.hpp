@@ -12,7 +12,7 @@ namespace tether {
 /// The columns that every table of runs has beside a study's own.
 std::vector<std::string> fixed_columns();
 
-/// Of a run that ended well, whose message they are.
+/// Counts the warnings of a run that ended well, whose message they are.
 double count_warnings(const Ending& ending);
 
 /// Adds deck and axes to a table whose rows are of these combinations.

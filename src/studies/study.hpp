@@ -39,7 +39,7 @@ class Bisection {
 
   /// The values to look at next: at first both ends, then, when both were looked at, a middle; nothing at the end.
   std::vector<double> next() const;
-  /// What was seen at one of them.
+  /// Takes what was seen at one of them.
   void take(double value, bool holds);
 
   /// "found"; "both ends hold", "both ends fail" or "fails at the lower end alone": then nothing was found; "not yet".
@@ -112,7 +112,7 @@ struct Study {
   Criterion criterion;
   std::size_t coarse = 1;  ///< map: every how-manieth value of an axis is run, whatever the others come to
 
-  /// Whether a value is halved to where the criterion ends to hold.
+  /// Returns whether a value is halved to where the criterion ends to hold.
   bool bisects() const { return mode == Mode::bisect || (mode == Mode::map && !vary.variable.empty()); }
 };
 

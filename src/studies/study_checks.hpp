@@ -34,7 +34,7 @@ class StudyRemarks {
 
 // What is checked of a study as a whole, before its first run; mistakes are told at the study deck's places.
 
-/// What its mode needs is there, and nothing that only other modes know.
+/// Checks that what its mode needs is there, and nothing that only other modes know.
 void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks);
 
 /// The base decks read with the values of the first combination (the decks' own mistakes go into `diagnostics`), and

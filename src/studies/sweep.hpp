@@ -34,8 +34,8 @@ struct SweepResult {
 /// other. Throws FileError, also where another process works in the same folder.
 SweepResult sweep(const Study& study, const SweepOptions& options);
 
-/// Of a study's folder: what an earlier study, or the same one in another mode, has found, but for its runs. What is
-/// stopped leaves nothing that is not its own. Throws FileError.
+/// Removes from a study's folder what an earlier study, or the same one in another mode, has found, but not its runs.
+/// What is stopped leaves nothing that is not its own. Throws FileError.
 void remove_earlier_results(const std::filesystem::path& folder);
 
 /// Writes a study's table as STEM.nc and STEM.csv. Throws FileError.

@@ -29,7 +29,7 @@ struct StudyTable {
 /// empty, texts in quotes where they need them.
 std::string csv_text(const StudyTable& table);
 
-/// For people: the columns of these names below each other, numbers with five digits, a missing one '-'.
+/// Writes for people the columns of these names below each other, numbers with five digits, a missing one '-'.
 std::string aligned_text(const StudyTable& table, const std::vector<std::string>& names);
 
 /// The table as NetCDF with the attributes that every file carries, texts as characters (row, length). It takes the

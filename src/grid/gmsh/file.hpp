@@ -26,7 +26,7 @@ std::vector<Mesh> read_gmsh_meshes(std::string_view text, const std::string& fil
                                    const std::vector<FileRegion>& regions, std::vector<MeshFlaw>& flaws,
                                    Diagnostics& diagnostics);
 
-/// The same of one mesh, whose regions 1, 2, ... have the groups of these names.
+/// Reads one mesh in the same way, whose regions 1, 2, ... have the groups of these names.
 std::optional<Mesh> read_gmsh(std::string_view text, const std::string& file, const std::vector<std::string>& groups,
                               std::vector<MeshFlaw>& flaws, Diagnostics& diagnostics);
 

@@ -22,9 +22,9 @@ class Words {
   std::optional<long long> whole(const char* what, long long low, long long high);
   /// The next finite number, its size at most 1e100, so that products of three are numbers, too.
   std::optional<double> real(const char* what);
-  /// What stands between the first and the last quote of the rest.
+  /// Returns what stands between the first and the last quote of the rest.
   std::optional<std::string> quoted(const char* what);
-  /// Whether nothing is left; else that is told.
+  /// Returns whether nothing is left, and reports what is.
   bool done(const char* should_be);
   /// Tells of the word that was read last, or of an earlier one, whose place() was kept, that is blamed.
   void error(std::string message, std::string hint = {});

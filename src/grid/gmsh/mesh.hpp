@@ -27,7 +27,8 @@ using NodeIndex = std::map<long long, int>;
 std::vector<Mesh> meshes_of_content(const Content& content, const std::vector<FileRegion>& regions,
                                     std::vector<MeshFlaw>& flaws, Remarks& remarks);
 
-/// For each element of `whole`, which are all of the file, the places in `regions` that its groups mean, ascending.
+/// Returns for each element of `whole`, which are all of the file, the places in `regions` that its groups mean,
+/// ascending.
 std::vector<std::vector<std::size_t>> regions_of_elements(const Content& content,
                                                           const std::vector<FileRegion>& regions,
                                                           const NamedMesh& whole, std::vector<MeshFlaw>& flaws,

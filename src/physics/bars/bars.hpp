@@ -46,7 +46,7 @@ inline double strain_of(const BarArrays& bars, std::size_t e, double length) {
   return length * bars.per_rest[e] - 1 + bars.strain[e];
 }
 
-/// Of a strain, the part that carries: none of a compression in a one-way bar.
+/// Returns the part of a strain that carries: none of a compression in a one-way bar.
 inline double carried(const BarArrays& bars, std::size_t e, double strain) { return std::max(strain, bars.least[e]); }
 
 /// Accelerations of the present places. False where a bar's length is no number.

@@ -17,8 +17,8 @@ struct BarSums : CommonSums {
   double of_step = 0;  ///< -dt^2 sum f^2 / (8 m) [energy]
 };
 
-/// What bars can write: the history's columns, those of a scene and what a record of them is made from, and fields of
-/// the points.
+/// Lists what bars can write: the history's columns, those of a scene and what a record of them is made from, and
+/// fields of the points.
 ///
 /// Central differences with steps of one length keep, of linear bars, K + U - dt^2 sum f^2 / (8 m) to the last digits,
 /// the work of gravity within U: it is the product of the velocities half a step before and after in K. What velocity

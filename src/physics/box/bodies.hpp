@@ -13,10 +13,10 @@
 
 namespace tether::coupled {
 
-/// Of each body the side of the box that all of its surface is beyond, or -1.
+/// Returns for each body the side of the box that all of its surface is beyond, or -1.
 std::vector<int> sides_left_by(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid);
 
-/// What a run says of a body, counted from 0, that has left by a side.
+/// Says that a body, counted from 0, has left by a side.
 std::string leaving_text(const Coupled& scene, const SolidSurface& surface, std::span<const double> q, int body,
                          int side);
 
@@ -29,10 +29,10 @@ struct ThinBodies {
 };
 ThinBodies thin_bodies(const Placement& placed, const SolidSurface& surface);
 
-/// What a user is to know of them; empty where there are none.
+/// Says what a user is to know of them; empty where there are none.
 std::string thin_text(const ThinBodies& thin, int dim);
 
-/// The same of a scene at its start; empty where its mode takes no parts of cells.
+/// Says the same of a scene at its start; empty where its mode takes no parts of cells.
 std::string thin_text(const Scene& scene);
 
 }  // namespace tether::coupled

@@ -16,7 +16,7 @@ struct Regions {
   std::vector<std::size_t> cells;       ///< how many it has
 };
 
-/// Of each region whether it is closed: no open face joins it with a side or a void.
+/// Says of each region whether it is closed: no open face joins it with a side or a void.
 std::vector<std::uint8_t> closed_regions(const FlowDomain& domain);
 
 /// Closed regions of no more than a few cells that a surface cuts off from a larger one which sees it, too: a crevice

@@ -40,14 +40,14 @@ struct CoupledSurface {
   const Outside* outside = nullptr;  ///< null: of no pressure
 };
 
-/// By pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before the surface it
-/// has the pressure of the film there. With `cut`, where neither cell is thin,
+/// Makes the map from pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before
+/// the surface it has the pressure of the film there. With `cut`, where neither cell is thin,
 /// pressures are linear along each axis between the middles of the cells on both sides of the point.
 CouplingMap map_by_pressures(Team& team, const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut,
                              std::size_t unknowns);
 
-/// By the lines between cells' middles: the flux through a closed face is that of the solid where the line meets it.
-/// The paper's D1 H, with the sign of B.
+/// Makes the map from the lines between cells' middles: the flux through a closed face is that of the solid where the
+/// line meets it. It is the paper's D1 H, with the sign of B.
 CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& at, const Crossings& crossings, std::size_t unknowns);
 
 }  // namespace tether::coupled

@@ -7,7 +7,7 @@
 
 namespace tether::coupled {
 
-/// What fluid about cut faces gives to each other in a step as it goes by.
+/// Blends the fluid about cut faces, as it passes in a step.
 ///
 /// A pressure moves the fluid of a face as fast, however little a solid leaves there. No path leads to such a face but
 /// from itself, so that it would be faster step by step; and what is carried to whole faces beside it takes its
@@ -23,8 +23,8 @@ void blend_cut_faces(const FlowDomain& domain, double h, FaceValues& v);
 /// keep theirs; what no layer reaches becomes 0. A layer's faces are independent of each other.
 void extend_velocity(const FlowDomain& domain, FaceValues& v, int layers);
 
-/// The same of pressures, a number a cell: cells of solids and obstacles get those of the fluid around, so that a cell
-/// that fluid comes into has one.
+/// Does the same for pressures, a number a cell: cells of solids and obstacles get those of the fluid around, so that a
+/// cell that fluid comes into has one.
 void extend_pressure(const FlowDomain& domain, std::vector<double>& p, int layers);
 
 }  // namespace tether::coupled

@@ -72,8 +72,8 @@ class Drag {
   /// Joins a face to the surface near it on one side along axis b; faces come in ascending order and move this `volume`
   /// of fluid. A face whose middle is `within` a body goes along with it.
   void join(std::size_t face, double volume, std::size_t b, const SurfaceNear& near, bool within);
-  /// What acts for a time h, nu [area/time]: implicit for each face with all that is beside it, whatever the distances
-  /// and masses.
+  /// Lets the drag act for a time h, nu [area/time]: implicit for each face with all that is beside it, whatever the
+  /// distances and masses.
   void act(double nu, double h, StickingBodies& bodies, std::vector<double>& v) const;
 
  private:

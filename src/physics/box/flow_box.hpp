@@ -21,12 +21,12 @@ class FlowBox {
   /// The domain that solids leave: cells whose middle lies in one hold no fluid, faces between whose cells' middles a
   /// surface passes are closed. Where the scene wants fluid in cavities alone, the rest is void.
   FlowDomain around(const Crossings& crossings) const;
-  /// The same with the open parts of faces: cells whose middle lies in a solid hold fluid where a face of theirs is
-  /// open.
+  /// Returns the same with the open parts of faces: cells whose middle lies in a solid hold fluid where a face of
+  /// theirs is open.
   FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
   /// Sets the velocities of prescribed faces in a step of length h: jets have their mean speeds [velocity].
   void prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const;
-  /// What jets bring in through the faces that they have in a step, by their shares of what comes in there.
+  /// Returns what jets bring in through the faces that they have in a step, by their shares of what comes in there.
   std::vector<SmokeJet> smoke_of_jets(double time, double h) const;
 
  private:
@@ -66,7 +66,7 @@ class Placer {
   Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside, Team& team)
       : team_(team), scene_(scene), surface_(surface), box_(box), outside_(outside) {}
 
-  /// With the solids' nodes at q.
+  /// Places the solids with their nodes at q.
   Placement at(std::span<const double> q) const;
 
  private:

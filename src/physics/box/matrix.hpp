@@ -46,7 +46,7 @@ ReducedEquations reduced(const CoupledEquations& equations, std::span<const doub
 std::vector<std::uint8_t> first_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> regions);
 /// Takes the sums of r over loose regions off, in shares of the weights: their pressures have a solution then.
 void balance(const CoupledEquations& equations, std::span<const double> weight, std::span<double> r);
-/// Of each pressure's cell a measure of the solids' surface that it sees: the sum of its row's sizes.
+/// Measures for each pressure's cell the solids' surface that it sees: the sum of its row's sizes.
 std::vector<double> areas_seen(const CouplingMatrix& B);
 /// A with rows and columns that are set those of a multiple of the identity.
 SparseMatrix held_matrix(const SparseMatrix& A, std::span<const std::uint8_t> set);
@@ -62,8 +62,8 @@ SparseMatrix whole_matrix(const CoupledEquations& equations, std::span<const std
 /// K with zeros where its transpose has entries and it has none.
 SparseMatrix with_symmetric_pattern(const SparseMatrix& K);
 
-/// For each unknown of K the root of its diagonal's size, or 1 where that is 0: what makes rows and columns of
-/// velocities and of pressures, whose numbers are of different units, alike.
+/// Returns for each unknown of K the root of its diagonal's size, or 1 where that is 0. These scales make rows and
+/// columns of velocities and of pressures, whose numbers have different units, alike.
 std::vector<double> scales_of(const SparseMatrix& K);
 /// Divides rows and columns by their scales.
 void scale(SparseMatrix& K, std::span<const double> scales);

@@ -63,16 +63,16 @@ class Outside {
   /// The scene must outlive it; `gravity` acts along y [acceleration].
   Outside(const Coupled& scene, double gravity);
 
-  /// Of the fluid outside at a height [stress].
+  /// Returns the pressure of the fluid outside at a height [stress].
   double pressure(double y) const;
-  /// Whether there is fluid beyond a side of the box.
+  /// Returns whether there is fluid beyond a side of the box.
   bool presses(int side) const { return has_fluid_beyond(scene_, side) && !scene_.cavities_only; }
   /// The pressure beyond a side of the box at a height: zero where the side is no open one, or has nothing beyond.
   double pressure_beyond(int side, double y) const;
   /// Smoke and warmth of the layer at a row of cells.
   double density(int row) const { return density_[static_cast<std::size_t>(row)]; }
   double temperature(int row) const { return temperature_[static_cast<std::size_t>(row)]; }
-  /// Whether any layer has some.
+  /// Returns whether any layer has some.
   bool has_smoke() const;
 
   /// Adds to the velocities of the open sides' faces what the pressure outside does to them in a time `h`.

@@ -38,9 +38,9 @@ class PressureSampler {
   /// flux: by halves the strip between the cell's middle and the surface weighs what it should, to second order. In a
   /// film there is no such strip: `behind` 1 takes all of what a linear one would change.
   PressureStencil at(const Vec<3>& x, std::size_t cell, double behind = 0.5) const;
-  /// Whether no other side of the surface is between a piece and a place.
+  /// Returns whether no other side of the surface is between a piece and a place.
   bool sees(const SurfacePiece& piece, const Vec<3>& to) const;
-  /// Of the solids' nodes.
+  /// Returns the places of the solids' nodes.
   std::span<const double> places() const { return q_; }
 
  private:
@@ -56,10 +56,10 @@ class PressureSampler {
   std::vector<int> first_, sides_;  // of each cell of the grid the sides in it: sides_[first_[c]] ...
 };
 
-/// Of each piece of the surface the open side of the box straight before it, nearer than half a cell and than the
-/// middle of the cell before it (`before`, as the sampler finds it); -1: none. The last cell's middle is beyond such a
-/// piece, and yet it has no film: what it pushes goes out through the side, whose pressure it feels. Pieces in a side
-/// count as before it, those beyond do not.
+/// Returns for each piece of the surface the open side of the box straight before it, nearer than half a cell and than
+/// the middle of the cell before it (`before`, as the sampler finds it); -1: none. The last cell's middle is beyond
+/// such a piece, and yet it has no film: what it pushes goes out through the side, whose pressure it feels. Pieces in a
+/// side count as before it, those beyond do not.
 std::vector<int> open_sides_before(Team& team, const SurfacePieces& pieces, const FlowDomain& domain,
                                    const PressureSampler& sampler, std::span<const int> before);
 

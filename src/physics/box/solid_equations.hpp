@@ -27,8 +27,8 @@ class SolidEquations {
     double inside = 0, damping = 0;  ///< [energy]
   };
   Taken taken(std::span<const double> u0, std::span<const double> u1, std::span<const double> lifts, double h);
-  /// What resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by the
-  /// trapezoidal rule; rows of velocities that are held, too [mass].
+  /// Returns what resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by
+  /// the trapezoidal rule; rows of velocities that are held, too [mass].
   SparseMatrix resistance(std::span<const double> q, double h) const;
   /// Energy that springs store at q [energy].
   double spring_energy(std::span<const double> q) const;

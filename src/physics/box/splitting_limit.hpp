@@ -19,8 +19,8 @@ namespace tether::coupled {
 /// without damping. None where a closed region of the fluid makes M_a infinite. `density` is the fluid's.
 std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const double> q, double density, double h);
 
-/// The same of a scene's bodies where they are at the start, in a step of h; none without bodies, or where its systems
-/// are too large for factors.
+/// Returns the same for a scene's bodies where they are at the start, in a step of h; none without bodies, or where its
+/// systems are too large for factors.
 std::optional<double> added_mass_ratio(const Scene& scene, double h);
 
 /// Whether splitting holds, and why, as the end of a sentence.

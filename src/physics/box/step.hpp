@@ -27,7 +27,7 @@ class CoupledStep {
   CoupledState start();
   /// False where it was stopped in the middle: the state then is neither that before nor that after.
   bool advance(CoupledState& state, double h);
-  /// What much viscosity asks meanwhile; and whether it may.
+  /// Sets what a step with much viscosity asks meanwhile: whether it is to stop.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
   bool may_stop(double h) const;
 
@@ -38,7 +38,7 @@ class CoupledStep {
   Placement placed(std::span<const double> q) const { return placer_.at(q); }
   /// The fluid about the solids as the last step left them.
   const FlowDomain& domain() const { return at_.domain; }
-  /// What later steps depend on beside the state: the orders of elimination that have been found.
+  /// Returns what later steps depend on beside the state: the orders of elimination that have been found.
   std::vector<double> orders() const { return system_.orders(); }
   /// Goes on from a state that was saved with its orders.
   void resume(const CoupledState& state);

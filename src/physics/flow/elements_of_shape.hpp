@@ -143,7 +143,7 @@ class FlowElementsOf final : public FlowElements {
       for (int q = 0; q < NP; ++q) numbers_.push_back(unknowns_.pressure[node(e, corner_[index(q)])]);
     }
   }
-  /// Of the pressures that are unknown, the integral of what product(e, k) gives for an element's at a point.
+  /// Returns, for the pressures that are unknown, the integral of what product(e, k) gives for an element's at a point.
   template <class Product>
   SparseMatrix pressure_matrix(const Product& product) const;
 

@@ -23,7 +23,7 @@ class KeptFactors {
   void begin_step(bool another);
   void drop() { there_ = false; }
 
-  /// Whether the next correction needs new ones.
+  /// Returns whether the next correction needs new ones.
   bool are_due() const { return !there_ || slow_; }
   /// New ones were made; they last for more than this very iterate where they are factors of the matrix itself.
   void made(bool done, bool lasting);

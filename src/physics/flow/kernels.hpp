@@ -125,7 +125,7 @@ struct FlowPoint {
   }
 
  private:
-  /// Of the SUPG and LSIC terms of node a by v1 of node n.
+  /// Returns the derivative of the SUPG and LSIC terms of node a by v1 of node n.
   Eigen::Matrix2d stabilised_derivative(const FlowConstants& c, int a, int n, const Eigen::Matrix2d& dR) const {
     Eigen::Matrix2d k = tau * carried[a] * dR + tau_L * G.col(a) * G.col(n).transpose();
     if (!c.newton) return k;

@@ -37,13 +37,14 @@ class FlowLinear {
   bool by_krylov() const { return krylov_.has_value(); }
   /// A step's first K is next. What GMRES works with is made anew, so that steps do not depend on those before them.
   void begin_step() { begun_ = false, direct_now_ = false; }
-  /// Whether the next K is the one whose scales count.
+  /// Returns whether the next K is the one whose scales count.
   bool wants_scales() const { return krylov_ && !begun_; }
   /// K is that of the next solutions and must outlive them; for GMRES rows of K are scaled. False where it is
   /// singular. GMRES takes the scales of a step's first K for all of them.
   bool factorise(SparseMatrix& K, const FlowScales& scales);
-  /// By GMRES until |b - K x| <= tolerance |b|, momentum and incompressibility weighed as K has them; where it does not
-  /// get there, directly, and so the rest of the step. False where K turns out singular. b and x may be the same.
+  /// Solves by GMRES until |b - K x| <= tolerance |b|, momentum and incompressibility weighed as K has them. Where that
+  /// does not get there, it solves directly, and does so for the rest of the step. False where K turns out singular. b
+  /// and x may be the same.
   bool solve(std::span<const double> b, std::span<double> x, double tolerance);
 
   LinearCounts take_counts() { return std::exchange(counts_, {}); }  ///< since the last call

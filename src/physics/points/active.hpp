@@ -14,7 +14,7 @@ namespace tether::mpm {
 
 // Which nodes and cells points reach.
 
-/// What a kernel reaches around a cell.
+/// Marks what a kernel reaches around a cell.
 template <class Kernel>
 void mark(ActiveNodes& active, const Locator& locator, double x, double y) {
   const auto at = Kernel::locate(locator, x, y);

@@ -77,8 +77,8 @@ struct Points {
     };
   }
 
-  /// Of the scene, with the arrays that its laws and its method ask for. `given` is empty then: each of its arrays goes
-  /// once it has been read, for both do not fit in the memory of a large run.
+  /// Takes the points of the scene, with the arrays that its laws and its method ask for. `given` is empty then: each
+  /// of its arrays goes once it has been read, for both do not fit in the memory of a large run.
   Points(const Scene& scene, PointSet& given);
   /// Slots, of which not all need hold a point.
   std::size_t size() const { return x.size(); }
@@ -100,7 +100,7 @@ struct Points {
     });
   }
 };
-/// What points gave to ghosts, to their images; the ghosts are empty then.
+/// Adds what points gave to ghosts to their images; the ghosts are empty then.
 void fold_sums(std::span<const Ghost> ghosts, NodeSumsRow& sums);
 
 /// The background grid's fields. By splines a "cell" is what lies nearest to a node. What ghosts hold is folded at
@@ -119,10 +119,10 @@ struct Grid {
 
   Grid(const Scene& scene, InstructionSet set);
 
-  /// Of the frame's, after the nodes that points may touch were listed.
+  /// Lists the frame's ghosts, after the nodes that points may touch were listed.
   void list_ghosts();
 
-  // What points gave to ghosts, to their images; the ghosts are empty then.
+  // Adds what points gave to ghosts to their images; the ghosts are empty then.
   void fold_sums() { mpm::fold_sums(ghosts, sums); }
   void fold_convected();
   // What points read at ghosts.

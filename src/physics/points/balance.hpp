@@ -17,8 +17,8 @@ inline void hold(std::uint8_t held, Pair& v) {
   if (held & holds_y) v[1] = 0;
 }
 
-/// Of a node's mass. With linear functions an active node has some (Locator::edge); a spline ends smoothly, so that a
-/// node may have none, and then nothing reads it.
+/// Returns the inverse of a node's mass. With linear functions an active node has some mass (Locator::edge); a spline
+/// ends smoothly, so that a node may have none, and then nothing reads it.
 inline double inverse(double m) { return m > 0 ? 1 / m : 0; }
 
 inline double dot(Pair a, Pair b) {
@@ -61,7 +61,7 @@ struct NodeTotals {
     upward += sum.m * middle[1];
     add_held(sum, walls);
   }
-  /// What walls take of a node's energy.
+  /// Adds what walls take of a node's energy.
   void add_held(const NodeSums& sum, std::uint8_t walls) {
     if (walls == holds_none) return;
     Pair v = sum.momentum * inverse(sum.m);
@@ -97,7 +97,7 @@ struct Balance {
       transfer += 0.5 * dt * dt * (nodes.squares - points);
     }
   }
-  /// What steps of finite length make of the work, with this energy stored now [energy].
+  /// Returns what steps of finite length make of the work, with this energy stored now [energy].
   double integration(double stored_now) const { return stored - stored_now - work - fall; }
 };
 }  // namespace tether::mpm

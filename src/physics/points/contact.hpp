@@ -35,7 +35,7 @@ class Contact {
 
   /// Forgets the nodes of the step before.
   void begin();
-  /// Whether points of the group in this cell have touched their nodes already; from now on they have.
+  /// Returns whether points of the group in this cell have touched their nodes already; from now on they have.
   bool stamp(std::size_t cell, int group) {
     const std::uint64_t mark = stamp_ * 64 + static_cast<std::uint64_t>(group);
     if (cell_stamp_[cell] == mark) return true;
@@ -53,7 +53,7 @@ class Contact {
   }
   /// All bodies have touched their nodes.
   void open(const Frame& frame);
-  /// Whether a cell's points give to a shared node, or may lend it their colour.
+  /// Returns whether a cell's points give to a shared node, or may lend it their colour.
   bool near_shared(std::size_t cell) const { return near_stamp_[cell] == stamp_; }
   /// Slots of the body's points in such cells, in ascending order, from open() to the end of the step.
   std::vector<std::size_t>& near_points(std::size_t body) { return near_points_[body]; }

@@ -16,7 +16,7 @@ struct Order {
   std::vector<std::uint32_t> slots;
   std::vector<Range> bodies;  // of `slots`
 
-  /// Of which body point k is.
+  /// Returns the body that point k belongs to.
   std::size_t body_of(std::size_t k) const {
     std::size_t b = 0;
     while (k >= bodies[b].end) ++b;
@@ -26,7 +26,7 @@ struct Order {
     return {slots.data() + bodies[b].begin, bodies[b].end - bodies[b].begin};
   }
 };
-/// Of all points, or of those that no strip beyond an open edge holds.
+/// Returns the order of all points, or of those that no strip beyond an open edge holds.
 Order order_of_all(const State& state);
 Order order_within(const State& state);
 
@@ -36,11 +36,11 @@ struct Energies {
   void add(const Scene& scene, std::size_t b, const State& state, const Order& order);
   double sum() const { return strain + internal + ambient; }
 };
-/// Of all bodies, and heat that is under way to the gas.
+/// Sums the energy of all bodies, and heat that is under way to the gas.
 Energies stored_energy(const Scene& scene, const State& state, const Order& order);
 
-/// What a body fills now: of solids and linear fluids by the strain that their stress tells, of gas by its density; of
-/// a membrane what it began with [volume].
+/// Returns what a body fills now [volume]: solids and linear fluids follow the strain that their stress shows, gas
+/// follows its density, and a membrane has what it began with.
 double volume_of(const Scene& scene, std::size_t b, const Points& points, const Order& order);
 
 /// What a point fills, and its pressure.
@@ -48,7 +48,7 @@ struct Extent {
   double volume = 0, pressure = 0;
   double across = 0;  // stress across the plane, about an axis the hoop's [stress]
 };
-/// Of slot p, whose point is of body b; `pressures` as StepSet::gas_pressures.
+/// Returns the extent of slot p, whose point is of body b; `pressures` as StepSet::gas_pressures.
 Extent extent_of(const Scene& scene, std::size_t b, const Points& points, std::size_t p,
                  const std::vector<double>& pressures);
 /// Elastic strain of solids, tangent strain of strings.

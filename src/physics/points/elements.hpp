@@ -31,7 +31,8 @@ void turn_tangents(Points& points, Range string, bool closed = false);
 /// behind walls that mirror, with these; between the left and the right wall what lies below it.
 class Elements {
  public:
-  /// Of body b of the scene, in these slots; the points stand where they start, with their initial strains.
+  /// Makes the elements of body b of the scene, in these slots; the points stand where they start, with their initial
+  /// strains.
   Elements(const Scene& scene, std::size_t b, Range range, const Points& points, const Frame& frame);
 
   Range range() const { return range_; }

@@ -25,8 +25,8 @@ struct PointSums : CommonSums {
   double carried = 0;  // APIC: kinetic energy of points that run by lanes [energy]
 };
 
-/// What the material point path can write: the history's columns, those of a scene and what a record of them is made
-/// from, and fields of points and nodes. Points come in the order of the scene, whatever slots they stand in.
+/// Lists what the material point path can write: the history's columns, those of a scene and what a record of them is
+/// made from, and fields of points and nodes. Points come in the order of the scene, whatever slots they stand in.
 const ColumnTable<PointSetting, PointSums>& history_table();
 Columns<PointSums> history_columns(const Scene& scene);
 PointSums sums_of(const State& state, const Scene& scene);

@@ -25,7 +25,7 @@ class GasMixing {
   struct Span {
     double least = 0, most = 0;
     void add(const Span& other);
-    /// Of two that lie apart, by how much.
+    /// Says how far apart two of them lie.
     double ratio(const Span& other) const;
   };
   struct Cell {

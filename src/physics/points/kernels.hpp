@@ -73,7 +73,7 @@ template <class S>
   });
 }
 
-/// The same, and the mass of gas.
+/// Does the same, and maps the mass of gas.
 template <class S>
 inline void map_gas_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, const Locator& locator,
                              const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {
@@ -84,7 +84,7 @@ inline void map_gas_momentum(const Points& P, std::size_t p, NodeSumsRow& sums, 
   });
 }
 
-/// The same, and what the ledger booked of the point, per mass.
+/// Does the same, and maps what the ledger booked of the point, per mass.
 template <class S>
 inline void map_gas_momentum_and_loss(const Points& P, std::size_t p, double lost, Grid& grid, const Locator& locator,
                                       const typename S::Kernel::Place& at, const typename S::Kernel::Nodes& nodes) {

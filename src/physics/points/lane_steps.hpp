@@ -19,8 +19,8 @@ const std::vector<LaneFindings>& run_by_lanes(StepWork& work, const PassWork& pa
 /// That of several passes which is for the body's law.
 LanePasses::Pass of_law(const LanePasses::Pass* passes, const StepWork& work, std::size_t b);
 
-/// What a point that has left its cell gives to the nodes of its new place: mass and momentum, of what the ledger
-/// booked its part, and where its stress is new (`pulls`) its force.
+/// Maps what a point that has left its cell gives to the nodes of its new place: mass and momentum, its part of what
+/// the ledger booked, and where its stress is new (`pulls`) its force.
 template <class S, bool pulls>
 void map_moved(StepWork& work, const PassWork& pass, const Material& material, std::size_t p, double lost,
                const typename S::Kernel::Place& at) {
@@ -79,7 +79,7 @@ inline void stress_and_map_moved_by_lanes(StepWork& work, const PassWork& pass, 
   run_by_lanes(work, pass, b, of_law(work.state.lane_passes->stress_and_map, work, b));
 }
 
-/// What remains of a body's step that updated stress first.
+/// Does what remains of a body's step that updated stress first.
 template <class S>
 void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
   const LanePasses& passes = *work.state.lane_passes;

@@ -96,7 +96,7 @@ inline void heat_gas_around(const PassWork& work, State& state, std::size_t p, d
   }
 }
 
-/// What gas and membranes lost in this step goes to the gas, which takes it at the beginning of the next one.
+/// Gives what gas and membranes lost in this step to the gas, which takes it at the beginning of the next one.
 template <class S>
 inline void settle_ledger(StepWork& work, const PassWork& pass) {
   State& state = work.state;

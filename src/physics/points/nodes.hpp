@@ -19,7 +19,7 @@ void total_with_contact(StepWork& work, double dt);
 
 /// v_i = sum m_p v_p N_i / m_i from the momenta that points gave to `convected` (3.24), walls; the sums are 0 then.
 void divide_convected(State& state);
-/// The same quotient from the momenta mapped at the start of the step.
+/// Finds the same quotient from the momenta mapped at the start of the step.
 void mapped_velocity(State& state);
 
 void clear_convected(State& state);
@@ -29,7 +29,7 @@ void clear_forces(State& state);
 /// The list of nodes, and all sums, from where the points are now: for points that came, went or were moved
 /// outside a step. Heat under way at nodes that no point reaches any more has gone with the gas that was there.
 void map_anew(State& state, const Scene& scene, const StepSet& set);
-/// What has to go before: sums at the nodes of the step, and at those that its points have reached by now.
+/// Clears what has to go before: sums at the nodes of the step, and at those that its points have reached by now.
 void forget_sums(State& state, const StepSet& set);
 
 /// Density of the gas at the nodes from its mass there.

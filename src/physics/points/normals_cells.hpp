@@ -196,7 +196,7 @@ inline ExtraPoint extra_point(const NearestLine& line, double dx, double dy) {
   return outside(up) <= outside(down) ? ExtraPoint{up, distance} : ExtraPoint{down, -distance};
 }
 
-/// Whether all gradients go with their mean: at least half as far.
+/// Returns whether all gradients go with their mean: at least half as far.
 inline bool go_together(std::span<const Pair> gradients) {
   Pair mean{};
   for (const Pair& g : gradients) mean += g;

@@ -53,7 +53,7 @@ class ProfileMatrix {
   }
 
  private:
-  /// Of rows i and j over the columns before j that both have.
+  /// Multiplies rows i and j over the columns before j that both have.
   double product(std::size_t i, std::size_t j) const {
     double sum = 0;
     for (std::size_t k = std::max(first_[i], first_[j]); k < j; ++k) sum += at(i, k) * at(j, k);

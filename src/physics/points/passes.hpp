@@ -86,7 +86,7 @@ inline bool strain_and_move(const PassWork& work, std::size_t p, typename S::Ker
   return accept_place<typename S::Kernel>(work.P, p, work.locator, work.grid.frame, at, found);
 }
 
-/// Whether the gas finds its density, and its heat, at the nodes.
+/// Returns whether the gas finds its density, and its heat, at the nodes.
 template <class Law>
 constexpr bool from_nodes(const Law&) {
   return false;
@@ -110,7 +110,7 @@ inline void stress_and_map(const Law& law, const PassWork& work, std::size_t p, 
   map_force<S>(P, p, law_volume(law, P, p), work.grid.sums, work.locator, at, nodes);
 }
 
-/// For laws that look at the point alone: both halves in one pass.
+/// Does both halves in one pass, for laws that look at the point alone.
 template <class S, class Pass, class Law>
 inline StepFindings strain_stress_and_map(const Law& law, const PassWork& work, Range range,
                                           const StepFindings& before) {
@@ -191,8 +191,9 @@ inline void heat_centred(const PassWork& work, std::size_t p, const typename S::
   P.energy[p] = IdealGas::heated(P.energy[p], work.step.dt, s, rate.d, P.rho[p]);
 }
 
-/// The same for gas. Centred, it is heated by the velocity gradient half way between the velocities before and after
-/// the solve, which gives it exactly what its forces took from the nodes; the ledger adds what the transfer loses.
+/// Does the same for gas. Centred, it is heated by the velocity gradient half way between the velocities before and
+/// after the solve, which gives it exactly what its forces took from the nodes; the ledger adds what the transfer
+/// loses.
 template <class S>
 inline StepFindings accelerate_move_and_map_gas(const IdealGas& law, const PassWork& work, Range range, bool ledger,
                                                 const StepFindings& before) {

@@ -28,7 +28,7 @@ namespace tether::mpm {
 class MpmSolver final : public Solver {
  public:
   explicit MpmSolver(const Plan& plan, int threads = 1);
-  /// With the scene's points apart from it, which are gone then.
+  /// Takes the scene's points apart from it, which are gone then.
   MpmSolver(const Plan& plan, PointSet points, int threads = 1);
 
   double time() const override { return state_.time; }

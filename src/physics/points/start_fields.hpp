@@ -20,7 +20,7 @@ namespace tether::mpm {
 /// one cell further in with each, and with one point a cell it does not fade.
 constexpr int rounds_of_fitting = 3;
 
-/// Whether the points of the scene, not those beyond open edges, have more than one velocity.
+/// Returns whether the points of the scene, not those beyond open edges, have more than one velocity.
 inline bool velocities_differ(const State& state, Slots range) {
   const Points& P = state.points;
   const auto is_here = [&](std::size_t p) {

@@ -110,7 +110,7 @@ struct State : StateNumbers, StepClock {
         team(std::make_unique<ThreadTeam>(lanes.threads)) {}
 
   std::size_t point_count() const { return points.size() - empty_slots; }
-  /// What strips change of it.
+  /// Returns what strips change of it.
   BodyPoints body_points() { return {points, ranges}; }
   /// New tangents of membrane b by the scene's rule, and the total strain's component along them (5.3).
   void turn_tangents(const Scene& scene, std::size_t b);
@@ -123,14 +123,14 @@ struct State : StateNumbers, StepClock {
 /// The state at time 0: densities, stresses and tangents from what the scene says, and the first map to the grid (step
 /// 1 of the algorithm), so that every step begins with its sums in place.
 State start(const Scene& scene, const LaneChoice& lanes = {});
-/// The same with the scene's points apart from it, which are gone then.
+/// Does the same with the scene's points apart from it, which are gone then.
 State start(const Scene& scene, PointSet points, const LaneChoice& lanes = {});
 
 /// Sorts the slots of all bodies that do not stand in blocks, but for strings, which keep the order of their file: it
 /// runs along them.
 void sort_bodies(CellSort& sort, State& state, const Scene& scene);
 
-/// Whether heat is booked: the method says so and there is gas, with its density from nodes, to take it.
+/// Returns whether heat is booked: the method says so and there is gas, with its density from nodes, to take it.
 bool keeps_ledger(const Scene& scene);
 
 /// The state as plain data, and back into a state of the same scene, to the last bit: sums at nodes are kept as they

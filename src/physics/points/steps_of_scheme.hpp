@@ -68,8 +68,8 @@ void strain_where_neighbours_count(StepWork& work, const PassWork& pass) {
   }
 }
 
-/// What neighbours tell once they stand at their new places: densities (4.5), (4.6), and the strains and tangents of
-/// strings. A string stretches along the tangent that its force had, so that strain energy takes up what the force
+/// Finds what neighbours show once they stand at their new places: densities (4.5), (4.6), and the strains and tangents
+/// of strings. A string stretches along the tangent that its force had, so that strain energy takes up what the force
 /// gave; then its frame turns. Where the points stay, the force will have the tangent of where they stand.
 template <class S, class Pass>
 void look_at_neighbours(StepWork& work, const PassWork& pass) {
@@ -85,7 +85,7 @@ void look_at_neighbours(StepWork& work, const PassWork& pass) {
   }
 }
 
-/// The same of a body that runs by lanes.
+/// Does the same for a body that runs by lanes.
 template <class S, class Pass>
 void stress_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
   if constexpr (!Pass::moves)
@@ -128,7 +128,7 @@ void strain_stress_and_map_all(StepWork& work, double dt) {
   work.state.grid.fold_sums();
 }
 
-/// What remains of a body's step that updated stress first.
+/// Does what remains of a body's step that updated stress first.
 template <class S>
 void accelerate_move_and_map_body(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
@@ -145,7 +145,7 @@ void accelerate_move_and_map_body(StepWork& work, const PassWork& pass, std::siz
                                    : accelerate_move_and_map<S, false>(pass, range, ledger, work.found);
 }
 
-/// Whether what a body loses goes to the gas about its points; else it is heat of all gas alike.
+/// Returns whether what a body loses goes to the gas about its points; else it is heat of all gas alike.
 inline bool heats_gas_around(const StepWork& work, std::size_t b) {
   return std::holds_alternative<IdealGas>(work.scene.bodies[b].material) || work.state.elements_of[b].has_value();
 }
@@ -278,7 +278,7 @@ StepSet step_set_of(StressOrder order) {
           fit_fields<S>};
 }
 
-/// By transfer and geometry, for one kernel.
+/// Chooses by transfer and geometry, for one kernel.
 template <class Kernel>
 StepSet step_set_of_kernel(const Scene& scene) {
   const StressOrder order = scene.method.order;

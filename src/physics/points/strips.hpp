@@ -79,7 +79,7 @@ class Strips {
   /// nodes have to be mapped anew. Trouble where anything but gas stands beyond an edge.
   EdgeFindings after_step(const BodyPoints& bodies, const Scene& scene, double dt, double time);
 
-  /// Whether a place lies beyond an open edge.
+  /// Returns whether a place lies beyond an open edge.
   bool holds(double x, double y) const { return edge_of(x, y) != inside_; }
   const Passed& passed() const { return passed_; }
   /// Heat under way at nodes that no point reaches any more left with the gas that was there.

@@ -21,8 +21,8 @@ struct RigidSums : CommonSums {
   double constraint_error = 0, pin_slip = 0;
 };
 
-/// What a rigid body can write: the history's columns and what a record of them is made from, and places and velocities
-/// of its mesh's nodes. All velocities and momenta are those of the rigid motion with the state's momenta
+/// Lists what a rigid body can write: the history's columns and what a record of them is made from, and places and
+/// velocities of its mesh's nodes. All velocities and momenta are those of the rigid motion with the state's momenta
 /// (state.hpp); the kinetic energy is the state's, which is the one that steps keep.
 const ColumnTable<RigidSetting, RigidSums>& rigid_table();
 Columns<RigidSums> rigid_columns(const Solids& solids, const Rigid& rigid);

@@ -63,7 +63,7 @@ struct RigidMiddle {
   Eigen::Vector4d pin;      ///< [1, theta] of the fixed point, [1, 0] without one
 
   RigidMiddle(const RigidBody& body, const RigidForces& loads, const RigidState& state, double dt);
-  /// The same step with the fixed point as the reference point.
+  /// Returns the same step with the fixed point as the reference point.
   RigidMiddle about_pin() const;
 };
 

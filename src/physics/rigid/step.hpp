@@ -41,7 +41,7 @@ namespace tether::fem {
 RigidReport rigid_constrained_step(const RigidBody& body, const RigidForces& loads, double dt, RigidState& state,
                                    const RigidNewtonRule& rule = {});
 
-/// The same motion from six unknowns in the null space of the constraints, three where a point is fixed.
+/// Finds the same motion from six unknowns in the null space of the constraints, three where a point is fixed.
 RigidReport rigid_reduced_step(const RigidBody& body, const RigidForces& loads, double dt, RigidState& state,
                                const RigidNewtonRule& rule = {});
 

@@ -55,7 +55,8 @@ class BodyDoubts {
   /// The linear law alone: of bodies that something else holds within the grid.
   void look_at_turns(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                      std::vector<std::string>& messages) const;
-  /// Whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the nodes.
+  /// Looks whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the
+  /// nodes.
   static void look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
                              double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages);
 

@@ -59,7 +59,7 @@ class Elements {
   virtual std::vector<double> lumped_mass() const = 0;
   /// <N_A> of one region, for forces in its volume [volume].
   virtual std::vector<double> volumes(int region) const = 0;
-  /// Of the shape at q.
+  /// Returns the volumes of the shape at q.
   virtual ShapeVolumes shape(std::span<const double> q) const = 0;
   /// A bound on the highest frequency with lumped masses at q: the largest of the elements alone [1/time].
   virtual double frequency_bound(std::span<const double> q, std::span<const double> lumped) const = 0;

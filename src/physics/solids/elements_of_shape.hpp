@@ -267,8 +267,8 @@ ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
   return shape;
 }
 
-/// Of an element alone omega^2 is at most the largest row sum of |M^-1 K|, and of a mesh at most that of its elements
-/// (B. M. Irons, J. Eng. Mech. Div. 97 (1971) 1219-1225), each with its own part of the lumped masses.
+/// Bounds omega^2: that of an element alone is at most the largest row sum of |M^-1 K|, and that of a mesh at most that
+/// of its elements (B. M. Irons, J. Eng. Mech. Div. 97 (1971) 1219-1225), each with its own part of the lumped masses.
 template <class Shapes>
 double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<const double> lumped) const {
   const auto of_element = [&](std::size_t e) {

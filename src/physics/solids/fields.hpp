@@ -29,7 +29,7 @@ MeshGroup shape_columns();
 /// The number of nodes inside another body.
 MeshGroup overlap_columns();
 
-/// What bodies and tracked places are called.
+/// Names bodies and tracked places.
 ColumnSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies);
 /// The names of the regions.
 std::vector<std::string> region_names(const Solids& solids);
@@ -42,7 +42,7 @@ BodySums body_of(double mass, std::span<const double> parts, std::span<const dou
 
 /// Places, displacements and velocities of all nodes.
 Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q, std::span<const double> v);
-/// The same with Cauchy's stress and the energy density.
+/// Returns the same with Cauchy's stress and the energy density.
 Snapshot shape_fields(double time, const Mesh& mesh, const Elements& elements, std::span<const double> q,
                       std::span<const double> v);
 
@@ -51,7 +51,7 @@ struct SolidSums : MeshSums {
   double of_loads = 0, of_supports = 0, damped = 0;  ///< so far [energy]
 };
 
-/// What elastic bodies can write: the history's columns and what a record of them is made from, and fields of the
+/// Lists what elastic bodies can write: the history's columns and what a record of them is made from, and fields of the
 /// nodes: places, displacements, velocities, Cauchy's stress and the energy density.
 const ColumnTable<ColumnSetting, SolidSums>& solid_table();
 Columns<SolidSums> solid_columns(const Solids& solids);

@@ -49,7 +49,7 @@ class SolidStep {
   NewtonReport advance(SolidState& state, double dt);
   /// Brings the state into equilibrium with loads and supports of time `at`, at rest.
   NewtonReport settle(SolidState& state, double at);
-  /// What central differences allow at these places [time].
+  /// Returns what central differences allow at these places [time].
   double longest_explicit_step(std::span<const double> q) const;
 
   const SolidCost& cost() const { return cost_; }

@@ -9,8 +9,9 @@
 
 namespace tether {
 
-/// Whether the deck describes a box of cells that the memory holds and, with $mesh, bodies of as many dimensions, so
-/// that a scene can be made; tells what it has instead: $flow, rigid bodies, an axis, a depth without ends.
+/// Returns whether the deck describes a box of cells that the memory holds and, with $mesh, bodies of as many
+/// dimensions, so that a scene can be made; reports what it has instead: $flow, rigid bodies, an axis, a depth without
+/// ends.
 bool check_coupled_frame(const Deck& deck, Diagnostics& diagnostics);
 
 /// Tells what the deck asks for and cannot have beside $coupled, and what has no effect there.
@@ -24,8 +25,8 @@ void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& c
 /// walls and obstacles close, into which jets bring more than out of them, bodies left aside.
 void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
-/// Whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the box's
-/// sides: a step from a cell's middle to the next one's does not go through a body.
+/// Returns whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the
+/// box's sides: a step from a cell's middle to the next one's does not go through a body.
 bool encloses_cells(const Coupled& coupled, const Mesh& mesh);
 
 }  // namespace tether

@@ -8,8 +8,8 @@
 
 namespace tether {
 
-/// Whether the deck has what a fluid's mesh is made of; tells what it has instead: no region that is a fluid, rigid
-/// bodies, no $mesh, a depth, a fluid that is blocks in part and of a file in part.
+/// Returns whether the deck has what a fluid's mesh is made of; reports what it has instead: no region that is a fluid,
+/// rigid bodies, no $mesh, a depth, a fluid that is blocks in part and of a file in part.
 bool check_flow_frame(const Deck& deck, Diagnostics& diagnostics);
 
 /// Tells what the deck asks for beside a fluid and cannot have, and what has no effect.

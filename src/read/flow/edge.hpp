@@ -10,7 +10,7 @@
 
 namespace tether {
 
-/// Where a node of a plane mesh is.
+/// Returns where a node of a plane mesh is.
 Vec<2> node_place(const Mesh& mesh, int node);
 
 /// The place s, -1 .. 1, of an element side of a plane mesh: the curve through its nodes in the order of the side.
@@ -27,9 +27,9 @@ struct OnEdge {
   const int* side = nullptr;                              ///< its nodes; null without an edge
   const FlowSide* of = nullptr;                           ///< of a fluid's edge: the side that it is a part of
 };
-/// Of one element side.
+/// Finds the nearest place of one element side.
 OnEdge nearest_of_side(const Mesh& mesh, const int* side, const Vec<2>& at);
-/// Of many.
+/// Finds the nearest place of many sides.
 OnEdge nearest_of_sides(const Mesh& mesh, const Sides& sides, const Vec<2>& at);
 
 /// The edge of a fluid's mesh, that of its holes included.

@@ -24,8 +24,8 @@ FlowVector flow_vector_of(const Deck& deck, const std::array<TextVariable, 2>& n
 
 /// All of the boundary, by boundary_on; of a periodic pair both sides, one behind the other.
 std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics);
-/// What forces are recorded of: sides of the fluid's mesh, bodies and sides of these; `solids` is null where there are
-/// none.
+/// Lists what forces are recorded of: sides of the fluid's mesh, bodies and sides of these; `solids` is null where
+/// there are none.
 std::vector<ForceSide> force_sides_of(const Deck& deck, const Mesh& mesh, const Solids* solids,
                                       Diagnostics& diagnostics);
 /// Flow::twin of periodic pairs among these sides.

@@ -16,7 +16,7 @@ namespace tether {
 void check_fem(const Deck& deck, const std::optional<ParticleFile>& particles, const Scene& scene,
                Diagnostics& diagnostics);
 
-/// Of a scene that runs by bars takes the outputs that need a grid, and warns where the deck asks for them.
+/// Takes the outputs that need a grid from a scene that runs by bars, and warns where the deck asks for them.
 void drop_grid_outputs(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace tether

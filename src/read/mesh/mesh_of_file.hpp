@@ -19,8 +19,8 @@ struct DeckMeshes {
   std::optional<Mesh> fluid, bodies;
 };
 
-/// Whether region r is a physical group of the file that $mesh names. In a deck with a fluid a region that has vertices
-/// is a block all the same.
+/// Returns whether region r is a physical group of the file that $mesh names. In a deck with a fluid a region that has
+/// vertices is a block all the same.
 bool is_of_file(const Deck& deck, int r);
 
 /// Reports a fluid, or bodies in it, that are of the file in part and blocks in part, and of a file that no region

@@ -17,7 +17,7 @@ namespace tether {
 /// they are one rigid body, without laws and supports. A static problem that supports leave free to move as a whole is
 /// a mistake of its own.
 void add_solids(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
-/// The same on a mesh that has been made; nothing where it is wrong, which has been reported.
+/// Does the same on a mesh that has been made; nothing where it is wrong, which has been reported.
 void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// Loads of $fem on a mesh, and supports of $fem and of the walls that its nodes stand on at the start.

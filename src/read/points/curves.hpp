@@ -35,7 +35,7 @@ using Stretch = std::variant<Straight, EllipseArc, Cubic>;
 /// A chain of smooth stretches, each beginning where the one before ends, measured along its length.
 class Curve {
  public:
-  /// Of one stretch at least.
+  /// Makes a curve of one stretch at least.
   explicit Curve(std::vector<Stretch> stretches);
 
   double length() const { return begins_.back(); }  // [length]
@@ -70,7 +70,7 @@ constexpr double same_place = 1e-9;
 
 double distance(const Vec<2>& a, const Vec<2>& b);
 
-/// Whether the last end meets the first one.
+/// Returns whether the last end meets the first one.
 bool is_closed(const Curve& curve);
 
 /// Ends at which a point must stand.

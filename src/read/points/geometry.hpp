@@ -11,7 +11,7 @@
 
 namespace tether {
 
-/// By cyl: a plane scene, or one about the axis x = 0.
+/// Returns what cyl says: a plane scene, or one about the axis x = 0.
 Geometry geometry_of(const Deck& deck);
 
 /// Tells where the grid or its left wall cannot be what a scene about an axis needs.

@@ -15,7 +15,7 @@ struct NumberedCurve {
   Curve curve;
 };
 
-/// Whether $membrane gives a curve of any membrane.
+/// Returns whether $membrane gives a curve of any membrane.
 bool gives_curves(const Deck& deck);
 
 /// Numbers of the curves of membrane b, in their order.

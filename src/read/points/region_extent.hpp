@@ -15,7 +15,7 @@ struct Extent {
 /// 1e-5 of itself.
 Extent drawn_extent(const RegionShape& shape, const BackgroundGrid& grid, Geometry geometry);
 
-/// The same of the part that two regions share.
+/// Returns the same for the part that two regions share.
 Extent shared_extent(const RegionShape& one, const RegionShape& other, const BackgroundGrid& grid, Geometry geometry);
 
 }  // namespace tether

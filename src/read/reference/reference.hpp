@@ -30,7 +30,7 @@ std::size_t count_bodies(const Scene& scene) {
   return count;
 }
 
-/// Whether no point of a body moves at the start.
+/// Returns whether no point of a body moves at the start.
 inline bool begins_at_rest(const Scene& scene, const Body& body) {
   for (std::size_t p = body.first; p < body.first + body.count; ++p) {
     if (scene.points.vx[p] != 0 || scene.points.vy[p] != 0) return false;

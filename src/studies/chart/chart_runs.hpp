@@ -45,9 +45,9 @@ struct Measurement {
   std::vector<std::size_t> contradicting = {};  ///< families that lead elsewhere, by more than both bounds
 };
 
-/// What a family's cells lead to, as far as it can be trusted: its values come near it with an order of 0.5 or more,
-/// and not above theory's by more than 1 (5 where there is none). The bound is the larger of its distance from the
-/// finest value and that from what the meshes before led to. None for fewer than three meshes.
+/// Returns what a family's cells lead to, as far as it can be trusted: its values come near it with an order of 0.5 or
+/// more, and not above theory's by more than 1 (5 where there is none). The bound is the larger of its distance from
+/// the finest value and that from what the meshes before led to. None for fewer than three meshes.
 std::optional<Limit> trusted_limit(const Family& family, const std::vector<double>& values);
 
 /// Errors from values, and where there is no exact answer, the answer: the limit that is best bounded of those that the

@@ -17,7 +17,7 @@ struct Point {
   double error = 0;  ///< over the answer
 };
 
-/// Of each run, the coarsest first, the largest error from it on: one that finer runs do not keep was chance.
+/// Returns for each run, the coarsest first, the largest error from it on: one that finer runs do not keep was chance.
 std::vector<double> lasting(std::span<const double> error);
 
 /// The runs that no other one beats: none is as cheap and as accurate and better in one of the two. By ascending cost.

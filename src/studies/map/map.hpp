@@ -35,7 +35,7 @@ struct Outcome {
 /// word of Failure; "tells nothing" where that is nothing of the scene.
 std::string verdict_of(const Criterion& criterion, const FinishedRun& run);
 
-/// What theory says for a bisected square: the number read off the run of the largest value that holds.
+/// Returns what theory says for a bisected square: the number read off the run of the largest value that holds.
 double bisected_theory(const Outcome& outcome, std::size_t square);
 
 /// Where the verdict changes between two neighbouring values of an axis.

@@ -45,7 +45,7 @@ class RunFiles {
   /// A number of that deck, "reg.matr(1,2)"; not a number where the deck has none.
   double deck_value(const std::string& element) const;
 
-  /// Of a bisection's outcome.nc: "largest_holding", which is not a number where none held.
+  /// Returns a value of a bisection's outcome.nc: "largest_holding", which is not a number where none held.
   double outcome(const std::string& name) const;
 
  private:

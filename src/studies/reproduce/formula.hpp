@@ -58,7 +58,7 @@ class Formula {
   /// its functions take.
   std::vector<std::string> keys() const;
   std::vector<std::string> columns() const;
-  /// Whether the deck that ran is all that it needs: it has no names, and no function of what the run wrote.
+  /// Returns whether the deck that ran is all that it needs: it has no names, and no function of what the run wrote.
   bool of_deck() const { return of_deck_; }
 
   /// Its value, the names being keys of summary.txt.

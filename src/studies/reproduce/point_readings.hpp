@@ -46,8 +46,8 @@ std::vector<std::string> scene_value_names();
 /// std::out_of_range for a name that is none.
 double scene_value(const Scene& scene, const std::string& name);
 
-/// What a body's stress grows with: Young's modulus of a solid or a membrane, the bulk modulus of a linear fluid, of a
-/// gas its specific energy at the start. Bodies count from 1; not a number where there is no such body.
+/// Returns what a body's stress grows with: Young's modulus of a solid or a membrane, the bulk modulus of a linear
+/// fluid, of a gas its specific energy at the start. Bodies count from 1; not a number where there is no such body.
 double modulus_of(const Scene& scene, int body);
 
 }  // namespace tether::published

@@ -21,7 +21,7 @@ struct ReportRow {
 /// A number in five digits; several runs' as `median +- standard deviation (runs that show it of all)`; "-" of none.
 std::string value_text(const Measured& measured);
 
-/// What the thesis prints, with its places, "or" between what contradicts itself; "-" where it prints nothing.
+/// Says what the thesis prints, with its places, "or" between what contradicts itself; "-" where it prints nothing.
 std::string published_text(const PublishedQuantity& quantity);
 
 /// A quantity next to what both methods' runs show. A method that has no runs stands as "-" and is not judged.

@@ -36,7 +36,7 @@ class ImmersedBlocks {
   static constexpr std::size_t places = 3;
   std::size_t size_of(const Pair& pair) const;
   std::size_t number_of(int a, int b) const;
-  /// Where the nodes of an element begin in the block of a pair.
+  /// Returns where the nodes of an element begin in the block of a pair.
   std::size_t begin_of(int element, const Pair& pair) const;
   int element_of(std::size_t carried) const { return map_.cells()[map_.cell_of(carried)]; }
 

@@ -34,7 +34,7 @@ class ImmersedMap {
   /// Number in cells() of the one that a solid node is in.
   std::size_t cell_of(std::size_t node) const { return cell_[node]; }
   int nodes_per_cell() const { return count_; }
-  /// Of a cell its nodes, of twins the one whose unknowns they share; of a solid node their functions there.
+  /// Returns the nodes of a cell, of twins the one whose unknowns they share; for a solid node, their functions there.
   std::span<const int> nodes(std::size_t cell) const { return std::span(nodes_).subspan(cell * size(), size()); }
   std::span<const double> parts(std::size_t node) const { return std::span(parts_).subspan(node * size(), size()); }
 
@@ -64,7 +64,8 @@ class ExcessInertia {
                            const NodalPattern& pattern, SparseMatrix& S) const = 0;
 };
 
-/// Of solids whose densities are those less the fluid's; null where all are the fluid's own. They must outlive it.
+/// Makes the inertia of solids whose densities are those less the fluid's; null where all are the fluid's own. They
+/// must outlive it.
 std::unique_ptr<ExcessInertia> make_excess_inertia(const Solids& excess);
 
 }  // namespace tether::fem

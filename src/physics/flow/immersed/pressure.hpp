@@ -50,7 +50,7 @@ class ImmersedPressure {
   const std::vector<int>& elements() const { return elements_; }
   /// Rows for the four pressures of each, columns for two numbers of each solid node: int q div W.
   EigenSparse divergence() const;
-  /// Of element k the sums of eps tau grad q . grad s, 4 x 4.
+  /// Returns for element k the sums of eps tau grad q . grad s, 4 x 4.
   std::span<const double, 16> extension(std::size_t k) const {
     return std::span<const double, 16>(extension_.data() + 16 * k, 16);
   }

@@ -22,7 +22,8 @@ struct BodyRates {
   Vec<2> acceleration{};  ///< dv/dt [volume length/time2]
 };
 
-/// Of each region of a plane mesh; dv/dt = rate + (v . grad) v by the mesh's own functions, as ExcessInertia has it.
+/// Returns the rates of each region of a plane mesh; dv/dt = rate + (v . grad) v by the mesh's own functions, as
+/// ExcessInertia has it.
 std::vector<BodyRates> body_rates(const Mesh& mesh, const BodyMotion& motion);
 
 /// Adds the forces at the region's nodes that make something of this density in its place go with it, in spite of

@@ -97,7 +97,7 @@ class ImmersedSolids {
   void lead_to_carried(std::span<double> free, std::span<double> held) const;
   /// Adds what the fluid's nodes get of forces at solid nodes to f.
   void spread(std::span<const double> forces, std::span<double> f) const;
-  /// Of the carried nodes, in their order.
+  /// Returns the map of the carried nodes, in their order.
   const ImmersedMap& map() const { return map_; }
 
   const Solids& solids() const { return solids_; }

@@ -136,7 +136,7 @@ class Momenta {
   }
 
  private:
-  /// What a layer's points have at their four nodes, row by row.
+  /// Finds what a layer's points have at their four nodes, row by row.
   static HWY_INLINE void velocities(const LanePoints& P, const Tile& tile, std::size_t k, std::size_t sub, V<D>* x,
                                     V<D>* y) {
     if constexpr (affine) {

@@ -34,7 +34,7 @@ HWY_INLINE V<D> product(const V<D> a[6], const V<D> b[6]) {
   return (a[0] * b[0] + a[1] * b[1]) + all<D>(0.25) * ((a[2] * b[2] + a[3] * b[3]) + (a[4] * b[4] + a[5] * b[5]));
 }
 
-/// What the way to the nodes costs: |given|^2 - 2 given . old, with the field of the old velocities in the tile.
+/// Books what the way to the nodes costs: |given|^2 - 2 given . old, with the field of the old velocities in the tile.
 template <class D>
 HWY_INLINE void book_way_there(const LaneWork& work, Tile& tile) {
   for (std::size_t k = 0; k < tile.layers; ++k) {

@@ -44,7 +44,7 @@ HWY_NOINLINE void gather_value(const double* row, std::ptrdiff_t nx, const Tile&
     }
   }
 }
-/// The same of velocities and the fields about points.
+/// Does the same for velocities and the fields about points.
 template <class D, class Kernel>
 HWY_NOINLINE void gather_motion(const double* row_x, const double* row_y, std::ptrdiff_t nx, Tile& tile) {
   for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
@@ -98,7 +98,7 @@ class TakingIncrements {
   typename Kernel::template Value<D> a_x_, a_y_, u_x_, u_y_;
 };
 
-/// What points carry: their velocity, and by APIC the field about them.
+/// Returns what points carry: their velocity, and by APIC the field about them.
 template <class D, bool affine>
 HWY_INLINE Motion<D> motion_of(const LaneWork& work, std::size_t p) {
   Motion<D> motion;
@@ -205,7 +205,7 @@ HWY_NOINLINE void record_motion(const LaneWork& work, const Tile& tile) {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) record_motion<D>(work, tile, k, sub);
   }
 }
-/// Of gas the stress, and not what it is over the density.
+/// Records the stress; of gas, too, it is not what is over the density.
 template <class D, bool axis>
 HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {
   for (std::size_t k = 0; k < tile.layers; ++k) {

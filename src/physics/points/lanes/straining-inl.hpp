@@ -35,7 +35,7 @@ class Straining {
   HWY_INLINE Straining(const LaneGrid& grid, const Field& field, std::size_t sub)
       : in_plane_(grid, field, sub), radial_(field.x, grid.nx, sub), other_(field.other_x, grid.nx, sub) {}
 
-  /// Of a layer at radius x; slots without a point have no mass.
+  /// Returns the rates of a layer at radius x; slots without a point have no mass.
   HWY_INLINE Rates<D> at(const typename Kernel::template Weights<D>& w, V<D> x, V<D> mass) const {
     Rates<D> rate = in_plane_.at(w);
     if constexpr (axis) rate.zz = radial(w) / hn::IfThenElse(mass > hn::Zero(D()), x, all<D>(1));

@@ -63,14 +63,14 @@ class Putting {
     HWY_INLINE std::ptrdiff_t begin(std::size_t l) const { return first + static_cast<std::ptrdiff_t>(l) * nx; }
   };
   HWY_INLINE Lines lines(std::size_t sub) const { return lines_at(end_ - static_cast<std::ptrdiff_t>(lanes - sub)); }
-  /// What cells give to the nodes of line l of the kernel: to the first along x, the second and the third.
+  /// Adds what cells give to the nodes of line l of the kernel: to the first along x, the second and the third.
   HWY_INLINE void put(std::size_t q, std::size_t l, Lines to, V<D> first, V<D> second, V<D> third) {
     add_to<D>(rows[q] + to.begin(l), (first + one_[q][l].follow(second)) + two_[q][l].follow(third));
   }
   HWY_INLINE void put(std::size_t q, std::size_t l, Lines to, V<D> first, V<D> second) {
     add_to<D>(rows[q] + to.begin(l), first + one_[q][l].follow(second));
   }
-  /// What is left of the last cells of a run of groups.
+  /// Adds what is left of the last cells of a run of groups.
   HWY_INLINE void close() {
     if (end_ >= 0) rest();
     end_ = -1;

@@ -137,7 +137,7 @@ struct LanePasses {
   Pass accelerate_book_move_and_map = nullptr;
 };
 
-/// Of a method's kernel, transfer and order.
+/// Returns the passes of a method's kernel, transfer and order.
 LanePasses lane_passes(InstructionSet set, const Method& method, Geometry geometry);
 
 }  // namespace tether::mpm
