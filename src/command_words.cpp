@@ -36,7 +36,7 @@ const CLI::App* find_command(const CLI::App& app, const std::string& name) {
 /// "--out" of "--out" and of "--out=DIR".
 std::string option_name(const std::string& word) { return word.substr(0, word.find('=')); }
 
-/// Whether some command, or a run, has an option of this name whose value is the next word.
+/// Returns whether some command, or a run, has an option of this name whose value is the next word.
 bool takes_next_word(const CLI::App& app, const std::string& word) {
   if (word.find('=') != std::string::npos) return false;
   const auto wants = [&word](const CLI::App& one) {

@@ -47,7 +47,7 @@ std::string warnings_text(const std::string& name, const Loaded& loaded) {
   return text;
 }
 
-/// What does no harm is one line, so that it hides no warning; `where` says who reports all of it.
+/// Writes the remarks. What does no harm is one line, so that it hides no warning; `where` says who reports all of it.
 std::string remarks_text(const std::string& name, const Loaded& loaded, const std::string& where) {
   const auto count = loaded.remarks.size();
   return count == 0 ? "" : fmt::format("{}: {} remark{} {}\n", name, count, count == 1 ? "" : "s", where);
@@ -58,7 +58,7 @@ std::string line_of(const std::string& name, const std::string& remark) {
   return remark.empty() ? "" : fmt::format("{}: {}\n", name, remark);
 }
 
-/// Whether the closing line names a key: what the run was for and what it can be trusted by.
+/// Returns whether the closing line names a key: what the run was for and what it can be trusted by.
 bool closes_with(const std::string& key, const std::string& value) {
   constexpr std::array names{"cpu_seconds",          "period",
                              "momentum_drift",       "angular_momentum_drift",
@@ -69,7 +69,7 @@ bool closes_with(const std::string& key, const std::string& value) {
   return key.starts_with("error_") || key.starts_with("drag_") || key.starts_with("lift_");
 }
 
-/// Of bodies too thin for the cells where they stand at the start, as a run warns, too.
+/// Warns of bodies too thin for the cells where they stand at the start, as a run does, too.
 std::string thin_bodies_text(const std::string& name, const Scene& scene) {
   const std::string thin = coupled::thin_text(scene);
   return thin.empty() ? "" : fmt::format("{}: warning: {}\n", name, thin);
@@ -85,13 +85,13 @@ std::string outcome_text(const std::string& name, const std::filesystem::path& f
   return fmt::format("{}in {}\n", line, folder.string());
 }
 
-/// With its own warnings, its cost as the first steps show it, and whether splitting would hold.
+/// Prints the plan with its own warnings, its cost as the first steps show it, and whether splitting would hold.
 void print_plan(const Loaded& loaded) {
   const Plan& plan = loaded.plan;
   fmt::print("{}{}{}", to_text(rehearsed(plan)), regions_text(loaded.deck, plan.scene), coupled::splitting_text(plan));
 }
 
-/// What is said before the first step.
+/// Returns what is said before the first step.
 std::string opening_text(const std::string& name, const Loaded& loaded, const RunOptions& options,
                          const std::filesystem::path& folder) {
   const std::string where = options.dry_run ? shown_by_check : "in " + (folder / "messages.txt").string();
@@ -99,7 +99,7 @@ std::string opening_text(const std::string& name, const Loaded& loaded, const Ru
          remarks_text(name, loaded, where);
 }
 
-/// What the run hears of the command line and says back.
+/// Returns what the run hears of the command line and says back.
 RunRequest request_for(const std::string& name, const Loaded& loaded, const std::filesystem::path& folder,
                        const RunOptions& options, ProgressLine& progress, Voice& voice) {
   RunRequest request = request_of(loaded, folder, options.command);

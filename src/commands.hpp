@@ -12,7 +12,8 @@ namespace tether {
 /// Version, git hash and libraries.
 std::string version_text();
 
-// Each command tells its errors on stderr and returns the exit code; of several decks all are run and the worst counts.
+// Each command reports its errors on stderr and returns the exit code; of several decks all are run and the worst
+// counts.
 int run_command(const std::vector<std::string>& decks, const DeckOptions& options, const RunOptions& run_options);
 int check_command(const std::string& deck, const DeckOptions& options, bool all);
 int plan_command(const std::string& deck, const DeckOptions& options, int threads);

@@ -26,7 +26,7 @@ namespace {
 
 using namespace tether;
 
-/// Of an option whose value must not be empty.
+/// Refuses an option whose value must not be empty.
 std::string refuse_empty(const std::string& value, const char* wanted) {
   return value.empty() ? fmt::format("{} is wanted", wanted) : std::string();
 }
@@ -53,7 +53,7 @@ void add_threads(CLI::App& app, int& threads, const std::string& otherwise) {
       ->check(CLI::Range(1, 1024));
 }
 
-/// What all commands of many runs take.
+/// Adds what all commands of many runs take.
 void add_many_runs(CLI::App& app, RunOptions& options) {
   app.add_option("--jobs", options.jobs, "runs side by side (default: as many as there are cores for their threads)")
       ->check(CLI::Range(1, 1024));
@@ -170,8 +170,8 @@ void heed(int signal) {
   if (std::signal(signal, end_by) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
-/// A file over the size limit is told as a failed write, with exit code 4. A sweep hears of its runs' ends whatever the
-/// caller left. What is printed where a standard stream is closed must not land in a file that takes its number.
+/// A file over the size limit is reported as a failed write, with exit code 4. A sweep hears of its runs' ends whatever
+/// the caller left. What is printed where a standard stream is closed must not land in a file that takes its number.
 /// CHOLMOD starts threads for each supernode, which for factors of this size costs more than it saves.
 void settle_in() {
   keep_freed_memory();
@@ -185,7 +185,7 @@ void settle_in() {
   }
 }
 
-/// What every wrong command line ends with.
+/// Says what every wrong command line ends with.
 int refuse(const std::string& why) {
   std::fputs(with_short_words(why).c_str(), stderr);
   return exit_input;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double terminal_seconds = 0.1, plain_seconds = 10;  // between lines
 
-/// Of the terminal, which may change; one less, so that the cursor stays in the line.
+/// Returns the width of the terminal, which may change; one less, so that the cursor stays in the line.
 std::size_t terminal_width() {
   constexpr std::size_t usual = 80;
   winsize size{};

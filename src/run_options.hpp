@@ -12,7 +12,7 @@ struct RunOptions {
   int threads = 0;      ///< of a run; 0: as many as are worth it
   int jobs = 0;         ///< runs of a sweep side by side
   std::string restart;  ///< checkpoint to go on from; empty: from the start
-  std::string log;      ///< file for all that the terminal is told; empty: none
+  std::string log;      ///< file for all that the terminal shows; empty: none
   bool quiet = false;
   bool dry_run = false;
   std::string command;  ///< as it was typed, for provenance

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 /// Longer titles are cut after a word.
 constexpr std::size_t longest_title = 100;
 
-/// Where the first sentence ends: before a line or after a full stop that a capital follows.
+/// Returns where the first sentence ends: before a line or after a full stop that a capital follows.
 std::size_t end_of_sentence(const std::string& header) {
   for (std::size_t k = 1; k + 1 < header.size(); ++k) {
     const bool capital = std::isupper(static_cast<unsigned char>(header[k + 1])) != 0;
@@ -47,7 +47,7 @@ std::string name_of(const fs::path& deck, const fs::path& decks) {
   return deck.lexically_relative(decks).replace_extension().generic_string();
 }
 
-/// What a file is called where all are next to each other.
+/// Names a file where all are next to each other.
 std::string flat_name(const fs::path& file, const fs::path& decks) {
   const fs::path inside = file.lexically_relative(decks);
   if (*inside.begin() == "..") return file.filename().string();

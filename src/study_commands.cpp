@@ -67,7 +67,7 @@ Work chart_work(const std::string& name, const RunOptions& options) {
   };
 }
 
-/// Its work is false where a run tells nothing.
+/// Its work is false where a run says nothing.
 Work map_work(const std::string& name, const RunOptions& options) {
   return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
     if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;

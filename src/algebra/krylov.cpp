@@ -99,7 +99,8 @@ constexpr double enough_progress = 0.1;
 
 }  // namespace
 
-/// Where the recurrence has broken down, or ended short of the residual itself, it begins anew from the best x.
+/// Solves by BiCGSTAB. Where the recurrence has broken down, or ended short of the residual itself, it begins anew from
+/// the best x.
 KrylovResult bicgstab(const SparseMatrix& A, std::span<const double> b, std::span<double> x, double tolerance, int most,
                       const IncompleteLu& factors) {
   KrylovResult result;

@@ -26,7 +26,7 @@ void MultigridLevel::make_slabs() {
   for (std::size_t i = 0; i < inverse.size(); ++i) order_row(i);
 }
 
-/// What is swept before row i comes first in it, and what is swept after it comes next.
+/// Orders row i. What is swept before row i comes first in it, and what is swept after it comes next.
 void MultigridLevel::order_row(std::size_t i) {
   const auto before = [&](std::int32_t j) {
     const std::size_t round = round_of(i), its = round_of(at(j));

@@ -171,9 +171,9 @@ bool SaddleSolver::renew_pressure(const SparseMatrix& K) {
   return pressure_factorised_;
 }
 
-/// What S has for a constant pressure in a closed flow, p S p: as S p = 0 for the constant of all pressures, it is what
-/// S has on its diagonal for the prescribed one. Mp gives far more: p Mp p is the whole mass. The prescribed one may be
-/// left out of Mp; the least of its diagonal is taken, for too much costs accuracy, too little an iteration.
+/// Finds what S has for a constant pressure in a closed flow, p S p: as S p = 0 for the constant of all pressures, it
+/// is what S has on its diagonal for the prescribed one. Mp gives far more: p Mp p is the whole mass. The prescribed
+/// one may be left out of Mp; the least of its diagonal is taken, for too much costs accuracy, too little an iteration.
 void SaddleSolver::find_constant(const SparseMatrix& K) {
   free_.assign(pressures_.size(), 0.0);
   constant_ = 0;

@@ -8,7 +8,7 @@
 namespace tether {
 namespace {
 
-/// For each node the nodes of its clusters, itself among them, ascending.
+/// Returns for each node the nodes of its clusters, itself among them, ascending.
 std::vector<std::vector<int>> neighbours_of(std::size_t node_count, const Lists& clusters) {
   std::vector<std::vector<int>> neighbours(node_count);
   for (std::size_t c = 0; c < clusters.size(); ++c) {

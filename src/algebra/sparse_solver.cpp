@@ -17,7 +17,7 @@ struct NodeGraph {
   std::vector<std::int64_t> first{0};  // unknown of each node, and their number
 };
 
-/// `block_start` tells of nodes with different numbers of unknowns; where it is empty, each has `block`.
+/// `block_start` is for nodes with different numbers of unknowns; where it is empty, each has `block`.
 NodeGraph graph_of(const SparseMatrix& A, std::int64_t block, const std::vector<int>& block_start) {
   NodeGraph graph;
   if (block_start.empty()) {

@@ -56,7 +56,7 @@ struct Diagnostic {
   std::string line_text;  ///< the line as written, without its end; empty if the place names none
   std::string message;    ///< what is wrong
   std::string hint;       ///< what would be right, or empty
-  bool moot = false;      ///< an error that only follows from another one, which was told: it counts, but is not told
+  bool moot = false;      ///< an error that only follows from a reported one: it counts, but is not reported
 };
 
 /// `file:line:column: error: message`, the line, a caret under the column, the hint. Ends with a newline.
@@ -73,7 +73,7 @@ class InputError : public std::runtime_error {
   std::vector<Diagnostic> diagnostics_;
 };
 
-/// Collects remarks so that all of them are told at once.
+/// Collects remarks so that all of them are reported at once.
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic) { all_.push_back(std::move(diagnostic)); }

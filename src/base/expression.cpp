@@ -62,7 +62,7 @@ std::vector<std::string> known_words() {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Behind the number at `at`, with its exponent; `at` where there is none.
+/// Returns the place after the number at `at`, with its exponent; `at` where there is none.
 std::size_t behind_number(std::string_view text, std::size_t at) {
   const auto digits = [&](std::size_t k) {
     while (k < text.size() && is_digit(text[k])) ++k;
@@ -159,7 +159,8 @@ struct Expression::Parser {
 
 namespace {
 
-/// The place of a mistake of the grammar; muParser's -1 stands for the end, and of a colon it tells the place behind.
+/// The place of a mistake of the grammar; muParser's -1 stands for the end, and for a colon it gives the place after
+/// it.
 std::size_t place_of(const mu::ParserError& error, const std::string& text) {
   const auto at = static_cast<long long>(error.GetPos()) - (error.GetCode() == mu::ecMISPLACED_COLON ? 1 : 0);
   return at < 0 ? text.size() : std::min(static_cast<std::size_t>(at), text.size());

@@ -30,7 +30,7 @@ using Handle = std::unique_ptr<std::FILE, Close>;
   throw FileError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
 }
 
-/// What stands in the place of a regular file.
+/// Says what stands in the place of a regular file.
 std::string kind_of(mode_t mode) {
   if (S_ISFIFO(mode)) return "a pipe";
   if (S_ISSOCK(mode)) return "a socket";
@@ -179,7 +179,7 @@ bool FolderLock::take() {
   return false;
 }
 
-/// Whether the file that is open is the one that stands at the path.
+/// Returns whether the file that is open is the one that stands at the path.
 bool FolderLock::is_in_place() const {
   struct stat ours {
   }, there{};

@@ -69,7 +69,7 @@ std::optional<double> parse_real(std::string_view text) {
     if (exponent.empty()) return std::nullopt;
     c_spelling.append("e").append(exponent);
   }
-  // strtod, not from_chars: it tells overflow (infinity) from underflow (0 or the nearest subnormal).
+  // strtod, not from_chars: it distinguishes overflow (infinity) from underflow (0 or the nearest subnormal).
   const double size = std::strtod(c_spelling.c_str(), nullptr);
   return negative ? -size : size;
 }

@@ -90,6 +90,6 @@ void keep_freed_memory();
 double peak_memory_mb();
 
 std::string program_version();  ///< "0.1.0"
-std::string git_hash();         ///< of the tree this program was built from, "-dirty" behind it if it had changes
+std::string git_hash();         ///< of the tree this program was built from, "-dirty" after it if it had changes
 
 }  // namespace tether

@@ -15,7 +15,7 @@ namespace {
 
 std::string key_of(const Variable& variable) { return fmt::format("{}.{}", variable.group, variable.name); }
 
-/// Whether an item has a value that is not null.
+/// Returns whether an item has a value that is not null.
 bool says_something(const Item& item) {
   return std::any_of(item.values.begin(), item.values.end(),
                      [](const ItemValue& value) { return value.kind != ItemValue::Kind::null; });
@@ -57,7 +57,7 @@ class Filling {
   bool told_twice_ = false;
   Remarks& remarks_;
   long long next_ = 0;    ///< the element the next value goes to
-  long long filled_ = 0;  ///< behind the last element that got a value
+  long long filled_ = 0;  ///< after the last element that got a value
 };
 
 bool Filling::take(const ItemValue& value, long long& budget) {
@@ -67,7 +67,7 @@ bool Filling::take(const ItemValue& value, long long& budget) {
     next_ += room > 0 ? 1 : 0;
     return true;
   }
-  // Told before anything is expanded: a count may be as large as a user can write.
+  // This is reported before anything is expanded: a count may be as large as a user can write.
   if (value.count > room) return too_many(value);
   const auto converted = null ? std::nullopt : convert(variable_, elements_.at(next_), value, remarks_);
   for (long long k = 0; converted && k < value.count && --budget >= 0; ++k) {

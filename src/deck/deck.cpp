@@ -84,7 +84,7 @@ Deck Deck::with_particle_data(const std::vector<std::string>& particle_lines) co
   contents.values.erase("in.particles");
   contents.trailer.text.clear();
   for (const auto& line : particle_lines) {
-    if (opener_of(line)) break;  // no data begin so: this is a note behind them
+    if (opener_of(line)) break;  // no data begin so: this is a note after them
     contents.trailer.text += line + "\n";
   }
   return Deck(std::move(contents));

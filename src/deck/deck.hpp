@@ -22,7 +22,7 @@ constexpr std::string_view override_file = "--set";
 /// Subscripts from 1; (i) is {i, 1}, a scalar is {1, 1}.
 using Subscript = std::array<int, 2>;
 
-/// Text behind the last group, in which particle data may stand.
+/// Text after the last group, in which particle data may stand.
 struct Trailer {
   int first_line = 0;  ///< line of the deck at which it begins, from 1
   std::string text;
@@ -96,7 +96,7 @@ class Deck {
   /// The text of a line of the deck (empty for line 0), for diagnostics.
   std::string line_text(const Place& place) const;
   /// A remark on an element's value, at its place, with its line; an error is moot where the deck tried in vain to give
-  /// the element, which was told.
+  /// the element, which was reported.
   Diagnostic remark(Severity severity, AnyVariable variable, Subscript at, std::string message,
                     std::string hint = {}) const;
   /// A remark on a group as a whole, where it opens.

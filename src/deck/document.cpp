@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-/// Whether the defaults of regions 1..nreg are shown: where there are any, and they do not stand for "none".
+/// Returns whether the defaults of regions 1..nreg are shown: where there are any, and they do not stand for "none".
 bool shows_region_defaults(const Variable& variable) {
   return variable.rank == 1 && variable.n1 == region_count && !variable.fallback.empty() && variable.fallback != "1e30";
 }
@@ -82,7 +82,7 @@ std::string check_line(const Deck& deck, const Variable& variable, Subscript at,
                                    variable.effect == Effect::none ? no_effect : ""));
 }
 
-/// Whether a given element says more than its default does.
+/// Returns whether a given element says more than its default does.
 bool differs(const Deck& deck, const Variable& variable, Subscript at) {
   const auto fallback = default_value(variable);
   return !fallback || value_text(deck.value(AnyVariable(variable), at[0], at[1])) != value_text(*fallback);

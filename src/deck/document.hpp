@@ -9,7 +9,7 @@
 namespace tether {
 
 /// A deck that reads back with the same values, bit by bit, and shows the defaults too: the header lines, every group
-/// with what the deck gives and the defaults of scalars and of regions 1..nreg, the text behind the groups.
+/// with what the deck gives and the defaults of scalars and of regions 1..nreg, the text after the groups.
 /// A variable that has no default and is not given is left out.
 std::string effective_deck(const Deck& deck);
 

@@ -150,7 +150,7 @@ std::nullopt_t Conversion::wrong_type() {
   return fail(fmt::format("{} must be {}, not {}", name_, type_text(type), in_quotes(value_.text)), hint);
 }
 
-/// What a word without quotes was to be: itself in quotes, where that is a choice.
+/// Says what a word without quotes was to be: itself in quotes, where that is a choice.
 std::string Conversion::text_hint() const {
   const auto choices = split_choices(variable_);
   const bool any = choices.empty() || std::find(choices.begin(), choices.end(), lower(value_.text)) != choices.end();

@@ -23,11 +23,11 @@ struct Elements {
 /// "nx", "rix(2)", "xvi(1,2)".
 std::string element_name(const Variable& variable, Subscript at);
 
-/// Which elements an item fills; a wrong subscript is told and gives nothing.
+/// Which elements an item fills; a wrong subscript is reported and gives nothing.
 std::optional<Elements> resolve_elements(const Variable& variable, const Item& item, Remarks& remarks);
 
 /// The value that a deck wrote for an element, of the variable's type, within its range and choices; what is not is
-/// told, and nothing given.
+/// reported, and nothing given.
 std::optional<DeckValue> convert(const Variable& variable, Subscript at, const ItemValue& value, Remarks& remarks);
 
 }  // namespace tether

@@ -13,7 +13,8 @@ namespace {
 
 bool ends_word(char c) { return !is_plain(c) || std::string_view(",;/=()!'\":$&").find(c) != std::string_view::npos; }
 
-/// What cannot follow a text in quotes: the text was closed too soon, or is not meant to be closed there.
+/// Returns whether this cannot follow a text in quotes: the text was closed too soon, or is not meant to be closed
+/// there.
 bool begins_value(char c) { return c == '\'' || c == '"' || !ends_word(c); }
 
 class Lexer {
@@ -60,7 +61,7 @@ class Lexer {
 
 LexedDeck Lexer::deck() {
   LexedDeck result;
-  std::size_t outside = 0;  // first line behind the last group so far
+  std::size_t outside = 0;  // first line after the last group so far
   bool closed = false;
   while (line_ < end_) {
     const auto opener = opener_of(line());
@@ -76,7 +77,7 @@ LexedDeck Lexer::deck() {
     outside = line_;
   }
   if (closed) result.trailer = trailer(outside);
-  if (end_ > 0) line_ = end_ - 1, column_ = line().size();  // what ends too soon is told behind the last line
+  if (end_ > 0) line_ = end_ - 1, column_ = line().size();  // what ends too soon is reported after the last line
   push(TokenKind::end_of_text);
   result.tokens = std::move(tokens_);
   return result;
@@ -129,7 +130,7 @@ void Lexer::pass_foreign_comment() {
   column_ = line().size();
 }
 
-/// The rest of a terminator's line is passed over; what was hardly meant so is told.
+/// The rest of a terminator's line is passed over; what was hardly meant so is reported.
 void Lexer::behind_terminator() {
   const auto& end = tokens_.back();
   const bool glued = line()[column_ - 1] == '/' && in_line() && !is_blank(here()) && here() != '!';
@@ -221,7 +222,7 @@ void Lexer::quoted_text() {
   tokens_.back().text = std::move(text);
 }
 
-/// One step within quotes; false behind the closing quote. A text goes on over the ends of lines, which it drops.
+/// Goes one step within quotes; false after the closing quote. A text continues over the ends of lines, which it drops.
 bool Lexer::quoted_character(char quote, std::string& text) {
   if (column_ >= line().size()) {
     next_line();
@@ -239,7 +240,7 @@ bool Lexer::quoted_character(char quote, std::string& text) {
   return true;
 }
 
-/// Tells of a text that is not closed, or whose closing quote cannot be meant to be one.
+/// Reports a text that is not closed, or whose closing quote cannot be meant to be one.
 bool Lexer::misclosed(const Token& token) {
   if (line_ == end_) {
     remarks_.error(token.line, token.column, "this quote is never closed", "End the text with the same quote.");

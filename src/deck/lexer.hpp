@@ -17,10 +17,10 @@ struct Token {
   TokenKind kind;
   std::string text;
   int line = 0, column = 0;  ///< from 1
-  bool glued = false;        ///< a quoted text right behind a '*', as in 3*'a'
+  bool glued = false;        ///< a quoted text right after a '*', as in 3*'a'
 };
 
-/// A deck, cut into the lines above its groups, the groups' tokens, and what stands behind them.
+/// A deck, cut into the lines above its groups, the groups' tokens, and what stands after them.
 struct LexedDeck {
   std::vector<std::string> header;
   std::vector<Token> tokens;  ///< ends with end_of_text

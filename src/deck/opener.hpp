@@ -14,7 +14,7 @@ namespace tether {
 struct Opener {
   std::string name;        ///< lower case, known or not
   std::size_t column = 0;  ///< of the '$' or '&', from 0
-  std::size_t end = 0;     ///< behind the name
+  std::size_t end = 0;     ///< after the name
   bool detached = false;   ///< '& in': blanks before the name of a known group
 };
 
@@ -30,7 +30,7 @@ bool is_plain(char c);    ///< visible ASCII
 bool is_control(char c);  ///< no tab; bytes above ASCII may stand in quotes (names of files in UTF-8)
 bool ends_name(std::string_view line, std::size_t at);  ///< separator, '!' or the line's end at `at`
 
-// Text outside the groups of a deck says nothing. What was meant to is told.
+// Text outside the groups of a deck says nothing. What was meant to say something is reported.
 
 /// Warns of text in lines[first] to lines[end - 1], which stand between two groups.
 void tell_of_stray_lines(const std::vector<std::string>& lines, std::size_t first, std::size_t end, Remarks& remarks);

@@ -216,7 +216,7 @@ void Parser::value(Item& item) {
   if (result.count > 0) item.values.push_back(std::move(result));
 }
 
-/// Takes r* off the value; a bad count is told and leaves 0.
+/// Takes r* off the value; a bad count is reported and leaves 0.
 void Parser::count(ItemValue& value, const Token& token, std::size_t star) {
   const auto digits = std::string_view(token.text).substr(0, star);
   const auto count = digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos

@@ -29,7 +29,7 @@ struct ItemValue {
   long long count = 1;
   bool counted = false;  ///< a count was written
   std::string text;
-  int line = 0, column = 0;  ///< of the value itself, behind its count
+  int line = 0, column = 0;  ///< of the value itself, after its count
   int count_column = 0;
 };
 
@@ -39,7 +39,7 @@ struct Item {
   bool subscripted = false;
   std::vector<Section> sections;
   std::vector<ItemValue> values;
-  bool broken = false;  ///< an error was told; subscripts and values mean nothing
+  bool broken = false;  ///< an error was reported; subscripts and values mean nothing
 };
 
 struct Group {

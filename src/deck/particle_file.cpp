@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t longest_fused_row = 280;  // 7 fields of 40 characters
 constexpr std::string_view separators = " \t,;";
 
-/// A right-adjusted Fw.d field. The '.' is what tells where a field ends: it must be there, once.
+/// A right-adjusted Fw.d field. The '.' shows where a field ends: it must be there, once.
 std::optional<double> field_number(std::string_view field) {
   field.remove_prefix(std::min(field.find_first_not_of(' '), field.size()));
   if (std::count(field.begin(), field.end(), '.') != 1) return std::nullopt;
@@ -72,7 +72,7 @@ namespace {
 
 constexpr double most_points = 1e8;
 
-/// What stands on a line before its '!', without blanks behind it.
+/// Returns what stands on a line before its '!', without blanks after it.
 std::string_view content_of(std::string_view line) {
   line = line.substr(0, line.find('!'));
   return line.substr(0, line.find_last_not_of(" \t") + 1);
@@ -255,7 +255,7 @@ void ParticleReader::store_row(std::size_t index, const RowNumbers& n) {
   file_.rows.push_back({n[0], n[1], n[2], n[3], n[4], n[5], n[6], line_number(index)});
 }
 
-/// Complete rows right behind the declared ones are too many; a note there is none of our business.
+/// Complete rows right after the declared ones are too many; a note there is none of our business.
 void ParticleReader::check_count() {
   auto found = file_.rows.size();
   skip_empty_lines();

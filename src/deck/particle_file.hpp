@@ -55,7 +55,7 @@ struct ParticleFile {
 /// The text of a line of the file, for diagnostics.
 std::string line_text(const ParticleFile& file, int line);
 
-/// Reads particle data. `first_line` is the number of the text's first line in `file` (particle data may stand behind
+/// Reads particle data. `first_line` is the number of the text's first line in `file` (particle data may stand after
 /// the groups of a deck). Mistakes go into `diagnostics`.
 /// Rows are list-directed where they split into exactly 7 numbers; else fused fixed-width: the one pair of widths
 /// (w1, w2), 2 w1 + 5 w2 = length, that makes every fused row 7 complete numbers.

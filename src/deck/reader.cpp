@@ -15,7 +15,7 @@
 namespace tether {
 namespace {
 
-/// A study tells of runs whose values stand in decks of their own.
+/// A study describes runs whose values stand in decks of their own.
 void check_study(const Deck& deck, Diagnostics& diagnostics) {
   for (const auto& group : group_names()) {
     if (group == study_group || !deck.has_group(group)) continue;
@@ -25,7 +25,7 @@ void check_study(const Deck& deck, Diagnostics& diagnostics) {
   }
 }
 
-/// Whether a region that nreg does not count has what makes one: then nreg is the likely mistake.
+/// Returns whether a region that nreg does not count has what makes one: then nreg is the likely mistake.
 bool is_described(const Deck& deck, int region) {
   return deck.given("reg.densir", region) || deck.given("reg.xvi", 1, region) || deck.given("reg.yvi", 1, region);
 }
@@ -151,7 +151,7 @@ void read_overrides(const std::vector<std::string>& overrides, Assigner& assigne
   }
 }
 
-/// Remarks in the order of the deck; behind them those on the deck as a whole, then those on overrides.
+/// Remarks in the order of the deck; after them those on the deck as a whole, then those on overrides.
 void add_in_order(const Diagnostics& found, Diagnostics& diagnostics) {
   auto all = found.all();
   std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
@@ -169,7 +169,7 @@ Deck read_deck(std::string_view text, const std::string& file, const std::vector
                Diagnostics& diagnostics) {
   Deck::Contents contents;
   contents.file = file;
-  if (auto [message, hint] = no_text(text); !message.empty()) {  // of which nothing else is worth to be told
+  if (auto [message, hint] = no_text(text); !message.empty()) {  // of which nothing else is worth a report
     diagnostics.error({file, 0, 0}, "", std::move(message),
                       hint.empty() ? "A deck has at least: $in ... $" : std::move(hint));
     return Deck(std::move(contents));
@@ -191,7 +191,7 @@ Deck read_deck(std::string_view text, const std::string& file, const std::vector
   Deck deck(std::move(contents));
   check_deck(deck, found);
   add_in_order(found, diagnostics);
-  // Last, for what is missing may be so by a mistake that was told of, such as a group that ended too soon.
+  // Last, for what is missing may be so by a mistake that was reported, such as a group that ended too soon.
   check_required(deck, assigner.mentioned(), assigner.left_empty(), diagnostics);
   return deck;
 }

@@ -87,8 +87,8 @@ double graded(double k, int n, double grading) {
   return (1 - part) * up_to(whole) + part * up_to(whole + 1);
 }
 
-/// The same of sizes that are symmetric about the middle and grow by a constant ratio from both ends to it, where the
-/// cell, or the two, are `middle` times as long as those at the ends.
+/// Returns the same for sizes that are symmetric about the middle and grow by a constant ratio from both ends to it,
+/// where the cell, or the two, are `middle` times as long as those at the ends.
 double graded_from_both(double k, int n, double middle) {
   if (n < 3 || middle == 1) return k / n;
   if (k > 0.5 * n) return 1 - graded_from_both(n - k, n, middle);

@@ -160,7 +160,7 @@ void CarriedNodes::measure_element(std::size_t e, const std::array<NodeSpacing, 
   }
 }
 
-/// Where the lines of a way stand in the mean over those across it, in the reference shape [length].
+/// Returns where the lines of a way stand in the mean over those across it, in the reference shape [length].
 std::vector<double> CarriedNodes::places_of_way(std::size_t l, std::size_t way) const {
   const NodeLattice& lattice = lattices_[l];
   const auto place = [&](std::size_t i, std::size_t j) {
@@ -176,7 +176,7 @@ std::vector<double> CarriedNodes::places_of_way(std::size_t l, std::size_t way) 
   return t;
 }
 
-/// Of each line of a way the lines taken that it follows.
+/// Returns for each line of a way the lines taken that it follows.
 std::vector<CarriedNodes::Row> CarriedNodes::rows_of_way(std::size_t l, std::size_t way) const {
   const auto [chain, reversed] = chains_of_.of[l][way];
   std::vector<std::size_t> lines = chains_[at(chain)].lines;
@@ -198,7 +198,7 @@ std::vector<CarriedNodes::Row> CarriedNodes::rows_of_way(std::size_t l, std::siz
   return rows;
 }
 
-/// Of the nodes of a lattice, those of the lattices before it keep theirs.
+/// Adds the rows of a lattice's nodes; those of the lattices before it keep theirs.
 void CarriedNodes::add_rows(std::size_t l, std::vector<Row>& rows) const {
   const NodeLattice& lattice = lattices_[l];
   const std::vector<Row> first = rows_of_way(l, 0), second = rows_of_way(l, 1);

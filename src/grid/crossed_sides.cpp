@@ -16,7 +16,7 @@ using Corners = std::array<Vec<3>, 3>;
 
 double size_of(const Vec<3>& a) { return std::sqrt(dot(a, a)); }
 
-/// Whether two numbers are of opposite signs and both larger than `near`.
+/// Returns whether two numbers are of opposite signs and both larger than `near`.
 bool opposite(double a, double b, double near) { return (a > near && b < -near) || (a < -near && b > near); }
 
 /// In the plane: whether each edge has its ends on both sides of the other's line; then where they cross.

@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-/// By A. Van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
+/// Follows A. Van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
 double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
   const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
   return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
@@ -66,7 +66,8 @@ class Sweep {
     for (std::size_t s = 0; s < surface_.side_count(); ++s) surface_.dim == 2 ? cross_edge(s) : cross_triangle(s);
   }
 
-  /// By how often the lines have entered a solid before each cell's middle, and how often what outer sheets enclose.
+  /// Marks by how often the lines have entered a solid before each cell's middle, and how often what outer sheets
+  /// enclose.
   void mark_inside() {
     out_.inside.assign(grid_.cell_count(), 0);
     out_.in_cavity.assign(grid_.cell_count(), 0);
@@ -83,7 +84,7 @@ class Sweep {
   }
 
  private:
-  /// The first line at or behind a place along an axis across the lines.
+  /// The first line at or after a place along an axis across the lines.
   int line_behind(std::size_t axis, double x) const {
     return std::clamp(static_cast<int>(std::ceil((x - grid_.low[axis]) / grid_.d[axis] - 0.5)) - 1, 0, grid_.n[axis]);
   }

@@ -43,8 +43,8 @@ std::vector<int> corners_of(ElementKind kind, const int* side) {
   return {side[0], side[p], side[line * line - 1], side[line * p]};
 }
 
-/// Whether a node lies within a side, to 1e-6 of its size: in the plane of its corners and on the inner side of each of
-/// its edges, not at a corner.
+/// Returns whether a node lies within a side, to 1e-6 of its size: in the plane of its corners and on the inner side of
+/// each of its edges, not at a corner.
 bool lies_within(const Mesh& mesh, const std::vector<int>& corners, int node) {
   using V = Vec<3>;
   const auto dim = static_cast<std::size_t>(mesh.dim());

@@ -32,7 +32,7 @@ struct HangingNode {
   int region = 0, region_of_side = 0;
 };
 std::optional<HangingNode> hanging_node(const Mesh& mesh);
-/// Tells of it; `numbers` are the deck's of the regions.
+/// Reports it; `numbers` are the deck's of the regions.
 void find_hanging(const Mesh& mesh, const std::vector<int>& numbers, std::vector<MeshFlaw>& flaws);
 
 /// Pairs of nodes in one place, to 1e-9 of the mesh's size: each node with the lowest one there, in ascending order.

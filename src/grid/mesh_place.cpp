@@ -40,7 +40,7 @@ Point<Shapes> inside(Point<Shapes> s) {
   return s;
 }
 
-/// What separates x from the place that s stands for.
+/// Returns what separates x from the place that s stands for.
 template <class Shapes>
 Point<Shapes> remainder(const Mesh& mesh, std::size_t e, const Vec<3>& x, const Point<Shapes>& s) {
   const auto N = Shapes::values(s);

@@ -30,7 +30,7 @@ struct NearestPlace {
 };
 
 /// The place of the mesh nearest to `x`, whose components beyond the mesh's dimension do not count. Where several
-/// elements share the place the first of them has it; a place at a node, as near as rounding tells, is the node alone.
+/// elements share the place the first of them has it; a place at a node, as near as rounding allows, is the node alone.
 /// A distance that is not small compared with the element is an upper bound of the distance. The mesh has an element.
 NearestPlace nearest_place(const Mesh& mesh, const Vec<3>& x);
 

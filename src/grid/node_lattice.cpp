@@ -15,7 +15,7 @@ int node_of(const Mesh& mesh, std::size_t e, std::size_t i, std::size_t j) {
   return mesh.element(e)[j * (at(order_of(mesh.kind)) + 1) + i];
 }
 
-/// Whether element b stands next to a along an axis.
+/// Returns whether element b stands next to a along an axis.
 bool follows(const Mesh& mesh, std::size_t a, std::size_t b, std::size_t axis) {
   const std::size_t order = at(order_of(mesh.kind));
   for (std::size_t k = 0; k <= order; ++k) {
@@ -76,7 +76,7 @@ using Way = std::pair<std::size_t, std::size_t>;  // lattice and way
 /// A way along an edge, and whether its nodes are listed from its end.
 using OnEdge = std::pair<Way, bool>;
 
-/// Of the nodes of each edge the ways that run along it.
+/// Returns for the nodes of each edge the ways that run along it.
 std::map<std::vector<int>, std::vector<OnEdge>> ways_of_edges(const std::vector<NodeLattice>& lattices) {
   std::map<std::vector<int>, std::vector<OnEdge>> ways;
   for (std::size_t l = 0; l < lattices.size(); ++l) {

@@ -50,7 +50,7 @@ int crossing(const Vec<3>& a, const Vec<3>& b, const Vec<3>& x, bool swapped) {
   return up && left > 0 ? 1 : down && left < 0 ? -1 : 0;
 }
 
-/// The same through a triangle.
+/// Does the same through a triangle.
 int crossing(std::span<const int> nodes, const std::array<Vec<3>, 3>& corners, const Vec<3>& x) {
   std::array<double, 3> turns{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -179,7 +179,8 @@ int OverlapFinder::turns(const Part& part, std::span<const double> q, const Vec<
   return sum;
 }
 
-/// Whether x is as near to a body's surface as counts as touching: what is so near reaches into a column about it.
+/// Returns whether x is as near to a body's surface as counts as touching: what is so near reaches into a column about
+/// it.
 bool OverlapFinder::touches(const Part& part, std::span<const double> q, const Vec<3>& x, double near) const {
   bool touches = false;
   const auto look = [&](std::span<const int> nodes) {
@@ -195,9 +196,9 @@ bool OverlapFinder::touches(const Part& part, std::span<const double> q, const V
   return touches;
 }
 
-/// Whether a node of another body at x lies in the body and does not touch it; or one of its own surface: then places a
-/// little away from it all lie in the body, and some twice. The ways there are along no axis, so that they do not lead
-/// along surfaces.
+/// Returns whether a node of another body at x lies in the body and does not touch it; or one of its own surface: then
+/// places a little away from it all lie in the body, and some twice. The ways there are along no axis, so that they do
+/// not lead along surfaces.
 bool OverlapFinder::is_deep_in(const Part& part, std::span<const double> q, const Vec<3>& x, bool its_own) const {
   constexpr std::array<Vec<3>, 2> in_plane{{{0.8253, 0.5647, 0}, {-0.5647, 0.8253, 0}}};
   constexpr std::array<Vec<3>, 3> in_space{

@@ -22,8 +22,8 @@ const double* node(const Mesh& mesh, std::size_t e, std::size_t a) {
   return &mesh.x[2 * static_cast<std::size_t>(mesh.element(e)[a])];
 }
 
-/// What separates x from the place that s stands for; node by node, as differences within an element lose nothing to
-/// its distance from the origin.
+/// Returns what separates x from the place that s stands for; node by node, as differences within an element lose
+/// nothing to its distance from the origin.
 template <class Shapes>
 Vec<2> remainder(const Mesh& mesh, std::size_t e, const Vec<2>& x, const Vec<2>& s) {
   const auto N = Shapes::values(s);
@@ -173,7 +173,8 @@ void PointFinder::fill_bins() {
     each_bin(outlines_[e], [&](std::size_t b) { list_[static_cast<std::size_t>(next[b]++)] = static_cast<int>(e); });
 }
 
-/// Of the coordinate along an axis; monotone, so that a box has all bins between those of its ends.
+/// Returns the bin of the coordinate along an axis; it is monotone, so that a box has all bins between those of its
+/// ends.
 std::size_t PointFinder::bin(double x, std::size_t axis) const {
   const double most = static_cast<double>(count_[axis] - 1);
   return static_cast<std::size_t>(std::clamp((x - low_[axis]) * per_width_[axis], 0.0, most));
@@ -190,8 +191,8 @@ std::optional<Vec<2>> PointFinder::reference_place(std::size_t e, const Vec<2>& 
   return std::nullopt;
 }
 
-/// The same for elements much bent, in which a search may go astray, and come to an s outside that stands for the same
-/// place: from nine starts until one leads inside.
+/// Does the same for elements much bent, in which a search may go astray, and come to an s outside that stands for the
+/// same place: it tries nine starts until one leads inside.
 template <class Shapes>
 std::optional<Vec<2>> PointFinder::reference_place_bent(std::size_t e, const Vec<2>& x) const {
   constexpr std::array<double, 3> starts{0, -0.8, 0.8};

@@ -58,7 +58,7 @@ Vec<3> area_of_side(const SolidSurface& surface, std::size_t side, std::span<con
   return {0.5 * (e[1] * f[2] - e[2] * f[1]), 0.5 * (e[2] * f[0] - e[0] * f[2]), 0.5 * (e[0] * f[1] - e[1] * f[0])};
 }
 
-/// By the divergence theorem: 1/dim of the sum of x . n, x at the side's middle, about the surface's first node, so
+/// Uses the divergence theorem: 1/dim of the sum of x . n, x at the side's middle, about the surface's first node, so
 /// that a place far from the origin costs no digits.
 std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<const double> q) {
   std::vector<double> volumes(static_cast<std::size_t>(surface.sheets), 0.0);

@@ -15,7 +15,7 @@ namespace tether {
 /// numbers a node.
 struct SolidSurface {
   int dim = 2;
-  Sides sides;             ///< dim nodes each; in the plane the solid is to the left of an edge, in space behind a
+  Sides sides;             ///< dim nodes each; in the plane the solid is to the left of an edge, in space inside of a
                            ///< triangle whose nodes turn counter-clockwise
   std::vector<int> sheet;  ///< of each side the connected part of the surface that it belongs to, from 0
   int sheets = 0;

@@ -73,7 +73,7 @@ ElementsAcross thin_direction(const Mesh& mesh, const std::vector<Way>& all) {
   return across;
 }
 
-/// What is left is the mean element: its volume and its extent across give its length.
+/// Measures the mean element, which is what is left: its volume and its extent across give its length.
 void measure_elements(const Mesh& mesh, const std::vector<std::size_t>& elements, ElementsAcross& across) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
   Vec<3> low, high;
@@ -121,7 +121,7 @@ namespace {
 
 std::size_t edge_count(const Mesh& mesh) { return is_simplex(mesh.kind) ? 3 : 4; }
 
-/// Of an element between its corners, whose nodes stand at x [length^2].
+/// Returns the area of an element between its corners, whose nodes stand at x [length^2].
 double area_of(const Mesh& mesh, std::span<const double> x, std::size_t e) {
   double area = 0;
   for (std::size_t k = 0; k < edge_count(mesh); ++k) {

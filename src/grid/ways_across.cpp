@@ -61,7 +61,7 @@ class Walker {
     way.element = sides_.element_of(side), way.side = static_cast<int>(side), way.area = area(side);
     return way;
   }
-  /// Of a side of the boundary, out of the body.
+  /// Returns the normal of a side of the boundary, out of the body.
   Vector outward(std::size_t side) const { return normal(side).normalized(); }
 
  private:
@@ -129,7 +129,7 @@ class Walker {
       ++side;
     return side;
   }
-  /// Where the way leaves an element, other than by the side where it came in.
+  /// Returns where the way leaves an element, other than by the side where it came in.
   std::pair<std::size_t, double> exit(std::size_t in, const Vector& x, const Vector& d) const {
     const std::size_t e = sides_.element_of(in);
     const Barycentric b = barycentric(e, x, d);

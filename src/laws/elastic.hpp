@@ -14,8 +14,8 @@
 namespace tether {
 
 /// Isotropic linear elasticity in the plane, in rate form (3.2): sigma += dt C : sym(grad v), small strains, no
-/// rotation of the stress. `lambda` and `G` are the plane's two constants; they alone tell plane strain from plane
-/// stress.
+/// rotation of the stress. `lambda` and `G` are the plane's two constants; they alone distinguish plane strain from
+/// plane stress.
 struct PlaneElastic {
   enum class Plane { strain, stress };
   Plane plane = Plane::strain;

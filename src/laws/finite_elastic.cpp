@@ -53,7 +53,7 @@ double fastest_wave(const Eigen::Matrix2d& F, const Eigen::Matrix3d& D, const Ei
   return largest;
 }
 
-/// Of S, the stress S33 along the third direction, its stretch and the modulus in the plane.
+/// Makes the response of S, the stress S33 along the third direction, its stretch and the modulus in the plane.
 FiniteResponse carried(const Eigen::Matrix2d& F, const Symmetric<2>& S, const Across& third, double energy,
                        const Eigen::Matrix3d& D) {
   const Eigen::Matrix2d tau = F * full<2>(S) * F.transpose();

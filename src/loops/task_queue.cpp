@@ -41,7 +41,7 @@ void TaskQueue::give(std::function<void()> task, std::size_t bytes) {
   given_.notify_one();
 }
 
-/// Of a task that failed those after it are let go: they would be done on what it left.
+/// Works off the tasks. After a task that failed, the others are dropped: they would be done on what it left.
 void TaskQueue::work() {
   std::unique_lock lock(mutex_);
   bool failed = false;

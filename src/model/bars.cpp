@@ -64,7 +64,7 @@ class StringPoints {
   std::vector<bool> pinned_;
 };
 
-/// A wall straight on behind a string's end.
+/// A wall straight on after a string's end.
 struct WallAhead {
   const char* name = "";
   Wall wall = Wall::open;
@@ -73,7 +73,7 @@ struct WallAhead {
   double distance = 0;  // straight on [length]
 };
 
-/// The first wall that the line from `inner` through `end` meets less than a spacing behind the end.
+/// The first wall that the line from `inner` through `end` meets less than a spacing beyond the end.
 std::optional<WallAhead> wall_ahead(const Scene& scene, std::size_t end, std::size_t inner) {
   const PointSet& P = scene.points;
   const double dx = P.x[end] - P.x[inner], dy = P.y[end] - P.y[inner];
@@ -91,7 +91,8 @@ std::optional<WallAhead> wall_ahead(const Scene& scene, std::size_t end, std::si
   return nearest;
 }
 
-/// Where the end is joined to: straight on at a fixed wall; at one that holds what is across it, the next place.
+/// Returns where the end is joined to: straight on at a fixed wall; at one that holds what is across it, the next
+/// place.
 Anchor anchor_at(const Scene& scene, std::size_t end, std::size_t inner, const WallAhead& wall) {
   const PointSet& P = scene.points;
   Anchor anchor{end, P.x[end], P.y[end], holds_none};

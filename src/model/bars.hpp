@@ -14,13 +14,13 @@ namespace tether {
 
 /// Part of a spacing within which a string's end stands at a wall. A curve that begins at a wall has its first point
 /// half a spacing from it, and the bar to the wall is what lies between. A point that stands nearer is the anchor: the
-/// spring of thesis 5.5 has its first one .3 from the wall and counts its length L from there.
+/// spring of thesis 5.5 has its first one 0.3 from the wall and counts its length L from there.
 constexpr double held_within = 0.4;
 
 /// Two nodes and what is between them. Its strain is the change of its length over the length at the start, and what
 /// the points' stress at the start says: l / rest - 1 + strain.
 struct Bar {
-  std::size_t a = 0, b = 0;  ///< nodes: points of the scene, and behind these the anchors
+  std::size_t a = 0, b = 0;  ///< nodes: points of the scene, and after these the anchors
   double rest = 0;           ///< length at the start [length]
   double section = 0;        ///< its area [length2], per unit depth a thickness
   double strain = 0;         ///< at the start, number

@@ -66,7 +66,7 @@ std::vector<double> cuts(const Box<3>& face, const std::vector<Box<3>>& patches,
   return places;
 }
 
-/// Of each patch the part of a face that it has, where the last of those that reach there has a place.
+/// Returns for each patch the part of a face that it has, where the last of those that reach there has a place.
 std::vector<double> parts(int side, const Box<3>& face, const std::vector<Box<3>>& patches) {
   const auto [a, b] = axes_along(side);
   const std::vector<double> along = cuts(face, patches, a), other = cuts(face, patches, b);

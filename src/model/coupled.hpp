@@ -172,7 +172,7 @@ inline bool sticks_to_bodies(const Coupled& coupled) { return coupled.viscosity 
 /// Returns whether there is fluid beyond a side: it is open, or a wall with an opening.
 bool has_fluid_beyond(const Coupled& coupled, int side);
 
-/// In space more cells than these go by conjugate gradients where the deck leaves it open.
+/// In space more cells than these are solved by conjugate gradients where the deck leaves it open.
 constexpr double most_cells_of_factors = 2e3;
 /// Which of direct and krylov is taken.
 Systems systems_of(const Coupled& coupled);

@@ -125,7 +125,7 @@ bool any_own_volume(const Flow& flow);
 /// others would exceed it.
 std::vector<bool> lighter_regions(const Flow& flow, const Solids& solids);
 
-/// More unknowns than these go by GMRES where the deck leaves it open.
+/// More unknowns than these are solved by GMRES where the deck leaves it open.
 constexpr double most_unknowns_of_factors = 2e5;
 
 /// Which of direct and krylov is taken. Steady flows and flows with immersed solids are left to factors, as GMRES takes

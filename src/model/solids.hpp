@@ -17,7 +17,7 @@
 
 namespace tether {
 
-/// A factor over time: an expression in t, or a table, linear between its times, constant before the first and behind
+/// A factor over time: an expression in t, or a table, linear between its times, constant before the first and after
 /// the last; 1 without either. Copies share the expression, so that one thread at a time may ask all of them.
 struct Amplitude {
   std::vector<double> time, factor;

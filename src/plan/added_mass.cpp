@@ -133,7 +133,7 @@ double added_broadside(double density, const BodyOfMesh& body, int dim) {
   return density * std::numbers::pi / 4 * chord * chord * length;
 }
 
-/// What resists in a step, of a mass, and of damping and stiffness over it.
+/// Adds what resists in a step: a mass, and damping and stiffness over it.
 void add_resistance(const Scene& scene, double mass, double damping, double stiffness, SplittingEstimate& estimate) {
   const double h = scene.clock.tstep;
   const bool paper = scene.coupled()->integrator == CoupledIntegrator::paper;
@@ -150,7 +150,7 @@ SplittingEstimate broadside(const Scene& scene, const BodyOfMesh& body) {
 }
 
 /// The surface's nodes stand for a layer of half an element; strain is over a whole one. Of masses shared equally among
-/// nodes a surface feels 1/sqrt(3) when the nodes behind it give way, as in a chain of linear elements.
+/// nodes a surface feels 1/sqrt(3) when the nodes inside of it give way, as in a chain of linear elements.
 SplittingEstimate swelling(const Scene& scene, const BodyOfMesh& body) {
   const Solids& solids = *scene.solids();
   SplittingEstimate estimate;

@@ -15,14 +15,14 @@
 namespace tether {
 namespace {
 
-/// Whether splitting would hold is told apart, where the solver's matrices can be asked.
+/// Names the mode. Whether splitting would hold is reported apart, where the solver's matrices can be asked.
 std::string mode_text(const Scene& scene) {
   if (!scene.solids()) return "there is no body: one projection a step";
   const Coupling& coupling = scene.coupled()->coupling;
   return fmt::format("{}: {}", word_of(coupling.mode), coupling.meaning);
 }
 
-/// By what the systems are solved, and why.
+/// Says by what the systems are solved, and why.
 std::string systems_text(const Coupled& coupled) {
   const bool direct = systems_of(coupled) == Systems::direct;
   const char* by = direct ? "factors" : "conjugate gradients";
@@ -32,7 +32,7 @@ std::string systems_text(const Coupled& coupled) {
                      direct ? "no more" : "more", most_cells_of_factors);
 }
 
-/// Of a part of a side, per unit depth in the plane.
+/// Returns the area of a part of a side, per unit depth in the plane.
 double area_of(int side, const Box<3>& patch) {
   double area = 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -142,8 +142,8 @@ std::vector<Term> coupled_terms(const Scene& scene) {
   return terms;
 }
 
-/// Measured on trials: a factorisation .2 microseconds for each of n log n in the plane, conjugate gradients 5 for each
-/// cell in space, all else 1.
+/// Measured on trials: a factorisation 0.2 microseconds for each of n log n in the plane, conjugate gradients 5 for
+/// each cell in space, all else 1.
 Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 2e-8, seconds_by_krylov = 5e-6,
                    seconds_per_cell = 1e-6;

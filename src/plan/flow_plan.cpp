@@ -46,7 +46,7 @@ std::string size_text(const Flow& flow) {
   return text;
 }
 
-/// By what corrections are solved, and why.
+/// Says by what corrections are solved, and why.
 std::string systems_text(const Flow& flow, bool solids) {
   const bool krylov = systems_of(flow, solids) == Systems::krylov;
   const std::string by = krylov ? "GMRES with incomplete factors" : "LU factors, kept while they lead on";

@@ -38,8 +38,8 @@ constexpr const char* effective_mesh_file = "deck.effective.msh";
 /// mesh file.
 std::string effective_text(const Deck& deck, const std::optional<ParticleFile>& particles);
 
-/// Mesh and particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are told together, as
-/// far as the deck can be understood: throws InputError with all of them.
+/// Mesh and particle file, scene and plan of a deck. Mistakes of the deck and of what it asks for are reported
+/// together, as far as the deck can be understood: throws InputError with all of them.
 Loaded load_scene(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics);
 
 /// Both.

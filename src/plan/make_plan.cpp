@@ -21,7 +21,8 @@ namespace {
 /// What a point-step of the MPM path costs on a machine of 2020's make; only for the estimate [s].
 constexpr double seconds_per_point_step = 45e-9;
 
-/// Turn of a rigid body in a step from which it is told: the mid-point rule's phase is off by its square over 12 [rad].
+/// Turn of a rigid body in a step from which it is reported: the mid-point rule's phase is off by its square over 12
+/// [rad].
 constexpr double told_turn = 0.5;
 
 struct FirstWave {
@@ -122,7 +123,7 @@ Cost cost_of(const Scene& scene, const StepRule& rule) {
   return cost;
 }
 
-/// Of the deck's step against the limit of the rule.
+/// Warns of the deck's step against the limit of the rule.
 std::string step_warning(const StepRule& rule) {
   const double ratio = rule.deck_step / rule.first_limit;
   const std::string above = fmt::format("the deck's step {:.4g} is {:#.3g} times the limit {} = {:.4g}", rule.deck_step,
@@ -134,7 +135,7 @@ std::string step_warning(const StepRule& rule) {
   return fmt::format("{}: steps are limited to {:.4g}{}", above, limited, factor);
 }
 
-/// Of the fluid in a box that crosses many cells in a step; nothing where it does not.
+/// Warns of the fluid in a box that crosses many cells in a step; says nothing where it does not.
 std::string cfl_warning(const Scene& scene) {
   const CflNumber cfl = cfl_number(scene);
   const double most = scene.limits.cfl.warn;
@@ -145,7 +146,7 @@ std::string cfl_warning(const Scene& scene) {
       cfl.of, cfl.speed, cfl.number, most, scene.clock.tstep * most / cfl.number, most);
 }
 
-/// Of a rigid body that turns far in a step [time]; nothing where it does not.
+/// Warns of a rigid body that turns far in a step [time]; says nothing where it does not.
 std::string turn_warning(const Rigid& rigid, double step) {
   const double turn = step * rigid.omega.norm();
   if (turn <= told_turn) return "";
@@ -153,7 +154,7 @@ std::string turn_warning(const Rigid& rigid, double step) {
                      turn * turn / 12);
 }
 
-/// Of the step against the limits that the rule knows, and against those that it does not.
+/// Warns of the step against the limits that the rule knows, and against those that it does not.
 std::vector<std::string> step_warnings(const StepRule& rule) {
   std::vector<std::string> warnings;
   const std::string step = step_warning(rule);
@@ -199,7 +200,7 @@ struct PlanOfPhysics {
   void operator()(const BoxFlow&) const { by_deck_step(coupled_terms(scene), coupled_cost); }
 
  private:
-  /// What runs on a mesh or in a box takes the deck's step.
+  /// Makes the plan of what takes the deck's step: what runs on a mesh or in a box.
   void by_deck_step(std::vector<Term> terms, Cost (*cost)(const Scene& scene, const StepRule& rule)) const {
     plan.step = solid_step_rule(scene);
     plan.terms = std::move(terms);

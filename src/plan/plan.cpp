@@ -18,7 +18,7 @@ double poisson_ratio(const Lame& l, bool plane_stress) {
 /// inertia or a fluid is all that acts on them, are squeezed and turned.
 constexpr double slender = 2;
 
-/// Of each connected part of the mesh.
+/// Says of each connected part of the mesh whether it is held.
 std::vector<bool> held_parts(const Solids& solids) {
   const std::vector<int> part = parts_of(solids.mesh);
   std::vector<bool> held(static_cast<std::size_t>(count_parts(solids.mesh)), false);
@@ -39,15 +39,16 @@ std::string body_name(const ElementsAcross& across, const Solids& solids) {
 
 }  // namespace
 
-/// Of elements h thick and a long in a body H thick, N = H/h across, a field of bending with the curvature k leaves in
-/// a quadrilateral the shear k x, which has the energy G k^2 a^2/12 instead of none, and across it the strain
+/// Estimates by how much the body is too stiff. Of elements h thick and a long in a body H thick, N = H/h across, a
+/// field of bending with the curvature k leaves in a quadrilateral the shear k x, which has the energy G k^2 a^2/12
+/// instead of none, and across it the strain
 /// of the volume unrelieved: D k^2 h^2/12 instead of E' k^2 h^2/12, where D = lambda + 2 mu and E' is the modulus of
 /// bending. Over the energy E' k^2 H^2/12 of the beam that is (G/E') (a/H)^2 + (D/E' - 1)/N^2. A triangle, whose strain
 /// does not change within it, leaves three times that and twice the beam's own part, 2/N^2. Against static cantilevers
-/// of ten times their thickness, nu from 0 to .49, N from 2 to 8 and a/h from 1/2 to 4, both are right within a sixth
+/// of ten times their thickness, nu from 0 to 0.49, N from 2 to 8 and a/h from 1/2 to 4, both are right within a sixth
 /// of themselves. Hexahedra have a third direction to keep the volume in; 0.7 sqrt(D/E' - 1) is measured there, for
 /// square bars and for plates. A body L long cannot be stiffer against bending than against shear: s c/(s + c), c =
-/// (L/H)^2, is measured on panels of L/H 1 to 10 with nu up to .4999.
+/// (L/H)^2, is measured on panels of L/H 1 to 10 with nu up to 0.4999.
 double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double lambda, double mu) {
   const double H = across.thickness, N = across.count, D = lambda + 2 * mu, E = 4 * mu * (lambda + mu) / D;
   const double shear = mu / E * std::pow(across.along / H, 2), volume = (D / E - 1) / (N * N);

@@ -90,7 +90,7 @@ struct Namer {
   std::string operator()(const FiniteElastic& law) const {
     return std::visit([this](const auto& of) { return law_text(of) + ", " + across(of.plane_stress()); }, law.law);
   }
-  /// What holds the body across the plane.
+  /// Says what holds the body across the plane.
   const char* across(bool plane_stress) const {
     if (geometry == Geometry::axisymmetric) return "about the axis";
     return plane_stress ? "plane stress" : "plane strain";
@@ -164,7 +164,7 @@ std::string edges_reason(const Scene& scene) {
   return text;
 }
 
-/// Whether several bodies are there that do not share one field anyway.
+/// Returns whether several bodies are there that do not share one field anyway.
 bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && has_solid(scene); }
 
 }  // namespace

@@ -133,7 +133,7 @@ std::string text_of(const Scene& scene) {
   return "";
 }
 
-/// Of a tube whose ends have sent waves into it before the run ends.
+/// Warns of a tube whose ends have sent waves into it before the run ends.
 std::vector<std::string> riemann_warnings(const Scene& scene) {
   const RiemannTube tube = riemann_tube(scene);
   const double first = std::min(tube.left_begins(), tube.right_begins());
@@ -145,7 +145,7 @@ std::vector<std::string> riemann_warnings(const Scene& scene) {
                   first, scene.clock.tmax, part.from, part.to)};
 }
 
-/// By elements between the points, the first of which nothing joins to the wall.
+/// Returns whether elements act between the points, the first of which nothing joins to the wall.
 bool is_loose(const Scene& scene) {
   return scene.path() == Path::mpm && scene.method.membrane_strain == MembraneStrain::element && scene.pinned.empty();
 }

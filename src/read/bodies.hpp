@@ -15,7 +15,7 @@ namespace tether {
 /// where it lies in the region. A point's volume is that of its sub-cell, about an axis times the ring of its radius.
 void add_region(const Deck& deck, int r, Scene& scene, Diagnostics& diagnostics);
 
-/// Tells of the same mistakes, but for those that need the grid.
+/// Reports the same mistakes, but for those that need the grid.
 void check_region(const Deck& deck, int r, Diagnostics& diagnostics);
 
 /// Returns what the deck draws as region r; nothing where there are mistakes.
@@ -25,7 +25,7 @@ std::optional<RegionShape> region_shape(const Deck& deck, int r);
 /// radius.
 void add_file_body(const Deck& deck, const ParticleFile& file, Scene& scene, Diagnostics& diagnostics);
 
-/// Tells where the file's string does not hold together: once its pins are known.
+/// Reports where the file's string does not hold together: once its pins are known.
 void tell_file_gaps(const ParticleFile& file, const Body& body, const Scene& scene, Diagnostics& diagnostics);
 
 /// $points: masses of heavy points, which keep their volume, the points whose paths are recorded, and those that are

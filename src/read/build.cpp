@@ -50,13 +50,13 @@ Clock clock_of(const Deck& deck, Path path, Diagnostics& diagnostics) {
   return {deck.real("in.tmax"), std::min(tstep, dtmax), cfl};
 }
 
-/// Whether nodes from low to high are told apart in floating point, and 1/dx too.
+/// Returns whether nodes from low to high differ in floating point, and 1/dx too.
 bool resolvable(double low, double high, int nodes) {
   const double size = (high - low) / (nodes - 1);
   return std::isfinite(size) && std::isfinite(1 / size) && low + size > low && high - size < high;
 }
 
-/// Whether the grid can be made; tells where not.
+/// Returns whether the grid can be made; reports where not.
 bool check_axes(const Deck& deck, Diagnostics& diagnostics) {
   const auto ordered = [&](RealVariable low, RealVariable high, IntegerVariable nodes) {
     const double a = deck.real(low), b = deck.real(high);
@@ -71,7 +71,7 @@ bool check_axes(const Deck& deck, Diagnostics& diagnostics) {
   return x && y;
 }
 
-/// Whether the memory holds grid and particle file; tells where not.
+/// Returns whether the memory holds grid and particle file; reports where not.
 bool check_memory(const Deck& deck, const BackgroundGrid& grid, std::size_t rows, Diagnostics& diagnostics) {
   const std::string too_large = memory_refusal(grid, static_cast<double>(rows));
   if (too_large.empty()) return true;
@@ -113,8 +113,8 @@ double ambient_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostics
   return pressure;
 }
 
-/// By linear shape functions gas over several cells both ways does not stay at rest: what rounding leaves grows by
-/// about .6 c/dx, to some per cent of the pressure after 60 dx/c (measured in a closed box).
+/// Notes that gas does not stay at rest by linear shape functions over several cells both ways: what rounding leaves
+/// grows by about 0.6 c/dx, to some per cent of the pressure after 60 dx/c (measured in a closed box).
 void note_restless_gas(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
   if (scene.method.kernel != Kernel::linear || scene.grid.cells_x() < 2 || scene.grid.cells_y() < 2) return;
   double fastest = 0;
@@ -133,7 +133,7 @@ void note_restless_gas(const Deck& deck, const Scene& scene, Diagnostics& diagno
       "kernel='bspline' or method='robust' of $mpm keeps gas at rest"));
 }
 
-/// Of membranes by curves, in a grid so large that no place in it is wrong; what that grid makes doubtful does not
+/// Checks membranes by curves, in a grid so large that no place in it is wrong; what that grid makes doubtful does not
 /// count.
 void check_curves(const Deck& deck, const Method& method, Diagnostics& diagnostics) {
   constexpr double far = 1e30;
@@ -155,7 +155,7 @@ bool lacks_mesh(const Deck& deck) {
   return false;
 }
 
-/// What the deck's groups and the path ask for, still empty.
+/// Returns what the deck's groups and the path ask for, still empty.
 Physics physics_of(const Deck& deck, Path path) {
   if (path == Path::coupled) return BoxFlow{};
   if (has_flow(deck)) return MeshFlow{};

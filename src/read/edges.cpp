@@ -19,7 +19,7 @@ constexpr std::array<AnyVariable, 5> numbers{"mpm.edge_density", "mpm.edge_energ
 /// strip.
 constexpr double clear_cells = 2;
 
-/// One edge's values, and mistakes told at their places.
+/// One edge's values, with mistakes reported at their places.
 class EdgeReader {
  public:
   EdgeReader(const Deck& deck, int k, Diagnostics& diagnostics) : deck_(deck), k_(k), diagnostics_(diagnostics) {}
@@ -160,7 +160,7 @@ void check_axis_of(const Deck& deck, const Scene& scene, Diagnostics& diagnostic
       fmt::format("xleft must be at least {:.6g}; an edge on the axis has wl=5", needed)));
 }
 
-/// Where layers of two inflows meet at a corner they come out of step.
+/// Warns of corners where layers of two inflows meet: they come out of step.
 void tell_corners(const Deck& deck, const Scene& scene, Diagnostics& diagnostics) {
   const auto enters = [&](std::size_t k) {
     const Edge& edge = scene.edges.of[k];

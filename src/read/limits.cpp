@@ -56,7 +56,7 @@ namespace {
 /// Part of the memory that a run may take.
 constexpr double usable = 0.8;
 
-/// Of the machine, or what the shell allows this process where that is less.
+/// Returns the memory of the machine, or what the shell allows this process where that is less.
 double memory_there() {
   const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   rlimit limit{};

@@ -51,7 +51,7 @@ namespace {
 constexpr const char* no_plane_stress = "plane stress has no meaning about an axis, where the hoop carries too";
 constexpr const char* use_three_stresses = "about an axis ipath(4) = 0 is the elastic law";
 
-/// Tells a mistake in one of the law's numbers at its place: which number, what is wrong, what would be right.
+/// Reports a mistake in one of the law's numbers at its place: which number, what is wrong, what would be right.
 using Refuse = std::function<void(int constant, const std::string& message, const std::string& hint)>;
 
 std::optional<Material> elastic(int ipath, double E, double nu, const Refuse& refuse) {
@@ -82,7 +82,7 @@ std::optional<Material> finite(const Deck& deck, int r, int ipath, const Refuse&
   return law ? std::optional<Material>(FiniteElastic{*law, given.E, given.nu}) : std::nullopt;
 }
 
-/// Of words that say how elastic regions answer, where region r is none of theirs.
+/// Warns of words that say how elastic regions answer, where region r is none of theirs.
 void warn_of_unused_law(const Deck& deck, int r, int ipath, Diagnostics& diagnostics) {
   const bool elastic = ipath == 0 || ipath == 2;
   for (const AnyVariable name : Variables{"reg.law", "reg.volumetric"}) {

@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-/// Whether all that the ledger books is there.
+/// Returns whether all that the ledger books is there.
 bool books(const Deck& deck, const Method& method) {
   const bool grid =
       word_or(deck, "mpm.density", is_robust(deck) ? DensityRule::grid : DensityRule::continuity) == DensityRule::grid;
@@ -18,7 +18,7 @@ bool books(const Deck& deck, const Method& method) {
          method.kernel == Kernel::bspline && method.gas_energy == GasEnergy::centred;
 }
 
-/// What a part of the set needs of others; a part that the deck does not give falls with what it needs.
+/// Drops what lacks the parts of the set that it needs; a part that the deck does not give falls with what it needs.
 void drop_what_lacks_its_ground(const Deck& deck, Method& method) {
   const bool usf = method.order == StressOrder::usf;
   if (!usf && !deck.given("mpm.energy")) method.gas_energy = GasEnergy::rate;

@@ -7,7 +7,7 @@
 
 namespace tether {
 
-/// The deck's method: a part that is given wins over the set. Tells of parts that do not go together.
+/// The deck's method: a part that is given wins over the set. Reports parts that do not go together.
 Method method_of(const Deck& deck, Diagnostics& diagnostics);
 
 /// Factor of the step limit: the deck's, or that of its method.

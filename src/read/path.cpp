@@ -56,7 +56,7 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, n>& nam
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Of a fluid's box, whose solids take the step that $coupled says and stand in its walls.
+/// Returns whether it is of a fluid's box, whose solids take the step that $coupled says and stand in its walls.
 bool is_of_boxes(const Variable& variable) {
   constexpr std::array<std::string_view, 5> of_other_steps{"static", "settle", "integrator", "tolerance", "cfl"};
   constexpr std::array<std::string_view, 4> walls{"wl", "wr", "wb", "wt"};
@@ -66,13 +66,13 @@ bool is_of_boxes(const Variable& variable) {
   return is_of_meshes(variable);
 }
 
-/// What makes elements of regions, and acts on them; strings have none of it.
+/// Returns whether it makes elements of regions, or acts on them; strings have none of it.
 bool is_of_mesh_alone(const Variable& variable) {
   if (variable.group == "fem") return variable.name != "cfl";
   return variable.group == "mesh" || variable.group == "rigid" || variable.group == "flow";
 }
 
-/// Whether the path has a use for a variable of this deck. Exact solutions are of points and bars.
+/// Returns whether the path has a use for a variable of this deck. Exact solutions are of points and bars.
 bool is_of(Path path, bool mesh, const Variable& variable) {
   if (variable.group == "reference") return path == Path::mpm || (path == Path::fem && !mesh);
   if (path == Path::coupled) return is_of_boxes(variable);
@@ -80,7 +80,7 @@ bool is_of(Path path, bool mesh, const Variable& variable) {
   return !chooses_path(variable.group);
 }
 
-/// Whether a deck says more of a variable than what stands there by itself.
+/// Returns whether a deck says more of a variable than what stands there by itself.
 bool says(const Deck& deck, AnyVariable variable) {
   const auto elements = deck.given_elements(variable);
   return std::any_of(elements.begin(), elements.end(), [&](const Subscript& at) {

@@ -85,7 +85,7 @@ struct Named {
   }
 };
 
-/// The times and factors as far as they ascend; what is wrong with them is told.
+/// The times and factors as far as they ascend; what is wrong with them is reported.
 Amplitude table_of(const Named& of) {
   const AnyVariable times = of.name("_time"), factors = of.name("_factor");
   const auto number = [&](RealVariable name, int i) { return of.deck.real(name, i, of.k); };

@@ -30,7 +30,7 @@ E word_or(const Deck& deck, TextVariable variable, E otherwise) {
   return deck.given(variable) ? word<E>(deck, variable) : otherwise;
 }
 
-/// The expression in these variables that a text of the deck is, or null where it is wrong, which is told under the
+/// The expression in these variables that a text of the deck is, or null where it is wrong, which is reported under the
 /// byte that is.
 std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable name, int k,
                                                 std::vector<std::string> variables, Diagnostics& diagnostics);

@@ -136,7 +136,7 @@ double StringBounce::apex_time() const { return 2 * lowest_time(); }
 double StringBounce::largest_drop() const { return slack + static_stretch() + amplitude(); }
 
 double StringBounce::position(double t) const {
-  // The motion is the same forwards and backwards from every lowest point, so half a period tells all.
+  // The motion is the same forwards and backwards from every lowest point, so half a period shows all.
   const double since_lowest = std::abs(std::fmod(t, apex_time()) - lowest_time());
   if (since_lowest >= lowest_time() - taut_time()) {
     const double from_apex = lowest_time() - since_lowest;

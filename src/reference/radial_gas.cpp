@@ -56,7 +56,7 @@ class RadialSolver {
     for (std::size_t face = 0; face <= shells.size(); ++face) face_mass_[face] = face_mass(shells, face);
   }
 
-  /// With the pressures of the step's middle, the mean of those at its start and at its predicted end.
+  /// Advances with the pressures of the step's middle, the mean of those at its start and at its predicted end.
   void advance(double dt) {
     for (std::size_t k = 0; k < P_.size(); ++k) P_[k] = now_.pressure(k) + viscous_pressure(now_, k);
     move(dt, trial_);

@@ -99,7 +99,7 @@ GasState left_of_contact(const GasState& left, const GasState& star, double spee
   return inside_fan(left, speed, gamma);
 }
 
-/// The same state seen in a mirror at x = 0: a wave to the right becomes one to the left.
+/// Returns the same state seen in a mirror at x = 0: a wave to the right becomes one to the left.
 GasState mirrored(const GasState& state) { return {state.density, -state.velocity, state.pressure}; }
 
 GasState on_ray(const RiemannSolution& solution, double speed) {
@@ -165,7 +165,8 @@ double begin_at_left(const RiemannSolution& solution, const TubeEnd& end) {
   return speed < 0 ? (end.x - solution.problem.diaphragm) / speed : never;
 }
 
-/// Where a small wave is that left `x` at the time `begin`: dx/dt = u + a in the solution, by the mid-point rule.
+/// Returns where a small wave is that left `x` at the time `begin`: dx/dt = u + a in the solution, by the mid-point
+/// rule.
 double along_characteristic(const RiemannSolution& solution, double x, double begin, double t) {
   const auto speed = [&](double at, double time) {
     const GasSample gas = sample(solution, at, time);
@@ -224,8 +225,8 @@ struct Columns {
   }
 };
 
-/// Whether gas of a body comes in or goes out as if the tube went on: an outflow with nothing outside, or the body's
-/// own state outside.
+/// Returns whether gas of a body comes in or goes out as if the tube went on: an outflow with nothing outside, or the
+/// body's own state outside.
 bool goes_on(const Scene& scene, const Edge& edge, const Body& body) {
   if (edge.kind == EdgeKind::outflow && !edge.has_outside) return true;
   const bool same = edge.density == body.density && edge.energy == body.specific_energy;

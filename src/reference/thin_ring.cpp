@@ -33,7 +33,7 @@ RingAtRest stretched(const ThinRing& ring, double strain) {
   return {radius, pressure, stress, strain_energy};
 }
 
-/// What the pressure pulls along the ring beyond the ring's tension [force].
+/// Returns what the pressure pulls along the ring beyond the ring's tension [force].
 double excess(const ThinRing& ring, double strain) {
   const RingAtRest now = stretched(ring, strain);
   return now.pressure * now.radius - now.hoop_stress * ring.thickness * std::exp(-strain);

@@ -43,7 +43,7 @@ double largest_of(const History& history, const std::string& name) {
 /// Part of the energy below which what seems exchanged is rounding.
 constexpr double rounding = 1e-12;
 
-/// What the method itself lost since the start, by record. Its columns may be large and of opposite signs.
+/// Returns what the method itself lost since the start, by record. Its columns may be large and of opposite signs.
 std::vector<double> lost_by_method(const History& history) {
   std::vector<double> lost(history.records.size(), 0.0);
   for (const Quantity& quantity : history.layout.quantities) {

@@ -12,7 +12,7 @@
 namespace tether {
 namespace {
 
-/// Part of the mass whose radius tells the gas' size; its edge is too thin to be told by points.
+/// Part of the mass whose radius gives the gas' size; its edge is too thin to be known from points.
 constexpr double most = 0.95;
 /// While this part of it is inside the grid, the scene is one of gas in endless vacuum.
 constexpr double nearly_all = 0.99;
@@ -96,7 +96,7 @@ namespace {
 /// Places at which the exact profiles are tabulated.
 constexpr int table_rows = 1001;
 
-/// Whether a column of cells is wholly inside.
+/// Returns whether a column of cells is wholly inside.
 bool is_inside(const BackgroundGrid& grid, const TubePart& part, std::size_t column) {
   const double slip = 1e-6 * grid.dx, left = grid.x0 + static_cast<double>(column) * grid.dx;
   return left >= part.from - slip && left + grid.dx <= part.to + slip;

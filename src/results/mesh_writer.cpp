@@ -23,7 +23,7 @@ FixedNumbers nodes_of_elements(const Mesh& mesh, const char* name, const char* a
 
 bool of_order_2(const Mesh& mesh) { return row_of(mesh.kind).order == 2; }
 
-/// What the topology says: UGRID knows corners alone, which VTK counts first.
+/// Returns what the topology says: UGRID knows corners alone, which VTK counts first.
 FixedNumbers corners_of_elements(const Mesh& mesh) {
   const bool plane = mesh.dim() == 2;
   const std::size_t all = vtk_order(mesh.kind).size(), corners = of_order_2(mesh) ? (plane ? 4 : 8) : all;

@@ -23,14 +23,14 @@
 namespace tether {
 namespace {
 
-/// The library would read behind the end of too few values.
+/// The library would read past the end of too few values.
 void check_size(const NetcdfFile::Part& part, std::size_t given) {
   const auto wanted = std::accumulate(part.count.begin(), part.count.end(), std::size_t{1}, std::multiplies<>());
   if (given != wanted) throw std::invalid_argument(fmt::format("{} values for a part of {}", given, wanted));
 }
 
-/// 0, or why the file cannot grow by so many bytes. The blocks are set aside behind its end; its length stays. File
-/// systems that cannot set blocks aside are left alone: the write itself will tell.
+/// 0, or why the file cannot grow by so many bytes. The blocks are set aside after its end; its length stays. File
+/// systems that cannot set blocks aside are left alone: the write itself will report it.
 int claim_blocks(int file, std::size_t bytes) {
   struct stat status {};
   struct rlimit limit {};

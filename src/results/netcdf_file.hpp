@@ -54,7 +54,7 @@ class NetcdfFile {
   void put(int variable, const Part& part, std::span<const double> values);
   void put_text(int variable, const Part& part, std::string_view text);
 
-  /// Claims room on the disk behind the present end of the file, so that a full disk is met before any of a record is
+  /// Claims room on the disk after the present end of the file, so that a full disk is met before any of a record is
   /// written and the file stays readable as it was. A 64-bit-offset file may else count a record that is not there; an
   /// HDF5 file is lost once a write to it failed, and the HDF5 library then crashes at the program's exit.
   void reserve(std::size_t bytes) const;

@@ -27,7 +27,7 @@ struct FolderUse {
 };
 
 /// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
-/// call returns, so that a crash or a full disk loses nothing that was told before. All members throw FileError.
+/// call returns, so that a crash or a full disk loses nothing that was reported before. All members throw FileError.
 class ResultFolder {
  public:
   /// Creates the folder and those above it, and removes what an earlier run left there under the names that belong to

@@ -29,7 +29,7 @@ constexpr auto head =
     "checksum"
     "\0\0\0\x02\0\0\0\x40"sv;
 
-/// Where the digits stand; npos where there are none.
+/// Returns where the digits stand; npos where there are none.
 std::size_t place_of_digits(const std::string& bytes) {
   const auto at = bytes.find(head);
   const bool whole = at != std::string::npos && at + head.size() + digits <= bytes.size();

@@ -22,7 +22,7 @@ struct Reading {
 
 /// The lowest sample before the values climb half of the way back, refined by a parabola through its neighbours.
 Reading first_minimum(const std::vector<double>& time, const std::vector<double>& values);
-/// The highest sample behind `after` before the values fall half of the way back, refined likewise.
+/// The highest sample after `after` before the values fall half of the way back, refined likewise.
 Reading first_maximum_after(const std::vector<double>& time, const std::vector<double>& values, double after);
 
 }  // namespace tether

@@ -155,7 +155,7 @@ void SnapshotFile::append(const FieldsInTurn& snapshot, const TakeField& also) {
   ++records_;
 }
 
-/// With no numbers in place of points that other records have; `room` may hold the numbers already.
+/// Puts no numbers in place of points that other records have; `room` may hold the numbers already.
 void SnapshotFile::put(std::size_t field, const NetcdfFile::Part& part, std::span<const double> numbers,
                        std::vector<double>& room) {
   if (numbers.size() == values_) return file_.put(variables_[field], part, numbers);

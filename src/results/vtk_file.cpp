@@ -130,7 +130,7 @@ std::string VtkFile::head(const VtkShape& shape) const {
 }
 
 /// So that a full disk is met before any number is written. File systems that cannot set blocks aside are left alone:
-/// the write itself will tell.
+/// the write itself will report it.
 void VtkFile::claim(std::uint64_t length) const {
   if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(length)) != 0 && errno != EOPNOTSUPP)
     fail("get room for the file", errno);

@@ -73,7 +73,7 @@ class RunOutputs {
 
   /// The outputs' part of a checkpoint.
   void save(Checkpoint& checkpoint) const;
-  /// Writes the checkpoint's part of all files once more, and goes on behind it.
+  /// Writes the checkpoint's part of all files once more, and continues after it.
   void restore(const Checkpoint& checkpoint);
 
   const History& history() const { return history_; }

@@ -48,7 +48,7 @@ class Pace {
  public:
   /// Time to go ahead by, when steps are of length dt [time].
   double ahead(double dt) const { return steps_ * dt; }
-  /// Told each time the solver came back, at this wall time [seconds].
+  /// Called each time the solver came back, at this wall time [seconds].
   void came_back(double wall) {
     const double taken = wall - last_;
     last_ = wall;

@@ -110,7 +110,7 @@ bool there(const std::filesystem::path& path) {
   return std::filesystem::exists(path, ignored);
 }
 
-/// Whether it is whole, and no run of this deck goes on from it.
+/// Returns whether it is whole, and no run of this deck goes on from it.
 bool is_foreign(const std::filesystem::path& checkpoint, const std::string& deck_effective) {
   try {
     check_same_run(read_checkpoint(checkpoint).deck_effective, deck_effective);

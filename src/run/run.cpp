@@ -94,8 +94,8 @@ class Runner {
     outputs_.note("remark: " + earlier_.text);
     if (request_.remark) request_.remark(earlier_.text);
   }
-  /// Where a record costs next to nothing, every step is looked at, else some: a run that goes wrong between records is
-  /// to end by its limits, too.
+  /// Advances. Where a record costs next to nothing, it looks at every step, else at some: a run that goes wrong
+  /// between records is to end by its limits, too.
   void advance(double until) {
     const long long every = solver_->watched_each_step() ? 1 : steps_between_looks;
     do {

@@ -47,7 +47,7 @@ bool any_load(const Scene& scene, double t) {
   return any(scene.solids()->loads) || (scene.rigid() && (any(scene.rigid()->forces) || any(scene.rigid()->torques)));
 }
 
-/// The first record after which no load acts any more, as far as records tell; a load that ends there has acted in the
+/// The first record after which no load acts any more, as far as records show; a load that ends there has acted in the
 /// step before.
 std::size_t first_without_loads(const Scene& scene, const std::vector<double>& time) {
   std::size_t first = time.size();
@@ -174,7 +174,7 @@ std::string points_lost(const Scene& scene, const History& history) {
       part, robust ? " and gap" : ", or method='robust' of $mpm");
 }
 
-/// Where cells damp the motion that the run is about.
+/// Warns where cells damp the motion that the run is about.
 std::string fluid_lost(const History& history) {
   const double part = energy_lost_on_the_way(history);
   if (part <= much_of_fluids) return {};

@@ -140,8 +140,8 @@ void Watch::look_at_volumes(const Record& record) {
   }
 }
 
-/// What the energy rises by is measured by what there was before, and by what was exchanged in the step; its rise since
-/// the start by what there was then, and by what was exchanged since.
+/// Looks at the energy. Its rise is measured by what there was before, and by what was exchanged in the step; its rise
+/// since the start by what there was then, and by what was exchanged since.
 void Watch::look_at_energy(const Record& record) {
   if (!keeps_books_) return;
   const double balance = kept_energy(record), booked = booked_energy(record);
@@ -172,7 +172,7 @@ double Watch::booked_energy(const Record& record) const {
   return booked;
 }
 
-/// Of the kinds that are no potential.
+/// Returns the largest energy of the kinds that are no potential.
 double Watch::largest_energy(const Record& record) const {
   double largest = 0;
   for (const std::size_t column : energies_) largest = std::max(largest, std::abs(record[column]));

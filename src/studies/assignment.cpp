@@ -15,7 +15,7 @@
 namespace tether {
 namespace {
 
-/// Told of one text; more would drown its reader.
+/// Remarks on one text; more would drown its reader.
 constexpr std::size_t most_mistakes = 20;
 
 std::string without_blanks(std::string text) {
@@ -83,7 +83,7 @@ class AssignmentReader {
     }
   }
 
-  /// Columns behind the '=' are shifted to where the value stands in the text.
+  /// Columns after the '=' are shifted to where the value stands in the text.
   void try_override(const std::string& override_text, int shift) {
     Diagnostics diagnostics;
     deck_of(override_text, diagnostics);

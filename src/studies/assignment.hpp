@@ -26,7 +26,7 @@ struct Assignment {
   Subscript first{1, 1};            ///< the first element that is set
   std::vector<std::string> values;  ///< each as a deck writes it: "51", "'musl'", "4*0.01"
   std::set<std::string> one_value;  ///< the elements that a single value sets, "in.nx"
-  std::set<std::string> all;        ///< those that all values set, one behind the other
+  std::set<std::string> all;        ///< those that all values set, one after the other
   std::vector<Mistake> mistakes;    ///< where there are any, the rest means nothing
 
   /// The override that sets value k alone.
@@ -35,8 +35,8 @@ struct Assignment {
   Cell cell(std::size_t k) const;
 };
 
-/// What is to suit the table of variables: the name alone, each value by itself (an axis), or all values one behind the
-/// other (a fixed --set). What does not is a mistake, as the deck reader tells it.
+/// What is to suit the table of variables: the name alone, each value by itself (an axis), or all values one after the
+/// other (a fixed --set). What does not is a mistake, as the deck reader reports it.
 enum class Taken { name_alone, one_by_one, together };
 
 Assignment read_assignment(const std::string& text, Taken taken);

@@ -65,7 +65,7 @@ std::vector<double> ensemble_factors(double fraction, int runs) {
 
 namespace {
 
-/// Of one deck; a map of one axis is one value high.
+/// Makes the search of one deck; a map of one axis is one value high.
 BorderSearch search_of(const Study& study) {
   std::array<std::size_t, 2> size{1, 1};
   std::array<bool, 2> ordered{false, false};

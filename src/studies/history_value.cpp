@@ -86,7 +86,7 @@ std::string_view word_of(std::string_view line, std::size_t k) {
   return line.substr(at, line.find(' ', at) - at);
 }
 
-/// The lines of a history.txt: the names behind the '#' of the first, and the numbers of the others.
+/// The lines of a history.txt: the names after the '#' of the first, and the numbers of the others.
 class HistoryLines {
  public:
   explicit HistoryLines(const std::filesystem::path& path) : lines_(split_lines(read_file(path))) {

@@ -105,7 +105,7 @@ class StudyReader {
     study_.axes.push_back(std::move(axis));
   }
 
-  /// Of an axis that moves alone: one that follows may well stay where it is.
+  /// Reports doubles of an axis that moves alone: one that follows may well stay where it is.
   void tell_of_doubles(int k, const StudyAxis& axis, const std::vector<std::string>& values) {
     std::set<Cell> seen;
     for (std::size_t v = 0; v < values.size(); ++v) {
@@ -120,7 +120,7 @@ class StudyReader {
     if (!deck_.given("study.axis", k) || !deck_.given("study.axis", leader) || leader >= k)
       return remarks_.error("study.linked", k, fmt::format("axis {} cannot move along with axis {}", k, leader),
                             "linked(2)=1 lets axis 2 move along with axis 1: both are there, the lower number leads");
-    if (numbers_.count(k) == 0 || numbers_.count(leader) == 0) return;  // told with its axis
+    if (numbers_.count(k) == 0 || numbers_.count(leader) == 0) return;  // reported with its axis
     StudyAxis &axis = study_.axes[numbers_[k]], &first = study_.axes[numbers_[leader]];
     if (axis.cells.size() != first.cells.size()) {
       remarks_.error("study.linked", k,
@@ -130,7 +130,7 @@ class StudyReader {
     axis.leader = first.leader;
   }
 
-  /// The column of a quantity; "" where its text is a mistake, which is told.
+  /// The column of a quantity; "" where its text is a mistake, which is reported.
   std::string quantity(TextVariable name, int k = 1) {
     std::string as_given = text(name, k);
     if (!is_history_value(as_given)) return as_given;
@@ -178,7 +178,7 @@ class StudyReader {
     }
   }
 
-  /// Whether the varied variable may have this value.
+  /// Reports whether the varied variable may have this value.
   void tell_of_value(AnyVariable at, double value) {
     const auto text = fmt::format("{}={}", study_.vary.variable, value);
     for (const auto& mistake : read_assignment(text, Taken::one_by_one).mistakes)
@@ -192,7 +192,7 @@ class StudyReader {
     return count <= most_runs;
   }
 
-  /// What the ensemble's value is in each combination; it ends at the first that will not do.
+  /// Finds what the ensemble's value is in each combination; it ends at the first that will not do.
   void find_own_values() {
     for (const Combination& combination : combinations(study_)) {
       if (diagnostics_.has_errors()) return;

@@ -32,7 +32,7 @@ unsigned kinds_of(Path path) {
   return path == Path::fem ? bars | meshes : boxes | meshes;
 }
 
-/// Where a name stands in a text by itself, from 1.
+/// Returns where a name stands in a text by itself, from 1.
 int column_of(const std::string& text, const std::string& name) {
   const auto is_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {

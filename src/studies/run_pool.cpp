@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// Seconds between looks at the clock while nothing ends.
 constexpr double patience = 1;
 
-/// Where a run of one deck has written, by its key; a bisection is read from its own folder.
+/// Returns where a run of one deck has written, by its key; a bisection is read from its own folder.
 fs::path files_of(const StudyRun& run) {
   if (run.study.mode == Mode::bisect) return run.out;
   return run_folder(run.out, run_key(read_deck(run.study, combinations(run.study).front())));
@@ -28,7 +28,7 @@ std::optional<RunRecord> record_of(const StudyRun& run) {
   return read_record(files_of(run), run_key(read_deck(run.study, combinations(run.study).front())));
 }
 
-/// For the process of a run. A kill or a full disk leaves no record of a run: the last line of the report tells of it.
+/// Runs in the process of a run. A kill or a full disk leaves no record of a run: the last line of the report names it.
 Ending sweep_alone(const StudyRun& run, const std::string& command, int threads) {
   return end_of(run.study.file, [&] {
     const SweepResult result = sweep(run.study, {run.out, 1, threads, command, {}});

@@ -25,7 +25,8 @@ namespace {
 
 constexpr std::size_t key_digits_in_a_name = 16;
 
-/// Of a file of the run's, so that one that a power cut emptied is not taken for the run's; "" where there is none.
+/// Returns the SHA-256 of a file of the run's, so that one that a power cut emptied is not taken for the run's; ""
+/// where there is none.
 std::string file_sha256(const std::filesystem::path& path) {
   return std::filesystem::exists(path) ? sha256(read_file(path)) : "";
 }
@@ -36,7 +37,7 @@ struct Summed {
 };
 constexpr std::array summed{Summed{"summary_sha256", "summary.txt"}, Summed{"history_sha256", "history.txt"}};
 
-/// Whether they are as the run left them; of one that ended well the summary is there.
+/// Returns whether they are as the run left them; of one that ended well the summary is there.
 bool is_whole(const std::filesystem::path& folder, std::map<std::string, std::string>& lines) {
   const auto same = [&](const Summed& sum) { return lines[sum.name] == file_sha256(folder / sum.file); };
   return !lines["summary_sha256"].empty() && std::all_of(summed.begin(), summed.end(), same);

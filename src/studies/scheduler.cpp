@@ -112,7 +112,7 @@ std::map<std::string, double> numbers_of(const std::filesystem::path& summary) {
   return numbers;
 }
 
-/// What the study can want of a run that ended well; a column that its history does not have becomes a warning.
+/// Reads what the study can want of a run that ended well; a column that its history does not have becomes a warning.
 void read_numbers(const Study& study, const std::filesystem::path& folder, FinishedRun& run) {
   std::vector<HistoryValue> wanted;
   for (const WantedValue& each : study.history_values) wanted.push_back(each.value);
@@ -180,7 +180,8 @@ bool is_interrupted(const Ending& ending) {
   return ending.exit_code == exit_signal + SIGINT || ending.exit_code == exit_signal + SIGTERM;
 }
 
-/// What says nothing of the run itself is tried again by the next sweep: an interruption, a kill, a full disk.
+/// Returns whether the ending says something of the run itself. What says nothing of it is tried again by the next
+/// sweep: an interruption, a kill, a full disk.
 bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && ending.exit_code < exit_signal; }
 
 }  // namespace

@@ -32,7 +32,7 @@ void StudyRemarks::tell(TextVariable name, Subscript at, const std::vector<Mista
   const std::string text = deck_.text(name, at[0], at[1]);
   for (const auto& mistake : mistakes) {
     auto remark = deck_.remark(Severity::error, name, at, mistake.message, mistake.hint);
-    const auto quote = static_cast<std::size_t>(remark.place.column);  // the text begins behind it
+    const auto quote = static_cast<std::size_t>(remark.place.column);  // the text begins after it
     const bool as_written = remark.line_text.compare(std::min(quote, remark.line_text.size()), text.size(), text) == 0;
     if (as_written) remark.place.column += mistake.column;
     add(std::move(remark));
@@ -116,7 +116,7 @@ class Keys {
   std::vector<std::string> known_;
 };
 
-/// What a user may have meant by a key that no run writes; a column of the history wants a function.
+/// Guesses what a user may have meant by a key that no run writes; a column of the history wants a function.
 std::string meant_key(const std::string& key, const std::vector<std::string>& known) {
   return meant(key, known) + " Of a column of history.txt: last(body_vx_1), say.";
 }
@@ -132,7 +132,7 @@ void check_quantities(const Deck& deck, const Study& study, const std::vector<st
   std::vector<std::string> before;
   for (std::size_t k = 0; k < given.size(); ++k) {
     const std::string key = study.quantities[k];
-    if (key.empty()) continue;  // told
+    if (key.empty()) continue;  // reported
     if (contains(fixed_columns(), key))
       remarks.error("study.quantities", given[k][0], fmt::format("every table has {}", key), "Leave it out.");
     else if (!contains(known, key) && !is_of_history(study, key))
@@ -170,7 +170,7 @@ Deck read_base(const Study& study, std::size_t k, Diagnostics& diagnostics) {
   return read_deck(study.decks[k].text, study.decks[k].file, overrides_of(study, first, {}), diagnostics);
 }
 
-/// Its mistakes; those of overrides were told at the study's axes and sets.
+/// Its mistakes; those of overrides were reported at the study's axes and sets.
 void tell_of(const Deck& deck, int number, const Diagnostics& found, StudyRemarks& remarks, Diagnostics& diagnostics) {
   if (deck.is_study()) return remarks.error("study.decks", number, "this deck is a study itself");
   for (const auto& error : found.errors()) {
@@ -204,7 +204,7 @@ void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Di
     if (axis.variable != "reference.solution") continue;
     for (const Cell& cell : axis.cells) keys.add_figures(std::get<std::string>(cell));
   }
-  if (study.decks.empty()) return;  // told; nothing can be known of keys
+  if (study.decks.empty()) return;  // reported; nothing can be known of keys
   check_quantities(deck, study, keys.known(), remarks);
   if (study.mode == Mode::bisect || study.mode == Mode::map) check_criterion(study, keys.known(), remarks);
   check_order(study, keys.known(), remarks);
@@ -237,7 +237,8 @@ std::vector<Combination> told_apart(const Study& study) {
   return some;
 }
 
-/// The columns of a run's history, before it is run; nothing where its scene cannot be built, which the run will tell.
+/// The columns of a run's history, before it is run; nothing where its scene cannot be built, which the run will
+/// report.
 std::optional<Names> columns_of(const Study& study, const Combination& combination) {
   Names columns;
   const Ending ending = end_of(study.file, [&] {

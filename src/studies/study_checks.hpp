@@ -32,7 +32,7 @@ class StudyRemarks {
   Diagnostics& diagnostics_;
 };
 
-// What is checked of a study as a whole, before its first run; mistakes are told at the study deck's places.
+// What is checked of a study as a whole, before its first run; mistakes are reported at the study deck's places.
 
 /// Checks that what its mode needs is there, and nothing that only other modes know.
 void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks);
@@ -41,9 +41,9 @@ void check_mode(const Deck& deck, Mode mode, StudyRemarks& remarks);
 /// the quantities, the criterion and the order are what their runs write.
 void check_decks(const Deck& deck, const Study& study, StudyRemarks& remarks, Diagnostics& diagnostics);
 
-/// The columns of the history that a study wants are those of some of its runs: their scenes are built, without a
-/// step, until each column was found; of many runs those along the edges of the axes. Where that cannot be known (a
-/// scene that cannot be built, more than 400 to build), nothing is told; the runs will show.
+/// The columns of the history that a study wants are those of some of its runs: their scenes are built, without a step,
+/// until each column was found; of many runs those along the edges of the axes. Where that cannot be known (a scene
+/// that cannot be built, more than 400 to build), nothing is reported; the runs will show.
 void check_columns(const Study& study, StudyRemarks& remarks);
 
 }  // namespace tether

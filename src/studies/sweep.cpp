@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For people: without what is wide, and without the axes that only follow.
+/// Writes the report for people: without what is wide, and without the axes that only follow.
 std::string report_text(const Study& study, const StudyTable& table) {
   std::set<std::string> hidden{"wall_seconds", "message", "folder", "reused"};
   if (study.decks.size() == 1) hidden.insert("deck");
@@ -43,7 +43,7 @@ std::string failures_text(const std::vector<FinishedRun>& runs) {
   return text;
 }
 
-/// The bisections that found nothing: both ends agree, or a run ended that tells nothing.
+/// The bisections that found nothing: both ends agree, or a run ended that says nothing.
 std::vector<std::string> broken_verdicts(const Study& study, const std::vector<Bisection>& bisections) {
   const auto all = combinations(study);
   std::vector<std::string> verdicts;
@@ -59,8 +59,8 @@ std::vector<std::string> broken_verdicts(const Study& study, const std::vector<B
   return verdicts;
 }
 
-/// The columns that no run's history has, though some ended well: what wants them is a mistake that could not be told
-/// before. Where other runs have one, a missing cell says enough.
+/// The columns that no run's history has, though some ended well: what wants them is a mistake that could not be
+/// reported before. Where other runs have one, a missing cell says enough.
 std::vector<std::string> lacking_columns(const Study& study, const std::vector<FinishedRun>& runs) {
   std::map<std::string, std::string> told;  // once a column
   for (const auto& wanted : study.history_values) {

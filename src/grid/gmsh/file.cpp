@@ -15,7 +15,7 @@ using namespace gmsh;
 
 constexpr const char* how_to_save = "Save with: gmsh -save -format msh41 MODEL, or msh22.";
 
-/// 22, 41, or nothing, which is told: version, 0 of an ASCII file, size of its numbers.
+/// Returns 22, 41, or nothing, which is reported: version, 0 of an ASCII file, size of its numbers.
 std::optional<int> version_of(const File& file) {
   auto format = file.section("MeshFormat");
   if (!format) {
@@ -69,7 +69,7 @@ void check_sections(const File& file) {
   }
 }
 
-/// Tells of a binary file, whose sections are no lines: what reading them would tell is rubbish.
+/// Reports a binary file, whose sections are no lines: what reading them would report is rubbish.
 bool is_binary(const std::vector<std::string>& lines, Remarks& remarks) {
   const auto format =
       std::find_if(lines.begin(), lines.end(), [](const auto& line) { return trim(line) == "$MeshFormat"; });
@@ -91,7 +91,7 @@ std::vector<Mesh> meshes_of_lines(const std::vector<std::string>& lines, const s
   if (is_binary(lines, remarks)) return {};
   std::map<std::string, Section> sections;
   {
-    // Of a file in another format, only that is told.
+    // Of a file in another format, only that is reported.
     const auto first = std::find_if(lines.begin(), lines.end(), [](const auto& line) { return !trim(line).empty(); });
     const bool begins = first != lines.end() && (trim(*first) == "$MeshFormat" || trim(*first) == "$Comments");
     if (begins) sections = sections_of(lines, remarks);

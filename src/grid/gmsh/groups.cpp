@@ -36,7 +36,7 @@ std::string listed(const Content& content, int dim, const std::set<int>& tags) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The tag that a region's name stands for; nothing where there is none, which is told.
+/// The tag that a region's name stands for; nothing where there is none, which is reported.
 std::optional<int> tag_of(const Content& content, int dim, const std::set<int>& there,
                           const std::vector<FileRegion>& regions, std::size_t r, std::vector<MeshFlaw>& flaws) {
   const std::string& name = regions[r].group;

@@ -81,7 +81,7 @@ std::map<std::string, Section> sections_of(const std::vector<std::string>& lines
       remarks.error(number, 1, fmt::format("{} stands in no section", in_quotes(line)),
                     "A section is: $Name, its lines, $EndName.");
       if (line[0] == '$') continue;
-      while (k + 1 < lines.size() && !trim(lines[k + 1]).starts_with('$')) ++k;  // told once
+      while (k + 1 < lines.size() && !trim(lines[k + 1]).starts_with('$')) ++k;  // reported once
       continue;
     }
     const std::string name(line.substr(1)), end = "$End" + name;

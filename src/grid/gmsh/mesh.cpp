@@ -8,7 +8,7 @@
 namespace tether::gmsh {
 namespace {
 
-/// Of all of the file's nodes; numbers that are there twice are reported.
+/// Indexes all of the file's nodes; numbers that are there twice are reported.
 NodeIndex numbered(const Content& content, Remarks& remarks) {
   NodeIndex index;
   for (std::size_t n = 0; n < content.nodes.size(); ++n) {
@@ -29,7 +29,7 @@ int dimension_of(const Content& content) {
   return dim;
 }
 
-/// The one kind of the elements of that dimension; others are told, each type once.
+/// The one kind of the elements of that dimension; others are reported, each type once.
 std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& remarks) {
   std::map<int, std::pair<int, int>> found;  // count and first line of each type
   for (const Element& element : content.elements) {
@@ -57,7 +57,7 @@ std::optional<ElementKind> kind_of(const Content& content, int dim, Remarks& rem
   return one ? kind_of(*one) : std::nullopt;
 }
 
-/// The nodes of an element as nodes of the mesh, in the file's order; what is wrong with them is told.
+/// The nodes of an element as nodes of the mesh, in the file's order; what is wrong with them is reported.
 bool nodes_of(const Content& content, const Element& element, const NodeIndex& index, std::vector<int>& nodes,
               Remarks& remarks) {
   const int count = find_type(element.type)->nodes;
@@ -197,7 +197,7 @@ namespace {
 
 constexpr std::size_t most_told = 5;  // of one kind of mistake, the last with the number of those that follow
 
-/// " (and 12 others)" at the last that is told.
+/// " (and 12 others)" at the last that is reported.
 std::string others(std::size_t k, std::size_t count) {
   return k + 1 == most_told && count > most_told ? fmt::format(" (and {} others)", count - most_told) : "";
 }

@@ -40,8 +40,8 @@ BarState start(const Scene& scene, const BarMesh& mesh, const BarArrays& arrays)
 
 /// Strain of bar e at this length: the change of its length over the length at the start, whose section its stress
 /// counts. The exact solutions are of linear strings; by ln(l / L_0), which the elements of the mpm path measure, the
-/// spring of thesis 5.5 softens: its period is 1.3 % above the exact one (by this strain .02 %), and the slack string
-/// of 5.6 falls 8 % too deep (.2 %). A swinging string stretches too little to tell.
+/// spring of thesis 5.5 softens: its period is 1.3 % above the exact one (by this strain 0.02 %), and the slack string
+/// of 5.6 falls 8 % too deep (0.2 %). A swinging string stretches too little to show it.
 inline double strain_of(const BarArrays& bars, std::size_t e, double length) {
   return length * bars.per_rest[e] - 1 + bars.strain[e];
 }

@@ -12,7 +12,7 @@
 namespace tether::fem {
 namespace {
 
-/// Steps between looks at what is behind walls: by number, so that what is told does not depend on outputs.
+/// Steps between looks at what is behind walls: by number, so that what is reported does not depend on outputs.
 constexpr long long steps_between_looks = 64;
 
 /// The wall behind which a place lies, or null.
@@ -31,8 +31,8 @@ std::string point_text(const Scene& scene, std::size_t p) {
   return fmt::format("point {} (body {}, {})", p + 1, b + 1, scene.bodies[b].name);
 }
 
-/// Of the first bar without a finite length, the end that is farther off. A bar's second end may be an anchor, which
-/// stays where it is.
+/// Finds, of the first bar without a finite length, the end that is farther off. A bar's second end may be an anchor,
+/// which stays where it is.
 std::size_t overflowed_point(const BarArrays& bars, const BarState& state, std::size_t points) {
   std::size_t e = 0;
   const auto squared = [&] {

@@ -13,7 +13,7 @@ namespace tether::coupled {
 /// used (MacCormack), of order 2. Where a solid comes between the faces used, or a path ends before its time,
 /// this correction is left out.
 ///
-/// Paths never go through a solid, nor is anything used that lies behind one (FlowPaths). What comes in through a side
+/// Paths never go through a solid, nor is anything used that lies beyond one (FlowPaths). What comes in through a side
 /// has the value there. Prescribed and closed faces keep what they carry, those of v should have been extended
 /// (extend_velocity). `out` must be neither `v` nor `carried`. Source: Selle, Fedkiw, Kim, Liu, Rossignac, J. Sci.
 /// Comput. 35, 350 (2008).

@@ -62,7 +62,7 @@ void Contact::meet_walls(std::size_t node, const Vec<3>& x, double reach) {
   }
 }
 
-/// At the face of the box that the node is least far behind, or farthest before, of those that are a wall there.
+/// At the face of the box that the node is least far beyond, or farthest before, of those that are a wall there.
 void Contact::meet_obstacle(const Box<3>& box, std::size_t node, const Vec<3>& x, double reach) {
   Meeting nearest;
   nearest.gap = -INFINITY;
@@ -75,8 +75,8 @@ void Contact::meet_obstacle(const Box<3>& box, std::size_t node, const Vec<3>& x
   if (nearest.box != nullptr && nearest.gap < reach) meetings_.push_back(nearest);
 }
 
-/// Whether a face of the box has another obstacle before it, where a node at x is nearest: obstacles side by side, or
-/// one in another, are one.
+/// Returns whether a face of the box has another obstacle before it, where a node at x is nearest: obstacles side by
+/// side, or one in another, are one.
 bool Contact::is_covered(const Box<3>& box, std::size_t axis, double up, const Vec<3>& x) const {
   Vec<3> before = x;
   for (std::size_t i = 0; i < dim_; ++i) before[i] = std::clamp(x[i], box.low[i], box.high[i]);
@@ -155,7 +155,8 @@ bool Contact::all_at_once(std::size_t wrong) {
   return chances_-- > 0;
 }
 
-/// Behind the wall, and where it is an obstacle's, in the obstacle: beside that its face goes on as no wall.
+/// The place is beyond the wall and, where the wall is an obstacle's, in the obstacle: beside that its face continues
+/// as no wall.
 bool Contact::is_behind(const Meeting& meeting, const Vec<3>& x) const {
   const std::size_t axis = meeting.axis;
   if (meeting.side * (x[axis] - meeting.place) >= -rounding * scene_.grid.d[axis]) return false;

@@ -251,7 +251,7 @@ class MapByPressures {
     return (1 - linear.weight[0]) * pressure_beyond(axis, cell, a);
   }
 
-  /// Whether the face is one of the box's sides, open but for solids.
+  /// Returns whether the face is one of the box's sides, open but for solids.
   bool lets_out(int axis, const std::array<int, 3>& face, int low, int high) const {
     if (low >= 0 && high >= 0) return false;
     return of_.domain.sides && of_.domain.sides->open(axis, of_.domain.grid.face(axis, face)) > 0;

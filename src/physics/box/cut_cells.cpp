@@ -20,7 +20,8 @@ FaceBox box_of(const StaggeredGrid& grid, int axis, int i) {
   return {std::max(place - half, grid.low[at(axis)]), std::min(place + half, grid.high(axis))};
 }
 
-/// Adds to the boxes of a row what each piece of surface encloses behind it: the solid's section grows by -n dA there.
+/// Adds to the boxes of a row what each piece of surface encloses on its inner side: the solid's section grows by -n dA
+/// there.
 void add_enclosed(const SurfacePieces& pieces, const StaggeredGrid& grid, int axis, std::vector<double>& within,
                   std::vector<double>& sections) {
   for (const SurfacePiece& piece : pieces.pieces) {
@@ -70,9 +71,9 @@ class Neighbourhood {
  public:
   explicit Neighbourhood(const FlowDomain& whole) : whole_(whole) {}
 
-  /// Whether the fluid cells next to a cell (along `longer` next to it and to the one below it), corners included, hang
-  /// together by way of cells no farther away than three. A wall hides what is next to a plate that meets it at an
-  /// angle: there those one farther away count as well.
+  /// Returns whether the fluid cells next to a cell (along `longer` next to it and to the one below it), corners
+  /// included, hang together by way of cells no farther away than three. A wall hides what is next to a plate that
+  /// meets it at an angle: there those one farther away count as well.
   bool joined(const std::array<int, 3>& middle, int longer) {
     set_window(middle, longer, 1);
     if (meets_wall(middle, longer)) set_window(middle, longer, 2);
@@ -103,7 +104,7 @@ class Neighbourhood {
     }
   }
 
-  /// Whether the window of those next to the cell leaves the box or has walls in it.
+  /// Returns whether the window of those next to the cell leaves the box or has walls in it.
   bool meets_wall(const std::array<int, 3>& middle, int longer) const {
     for (int axis = 0; axis < whole_.grid.dim; ++axis) {
       const int below = 1 + (axis == longer ? 1 : 0);
@@ -148,8 +149,8 @@ class Neighbourhood {
   std::array<std::uint8_t, std::size_t{most} * most * most> seen_{};
 };
 
-/// Whether the first and the last surface between two middles face away from each other, as a plate's do, not as those
-/// at a corner.
+/// Returns whether the first and the last surface between two middles face away from each other, as a plate's do, not
+/// as those at a corner.
 bool is_plate(const SurfacePieces& pieces, const Crossings& crossings, int lowest, int highest) {
   constexpr double facing = -0.5;
   const Vec<3>&a = pieces.area[at(crossings.all[at(lowest)].side)],
@@ -157,7 +158,8 @@ bool is_plate(const SurfacePieces& pieces, const Crossings& crossings, int lowes
   return dot(a, b) < facing * std::sqrt(dot(a, a) * dot(b, b));
 }
 
-/// Whether a plate lies in a cell: along some axis a surface is entered before and left behind the cell's middle.
+/// Returns whether a plate lies in a cell: along some axis a surface is entered before and left after the cell's
+/// middle.
 bool holds_plate(const SurfacePieces& pieces, const Crossings& crossings, const StaggeredGrid& grid, std::size_t cell) {
   const auto place = grid.place_of_cell(cell);
   for (int axis = 0; axis < grid.dim; ++axis) {
@@ -170,8 +172,8 @@ bool holds_plate(const SurfacePieces& pieces, const Crossings& crossings, const 
   return false;
 }
 
-/// Whether a plate lies between two cells of fluid; or between two of a solid is fluid of one side of it, and that of
-/// the other is next to them: by way of the two, which it fills, both would join.
+/// Returns whether a plate lies between two cells of fluid; or between two of a solid is fluid of one side of it, and
+/// that of the other is next to them: by way of the two, which it fills, both would join.
 bool divides(const SurfacePieces& pieces, const Crossings& crossings, const FlowDomain& whole, const FaceValues& fluid,
              int axis, std::size_t f, Neighbourhood& about) {
   const auto [low, high] = cells_beside(whole.grid, axis, f);

@@ -23,7 +23,8 @@ bool open(const FlowDomain& domain, int axis, const Place& face) {
   return domain.face[at(axis)][domain.grid.face(axis, face)] == FaceKind::open;
 }
 
-/// Whether fluid goes straight from one of the two cells beside a face to the same one beside the next face on a side.
+/// Returns whether fluid goes straight from one of the two cells beside a face to the same one beside the next face on
+/// a side.
 bool joined(const FlowDomain& domain, int axis, const Place& face, int across, bool up) {
   if (across == axis) return true;  // both are faces of one cell
   for (const int back : {1, 0}) {

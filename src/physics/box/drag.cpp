@@ -76,9 +76,9 @@ void Drag::act(double nu, double h, StickingBodies& bodies, std::vector<double>&
   }
 }
 
-/// With m of the face, w = sum of share^2 / mass of the surface's place, and x = h nu / (d distance), a link's impulse
-/// is J = m x (v1 - u1), u1 = u + J w, so that J = m y (v1 - u) with y = x / (1 + m x w); and m (v1 - v) = -sum J. As
-/// links may have nodes in common, each counts w for all of them: none then overshoots.
+/// Lets a star's links act. With m of the face, w = sum of share^2 / mass of the surface's place, and x = h nu / (d
+/// distance), a link's impulse is J = m x (v1 - u1), u1 = u + J w, so that J = m y (v1 - u) with y = x / (1 + m x w);
+/// and m (v1 - v) = -sum J. As links may have nodes in common, each counts w for all of them: none then overshoots.
 void Drag::act_on(const Star& star, std::size_t end, double by, StickingBodies& bodies, double& v) const {
   const auto dim = at(grid_.dim);
   const double mass = bodies.density * star.volume, count = static_cast<double>(end - star.first);

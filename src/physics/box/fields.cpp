@@ -168,7 +168,7 @@ CoupledSums CoupledFields::sums_of(const CoupledState& state) const {
   return s;
 }
 
-/// Of the nodes of each part.
+/// Sums the forces on the nodes of each part.
 std::vector<Components> CoupledFields::forces_of_parts(std::span<const double> forces) const {
   const std::size_t d = at(scene_.coupled()->grid.dim);
   std::vector<Components> sums;

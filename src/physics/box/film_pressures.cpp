@@ -58,7 +58,7 @@ FilmPressures::Kind FilmPressures::kind_of(std::size_t piece) const {
   return kind == Kind::film && is_in_another_solid(of) ? Kind::none : kind;
 }
 
-/// Whether a side of the box is open; where solids cover all of it, it is not.
+/// Returns whether a side of the box is open; where solids cover all of it, it is not.
 bool FilmPressures::lets_out(int axis, int end) const {
   const StaggeredGrid& grid = of_.domain.grid;
   const auto& faces = of_.domain.face[at(axis)];
@@ -68,7 +68,7 @@ bool FilmPressures::lets_out(int axis, int end) const {
   return false;
 }
 
-/// Just behind the piece, so that bodies which touch are not in each other.
+/// Returns a place just inside of the piece, so that bodies which touch are not in each other.
 bool FilmPressures::is_in_another_solid(const SurfacePiece& piece) const {
   const int part = of_.surface.part[at(piece.side)];
   if (of_.surface.parts < 2) return false;
@@ -127,7 +127,7 @@ std::vector<int> FilmPressures::touching(std::size_t piece) const {
   return found;
 }
 
-/// A film that is joined with no rim has no pressure that could be told. One between two regions of the fluid is a
+/// A film that is joined with no rim has no pressure that could be known. One between two regions of the fluid is a
 /// seal: the solid shuts them off from each other, so nothing gets in there.
 void FilmPressures::number_films() {
   number_.assign(kind_.size(), -1);
@@ -178,8 +178,8 @@ double FilmPressures::conductance(std::size_t film, std::size_t other) const {
   return 1 / std::max(far, least);
 }
 
-/// What the pressure of each rim, or of an outlet, is to each piece of the films: for each of them one solution of
-/// Laplace's equation.
+/// Finds what the pressure of each rim, or of an outlet, is to each piece of the films: for each of them one solution
+/// of Laplace's equation.
 void FilmPressures::share_rims(Team& team) {
   for (const Link& link : links_) {
     if (kind_[at(link.other)] != Kind::film) rims_.push_back(link.other);
@@ -204,7 +204,7 @@ void FilmPressures::share_rims(Team& team) {
       rims_of_a_block);
 }
 
-/// Of the films' pieces, by numbers.
+/// Makes the Laplacian of the films' pieces, by numbers.
 Eigen::SparseMatrix<double> FilmPressures::laplacian() const {
   std::vector<Eigen::Triplet<double>> entries;
   for (const Link& link : links_) {

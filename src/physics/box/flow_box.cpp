@@ -160,7 +160,7 @@ FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) cons
   return domain;
 }
 
-/// What a step of length h brings in is h times its mean, by three points of Gauss: exact to t^5, and of a jet that is
+/// Returns the jets' mean speeds in a step of length h, by three points of Gauss: exact to t^5, and for a jet that is
 /// switched on within the step about its part.
 std::vector<double> FlowBox::jet_speeds(double time, double h) const {
   constexpr double away = 0.38729833462074168852;  // sqrt(3/5)/2, of the step from its middle
@@ -187,7 +187,7 @@ void FlowBox::prescribe(const FlowDomain& domain, double time, double h, FaceVal
   }
 }
 
-/// Of several jets in a face those that blow in count, each by its part of the face's flux, so that what they bring is
+/// Counts of several jets in a face those that blow in, each by its part of the face's flux, so that what they bring is
 /// theirs, whatever others take out there.
 std::vector<SmokeJet> FlowBox::smoke_of_jets(double time, double h) const {
   const std::vector<double> speeds = jet_speeds(time, h);

@@ -27,7 +27,7 @@ class Builder {
   SparseMatrix K_;
 };
 
-/// Where the pressures' rows stand behind those of velocities.
+/// Where the pressures' rows stand: after those of velocities.
 struct Slots {
   std::int64_t first = 0;            ///< of all
   std::vector<std::int64_t> of_row;  ///< of each pressure, from 0
@@ -102,7 +102,7 @@ SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pi
   return K.take();
 }
 
-/// Where the entry on the diagonal stands, or where the column ends.
+/// Returns where the entry on the diagonal stands, or where the column ends.
 std::size_t place_on_diagonal(const SparseMatrix& A, std::int64_t column) {
   const auto first = A.row.begin() + A.start[at(column)], end = A.row.begin() + A.start[at(column + 1)];
   return at(std::find(first, end, column) - A.row.begin());

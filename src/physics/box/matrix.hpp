@@ -40,7 +40,8 @@ struct ReducedEquations {
   double flux = 0;      ///< out of it [volume/time]
 };
 
-/// u has the held velocities. Of loose regions the mean of r is taken off, which is rounding but where one is told.
+/// u has the held velocities. Of loose regions the mean of r is taken off, which is rounding except where one is
+/// reported.
 ReducedEquations reduced(const CoupledEquations& equations, std::span<const double> u);
 /// The first pressure of each of these regions.
 std::vector<std::uint8_t> first_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> regions);

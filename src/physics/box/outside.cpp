@@ -52,7 +52,7 @@ double part_in(const Box<3>& box, const StaggeredGrid& grid, const std::array<in
   return part;
 }
 
-/// Of each row of cells the value that all of its cells have; zero where they differ or there is none.
+/// Returns for each row of cells the value that all of its cells have; zero where they differ or there is none.
 std::vector<double> layers_of(const StaggeredGrid& grid, const std::vector<std::uint8_t>& fluid,
                               const std::vector<double>& values) {
   std::vector<double> low(at(grid.n[1]), INFINITY), high(at(grid.n[1]), -INFINITY);

@@ -12,7 +12,7 @@ namespace {
 
 std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
 
-/// Whether the way from `from` to `to` meets the side, its ends left out by rounding's measure.
+/// Returns whether the way from `from` to `to` meets the side, its ends left out by rounding's measure.
 bool meets_edge(const Vec<3>& a, const Vec<3>& b, const Vec<3>& from, const Vec<3>& to) {
   const Vec<3> way = minus(to, from), edge = minus(b, a), gap = minus(a, from);
   const double det = way[0] * edge[1] - way[1] * edge[0];
@@ -207,7 +207,7 @@ class BeforePieces {
     return gap >= 0 && gap <= 0.5 * d && gap <= along * d && along > 0 ? gap / along : -1;
   }
 
-  /// Whether the side is open at a place next to it but for solids, and no obstacle or void is before it.
+  /// Returns whether the side is open at a place next to it but for solids, and no obstacle or void is before it.
   bool is_open(int side, const Vec<3>& x) const {
     const int axis = axis_of_side(side);
     std::array<int, 3> cell{};
@@ -221,7 +221,7 @@ class BeforePieces {
     return domain_.sides->open(axis, grid_.face(axis, cell)) > 0;
   }
 
-  /// Where the normal meets the side: whether it is open, and no other solid is before it.
+  /// Returns whether the side is open where the normal meets it, and no other solid is before it.
   bool lets_out(int side, const SurfacePiece& piece, const Vec<3>& normal, double way) const {
     Vec<3> x = piece.middle;
     for (std::size_t i = 0; i < at(grid_.dim); ++i) x[i] += way * normal[i];

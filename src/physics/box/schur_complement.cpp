@@ -122,8 +122,8 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   return has_levels && multigrid_.factorise();
 }
 
-/// Of L + B D^-1 B^T, of which `inverse` has D^-1: D is the diagonal of A. It is not to find constants: one pressure of
-/// each closed region is tied down for it.
+/// Makes the levels of L + B D^-1 B^T, of which `inverse` has D^-1: D is the diagonal of A. It is not to find
+/// constants: one pressure of each closed region is tied down for it.
 bool SchurComplement::make_levels(const CoupledEquations& equations, std::span<const double> inverse) {
   SymmetricRows nearby = rows_of_sum(*L_, weighted_square(B_, inverse));
   const std::vector<std::uint8_t> first = first_pressures(equations, equations.closed);
@@ -161,7 +161,7 @@ void SchurComplement::move_solids(std::span<const double> forces) {
   if (!forces.empty()) solids_.solve(forces, moved_);
 }
 
-/// Of [x; c].
+/// Multiplies [x; c].
 void SchurComplement::multiply(std::span<const double> x, std::span<double> y) {
   const auto n = static_cast<std::size_t>(L_->n);
   whole_.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));

@@ -27,7 +27,7 @@ class ConstantPressures {
   void add_sums(std::span<const double> x, std::span<double> sums) const;
   /// p += W c.
   void add(std::span<const double> c, std::span<double> p) const;
-  /// Takes the means over the regions off, and tells them.
+  /// Takes the means over the regions off, and returns them.
   std::vector<double> take_means(std::span<double> p) const;
 
  private:

@@ -58,7 +58,7 @@ bool any_closed(const Placement& at) {
 
 }  // namespace
 
-/// By the power method: the motion that swells the solids drives most fluid, and is alone in that.
+/// Uses the power method: the motion that swells the solids drives most fluid, and is alone in that.
 std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const double> q, double density, double h) {
   const Placement at = step.placed(q);
   if (any_closed(at)) return std::nullopt;

@@ -46,7 +46,7 @@ CarriedIn carried_in(const Coupled& scene, const FlowDomain& domain, const FaceV
 /// a.b
 double product(std::span<const double> a, std::span<const double> b);
 
-/// What one step tells of itself.
+/// What one step reports of itself.
 struct StepAccount {
   double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]
   double mismatch = 0;  ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
@@ -75,8 +75,8 @@ struct CoupledState : StepClock {
   long long lu_solutions = 0;       ///< by factors where BiCGSTAB did not converge
   std::vector<double> orders;       ///< of elimination, when the state was saved
   long long contact_solutions = 0;  ///< solutions found again because of contact
-  long long unmeasured = 0;         ///< 1 once it was told that a closed volume is not held
-  long long heated_up = 0;          ///< 1 once it was told that friction has given more energy than it took
+  long long unmeasured = 0;         ///< 1 once it was reported that a closed volume is not held
+  long long heated_up = 0;          ///< 1 once it was reported that friction has given more energy than it took
   fem::OverlapCount overlap;        ///< of the solids
   std::vector<int> left;            ///< of each body, 1 once it was found to be wholly beyond a side of the box
   long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too

@@ -31,8 +31,8 @@ std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Va
   return p;
 }
 
-/// By what goes through a face over all of its area: through the sliver that a solid leaves of one little does, however
-/// fast.
+/// Measures by what goes through a face over all of its area: through the sliver that a solid leaves of one little
+/// does, however fast.
 double cells_crossed(const FlowDomain& domain, const FaceValues& v, double h) {
   double most = 0;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(domain.grid.dim); ++axis) {
@@ -87,7 +87,7 @@ bool CoupledStep::advance(CoupledState& state, double h) {
   return true;
 }
 
-/// What the next step is to find, in cut faces and in the solids.
+/// Leaves what the next step is to find, in cut faces and in the solids.
 void CoupledStep::end_velocity(double h, FaceValues& v) const {
   if (coupled_.coupling.cuts_faces) blend_cut_faces(at_.domain, h, v);
   extend_velocity(at_.domain, v, layers_around_fluid);
@@ -173,7 +173,7 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
   return solution;
 }
 
-/// With the volume term: what each cell of a region takes of it.
+/// Finds, with the volume term, what each cell of a region takes of it.
 void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution& solution) const {
   Regions& regions = solution.regions;
   regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,

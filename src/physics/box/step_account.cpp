@@ -56,7 +56,7 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
   book_fluid(solution, moving, let_in, sources, state, h);
 }
 
-/// Of the fluid's kinetic energy the change from before the forces, that is h times their power at v1 and the
+/// Books the change of the fluid's kinetic energy from before the forces, that is h times their power at v1 and the
 /// pressures', less what v1 takes more than the mean velocity would. `moving` is the pressures' power on the fluid,
 /// `let_in` the fluid's at prescribed faces. By splitting with repaired velocities of walls the solids get what these
 /// leave; or else what their own velocities displace.
@@ -223,7 +223,7 @@ std::vector<std::string> CoupledStep::take_messages() {
 
 // What a step does with smoke.
 
-/// What comes in with fluid: through jets, and through open sides that layers outside lie at.
+/// Returns what comes in with fluid: through jets, and through open sides that layers outside lie at.
 std::vector<SmokeJet> CoupledStep::smoke_sources(double time, double h) const {
   std::vector<SmokeJet> sources = box_.smoke_of_jets(time, h);
   for (int side = 0; side < 2 * coupled_.grid.dim && outside_.has_smoke(); ++side) {

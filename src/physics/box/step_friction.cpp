@@ -43,10 +43,10 @@ StickingBodies CoupledStep::sticking(const CoupledState& state) const {
   return bodies;
 }
 
-/// What all else than the fluid's friction gave each node, as `sticking` takes its answer to a force; none where it was
-/// held, as there that is what friction asks for. A body that sinks at its last speed then has in each step the drag of
-/// that speed, whatever h. That drag never gives energy asks for answers no smaller than the true ones, by springs of
-/// any stiffness and both rules of the solids' step.
+/// Keeps what all else than the fluid's friction gave each node, as `sticking` takes its answer to a force; none where
+/// it was held, as there that is what friction asks for. A body that sinks at its last speed then has in each step the
+/// drag of that speed, whatever h. That drag never gives energy asks for answers no smaller than the true ones, by
+/// springs of any stiffness and both rules of the solids' step.
 void CoupledStep::keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h,
                                        CoupledState& state) const {
   const auto dim = at(surface_.dim);
@@ -56,8 +56,8 @@ void CoupledStep::keep_drive_of_bodies(std::span<const double> u0, const Solutio
   }
 }
 
-/// What pressures and forces gave each open face in this step, and the end of the step after them: the viscosity of the
-/// next one sees it. `unforced_` holds what these changed.
+/// Keeps what pressures and forces gave each open face in this step, and the end of the step after them: the viscosity
+/// of the next one sees it. `unforced_` holds what these changed.
 void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& state) const {
   for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
     for (std::size_t f = 0; f < state.v[axis].size(); ++f) {

@@ -30,7 +30,8 @@ struct Polygon {
   void add(const Corner& corner) { corners[size++] = corner; }
 };
 
-/// What lies at sign (x - place) >= 0 along the axis (I. E. Sutherland and G. W. Hodgman, Comm. ACM 17 (1974) 32-42).
+/// Returns what lies at sign (x - place) >= 0 along the axis (I. E. Sutherland and G. W. Hodgman, Comm. ACM 17 (1974)
+/// 32-42).
 Polygon clipped(const Polygon& polygon, std::size_t axis, double place, double sign) {
   Polygon left;
   for (std::size_t k = 0; k < polygon.size; ++k) {

@@ -55,7 +55,7 @@ void CoupledSystem::solve(const CoupledEquations& equations, double time, std::s
   solve_by_gradients(equations, time, u, p);
 }
 
-/// Without K' made convex A may be indefinite: that is told, once, and the run goes on to show what comes of it.
+/// Without K' made convex A may be indefinite: that is reported, once, and the run continues to show what comes of it.
 void CoupledSystem::check_pivots(std::int64_t expected, double time) {
   const std::int64_t found = parts_->both.negative_pivots();
   if (found == expected) return;
@@ -69,7 +69,7 @@ void CoupledSystem::check_pivots(std::int64_t expected, double time) {
 
 /// In a closed region L does not feel a constant pressure, so that factors in any order need not exist. So its first
 /// pressure is set to zero, and the constant c, which the solids feel by S, the sum of the region's rows, is found
-/// behind the others: [K, S; S^T, 0] [x; c] = [k; sum of r].
+/// after the others: [K, S; S^T, 0] [x; c] = [k; sum of r].
 void CoupledSystem::solve_directly(const CoupledEquations& equations, double time, std::span<double> u,
                                    std::span<double> p) {
   const ReducedEquations with = balanced(equations, time, u);
@@ -122,8 +122,8 @@ void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double
   for (std::size_t k = 0; k < p.size(); ++k) p[k] = with.pinned[k] != 0 ? 0 : x[u.size() + k] / scales[u.size() + k];
 }
 
-/// What BiCGSTAB does not find, factors of the same matrix find, unless it is singular. The residual is taken off until
-/// it falls no more.
+/// Finds by factors of the same matrix what BiCGSTAB does not find, unless the matrix is singular. The residual is
+/// taken off until it falls no more.
 void CoupledSystem::solve_by_lu(const SparseMatrix& K, std::span<const double> right, double time, int iterations,
                                 std::span<double> x) {
   constexpr int most_corrections = 5;

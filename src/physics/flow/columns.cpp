@@ -16,7 +16,7 @@ const Given& with_bodies() {
   return when;
 }
 
-/// Whether drag and lift are wanted as coefficients.
+/// Returns whether drag and lift are wanted as coefficients.
 const Given& with_coefficients() {
   static const Given when("with `speed` and `length`",
                           [](const FlowSetting& s) { return s.flow.speed > 0 && s.flow.length > 0; });

@@ -7,7 +7,7 @@
 
 namespace tether::fem {
 
-// What the elements of a flow tell of it beside their residual: integrals over the mesh, fields at its nodes, and
+// What the elements of a flow say of it beside their residual: integrals over the mesh, fields at its nodes, and
 // matrices of its pressures.
 
 template <class V, class P>

@@ -61,7 +61,7 @@ FlowFields::FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers
     body_volumes_.push_back(step.immersed()->system().elements->volumes(static_cast<int>(r)));
 }
 
-/// What the last step was about, of a state that a checkpoint held, too.
+/// Returns what the last step was about, of a state that a checkpoint held, too.
 FlowMoment FlowFields::last_moment(const FlowState& state) const {
   return {.v0 = state.v_before,
           .v1 = state.v,

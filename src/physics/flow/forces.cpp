@@ -39,7 +39,7 @@ std::vector<RecordedForce> FlowForces::of(const FlowState& state, const FlowMome
   return forces;
 }
 
-/// Of the nodes of walls; with what free nodes of bodies give these, without what supports take.
+/// Returns the force on the nodes of walls; with what free nodes of bodies give these, without what supports take.
 PlaneForce FlowForces::on_walls(const FlowState& state, const FlowMoment& m, std::size_t k) const {
   const auto& centre = flow_.forces[k].centre;
   PlaneForce sum;
@@ -63,7 +63,7 @@ PlaneForce FlowForces::on_bodies(const FlowState& state, std::size_t k) const {
   return sum;
 }
 
-/// Where the bodies were as the stress acted.
+/// Returns the force on sides of bodies, where these were as the stress acted.
 PlaneForce FlowForces::on_body_sides(const FlowState& state, const FlowMoment& m, std::size_t k) const {
   const ForceSide& force = flow_.forces[k];
   if (force.body_sides.empty()) return {};

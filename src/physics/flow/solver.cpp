@@ -63,7 +63,7 @@ void FlowSolver::look_at_bodies() {
   look_at_thickness();
 }
 
-/// What the plan says of the start, as the bodies move over other cells: reported once.
+/// Reports once what the plan says of the start, as the bodies move over other cells.
 void FlowSolver::look_at_spacing() {
   const double now = step_.immersed()->carried().coarsest();
   if (now > coarse_spacing && state_.doubts.spacing <= coarse_spacing)
@@ -75,7 +75,7 @@ void FlowSolver::look_at_spacing() {
   state_.doubts.spacing = std::max(state_.doubts.spacing, now);
 }
 
-/// The same of cells across them.
+/// Does the same for cells across them.
 void FlowSolver::look_at_thickness() {
   const ThinBody thin = thickness_->thinnest(state_.q);
   if (thin.region < 0) return;
@@ -110,7 +110,7 @@ void FlowSolver::advance(double until, long long most) {
   }
 }
 
-/// The first time that GMRES does not do is told.
+/// Reports the first time that GMRES does not do.
 void FlowSolver::tell_of_failures(long long before) {
   if (before > 0 || state_.krylov_failures == 0) return;
   messages_.push_back(
@@ -119,7 +119,8 @@ void FlowSolver::tell_of_failures(long long before) {
                   state_.time));
 }
 
-/// Whether bodies take mass from the fluid. One that supports move tells nothing: the fluid does not go with it.
+/// Returns whether bodies take mass from the fluid. One that supports move says nothing of it: the fluid does not go
+/// with it.
 bool FlowSolver::has_light_bodies() const {
   if (!step_.immersed()) return false;
   const Solids& solids = step_.immersed()->solids();

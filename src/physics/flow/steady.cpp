@@ -36,7 +36,7 @@ namespace {
 
 constexpr int most_rounds = 40;
 
-/// Of the displacements' tolerance what a round's way is to be: where a round leaves .9 of the way to the solution, 9
+/// Of the displacements' tolerance what a round's way is to be: where a round leaves 0.9 of the way to the solution, 9
 /// ways are still to come.
 constexpr double part_of_tolerance = 0.1;
 
@@ -83,7 +83,7 @@ FlowReport SteadyBodies::advance_round(FlowState& state, const FlowStepTime& at)
   }
 }
 
-/// What the last digits of places, and of velocities over a round, leave of ways [length].
+/// Returns what the last digits of places, and of velocities over a round, leave of ways [length].
 double SteadyBodies::rounding(double settling) const {
   double farthest = 0;
   for (const double x : flow_.mesh.x) farthest = std::max(farthest, std::abs(x));

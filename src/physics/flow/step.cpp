@@ -67,8 +67,8 @@ FlowReport FlowStep::start(FlowState& state, double dt) {
   return report;
 }
 
-/// What the step is about, and where Newton's method starts: the velocities of the start of the step before with the
-/// prescribed ones of this one's end. So the mean velocity goes on as it was, whatever stiff solids make alternate
+/// Sets what the step is about, and where Newton's method starts: the velocities of the start of the step before with
+/// the prescribed ones of this one's end. So the mean velocity goes on as it was, whatever stiff solids make alternate
 /// about it.
 void FlowStep::begin(const FlowState& state, const FlowStepTime& at) {
   const Flow& flow = unknowns_.flow;
@@ -100,7 +100,7 @@ void FlowStep::begin_bodies(const FlowState& state) {
   immersed_->end_correction();
 }
 
-/// Of a steady flow with bodies that is on the way to the deck's.
+/// Scales the loads of a steady flow with bodies that is on the way to the deck's.
 void FlowStep::scale_loads() {
   for (std::size_t k = 0; k < v1_.size(); ++k) {
     if (unknowns_.velocity[k] < 0) v1_[k] *= loads_;
@@ -121,7 +121,7 @@ FlowMoment FlowStep::moment(std::span<const double> v0) const {
 }
 
 /// (45), (46): the residuals at the unknowns over the largest forces and fluxes and the tolerance; and their size over
-/// the forces and fluxes that the step began with, which tells what corrections are worth.
+/// the forces and fluxes that the step began with, which shows what corrections are worth.
 double FlowStep::find_residual(const FlowState& state) {
   const Seconds from = seconds_now();
   std::fill(f_.begin(), f_.end(), 0.0);
@@ -209,8 +209,8 @@ bool FlowStep::correct(FlowState& state, double residual) {
   return immersed_->least_change_of_volume() > least_volume;
 }
 
-/// GMRES takes off as much as Newton's method does in these steps, or what is left to do. Measured: 1e-2 to 1e-4 and .1
-/// to .6 of what is left make no difference of more than a tenth; 1e-1 takes twice the corrections.
+/// GMRES takes off as much as Newton's method does in these steps, or what is left to do. Measured: 1e-2 to 1e-4 and
+/// 0.1 to 0.6 of what is left make no difference of more than a tenth; 1e-1 takes twice the corrections.
 bool FlowStep::find_correction(double residual) {
   constexpr double least = 1e-3, enough = 0.3;
   const auto& velocity = unknowns_.velocity;

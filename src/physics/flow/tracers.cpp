@@ -27,7 +27,7 @@ class Shape {
   }
 
  private:
-  /// Whether the place is on the left of all three edges.
+  /// Returns whether the place is on the left of all three edges.
   bool triangle_holds(std::size_t e, const Vec<2>& x) const {
     const int* nodes = mesh_.element(e);
     for (int k = 0; k < 3; ++k) {

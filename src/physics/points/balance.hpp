@@ -50,7 +50,7 @@ struct NodeTotals {
   double squares = 0;  // FLIP: sum m |a|^2
   double gained = 0;   // APIC: sum m a . w, kinetic energy after the solve less before it, over dt [power]
   double upward = 0;   // sum m w_y [momentum]
-  double held = 0;     // sum of .5 m |v|^2 that walls took [energy]
+  double held = 0;     // sum of 0.5 m |v|^2 that walls took [energy]
 
   void add(const NodeSums& sum, const NodeMotion& motion, std::uint8_t walls, double dt) {
     const bool counts = sum.m > light;

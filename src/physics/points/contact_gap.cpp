@@ -43,7 +43,7 @@ bool Contact::edge(const Points& P, int slot, int group, Pair from, Pair normal,
   return edge > -std::numeric_limits<double>::infinity();
 }
 
-/// Where points of a and b touch and approach each other, the approach is taken away; no friction.
+/// Takes the approach away where points of a and b touch and approach each other; there is no friction.
 void Contact::push_apart(const Points& P, const Frame& frame, int slot, int a, int b, double dt) {
   const NodeSums &A = sums_[index(slot, a)], &B = sums_[index(slot, b)];
   if (A.m <= 0 || B.m <= 0) return;

@@ -37,7 +37,7 @@ void turn_tangents(Points& P, Range string, bool closed) {
 
 namespace {
 
-/// A membrane's end no further than this from a wall that mirrors, in spacings of its points, goes on behind it.
+/// A membrane's end no further than this from a wall that mirrors, in spacings of its points, continues beyond it.
 constexpr double reach = 0.75;
 /// No further than this it stands on the wall.
 constexpr double at_a_wall = 1e-9;
@@ -82,7 +82,7 @@ void Elements::add(const Points& P, std::size_t a, std::size_t b, int mirror, do
   elements_.push_back(element);
 }
 
-/// Goes on to its image behind a wall that mirrors; an end that stands on a wall, as a pin may, needs none.
+/// Continues to its image behind a wall that mirrors; an end that stands on a wall, as a pin may, needs none.
 bool Elements::ends_at_wall(const Points& P, const Scene& scene, std::size_t end, std::size_t inner) {
   const double spacing = std::hypot(P.x[end] - P.x[inner], P.y[end] - P.y[inner]);
   const BackgroundGrid& grid = scene.grid;
@@ -145,7 +145,7 @@ void Elements::add_element(const Points& P, const Element& element, std::size_t 
 Elements::Swept Elements::swept(const Points& P, const Element& element) const {
   using std::numbers::pi;
   const std::size_t a = element.a, b = element.b;
-  // A half element before the first point runs from its wall, one behind the last to it.
+  // A half element before the first point runs from its wall, one after the last to it.
   const double sense = a == range_.begin ? 1 : -1;
   if (element.mirror == 0) {  // level; from its end the way goes on along the wall
     const double across = about_axis_ ? pi * element.wall * element.wall : element.wall - reference_x_;

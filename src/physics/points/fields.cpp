@@ -36,7 +36,7 @@ std::vector<std::size_t> tracked_slots(const State& state, const Scene& scene, c
   return tracked;
 }
 
-/// Whether impulses of contact may act: a solid is there, and another body.
+/// Returns whether impulses of contact may act: a solid is there, and another body.
 bool by_gap(const Scene& scene) {
   return scene.method.contact == ContactRule::gap && scene.bodies.size() > 1 && has_solid(scene);
 }
@@ -72,7 +72,7 @@ Group loss_columns() {
                .when("with a solid and another body", [](const PointSetting& s) { return by_gap(s.scene); })}};
 }
 
-/// What passed, as a row.
+/// Makes a row of what passed.
 Row passed(const char* name, Dimension dimension, const char* meaning, double Passed::*amount) {
   return {name, dimension, meaning, [amount](const PointSums& s) { return s.state.strips.passed().*amount; }};
 }
@@ -176,7 +176,7 @@ struct NodeSource {
 Value<PointSource> of(LineArray<double> Points::*array) {
   return [array](const PointSource& s, std::size_t k) { return s.P.at(array, s.order.slots[k]); };
 }
-/// What follows from the points' laws.
+/// Returns what follows from the points' laws.
 Value<PointSource> of(double Extent::*number) {
   return [number](const PointSource& s, std::size_t k) { return s.extent(k).*number; };
 }

@@ -25,7 +25,7 @@ class GasMixing {
   struct Span {
     double least = 0, most = 0;
     void add(const Span& other);
-    /// Says how far apart two of them lie.
+    /// Returns how far apart the two lie, as a ratio.
     double ratio(const Span& other) const;
   };
   struct Cell {

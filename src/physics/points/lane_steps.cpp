@@ -64,7 +64,7 @@ double sum_of(const double (&lanes)[LaneFindings::lanes]) {
   return sum;
 }
 
-/// What a pass works on.
+/// Returns what a pass works on.
 LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
   State& state = work.state;
   const auto* law = std::get_if<IdealGas>(&work.scene.bodies[b].material);

@@ -15,7 +15,7 @@
 namespace tether::mpm {
 
 /// Tangents of a membrane's points from where the points stand, without their connectivity (chapter 7). Keeps work
-/// space only: what a step leaves behind is its tangents.
+/// space only: what a step leaves is its tangents.
 class MembraneNormals {
  public:
   /// The method's rule, which is not connectivity. Walls stand at the edges of `shape`, and no point beyond them;

@@ -24,7 +24,7 @@ int seen_at(int cell, int cells, bool mirror_low, bool mirror_high) {
   return cell;
 }
 
-/// Where a place of that cell is seen, counted in cells from the edge.
+/// Returns where a place of that cell is seen, counted in cells from the edge.
 double seen_place(double place, int cell, int cells) {
   if (cell < 0) return -place;
   return cell >= cells ? 2 * cells - place : place;

@@ -88,7 +88,7 @@ struct QuadraticColor {
 struct Stiffness {
   double bend = 0, twist = 0;
 };
-/// Measured: arcs of .4 cells come out to .5 degrees, and a scatter of 1e-3 cells makes errors below 1 degree.
+/// Measured: arcs of 0.4 cells come out to 0.5 degrees, and a scatter of 1e-3 cells makes errors below 1 degree.
 constexpr Stiffness softest{1e-8, 1e-4};
 
 /// A colour's gradient in r and s.
@@ -156,7 +156,7 @@ struct NearestLine {
   LocalPlace middle;
   double nx = 0, ny = 0;
   double spread = 0;
-  /// Points that stand this close to each other tell no direction.
+  /// Points that stand this close to each other show no direction.
   bool one_place() const { return spread < 1e-4; }
 };
 
@@ -188,7 +188,7 @@ struct ExtraPoint {
 };
 
 inline ExtraPoint extra_point(const NearestLine& line, double dx, double dy) {
-  constexpr double distance = 0.25;  // measured: arcs come out better than with .5 or 1
+  constexpr double distance = 0.25;  // measured: arcs come out better than with 0.5 or 1
   const double side = distance * std::min(dx, dy);
   const auto outside = [](LocalPlace at) { return std::max(std::abs(at.r - 0.5), std::abs(at.s - 0.5)); };
   const LocalPlace up{line.middle.r + side * line.nx / dx, line.middle.s + side * line.ny / dy};

@@ -26,7 +26,7 @@ struct Tangents {
 };
 
 /// Turns the tangent of point p across the gradient of a colour, to the side of the tangent before. A gradient that is
-/// not longer than `least` tells no direction: the tangent stays.
+/// not longer than `least` shows no direction: the tangent stays.
 inline void turn_across(const Tangents& tangents, std::size_t p, Pair gradient, double least) {
   const double length = std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1]);
   if (!(length > least)) return;

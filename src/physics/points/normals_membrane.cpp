@@ -66,7 +66,7 @@ void MembraneMatrixNormals<Color>::solve(const Tangents& tangents) {
   matrix_.solve(colors_);
 }
 
-/// Whether there is a cell to make stiffer; see fit_gradients().
+/// Returns whether there is a cell to make stiffer; see fit_gradients().
 template <class Color>
 bool MembraneMatrixNormals<Color>::stiffen_what_turns_round() {
   bool any = false;
@@ -173,7 +173,7 @@ void MembraneMatrixNormals<Color>::assemble(std::size_t c, const Tangents& tange
   }
 }
 
-/// The line nearest to a cell's points. Where they tell no direction it has that of the ghost cell's.
+/// The line nearest to a cell's points. Where they show no direction it has that of the ghost cell's.
 template <class Color>
 NearestLine MembraneMatrixNormals<Color>::line_of(const Cell& cell) {
   NearestLine line = nearest_line(cell_places_, shape_.dx, shape_.dy);
@@ -185,7 +185,7 @@ NearestLine MembraneMatrixNormals<Color>::line_of(const Cell& cell) {
   return line;
 }
 
-/// The point of another colour. Where not even a ghost cell tells a line, the tangent of before is to stay: the point
+/// The point of another colour. Where not even a ghost cell shows a line, the tangent of before is to stay: the point
 /// stands off it, and the colour is not to change along it.
 template <class Color>
 void MembraneMatrixNormals<Color>::add_extra(const Cell& cell, const Tangents& tangents, Block& block, Row& right) {

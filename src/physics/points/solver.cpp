@@ -190,7 +190,7 @@ void MpmSolver::step(double dt, bool records) {
   finish_step(work.found, dt);
 }
 
-/// What gas that passes an edge changes: points, and with them the sums at the nodes.
+/// Changes what gas that passes an edge changes: points, and with them the sums at the nodes.
 void MpmSolver::pass_edges(StepWork& work, double dt) {
   forget_sums(state_, set_);
   const EdgeFindings edges = state_.strips.after_step(state_.body_points(), plan_.scene, dt, state_.time + dt);

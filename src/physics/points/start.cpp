@@ -97,7 +97,7 @@ struct StartPoints {
   }
 };
 
-/// By the rule of the first gas that takes its density from cells: a deck has but one such rule.
+/// Follows the rule of the first gas that takes its density from cells: a deck has but one such rule.
 std::optional<CellDensity> cell_density(const Scene& scene, const Frame& frame) {
   for (const Body& body : scene.bodies) {
     const auto* gas = std::get_if<IdealGas>(&body.material);

@@ -13,10 +13,10 @@ namespace tether::mpm {
 // The fields that APIC's points carry at the start of a scene about an axis. A point that knows its velocity alone
 // gives it to all its nodes unchanged, and a node takes the velocity of the mean place of its points. In the plane that
 // place is the node's own; about an axis rings further out weigh more, and it lies h^2 / (4 r) beyond the node: gas
-// that falls towards the axis would begin to fall faster by the part h^2 / (4 r^2), which is .25 at the first node of
+// that falls towards the axis would begin to fall faster by the part h^2 / (4 r^2), which is 0.25 at the first node of
 // every grid. With C = grad v a linear field is mapped exactly.
 
-/// Rounds of fitting. Of a linear field they leave .005 of a gradient at the axis. What a free edge does to it comes
+/// Rounds of fitting. Of a linear field they leave 0.005 of a gradient at the axis. What a free edge does to it comes
 /// one cell further in with each, and with one point a cell it does not fade.
 constexpr int rounds_of_fitting = 3;
 

@@ -19,7 +19,7 @@ bool has_waves(const EdgeGas& gas) {
          std::isfinite(gas.across);
 }
 
-/// Whether the two part so fast that nothing is left between them, Toro (4.40).
+/// Returns whether the two part so fast that nothing is left between them, Toro (4.40).
 bool parts(const EdgeGas& outside, const EdgeGas& inside, double gamma) {
   const auto c = [gamma](const EdgeGas& gas) { return std::sqrt(gamma * gas.pressure / gas.density); };
   return inside.across - outside.across >= 2 / (gamma - 1) * (c(outside) + c(inside));
@@ -114,8 +114,8 @@ EdgeFindings Strips::after_step(const BodyPoints& bodies, const Scene& scene, do
   return edges;
 }
 
-/// What a point of a strip gave to the nodes in the step is what the gas inside took from it; gravity gave some of the
-/// momentum. Then it stands where the velocity on the edge carries it.
+/// Returns points of strips. What a point of a strip gave to the nodes in the step is what the gas inside took from it;
+/// gravity gave some of the momentum. Then it stands where the velocity on the edge carries it.
 void Strips::return_to_reservoir(const BodyPoints& bodies, const Scene& scene, double dt) {
   Points& P = bodies.points;
   for (const Note& note : notes_) {

@@ -118,8 +118,8 @@ void LeakWatch::look(State& state, const Scene& scene, std::vector<std::string>&
 namespace {
 
 /// Distance of neighbours from which the stress begins to scatter from point to point [cells]. Measured on a column
-/// that hangs under its own weight, on 10 to 40 cells: neighbours that begin half a cell apart and are stretched to .63
-/// leave an error of 1.3 per cent instead of .3 to .5, at .75 of 3 to 6, which cells do not mend.
+/// that hangs under its own weight, on 10 to 40 cells: neighbours that begin half a cell apart and are stretched to
+/// 0.63 leave an error of 1.3 per cent instead of 0.3 to 0.5, at 0.75 of 3 to 6, which cells do not mend.
 constexpr double doubtful_distance = 0.6;
 
 /// Distance of the neighbours of a point along its body's lattice, in cells of the grid along either axis.
@@ -170,7 +170,7 @@ std::string text_of(const State& state, const Scene& scene, std::size_t b, std::
                      b + 1, body.name, k + 1, (k + 1) % body.count + 1, state.points.x[p], state.points.y[p], what);
 }
 
-/// What there is to say of neighbours.
+/// Says what there is to say of neighbours.
 std::string gap_text(State& state, const Scene& scene, std::size_t b) {
   const bool of_points = scene.method.membrane_strain == MembraneStrain::point;
   const bool fluid = find_body<IdealGas>(scene) || find_body<LinearFluid>(scene);
@@ -194,7 +194,7 @@ StringWatch::StringWatch(const Scene& scene, const State& state) {
     on_ = true;
     for (const bool first : {true, false}) {
       const StringEnd end = end_at_wall(scene, body, points_of(state, b, body.closed), first);
-      // What is too far away at the start the deck's remarks tell.
+      // The deck's remarks report what is too far away at the start.
       if (end.name && end.cells <= widest_sound_end) ends_.push_back({b, first ? 0 : body.count - 1, end});
     }
   }

@@ -6,7 +6,7 @@
 namespace tether::fem {
 namespace {
 
-/// Of columns q or v at all nodes, three numbers a node (18).
+/// Returns the columns q or v at all nodes, three numbers a node (18).
 std::vector<double> at_nodes(const RigidColumns& columns, const RigidSystem& system) {
   std::vector<double> numbers(system.solids.mesh.x.size());
   Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic>>(numbers.data(), 3, system.nodes.cols()) = columns * system.nodes;

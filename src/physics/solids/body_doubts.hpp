@@ -72,7 +72,7 @@ class BodyDoubts {
   std::vector<bool> free_;           // of each node, whether nothing holds its body
 };
 
-/// Nothing stops one body at another: it is seen here, counted and told once. The solids must outlive it.
+/// Nothing stops one body at another: it is seen here, counted and reported once. The solids must outlive it.
 class BodyOverlaps {
  public:
   explicit BodyOverlaps(const Solids& solids) : solids_(solids), finder_(solids.mesh) {}

@@ -41,9 +41,9 @@ struct LawAt {
   }
 };
 
-/// What the middle stress lacks along dC to do the work of the energies' difference: s = (2 (Psi1 - Psi0) - S_m : dC) /
-/// (dC : dC). For small dC that quotient is all rounding; there the difference is the integral of S : dC / 2 by two
-/// points of Gauss, exact but for |dC|^5.
+/// Returns what the middle stress lacks along dC to do the work of the energies' difference: s = (2 (Psi1 - Psi0) - S_m
+/// : dC) / (dC : dC). For small dC that quotient is all rounding; there the difference is the integral of S : dC / 2 by
+/// two points of Gauss, exact but for |dC|^5.
 template <int dim>
 double lacking_stress(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const Symmetric<dim>& middle, double dC2,
                       const LawAt<dim>& law) {
@@ -121,7 +121,7 @@ bool small_strains(const ElasticLaw& any) {
   return std::visit([](const auto& law) { return law.small_strains; }, any);
 }
 
-/// What a law answers to at F.
+/// Returns what a law answers to at F.
 template <int dim>
 Symmetric<dim> strain_of(const ElasticLaw& law, const Square<dim>& F) {
   return small_strains(law) ? small_strain<dim>(F) : right_cauchy_green<dim>(F);

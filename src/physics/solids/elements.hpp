@@ -42,7 +42,7 @@ class Elements {
   /// Computer Animation 2005, 181-190).
   virtual void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
                              SparseMatrix& K) const = 0;
-  /// The stress S at all points of quadrature with its linear change by a change of q1: what it is behind a correction
+  /// The stress S at all points of quadrature with its linear change by a change of q1: what it is after a correction
   /// of Newton's method before the shape's turning, which is of second order, stretches slender bodies (D. Magisano, L.
   /// Leonetti and G. Garcea, Comput. Methods Appl. Mech. Engrg 313 (2017) 989-1005). 3 numbers a point in the plane, 6
   /// in space.

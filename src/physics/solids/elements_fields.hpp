@@ -8,7 +8,7 @@
 
 namespace tether::fem {
 
-// What elements tell of their stress.
+// What elements say of their stress.
 
 /// xx, yy, zz, xy, yz, xz at a point of quadrature, and the energy density there. Of the linear law shape and stress
 /// are those of the start.

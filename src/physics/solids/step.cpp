@@ -102,8 +102,8 @@ NewtonReport SolidStep::settle(SolidState& state, double at) {
   return report;
 }
 
-/// Where Newton's method starts: with the velocity carried on, or as rigid bodies would move on, whichever leaves the
-/// smaller residual.
+/// Finds where Newton's method starts: with the velocity carried on, or as rigid bodies would move on, whichever leaves
+/// the smaller residual.
 void SolidStep::guess(const SolidState& state, double dt) {
   if (!rule_.dynamic) {
     q1_ = state.q;
@@ -120,7 +120,7 @@ void SolidStep::guess(const SolidState& state, double dt) {
   if (!(find_residual(state, dt) * scale_ <= rigid)) q1_ = change_;
 }
 
-/// Of loads and gravity, where the integrator takes its stress.
+/// Finds the forces of loads and gravity, where the integrator takes its stress.
 void SolidStep::find_outer_forces(double time, double dt) {
   if (!rule_.mean) return system_.external_forces(time + rule_.loads_at * dt, outer_);
   system_.external_forces(time, inner_);
@@ -194,8 +194,8 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
   return report;
 }
 
-/// What rounding leaves of the residual over the largest force: the places are known to epsilon, and stiff bodies whose
-/// forces nearly cancel answer it with the tangent's largest number.
+/// Returns what rounding leaves of the residual over the largest force: the places are known to epsilon, and stiff
+/// bodies whose forces nearly cancel answer it with the tangent's largest number.
 double SolidStep::rounding() const {
   const double epsilon = std::numeric_limits<double>::epsilon(), n = static_cast<double>(q1_.size());
   return epsilon * std::sqrt(n) * stiffest_ * largest(q1_) / scale_;

@@ -58,7 +58,7 @@ class SolidSystem {
   /// Sets the places of supported nodes to where they are at a time.
   void place_supports(double time, std::span<double> q) const;
   /// Sets the velocities of supported nodes to how their places change about a time, from `h` before it, though not
-  /// before t = 0, to `h` behind it.
+  /// before t = 0, to `h` after it.
   void move_supports(double time, double h, std::span<double> v) const;
 
   const Solids& solids;

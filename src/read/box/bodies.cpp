@@ -35,7 +35,7 @@ std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
   return without_twins(std::move(nodes));
 }
 
-/// What spring_on(k) names, which is told where there is nothing of that name.
+/// Returns what spring_on(k) names, and reports where there is nothing of that name.
 std::vector<int> nodes_named(const Deck& deck, int k, const Solids& solids, Diagnostics& diagnostics) {
   const std::string on = deck.text("coupled.spring_on", k);
   if (!on.starts_with("region ")) {
@@ -61,7 +61,7 @@ std::size_t nearest_node(const Mesh& mesh, double x, double y) {
   return nearest;
 }
 
-/// Tells of a hinge on a node that a support moves elsewhere.
+/// Reports a hinge on a node that a support moves elsewhere.
 void check_moved(const Deck& deck, int k, const Support& hinge, const Solids& solids, Diagnostics& diagnostics) {
   for (const Support& other : solids.supports) {
     bool moves = false;

@@ -56,7 +56,7 @@ void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   coupled.smoke_lift = deck.real("coupled.smoke_lift");
 }
 
-/// Whether a mesh, which may be a file's, can go through the fluid.
+/// Returns whether a mesh, which may be a file's, can go through the fluid.
 bool check_mesh(const Deck& deck, const Mesh& mesh, const StaggeredGrid& grid, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& message, const char* hint) {
     diagnostics.add(deck.remark(Severity::error, "mesh.file", {1, 1}, message, hint));

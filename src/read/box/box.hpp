@@ -10,7 +10,7 @@
 namespace tether {
 
 /// Adds the fluid in a box that $in and $coupled describe, and the solids of $reg, $mesh and $fem where the deck has a
-/// mesh. Mistakes are told at their places.
+/// mesh. Mistakes are reported at their places.
 void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// Jets by jet_on and what belongs to it, each with its part of the side.

@@ -16,13 +16,13 @@
 namespace tether {
 namespace {
 
-/// Tells what is wrong with a deck of the coupled path, or says nothing there.
+/// Reports what is wrong with a deck of the coupled path, or says nothing there.
 class CoupledChecks {
  public:
   CoupledChecks(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics)
       : deck_(deck), coupled_(coupled), diagnostics_(diagnostics) {}
 
-  /// What has a use beside bodies on a mesh by finite elements, and none here.
+  /// Warns of what has a use beside bodies on a mesh by finite elements, and none here.
   void others() {
     int side = 0;
     for (const AnyVariable wall : Variables{"in.wl", "in.wr", "in.wb", "in.wt"})
@@ -35,7 +35,7 @@ class CoupledChecks {
     unused("fem.tolerance", "solids take one linear step, as the paper's; tolerance of $coupled is the solver's");
     unused("fem.cfl", "steps are tstep");
   }
-  /// What $coupled says of a third dimension that a plane box does not have.
+  /// Checks what $coupled says of a third dimension that a plane box does not have.
   void plane() {
     if (coupled_.grid.dim == 3) return;
     for (const int side : {5, 6}) {
@@ -61,7 +61,7 @@ class CoupledChecks {
           name,
           "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it, box_smoke(k) or box_temperature(k) has it");
   }
-  /// Viscosity goes by explicit steps of its own, such that a face's velocity changes by no more than it differs from
+  /// Viscosity uses explicit steps of its own, such that a face's velocity changes by no more than it differs from
   /// those around it.
   void viscous_steps() {
     constexpr double most = 1e6;
@@ -83,7 +83,7 @@ class CoupledChecks {
         "drag of friction",
         "bodies_slip=.false. has it stick to bodies"));
   }
-  /// What the deck says of bodies, which it has none of.
+  /// Checks what the deck says of bodies, which it has none of.
   void no_bodies() {
     if (deck_.has_group("mesh")) return;
     for (const AnyVariable name : Variables{"coupled.spring_on", "coupled.hinge"}) {

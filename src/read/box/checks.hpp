@@ -14,15 +14,15 @@ namespace tether {
 /// ends.
 bool check_coupled_frame(const Deck& deck, Diagnostics& diagnostics);
 
-/// Tells what the deck asks for and cannot have beside $coupled, and what has no effect there.
+/// Reports what the deck asks for and cannot have beside $coupled, and what has no effect there.
 void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics);
 
-/// Tells of nodes of bodies outside the box or in an obstacle, of each region the first, and of jets in bodies or
-/// obstacles and jets that meet no face.
+/// Reports nodes of bodies outside the box or in an obstacle, of each region the first, and jets in bodies or obstacles
+/// and jets that meet no face.
 void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
-/// Tells of a box without a cell of fluid, of cavities that there are none of, and of parts of it that nothing but
-/// walls and obstacles close, into which jets bring more than out of them, bodies left aside.
+/// Reports a box without a cell of fluid, cavities that there are none of, and parts of it that nothing but walls and
+/// obstacles close, into which jets bring more than out of them, bodies left aside.
 void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
 /// Returns whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the

@@ -15,7 +15,7 @@
 namespace tether {
 namespace {
 
-/// Tells of what a scene cannot be made of.
+/// Reports what a scene cannot be made of.
 class Frame {
  public:
   Frame(const Deck& deck, Diagnostics& diagnostics)

@@ -23,7 +23,8 @@ Vec<3> place_of(const Mesh& mesh, int node) {
   return place;
 }
 
-/// Whether a place lies in a box by more than a part of the box's size; a negative part: within it or so near to it.
+/// Returns whether a place lies in a box by more than a part of the box's size; a negative part: within it or so near
+/// to it.
 bool deep_in(const Box<3>& box, const Vec<3>& place, double part) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double depth = part * (box.high[i] - box.low[i]);
@@ -41,7 +42,7 @@ Box<3> box_of(const StaggeredGrid& grid) {
   return box;
 }
 
-/// Where a node of a body cannot be, or nothing.
+/// Says where a node of a body cannot be, or nothing.
 const char* wrong_place(const Coupled& coupled, const Box<3>& box, const Vec<3>& place) {
   constexpr double rounding = 1e-9;
   if (!deep_in(box, place, -rounding)) return "outside the box";
@@ -68,7 +69,7 @@ void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Di
   }
 }
 
-/// Whether a place lies in a triangle or tetrahedron, ends included.
+/// Returns whether a place lies in a triangle or tetrahedron, ends included.
 bool in_element(const Mesh& mesh, std::size_t e, const Vec<3>& place) {
   const int dim = mesh.dim();
   Eigen::MatrixXd edges(dim, dim);
@@ -84,7 +85,7 @@ bool in_element(const Mesh& mesh, std::size_t e, const Vec<3>& place) {
   return part.minCoeff() >= -rounding && part.sum() <= 1 + rounding;
 }
 
-/// Of each face of a jet the middle of what the jet has of it, and a place half a cell before that.
+/// Returns for each face of a jet the middle of what the jet has of it, and a place half a cell before that.
 std::vector<Vec<3>> places_of(const Jet& jet, const StaggeredGrid& grid) {
   const auto across = static_cast<std::size_t>(axis_of_side(jet.side));
   std::vector<Vec<3>> places;

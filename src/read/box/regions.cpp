@@ -61,7 +61,7 @@ class Regions {
         region_[c] = kind;
     }
   }
-  /// Whether the fluid may leave through the box's side at a cell.
+  /// Returns whether the fluid may leave through the box's side at a cell.
   bool open_side(const std::array<int, 3>& cell, int side) const {
     auto face = cell;
     const int axis = axis_of_side(side);
@@ -148,7 +148,7 @@ void check_region(const Deck& deck, const Clock& clock, const Coupled& coupled, 
                       text_of(regions.place(region), coupled.grid.dim), t, balance.net),
           "a fluid keeps its volume: open a side, or let as much out by a jet of negative speed (volume per time)"));
     } catch (const RunError&) {
-      // An expression without a value at a time that no step may ever ask for: the run tells of it if one does.
+      // An expression without a value at a time that no step may ever ask for: the run reports it if one does.
     }
   }
 }

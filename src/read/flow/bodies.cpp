@@ -41,7 +41,7 @@ class BodyChecks {
         regions_(regions_of(deck, false)),
         diagnostics_(diagnostics) {}
 
-  /// Of each region the first node that is wrong. Returns whether any node was moved.
+  /// Reports of each region the first node that is wrong. Returns whether any node was moved.
   bool nodes() {
     std::set<std::pair<int, int>> seen;
     std::map<int, Moved> moved;
@@ -56,7 +56,8 @@ class BodyChecks {
     for (const auto& [r, of_region] : moved) any |= warn_of(r, of_region);
     return any;
   }
-  /// Of each region the first element that is outside of the fluid between its nodes: along a side or in its middle.
+  /// Reports of each region the first element that is outside of the fluid between its nodes: along a side or in its
+  /// middle.
   void sides() {
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       if (reported_.contains(mesh_.region[e])) continue;
@@ -66,7 +67,7 @@ class BodyChecks {
       check_middle(e);
     }
   }
-  /// Of each region the first node of the fluid's edge that is deep in it: a hole that none of its sides meets.
+  /// Reports of each region the first node of the fluid's edge that is deep in it: a hole that none of its sides meets.
   void holes() {
     const Sides surface = boundary_of(mesh_);
     Box<2> all = box_of_side(mesh_, surface.data());
@@ -136,7 +137,7 @@ class BodyChecks {
       refuse(mesh_.region[e],
              fmt::format("its element at ({:.6g}, {:.6g}) lies outside the fluid", middle[0], middle[1]), within);
   }
-  /// By places a quarter as far apart as the ends of the fluid's shortest side near by.
+  /// Checks places a quarter as far apart as the ends of the fluid's shortest side near by.
   void check_side(int r, const int* side) {
     const double shortest = edge_.shortest_in(box_of_side(mesh_, side));
     if (!std::isfinite(shortest)) return;

@@ -15,7 +15,7 @@
 namespace tether {
 namespace {
 
-/// Tells what is wrong with a deck that has a fluid.
+/// Reports what is wrong with a deck that has a fluid.
 class FlowChecks {
  public:
   FlowChecks(const Deck& deck, Diagnostics& diagnostics) : deck_(deck), diagnostics_(diagnostics) {}
@@ -94,7 +94,7 @@ class FlowChecks {
            name == "fem.tolerance" ? "tolerance of $flow counts" : "");
     }
   }
-  /// What is said of the fluid beyond open sides, where there is none, or no gravity that it matters in.
+  /// Checks what is said of the fluid beyond open sides, where there is none, or no gravity that it matters in.
   void stabilisation() {
     constexpr double least = 0.1;
     const double factor = deck_.real("flow.stabilisation");
@@ -119,14 +119,14 @@ class FlowChecks {
              of_nothing ? "outside='void' has nothing beyond open sides" : "it is of open sides under gravc");
     }
   }
-  /// What a body says of its start: it starts with the fluid.
+  /// Checks what a body says of its start: it starts with the fluid.
   void starts() {
     for (const int r : regions_of(deck_, false)) {
       for (const AnyVariable name : Variables{"reg.vrx", "reg.vry", "fem.vrz"}) start_of_body(name, {r, 1}, r);
       for (const int i : {1, 2, 3}) start_of_body("fem.spin", {i, r}, r);
     }
   }
-  /// What is said of a region that is a fluid and means solids alone, or the other way.
+  /// Checks what is said of a region that is a fluid and means solids alone, or the other way.
   void regions() {
     for (const int r : regions_of(deck_, true)) {
       check_unused("fem.volumetric", {r, 1}), check_unused("fem.vrz", {r, 1});

@@ -12,7 +12,7 @@ namespace tether {
 /// rigid bodies, no $mesh, a depth, a fluid that is blocks in part and of a file in part.
 bool check_flow_frame(const Deck& deck, Diagnostics& diagnostics);
 
-/// Tells what the deck asks for beside a fluid and cannot have, and what has no effect.
+/// Reports what the deck asks for beside a fluid and cannot have, and what has no effect.
 void check_flow_deck(const Deck& deck, Diagnostics& diagnostics);
 
 /// Moves probes that are outside the fluid's mesh by less than half an element to its edge, with a warning; reports
@@ -25,9 +25,8 @@ void place_probes(const Deck& deck, Flow& flow, Diagnostics& diagnostics);
 /// in a hole, and such edges within a body.
 void place_bodies(const Deck& deck, Scene& scene, const Flow& flow, Diagnostics& diagnostics);
 
-/// Tells of expressions that have no finite value where and when they are first asked, and of velocities of moving
-/// walls that go through them; of prescribed velocities that bring more into a fluid without an open side than out of
-/// it.
+/// Reports expressions that have no finite value where and when they are first asked, and velocities of moving walls
+/// that go through them; of prescribed velocities that bring more into a fluid without an open side than out of it.
 void check_flow_velocities(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics);
 /// The last of these. The velocities are finite when they are first asked.
 void check_flow_balance(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics);

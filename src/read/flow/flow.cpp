@@ -79,14 +79,14 @@ void read_method(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
   if (speed && length) flow.speed = deck.real("flow.speed"), flow.length = deck.real("flow.length");
 }
 
-/// Of the regions of the solids, in their order.
+/// Returns the penalties of the regions of the solids, in their order.
 std::vector<double> penalties_of(const Deck& deck) {
   std::vector<double> penalties;
   for (const int r : regions_of(deck, false)) penalties.push_back(deck.real("flow.penalty", r));
   return penalties;
 }
 
-/// Of the same, whether the fluid's pressure holds the volume: of fibres, which have no law for it, always.
+/// Says of the same regions whether the fluid's pressure holds the volume: of fibres, which have no law for it, always.
 std::vector<bool> volumes_by_fluid_of(const Deck& deck) {
   std::vector<bool> by_fluid;
   for (const int r : regions_of(deck, false))
@@ -95,7 +95,7 @@ std::vector<bool> volumes_by_fluid_of(const Deck& deck) {
   return by_fluid;
 }
 
-/// Where supports hold all nodes of a region, nothing of it answers to the pressure.
+/// Leaves a region's volume to the fluid where supports hold all of its nodes: nothing of it answers to the pressure.
 void leave_held_volumes_to_fluid(const Solids& solids, Flow& flow) {
   std::vector<bool> held(solids.mesh.node_count(), false), free(solids.regions.size(), false);
   for (const Support& support : solids.supports) {

@@ -14,15 +14,15 @@
 
 namespace tether {
 
-/// Adds the fluid that $reg, $mesh, $fem and $flow describe, and the bodies immersed in it. Mistakes are told at their
-/// places.
+/// Adds the fluid that $reg, $mesh, $fem and $flow describe, and the bodies immersed in it. Mistakes are reported at
+/// their places.
 void add_flow(const Deck& deck, Scene& scene, Diagnostics& diagnostics);
 
 /// The vector whose components are the texts of $flow with these names and the number k; `of` is what it belongs to.
 FlowVector flow_vector_of(const Deck& deck, const std::array<TextVariable, 2>& names, int k, const std::string& of,
                           Diagnostics& diagnostics);
 
-/// All of the boundary, by boundary_on; of a periodic pair both sides, one behind the other.
+/// All of the boundary, by boundary_on; of a periodic pair both sides, one after the other.
 std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnostics& diagnostics);
 /// Lists what forces are recorded of: sides of the fluid's mesh, bodies and sides of these; `solids` is null where
 /// there are none.

@@ -27,7 +27,7 @@ Ends ends_of(const Mesh& mesh, const Sides& sides) {
   return ends;
 }
 
-/// Whether all of these sides are of the mesh's boundary.
+/// Returns whether all of these sides are of the mesh's boundary.
 bool on_boundary(const Mesh& mesh, const Sides& sides) {
   const Ends boundary = ends_of(mesh, boundary_of(mesh)), ends = ends_of(mesh, sides);
   return std::includes(boundary.begin(), boundary.end(), ends.begin(), ends.end());
@@ -79,7 +79,7 @@ class ForceReader {
       return refuse(fmt::format("'{}' is counted twice", name), "each part of the boundary counts once");
     if (&mesh == &mesh_ || check_apart(name, sides)) all.insert(all.end(), sides.begin(), sides.end());
   }
-  /// Whether the body that has these sides is not counted itself.
+  /// Returns whether the body that has these sides is not counted itself.
   bool check_apart(const std::string& name, const Sides& sides) {
     for (const int body : force_.bodies) {
       if (!has_any_side(body, sides)) continue;
@@ -98,7 +98,7 @@ class ForceReader {
       return refuse(fmt::format("'{}' is counted twice", name), "each body, or part of its surface, counts once");
     force_.bodies.push_back(body);
   }
-  /// Whether an element of the body has the side from one node to another.
+  /// Returns whether an element of the body has the side from one node to another.
   bool has_side(int body, int first, int last) const {
     const Mesh& mesh = solids_->mesh;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -214,7 +214,7 @@ class ProbeReader {
   void refuse(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
-  /// Whether both elements of a column are given, which is told at the one that is.
+  /// Returns whether both elements of a column are given, and reports the lack of one at the other.
   bool both_given(AnyVariable name, Subscript at, const char* hint) {
     const int other = 3 - at[0];
     if (deck_.given(name, other, at[1])) return true;

@@ -29,7 +29,7 @@ class BoundaryParts {
     return found == number_.end() ? std::nullopt : std::optional(found->second);
   }
   std::size_t per_side() const { return per_side_; }
-  /// What has taken a side, 0 for nothing.
+  /// Returns what has taken a side, 0 for nothing.
   int& taken(std::size_t s) { return taken_[s]; }
   /// The sides that nothing has taken.
   Sides rest() const {
@@ -197,7 +197,7 @@ class Twins {
     within_ = tolerance * (*high - *low);
   }
 
-  /// What is wrong with the pair, and what would be right; empty where its nodes are joined.
+  /// Says what is wrong with the pair, and what would be right; empty where its nodes are joined.
   std::array<std::string, 2> join(const FlowSide& side, const FlowSide& partner) {
     const std::vector<int> from = nodes_of(side.sides), to = nodes_of(partner.sides);
     const std::array ends{extent_of(from), extent_of(to)};

@@ -23,7 +23,7 @@ class VelocityChecks {
   VelocityChecks(const Deck& deck, const Clock& clock, const Flow& flow, Diagnostics& diagnostics)
       : deck_(deck), flow_(flow), t_(first_time(flow, clock)), tmax_(clock.tmax), diagnostics_(diagnostics) {}
 
-  /// Whether all have finite values.
+  /// Returns whether all have finite values.
   bool finite() {
     std::vector<int> all(flow_.mesh.node_count());
     std::iota(all.begin(), all.end(), 0);
@@ -119,11 +119,11 @@ class VelocityChecks {
       try {
         if (!is_along<p>(number, holders, doubt, t_ + k * tmax_ / times)) return;
       } catch (const RunError&) {
-        // An expression without a value at a time that no step may ever ask for: the run tells of it if one does.
+        // An expression without a value at a time that no step may ever ask for: the run reports it if one does.
       }
     }
   }
-  /// Whether a wall moves along itself at a time; tells where it does not.
+  /// Returns whether a wall moves along itself at a time; reports where it does not.
   template <int p>
   bool is_along(int number, const std::vector<Holder>& holders, const std::vector<double>& doubt, double time) {
     const FlowSide& side = flow_.sides[static_cast<std::size_t>(number)];
@@ -175,7 +175,7 @@ struct Flux {
   bool balanced() const { return std::abs(in - out) <= std::max(most * gross, rounding * speed); }
 };
 
-/// Whether a node's velocity along the normal is prescribed on all such sides: by the deck, or zero on slip.
+/// Returns whether a node's velocity along the normal is prescribed on all such sides: by the deck, or zero on slip.
 bool is_closed(const FlowSide& side) { return side.boundary != Boundary::open && side.boundary != Boundary::periodic; }
 
 /// The velocity at the nodes as the discrete system has it: none where it is not prescribed, which on closed sides is
@@ -255,7 +255,7 @@ void check_flow_balance(const Deck& deck, const Clock& clock, const Flow& flow, 
               t, flux.in, flux.out),
           "a fluid keeps its volume: make a side 'open', or balance what comes in and goes out (area per time)"));
     } catch (const RunError&) {
-      // An expression without a value at a time that no step may ever ask for: the run tells of it if one does.
+      // An expression without a value at a time that no step may ever ask for: the run reports it if one does.
     }
   }
 }

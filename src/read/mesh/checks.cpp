@@ -24,7 +24,7 @@ void warn(const Deck& deck, const Variable& variable, Subscript at, const std::s
   diagnostics.add(deck.remark(Severity::warning, AnyVariable(variable), at, message, hint));
 }
 
-/// Of what the deck says of points and membranes, other than what stands there by itself.
+/// Warns of what the deck says of points and membranes, other than what stands there by itself.
 void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
   const bool box = deck.has_group("coupled");
   for (const Variable& variable : variables()) {
@@ -55,7 +55,7 @@ void warn_of_point_outputs(const Deck& deck, Diagnostics& diagnostics) {
   }
 }
 
-/// Of numbers of regions that there are none of.
+/// Warns of numbers of regions that there are none of.
 void warn_of_absent_regions(const Deck& deck, Diagnostics& diagnostics) {
   const int regions = deck.integer("reg.nreg");
   for (const Variable& variable : variables()) {

@@ -27,7 +27,7 @@ void check_regions(const Deck& deck, Diagnostics& diagnostics) {
                        : ipath == 8               ? "a linear fluid"
                        : ipath == 0 || ipath == 2 ? "a solid of points without a mesh"
                                                   : nullptr;
-    if (!what) continue;  // told already: it names no law
+    if (!what) continue;  // reported already: it names no law
     diagnostics.add(deck.remark(Severity::error, "reg.ipath", {4, r},
                                 fmt::format("region {}: the fem path cannot represent {}", r, what), use_points));
   }
@@ -52,7 +52,7 @@ void check_membrane_laws(const Deck& deck, const std::optional<ParticleFile>& pa
   }
 }
 
-/// Where a string's points were given: a row of the file, or its membrane's first curve.
+/// Reports at the place where a string's points were given: a row of the file, or its membrane's first curve.
 void tell_at_point(const Deck& deck, const std::optional<ParticleFile>& particles, const Body& body, std::size_t p,
                    const std::string& message, Diagnostics& diagnostics) {
   constexpr const char* hint = "a bar needs a length";
@@ -85,8 +85,8 @@ void check_lengths(const Deck& deck, const std::optional<ParticleFile>& particle
   }
 }
 
-/// What the deck asks of material points, other than what they do by themselves. Where the path is named, the deck is
-/// one for several paths, and it does no harm there.
+/// Warns of what the deck asks of material points, other than what they do by themselves. Where the path is named, the
+/// deck is one for several paths, and it does no harm there.
 void warn_of_the_other_method(const Deck& deck, Diagnostics& diagnostics) {
   const Severity severity = deck.given("in.path") ? Severity::remark : Severity::warning;
   for (const Variable& variable : variables()) {

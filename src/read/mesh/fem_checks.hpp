@@ -10,9 +10,9 @@
 
 namespace tether {
 
-/// Tells all that a deck asks for and finite elements cannot represent, each at its place: bodies of points that are no
-/// strings, membranes in plane stress, an axis, a pressure outside, a string with two neighbours in one place. Warns of
-/// what $mpm asks for, which has no effect there.
+/// Reports all that a deck asks for and finite elements cannot represent, each at its place: bodies of points that are
+/// no strings, membranes in plane stress, an axis, a pressure outside, a string with two neighbours in one place. Warns
+/// of what $mpm asks for, which has no effect there.
 void check_fem(const Deck& deck, const std::optional<ParticleFile>& particles, const Scene& scene,
                Diagnostics& diagnostics);
 

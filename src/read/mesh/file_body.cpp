@@ -13,7 +13,7 @@
 namespace tether {
 namespace {
 
-/// Tells of the first two rows in one place: two points that are one, or no string between them.
+/// Reports the first two rows in one place: two points that are one, or no string between them.
 void check_places(const ParticleFile& file, Diagnostics& diagnostics) {
   std::vector<std::size_t> order(file.rows.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -12,7 +12,7 @@
 namespace tether {
 namespace {
 
-/// One region as a block; tells what is wrong with it.
+/// One region as a block; reports what is wrong with it.
 class BlockReader {
  public:
   BlockReader(const Deck& deck, int r, bool solid, Diagnostics& diagnostics)

@@ -48,8 +48,8 @@ bool has_vertices(const Deck& deck, int r) {
   return false;
 }
 
-/// What the deck says of blocks about regions of the file; deck.effective, which shows defaults, too, means nothing by
-/// them.
+/// Warns of what the deck says of blocks about regions of the file; deck.effective, which shows defaults, too, means
+/// nothing by them.
 void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
   if (deck.given("mesh.file_sha256")) return;
   const auto warn = [&](AnyVariable name, const std::string& message) {
@@ -74,7 +74,7 @@ void warn_of_blocks(const Deck& deck, Diagnostics& diagnostics) {
   }
 }
 
-/// Whether the fluid's elements are those of $flow; tells what is taken where they are not.
+/// Returns whether the fluid's elements are those of $flow; reports what is taken where they are not.
 bool check_fluid(const Deck& deck, ElementKind kind, Diagnostics& diagnostics) {
   const auto refuse = [&](AnyVariable name, const std::string& message, const std::string& hint) {
     diagnostics.add(deck.remark(Severity::error, name, {1, 1}, message, hint));

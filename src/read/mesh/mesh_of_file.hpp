@@ -11,7 +11,7 @@ namespace tether {
 
 /// The deck with the text of the mesh file that its $mesh names (relative to the deck, at most one folder up); the deck
 /// as it is where it names none, or where the file cannot be read or is not the one that deck.effective meant, which is
-/// told.
+/// reported.
 Deck load_mesh(const Deck& deck, Diagnostics& diagnostics);
 
 /// The meshes of the regions that are a fluid, and of the others, where there are any.
@@ -23,8 +23,8 @@ struct DeckMeshes {
 /// vertices is a block all the same.
 bool is_of_file(const Deck& deck, int r);
 
-/// Reports a fluid, or bodies in it, that are of the file in part and blocks in part, and of a file that no region
-/// is of. Returns whether there is none of that.
+/// Reports a fluid, or bodies in it, that are of the file in part and blocks in part, and a file that no region is of.
+/// Returns whether there is none of that.
 bool check_sources(const Deck& deck, Diagnostics& diagnostics);
 
 /// The meshes of those regions that are of the file. Mistakes are reported at their places in the file or in the deck.

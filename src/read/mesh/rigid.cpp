@@ -15,7 +15,7 @@
 namespace tether {
 namespace {
 
-/// Reads $rigid and tells what is wrong with it.
+/// Reads $rigid and reports what is wrong with it.
 class RigidReader {
  public:
   RigidReader(const Deck& deck, Diagnostics& diagnostics) : deck_(deck), diagnostics_(diagnostics) {}
@@ -76,7 +76,7 @@ class RigidReader {
           "give three independent directions; they need not be orthogonal");
     return Eigen::Matrix3d::Identity();
   }
-  /// Of the centre of mass: that of all regions.
+  /// Returns the velocity of the centre of mass: that of all regions.
   Eigen::Vector3d velocity(bool pinned) {
     constexpr std::array<RealVariable, 3> names{"reg.vrx", "reg.vry", "fem.vrz"};
     Eigen::Vector3d first;
@@ -99,7 +99,7 @@ class RigidReader {
     }
     return pinned ? Eigen::Vector3d::Zero() : first;
   }
-  /// Numbers k of the torques or forces that are given; tells of tables and places that belong to none.
+  /// Numbers k of the torques or forces that are given; reports tables and places that belong to none.
   std::set<int> numbers(AnyVariable name, Variables with) {
     std::set<int> given, told;
     for (const Subscript at : deck_.given_elements(name)) given.insert(at[1]);

@@ -30,7 +30,7 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
 
 namespace {
 
-/// What a user may have meant, or all names there are.
+/// Says what a user may have meant, or all names there are.
 std::string hint_for(const std::string& name, const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& side : mesh.sides) names.push_back(side.first);

@@ -22,7 +22,7 @@ struct GridEdge {
   Wall wall;
 };
 std::array<GridEdge, 4> edges_of(const Scene& scene);
-/// Nodes of a mesh that stand at an edge, as near as rounding tells.
+/// Nodes of a mesh that stand at an edge, as near as rounding allows.
 std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge);
 
 /// The sides of a mesh that variable(k) names, or null where the mesh has none of that name, which it reports.

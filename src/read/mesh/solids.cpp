@@ -18,7 +18,7 @@
 namespace tether {
 namespace {
 
-/// The law of a region, whose numbers are told where they are out of range.
+/// The law of a region, whose numbers are reported where they are out of range.
 ElasticLaw law_of(const Deck& deck, int r, int dim, Diagnostics& diagnostics) {
   const auto error = [&](AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics.add(deck.remark(Severity::error, name, at, fmt::format("region {}: {}", r, message), hint));
@@ -67,7 +67,7 @@ Integrator integrator_of(const Deck& deck) {
 /// Part of an element by which a tracked place may lie outside of the bodies: more than rounding of the deck's digits.
 constexpr double most_outside = 1e-6;
 
-/// What the history calls the place: its node, if it is one, and where it is at the start.
+/// Returns the name that the history gives to the place: its node, if it is one, and where it is at the start.
 std::string tracked_name(const MeshPlace& place, const Vec<3>& at, int dim) {
   const std::string where = dim == 3 ? fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2])
                                      : fmt::format("({:.6g}, {:.6g})", at[0], at[1]);
@@ -94,7 +94,7 @@ void track_places(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   }
 }
 
-/// Tells of an equilibrium that the supports leave undetermined, and of damping that takes a turn for strain.
+/// Reports an equilibrium that the supports leave undetermined, and damping that takes a turn for strain.
 void check_free_motions(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
   const bool rests = solids.integrator == Integrator::equilibrium || solids.from_equilibrium;
   const bool damped = solids.beta > 0;
@@ -112,7 +112,7 @@ void check_free_motions(const Deck& deck, const Solids& solids, Diagnostics& dia
                                 "it acts with the stiffness of the shape at the start; alpha damps all motion"));
 }
 
-/// What only motions have, of a deck that has none.
+/// Checks what only motions have, in a deck that has none.
 void check_equilibria(const Deck& deck, Diagnostics& diagnostics) {
   if (!deck.logical("fem.static")) return;
   const Variables moving{"reg.vrx",   "reg.vry",  "fem.vrz",        "fem.spin",

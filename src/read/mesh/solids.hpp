@@ -24,14 +24,14 @@ void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Dia
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics);
 void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnostics& diagnostics);
 
-/// Tells what a deck with a mesh says without effect, of points, membranes and regions that there are none of; and of
+/// Reports what a deck with a mesh says without effect, of points, membranes and regions that there are none of; and of
 /// an axis, which elastic bodies do not have.
 void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics);
-/// Tells of an edge of the grid that goes through the mesh and whose wall would hold `held` nodes.
+/// Reports an edge of the grid that goes through the mesh and whose wall would hold `held` nodes.
 void check_wall(const Deck& deck, const Mesh& mesh, const GridEdge& edge, std::size_t held, Diagnostics& diagnostics);
 /// Warns of bodies that overlap at the start.
 void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
-/// Tells of supports that move one node along one axis to different places.
+/// Reports supports that move one node along one axis to different places.
 void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
 
 /// Directions and turns in which the supports leave a connected part of the mesh free, 0 where it is held.

@@ -68,7 +68,7 @@ double elliptic_quarter(double w, double complement) {
   return s * (complement * integrals + k2 * c / std::sqrt(delta2));
 }
 
-/// The same for any phi = pi w: quarters before it, each from 0 to pi/2 or back.
+/// Returns the same for any phi = pi w: quarters before it, each from 0 to pi/2 or back.
 double elliptic_integral(double w, double complement) {
   const double quarters = std::floor(2 * w), rest = w - 0.5 * quarters, quarter = elliptic_quarter(0.5, complement);
   const bool back = std::fmod(quarters, 2) != 0;
@@ -140,8 +140,8 @@ struct Slopes {
 
   explicit Slopes(std::size_t knots) : matrix(knots, std::vector<double>(knots, 0.0)), right(knots) {}
 
-  /// Of the chord of length h from a at knot i to b at knot j: its share of the condition that the second derivative
-  /// on its side of either knot be the one on the other side, or zero where there is none.
+  /// Adds for the chord of length h from a at knot i to b at knot j its share of the condition that the second
+  /// derivative on its side of either knot be the one on the other side, or zero where there is none.
   void add_chord(std::size_t i, const Vec<2>& a, std::size_t j, const Vec<2>& b, double h) {
     const Vec<2> pull{3 * (b[0] - a[0]) / (h * h), 3 * (b[1] - a[1]) / (h * h)};
     for (const auto& [knot, other] : {std::pair{i, j}, std::pair{j, i}}) {

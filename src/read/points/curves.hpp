@@ -47,7 +47,7 @@ class Curve {
 
  private:
   std::vector<Stretch> stretches_;
-  std::vector<double> begins_;  ///< arc length at which each stretch begins, and behind them the whole one [length]
+  std::vector<double> begins_;  ///< arc length at which each stretch begins, and after them the whole one [length]
 };
 
 /// Straight lines between consecutive vertices, 2 at least.

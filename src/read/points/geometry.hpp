@@ -14,7 +14,7 @@ namespace tether {
 /// Returns what cyl says: a plane scene, or one about the axis x = 0.
 Geometry geometry_of(const Deck& deck);
 
-/// Tells where the grid or its left wall cannot be what a scene about an axis needs.
+/// Reports where the grid or its left wall cannot be what a scene about an axis needs.
 void check_axis(const Deck& deck, Diagnostics& diagnostics);
 
 /// Two sides of a polygon, each from its vertex of this number, from 0, to the next.

@@ -14,7 +14,7 @@
 namespace tether {
 namespace {
 
-/// Reads one curve's values and tells what is wrong with them at their places.
+/// Reads one curve's values and reports what is wrong with them at their places.
 class CurveReader {
  public:
   CurveReader(const Deck& deck, int k, Diagnostics& diagnostics)
@@ -114,7 +114,7 @@ class CurveReader {
     return false;
   }
 
-  /// Whether consecutive vertices are apart, and a spline that closes has three different ones.
+  /// Returns whether consecutive vertices are apart, and a spline that closes has three different ones.
   bool apart(const std::vector<Vec<2>>& vertices) const {
     for (std::size_t v = 1; v < vertices.size(); ++v) {
       if (distance(vertices[v - 1], vertices[v]) > 0) continue;

@@ -21,13 +21,13 @@ bool gives_curves(const Deck& deck);
 /// Numbers of the curves of membrane b, in their order.
 std::vector<int> curve_numbers(const Deck& deck, int b);
 
-/// The curves of membrane b. What is wrong with one is told, and it is left out.
+/// The curves of membrane b. What is wrong with one is reported, and it is left out.
 std::vector<NumberedCurve> curves_of(const Deck& deck, int b, Diagnostics& diagnostics);
 
-/// Tells of a curve that does not begin where the one before it ends.
+/// Reports a curve that does not begin where the one before it ends.
 void check_joints(const Deck& deck, const std::vector<NumberedCurve>& curves, Diagnostics& diagnostics);
 
-/// Tells of values of curves whose kind is not given.
+/// Reports values of curves whose kind is not given.
 void check_kinds(const Deck& deck, Diagnostics& diagnostics);
 
 }  // namespace tether

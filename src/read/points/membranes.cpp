@@ -17,7 +17,7 @@
 namespace tether {
 namespace {
 
-/// Reads one membrane's values and tells what is wrong with them at their places.
+/// Reads one membrane's values and reports what is wrong with them at their places.
 class MembraneReader {
  public:
   MembraneReader(const Deck& deck, int b, Diagnostics& diagnostics)
@@ -121,7 +121,7 @@ int curve_at(const std::vector<NumberedCurve>& curves, double s) {
   return curves.back().k;
 }
 
-/// Tells of points where none can be; for each mistake of the first of its kind, with the number of them.
+/// Reports points where none can be; for each mistake of the first of its kind, with the number of them.
 void check_places(const MembraneReader& reader, const Seeds& points, const std::vector<NumberedCurve>& curves,
                   const Scene& scene) {
   struct Wrong {
@@ -216,7 +216,7 @@ void add_membrane(const Deck& deck, int b, Scene& scene, Diagnostics& diagnostic
   for (const GapRemark& remark : gap_remarks(scene, scene.bodies.back())) reader.add(remark);
 }
 
-/// Tells of the first value of a membrane that has no curve. Of the first one the particle file's string takes the law.
+/// Reports the first value of a membrane that has no curve. Of the first one the particle file's string takes the law.
 void check_without_curves(const Deck& deck, int b, Diagnostics& diagnostics) {
   for (const int end : {1, 2}) {
     if (!deck.given("membrane.heavy", end, b)) continue;

@@ -86,7 +86,7 @@ std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional
 
 namespace {
 
-/// The scene's number of row i of the particle file; tells where there is no such row.
+/// The scene's number of row i of the particle file; reports where there is no such row.
 std::optional<std::size_t> row_number(const Deck& deck, AnyVariable name, Subscript at, std::size_t file_first,
                                       std::size_t file_rows, Diagnostics& diagnostics) {
   const auto row = static_cast<std::size_t>(at[0]);

@@ -54,8 +54,9 @@ void tell(Severity severity, const Deck& deck, int region, const std::string& me
   diagnostics.add(deck.remark(severity, "reg.xvi", {1, region}, fmt::format("region {}: {}", region, message), hint));
 }
 
-/// What a region's points hold differs from what is drawn by up to half a lattice spacing at each of its sides. Across
-/// a grid of one cell that does no harm: such a column is as wide as its points, and nothing moves across it.
+/// Checks how a region is filled. What a region's points hold differs from what is drawn by up to half a lattice
+/// spacing at each of its sides. Across a grid of one cell that does no harm: such a column is as wide as its points,
+/// and nothing moves across it.
 void check_filling(const Deck& deck, const FilledRegion& region, const Scene& scene, Diagnostics& diagnostics) {
   const double ratio = region.filled.volume / region.drawn.volume;
   if (!(std::abs(ratio - 1) > told_difference)) return;

@@ -20,7 +20,7 @@ struct Stretch {
 };
 using Stretches = std::vector<Stretch>;  // in their order, apart
 
-/// Where the line of this height runs inside the polygon.
+/// Returns where the line of this height runs inside the polygon.
 Stretches inside(const Polygon& polygon, double y) {
   std::vector<double> crossings;
   for (std::size_t k = 0, before = polygon.x.size() - 1; k < polygon.x.size(); before = k++) {

@@ -12,7 +12,7 @@
 namespace tether {
 namespace {
 
-/// Reads one region's values and tells what is wrong with them at their places.
+/// Reads one region's values and reports what is wrong with them at their places.
 class RegionReader {
  public:
   RegionReader(const Deck& deck, int r, Diagnostics& diagnostics) : deck_(deck), r_(r), diagnostics_(diagnostics) {}

@@ -14,7 +14,8 @@ namespace {
 /// How much the second moment of a quarter of a cylinder, given as points, may be above that of the exact shape.
 constexpr double roundness = 0.03;
 
-/// Whether the scene is a quarter of one with the lower left corner as its centre, at rest, and nothing pulls at it.
+/// Returns whether the scene is a quarter of one with the lower left corner as its centre, at rest, and nothing pulls
+/// at it.
 bool is_resting_quarter(const Scene& scene) {
   const bool at_rest = std::all_of(scene.bodies.begin(), scene.bodies.end(),
                                    [&](const Body& body) { return begins_at_rest(scene, body); });
@@ -22,7 +23,8 @@ bool is_resting_quarter(const Scene& scene) {
          scene.gravity == 0;
 }
 
-/// Of all shapes of one area the disc has the least second moment, a quarter of one with R^2 = 4 A/pi: R^2/2 its area.
+/// Returns whether it is a quarter of a disc. Of all shapes of one area the disc has the least second moment, a quarter
+/// of one with R^2 = 4 A/pi: R^2/2 its area.
 bool is_quarter_disc(const Scene& scene, const Body& body) {
   const PointSet& P = scene.points;
   double area = 0, moment = 0;
@@ -39,7 +41,7 @@ bool has_radial_gas(const Scene& scene) {
   return std::get<IdealGas>(gas.material).mu == 0 && is_resting_quarter(scene) && is_quarter_disc(scene, gas);
 }
 
-/// Whether a membrane's ends are within a cell of the two axes, one of each, and nothing stretched it before.
+/// Returns whether a membrane's ends are within a cell of the two axes, one of each, and nothing stretched it before.
 bool spans_the_quarter(const Scene& scene, const Body& membrane) {
   const PointSet& P = scene.points;
   const std::size_t first = membrane.first, last = membrane.first + membrane.count - 1;

@@ -6,7 +6,7 @@
 namespace tether {
 namespace {
 
-/// What the scene lacks for the solution; empty where it has all.
+/// Says what the scene lacks for the solution; empty where it has all.
 std::string lacks(ReferenceKind kind, const Scene& scene) {
   switch (kind) {
     case ReferenceKind::riemann:

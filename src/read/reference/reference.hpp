@@ -11,7 +11,7 @@
 
 namespace tether {
 
-// What a scene lacks for an exact solution to be its own, as the user is told after "needs"; empty where it lacks
+// What a scene lacks for an exact solution to be its own, as the user reads it after "needs"; empty where it lacks
 // nothing. One function a solution; reference_of() chooses.
 
 std::string lacks_for_riemann(const Scene& scene);

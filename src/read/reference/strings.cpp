@@ -26,7 +26,7 @@ class TrackedString {
     end_ = held_end(scene, *body_);
   }
 
-  /// Whether the point tracked last is the last of the string: the mass.
+  /// Returns whether the point tracked last is the last of the string: the mass.
   bool is_tracked() const { return body_ && !scene_.tracked.empty() && scene_.tracked.back() == last_; }
   bool is_at_rest() const { return begins_at_rest(scene_, *body_); }
   bool slides() const { return end_->slides; }
@@ -37,7 +37,7 @@ class TrackedString {
   double mass() const { return P_.mass[last_]; }
   double length() const { return std::hypot(x() - end_->x, y() - end_->y); }
 
-  /// What all the solutions ask.
+  /// Says what the scene lacks of what all the solutions need.
   std::string lacks() const {
     if (scene_.geometry != Geometry::plane) return "a plane scene, not one about an axis";
     if (body_->count < 2 || body_->closed || !is_straight())
@@ -71,8 +71,8 @@ class TrackedString {
   }
   const Membrane& law() const { return std::get<Membrane>(body_->material); }
 
-  /// Whether a place is inside the grid and out of reach of walls that hold what goes across or along them: the cells
-  /// beside such a wall are stuck to it.
+  /// Returns whether a place is inside the grid and out of reach of walls that hold what goes across or along them: the
+  /// cells beside such a wall are stuck to it.
   bool is_free(double x, double y) const {
     const BackgroundGrid& g = scene_.grid;
     const bool material_points = scene_.path() == Path::mpm;
@@ -80,7 +80,7 @@ class TrackedString {
     return x >= g.x0 + room(scene_.walls.left, g.dx) && x <= g.x1 - room(scene_.walls.right, g.dx) &&
            y >= g.y0 + room(scene_.walls.bottom, g.dy);
   }
-  /// Of a string that hangs: whether walls at its sides hold it along them.
+  /// Returns whether a string that hangs is free to: no wall at its sides holds it along itself.
   bool is_free_to_hang(double lowest) const {
     const BackgroundGrid& g = scene_.grid;
     const bool held = scene_.path() == Path::mpm && ((scene_.walls.left == Wall::fixed && x() - g.x0 < g.dx) ||

@@ -98,7 +98,7 @@ std::string order_text(const std::vector<double>& size, const std::vector<double
   return order.first > 0 ? text + fmt::format(", from run {} on", order.first + 1) : text;
 }
 
-/// The same for steps, by their means: those that a limit cuts do not grow shorter.
+/// Says the same for steps, by their means: those that a limit cuts do not grow shorter.
 std::string steps_text(const std::vector<double>& size, const std::vector<double>& value, double answer,
                        std::optional<double> theory) {
   if (size.empty()) return "not studied";
@@ -125,7 +125,7 @@ std::string orders_text(const Chart& chart, const std::vector<ChartRun>& runs, c
   return text;
 }
 
-/// What is as accurate as the published run itself, on finer meshes, too, and cheaper.
+/// Says what is as accurate as the published run itself, on finer meshes, too, and cheaper.
 std::string setting_text(const Chart& chart, const std::vector<ChartRun>& runs, const Measurement& measurement) {
   if (!chart.setting) return "";
   std::size_t k = 0;

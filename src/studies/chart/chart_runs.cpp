@@ -20,7 +20,7 @@ Study study_of_run(const Chart& chart, const Family& family, const std::vector<s
   return study;
 }
 
-/// What errors are over: the answer, unless that is 0, as of a norm.
+/// Returns what errors are over: the answer, unless that is 0, as of a norm.
 double measure_of(double answer) { return answer == 0 ? 1 : std::abs(answer); }
 
 double distance(double value, double answer) { return std::abs(value - answer) / measure_of(answer); }

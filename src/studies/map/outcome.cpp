@@ -79,7 +79,7 @@ std::vector<std::size_t> border_axes(const Study& study) {
 
 namespace {
 
-/// Where a border is read: the deck, and the value of the other axis.
+/// Says where a border is read: the deck, and the value of the other axis.
 std::array<std::size_t, 2> line_of(const Combination& at, std::size_t axis, const std::vector<std::size_t>& leading) {
   for (const std::size_t other : leading) {
     if (other != axis) return {at.deck, at.values[other]};

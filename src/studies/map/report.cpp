@@ -134,7 +134,7 @@ std::string borders(const Map& map, const Outcome& outcome) {
   return text;
 }
 
-/// Where a bisected value ends to hold. That all of its values hold, or none, is an answer, too.
+/// Says where a bisected value ends to hold. That all of its values hold, or none, is an answer, too.
 std::string bisected_text(const Bisection& bisection, const Interval& interval, double theory) {
   if (bisection.found())
     return fmt::format("{:.5g} to {:.5g}{}", bisection.holds(), bisection.fails(),
@@ -154,7 +154,7 @@ std::string bisections(const Map& map, const Outcome& outcome) {
   return text;
 }
 
-/// Of runs at all values as close together as the border is known.
+/// Counts the runs at all values as close together as the border is known.
 double runs_of_all(const Study& study, std::size_t squares) {
   if (!study.bisects()) return static_cast<double>(squares);
   const auto& [low, high, tolerance] = study.interval;

@@ -45,7 +45,7 @@ Numbers at_nodes(const RunFiles& run, const Formula& formula, std::size_t snapsh
   return formula.of_each(run, fields, fields.empty() ? run.nodes("x", snapshot).size() : fields.front().size());
 }
 
-/// Of the values those for which `which` is not 0.
+/// Returns of the values those for which `which` is not 0.
 Numbers selected(const Numbers& values, const Numbers& which) {
   Numbers chosen;
   for (std::size_t p = 0; p < values.size(); ++p) {

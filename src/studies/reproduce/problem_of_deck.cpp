@@ -34,7 +34,7 @@ auto chosen(const Words& words, const std::string& word) {
   return found == words.end() ? words.front().second : found->second;
 }
 
-/// Whether points are the deck's path, which alone has two methods.
+/// Returns whether points are the deck's path, which alone has two methods.
 bool is_by_points(const Deck& deck) {
   Diagnostics of_the_run;
   return path_of(deck, of_the_run) == Path::mpm;
@@ -182,7 +182,7 @@ class ProblemReader {
     return read.tolerance;
   }
 
-  /// What a row judges by must be there.
+  /// Checks that what a row judges by is there.
   void check(const PublishedQuantity& row, int k) {
     const bool is_printed = is_given("published.printed", k), has_theory = is_given("published.theory", k);
     if (row.by_published != Judged::none && !is_printed)

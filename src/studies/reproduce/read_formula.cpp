@@ -43,7 +43,7 @@ struct Piece {
   std::size_t begin;
 };
 
-/// What stands between commas that no bracket holds.
+/// Returns what stands between commas that no bracket holds.
 std::vector<Piece> pieces_of(std::string_view text, std::size_t begin) {
   std::vector<Piece> pieces{{"", begin}};
   std::size_t depth = 0;

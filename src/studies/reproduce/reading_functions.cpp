@@ -62,7 +62,8 @@ double settles(const RunFiles& run, const Arguments& a) {
   return time[record];
 }
 
-/// What swings from one side to the other and back returns to its first extreme on the side where it began.
+/// Returns how far it comes back: what swings from one side to the other and back returns to its first extreme on the
+/// side where it began.
 double returns_to(const RunFiles& run, const Arguments& a) {
   const Numbers time = run.column("time");
   Numbers records = column_of(run, a[0]);

@@ -160,7 +160,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace published;
 
-/// Of a problem by one method. The run that it is compared with belongs to all of the method's runs.
+/// Makes the result of a problem by one method. The run that it is compared with belongs to all of the method's runs.
 MethodResult result_of(const std::vector<PlannedRun>& runs, const std::vector<RunEnd>& ends, std::size_t problem,
                        Role role, Role reference_role) {
   MethodResult result;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Lists the runs of problems one after the other; what is wrong with their decks is told at once at the end.
+/// Lists the runs of problems one after the other; what is wrong with their decks is reported at once at the end.
 class Planner {
  public:
   explicit Planner(fs::path out) : out_(std::move(out)) {}
@@ -60,7 +60,7 @@ class Planner {
     runs_.push_back({{std::move(study), out_ / problem_->name / name}, number_, role});
   }
 
-  /// The mistakes of a deck are told once, not with every run of it.
+  /// The mistakes of a deck are reported once, not with every run of it.
   void check(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
     Diagnostics of_the_run;
     read_deck(text, file, overrides, of_the_run);
@@ -74,7 +74,7 @@ class Planner {
     if (!text) return;
     Diagnostics of_the_runs;
     const Deck deck = read_deck(*text, problem_->deck, method.overrides, of_the_runs);
-    if (of_the_runs.has_errors()) return add_run(role, problem_->deck, method.overrides, name);  // tells them
+    if (of_the_runs.has_errors()) return add_run(role, problem_->deck, method.overrides, name);  // reports them
     int k = 0;
     for (const double factor : ensemble_factors(varied_fraction, varied_runs)) {
       auto overrides = method.overrides;

@@ -134,7 +134,7 @@ double ImmersedForces::part_on_walls(std::size_t carried) const {
   return part;
 }
 
-/// What the force's nodes have of the body, with their shares. A wall's load is the other way round.
+/// Records what the force's nodes have of the body, with their shares. A wall's load is the other way round.
 void ImmersedForces::record_clamp(std::size_t force, std::span<double> to) const {
   const Flow& flow = unknowns_.flow;
   const auto& centre = flow.forces[force].centre;

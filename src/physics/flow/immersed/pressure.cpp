@@ -13,7 +13,7 @@ namespace tether::fem {
 namespace {
 
 /// eps: the part of a cell's own exchange between pressure and flux that bodies let through. Large, fluid goes through
-/// the body; of a plate of two cells across a channel .5, .05, .005, .0005 change the load by -15, -7, -3, -2.4 %.
+/// the body; of a plate of two cells across a channel 0.5, 0.05, 0.005, 0.0005 change the load by -15, -7, -3, -2.4 %.
 constexpr double extension_part = 0.005;
 
 /// Of the pressure in a sudden step: enough for the pressure in a closed box to have a level.

@@ -24,9 +24,9 @@ struct LoadsAtRest {
   double time = 0, part = 1;
 };
 
-/// What a step of a flow tells its bodies: its length [time], where in it stress and velocity are taken (theta), 1/dt
-/// or 0 for a steady flow [1/time], the fluid's viscosity [stress time]; in a sudden one supports keep their velocity.
-/// In search of a steady solution bodies have no inertia and the map is taken at the start.
+/// What a step of a flow hands to its bodies: its length [time], where in it stress and velocity are taken (theta),
+/// 1/dt or 0 for a steady flow [1/time], the fluid's viscosity [stress time]; in a sudden one supports keep their
+/// velocity. In search of a steady solution bodies have no inertia and the map is taken at the start.
 struct ImmersedMoment {
   double dt = 0, theta = 0.5, rate = 0, viscosity = 0;
   bool sudden = false;
@@ -127,7 +127,7 @@ class ImmersedSolids {
   std::optional<ImmersedPressure> pressure_;  // of bodies with a law for their volume
   SparseMatrix S_;
   std::optional<ImmersedBlocks> blocks_;
-  // The step: solid nodes' places at its start, middle and end, and there behind the last correction; the stress that
+  // The step: solid nodes' places at its start, middle and end, and there after the last correction; the stress that
   // the tangent takes; what supports prescribe, their places and velocities at its end and accelerations; velocity,
   // that at its end, acceleration and forces; numbers of carried nodes.
   double time_ = 0, rounding_ = 0;

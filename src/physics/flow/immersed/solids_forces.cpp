@@ -63,7 +63,7 @@ void ImmersedSolids::spread(std::span<const double> forces, std::span<double> f)
   map_.add_forces(at_carried, f);
 }
 
-/// Of nodes that supports hold nothing is unknown.
+/// Releases the carried nodes: of those that supports hold nothing is unknown.
 void ImmersedSolids::release_carried(EigenSparse& A, bool rows) const {
   const auto held = [&](Eigen::Index k) {
     return system_.held[2 * at(carried_.nodes()[static_cast<std::size_t>(k / 2)]) + static_cast<std::size_t>(k % 2)] !=
@@ -76,8 +76,8 @@ void ImmersedSolids::release_carried(EigenSparse& A, bool rows) const {
   }
 }
 
-/// What the last digits of places, and of velocities that add up to none over a long step, leave of the stress: of each
-/// force the diagonal of the tangent times the place or way.
+/// Finds what the last digits of places, and of velocities that add up to none over a long step, leave of the stress:
+/// of each force the diagonal of the tangent times the place or way.
 void ImmersedSolids::find_rounding() {
   double sum = 0;
   const double way = moment_.rest ? moment_.dt * speed_beside() : 0;
@@ -96,7 +96,7 @@ void ImmersedSolids::find_stiffness() {
   if (penalty_) penalty_->add_tangent(rule_, q0_, q1_, 0, system_.pattern, S_);
 }
 
-/// What the stress, linearised, will be once the gap is closed.
+/// Adds what the stress, linearised, will be once the gap is closed.
 void ImmersedSolids::add_forces_of_gap() {
   find_stiffness();
   for (std::size_t k = 0; k < gap_.size(); ++k) {
@@ -136,7 +136,7 @@ double ImmersedSolids::speed_beside() const {
   return speed;
 }
 
-/// By v1 of carried nodes: of the stress, which sees q1 = q0 + dt V, and of the inertia.
+/// Finds the derivative by v1 of carried nodes: that of the stress, which sees q1 = q0 + dt V, and that of the inertia.
 EigenSparse ImmersedSolids::find_tangent() {
   find_stiffness();
   find_rounding();

@@ -205,7 +205,7 @@ HWY_NOINLINE void record_motion(const LaneWork& work, const Tile& tile) {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) record_motion<D>(work, tile, k, sub);
   }
 }
-/// Records the stress; of gas, too, it is not what is over the density.
+/// Records the stress of gas itself, and not the stress over the density.
 template <class D, bool axis>
 HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {
   for (std::size_t k = 0; k < tile.layers; ++k) {
