@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 
 from matplotlib import animation, pyplot
 
-import run_folder
+import tether_results
 import style
 from thesis_figures.coupled import SHOWN
 from thesis_figures.coupled_scene import CoupledScene
@@ -82,7 +82,7 @@ def main(words=None):
     except NoProgram as mistake:
         print(f"films: {mistake}", file=sys.stderr)
         return 2
-    except (RunFailed, run_folder.NotARun) as failure:
+    except (RunFailed, tether_results.NotARun) as failure:
         print(f"films: {failure}", file=sys.stderr)
         return 3
     except OSError as reason:

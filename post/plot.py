@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 
 import run_figures
-import run_folder
+import tether_results
 import style
 
 
@@ -28,8 +28,8 @@ def main(words=None):
     chosen = arguments(words)
     style.use()
     try:
-        run = run_folder.read(chosen.folder)
-    except run_folder.NotARun as mistake:
+        run = tether_results.open(chosen.folder)
+    except tether_results.NotARun as mistake:
         print(f"plot: {mistake}", file=sys.stderr)
         return 2
     try:

@@ -3,7 +3,6 @@
 import numpy
 from matplotlib import pyplot
 
-import run_folder
 import style
 
 MOST_SNAPSHOTS = 9
@@ -15,7 +14,7 @@ PROFILES = {"density": ("density", "density"), "vx": ("velocity", "velocity"), "
 def over_time(axes, run, name, labels):
     """Draws a variable of the history (a curve for each body or point) and what reference.txt has under its names."""
     values = run.history[name].reshape(len(run.history["time"]), -1)
-    exact = run_folder.exact_over(run, "time")
+    exact = run.exact_over("time")
     for k, curve in enumerate(values.T):
         axes.plot(run.history["time"], curve, label=labels[k])
         column = name if run.history[name].ndim == 1 else f"{name}_{k + 1}"
@@ -26,7 +25,7 @@ def over_time(axes, run, name, labels):
 
 def energies(run):
     """Those of which there is some at any time; energy_pressure is what rounding is measured against, no exchange."""
-    names = [name for name in run.history.values
+    names = [name for name in run.history.variables
              if name.startswith("energy_") and name != "energy_pressure" and run.history[name].any()]
     if not names:
         return None
@@ -80,8 +79,8 @@ def frame_alike(axes, particles):
 
 def positions(run):
     """Where the points stand in the snapshots: first, last, and some evenly between."""
-    particles = run.particles
-    if particles is None or "x" not in particles or "y" not in particles:
+    particles = run.particles if run.has("particles") else {}
+    if "x" not in particles or "y" not in particles:
         return None
     times = particles["time"]
     chosen = numpy.unique(numpy.linspace(0, len(times) - 1, min(len(times), MOST_SNAPSHOTS)).round().astype(int))
@@ -97,8 +96,8 @@ def positions(run):
 
 def profiles(run):
     """The gas of the last snapshot along x, over the exact solution at its time."""
-    particles, exact = run.particles, run_folder.exact_over(run, "x")
-    if particles is None or not exact or not all(name in particles for name in ("x", *PROFILES)):
+    particles, exact = run.particles if run.has("particles") else {}, run.exact_over("x")
+    if not exact or not all(name in particles for name in ("x", *PROFILES)):
         return None
     figure, panels = style.panels(len(PROFILES), 2)
     for axes, (name, (column, title)) in zip(panels, PROFILES.items()):

@@ -3,7 +3,6 @@
 import numpy
 from matplotlib import collections, colormaps, tri
 
-import run_folder
 import style
 
 FLUID, OBSTACLE = 0, 2  # kinds of cells
@@ -33,8 +32,8 @@ class CoupledScene:
     """What mesh.nc and solids.nc of a run hold, record by record."""
 
     def __init__(self, run):
-        self.fluid = run_folder.read_fields(run.folder / "mesh.nc")
-        self.bodies = run_folder.read_fields(run.folder / "solids.nc")
+        self.fluid = run.fields("mesh")
+        self.bodies = run.fields("solids")
         self.times = self.fluid["time"]
         self.units = self.fluid.units
         names = [name for name in ("node_x", "node_y", "node_z") if name in self.fluid]

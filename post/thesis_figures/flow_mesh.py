@@ -3,7 +3,6 @@
 import numpy
 from matplotlib import tri
 
-import run_folder
 
 # Triangles of an element by its nodes as mesh.nc counts them: corners, then middles of edges, then its own.
 QUARTERS = ((0, 4, 8, 7), (4, 1, 5, 8), (8, 5, 2, 6), (7, 8, 6, 3))
@@ -20,7 +19,7 @@ class FlowMesh:
     """What mesh.nc of a flow holds; its nodes stay where they are."""
 
     def __init__(self, run):
-        self.fields = run_folder.read_fields(run.folder / "mesh.nc")
+        self.fields = run.fields("mesh")
         self.x, self.y = self.fields["node_x"], self.fields["node_y"]
         self.times = self.fields["time"]
         self.triangles = tri.Triangulation(self.x, self.y, triangles(self.fields["element_nodes"].astype(int)))
@@ -47,7 +46,7 @@ class Solids:
     """What solids.nc holds: the bodies in a flow, which move."""
 
     def __init__(self, run):
-        self.fields = run_folder.read_fields(run.folder / "solids.nc")
+        self.fields = run.fields("solids")
         self.elements = self.fields["element_nodes"].astype(int)
 
     def draw(self, axes, record):

@@ -15,7 +15,7 @@ POST = Path(__file__).resolve().parents[2] / "post"
 sys.path.insert(0, str(POST))
 
 import run_figures
-import run_folder
+import tether_results
 
 TIMES = numpy.linspace(0, 1, 21)
 PLACES = numpy.linspace(0, 1, 50)
@@ -145,7 +145,7 @@ class CommandLine(PlotTest):
 class Drawn(PlotTest):
     def test_energies_have_their_names_and_units(self):
         write_history(self.folder)
-        figure = run_figures.energies(run_folder.read(self.folder))
+        figure = run_figures.energies(tether_results.open(self.folder))
         curves = self.lines(figure, 0)
         self.assertEqual(list(curves), ["kinetic", "total"])
         numpy.testing.assert_array_equal(curves["total"], numpy.column_stack([TIMES, 1 + TIMES]))
@@ -155,7 +155,7 @@ class Drawn(PlotTest):
     def test_exact_path_lies_over_its_own_point_only(self):
         write_history(self.folder)
         self.reference("# time point_y_2\n0 5\n1 7\n")
-        figure = run_figures.points(run_folder.read(self.folder))
+        figure = run_figures.points(tether_results.open(self.folder))
         self.assertEqual([axes.get_ylabel() for axes in figure.axes], ["x [m]", "y [m]", "vx [m s-1]", "vy [m s-1]"])
         self.assertEqual(list(self.lines(figure, 0)), ["point 1", "point 2"])
         curves = self.lines(figure, 1)
@@ -164,13 +164,13 @@ class Drawn(PlotTest):
 
     def test_bodies_have_the_names_of_the_file(self):
         write_history(self.folder)
-        self.assertEqual(list(self.lines(run_figures.bodies(run_folder.read(self.folder)), 0)), ["gas"])
+        self.assertEqual(list(self.lines(run_figures.bodies(tether_results.open(self.folder)), 0)), ["gas"])
 
     def test_profiles_pair_each_field_with_its_exact_column(self):
         write_history(self.folder)
         write_particles(self.folder)
         self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n1 5 6 7 8\n")
-        figure = run_figures.profiles(run_folder.read(self.folder))
+        figure = run_figures.profiles(tether_results.open(self.folder))
         for panel, (factor, exact) in enumerate([(1, (1, 5)), (4, (2, 6)), (2, (3, 7)), (3, (4, 8))]):
             curves = self.lines(figure, panel)
             numpy.testing.assert_array_equal(curves["points"][:, 1], factor * PLACES)
@@ -181,15 +181,15 @@ class Drawn(PlotTest):
         write_history(self.folder)
         write_particles(self.folder)
         self.reference("# time point_y_1\n0 1\n")
-        self.assertIsNone(run_figures.profiles(run_folder.read(self.folder)))
+        self.assertIsNone(run_figures.profiles(tether_results.open(self.folder)))
         write_particles(self.folder, gas=False)
         self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n")
-        self.assertIsNone(run_figures.profiles(run_folder.read(self.folder)))
+        self.assertIsNone(run_figures.profiles(tether_results.open(self.folder)))
 
     def test_positions_have_equal_scales_and_a_colour_for_each_body(self):
         write_history(self.folder)
         write_particles(self.folder)
-        figure = run_figures.positions(run_folder.read(self.folder))
+        figure = run_figures.positions(tether_results.open(self.folder))
         self.addCleanup(run_figures.pyplot.close, figure)
         self.assertEqual([axes.get_title() for axes in figure.axes], ["time 0 s", "time 0.5 s", "time 1 s"])
         for axes in figure.axes:
