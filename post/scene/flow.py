@@ -89,11 +89,14 @@ class FlowMesh:
             axes.add_collection(collections.LineCollection(self.closed(stream, weak), colors=look["colors"], zorder=look["zorder"],
                                                            linewidths=look["linewidths"], alpha=look.get("alpha")))
 
+    def lines(self, stream, levels):
+        """The lines of these levels as places after each other."""
+        tracer = TriContourGenerator(self.triangles.get_cpp_triangulation(), stream)
+        return [line for level in levels for line in tracer.create_contour(level)[0]]
+
     def closed(self, stream, levels):
         """The lines of these levels that come back to where they began."""
-        tracer = TriContourGenerator(self.triangles.get_cpp_triangulation(), stream)
-        lines = [line for level in levels for line in tracer.create_contour(level)[0]]
-        return [line for line in lines if numpy.array_equal(line[0], line[-1])]
+        return [line for line in self.lines(stream, levels) if numpy.array_equal(line[0], line[-1])]
 
     def draw_lines(self, axes, record, levels, **look):
         """Lines of the stream function on these levels."""

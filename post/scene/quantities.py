@@ -77,6 +77,8 @@ class Scale:
         self.extend = style.extend(finite.min() < self.low, finite.max() > self.high)
 
     def _widen(self):
+        if abs(self.low) < 1e-9 * abs(self.high):
+            self.low = 0.0
         if self.name in SYMMETRIC:
             self.high, self.low = max(abs(self.low), abs(self.high)), 0.0 if self.low >= -OTHER_SIGN * self.high else -1.0
             self.low *= self.high
