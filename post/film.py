@@ -6,6 +6,7 @@ It is an .mp4 where ffmpeg is at hand, else, or with --gif, a .gif, and has the 
 one scale and in one frame. Exit codes: 0 done, 2 DIR is no run or has no snapshots, 4 the film could not be written.
 """
 import argparse
+import subprocess
 import sys
 from pathlib import Path
 
@@ -102,7 +103,7 @@ def main(words=None):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.touch()
         make(scene, records_of(run, scene, chosen.frames), path)
-    except OSError as reason:
+    except (OSError, subprocess.CalledProcessError) as reason:
         print(f"film: {reason}", file=sys.stderr)
         return 4
     print(path)

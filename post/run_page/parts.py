@@ -41,8 +41,8 @@ class Maker:
 
     def of_points(self, layer):
         """Squares of gas, fluids and solids, lines of membranes."""
-        volume = layer.fields.at(0).get("volume")
-        side = float(numpy.sqrt(numpy.median(volume))) if volume is not None else 0.01 * (self.scene.limits[1] - self.scene.limits[0])
+        unknown = 0.01 * (self.scene.limits[1] - self.scene.limits[0])
+        side = float(numpy.median(numpy.nan_to_num(layer.sides(layer.fields.at(0)), nan=unknown)))
         found = []
         for kind in layer.kinds.values():
             if kind.name == "membrane":
@@ -120,7 +120,8 @@ class Maker:
                                "e": self.numbers(topology.outer_edges(mesh.elements))}, lambda record: {})
         if "stream" not in layer.fields.names:
             return [field, walls]
-        return [field, Part("lines", {"colour": "#303030", "width": 0.7}, lambda record: self.lines(streamlines(layer, record))), walls]
+        lines = Part("lines", {"colour": "#303030", "width": 0.7}, lambda record: self.lines(streamlines(layer, record)))
+        return [field, lines, walls]
 
     def of_box(self, layer):
         """Cells, obstacles among them, and bodies; in space those of the middle layer, and bodies from the front."""
@@ -142,8 +143,8 @@ class Maker:
             return {"v": encode.shades(numpy.where(kind == box.FLUID, values, numpy.nan), layer.scale),
                     "o": encode.text_of((kind == box.OBSTACLE).astype(numpy.uint8))}
         corners = self.places([(edges["x"][0], edges["y"][0]), (edges["x"][-1], edges["y"][-1])])
-        return Part("cells", {"nx": len(edges["x"]) - 1, "ny": len(edges["y"]) - 1, "xy": corners, "scale": self.number_of(layer.scale)}, at,
-                    "Of cells the middle layer is shown, bodies from the front." if middle else "")
+        fixed = {"nx": len(edges["x"]) - 1, "ny": len(edges["y"]) - 1, "xy": corners, "scale": self.number_of(layer.scale)}
+        return Part("cells", fixed, at, "Of cells the middle layer is shown, bodies from the front." if middle else "")
 
 
 def from_front(corners):

@@ -35,7 +35,11 @@ class Kind:
     note: str = ""
 
 
-def bodies_in(run):
+def of_flow(run, name=None):
+    return Flow(run.fields("mesh"), name)
+
+
+def bodies_in(run, _=None):
     """Bodies in a flow, which are in a file of their own."""
     return Elements(run.fields("solids")) if run.has("solids") else None
 
@@ -46,15 +50,18 @@ def of_mesh(run, name=None):
 
 KINDS = (
     Kind("box", "fluid_volume", "mesh", (BoxLayer,),
-         (histories.places, histories.energies, histories.works, histories.forces, histories.volumes, histories.smoke), MESHES),
-    Kind("flow", "stream_max", "mesh", (lambda run, name=None: Flow(run.fields("mesh"), name), lambda run, name=None: bodies_in(run)),
+         (histories.places, histories.energies, histories.works, histories.forces, histories.volumes, histories.smoke),
+         MESHES),
+    Kind("flow", "stream_max", "mesh", (of_flow, bodies_in),
          (histories.places, histories.drag, histories.lift, histories.pressure_differences, histories.forces,
           histories.energies, histories.works), MESHES),
-    Kind("rigid", "director_1_x", "mesh", (of_mesh,), (histories.places, histories.spin, histories.energies, histories.works), MESHES),
-    Kind("points", "energy_transfer", "particles", (lambda run, name=None: Points(run, name),),
+    Kind("rigid", "director_1_x", "mesh", (of_mesh,),
+         (histories.places, histories.spin, histories.energies, histories.works), MESHES),
+    Kind("points", "energy_transfer", "particles", (Points,),
          (histories.places, histories.velocities, histories.energies), POINTS),
     Kind("bars", "energy_step", "particles", (Bars,), (histories.places, histories.energies), POINTS),
-    Kind("solids", "energy_supports", "mesh", (of_mesh,), (histories.places, histories.energies, histories.works, histories.volumes), MESHES),
+    Kind("solids", "energy_supports", "mesh", (of_mesh,),
+         (histories.places, histories.energies, histories.works, histories.volumes), MESHES),
 )
 
 

@@ -101,6 +101,7 @@ class FlowMesh:
     def draw_lines(self, axes, record, levels, **look):
         """Lines of the stream function on these levels."""
         stream = self.fields.at(record, ["stream"])["stream"]
+        levels = levels[(levels > stream.min()) & (levels < stream.max())]
         if len(levels):
             axes.tricontour(self.triangles, stream, levels=levels, **style.STREAMLINES | look)
 

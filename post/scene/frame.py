@@ -24,7 +24,7 @@ def are_even(times, end, count):
 def even_times(times, most=MOST_PANELS):
     """Numbers of snapshots that are as far apart as each other, from the first to the last or nearly; else both ends."""
     ends = [end for end in range(len(times) - 1, 0, -1) if times[end] - times[0] > REACHED * (times[-1] - times[0])]
-    for counts in (range(most, 3, -1), (3,)):
+    for counts in ((most, most - 2), (most - 1,), (3,)):
         for end in ends:
             for count in counts:
                 records = are_even(times, end, count)

@@ -51,7 +51,8 @@ def panel_of(run, what, name, labels, least):
     if not curves:
         return None
     if all(extent(curve.values) < SHORT * abs(curve.values[0]) for curve in curves):
-        curves, exact, what = [Curve(c.label, c.column, c.values - c.values[0]) for c in curves], changed(exact), f"change of {what}"
+        curves = [Curve(curve.label, curve.column, curve.values - curve.values[0]) for curve in curves]
+        exact, what = changed(exact), f"change of {what}"
     return Panel(what, style.label(what, unit_of(run, name)), curves, exact)
 
 

@@ -30,7 +30,7 @@ def figure(run, title=""):
     drawn, (axes,) = style.panels(1, 1, 9.5, 0.22 * len(found) + 0.7)
     axes.axis("off")
     drawn.suptitle(title, fontsize=9)
-    cells = [(name, value, unit, textwrap.shorten(run.history.meanings[name], LONGEST, placeholder=" ...")) for name, value, unit in found]
+    cells = [(*row, textwrap.shorten(run.history.meanings[row[0]], LONGEST, placeholder=" ...")) for row in found]
     table = axes.table(cells, colLabels=("column", "last value", "unit", "meaning"), cellLoc="left", loc="center",
                        colWidths=(0.2, 0.13, 0.1, 0.57), edges="horizontal", bbox=(0, 0, 1, 1))
     table.auto_set_font_size(False)

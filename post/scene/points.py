@@ -11,6 +11,8 @@ from scene import quantities
 SPREAD = 1.0  # per cent of the points at either end that a scale leaves out: they scatter
 GAS, FLUID = (7, 9), (8,)  # laws of ipath(4,r)
 HEAVY = 20.0  # times the mass of a body's other points: drawn as a mass of its own
+SMALLEST, LARGEST = 0.3, 2.5  # a point's width over the usual one, beyond which it is drawn no smaller and no larger
+MARKS = (0.8, 9.0)  # widths of marks in the figure's points
 GAP = 6.0  # times the usual distance of neighbours: a membrane's line ends there
 QUANTITY = {"gas": "pressure", "solid": "von Mises stress"}
 
@@ -65,7 +67,7 @@ class Points:
         self.times = self.fields.times
         self.kinds = self._kinds(name)
         self.scales = [kind.scale for kind in self.kinds.values() if kind.scale]
-        self.mark = 4.0
+        self.about_axis = bool(run.deck_values.get("in.cyl"))
 
     def _kinds(self, name):
         values, found = self.fields.at(0), {}
@@ -75,7 +77,8 @@ class Points:
             kind = kind_of_body(self.run, named, values, bodies == body)
             found.setdefault(kind, Kind(kind)).bodies.append((body, named))
         for kind in found.values():
-            kind.scale = self._scale(name or QUANTITY.get(kind.name) or fluids_quantity(self.run)) if kind.name != "membrane" else None
+            if kind.name != "membrane":
+                kind.scale = self._scale(name or QUANTITY.get(kind.name) or fluids_quantity(self.run))
         return found
 
     def _scale(self, name):
@@ -90,6 +93,7 @@ class Points:
         chosen = numpy.isin(values.get("body", numpy.ones(len(values["x"]))), [body for body, _ in kind.bodies])
         name = "pressure" if kind.scale and kind.scale.name == "p" else kind.scale.name if kind.scale else None
         return {"places": numpy.column_stack([values["x"], values["y"]])[chosen], "mass": values["mass"][chosen],
+                "side": self.sides(values)[chosen],
                 "value": quantities.value_of(values, name)[chosen] if name else None,
                 "body": values.get("body", numpy.ones(len(chosen)))[chosen]}
 
@@ -103,18 +107,23 @@ class Points:
             kinds = [kind for kind in self.kinds.values() if kind.scale is scale]
             scale.fit([self.values(kind, record)["value"] for kind in kinds for record in records], SPREAD)
 
-    def size_marks(self, axes):
-        """Marks as wide as points lie apart, in the figure's points, so that a body is a whole."""
-        values = self.fields.at(0)
+    def sides(self, values):
+        """How wide each point is, by its volume; about an axis that is one of a ring."""
+        if "volume" not in values:
+            return numpy.full(len(values["x"]), numpy.nan)
+        areas = values["volume"] / numpy.maximum(abs(values["x"]), 1e-300) if self.about_axis else values["volume"]
+        sides = numpy.sqrt(numpy.maximum(areas, 0))
+        usual = numpy.nanmedian(sides) if numpy.isfinite(sides).any() else 0.0
+        return numpy.clip(sides, SMALLEST * usual, LARGEST * usual)
+
+    @staticmethod
+    def marks(axes, sides):
+        """Areas of marks as wide as the points are, in the figure's points, so that a body is a whole."""
         width = axes.get_window_extent().width * 72 / axes.figure.dpi
-        height = axes.get_window_extent().height * 72 / axes.figure.dpi
-        (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-        side = numpy.sqrt(numpy.median(values["volume"])) if "volume" in values else (right - left) / 100
-        scale = max(width / (right - left), min(height / (high - low), 4 * width / (right - left)))
-        self.mark = float(numpy.clip(side * scale, 0.8, 7.0))
+        left, right = axes.get_xlim()
+        return numpy.clip(numpy.nan_to_num(sides, nan=(right - left) / 100) * width / (right - left), *MARKS)**2
 
     def draw(self, axes, record):
-        self.size_marks(axes)
         for kind in self.kinds.values():
             found = self.values(kind, record)
             if kind.name == "membrane":
@@ -123,11 +132,11 @@ class Points:
                 self.draw_bodies(axes, kind, found)
 
     def draw_bodies(self, axes, kind, found):
-        marks = {"s": self.mark**2, "linewidths": 0, "zorder": 2, "marker": "s"}
+        places, look = found["places"].T, {"s": self.marks(axes, found["side"]), "linewidths": 0, "zorder": 2, "marker": "s"}
         if kind.scale is None:
-            axes.scatter(*found["places"].T, color=style.OURS[0], **marks)
+            axes.scatter(*places, color=style.OURS[0], **look)
             return
-        drawn = axes.scatter(*found["places"].T, c=numpy.zeros(len(found["places"])), cmap=kind.scale.colours, norm=kind.scale.norm, **marks)
+        drawn = axes.scatter(*places, c=numpy.zeros(len(found["places"])), cmap=kind.scale.colours, norm=kind.scale.norm, **look)
         drawn.set_array(numpy.ma.masked_invalid(found["value"]))  # apart: scatter refuses numbers of which none is finite
 
     def draw_membranes(self, axes, kind, found):

@@ -77,7 +77,8 @@ class Films(FilmTest):
             self.assertTrue(3.9 <= repeats * len(shown) / rate <= 20.1, count)
 
     def test_a_steady_run_is_filmed_in_its_last_state(self):
-        run = tether_results.run(ROOT / "decks" / "cavity.in", {"mesh.cells(1,1)": (8, 8)}, out=self.folder / "cavity", program=PROGRAM)
+        run = tether_results.run(ROOT / "decks" / "cavity.in", {"mesh.cells(1,1)": (8, 8)}, out=self.folder / "cavity",
+                                 program=PROGRAM)
         self.assertEqual(film.records_of(run, choose.scene_of(run)), [1])
 
     def test_refuses_what_it_cannot_film(self):

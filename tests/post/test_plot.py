@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 POST = ROOT / "post"
-sys.path.insert(0, str(POST))
+sys.path[:0] = [str(POST), str(Path(__file__).parent)]
 
 import matplotlib
 
@@ -21,54 +21,10 @@ from matplotlib import image, pyplot
 
 import style
 import tether_results
-from scene import choose, frame, profiles, quantities
-from scene.points import Points
+from scene import choose, profiles
+from small_runs import PLACES, TIMES, write_history, write_particles
 
 PROGRAM = os.environ["TETHER"]
-TIMES = numpy.linspace(0, 1, 21)
-PLACES = numpy.linspace(0, 1, 50)
-
-
-def add(dataset, name, dimensions, values, units):
-    variable = dataset.createVariable(name, "f8", dimensions)
-    variable.units = units
-    variable[:] = values
-
-
-def write_history(folder, bodies=True):
-    """A history of material points, which energy_transfer says that it is."""
-    with netCDF4.Dataset(folder / "history.nc", "w", format="NETCDF3_64BIT_OFFSET") as data:
-        data.title = "A gas of two lines.\nMore of it."
-        data.createDimension("time", None)
-        add(data, "time", ("time",), TIMES, "s")
-        add(data, "energy_kinetic", ("time",), TIMES, "J")
-        add(data, "energy_total", ("time",), 1 + TIMES, "J")
-        add(data, "energy_transfer", ("time",), 0 * TIMES, "J")
-        if not bodies:
-            return
-        for kind, number, named in (("body", 1, "region"), ("point", 2, "point")):
-            data.createDimension(kind, number)
-            for part, unit in (("x", "m"), ("y", "m"), ("vx", "m s-1"), ("vy", "m s-1")):
-                add(data, f"{kind}_{part}", ("time", kind), numpy.outer(TIMES, 1 + numpy.arange(number)), unit)
-            data.createDimension(f"{kind}_letters", 8)
-            names = numpy.array([list(f"{named} {k + 1}".ljust(8, "\0")) for k in range(number)], dtype="S1")
-            data.createVariable(f"{kind}_name", "S1", (kind, f"{kind}_letters"))[:] = names
-
-
-def write_particles(folder, times=(0, 0.5, 1), gas=True, **changed):
-    with netCDF4.Dataset(folder / "particles.nc", "w") as data:
-        data.createDimension("time", None)
-        data.createDimension("point", len(PLACES))
-        add(data, "time", ("time",), times, "s")
-        fields = {"x": PLACES, "y": PLACES**2, "body": 1 + 0 * PLACES, "mass": 1 + 0 * PLACES, "volume": 1e-3 + 0 * PLACES}
-        if gas:
-            fields |= {"density": PLACES, "pressure": 2 * PLACES, "specific_energy": 3 * PLACES, "vx": 4 * PLACES, "vy": 0 * PLACES}
-        for name, values in (fields | changed).items():
-            add(data, name, ("time", "point"), numpy.tile(values, (len(times), 1)), "1")
-
-
-def write_deck(folder, law):
-    (folder / "deck.effective").write_text(f"A deck\n$reg\nipath(4,1) = {law}\n$\n")
 
 
 def coloured_share(path):
@@ -234,112 +190,6 @@ class Profiles(PlotTest):
         write_particles(self.folder, gas=False)
         self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n")
         self.assertIsNone(profiles.figure(self.open()))
-
-
-class Snapshots(PlotTest):
-    def test_are_evenly_spaced_or_both_ends(self):
-        for times, chosen in (([0], [0]), ([0, 1], [0, 1]), (range(6), range(6)), (range(18), (0, 4, 8, 12, 16)),
-                              ([0, 1, 2, 2.85], [0, 3]), ([0, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 1.75], (0, 2, 4, 6, 8))):
-            self.assertEqual(frame.even_times(numpy.array(list(times), dtype=float)), list(chosen))
-
-    def test_are_those_nearest_to_the_times_that_are_asked_for(self):
-        write_history(self.folder)
-        write_particles(self.folder)
-        run = self.open()
-        self.assertEqual(choose.records_of(run, choose.scene_of(run), (0.9, 0.4)), [1, 2])
-
-    def test_a_gas_is_coloured_by_its_pressure_on_one_scale(self):
-        write_history(self.folder)
-        write_particles(self.folder)
-        write_deck(self.folder, 7)
-        scene = choose.scene_of(self.open())
-        figure = scene.figure([0, 1, 2])
-        self.assertEqual([axes.get_title() for axes in figure.axes[:3]], ["time 0 s", "time 0.5 s", "time 1 s"])
-        drawn = [axes.collections[0] for axes in figure.axes[:3]]
-        for points in drawn:
-            numpy.testing.assert_array_equal(points.get_array(), 2 * PLACES)
-            self.assertEqual((points.norm.vmin, points.norm.vmax), (drawn[0].norm.vmin, drawn[0].norm.vmax))
-        self.assertEqual(figure.axes[3].get_ylabel(), "pressure")
-        for axes in figure.axes[1:3]:
-            self.assertEqual((axes.get_xlim(), axes.get_ylim()), (figure.axes[0].get_xlim(), figure.axes[0].get_ylim()))
-            self.assertEqual(axes.get_aspect(), 1)
-
-    def test_laws_and_normals_say_what_a_body_is(self):
-        write_history(self.folder)
-        for law, normal, kind in ((9, 0, "gas"), (8, 0, "fluid"), (0, 0, "solid"), (2, 1, "membrane")):
-            write_particles(self.folder, normal_x=normal + 0 * PLACES, normal_y=0 * PLACES)
-            write_deck(self.folder, law)
-            self.assertEqual(list(Points(self.open()).kinds), [kind])
-
-    def test_the_whole_grid_is_shown(self):
-        write_history(self.folder)
-        write_particles(self.folder)
-        (self.folder / "deck.effective").write_text("$in\nxleft = -2\nxright = 3\nybot = 0\nytop = 4\n$\n")
-        scene = choose.scene_of(self.open())
-        scene.fit([0])
-        self.assertLess(scene.limits[0], -2)
-        self.assertGreater(scene.limits[3], 4)
-
-
-class Hostile(PlotTest):
-    def drawn(self):
-        result = plot(self.folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("fields.png", self.pictures())
-        return choose.scene_of(self.open())
-
-    def test_a_field_of_nothing_but_nan(self):
-        write_history(self.folder)
-        write_particles(self.folder, pressure=numpy.nan * PLACES)
-        write_deck(self.folder, 7)
-        scene = self.drawn()
-        scene.fit([0])
-        self.assertTrue(all(numpy.isfinite((scale.low, scale.high)).all() for scale in scene.scales))
-
-    def test_points_that_are_nowhere(self):
-        write_history(self.folder)
-        write_particles(self.folder, x=numpy.where(PLACES > 0.5, numpy.nan, PLACES))
-        scene = self.drawn()
-        scene.fit([0])
-        self.assertTrue(numpy.isfinite(scene.limits).all())
-
-    def test_one_record(self):
-        write_history(self.folder)
-        write_particles(self.folder, times=(0,))
-        self.drawn()
-
-    def test_snapshots_without_a_record_are_none(self):
-        write_history(self.folder)
-        write_particles(self.folder, times=())
-        result = plot(self.folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.pictures(), ["histories.png"])
-
-    def test_a_run_that_stopped_early(self):
-        run = tether_results.run(ROOT / "decks" / "sod.in", {"in.tmax": 0.02}, out=self.folder, program=PROGRAM)
-        for name in ("summary.txt", "reference.txt"):
-            (run.folder / name).unlink()
-        self.drawn()
-
-
-class Quantities(unittest.TestCase):
-    def test_von_mises_of_pull_shear_and_pressure(self):
-        names = ("sxx", "syy", "szz", "sxy")
-        for stress, expected in (((3, 0, 0, 0), 3), ((0, 0, 0, 1), numpy.sqrt(3)), ((-2, -2, -2, 0), 0)):
-            self.assertAlmostEqual(float(quantities.von_mises(dict(zip(names, map(numpy.array, stress))))), expected)
-
-    def test_pressures_of_both_signs_have_a_scale_about_zero(self):
-        scale = quantities.Scale("p", "Pa")
-        scale.fit([numpy.array([-1.0, 3.0])])
-        self.assertEqual((scale.low, scale.high), (-3, 3))
-        scale.fit([numpy.array([0.5, 3.0])])
-        self.assertEqual((scale.low, scale.high), (0, 3))
-
-    def test_a_constant_has_a_scale(self):
-        for value in (0.0, 5.0):
-            scale = quantities.Scale("density", "1")
-            scale.fit([numpy.full(3, value)])
-            self.assertLess(scale.low, scale.high)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes of flows, boxes and elements: levels of streamlines, one scale over all panels, bodies where they are."""
 import os
+import shutil
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "post"))
+sys.path[:0] = [str(ROOT / "post"), str(Path(__file__).parent)]
 
 import matplotlib
 
@@ -21,6 +22,7 @@ import tether_results
 from scene import choose, space, topology
 from scene.box import ASLANT, OBSTACLE, BoxScene
 from scene.flow import FlowMesh
+from small_runs import write_regular
 
 PROGRAM = os.environ["TETHER"]
 PADDLE, BAR = {"in.tmax": 0.1}, {"in.tmax": 0.3}
@@ -122,6 +124,25 @@ class Boxes(SceneTest):
         for deck, values, field in (("coupled-bar", BAR, "smoke"), ("coupled-archimedes", {"in.tmax": 0.05}, "p"),
                                     ("coupled-balloon", {"in.tmax": 0.1}, "speed")):
             self.assertEqual(choose.scene_of(self.run_of(deck, values)).layers[0].name, field)
+
+    def test_a_box_by_coordinate_variables_is_drawn_alike(self):
+        for deck, values in (("coupled-bar", BAR), ("coupled-paddle-3d", PADDLE)):
+            run = self.run_of(deck, values)
+            other = self.folder / f"regular {deck}"
+            shutil.copytree(run.folder, other)
+            fields = run.fields("mesh")
+            (other / "mesh.nc").unlink()
+            write_regular(other / "mesh.nc", fields, fields.names)
+            one, same = (self.picture(choose.scene_of(shown)) for shown in (run, tether_results.open(other)))
+            numpy.testing.assert_array_equal(one, same)
+
+    @staticmethod
+    def picture(scene):
+        """The pixels of a scene's last snapshot."""
+        scene.title = ""
+        figure = scene.figure([len(scene.times) - 1])
+        figure.canvas.draw()
+        return numpy.asarray(figure.canvas.buffer_rgba())
 
     def test_bodies_in_space_are_drawn_where_they_are(self):
         scene = choose.scene_of(self.run_of("coupled-bar-3d", {"in.tmax": 0.05}))

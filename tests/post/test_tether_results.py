@@ -10,9 +10,10 @@ import netCDF4
 import numpy
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "post"))
+sys.path[:0] = [str(ROOT / "post"), str(Path(__file__).parent)]
 
 import tether_results
+from small_runs import write_regular
 from tether_results.box import edges_of
 from tether_results.program import in_namelist
 
@@ -103,7 +104,7 @@ class Snapshots(Folder):
     def test_a_box_by_coordinate_variables_is_the_same(self):
         old = self.made("coupled-balloon", BALLOON).fields("mesh")
         path = self.folder / "mesh.nc"
-        write_regular(path, old)
+        write_regular(path, old, ("kind", "p", "vx"))
         new = tether_results.Fields(path)
         self.assertEqual((new.form, new.box.shape, new.dimension), ("box", old.box.shape, 2))
         for axis in "xy":
@@ -117,23 +118,6 @@ class Snapshots(Folder):
         middles = numpy.array([0.5, 1.5])
         for bounds in (None, [0, 1, 2], [[0, 1], [1, 2]]):
             numpy.testing.assert_array_equal(edges_of(middles, bounds), [0, 1, 2])
-
-
-def write_regular(path, fields):
-    """A box's mesh.nc as a regular grid."""
-    with netCDF4.Dataset(path, "w") as data:
-        data.createDimension("time", None)
-        data.createDimension("side", 2)
-        data.createVariable("time", "f8", ("time",))[:] = fields.times
-        for axis, middles in fields.axes.items():
-            data.createDimension(axis, len(middles))
-            data.createVariable(axis, "f8", (axis,))[:] = middles
-            edges = fields.box.edges[axis]
-            data.createVariable(f"{axis}_bounds", "f8", (axis, "side"))[:] = numpy.column_stack([edges[:-1], edges[1:]])
-        for name in ("kind", "p", "vx"):
-            variable = data.createVariable(name, "f8", ("time", "y", "x"))
-            for record in range(len(fields)):
-                variable[record] = fields.at(record)[name]
 
 
 class Texts(Folder):
