@@ -3,6 +3,9 @@
 import numpy
 
 AXES = ("x", "y", "z")
+# Which corners of a quadrangle or hexahedron are one cell further along ([z,] y, x), in VTK's order.
+AROUND = ((0, 0), (0, 1), (1, 1), (1, 0))
+CORNERS = {2: AROUND, 3: tuple((level, *corner) for level in (0, 1) for corner in AROUND)}
 
 
 def edges_of(middles, bounds=None):
@@ -38,6 +41,20 @@ class Box:
     def array(self, values):
         """A field of one snapshot over ([z,] y, x)."""
         return numpy.asarray(values, dtype=float).reshape(self.shape)
+
+    @property
+    def places(self):
+        """The middles of the cells, a row each, as `array` has them one after the other."""
+        grids = numpy.meshgrid(*reversed(self.axes.values()), indexing="ij")
+        return numpy.column_stack([grid.ravel() for grid in reversed(grids)])
+
+    @property
+    def elements(self):
+        """Quadrangles or hexahedra between the middles of neighbouring cells, by the numbers of their corners."""
+        numbers = numpy.arange(int(numpy.prod(self.shape))).reshape(self.shape)
+        corners = [numbers[tuple(slice(1, None) if ahead else slice(None, -1) for ahead in corner)].ravel()
+                   for corner in CORNERS[self.dimension]]
+        return numpy.column_stack(corners)
 
     def is_field(self, name, variable):
         """Whether a variable is a field of the cells; places of an older file's nodes are none."""
