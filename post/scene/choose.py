@@ -4,13 +4,15 @@ import re
 import textwrap
 from dataclasses import dataclass
 
+import numpy
+
 import tether_results
 from scene import histories, last_values, quantities
 from scene.bars import Bars
 from scene.box import BoxLayer
 from scene.elements import Elements
 from scene.flow import Flow
-from scene.frame import Scene, even_times
+from scene.frame import Scene, even_sets, liveliest
 from scene.points import Points
 
 LONGEST_TITLE = 140
@@ -123,7 +125,15 @@ def records_of(run, scene, times=()):
     """The snapshots that are drawn: those nearest to these times, or some evenly spaced; of a steady run the last."""
     if times:
         return sorted({scene.layers[0].fields.record(float(time)) for time in times})
-    return [len(scene.times) - 1] if is_steady(run) else even_times(scene.times)
+    if is_steady(run):
+        return [len(scene.times) - 1]
+    return liveliest(even_sets(scene.times), lambda records: variety(run, scene.times[records]))
+
+
+def variety(run, times):
+    """How much the kinetic energy differs between some times."""
+    energy = run.history["energy_kinetic"] if "energy_kinetic" in run.history else 0 * run.history["time"]
+    return float(numpy.nan_to_num(numpy.interp(times, run.history["time"], energy).std()))
 
 
 def histories_of(run):

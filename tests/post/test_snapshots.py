@@ -50,7 +50,18 @@ class Snapshots(PointsTest):
     def test_are_evenly_spaced_or_both_ends(self):
         for times, chosen in (([0], [0]), ([0, 1], [0, 1]), (range(6), range(6)), (range(18), (0, 3, 6, 9, 12, 15)),
                               ([0, 1, 2, 2.85], [0, 3]), ([0, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 1.75], (0, 2, 4, 6, 8))):
-            self.assertEqual(frame.even_times(numpy.array(list(times), dtype=float)), list(chosen))
+            self.assertEqual(frame.even_sets(numpy.array(list(times), dtype=float))[0], list(chosen))
+
+    def test_of_a_swing_are_not_a_period_apart(self):
+        times = numpy.linspace(0, 3, 25)
+        sets = frame.even_sets(times)
+        self.assertEqual(times[sets[0]].tolist(), [0, 1, 2, 3])
+        variety = lambda records: numpy.sin(2 * numpy.pi * times[records]).std()
+        chosen = frame.liveliest(sets, variety)
+        self.assertLess(variety(sets[0]), 1e-12)
+        self.assertGreater(variety(chosen), frame.LIVELY * max(map(variety, sets)) - 1e-12)
+        self.assertEqual(len(set(numpy.diff(times[chosen]))), 1)
+        self.assertEqual(frame.liveliest(sets, lambda records: 0.0), sets[0])
 
     def test_are_those_nearest_to_the_times_that_are_asked_for(self):
         write_history(self.folder)
