@@ -48,7 +48,8 @@ def short_names(names):
 def pieces(places):
     """A membrane's points in their order, parted where neighbours are far apart."""
     distances = numpy.hypot(*numpy.diff(places, axis=0).T)
-    usual = numpy.nanmedian(distances) if len(distances) else 0.0
+    distances = numpy.where(numpy.isfinite(distances), distances, 0.0)
+    usual = numpy.median(distances) if len(distances) else 0.0
     return numpy.split(places, 1 + numpy.flatnonzero(distances > GAP * usual))
 
 
@@ -142,6 +143,8 @@ class Points:
     def draw_membranes(self, axes, kind, found):
         for number, (body, _) in enumerate(kind.bodies):
             chosen = found["body"] == body
+            if not chosen.any():
+                continue
             look = {"color": style.MEMBRANES[number % len(style.MEMBRANES)], "zorder": 4}
             for piece in pieces(found["places"][chosen]):
                 axes.plot(*piece.T, linewidth=1.2, marker="o", markersize=1.6, **look)

@@ -14,6 +14,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+import netCDF4
 import numpy
 from matplotlib import collections, pyplot
 
@@ -154,6 +155,30 @@ class Boxes(SceneTest):
         back, front = (z - scene.layers[0].scene.middles[2][0] for z in (0.3, 0.7))
         numpy.testing.assert_allclose(corners.max(axis=0), (0.8 + right * front, 0.5 + down * back), atol=1e-9)
         numpy.testing.assert_allclose(corners.min(axis=0), (0.7 + right * back, down * front), atol=1e-9)
+
+
+class Hostile(SceneTest):
+    def test_fields_of_nan_leave_a_picture_with_the_scale_of_the_rest(self):
+        for deck, values in (("coupled-bar", BAR), ("cylinder", None), ("ball-net", {"in.tmax": 0.21}),
+                             ("rigid-free", {"in.tmax": 1.0, "in.iout(39)": 1, "in.tiout(39)": 0.5})):
+            with self.subTest(deck=deck):
+                other = self.folder / f"nan {deck}"
+                shutil.copytree(self.run_of(deck, values).folder, other)
+                for path in [path for name in ("mesh", "solids", "particles") for path in other.glob(f"{name}.nc")]:
+                    spoil(path)
+                scene = choose.scene_of(tether_results.open(other))
+                scene.figure(list(range(len(scene.times)))).canvas.draw()
+                self.assertTrue(numpy.isfinite(scene.limits).all())
+                for scale in scene.scales:
+                    self.assertTrue(numpy.isfinite((scale.low, scale.high)).all())
+
+
+def spoil(path):
+    """Makes each number of a file's last snapshot a NaN, but for the kinds of cells."""
+    with netCDF4.Dataset(path, "a") as data:
+        for name, variable in data.variables.items():
+            if variable.ndim > 1 and variable.dimensions[0] == "time" and name != "kind":
+                variable[-1] = numpy.nan
 
 
 class Elements(SceneTest):
