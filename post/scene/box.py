@@ -27,7 +27,6 @@ class BoxScene:
         self.bodies = run.fields("solids") if run.has("solids") else None
         self.faces = elements.topology.outer_faces(self.bodies.elements) if self.dim == 3 and self.bodies else None
         self.energy = quantities.Scale("energy density", self.bodies.units["energy_density"] if self.bodies else "1")
-        self.fit_bodies(range(len(self.times)))
 
     def fit_bodies(self, records):
         """The scale of the bodies' energy densities from some records."""

@@ -120,9 +120,9 @@ class Points:
     @staticmethod
     def marks(axes, sides):
         """Areas of marks as wide as the points are, in the figure's points, so that a body is a whole."""
-        width = axes.get_window_extent().width * 72 / axes.figure.dpi
-        left, right = axes.get_xlim()
-        return numpy.clip(numpy.nan_to_num(sides, nan=(right - left) / 100) * width / (right - left), *MARKS)**2
+        extent, (left, right), (low, high) = axes.get_window_extent(), axes.get_xlim(), axes.get_ylim()
+        scale = 72 / axes.figure.dpi * numpy.sqrt(extent.width / (right - left) * extent.height / (high - low))
+        return numpy.clip(numpy.nan_to_num(sides, nan=(right - left) / 100) * scale, *MARKS)**2
 
     def draw(self, axes, record):
         for kind in self.kinds.values():

@@ -8,11 +8,11 @@ from matplotlib import cm, colors
 import style
 
 SPEED_PARTS = ("vx", "vy", "vz")
-# What is drawn in which colours; a quantity of both signs has a scale that is symmetric about 0.
+# What is drawn in which colours; what has no line here is drawn about 0.
 COLOURS = {"von Mises stress": "YlOrRd", "energy density": "YlOrRd", "stress": "YlOrRd", "speed": "Blues", "smoke": "gray_r",
-           "pressure": "viridis", "density": "viridis", "p": "PRGn_r"}
-SYMMETRIC = ("p",)
-ONE_SIGN, OTHER_SIGN = "viridis", 0.02  # colours where the other sign has no more than this share of the largest
+           "pressure": "viridis", "density": "viridis"}
+# Of all others: colours about 0, or from the least to the largest where one sign has no more than a share of the other.
+BOTH_SIGNS, ONE_SIGN, OTHER_SIGN = "PRGn_r", "viridis", 0.02
 NAMES = {"p": "pressure", "smoke": "density of smoke"}
 
 
@@ -62,9 +62,13 @@ class Scale:
 
     @property
     def colours(self):
-        if self.name in SYMMETRIC and self.low == 0:
-            return ONE_SIGN
-        return COLOURS.get(self.name, "viridis")
+        about_zero = BOTH_SIGNS if self.low == -self.high else ONE_SIGN
+        return COLOURS.get(self.words, about_zero)
+
+    @property
+    def words(self):
+        """The name without underscores."""
+        return self.name.replace("_", " ")
 
     def fit(self, samples, within=0.0):
         """Takes in the least and the largest of all samples, or leaves out this per cent of them at either end."""
@@ -79,15 +83,19 @@ class Scale:
     def _widen(self):
         if abs(self.low) < 1e-9 * abs(self.high):
             self.low = 0.0
-        if self.name in SYMMETRIC:
-            self.high, self.low = max(abs(self.low), abs(self.high)), 0.0 if self.low >= -OTHER_SIGN * self.high else -1.0
-            self.low *= self.high
+        if self.words not in COLOURS and self.low < 0 < self.high:
+            self._widen_about_zero()
         elif self.low > 0 and self.low < 0.5 * self.high or self.name in DERIVED:
             self.low = 0.0
         if self.high - self.low <= 1e-9 * max(abs(self.low), abs(self.high)):
             margin = 0.05 * max(abs(self.high), abs(self.low)) or 1.0
             self.high += margin
             self.low -= margin if self.low != 0 else 0.0
+
+    def _widen_about_zero(self):
+        """As far below 0 as above, or from 0 on where the other sign hardly occurs."""
+        most = max(-self.low, self.high)
+        self.low, self.high = (0.0 if -self.low <= OTHER_SIGN * most else -most), (0.0 if self.high <= OTHER_SIGN * most else most)
 
     @property
     def norm(self):
@@ -103,7 +111,7 @@ class Scale:
 
     @property
     def label(self):
-        return style.label(NAMES.get(self.name, self.name.replace("_", " ")), self.unit)
+        return style.label(NAMES.get(self.name, self.words), self.unit)
 
 
 def largest(bounds):
