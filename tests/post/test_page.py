@@ -83,6 +83,14 @@ class Numbers(PageTest):
         self.assertEqual(float(self.text_at(dom, "snapshot")), float(f"{run.particles.times[3]:.6g}"))
         self.assertIn('data-record="3"', dom)
 
+    def test_numbers_are_those_of_the_text_letter_by_letter(self):
+        run = self.run_of("sod", {"in.tmax": 0.02})
+        names, _, row = [line.removeprefix("#").split() for line in (run.folder / "history.txt").read_text().splitlines()[:3]]
+        written = dict(zip(names, row))["energy_kinetic"]
+        self.assertIn("e-0", written)  # a browser itself would write e-
+        dom = self.shown(run, "#column=energy_kinetic&at=1")
+        self.assertEqual(self.text_at(dom, "reading"), f"time = {row[0]}, energy_kinetic = {written}")
+
     def test_numbers_that_no_record_or_column_has_change_nothing(self):
         run = self.run_of("pendulum-40", {"in.tmax": 0.9})
         dom = self.shown(run, "#record=999&column=nothing&at=-4")

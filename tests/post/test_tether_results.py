@@ -98,7 +98,7 @@ class Snapshots(Folder):
         numpy.testing.assert_allclose(mesh.axes["y"], numpy.arange(0.05, 2, 0.1))
         numpy.testing.assert_allclose(mesh.box.edges["x"], numpy.arange(0, 2.01, 0.1), atol=1e-12)
         kind = mesh.at(0)["kind"]
-        self.assertTrue((kind[0] == 2).all())  # the floor is an obstacle, .1 high
+        self.assertTrue((kind[0] == 2).all())  # the floor is an obstacle, 0.1 high
         self.assertFalse((kind[1:] == 2).any())
 
     def test_a_box_by_coordinate_variables_is_the_same(self):
