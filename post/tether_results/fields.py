@@ -28,7 +28,7 @@ class Fields:
             self.times = numpy.asarray(data["time"][:], dtype=float)
             self.form = form_of(data)
             self.box = Box(data) if self.form == "box" else None
-            self.names = [name for name, variable in data.variables.items() if self._is_field(name, variable)]
+            self.names = [name for name, variable in data.variables.items() if self._is_field(variable)]
             self.units = {name: getattr(data[name], "units", "1") for name in data.variables}
             self.meanings = {name: getattr(data[name], "long_name", "") for name in data.variables}
             self._constants = {name: numpy.asarray(variable[:]) for name, variable in data.variables.items()
@@ -36,10 +36,9 @@ class Fields:
             self._shown = set(data.variables)
         self._whole = {}
 
-    def _is_field(self, name, variable):
-        if not datasets.is_numeric(variable) or variable.ndim < 2 or variable.dimensions[0] != "time":
-            return False
-        return self.box.is_field(name, variable) if self.box else True
+    @staticmethod
+    def _is_field(variable):
+        return datasets.is_numeric(variable) and variable.ndim > 1 and variable.dimensions[0] == "time"
 
     def __len__(self):
         return len(self.times)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small runs of points that tests write themselves, with numbers that they know, and boxes in another form."""
+"""Small runs of points that tests write themselves, with numbers that they know."""
 import netCDF4
 import numpy
 
@@ -47,19 +47,3 @@ def write_particles(folder, times=(0, 0.5, 1), gas=True, **changed):
 
 def write_deck(folder, law):
     (folder / "deck.effective").write_text(f"A deck\n$reg\nipath(4,1) = {law}\n$\n")
-
-
-def write_regular(path, fields, names):
-    """A box's mesh.nc as a regular grid, with the cells' middles as coordinate variables and their bounds."""
-    with netCDF4.Dataset(path, "w") as data:
-        data.createDimension("time", None)
-        data.createDimension("side", 2)
-        add(data, "time", ("time",), fields.times, fields.units["time"])
-        for axis, middles in fields.axes.items():
-            data.createDimension(axis, len(middles))
-            add(data, axis, (axis,), middles, fields.units[axis])
-            edges = fields.box.edges[axis]
-            add(data, f"{axis}_bounds", (axis, "side"), numpy.column_stack([edges[:-1], edges[1:]]), fields.units[axis])
-        for name in names:
-            values = numpy.stack([fields.at(record)[name] for record in range(len(fields))])
-            add(data, name, ("time", *reversed(fields.axes)), values, fields.units[name])

@@ -117,7 +117,8 @@ class Shadows(unittest.TestCase):
         fog = numpy.zeros((10, 15, 20))
         fog[:, 12:, :10] = 30.0
         sizes = numpy.full(3, 0.1)
-        dark = smoke.sample(smoke.light_in(fog, sizes, LIGHT), BOX[0], sizes, numpy.array([[0.3, 0.06, 0.1], [1.8, 0.06, 0.1]]), 1.0)
+        points = numpy.array([[0.3, 0.06, 0.1], [1.8, 0.06, 0.1]])
+        dark = smoke.sample(smoke.light_in(fog, sizes, LIGHT), BOX[0], sizes, points, 1.0)
         self.assertLess(dark[0], 0.15)  # layer by layer light spreads a little
         self.assertGreater(dark[1], 0.99)
         self.assertEqual(scene.draw([], (fog, sizes)).shape, (120, 160, 3))

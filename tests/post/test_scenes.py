@@ -20,10 +20,10 @@ from matplotlib import collections, pyplot
 
 import style
 import tether_results
+from render import blocks
 from scene import choose, space, topology
-from scene.box import ASLANT, OBSTACLE, BoxScene
+from scene.box import OBSTACLE, BoxScene
 from scene.flow import FlowMesh
-from small_runs import write_regular
 
 PROGRAM = os.environ["TETHER"]
 PADDLE, BAR = {"in.tmax": 0.1}, {"in.tmax": 0.3}
@@ -98,7 +98,8 @@ class Boxes(SceneTest):
     def test_cells_stand_where_they_are(self):
         scene = BoxScene(self.run_of("coupled-paddle-3d", PADDLE))
         self.assertEqual((scene.shape, scene.dim), ((16, 24, 32), 3))
-        numpy.testing.assert_allclose(scene.extent(), (0, 2, 0, 1.5), atol=1e-12)
+        numpy.testing.assert_allclose(scene.in_space.low, 0, atol=1e-12)
+        numpy.testing.assert_allclose(scene.in_space.picture.high, (2, 1.5, 1), atol=1e-12)
         kind = scene.cells("kind", 0)
         self.assertTrue((kind[:, 0, :] == OBSTACLE).all())  # the floor
         self.assertFalse((kind[:, 1:, :] == OBSTACLE).any())
@@ -106,7 +107,7 @@ class Boxes(SceneTest):
     def test_speeds_are_those_of_the_jet(self):
         scene = BoxScene(self.run_of("coupled-sheets", PADDLE))
         speed = scene.cells("speed", scene.record_at(0.1))
-        rows = (scene.middles[1] > 0.2) & (scene.middles[1] < 0.35)
+        rows = (scene.box.axes["y"] > 0.2) & (scene.box.axes["y"] < 0.35)
         self.assertTrue((abs(speed[rows, 0] / 5 - 1) < 0.3).all())
 
     def test_one_scale_one_frame_and_a_bar_for_bodies_over_all_panels(self):
@@ -126,35 +127,25 @@ class Boxes(SceneTest):
                                     ("coupled-balloon", {"in.tmax": 0.1}, "speed")):
             self.assertEqual(choose.scene_of(self.run_of(deck, values)).layers[0].name, field)
 
-    def test_a_box_by_coordinate_variables_is_drawn_alike(self):
-        for deck, values in (("coupled-bar", BAR), ("coupled-paddle-3d", PADDLE)):
-            run = self.run_of(deck, values)
-            other = self.folder / f"regular {deck}"
-            shutil.copytree(run.folder, other)
-            fields = run.fields("mesh")
-            (other / "mesh.nc").unlink()
-            write_regular(other / "mesh.nc", fields, fields.names)
-            one, same = (self.picture(choose.scene_of(shown)) for shown in (run, tether_results.open(other)))
-            numpy.testing.assert_array_equal(one, same)
-
-    @staticmethod
-    def picture(scene):
-        """The pixels of a scene's last snapshot."""
-        scene.title = ""
-        figure = scene.figure([len(scene.times) - 1])
-        figure.canvas.draw()
-        return numpy.asarray(figure.canvas.buffer_rgba())
-
     def test_bodies_in_space_are_drawn_where_they_are(self):
-        scene = choose.scene_of(self.run_of("coupled-bar-3d", {"in.tmax": 0.05}))
-        scene.fit([0])
-        _, axes = pyplot.subplots()
-        scene.draw(axes, 0)
-        corners = numpy.concatenate([path.vertices for faces in axes.collections for path in faces.get_paths()])
-        right, down = ASLANT
-        back, front = (z - scene.layers[0].scene.middles[2][0] for z in (0.3, 0.7))
-        numpy.testing.assert_allclose(corners.max(axis=0), (0.8 + right * front, 0.5 + down * back), atol=1e-9)
-        numpy.testing.assert_allclose(corners.min(axis=0), (0.7 + right * back, down * front), atol=1e-9)
+        scene = BoxScene(self.run_of("coupled-bar-3d", {"in.tmax": 0.05}))
+        camera, kind = scene.in_space.picture.camera, scene.cells("kind", 0)
+        nothing = numpy.zeros(kind.shape)
+        with_bar, bare = (scene.in_space.draw(kind, nothing, surfaces, "gray_r", False) for surfaces in (scene.surfaces(0), []))
+        for point, seen in (((0.8, 0.25, 0.5), True), ((0.75, 0.5, 0.5), True), ((1.6, 0.45, 0.5), False)):
+            across, down = camera.project(numpy.array(point))[0].astype(int)
+            self.assertEqual(abs(with_bar - bare)[down, across].max() > 0.05, seen, point)
+
+    def test_obstacles_have_few_faces_that_cover_what_is_seen(self):
+        marked = numpy.zeros((3, 4, 5), dtype=bool)
+        marked[:, 0, :] = True
+        found = blocks.surfaces(marked, numpy.zeros(3), numpy.array((1.0, 2.0, 3.0)), (1, 1, 1))
+        self.assertEqual(len(found), 6)
+        area = 0
+        for surface in found:
+            sides = surface.triangles[:, 1:] - surface.triangles[:, :1]
+            area += numpy.linalg.norm(numpy.cross(sides[:, 0], sides[:, 1]), axis=-1).sum() / 2
+        self.assertAlmostEqual(area, 2 * (5 * 9 + 5 * 2 + 9 * 2))
 
 
 class Hostile(SceneTest):
@@ -174,10 +165,10 @@ class Hostile(SceneTest):
 
 
 def spoil(path):
-    """Makes each number of a file's last snapshot a NaN, but for the kinds of cells."""
+    """Makes each number of a file's last snapshot a NaN, but for integers, which know none."""
     with netCDF4.Dataset(path, "a") as data:
-        for name, variable in data.variables.items():
-            if variable.ndim > 1 and variable.dimensions[0] == "time" and name != "kind":
+        for variable in data.variables.values():
+            if variable.ndim > 1 and variable.dimensions[0] == "time" and variable.dtype.kind == "f":
                 variable[-1] = numpy.nan
 
 

@@ -13,8 +13,6 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "post"), str(Path(__file__).parent)]
 
 import tether_results
-from small_runs import write_regular
-from tether_results.box import edges_of
 from tether_results.program import in_namelist
 
 PROGRAM = os.environ["TETHER"]
@@ -100,24 +98,6 @@ class Snapshots(Folder):
         kind = mesh.at(0)["kind"]
         self.assertTrue((kind[0] == 2).all())  # the floor is an obstacle, 0.1 high
         self.assertFalse((kind[1:] == 2).any())
-
-    def test_a_box_by_coordinate_variables_is_the_same(self):
-        old = self.made("coupled-balloon", BALLOON).fields("mesh")
-        path = self.folder / "mesh.nc"
-        write_regular(path, old, ("kind", "p", "vx"))
-        new = tether_results.Fields(path)
-        self.assertEqual((new.form, new.box.shape, new.dimension), ("box", old.box.shape, 2))
-        for axis in "xy":
-            numpy.testing.assert_allclose(new.axes[axis], old.axes[axis])
-            numpy.testing.assert_allclose(new.box.edges[axis], old.box.edges[axis])
-        self.assertEqual(set(new.names), {"kind", "p", "vx"})
-        for name in new.names:
-            numpy.testing.assert_array_equal(new.at(-1)[name], old.at(-1)[name])
-
-    def test_edges_are_bounds_or_half_way_between_middles(self):
-        middles = numpy.array([0.5, 1.5])
-        for bounds in (None, [0, 1, 2], [[0, 1], [1, 2]]):
-            numpy.testing.assert_array_equal(edges_of(middles, bounds), [0, 1, 2])
 
 
 class Texts(Folder):
