@@ -24,7 +24,8 @@ def arguments(words):
     parser = argparse.ArgumentParser(description="Draws pictures of a run from the files in its folder.")
     parser.add_argument("folder", type=Path, metavar="DIR", help="folder of the run, with its history.nc")
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the pictures (default: DIR)")
-    parser.add_argument("--time", type=float, nargs="+", default=(), metavar="T", help="times of the scene's panels")
+    parser.add_argument("--time", type=float, action="append", default=[], metavar="T",
+                        help="time of a panel of the scene, repeated for each")
     parser.add_argument("--field", metavar="NAME", help="what colours the scene, in place of what matters most")
     return parser.parse_args(words)
 

@@ -81,8 +81,9 @@ bool is_binary(const std::vector<std::string>& lines, Remarks& remarks) {
   const auto version = words.real("the version");
   const auto type = version ? words.whole("the type of the file", 0, 1) : std::nullopt;
   if (type.value_or(0) == 0) return false;
-  remarks.error(number, static_cast<int>(words.place()) + 1, "this is a binary file",
-                fmt::format("{} (without -bin); 'gmsh FILE -0 -o ascii.msh -format msh41' makes one of it", how_to_save));
+  remarks.error(
+      number, static_cast<int>(words.place()) + 1, "this is a binary file",
+      fmt::format("{} (without -bin); 'gmsh FILE -0 -o ascii.msh -format msh41' makes one of it", how_to_save));
   return true;
 }
 
