@@ -65,7 +65,7 @@ class Talk(ProgramTest):
         """chek DECK once ran the deck, over the results that were there."""
         deck = DECKS / "stability-side.in"
         for words, hint in ((("chek", deck), "Did you mean 'check'?"), (("--out", "x", "paln", deck), "Did you mean 'plan'?"),
-                            (("frobnicate",), "The commands are check, plan, sweep, chart, map, reproduce, plot, film, compare, page, decks, vars, columns, keys, help"),
+                            (("frobnicate",), "The commands are check, plan, sweep, chart, map, reproduce, plot, film, page, compare, decks, vars, columns, keys, help"),
                             (("help", "me"), "The commands are"), ((deck, "out"), "tether DECK runs a deck"),
                             ((deck, "check"), "tether check DECK")):
             with self.subTest(words=words):
