@@ -41,7 +41,7 @@ def call(program, *words):
 
 
 def values(listing):
-    """The deck's values, given or default, by group.name or group.name(subscript), as `tether check` lists them."""
+    """The deck's values, given or default, by group.name or group.name(subscript), as `tether check --all` lists them."""
     found, group = {}, ""
     for line in listing.splitlines():
         words = line.split()
@@ -125,7 +125,7 @@ def particle_file(value, deck, b, x, y, volume):
 def main(words=None):
     chosen = arguments(words)
     try:
-        value = values(call(chosen.tether, "check", chosen.deck))
+        value = values(call(chosen.tether, "check", "--all", chosen.deck))
         x, y, volume = first_snapshot(chosen.tether, chosen.deck, value["in.tstep"], f"membrane {chosen.membrane}")
         lines = list(particle_file(value, chosen.deck, chosen.membrane, x, y, volume))
     except (NoFile, OSError) as reason:

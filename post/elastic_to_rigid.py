@@ -17,7 +17,7 @@ matplotlib.use("Agg")
 import numpy
 from matplotlib import pyplot
 
-import run_folder
+import tether_results
 import style
 from thesis_figures.runs import NoProgram, RunFailed, Runs
 
@@ -119,7 +119,7 @@ def main(words=None):
     except NoProgram as reason:
         print(f"elastic_to_rigid: {reason}", file=sys.stderr)
         return 2
-    except (RunFailed, run_folder.NotARun) as reason:
+    except (RunFailed, tether_results.NotARun) as reason:
         print(f"elastic_to_rigid: {reason}", file=sys.stderr)
         return 3
     except OSError as reason:

@@ -17,7 +17,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot
 
 import contact_sheet
-import run_folder
+import tether_results
 import style
 from thesis_figures import FIGURES
 from thesis_figures.runs import NoProgram, RunFailed, Runs
@@ -85,7 +85,7 @@ def main(words=None):
     except NoProgram as mistake:
         print(f"figures: {mistake}", file=sys.stderr)
         return 2
-    except (RunFailed, run_folder.NotARun) as failure:
+    except (RunFailed, tether_results.NotARun) as failure:
         print(f"figures: {failure}", file=sys.stderr)
         return 3
     except OSError as reason:

@@ -20,7 +20,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
 import one_figure
-import run_folder
+import tether_results
 import style
 import table
 from chart import look
@@ -171,7 +171,7 @@ def read(path):
     columns, _ = table.read(path)
     if "verdict" not in columns or not ({"own_run", "largest_holding"} & set(columns)):
         raise one_figure.NothingToDraw(f"{path} is no map of tether map")
-    with run_folder.open_dataset(path) as data:
+    with tether_results.open_dataset(path) as data:
         meaning = getattr(data.variables.get("largest_holding"), "long_name", "")
     return columns, meaning
 

@@ -5,7 +5,7 @@ Exit codes: 0 done, 2 the file has nothing to draw, 4 the figure could not be wr
 """
 import sys
 
-import run_folder
+import tether_results
 import style
 
 
@@ -18,7 +18,7 @@ def make(command, draw, path):
     style.use()
     try:
         figure = draw()
-    except (run_folder.NotARun, NothingToDraw) as mistake:
+    except (tether_results.NotARun, NothingToDraw) as mistake:
         print(f"{command}: {mistake}", file=sys.stderr)
         return 2
     try:

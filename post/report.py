@@ -24,7 +24,7 @@ from matplotlib import pyplot
 import chart
 import map as stability_map
 import one_figure
-import run_folder
+import tether_results
 import style
 
 STYLE = """body{font:15px/1.45 sans-serif;max-width:76em;margin:2em auto;padding:0 1em;color:#111;background:#fff}
@@ -66,7 +66,7 @@ def section(folder, link):
         raise one_figure.NothingToDraw(f"{folder} has no chart.nc and no map.nc: give a folder of tether chart or tether map")
     path = folder / f"{kind}.nc"
     figure = (lambda: chart.draw(chart.read(path))) if kind == "chart" else (lambda: stability_map.draw(*stability_map.read(path)))
-    with run_folder.open_dataset(path) as data:
+    with tether_results.open_dataset(path) as data:
         title, command, deck = data.title, data.history, data.deck
         version = f"{data.program}, {data.git_hash}"
     parts = [f"<h2 id=\"{link}\">{html.escape(folder.resolve().name)} ({kind})</h2>", f"<p>{html.escape(title)}</p>", drawn(path, figure)]
@@ -104,7 +104,7 @@ def main(words=None):
     chosen = parser.parse_args(words)
     try:
         text = page(chosen.folders)
-    except (run_folder.NotARun, one_figure.NothingToDraw, OSError) as mistake:
+    except (tether_results.NotARun, one_figure.NothingToDraw, OSError) as mistake:
         print(f"report: {mistake}", file=sys.stderr)
         return 2
     try:

@@ -17,7 +17,7 @@ import numpy
 from matplotlib import pyplot
 
 import one_figure
-import run_folder
+import tether_results
 import style
 from one_figure import NothingToDraw
 
@@ -38,11 +38,11 @@ def read(path):
     columns, units = {}, {}
     if path.suffix != ".nc":
         raise NothingToDraw(f"{path} is no table: give the sweep's table.nc or outcome.nc")
-    with run_folder.open_dataset(path) as data:
+    with tether_results.open_dataset(path) as data:
         for name, variable in data.variables.items():
             if variable.dtype == "S1":
                 columns[name] = netCDF4.chartostring(variable[:])
-            elif run_folder.is_numeric(variable) and variable.ndim == 1:
+            elif tether_results.is_numeric(variable) and variable.ndim == 1:
                 columns[name] = numpy.asarray(variable[:], dtype=float)
             units[name] = getattr(variable, "units", "1")
     return columns, units

@@ -18,6 +18,8 @@
 #include "commands.hpp"
 #include "deck/deck.hpp"
 #include "deck/spelling.hpp"
+#include "option_checks.hpp"
+#include "pictures.hpp"
 #include "study_commands.hpp"
 
 // The command line: words in, one command called, its exit code out.
@@ -25,14 +27,6 @@
 namespace {
 
 using namespace tether;
-
-/// Refuses an option whose value must not be empty.
-std::string refuse_empty(const std::string& value, const char* wanted) {
-  return value.empty() ? fmt::format("{} is wanted", wanted) : std::string();
-}
-
-std::string refuse_no_folder(const std::string& folder) { return refuse_empty(folder, "a folder"); }
-std::string refuse_no_file(const std::string& file) { return refuse_empty(file, "a file"); }
 
 void add_deck_options(CLI::App& app, DeckOptions& options) {
   app.add_option("--set", options.overrides,
@@ -51,6 +45,47 @@ void add_threads(CLI::App& app, int& threads, const std::string& otherwise) {
          "--threads", threads,
          "threads that share the work of a run (default: " + otherwise + "); results are the same for any number")
       ->check(CLI::Range(1, 1024));
+}
+
+/// Version and examples.
+void describe(CLI::App& app) {
+  app.set_version_flag("--version", version_text);
+  app.footer(
+      "Examples:\n  tether decks get sod && tether sod.in && tether plot out/sod    a first run, and its pictures\n"
+      "  tether check my.in; tether plan my.in                          what a deck says, models and costs\n"
+      "  tether my.in --set in.nx=201 --out out/fine                    the same scene on another grid\n");
+  app.require_subcommand(0, 1);
+}
+
+/// What a run takes, which has no command's name before it.
+void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& options, RunOptions& run_options) {
+  auto* deck_names = app.add_option("deck", decks, "decks to run");
+  add_deck_options(app, options);
+  app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)")->check(refuse_no_folder);
+  add_threads(app, run_options.threads, one_a_core);
+  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
+      ->needs(deck_names)
+      ->check(refuse_no_file);
+  app.add_option("--log", run_options.log, "file for all that is said of the runs, also with --quiet")
+      ->check(refuse_no_file);
+  app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
+  app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
+}
+
+CLI::App* add_check(CLI::App& app, std::string& deck, DeckOptions& options, bool& all) {
+  auto* check = app.add_subcommand("check", "list what a deck says: each value with its unit and its place");
+  check->add_option("deck", deck, "the deck")->required();
+  check->add_flag("--all", all, "every variable, also those that have their defaults or are not given");
+  add_deck_options(*check, options);
+  return check;
+}
+
+CLI::App* add_plan(CLI::App& app, std::string& deck, DeckOptions& options, RunOptions& run_options) {
+  auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
+  plan->add_option("deck", deck, "the deck")->required();
+  add_deck_options(*plan, options);
+  add_threads(*plan, run_options.threads, one_a_core);
+  return plan;
 }
 
 /// Adds what all commands of many runs take.
@@ -105,36 +140,6 @@ CLI::App* add_listing(CLI::App& app, const std::string& name, const std::string&
   listing->add_flag("--markdown", markdown, "as in decks/guide");
   return listing;
 }
-
-/// What is drawn by a script of post/, which reads the words once more.
-struct Pictures {
-  CLI::App *plot, *film, *compare, *page;
-  std::vector<std::string> folders, times;
-  std::string out, field, column;
-  bool gif = false;
-
-  explicit Pictures(CLI::App& app) {
-    plot = add(app, "plot", "pictures of a run: its fields at some times, its histories", "folder for the pictures");
-    plot->add_option("--time", times, "a time to draw, of several one each (default: evenly between start and end)")
-        ->allow_extra_args(false);
-    plot->add_option("--field", field, "the field that colours show (default: what the scene is about)");
-    film = add(app, "film", "a film of a run", "the film's file");
-    film->add_flag("--gif", gif, "a GIF in place of an MP4");
-    compare =
-        add(app, "compare", "two runs, or a run and a table of numbers, as figure and table", "folder for both", 2);
-    compare->add_option("--column", column, "only this column of the histories");
-    page = add(app, "page", "one HTML page of a run, with a slider over time", "the page's file");
-  }
-  bool called() const { return *plot || *film || *compare || *page; }
-
- private:
-  CLI::App* add(CLI::App& app, const char* name, const char* meaning, const char* result, int count = 1) {
-    auto* command = app.add_subcommand(name, meaning);
-    command->add_option("folder", folders, "folder of a run")->required()->expected(count);
-    command->add_option("--out", out, std::string(result) + " (default: in the run's folder)")->check(refuse_no_folder);
-    return command;
-  }
-};
 
 CLI::App* add_decks(CLI::App& app, std::vector<std::string>& words, std::string& into) {
   auto* decks = app.add_subcommand("decks", "list the decks that come with the program; decks get NAME copies one");
@@ -230,39 +235,17 @@ int main(int argc, char** argv) {
       "wrong, 3 run "
       "diverged, 4 file trouble, 5 a bisection found nothing or a published number is missed, 130 or 143 interrupted.",
       "tether");
-  app.set_version_flag("--version", version_text);
-  app.footer(
-      "Examples:\n  tether decks get sod && tether sod.in && tether plot out/sod    a first run, and its pictures\n"
-      "  tether check my.in; tether plan my.in                          what a deck says, models and costs\n"
-      "  tether my.in --set in.nx=201 --out out/fine                    the same scene on another grid\n");
-  app.require_subcommand(0, 1);
+  describe(app);
 
   DeckOptions options;
   RunOptions run_options;
   std::vector<std::string> decks;
-  auto* deck_names = app.add_option("deck", decks, "decks to run");
-  add_deck_options(app, options);
-  app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)")->check(refuse_no_folder);
-  add_threads(app, run_options.threads, one_a_core);
-  app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
-      ->needs(deck_names)
-      ->check(refuse_no_file);
-  app.add_option("--log", run_options.log, "file for all that is said of the runs, also with --quiet")
-      ->check(refuse_no_file);
-  app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
-  app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
-
+  add_run(app, decks, options, run_options);
   std::string deck, group;
   std::vector<std::string> studies;
   bool markdown = false, all = false;
-  auto* check = app.add_subcommand("check", "list what a deck says: each value with its unit and its place");
-  check->add_option("deck", deck, "the deck")->required();
-  check->add_flag("--all", all, "every variable, also those that have their defaults or are not given");
-  add_deck_options(*check, options);
-  auto* plan = app.add_subcommand("plan", "say what will be modelled, what is left out and why, step and cost");
-  plan->add_option("deck", deck, "the deck")->required();
-  add_deck_options(*plan, options);
-  add_threads(*plan, run_options.threads, one_a_core);
+  auto* check = add_check(app, deck, options, all);
+  auto* plan = add_plan(app, deck, options, run_options);
   auto* sweep = add_sweep(app, deck, run_options);
   auto* chart = add_chart(app, studies, run_options);
   auto* map = add_map(app, studies, run_options);

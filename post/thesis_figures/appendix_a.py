@@ -2,7 +2,6 @@
 """Appendix A: the noise of a point that changes cells."""
 import numpy
 
-import run_folder
 import style
 
 HEIGHTS = (1.9, 1.8, 1.7)  # of the rows of nodes whose forces the thesis prints
@@ -16,7 +15,7 @@ LARGEST = 6000.0  # force along the axis
 
 def row_forces(run, record):
     """Of the rows of nodes at HEIGHTS; the two nodes of a row share its force."""
-    mesh = run_folder.read_fields(run.folder / "mesh.nc")
+    mesh = run.fields("mesh")
     rows = [int(numpy.argmin(abs(mesh["node_y"] - height))) for height in HEIGHTS]
     return mesh["force_y"][record][rows].sum(axis=-1)
 

@@ -2,7 +2,6 @@
 """Chapter 4: fluids. Sod's shock tube and the expansion of a gas into a vacuum."""
 import numpy
 
-import run_folder
 import style
 
 # What the profiles show: field of the points, column of the exact solution, name on the axis.
@@ -24,7 +23,7 @@ def cell_means(run, name):
 
 def profile(axes, run, field, column, name):
     axes.plot(*cell_means(run, field), color="tab:blue", label="points, mean of a cell", **SYMBOLS)
-    exact = run_folder.exact_over(run, "x")
+    exact = run.exact_over("x")
     axes.plot(exact["x"], exact[column], **style.EXACT | {"linestyle": "-", "linewidth": 0.8, "zorder": 1})
     axes.set_xlabel(style.label("x", run.particles.units["x"]))
     axes.set_ylabel(style.label(name, run.particles.units[field]))

@@ -2,7 +2,6 @@
 """Chapter 5: springs, strings and the pendulum."""
 import numpy
 
-import run_folder
 import style
 
 # The spring of 5.5: A E/L with L between its end points; its mass and gravity.
@@ -18,7 +17,7 @@ def time_axis(axes, run):
 
 def displacement(axes, run):
     """Of the mass, the point tracked last, over the exact one."""
-    here, exact = run.history["point_y"][:, -1], run_folder.exact_over(run, "time")
+    here, exact = run.history["point_y"][:, -1], run.exact_over("time")
     column = f"point_y_{run.history['point_y'].shape[1]}"
     axes.plot(run.history["time"], here - here[0], label="MPM")
     axes.plot(exact["time"], exact[column] - here[0], **style.EXACT)
@@ -86,7 +85,7 @@ def string_motion(runs):
         shade_tension(panel, run)
     displacement(axes[0], run)
     time, kinetic, strain = (run.history[name] for name in ("time", "energy_kinetic", "energy_strain"))
-    exact = run_folder.exact_over(run, "time")
+    exact = run.exact_over("time")
     drop = run.history["point_y"][0, 0] - exact["point_y_1"]
     axes[1].plot(time, strain, label="of the string")
     axes[1].plot(time, kinetic, label="kinetic")
@@ -104,7 +103,7 @@ def pivot_and_length(run):
 def exact_angle(run, times):
     """Of the rigid pendulum, radians to the right of the vertical."""
     pivot_x, _, length = pivot_and_length(run)
-    exact = run_folder.exact_over(run, "time")
+    exact = run.exact_over("time")
     return numpy.arcsin((numpy.interp(times, exact["time"], exact["point_x_2"]) - pivot_x) / length)
 
 

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy
 
 import style
-from thesis_figures.coupled_scene import CoupledScene
+from scene.box import BoxLayer
+from scene.frame import Scene
 
 
 @dataclass(frozen=True)
@@ -13,58 +14,50 @@ class Shown:
     """How a deck's run is drawn."""
 
     field: str  # smoke, speed or p
-    colours: str
     times: tuple  # [s]
 
 
-SMOKE, SPEED, PRESSURE = ("smoke", "gray_r"), ("speed", "Blues"), ("p", "coolwarm")
 SHOWN = {
-    "coupled-piston": Shown(*PRESSURE, (0.25, 0.75)),
-    "coupled-archimedes": Shown(*PRESSURE, (1.0,)),
-    "coupled-balloon": Shown(*SPEED, (0.0, 0.3, 0.4, 0.6, 1.0, 10.0)),
-    "coupled-bar": Shown(*SMOKE, (0.3, 0.6, 1.0, 2.0, 5.0, 10.0)),
-    "coupled-bar-3d": Shown(*SMOKE, (0.3, 0.6, 1.0, 2.0, 5.0, 10.0)),
-    "coupled-paddle": Shown(*SMOKE, (0.4, 0.6, 0.8, 1.2, 4.4, 8.0)),
-    "coupled-paddle-3d": Shown(*SMOKE, (0.4, 0.6, 0.8, 1.2, 4.4, 8.0)),
-    "coupled-sheets": Shown(*SMOKE, (0.4, 0.8, 1.2, 2.0, 5.0, 10.0)),
-    "coupled-sheets-3d": Shown(*SMOKE, (0.6, 1.2, 1.8, 2.6, 5.0, 10.0)),
-    "coupled-toy": Shown(*SPEED, (0.0, 0.2, 0.3, 0.45, 0.8, 10.0)),
-    "coupled-toy-3d": Shown(*SPEED, (0.0, 0.2, 0.3, 0.45, 0.8, 10.0)),
+    "coupled-piston": Shown("p", (0.25, 0.75)),
+    "coupled-archimedes": Shown("p", (1.0,)),
+    "coupled-balloon": Shown("speed", (0.0, 0.3, 0.4, 0.6, 1.0, 10.0)),
+    "coupled-bar": Shown("smoke", (0.3, 0.6, 1.0, 2.0, 5.0, 10.0)),
+    "coupled-bar-3d": Shown("smoke", (0.3, 0.6, 1.0, 2.0, 5.0, 10.0)),
+    "coupled-paddle": Shown("smoke", (0.4, 0.6, 0.8, 1.2, 4.4, 8.0)),
+    "coupled-paddle-3d": Shown("smoke", (0.4, 0.6, 0.8, 1.2, 4.4, 8.0)),
+    "coupled-sheets": Shown("smoke", (0.4, 0.8, 1.2, 2.0, 5.0, 10.0)),
+    "coupled-sheets-3d": Shown("smoke", (0.6, 1.2, 1.8, 2.6, 5.0, 10.0)),
+    "coupled-toy": Shown("speed", (0.0, 0.2, 0.3, 0.45, 0.8, 10.0)),
+    "coupled-toy-3d": Shown("speed", (0.0, 0.2, 0.3, 0.45, 0.8, 10.0)),
 }
-AXES_LABELS = {"smoke": "density of smoke", "speed": "speed", "p": "pressure"}
-ENERGY = "Bodies are coloured by their energy density, from pale to dark red, which the largest 2 % of all have, too."
 CELLS = (16, 32, 64)  # along each side of the box of the block under water
 LIFT = 1000 * 9.81 * 0.05999736  # rho g times the area between the deck's vertices [N/m]
 
 
-def unit_of(scene, field):
-    return scene.units.get("vx" if field == "speed" else field, "1")
+def note_of(layer):
+    """What a reader must know of a picture in space."""
+    if layer.scene.dim == 2:
+        return ""
+    return f"Seen aslant; darker where there is more of the {'smoke' if layer.name == 'smoke' else 'speed'} in the way."
 
 
-def frames(runs, deck, columns=3):
+def frames(runs, deck):
     """The scene at each of its times."""
-    shown, scene = SHOWN[deck], CoupledScene(runs.of(deck))
-    extent = scene.extent()
-    height = 3.8 * (extent[3] - extent[2]) / (extent[1] - extent[0]) + 0.4
-    figure, panels = style.panels(len(shown.times), columns, 3.8, height)
-    most = scene.most(shown.field)
-    for panel, time in zip(panels, shown.times):
-        record = scene.record_at(time)
-        image = scene.draw(panel, record, shown.field, most, shown.colours)
-        panel.set_title(style.at_time(scene.times[record], scene.units["time"]))
-    if image is not None:
-        figure.colorbar(image, ax=panels, label=style.label(AXES_LABELS[shown.field], unit_of(scene, shown.field)))
-    style.note(figure, ENERGY + ("" if scene.dim == 2 else " Seen aslant; darker where there is more of the "
-                                 f"{'smoke' if shown.field == 'smoke' else 'speed'} in the way."))
-    return figure
+    run, shown = runs.of(deck), SHOWN[deck]
+    layer = BoxLayer(run, shown.field)
+    return Scene([layer], deck, note_of(layer)).figure([layer.fields.record(time) for time in shown.times])
 
 
 def snapshot(figure, axes, run, deck, time):
-    shown, scene = SHOWN[deck], CoupledScene(run)
-    record = scene.record_at(time)
-    image = scene.draw(axes, record, shown.field, scene.most(shown.field), shown.colours)
-    axes.set_title(style.at_time(scene.times[record], scene.units["time"]))
-    figure.colorbar(image, ax=axes, label=style.label("pressure", unit_of(scene, "p")))
+    layer = BoxLayer(run, SHOWN[deck].field)
+    layer.fit(range(len(layer.times)))
+    record = layer.fields.record(time)
+    layer.draw(axes, record)
+    axes.set_xlabel(style.label("x", layer.scene.units["x"]))
+    axes.set_ylabel(style.label("y", layer.scene.units["y"]))
+    axes.set_title(style.at_time(layer.times[record], layer.fields.units["time"]))
+    for scale in layer.scales:
+        figure.colorbar(scale.mappable(), ax=axes, label=scale.label, extend=scale.extend)
 
 
 def piston(runs):
@@ -80,8 +73,7 @@ def piston(runs):
     motion.set_ylabel("displacement [m]")
     style.legend_above(motion, 3)
     snapshot(figure, field, runs.of("coupled-piston", f"coupled.integrator={cases[0][1]}"), "coupled-piston", 0.25)
-    style.note(figure, "Exact is sin(2 pi t) with the speed that the block begins with; the paper's step damps by h omega/4. "
-               + ENERGY)
+    style.note(figure, "Exact is sin(2 pi t) with the speed that the block begins with; the paper's step damps by h omega/4.")
     return figure
 
 
@@ -99,7 +91,6 @@ def archimedes(runs):
     error.set_ylabel("relative error of the lift")
     style.legend(error)
     snapshot(figure, field, runs.of("coupled-archimedes", "in.tmax=1."), "coupled-archimedes", 1.0)
-    style.note(figure, ENERGY)
     return figure
 
 

@@ -3,7 +3,8 @@
 import numpy
 
 import style
-from thesis_figures.flow_mesh import FlowMesh, Solids
+from scene.elements import Elements
+from scene.flow import FlowMesh
 
 END = 1.0  # a period of the inflow
 ELEMENTS = (("q1q1", "--"), ("q2q1", "-"))
@@ -39,12 +40,12 @@ def frame(axes, run, view=None):
 def scene(runs):
     """Two flaps: geometry and boundary conditions."""
     run = flapping(runs, "q1q1", 0)
-    mesh = FlowMesh(run)
+    mesh = FlowMesh(run.fields("mesh"))
     length, height = mesh.x.max(), mesh.y.max()
     figure, (axes,) = style.panels(1, 1, 9.5, 3.0)
     for y in (0, height):
         axes.plot([0, length], [y, y], color="black", linewidth=2)
-    Solids(run).draw(axes, 0)
+    Elements(run.fields("solids")).draw(axes, 0)
     places = numpy.linspace(0, height, 12)
     profile = 4 * places * (height - places) / height**2
     reach = 0.6 * profile
@@ -68,12 +69,13 @@ def scene(runs):
 def streamlines(runs):
     """Two flaps: streamlines over a period."""
     run = flapping(runs, "q1q1", runs.levels - 1)
-    mesh, solids = FlowMesh(run), Solids(run)
+    mesh, solids = FlowMesh(run.fields("mesh")), Elements(run.fields("solids"))
     last = len(mesh.times) - 1
     records = numpy.unique(numpy.linspace(1, last, min(last, MOST_PANELS)).round().astype(int))
+    solids.fit(records)
     figure, panels = style.panels(len(records), min(2, len(records)), 5.2, 2.5)
     for axes, record in zip(panels, records):
-        mesh.draw_streamlines(axes, record, 24)
+        mesh.draw_streamlines(axes, record)
         solids.draw(axes, record)
         frame(axes, run, VIEW)
         axes.set_title(style.at_time(mesh.times[record], run.history.units["time"]))

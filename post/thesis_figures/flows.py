@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flows of published numbers: the lid-driven cavity and the cylinder in a channel, and what their accuracy costs."""
 import style
-from thesis_figures.flow_mesh import FlowMesh
+from scene.flow import FlowMesh
 
-PUBLISHED = {"color": "black", "linestyle": ":", "linewidth": 1.0, "label": "extremes, published"}
+PUBLISHED = {"color": "tab:red", "linestyle": ":", "linewidth": 1.0, "label": "extremes, published"}
 # Of the cavity at Re = 100: extremes of u over y at x = 1/2 and of v over x at y = 1/2.
 LEAST_U, LEAST_V, LARGEST_V = -0.21404, -0.25380, 0.17957
-WEAK = (1e-6, 5e-6, 1e-5)  # lines of the corner vortices, whose stream function is so small
 # Of the cylinder: column of the history, name, published value.
 QUANTITIES = (("drag_1", "drag", 5.57953523384), ("lift_1", "lift", 0.010618948146),
               ("pressure_difference_1", "difference of pressure", 0.11752016697))
@@ -16,10 +15,9 @@ CELLS = (6, 12, 24, 48)  # to a quarter of the cylinder
 
 def cavity(runs):
     """Lid-driven cavity, Re = 100: streamlines, and velocities on the middle lines."""
-    mesh = FlowMesh(runs.of("cavity", "flow.element='q2q1'"))
+    mesh = FlowMesh(runs.of("cavity", "flow.element='q2q1'").fields("mesh"))
     figure, (lines, profile) = style.panels(2, 2, 4.6, 4.2)
-    mesh.draw_streamlines(lines, -1, 14)
-    mesh.draw_lines(lines, -1, WEAK, colors="tab:orange")
+    mesh.draw_streamlines(lines, -1)
     lines.set_aspect("equal")
     lines.set_xlabel("x")
     lines.set_ylabel("y")
@@ -31,18 +29,18 @@ def cavity(runs):
     profile.set_xlabel("place on the line")
     profile.set_ylabel("velocity over the lid's")
     style.legend(profile)
-    style.note(figure, "Orange: vortices in the corners, whose stream function is of 1e-6 to 1e-5.")
+    style.note(figure, "The stream function of the vortices in the corners is of 1e-6 to 1e-5.")
     return figure
 
 
 def cylinder(runs):
     """Steady flow past a cylinder in a channel, Re = 20: pressure and streamlines."""
     run = refined(runs, "q2q1", 24)
-    mesh = FlowMesh(run)
+    mesh = FlowMesh(run.fields("mesh"))
     figure, (axes,) = style.panels(1, 1, 9.5, 3.6)
-    drawn = axes.tricontourf(mesh.triangles, mesh.fields["p"][-1], levels=30, cmap="viridis")
+    drawn = axes.tricontourf(mesh.triangles, mesh.fields.at(-1)["p"], levels=30, cmap="viridis")
     figure.colorbar(drawn, ax=axes, label=style.label("pressure", run.history.units["probe_p_1"]))
-    mesh.draw_streamlines(axes, -1, 24, colors="white")
+    mesh.draw_streamlines(axes, -1, colors="white")
     axes.set_xlim(0, 1.1)
     axes.set_aspect("equal")
     axes.set_xlabel("x [m]")

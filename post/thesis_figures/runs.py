@@ -1,18 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The runs that figures are drawn from, made when they are asked for."""
 import hashlib
-import subprocess
 import sys
 
-import run_folder
-
-
-class NoProgram(Exception):
-    """There is no program to run; the text says how to get it."""
-
-
-class RunFailed(Exception):
-    """The program ended with an error; the text is the program's."""
+import tether_results
+from tether_results.program import NoProgram, RunFailed, call
 
 
 class Runs:
@@ -26,7 +18,7 @@ class Runs:
         folder = self.folder / self._name(deck, settings)
         if not self._is_fresh(folder / "summary.txt", self.decks / f"{deck}.in"):
             self._make(self.decks / f"{deck}.in", settings, folder)
-        return run_folder.read(folder)
+        return tether_results.open(folder)
 
     @staticmethod
     def _name(deck, settings):
@@ -46,6 +38,4 @@ class Runs:
     def _make(self, deck, settings, folder):
         words = [word for setting in settings for word in ([setting] if setting.startswith("--") else ["--set", setting])]
         print(f"running {' '.join([deck.stem, *settings])}", file=sys.stderr, flush=True)
-        done = subprocess.run([self.program, deck, "--quiet", "--out", folder, *words], capture_output=True, text=True)
-        if done.returncode != 0:
-            raise RunFailed(f"{deck} failed with exit code {done.returncode}:\n{done.stderr.strip()}")
+        call(self.program, deck, words, folder)

@@ -77,11 +77,6 @@ std::vector<FixedNumbers> topology(const Mesh& mesh, Units units) {
 
 }  // namespace
 
-std::vector<int> vtk_order(ElementKind kind) {
-  const ElementRow& row = row_of(kind);
-  return {row.in_vtk.begin(), row.in_vtk.begin() + row.nodes};
-}
-
 MeshWriter::MeshWriter(std::filesystem::path folder, std::string name, Provenance provenance, VtkFiles vtk)
     : folder_(std::move(folder)),
       name_(std::move(name)),

@@ -13,10 +13,6 @@
 
 namespace tether {
 
-/// Numbers of an element's nodes in the order in which VTK, XDMF and UGRID count them: corners around, first below; of
-/// order 2 then the middles of edges and faces, and the centre.
-std::vector<int> vtk_order(ElementKind kind);
-
 /// Writes NAME.nc, fields over (time, node) of a mesh of finite elements by the UGRID conventions (1.0, with places of
 /// the reference shape; the fields x, y, z are where the nodes are at a time). As PointWriter.
 class MeshWriter {

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "base/diagnostics.hpp"
-#include "results/mesh_writer.hpp"
 #include "results/text_file.hpp"
 
 namespace tether {
@@ -44,6 +43,11 @@ std::string collection(const std::string& name, const std::string& ending, const
 }
 
 }  // namespace
+
+std::vector<int> vtk_order(ElementKind kind) {
+  const ElementRow& row = row_of(kind);
+  return {row.in_vtk.begin(), row.in_vtk.begin() + row.nodes};
+}
 
 VtkShape vtk_of_points(std::size_t count) {
   return {"PolyData",

@@ -16,6 +16,10 @@
 
 namespace tether {
 
+/// Numbers of an element's nodes in the order in which VTK, XDMF and UGRID count them: corners around, first below; of
+/// order 2 then the middles of edges and faces, and the centre.
+std::vector<int> vtk_order(ElementKind kind);
+
 /// Points as they are, each a cell of its own.
 VtkShape vtk_of_points(std::size_t count);
 

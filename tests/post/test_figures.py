@@ -22,7 +22,6 @@ from matplotlib import image, pyplot
 
 import contact_sheet
 import figures
-import run_folder
 import style
 from thesis_figures import FIGURES, appendix_a, chapter4, chapter5
 from thesis_figures.runs import NoProgram, RunFailed, Runs
@@ -136,7 +135,7 @@ class Drawn(FigureTest):
         run = self.runs.of("noise", *appendix_a.EVERY_STEP)
         for record, printed in ((0, appendix_a.BEFORE), (1, appendix_a.AFTER)):
             numpy.testing.assert_allclose(appendix_a.row_forces(run, record), printed, rtol=0.04)
-        self.assertEqual(len(run_folder.read_fields(run.folder / "mesh.nc")["time"]), 11)
+        self.assertEqual(len(run.fields("mesh")["time"]), 11)
 
     def test_only_steps_beyond_the_limit_grow(self):
         for panel, stable, growing in zip(self.lines("91"), (("1", "2"), ("0.5", "1")), (("2.2",), ("1.1",))):

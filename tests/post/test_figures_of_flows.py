@@ -20,7 +20,8 @@ from matplotlib import pyplot
 import figures
 import style
 from thesis_figures import flaps, flows
-from thesis_figures.flow_mesh import FlowMesh, Solids
+from scene.elements import Elements
+from scene.flow import FlowMesh
 from thesis_figures.runs import Runs
 
 PROGRAM = Path(os.environ["TETHER"])
@@ -37,7 +38,7 @@ class FlowsTest(unittest.TestCase):
         cls.addClassCleanup(pyplot.close, "all")
 
     def cavity(self, element):
-        return FlowMesh(self.runs.of("cavity", f"flow.element='{element}'", "mesh.cells(1,1)=32,32"))
+        return FlowMesh(self.runs.of("cavity", f"flow.element='{element}'", "mesh.cells(1,1)=32,32").fields("mesh"))
 
     def coarse_flaps(self, *cells):
         fluid, along = cells
@@ -64,9 +65,8 @@ class Meshes(FlowsTest):
     def test_solids_are_drawn_where_they_are(self):
         run = self.coarse_flaps(8, 5)
         figure, (axes,) = style.panels(1, 1)
-        Solids(run).draw(axes, -1)
-        self.assertEqual(len(axes.patches), 10)
-        corners = numpy.concatenate([patch.get_xy() for patch in axes.patches])
+        Elements(run.fields("solids")).draw(axes, -1)
+        corners = numpy.concatenate(axes.collections[-1].get_segments())
         for k in (0, 1):
             tip = [run.history[f"point_{part}"][-1, k] for part in "xy"]
             self.assertLess(numpy.hypot(*(corners - tip).T).min(), 1e-12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures and films of the coupled path's scenes: what is drawn where, and films of two pictures."""
+"""Films of runs, picture by picture, and the figures of the coupled path's scenes: each has its deck."""
 import os
 import subprocess
 import sys
@@ -16,15 +16,16 @@ import matplotlib
 matplotlib.use("Agg")
 
 import numpy
-from matplotlib import image, pyplot
+from matplotlib import animation
+from PIL import Image
 
-import films
+import film
 import style
+import tether_results
+from scene import choose
 from thesis_figures import coupled
-from thesis_figures.coupled_scene import ASLANT, OBSTACLE, CoupledScene, faces_of
-from thesis_figures.runs import Runs
 
-PROGRAM = Path(os.environ["TETHER"])
+PROGRAM = os.environ["TETHER"]
 
 
 class FilmTest(unittest.TestCase):
@@ -34,63 +35,68 @@ class FilmTest(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = Path(scratch.name)
-        cls.runs = Runs(PROGRAM, ROOT / "decks", cls.folder / "runs")
-        cls.addClassCleanup(pyplot.close, "all")
+        cls.bar = tether_results.run(ROOT / "decks" / "coupled-bar.in", {"in.tmax": 0.3}, out=cls.folder / "bar", program=PROGRAM)
+        cls.silent = tether_results.run(ROOT / "decks" / "l-block.in", {"in.tmax": 0.3}, out=cls.folder / "silent", program=PROGRAM)
 
-    def of(self, deck, end=0.1):
-        return self.runs.of(deck, f"in.tmax={end}")
-
-
-class Pictures(FilmTest):
-    def test_every_scene_has_its_figure(self):
-        decks = sorted(path.stem for path in (ROOT / "decks").glob("coupled-*.in"))
-        self.assertEqual(decks, sorted(coupled.SHOWN))
-        self.assertEqual(decks, sorted(coupled.FIGURES))
-
-    def test_cells_stand_where_they_are(self):
-        scene = CoupledScene(self.of("coupled-paddle-3d"))
-        self.assertEqual((scene.shape, scene.dim), ((16, 24, 32), 3))
-        numpy.testing.assert_allclose(scene.extent(), (0, 2, 0, 1.5), atol=1e-12)
-        kind = scene.cells("kind", 0)
-        self.assertTrue((kind[:, 0, :] == OBSTACLE).all())  # the floor
-        self.assertFalse((kind[:, 1:, :] == OBSTACLE).any())
-
-    def test_speeds_are_those_of_the_jet(self):
-        scene = CoupledScene(self.of("coupled-sheets"))
-        speed = scene.cells("speed", scene.record_at(0.1))
-        rows = (scene.middles[1] > 0.2) & (scene.middles[1] < 0.35)
-        self.assertTrue((abs(speed[rows, 0] / 5 - 1) < 0.3).all())
-
-    def test_faces_of_two_tetrahedra_are_six(self):
-        self.assertEqual(len(faces_of(numpy.array([[0, 1, 2, 3], [1, 2, 3, 4]]))), 6)
-
-    def test_bodies_are_drawn_where_they_are(self):
-        scene = CoupledScene(self.of("coupled-bar-3d"))
-        _, (axes,) = style.panels(1, 1)
-        scene.draw(axes, 0, "smoke", 1.0)
-        corners = numpy.concatenate([path.vertices for faces in axes.collections for path in faces.get_paths()])
-        right, down = ASLANT
-        back, front = (z - scene.middles[2][0] for z in (0.3, 0.7))
-        numpy.testing.assert_allclose(corners.max(axis=0), (0.8 + right * front, 0.5 + down * back), atol=1e-9)
-        numpy.testing.assert_allclose(corners.min(axis=0), (0.7 + right * back, down * front), atol=1e-9)
+    def pictures(self, path):
+        """All pictures of a GIF as arrays."""
+        with Image.open(path) as file:
+            found = []
+            for number in range(file.n_frames):
+                file.seek(number)
+                found.append(numpy.asarray(file.convert("RGB"), dtype=int))
+        return found
 
 
 class Films(FilmTest):
-    def test_two_pictures_of_a_scene_in_the_plane_and_in_space(self):
-        for deck in ("coupled-bar", "coupled-bar-3d"):
-            path = films.make(deck, self.of(deck), self.folder, 2)
-            self.assertEqual(path.suffix, ".mp4" if films.animation.FFMpegWriter.isAvailable() else ".gif")
-            self.assertGreater(path.stat().st_size, 1000)
-            if path.suffix == ".gif":
-                self.assertGreater(image.imread(path).std(), 0)
+    def test_a_gif_has_each_snapshot_in_one_frame(self):
+        path = self.folder / "film.gif"
+        self.assertEqual(film.main([str(self.bar.folder), "--gif", "--out", str(path)]), 0)
+        pictures = self.pictures(path)
+        self.assertEqual(len(pictures), len(self.bar.fields("mesh").times))
+        moved = abs(pictures[0] - pictures[-1]).sum(axis=2) > 60
+        rows, columns = numpy.nonzero(moved)
+        # The axes, their numbers and the colour bars stay where they are: what changes is inside the panel, and the time.
+        height, width = moved.shape
+        self.assertTrue(moved.any())
+        self.assertLess(columns.max(), 0.8 * width)
+        self.assertGreater(columns.min(), 0.08 * width)
+
+    def test_an_mp4_has_the_length_that_its_snapshots_give_it(self):
+        self.assertTrue(animation.FFMpegWriter.isAvailable(), "ffmpeg is needed")
+        self.assertEqual(film.main([str(self.bar.folder)]), 0)
+        words = ["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", self.bar.folder / "film.mp4"]
+        seconds = float(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
+        self.assertTrue(film.LEAST_SECONDS - 0.1 <= seconds <= film.MOST_SECONDS, seconds)
+
+    def test_films_last_from_4_to_20_seconds(self):
+        for count in (1, 5, 61, 151, 400, 600, 601, 5000):
+            shown = film.shown_of(count)
+            rate = film.rate_of(len(shown))
+            repeats = max(1, int(numpy.ceil(film.LEAST_SECONDS * rate / len(shown))))
+            self.assertTrue(3.9 <= repeats * len(shown) / rate <= 20.1, count)
+
+    def test_a_steady_run_is_filmed_in_its_last_state(self):
+        run = tether_results.run(ROOT / "decks" / "cavity.in", {"mesh.cells(1,1)": (8, 8)}, out=self.folder / "cavity",
+                                 program=PROGRAM)
+        self.assertEqual(film.records_of(run, choose.scene_of(run)), [1])
 
     def test_refuses_what_it_cannot_film(self):
-        for code, words in ((2, ["sod"]), (2, ["--program", self.folder / "none", "coupled-bar"]),
-                            (3, ["--program", "/bin/false", "coupled-bar"])):
-            result = subprocess.run([sys.executable, POST / "films.py", "--out", self.folder / "refused", *words],
-                                    capture_output=True, text=True)
+        (self.folder / "taken").write_text("")
+        for code, needle, words in ((2, "has no history.nc", [self.folder]), (2, "iout(39)=1", [self.silent.folder]),
+                                    (2, "no field dust", [self.bar.folder, "--field", "dust"]),
+                                    (4, "taken", [self.bar.folder, "--out", self.folder / "taken" / "film.gif"])):
+            result = subprocess.run([sys.executable, POST / "film.py", *words], capture_output=True, text=True)
             self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn(needle, result.stderr)
             self.assertNotIn("Traceback", result.stderr)
+
+
+class Figures(unittest.TestCase):
+    def test_every_scene_of_the_coupled_path_has_its_figure(self):
+        decks = sorted(path.stem for path in (ROOT / "decks").glob("coupled-*.in"))
+        self.assertEqual(decks, sorted(coupled.SHOWN))
+        self.assertEqual(decks, sorted(coupled.FIGURES))
 
 
 if __name__ == "__main__":

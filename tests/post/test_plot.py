@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""post/plot.py on small runs made here: which figures appear, and what is drawn in them."""
+"""post/plot.py on small runs made here and on runs of the program: which pictures appear, and what is drawn in them."""
 import os
 import subprocess
 import sys
@@ -7,52 +7,24 @@ import tempfile
 import unittest
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
+POST = ROOT / "post"
+sys.path[:0] = [str(POST), str(Path(__file__).parent)]
+
+import matplotlib
+
+matplotlib.use("Agg")
+
 import netCDF4
 import numpy
-from matplotlib import image
+from matplotlib import image, pyplot
 
-POST = Path(__file__).resolve().parents[2] / "post"
-sys.path.insert(0, str(POST))
+import style
+import tether_results
+from scene import choose, profiles
+from small_runs import PLACES, TIMES, write_history, write_particles
 
-import run_figures
-import run_folder
-
-TIMES = numpy.linspace(0, 1, 21)
-PLACES = numpy.linspace(0, 1, 50)
-
-
-def add(dataset, name, dimensions, values, units):
-    variable = dataset.createVariable(name, "f8", dimensions)
-    variable.units = units
-    variable[:] = values
-
-
-def write_history(folder, bodies=True):
-    with netCDF4.Dataset(folder / "history.nc", "w", format="NETCDF3_64BIT_OFFSET") as data:
-        data.createDimension("time", None)
-        add(data, "time", ("time",), TIMES, "s")
-        add(data, "energy_kinetic", ("time",), TIMES, "J")
-        add(data, "energy_total", ("time",), 1 + TIMES, "J")
-        if not bodies:
-            return
-        for kind, number in (("body", 1), ("point", 2)):
-            data.createDimension(kind, number)
-            for part, unit in (("x", "m"), ("y", "m"), ("vx", "m s-1"), ("vy", "m s-1")):
-                add(data, f"{kind}_{part}", ("time", kind), numpy.outer(TIMES, 1 + numpy.arange(number)), unit)
-        data.createDimension("name_length", 3)
-        data.createVariable("body_name", "S1", ("body", "name_length"))[0] = numpy.array([b"g", b"a", b"s"])
-
-
-def write_particles(folder, gas=True):
-    with netCDF4.Dataset(folder / "particles.nc", "w") as data:
-        data.createDimension("time", None)
-        data.createDimension("point", len(PLACES))
-        add(data, "time", ("time",), [0, 0.5, 1], "s")
-        fields = {"x": PLACES, "y": PLACES**2, "body": PLACES > 0.5}
-        if gas:
-            fields |= {"density": PLACES, "pressure": 2 * PLACES, "specific_energy": 3 * PLACES, "vx": 4 * PLACES}
-        for name, values in fields.items():
-            add(data, name, ("time", "point"), numpy.tile(values, (3, 1)), "1")
+PROGRAM = os.environ["TETHER"]
 
 
 def coloured_share(path):
@@ -62,11 +34,15 @@ def coloured_share(path):
 
 
 def plot(*words):
-    environment = os.environ | {"MPLBACKEND": "Agg"}
-    return subprocess.run([sys.executable, POST / "plot.py", *words], capture_output=True, text=True, env=environment)
+    return subprocess.run([sys.executable, POST / "plot.py", *map(str, words)], capture_output=True, text=True)
 
 
 class PlotTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        style.use()
+        cls.addClassCleanup(pyplot.close, "all")
+
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
@@ -79,35 +55,41 @@ class PlotTest(unittest.TestCase):
     def reference(self, text):
         (self.folder / "reference.txt").write_text(text)
 
-    def lines(self, figure, panel):
-        """The curves of a panel by label, x and y as lists."""
-        self.addCleanup(run_figures.pyplot.close, figure)
-        return {line.get_label(): line.get_xydata() for line in figure.axes[panel].lines}
+    def open(self):
+        return tether_results.open(self.folder)
+
+    def panel(self, title):
+        """The curves of the panel of histories.png with this title, by label; and the whole title."""
+        for axes in choose.histories_of(self.open()).axes:
+            if axes.get_title().startswith(title):
+                return {line.get_label(): line.get_xydata() for line in axes.lines}, axes
+        self.fail(f"no panel {title}")
 
 
 class CommandLine(PlotTest):
-    def test_draws_all_figures_with_something_in_them(self):
+    def test_draws_all_pictures_with_something_in_them(self):
         write_history(self.folder)
         write_particles(self.folder)
         self.reference("# x density velocity pressure specific_energy\n0 0 0 0 0\n1 1 1 1 1\n")
         result = plot(self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.pictures(),
-                         ["bodies.png", "energies.png", "points.png", "positions.png", "profiles.png"])
+        self.assertEqual(self.pictures(), ["fields.png", "histories.png", "profiles.png"])
         for name in self.pictures():
             self.assertGreater(coloured_share(self.folder / name), 1e-3, name)
 
-    def test_draws_only_what_there_is_and_where_it_is_told(self):
+    def test_draws_only_what_there_is_where_it_should_and_says_what_is_missing(self):
         write_history(self.folder, bodies=False)
         other = self.folder / "deep" / "figures"
         result = plot(self.folder, "--out", other)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.pictures(other), ["energies.png"])
+        self.assertEqual(self.pictures(other), ["histories.png"])
         self.assertEqual(self.pictures(), [])
-        self.assertEqual(result.stdout.split(), [str(other / "energies.png")])
+        path, missing = result.stdout.splitlines()
+        self.assertEqual(path, str(other / "histories.png"))
+        self.assertIn("iout(13)=1", missing)
 
-    def check_refused(self, *needles):
-        result = plot(self.folder)
+    def check_refused(self, *needles, words=()):
+        result = plot(self.folder, *words)
         self.assertEqual(result.returncode, 2, result.stderr)
         for needle in needles:
             self.assertIn(needle, result.stderr)
@@ -134,7 +116,12 @@ class CommandLine(PlotTest):
             self.reference(text)
             self.check_refused("reference.txt", "no table of numbers")
 
-    def test_tells_that_it_cannot_write(self):
+    def test_refuses_a_field_that_is_not_there(self):
+        write_history(self.folder)
+        write_particles(self.folder)
+        self.check_refused("no field dust; there are speed, body", words=("--field", "dust"))
+
+    def test_reports_that_it_cannot_write(self):
         write_history(self.folder)
         (self.folder / "taken").write_text("")
         result = plot(self.folder, "--out", self.folder / "taken")
@@ -142,60 +129,67 @@ class CommandLine(PlotTest):
         self.assertIn("taken", result.stderr)
 
 
-class Drawn(PlotTest):
-    def test_energies_have_their_names_and_units(self):
+class Histories(PlotTest):
+    def test_energies_are_changes_with_their_names_and_units(self):
         write_history(self.folder)
-        figure = run_figures.energies(run_folder.read(self.folder))
-        curves = self.lines(figure, 0)
+        curves, axes = self.panel("energies")
         self.assertEqual(list(curves), ["kinetic", "total"])
-        numpy.testing.assert_array_equal(curves["total"], numpy.column_stack([TIMES, 1 + TIMES]))
-        self.assertEqual(figure.axes[0].get_ylabel(), "energy [J]")
-        self.assertEqual(figure.axes[0].get_xlabel(), "time [s]")
+        numpy.testing.assert_allclose(curves["total"], numpy.column_stack([TIMES, TIMES]))
+        self.assertEqual((axes.get_ylabel(), axes.get_xlabel()), ("change of energy [J]", "time [s]"))
 
-    def test_exact_path_lies_over_its_own_point_only(self):
+    def test_exact_path_lies_over_its_own_point_alone_in_broken_black(self):
         write_history(self.folder)
-        self.reference("# time point_y_2\n0 5\n1 7\n")
-        figure = run_figures.points(run_folder.read(self.folder))
-        self.assertEqual([axes.get_ylabel() for axes in figure.axes], ["x [m]", "y [m]", "vx [m s-1]", "vy [m s-1]"])
-        self.assertEqual(list(self.lines(figure, 0)), ["point 1", "point 2"])
-        curves = self.lines(figure, 1)
+        self.reference("# time point_y_2\n0 0\n1 2.2\n")
+        self.assertEqual(list(self.panel("x of tracked")[0]), ["point 1", "point 2"])
+        curves, axes = self.panel("y of tracked")
         self.assertEqual(list(curves), ["point 1", "point 2", "exact"])
-        numpy.testing.assert_array_equal(curves["exact"], [[0, 5], [1, 7]])
+        numpy.testing.assert_array_equal(curves["exact"], [[0, 0], [1, 2.2]])
+        exact = axes.lines[-1]
+        self.assertEqual((exact.get_color(), exact.get_linestyle()), ("black", "--"))
+        # From 2 t to 2.2 t it is .2 at most, over a range of 2.2.
+        self.assertIn(f"at most {100 * 0.2 / 2.2:.3g} %", axes.get_title())
 
-    def test_bodies_have_the_names_of_the_file(self):
+    def test_an_exact_column_of_no_scene_has_a_panel_all_the_same(self):
+        write_history(self.folder, bodies=False)
+        self.reference("# time energy_transfer\n0 0\n1 1\n")
+        self.assertIn("exact", self.panel("energy transfer")[0])
+
+    def test_what_does_not_move_is_left_out(self):
         write_history(self.folder)
-        self.assertEqual(list(self.lines(run_figures.bodies(run_folder.read(self.folder)), 0)), ["gas"])
+        with netCDF4.Dataset(self.folder / "history.nc", "a") as data:
+            data["point_y"][:] = 1e-9 * data["point_x"][:]
+        titles = [axes.get_title() for axes in choose.histories_of(self.open()).axes]
+        self.assertIn("x of tracked points", titles)
+        self.assertNotIn("y of tracked points", titles)
 
-    def test_profiles_pair_each_field_with_its_exact_column(self):
+    def test_a_run_of_two_records_has_a_table_of_the_last(self):
+        run = tether_results.run(ROOT / "decks" / "cook.in", {"mesh.cells(1,1)": (4, 4)}, out=self.folder, program=PROGRAM)
+        (axes,) = choose.histories_of(run).axes
+        cells = {key: cell.get_text().get_text() for key, cell in axes.tables[0].get_celld().items()}
+        row = next(row for (row, column), text in cells.items() if text == "point_y_1")
+        self.assertEqual(cells[row, 1], f"{run.history['point_y_1'][-1]:.8g}")
+
+
+class Profiles(PlotTest):
+    def test_pair_each_field_with_its_exact_column(self):
         write_history(self.folder)
         write_particles(self.folder)
         self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n1 5 6 7 8\n")
-        figure = run_figures.profiles(run_folder.read(self.folder))
-        for panel, (factor, exact) in enumerate([(1, (1, 5)), (4, (2, 6)), (2, (3, 7)), (3, (4, 8))]):
-            curves = self.lines(figure, panel)
-            numpy.testing.assert_array_equal(curves["points"][:, 1], factor * PLACES)
-            numpy.testing.assert_array_equal(curves["exact"][:, 1], exact)
-        self.assertEqual(figure.axes[1].get_ylabel(), "velocity")
+        panels = profiles.figure(self.open()).axes
+        for axes, (factor, exact) in zip(panels, [(1, (1, 5)), (4, (2, 6)), (2, (3, 7)), (3, (4, 8))]):
+            curves = {line.get_label(): line.get_ydata() for line in axes.lines}
+            numpy.testing.assert_array_equal(curves["points"], factor * PLACES)
+            numpy.testing.assert_array_equal(curves["exact"], exact)
+        self.assertEqual(panels[1].get_ylabel(), "velocity")
 
-    def test_profiles_need_gas_and_an_exact_solution_over_x(self):
+    def test_need_gas_and_an_exact_solution_over_x(self):
         write_history(self.folder)
         write_particles(self.folder)
         self.reference("# time point_y_1\n0 1\n")
-        self.assertIsNone(run_figures.profiles(run_folder.read(self.folder)))
+        self.assertIsNone(profiles.figure(self.open()))
         write_particles(self.folder, gas=False)
         self.reference("# x density velocity pressure specific_energy\n0 1 2 3 4\n")
-        self.assertIsNone(run_figures.profiles(run_folder.read(self.folder)))
-
-    def test_positions_have_equal_scales_and_a_colour_for_each_body(self):
-        write_history(self.folder)
-        write_particles(self.folder)
-        figure = run_figures.positions(run_folder.read(self.folder))
-        self.addCleanup(run_figures.pyplot.close, figure)
-        self.assertEqual([axes.get_title() for axes in figure.axes], ["time 0 s", "time 0.5 s", "time 1 s"])
-        for axes in figure.axes:
-            self.assertEqual(axes.get_aspect(), 1)
-            self.assertEqual(len({line.get_color() for line in axes.lines}), 2)
-            self.assertEqual(sum(len(line.get_xdata()) for line in axes.lines), len(PLACES))
+        self.assertIsNone(profiles.figure(self.open()))
 
 
 if __name__ == "__main__":

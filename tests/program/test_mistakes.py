@@ -89,6 +89,7 @@ class NoText(Mistakes):
                                   "matr(1,1)=1.,.3 $\n")
             self.assertIn("this is a binary file", told)
             self.assertIn("without -bin", told)
+            self.assertIn("makes one of it", told)
 
 
 class Habits(Mistakes):

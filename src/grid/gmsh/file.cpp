@@ -81,8 +81,9 @@ bool is_binary(const std::vector<std::string>& lines, Remarks& remarks) {
   const auto version = words.real("the version");
   const auto type = version ? words.whole("the type of the file", 0, 1) : std::nullopt;
   if (type.value_or(0) == 0) return false;
-  remarks.error(number, static_cast<int>(words.place()) + 1, "this is a binary file",
-                fmt::format("{} (without -bin)", how_to_save));
+  remarks.error(
+      number, static_cast<int>(words.place()) + 1, "this is a binary file",
+      fmt::format("{} (without -bin); 'gmsh FILE -0 -o ascii.msh -format msh41' makes one of it", how_to_save));
   return true;
 }
 
@@ -93,6 +94,11 @@ std::vector<Mesh> meshes_of_lines(const std::vector<std::string>& lines, const s
   {
     // Of a file in another format, only that is reported.
     const auto first = std::find_if(lines.begin(), lines.end(), [](const auto& line) { return !trim(line).empty(); });
+    if (first != lines.end() && first->starts_with('*')) {
+      remarks.error(static_cast<int>(first - lines.begin()) + 1, 1, "this looks like a mesh of CalculiX or Abaqus",
+                    "/usr/bin/python3 post/inp.py FILE.inp makes a mesh file of it");
+      return {};
+    }
     const bool begins = first != lines.end() && (trim(*first) == "$MeshFormat" || trim(*first) == "$Comments");
     if (begins) sections = sections_of(lines, remarks);
   }

@@ -10,8 +10,8 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "results/checkpoint.hpp"
-#include "results/history_writer.hpp"
 #include "results/grid_writer.hpp"
+#include "results/history_writer.hpp"
 #include "results/point_writer.hpp"
 #include "unit/results/support.hpp"
 

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of one run: python3 post/page.py DIR [--out FILE] [--field NAME]; one HTML file that needs no other.
+
+Fields with a slider over time, histories with their numbers, summary, messages, deck and command. Exit codes: 0 done, 2 DIR
+is not the folder of a run, 4 the page could not be written.
+"""
+import argparse
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import tether_results
+from run_page import document
+from scene import choose
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(description="Makes the HTML page of a run.")
+    parser.add_argument("folder", type=Path, metavar="DIR", help="folder of the run")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default: DIR/page.html)")
+    parser.add_argument("--field", metavar="NAME", help="what colours the fields, in place of what matters most")
+    return parser.parse_args(words)
+
+
+def main(words=None):
+    chosen = arguments(words)
+    path = chosen.out or chosen.folder / "page.html"
+    try:
+        text = document.page(tether_results.open(chosen.folder), chosen.field)
+    except (tether_results.NotARun, choose.NoSuchField) as mistake:
+        print(f"page: {mistake}", file=sys.stderr)
+        return 2
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    except OSError as reason:
+        print(f"page: {reason}", file=sys.stderr)
+        return 4
+    print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

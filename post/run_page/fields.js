@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws a snapshot of the scene on its canvas, from places and shades that are whole numbers in base64.
+"use strict";
+
+const STEPS = 65534, NOWHERE = 65535, NOTHING = 255;
+
+function bytesOf(text) {
+  const raw = atob(text), bytes = new Uint8Array(raw.length);
+  for (let k = 0; k < raw.length; k++) bytes[k] = raw.charCodeAt(k);
+  return bytes.buffer;
+}
+
+const unpacked = new Map();  // what was decoded once is kept
+function unpack(text, Type) {
+  if (!unpacked.has(text)) unpacked.set(text, new Type(bytesOf(text)));
+  return unpacked.get(text);
+}
+
+class FieldView {
+  constructor(canvas, scene) {
+    this.canvas = canvas;
+    this.scene = scene;
+    this.context = canvas.getContext("2d");
+    const ratio = Math.min(2, window.devicePixelRatio || 1);
+    const width = Math.min(1000, Math.max(320, 620 * scene.aspect));
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(width / scene.aspect * ratio);
+    canvas.style.maxWidth = width + "px";
+    this.luts = scene.scales.map(scale => unpack(scale.colours, Uint8Array));
+  }
+
+  colour(scale, shade) {
+    const lut = this.luts[scale];
+    return `rgb(${lut[3 * shade]},${lut[3 * shade + 1]},${lut[3 * shade + 2]})`;
+  }
+
+  // Places as pixels; null for what is nowhere.
+  pixels(text) {
+    const whole = unpack(text, Uint16Array), found = new Float32Array(whole.length);
+    for (let k = 0; k < whole.length; k += 2) {
+      const lost = whole[k] === NOWHERE || whole[k + 1] === NOWHERE;
+      found[k] = lost ? NaN : whole[k] / STEPS * this.canvas.width;
+      found[k + 1] = lost ? NaN : (1 - whole[k + 1] / STEPS) * this.canvas.height;
+    }
+    return found;
+  }
+
+  show(number) {
+    this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.context.fillStyle = "#ffffff";
+    this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    let shapes = 0;
+    this.scene.parts.forEach(part => { shapes += this[part.draw]({...part.fixed, ...part.frames[number]}); });
+    this.canvas.dataset.shapes = shapes;
+    this.canvas.dataset.record = this.scene.records[number];
+  }
+
+  cells(part) {
+    const image = new ImageData(part.nx, part.ny), shades = unpack(part.v, Uint8Array), stones = unpack(part.o, Uint8Array);
+    const lut = this.luts[part.scale];
+    for (let row = 0; row < part.ny; row++) for (let column = 0; column < part.nx; column++) {
+      const from = row * part.nx + column, to = 4 * ((part.ny - 1 - row) * part.nx + column);
+      const shade = shades[from];
+      const rgb = stones[from] ? [153, 166, 178] : shade === NOTHING ? null : lut.subarray(3 * shade, 3 * shade + 3);
+      if (rgb) image.data.set([rgb[0], rgb[1], rgb[2], 255], to);
+    }
+    const small = document.createElement("canvas");
+    small.width = part.nx; small.height = part.ny;
+    small.getContext("2d").putImageData(image, 0, 0);
+    const [left, bottom, right, top] = this.pixels(part.xy);
+    this.context.imageSmoothingEnabled = false;
+    this.context.drawImage(small, left, top, right - left, bottom - top);
+    return part.nx * part.ny;
+  }
+
+  triangles(part) {
+    const places = this.pixels(part.xy), nodes = unpack(part.t, Uint32Array), context = this.context;
+    const shades = part.v ? unpack(part.v, Uint8Array) : null;
+    context.lineWidth = 0.7;
+    for (let k = 0; k < nodes.length; k += 3) {
+      const [a, b, c] = [nodes[k], nodes[k + 1], nodes[k + 2]];
+      if (shades && (shades[a] === NOTHING || shades[b] === NOTHING || shades[c] === NOTHING)) continue;
+      const colour = shades ? this.colour(part.scale, Math.round((shades[a] + shades[b] + shades[c]) / 3)) : part.colour;
+      context.fillStyle = context.strokeStyle = colour;
+      context.beginPath();
+      context.moveTo(places[2 * a], places[2 * a + 1]);
+      context.lineTo(places[2 * b], places[2 * b + 1]);
+      context.lineTo(places[2 * c], places[2 * c + 1]);
+      context.closePath();
+      context.fill();
+      context.stroke();  // else light comes through between neighbours
+    }
+    return nodes.length / 3;
+  }
+
+  polygons(part) {
+    const places = this.pixels(part.xy), colours = unpack(part.c, Uint8Array), context = this.context, corners = part.corners;
+    context.strokeStyle = "rgba(40,40,40,.6)";
+    context.lineWidth = 0.6;
+    const count = colours.length / 3;
+    for (let k = 0; k < count; k++) {
+      context.fillStyle = `rgb(${colours[3 * k]},${colours[3 * k + 1]},${colours[3 * k + 2]})`;
+      context.beginPath();
+      for (let corner = 0; corner < corners; corner++) context.lineTo(places[2 * (k * corners + corner)], places[2 * (k * corners + corner) + 1]);
+      context.closePath();
+      context.fill();
+      context.stroke();
+    }
+    return count;
+  }
+
+  points(part) {
+    const places = this.pixels(part.xy), shades = unpack(part.v, Uint8Array), context = this.context;
+    const [left, right] = this.scene.limits;
+    const side = Math.min(12, Math.max(1.5, part.side / (right - left) * this.canvas.width));
+    for (let k = 0; k < shades.length; k++) {
+      if (isNaN(places[2 * k]) || part.scale >= 0 && shades[k] === NOTHING) continue;
+      context.fillStyle = part.scale < 0 ? "#0072B2" : this.colour(part.scale, shades[k]);
+      context.fillRect(places[2 * k] - side / 2, places[2 * k + 1] - side / 2, side, side);
+    }
+    return shades.length;
+  }
+
+  lines(part) {
+    const places = this.pixels(part.xy), counts = unpack(part.n, Uint32Array), context = this.context;
+    context.strokeStyle = part.colour;
+    context.lineWidth = part.width;
+    let at = 0;
+    counts.forEach(count => {
+      context.beginPath();
+      for (let k = at; k < at + count; k++) context.lineTo(places[2 * k], places[2 * k + 1]);
+      context.stroke();
+      at += count;
+    });
+    return counts.length;
+  }
+
+  edges(part) {
+    const places = this.pixels(part.xy), nodes = unpack(part.e, Uint32Array), context = this.context;
+    context.strokeStyle = part.colour;
+    context.lineWidth = 1;
+    context.beginPath();
+    for (let k = 0; k < nodes.length; k += 2) {
+      context.moveTo(places[2 * nodes[k]], places[2 * nodes[k] + 1]);
+      context.lineTo(places[2 * nodes[k + 1]], places[2 * nodes[k + 1] + 1]);
+    }
+    context.stroke();
+    return nodes.length / 2;
+  }
+}
+
+// A bar of a scale's colours, with its least, middle and largest number.
+function drawBar(canvas, colours) {
+  const lut = unpack(colours, Uint8Array), context = canvas.getContext("2d"), count = lut.length / 3;
+  for (let k = 0; k < count; k++) {
+    context.fillStyle = `rgb(${lut[3 * k]},${lut[3 * k + 1]},${lut[3 * k + 2]})`;
+    context.fillRect(k / count * canvas.width, 0, canvas.width / count + 1, canvas.height);
+  }
+}

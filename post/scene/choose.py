@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""THE table of what is drawn of which kind of run. A kind is known by a column that its histories alone have."""
+import re
+import textwrap
+from dataclasses import dataclass
+
+import numpy
+
+import tether_results
+from scene import histories, last_values, quantities
+from scene.bars import Bars
+from scene.box import BoxLayer
+from scene.elements import Elements
+from scene.flow import Flow
+from scene.frame import Scene, even_sets, liveliest
+from scene.points import Points
+
+LONGEST_TITLE = 140
+SENTENCE_ENDS = r"(?<!Fig)(?<!Figs)[.;] "
+MESHES, POINTS = "iout(39)=1 and tiout(39)=TIME write mesh.nc", "iout(13)=1 and tiout(13)=TIME write particles.nc"
+
+
+class NoSuchField(Exception):
+    """The text says which fields there are."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """How a kind of run is drawn: layers of its scene, histories, and the switch that has it write snapshots."""
+
+    name: str
+    column: str
+    fields: str
+    layers: tuple
+    histories: tuple
+    switch: str
+    note: str = ""
+
+
+def of_flow(run, name=None):
+    return Flow(run.fields("mesh"), name)
+
+
+def bodies_in(run, _=None):
+    """Bodies in a flow, which are in a file of their own."""
+    return Elements(run.fields("solids")) if run.has("solids") else None
+
+
+def of_mesh(run, name=None):
+    return Elements(run.fields("mesh"), name)
+
+
+KINDS = (
+    Kind("box", "fluid_volume", "mesh", (BoxLayer,),
+         (histories.places, histories.energies, histories.works, histories.forces, histories.volumes, histories.smoke),
+         MESHES),
+    Kind("flow", "stream_max", "mesh", (of_flow, bodies_in),
+         (histories.places, histories.drag, histories.lift, histories.pressure_differences, histories.forces,
+          histories.energies, histories.works), MESHES),
+    Kind("rigid", "director_1_x", "mesh", (of_mesh,),
+         (histories.places, histories.spin, histories.energies, histories.works), MESHES),
+    Kind("points", "energy_transfer", "particles", (Points,),
+         (histories.places, histories.velocities, histories.energies), POINTS),
+    Kind("bars", "energy_step", "particles", (Bars,), (histories.places, histories.energies), POINTS),
+    Kind("solids", "energy_supports", "mesh", (of_mesh,),
+         (histories.places, histories.energies, histories.works, histories.volumes), MESHES),
+)
+
+
+def kind_of(run):
+    """The row of the table for a run."""
+    return next((kind for kind in KINDS if kind.column in run.history.columns), KINDS[-1])
+
+
+def is_steady(run):
+    """Whether the first snapshot is nothing but the guess that a steady or static run starts from."""
+    return ".true." in (run.deck_values.get("fem.static"), run.deck_values.get("flow.steady"))
+
+
+def first_statement(lines):
+    """Lines up to one that the next, which begins with a capital, does not carry on."""
+    found = lines[:1]
+    for line in lines[1:]:
+        if line[0].isupper() and not found[-1].endswith(","):
+            break
+        found.append(line)
+    return " ".join(found)
+
+
+def title_of(run):
+    """The run's name and the first sentence of its deck's head; lines that a namelist's readers want quoted are no words."""
+    lines = [line.strip() for line in run.title.splitlines() if line.strip()]
+    words = [line for line in lines if line[0] not in "'\""] or [line.strip("'\" ") for line in lines[-1:]]
+    sentence = re.split(SENTENCE_ENDS, first_statement(words))[0]
+    return f"{run.name}: {textwrap.shorten(sentence, LONGEST_TITLE, placeholder=' ...')}" if sentence else run.name
+
+
+def known_fields(fields):
+    """The names that a file's snapshots may be coloured by."""
+    return [name for name in quantities.DERIVED if quantities.has(fields, name)] + \
+           [name for name in fields.names if name not in ("x", "y", "z", "id")]
+
+
+def scene_of(run, name=None):
+    """The scene of a run, coloured by what matters or by the field of this name; None where it wrote no snapshots."""
+    kind = kind_of(run)
+    if not run.has(kind.fields):
+        return None
+    known = known_fields(run.fields(kind.fields))
+    if name and name not in known:
+        raise NoSuchField(f"{run.folder}: no field {name}; there are {', '.join(known)}")
+    layers = [layer for make in kind.layers if (layer := make(run, name)) is not None]
+    return Scene(layers, title_of(run), kind.note)
+
+
+def needed_scene(run, name=None):
+    """The scene of a run. Raises NotARun, which says what writes snapshots, where there are none."""
+    scene = scene_of(run, name)
+    if scene is None:
+        raise tether_results.NotARun(f"{run.folder}: has no snapshots: {kind_of(run).switch}")
+    return scene
+
+
+def records_of(run, scene, times=()):
+    """The snapshots that are drawn: those nearest to these times, or some evenly spaced; of a steady run the last."""
+    if times:
+        return sorted({scene.layers[0].fields.record(float(time)) for time in times})
+    if is_steady(run):
+        return [len(scene.times) - 1]
+    return liveliest(even_sets(scene.times), lambda records: variety(run, scene.times[records]))
+
+
+def variety(run, times):
+    """How much the kinetic energy differs between some times."""
+    energy = run.history["energy_kinetic"] if "energy_kinetic" in run.history else 0 * run.history["time"]
+    return float(numpy.nan_to_num(numpy.interp(times, run.history["time"], energy).std()))
+
+
+def histories_of(run):
+    """The figure of histories; of a run of few records a table of the last one."""
+    if len(run.history) <= last_values.FEW:
+        return last_values.figure(run, title_of(run))
+    return histories.figure(run, kind_of(run).histories, title_of(run))

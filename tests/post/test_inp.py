@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""post/inp.py makes a mesh file of an .inp, and a deck runs on it with its sets as regions and sides."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+PLATE = """*HEADING
+a plate of two parts
+*NODE, NSET=NALL
+1, 0., 0.
+2, 1., 0.
+3, 2., 0.
+4, 0., 1.
+5, 1., 1.
+6, 2., 1.
+*ELEMENT, TYPE=CPS4, ELSET=LEFT
+1, 1, 2, 5, 4
+*ELEMENT, TYPE=CPS4, ELSET=RIGHT
+2, 2, 3, 6, 5
+*NSET, NSET=CLAMP
+1, 4
+*NSET, NSET=PULL
+3, 6
+*ELSET, ELSET=ALL
+LEFT, RIGHT
+"""
+
+# A stretch of sigma/E = .1 in the left half and half of it in the right one, which is twice as stiff.
+DECK = """two parts in a row
+$in nx=2, ny=2, xleft=0., xright=3., ybot=0., ytop=1., tmax=1., tstep=1., wl=1, wr=1, wb=1, wt=1 $
+$reg nreg=2, densir=1.,1., matr(1,1)=1.,0., matr(1,2)=2.,0. $
+$mesh file='plate.msh', physical='LEFT','RIGHT' $
+$fem static=.true., law='linear','linear', fix_on(1)='CLAMP', fix(1:2,1)=0.,0., load_on(1)='PULL', load(1,1)=.1 $
+$points tracked_at(1,1)=1.,0., tracked_at(1,2)=2.,1. $
+"""
+
+
+class Inp(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def convert(self, code, *words):
+        done = subprocess.run([sys.executable, ROOT / "post/inp.py", *map(str, words)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def test_a_deck_runs_with_its_sets(self):
+        (self.folder / "plate.inp").write_text(PLATE)
+        (self.folder / "plate.in").write_text(DECK)
+        done = self.convert(0, self.folder / "plate.inp")
+        self.assertIn("region 'LEFT', region 'RIGHT', side 'CLAMP', side 'PULL'", done.stdout)
+        self.assertIn("the element set ALL is left without elements", done.stdout)
+        subprocess.run([os.environ["TETHER"], self.folder / "plate.in", "--quiet", "--out", self.folder / "out"], check=True)
+        names, *_, last = (self.folder / "out/history.txt").read_text().splitlines()
+        end = dict(zip(names.removeprefix("# ").split(), map(float, last.split())))
+        self.assertAlmostEqual(end["point_x_1"], 1.1, 9)
+        self.assertAlmostEqual(end["point_x_2"], 2.15, 9)
+
+    def test_what_cannot_be_read_is_reported(self):
+        self.assertIn("there is no such file", self.convert(2, self.folder / "none.inp").stderr)
+        (self.folder / "odd.inp").write_text(PLATE.replace("CPS4", "M3D9"))
+        self.assertIn("meshio cannot read it", self.convert(2, self.folder / "odd.inp").stderr)
+        (self.folder / "plate.inp").write_text(PLATE)
+        self.convert(4, self.folder / "plate.inp", "--out", self.folder / "none" / "plate.msh")
+
+
+if __name__ == "__main__":
+    unittest.main()
