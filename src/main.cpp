@@ -57,7 +57,7 @@ void describe(CLI::App& app) {
   app.require_subcommand(0, 1);
 }
 
-/// What a run takes, which has no command's name before it.
+/// Adds what a run takes, which has no command's name before it.
 void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& options, RunOptions& run_options) {
   auto* deck_names = app.add_option("deck", decks, "decks to run");
   add_deck_options(app, options);

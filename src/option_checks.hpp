@@ -6,7 +6,7 @@
 
 namespace tether {
 
-/// Of an option whose value must not be empty.
+/// Refuses an empty value of an option that needs one.
 inline std::string refuse_empty(const std::string& value, const char* wanted) {
   return value.empty() ? fmt::format("{} is wanted", wanted) : std::string();
 }

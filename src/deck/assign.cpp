@@ -83,7 +83,7 @@ bool Filling::too_many(const ItemValue& value) {
   std::string message = fmt::format("{} takes one value, this is one too many", first);
   std::string hint;
   if (find_variable(variable_.group, lower(value.text)) != nullptr) {
-    message = fmt::format("'=' is missing behind {}", in_quotes(value.text));
+    message = fmt::format("'=' is missing after {}", in_quotes(value.text));
     hint = "An item is: name = value.";
   } else if (variable_.rank > 0) {
     message = fmt::format("the values run past the end of {}: there are {} elements from {} on", variable_.name,

@@ -141,7 +141,7 @@ std::optional<Data> Conversion::run() {
 std::nullopt_t Conversion::wrong_type() {
   const auto type = variable_.type;
   if (find_variable(variable_.group, lower(value_.text)) != nullptr) {
-    return fail(fmt::format("'=' is missing behind {}", in_quotes(value_.text)), "An item is: name = value.");
+    return fail(fmt::format("'=' is missing after {}", in_quotes(value_.text)), "An item is: name = value.");
   }
   const std::string hint = type == ValueType::text      ? text_hint()
                            : type == ValueType::real    ? "Numbers are written as 1.5, 1.5e-3 or 1.5d-3."

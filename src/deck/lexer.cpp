@@ -135,7 +135,7 @@ void Lexer::behind_terminator() {
   const auto& end = tokens_.back();
   const bool glued = line()[column_ - 1] == '/' && in_line() && !is_blank(here()) && here() != '!';
   if (glued) {
-    remarks_.warn(end.line, end.column, "'/' ends the group; what stands behind it is not read",
+    remarks_.warn(end.line, end.column, "'/' ends the group; what stands after it is not read",
                   "No value has a '/', and a comment begins with '!'.");
   }
   tell_of_hidden_opener(line(), line_number(), column_, remarks_);
@@ -247,7 +247,7 @@ bool Lexer::misclosed(const Token& token) {
     return true;
   }
   if (!in_line() || !begins_value(here())) return false;
-  remarks_.error(token.line, token.column, fmt::format("'{}' right behind the quote that closes this text", here()),
+  remarks_.error(token.line, token.column, fmt::format("'{}' right after the quote that closes this text", here()),
                  "Is it closed where it should be? A quote inside a text is written twice: 'it''s'.");
   return true;
 }

@@ -129,7 +129,7 @@ Item Parser::item() {
   ++at_;
   result.broken = is(open) && !subscripts(result);
   if (!result.broken && !is(equals)) {
-    error(result.name, fmt::format("'=' is missing behind {}", in_quotes(result.name.text)),
+    error(result.name, fmt::format("'=' is missing after {}", in_quotes(result.name.text)),
           "An item is: name = value.");
     result.broken = true;
   }

@@ -155,7 +155,7 @@ std::optional<std::vector<double>> ParticleReader::header_line(std::size_t count
     return numbers;
   }
   remarks_.error(line_number(at_), 1, fmt::format("this line of the particle data must be {}", what),
-                 "Remarks stand behind '!'.");
+                 "Remarks stand after '!'.");
   return std::nullopt;
 }
 

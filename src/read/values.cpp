@@ -101,7 +101,7 @@ Amplitude table_of(const Named& of) {
     if (!time) continue;
     if (!amplitude.time.empty() && !(number(times, i) > amplitude.time.back())) {
       of.refuse(times, {i, of.k},
-                fmt::format("the times of a table ascend: {:.6g} is not behind {:.6g}", number(times, i),
+                fmt::format("the times of a table ascend: {:.6g} is not after {:.6g}", number(times, i),
                             amplitude.time.back()),
                 "write times and factors in order");
       return {};

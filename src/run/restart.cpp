@@ -73,7 +73,7 @@ void check_end(const Checkpoint& checkpoint, const std::string& deck_effective) 
   const Deck deck = read_deck(deck_effective, "deck", {}, ignored);
   if (!deck.given("in.tmax") || checkpoint.time <= deck.real("in.tmax")) return;
   throw InputError(
-      fmt::format("the checkpoint is of t = {:.6g}, behind tmax = {:.6g}", checkpoint.time, deck.real("in.tmax")),
+      fmt::format("the checkpoint is of t = {:.6g}, after tmax = {:.6g}", checkpoint.time, deck.real("in.tmax")),
       "give the run's own tmax, or a later one");
 }
 

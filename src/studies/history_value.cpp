@@ -133,7 +133,7 @@ ReadHistoryValue read_history_value(const std::string& text) {
                   meant(function, function_names()));
   if (close == std::string::npos) return refuse(open, "this bracket is not closed", form);
   if (!trim(text.substr(close + 1)).empty())
-    return refuse(close + 1, "something stands behind the bracket", "A quantity is one value. " + form);
+    return refuse(close + 1, "something stands after the bracket", "A quantity is one value. " + form);
   const std::string inside = text.substr(open + 1, close - open - 1), column(trim(inside));
   const std::size_t at = open + 1 + std::min(inside.find_first_not_of(" \t"), inside.size());
   if (!is_column_name(column))

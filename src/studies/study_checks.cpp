@@ -157,7 +157,7 @@ void check_order(const Study& study, const std::vector<std::string>& known, Stud
   for (const StudyAxis& axis : study.axes) {
     if (std::holds_alternative<double>(axis.cells.front())) columns.push_back(axis.variable);
   }
-  if (study.axes.empty()) remarks.error("study.order", 1, "an order is told along axis 1, and there is none");
+  if (study.axes.empty()) remarks.error("study.order", 1, "an order is reported along axis 1, and there is none");
   if (contains(columns, study.order)) return;
   const bool could_be = contains(known, study.order);
   remarks.error("study.order", 1, fmt::format("the table has no column {} of numbers", study.order),

@@ -261,7 +261,7 @@ class Restart(ProgramTest):
     def test_an_end_before_the_checkpoint_is_refused(self):
         deck, options, (newest, _) = self.with_checkpoints()
         result = self.expect(2, deck, *options, "--restart", newest, *sets(in__tmax=0.05), "--out", newest.parent)
-        self.assertIn("the checkpoint is of t = 0.101, behind tmax = 0.05", result.stderr)
+        self.assertIn("the checkpoint is of t = 0.101, after tmax = 0.05", result.stderr)
         self.assertTrue((newest.parent / "summary.txt").exists())
 
     def test_a_lost_point_names_the_last_checkpoint(self):

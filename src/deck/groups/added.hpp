@@ -57,7 +57,7 @@ inline constexpr std::array added_rows{
     Variable{"mpm", "jaumann", logical, 0, 1, 1, "", -none, none, "", ".false.",
              "Whether the stress of elastic solids turns with their spin; the thesis turns none."},
     Variable{"mpm", "cfl", real, 0, 1, 1, "", 0, none, "", "",
-             "Factor of the step limit dx/c, 1 by the thesis' method and .65 by the robust one; 0 takes the deck's "
+             "Factor of the step limit dx/c, 1 by the thesis' method and 0.65 by the robust one; 0 takes the deck's "
              "step as it is."},
     Variable{"mpm", "edge", text, 1, 4, 1, "", -none, none, choices<EdgeKind>, "'wall'",
              "What the left, right, bottom and top edge of the grid do with gas: 'wall' is what wl, wr, wb, wt say; "
@@ -80,18 +80,18 @@ inline constexpr std::array added_rows{
              "has reached when the run ends."},
     Variable{"limits", "quality", real, 1, 2, 1, "", 0, none, "", "",
              "Least volume of an element of a body over that at the start, below which a run warns (1) and is stopped "
-             "(2). .1 and .001 where not given, as in all of this group 0 switches off."},
+             "(2). 0.1 and 0.001 where not given, as in all of this group 0 switches off."},
     Variable{
         "limits", "volume", real, 1, 2, 1, "", 0, none, "", "",
-        "Volume of a body against that at the start, the smaller over the larger: warning, stop below. .5 and .05."},
+        "Volume of a body against that at the start, the smaller over the larger: warning, stop below. 0.5 and 0.05."},
     Variable{
         "limits", "energy_step", real, 1, 2, 1, "", 0, none, "", "",
         "Rise of the energy in one step (from one record to the next of material points, bars, flows on a mesh and "
         "explicit steps) that no exchange explains, over the largest energy before or exchanged in it: warning, stop "
-        "above. .5 and 100."},
+        "above. 0.5 and 100."},
     Variable{"limits", "energy_growth", real, 1, 2, 1, "", 0, none, "", "",
              "The same rise since the start: warning at the end of the run where it is above this part of the largest "
-             "energy exchanged, stop above this multiple of the energy at the start, or of what was booked since. .05 "
+             "energy exchanged, stop above this multiple of the energy at the start, or of what was booked since. 0.05 "
              "and 100."},
     Variable{"limits", "splitting", real, 1, 2, 1, "", 0, none, "", "",
              "Size of interface_mismatch of a fluid in a box: warning, stop above. 1 and 100."},

@@ -32,7 +32,7 @@ inline constexpr std::array study_rows{
              "Columns of the table: keys of summary.txt, or last, max, min, time_of_max or time_of_min of a column of "
              "history.txt, 'last(body_vx_1)'."},
     Variable{study_group, "order", text, 0, 1, 1, "", -none, none, "", "''",
-             "Column against which the observed order of each error_ quantity is told, along axis 1 (grid)."},
+             "Column against which the observed order of each error_ quantity is reported, along axis 1 (grid)."},
     Variable{study_group, "vary", text, 0, 1, 1, "", -none, none, "", "''",
              "Real deck value, 'group.name', that an ensemble or a bisection varies; in a map it is bisected for each "
              "combination of the axes."},

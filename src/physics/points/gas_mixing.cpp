@@ -95,7 +95,7 @@ void GasMixing::look(State& state, const Scene& scene, std::vector<std::string>&
       "t = {:.6g}: two gases share the density of the cell at ({:.6g}, {:.6g}), and their energies differ by a factor "
       "of "
       "{:.3g}: so do the pressures that are written for them there, and what is computed from pressures: forces "
-      "without viscosity are right; method='robust' or density='continuity' of $mpm tells gases apart",
+      "without viscosity are right; method='robust' or density='continuity' of $mpm keeps gases apart",
       state.time, x, y, worst_.ratio));
 }
 

@@ -44,7 +44,7 @@ class FlowChecks {
     const std::string name = deck_.text("fem.integrator");
     if (name != "energy" && name != "midpoint")
       error("fem.integrator", {1, 1}, fmt::format("there are no steps by '{}' beside a fluid", name),
-            "immersed solids go by energy or midpoint; integrator of $flow is the fluid's");
+            "immersed solids use energy or midpoint; integrator of $flow is the fluid's");
     for (const AnyVariable switched : Variables{"fem.static", "fem.settle"}) {
       if (deck_.logical(switched))
         error(switched, {1, 1}, "solids beside a fluid have no equilibrium of their own",
@@ -52,7 +52,7 @@ class FlowChecks {
     }
     if (word<FlowIntegrator>(deck_, "flow.integrator") == FlowIntegrator::euler &&
         !is_default("fem.integrator", {1, 1}))
-      warn("fem.integrator", {1, 1}, "integrator of $fem has no effect: the fluid goes by backward Euler",
+      warn("fem.integrator", {1, 1}, "integrator of $fem has no effect: the fluid uses backward Euler",
            "solids' stress is then that of each step's end; it matters beside integrator='midpoint' of $flow");
     if (!deck_.logical("flow.steady")) return;
     if (deck_.given("flow.tracers", 1))

@@ -78,7 +78,7 @@ std::optional<ParticleFile> load_particles(const Deck& deck, const std::optional
       igen == 3 ? "use --particles FILE, or give membranes by $membrane curve" : "or use --particles FILE";
   diagnostics.add(deck.remark(Severity::error, "in.igen", {1, 1},
                               fmt::format("igen = {} takes points from a particle file, and none is named", igen),
-                              fmt::format("add particles='../particles/x.par' to $in, put the data behind the last "
+                              fmt::format("add particles='../particles/x.par' to $in, put the data after the last "
                                           "group, {}",
                                           last)));
   return std::nullopt;

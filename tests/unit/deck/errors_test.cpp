@@ -24,9 +24,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"gm1=0.4", {"3:1: $in has no variable 'gm1'"}},
                     Mistake{"5=3", {"3:1: $in has no variable '5'"}},
                     Mistake{"methd=0 foo bar", {"3:9: methd takes one value, this is one too many"}},
-                    Mistake{"wl 4", {"3:1: '=' is missing behind 'wl'"}},
-                    Mistake{"wl=4 wr 5", {"3:6: '=' is missing behind 'wr'"}},
-                    Mistake{"iout(13) 1\nwt=7", {"3:1: '=' is missing behind 'iout'", "4:4: wt = 7 is out of range"}},
+                    Mistake{"wl 4", {"3:1: '=' is missing after 'wl'"}},
+                    Mistake{"wl=4 wr 5", {"3:6: '=' is missing after 'wr'"}},
+                    Mistake{"iout(13) 1\nwt=7", {"3:1: '=' is missing after 'iout'", "4:4: wt = 7 is out of range"}},
                     Mistake{"wl==4", {"3:4: '=' among the values of 'wl'"}},
                     Mistake{"wl=4)", {"3:5: ')' among the values of 'wl'"}},
                     Mistake{"wl=4 :", {"3:6: ':' among the values of 'wl'"}},
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"3:7: gravc must be a number, not '1.0e'", "3:12: gravc takes one value, this is one too many"}},
         Mistake{"gravc=1e5.", {"3:7: gravc must be a number, not '1e5.'"}},
         Mistake{"gravc=1.x.", {"3:7: gravc must be a number, not '1.x.'"}},
-        Mistake{"gravc=wl", {"3:7: '=' is missing behind 'wl'"}},
+        Mistake{"gravc=wl", {"3:7: '=' is missing after 'wl'"}},
         Mistake{"large=1", {"3:7: large must be .true. or .false., not '1'"}},
         Mistake{"large=yes", {"3:7: large must be .true. or .false., not 'yes'"}},
         Mistake{"large=.", {"3:7: large must be .true. or .false., not '.'"}},
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Subscripts, InMistakes,
                                          Mistake{"iout(1=1", {"3:7: '=' in the subscript of 'iout'"}},
                                          Mistake{"iout('1')=1", {"3:6: a text in quotes in the subscript of 'iout'"}},
                                          Mistake{"iout(1", {"4:1: the group's end in the subscript of 'iout'"}},
-                                         Mistake{"iout(1)(2)=1", {"3:1: '=' is missing behind 'iout'"}}));
+                                         Mistake{"iout(1)(2)=1", {"3:1: '=' is missing after 'iout'"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Characters, InMistakes,

@@ -27,7 +27,7 @@ TEST(Places, TheBoundOutOfRange) {
 }
 
 TEST(Places, TheVariableThatLacksItsEqualSign) {
-  EXPECT_EQ(read_in("iout(13)\n1").errors(), (Texts{"3:1: '=' is missing behind 'iout'"}));
+  EXPECT_EQ(read_in("iout(13)\n1").errors(), (Texts{"3:1: '=' is missing after 'iout'"}));
 }
 
 TEST(Places, BlanksBeforeEndCloseTheGroup) {
@@ -42,17 +42,16 @@ TEST(Places, BlanksBeforeEndCloseTheGroup) {
 TEST(Places, AQuoteInsideAText) {
   const auto reading = read_in("particles='it's' wl=4");
   EXPECT_EQ(reading.errors(),
-            (Texts{"3:11: 's' right behind the quote that closes this text",
+            (Texts{"3:11: 's' right after the quote that closes this text",
                    "3:15: particles takes one value, this is one too many", "3:16: this quote is never closed"}));
   EXPECT_EQ(reading.diagnostics.errors()[0].hint,
             "Is it closed where it should be? A quote inside a text is written twice: 'it''s'.");
-  EXPECT_EQ(read_in("units=\"si\"'cgs' wl=4").errors().front(),
-            "3:7: ''' right behind the quote that closes this text");
+  EXPECT_EQ(read_in("units=\"si\"'cgs' wl=4").errors().front(), "3:7: ''' right after the quote that closes this text");
 }
 
 TEST(Places, AnUnclosedTextEndsWithItsFirstWord) {
   const auto reading = read(with_in("units='si wl=4,\nwr=4 ! it's\n$\n"));
-  EXPECT_EQ(reading.errors(), (Texts{"3:7: 's' right behind the quote that closes this text"}));
+  EXPECT_EQ(reading.errors(), (Texts{"3:7: 's' right after the quote that closes this text"}));
   EXPECT_EQ(reading.deck.text("in.units"), "si");
   EXPECT_EQ(reading.deck.integer("in.wl"), 4);
   EXPECT_EQ(reading.deck.integer("in.wr"), 4);

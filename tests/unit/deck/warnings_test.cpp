@@ -63,7 +63,7 @@ TEST(Warnings, ASlashInsideAValue) {
     const auto reading = read(with_in(std::string(items) + "\n"));
     EXPECT_EQ(reading.errors(), Texts{}) << items;
     ASSERT_EQ(reading.warnings().size(), 1U) << items;
-    EXPECT_NE(reading.warnings()[0].find("'/' ends the group; what stands behind it is not read"), std::string::npos);
+    EXPECT_NE(reading.warnings()[0].find("'/' ends the group; what stands after it is not read"), std::string::npos);
   }
   EXPECT_EQ(read(with_in("wl=4/ note\n")).warnings(), Texts{});
   EXPECT_EQ(read(with_in("wl=4/!note\n")).warnings(), Texts{});

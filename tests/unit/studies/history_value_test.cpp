@@ -48,10 +48,10 @@ TEST(HistoryValue, MistakesAtTheirColumns) {
   EXPECT_EQ(mistake("last(time"), "5: this bracket is not closed");
   EXPECT_EQ(mistake("last time)"), "10: nothing opens this bracket");
   EXPECT_EQ(mistake(")last("), "1: nothing opens this bracket");
-  EXPECT_EQ(mistake("last(time) + 1"), "11: something stands behind the bracket");
+  EXPECT_EQ(mistake("last(time) + 1"), "11: something stands after the bracket");
   EXPECT_EQ(mistake("last()"), "6: '' is no name of a column of history.txt");
   EXPECT_EQ(mistake("last( body vx )"), "7: 'body vx' is no name of a column of history.txt");
-  EXPECT_EQ(mistake("last(max(time))"), "15: something stands behind the bracket");
+  EXPECT_EQ(mistake("last(max(time))"), "15: something stands after the bracket");
   EXPECT_EQ(mistake("last(a\"b)"), "6: 'a\"b' is no name of a column of history.txt");
 }
 

@@ -205,7 +205,7 @@ TEST(FlowDecks, BodiesStartWithTheFluid) {
   const Built built =
       channel_with_body("integrator='euler'", ",integrator='midpoint',spin(3,1)=1.,vrz=2.", {"reg.vrx=1.,0."});
   EXPECT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(warnings_of(built), (Texts{"integrator of $fem has no effect: the fluid goes by backward Euler",
+  EXPECT_EQ(warnings_of(built), (Texts{"integrator of $fem has no effect: the fluid uses backward Euler",
                                        "vrx(1) has no effect: region 1 starts with the fluid's velocity",
                                        "vrz(1) has no effect: region 1 starts with the fluid's velocity",
                                        "spin(3,1) has no effect: region 1 starts with the fluid's velocity"}));

@@ -103,7 +103,7 @@ TEST(Loads, TellOfTablesThatAreNone) {
   EXPECT_EQ(errors("load_time(1,1)=0.,load_factor(1,1)=1.,2."), Texts{"11:39: load_time(2,1) is not given"});
   EXPECT_EQ(errors("load_factor(1,1)=1."), Texts{"11:18: load_time(1,1) is not given"});
   EXPECT_EQ(errors("load_time(1,1)=1.,.5,load_factor(1,1)=1.,2."),
-            Texts{"11:19: the times of a table ascend: 0.5 is not behind 1"});
+            Texts{"11:19: the times of a table ascend: 0.5 is not after 1"});
 }
 
 TEST(Loads, TellOfNumbersWithoutASide) {
