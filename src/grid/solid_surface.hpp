@@ -15,8 +15,8 @@ namespace tether {
 /// numbers a node.
 struct SolidSurface {
   int dim = 2;
-  Sides sides;             ///< dim nodes each; in the plane the solid is to the left of an edge, in space inside of a
-                           ///< triangle whose nodes turn counter-clockwise
+  Sides sides;             ///< dim nodes each; in the plane the solid is to the left of an edge, in space below a
+                           ///< triangle whose nodes turn counter-clockwise as seen from above
   std::vector<int> sheet;  ///< of each side the connected part of the surface that it belongs to, from 0
   int sheets = 0;
   std::vector<std::uint8_t> cavity;  ///< of each sheet, whether the solid is around it

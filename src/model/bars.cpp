@@ -64,7 +64,7 @@ class StringPoints {
   std::vector<bool> pinned_;
 };
 
-/// A wall straight on after a string's end.
+/// A wall straight on from a string's end.
 struct WallAhead {
   const char* name = "";
   Wall wall = Wall::open;

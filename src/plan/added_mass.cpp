@@ -150,7 +150,7 @@ SplittingEstimate broadside(const Scene& scene, const BodyOfMesh& body) {
 }
 
 /// The surface's nodes stand for a layer of half an element; strain is over a whole one. Of masses shared equally among
-/// nodes a surface feels 1/sqrt(3) when the nodes inside of it give way, as in a chain of linear elements.
+/// nodes a surface feels 1/sqrt(3) when the nodes further in give way, as in a chain of linear elements.
 SplittingEstimate swelling(const Scene& scene, const BodyOfMesh& body) {
   const Solids& solids = *scene.solids();
   SplittingEstimate estimate;

@@ -46,7 +46,7 @@ class NetcdfFile {
   void global_attribute(const std::string& name, std::string_view text);
   /// NetCDF-4 only: one chunk of this shape is one piece of the file, written as soon as it is put.
   void chunk(int variable, const std::vector<std::size_t>& lengths);
-  /// Fills what is not put of this variable with no number, or `no_whole_number` for integers.
+  /// Fills what is not put of this variable with NaN, or with `no_whole_number` for integers.
   void fill(int variable, bool of_integers);
   void end_definitions();
 

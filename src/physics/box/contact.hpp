@@ -63,7 +63,7 @@ class Contact {
     double friction = 0;          // on it [force]
   };
   double lift(const Meeting& meeting) const;
-  /// Returns the rebound by which (5) ends on the wall.
+  /// Returns the velocity with which (5) ends on the wall.
   double rebound(const Meeting& meeting) const {
     return -meeting.before[meeting.axis] - 2 * meeting.side * meeting.gap / h_;
   }

@@ -41,8 +41,8 @@ struct CoupledSurface {
 };
 
 /// Makes the map from pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before
-/// the surface it has the pressure of the film there. With `cut`, where neither cell is thin,
-/// pressures are linear along each axis between the middles of the cells on both sides of the point.
+/// the surface it has the pressure of the film there. With `cut`, where neither cell is thin, pressures
+/// are linear along each axis between the middles of the cells on both sides of the point.
 CouplingMap map_by_pressures(Team& team, const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut,
                              std::size_t unknowns);
 

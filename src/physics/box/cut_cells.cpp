@@ -20,8 +20,8 @@ FaceBox box_of(const StaggeredGrid& grid, int axis, int i) {
   return {std::max(place - half, grid.low[at(axis)]), std::min(place + half, grid.high(axis))};
 }
 
-/// Adds to the boxes of a row what each piece of surface encloses on its inner side: the solid's section grows by -n dA
-/// there.
+/// Adds to the boxes of a row what each piece of surface encloses beyond it along the axis: the solid's section grows
+/// by -n dA there.
 void add_enclosed(const SurfacePieces& pieces, const StaggeredGrid& grid, int axis, std::vector<double>& within,
                   std::vector<double>& sections) {
   for (const SurfacePiece& piece : pieces.pieces) {

@@ -68,7 +68,7 @@ bool FilmPressures::lets_out(int axis, int end) const {
   return false;
 }
 
-/// Returns a place just inside of the piece, so that bodies which touch are not in each other.
+/// Looks at the place just inside of the piece, so that bodies which touch are not in each other.
 bool FilmPressures::is_in_another_solid(const SurfacePiece& piece) const {
   const int part = of_.surface.part[at(piece.side)];
   if (of_.surface.parts < 2) return false;

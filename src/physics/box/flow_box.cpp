@@ -187,8 +187,8 @@ void FlowBox::prescribe(const FlowDomain& domain, double time, double h, FaceVal
   }
 }
 
-/// Counts of several jets in a face those that blow in, each by its part of the face's flux, so that what they bring is
-/// theirs, whatever others take out there.
+/// Lists the smoke of jets. Of several jets in a face those that blow in count, each by its part of the face's flux, so
+/// that what they bring is theirs, whatever others take out there.
 std::vector<SmokeJet> FlowBox::smoke_of_jets(double time, double h) const {
   const std::vector<double> speeds = jet_speeds(time, h);
   std::vector<SmokeJet> jets;

@@ -114,8 +114,9 @@ EdgeFindings Strips::after_step(const BodyPoints& bodies, const Scene& scene, do
   return edges;
 }
 
-/// Returns points of strips. What a point of a strip gave to the nodes in the step is what the gas inside took from it;
-/// gravity gave some of the momentum. Then it stands where the velocity on the edge carries it.
+/// Gives points of strips back to the gas outside. What a point of a strip gave to the nodes in the step is what the
+/// gas inside took from it; gravity gave some of the momentum. Then it stands where the velocity on the edge carries
+/// it.
 void Strips::return_to_reservoir(const BodyPoints& bodies, const Scene& scene, double dt) {
   Points& P = bodies.points;
   for (const Note& note : notes_) {

@@ -14,7 +14,7 @@ inline bool waits(const PlaneElastic&, bool) { return false; }
 inline bool waits(const FiniteElastic&, bool) { return false; }
 inline bool waits(const LinearFluid&, bool) { return false; }
 inline bool waits(const Membrane&, bool) { return true; }
-/// Returns whether gas waits. Where the points stay, the gas at the nodes is known before the pass.
+/// Says whether gas waits. Where the points stay, the gas at the nodes is known before the pass.
 inline bool waits(const IdealGas& gas, bool moves) {
   return gas.rule == DensityRule::grid ? moves : gas.rule != DensityRule::continuity;
 }

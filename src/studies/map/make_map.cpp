@@ -14,7 +14,7 @@
 namespace tether::map {
 namespace {
 
-/// Reads what theory says off runs that end well; one that does not show it has none.
+/// Reads off a run what theory says; a run that failed or does not show it has none.
 double theory_of(const Map& map, const FinishedRun& run, const std::filesystem::path& out) {
   return run.failed() ? NAN : number_or_none(map.theory, published::RunFiles(run_folder(out, run.record.key)));
 }
@@ -29,7 +29,7 @@ std::vector<std::optional<std::size_t>> rows_of(const std::vector<std::optional<
   return rows;
 }
 
-/// Keeps what squares have of their own: of a map that was stopped nothing follows for squares that were not run.
+/// Keeps what squares have of runs of their own: of a map that was stopped nothing follows for the other squares.
 void keep_own(const std::vector<FinishedRun>& runs, std::vector<std::optional<std::size_t>>& decided_by) {
   for (std::size_t k = 0; k < decided_by.size(); ++k) {
     if (decided_by[k] && runs[*decided_by[k]].variant.combination != k) decided_by[k].reset();
