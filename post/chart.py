@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 
 import numpy
 
-import one_figure
+import command
 import style
 import table
 
@@ -74,9 +74,9 @@ def read(path):
     columns, _ = table.read(path)
     missing = [name for name in NEEDED if name not in columns]
     if missing:
-        raise one_figure.NothingToDraw(f"{path} is no chart: it has no {', '.join(missing)}")
+        raise command.Refused(f"{path} is no chart: it has no {', '.join(missing)}")
     if not numpy.any(columns["error"] > 0):
-        raise one_figure.NothingToDraw(f"{path}: no run has an error that a logarithm shows")
+        raise command.Refused(f"{path}: no run has an error that a logarithm shows")
     return columns
 
 
@@ -85,7 +85,7 @@ def main(words=None):
     parser.add_argument("chart", type=Path, metavar="CHART.nc", help="chart.nc of tether chart")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg next to it)")
     chosen = parser.parse_args(words)
-    return one_figure.make("chart", lambda: draw(read(chosen.chart)), chosen.out or chosen.chart.with_name("chart.svg"))
+    return command.draw("chart", lambda: draw(read(chosen.chart)), chosen.out or chosen.chart.with_name("chart.svg"))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ matplotlib.use("Agg")
 import numpy
 from matplotlib import pyplot
 
+import command
 import style
 import tether_results
 from tether_results.folder import read_exact
@@ -28,10 +29,6 @@ MOST_PANELS = 12
 LEFT_OUT = ("time", "dt")
 CONSTANT = 1e-9  # of a size: what changes by less is constant
 SPENT = ("seconds", "memory", "ns_per", "threads")  # summary keys that differ from run to run
-
-
-class NothingToCompare(Exception):
-    """The text says why."""
 
 
 @dataclass
@@ -87,7 +84,7 @@ def both_times(one, other):
     first, last = max(one["time"][0], other["time"][0]), min(one["time"][-1], other["time"][-1])
     times = fewer[(fewer >= first) & (fewer <= last)]
     if not len(times):
-        raise NothingToCompare(f"their times have nothing in common: {one['time'][0]:g} to {one['time'][-1]:g}, and "
+        raise command.Refused(f"their times have nothing in common: {one['time'][0]:g} to {one['time'][-1]:g}, and "
                                f"{other['time'][0]:g} to {other['time'][-1]:g}")
     return times
 
@@ -97,14 +94,14 @@ def differences(one, other, chosen=()):
     shared = [name for name in one if name in other and name not in LEFT_OUT]
     missing = [name for name in chosen if name not in shared]
     if missing or not shared:
-        raise NothingToCompare(f"no column {', '.join(missing)} in both; both have {', '.join(shared) or 'none'}")
+        raise command.Refused(f"no column {', '.join(missing)} in both; both have {', '.join(shared) or 'none'}")
     times, found = both_times(one, other), []
     for name in chosen or shared:
         curves = [numpy.interp(times, side["time"], side[name]) for side in (one, other)]
         if numpy.isfinite(curves[0] - curves[1]).any():
             found.append(Difference(name, times, *curves))
     if not found:
-        raise NothingToCompare("no column of both has a number in it")
+        raise command.Refused("no column of both has a number in it")
     return found
 
 
@@ -168,24 +165,18 @@ def write(found, run, chosen, folder):
     yield folder / "compare.png"
 
 
+def compare(chosen):
+    """Yields the table of what differs, and the paths of both files."""
+    run = tether_results.open(chosen.one)
+    found = differences(columns_of(chosen.one), columns_of(chosen.other), chosen.column)
+    keys = summary_differences(run.summary, tether_results.open(chosen.other).summary) if chosen.other.is_dir() else []
+    yield text_of(found, keys)
+    yield from write(found, run, chosen, chosen.out or chosen.one)
+
+
 def main(words=None):
     chosen = arguments(words)
-    style.use()
-    try:
-        run = tether_results.open(chosen.one)
-        found = differences(columns_of(chosen.one), columns_of(chosen.other), chosen.column)
-        keys = summary_differences(run.summary, tether_results.open(chosen.other).summary) if chosen.other.is_dir() else []
-    except (tether_results.NotARun, NothingToCompare) as mistake:
-        print(f"compare: {mistake}", file=sys.stderr)
-        return 2
-    print(text_of(found, keys))
-    try:
-        for path in write(found, run, chosen, chosen.out or chosen.one):
-            print(path)
-    except OSError as reason:
-        print(f"compare: {reason}", file=sys.stderr)
-        return 4
-    return 0
+    return command.run("compare", lambda: compare(chosen))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ It is an .mp4 where ffmpeg is at hand, else, or with --gif, a .gif, and has the 
 one scale and in one frame. Exit codes: 0 done, 2 DIR is no run or has no snapshots, 4 the film could not be written.
 """
 import argparse
-import subprocess
 import sys
 from pathlib import Path
 
@@ -17,7 +16,7 @@ matplotlib.use("Agg")
 import numpy
 from matplotlib import animation, pyplot
 
-import style
+import command
 import tether_results
 from scene import choose
 
@@ -78,36 +77,30 @@ def make(scene, records, path):
     scene.explain(sheet)
     rate = rate_of(len(records))
     repeats = max(1, int(numpy.ceil(LEAST_SECONDS * rate / len(records))))
-    film = writer_of(path, rate)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with film.saving(sheet.figure, path, dpi=DOTS):
+    joined = writer_of(path, rate)
+    with joined.saving(sheet.figure, path, dpi=DOTS):
         for record in records:
             sheet.panels[0].clear()
             scene.draw(sheet.panels[0], record)
             for _ in range(repeats):
-                film.grab_frame()
+                joined.grab_frame()
     pyplot.close(sheet.figure)
+
+
+def film(chosen):
+    """Makes the film of a run and yields its path."""
+    run = tether_results.open(chosen.folder)
+    scene = choose.needed_scene(run, chosen.field)
+
+    def write(path):
+        path.touch()  # before pictures are made for what cannot be written
+        make(scene, records_of(run, scene, chosen.frames), path)
+    return command.save(path_of(chosen), write)
 
 
 def main(words=None):
     chosen = arguments(words)
-    style.use()
-    try:
-        run = tether_results.open(chosen.folder)
-        scene = choose.needed_scene(run, chosen.field)
-    except (tether_results.NotARun, choose.NoSuchField) as mistake:
-        print(f"film: {mistake}", file=sys.stderr)
-        return 2
-    path = path_of(chosen)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.touch()
-        make(scene, records_of(run, scene, chosen.frames), path)
-    except (OSError, subprocess.CalledProcessError) as reason:
-        print(f"film: {reason}", file=sys.stderr)
-        return 4
-    print(path)
-    return 0
+    return command.run("film", lambda: film(chosen))
 
 
 if __name__ == "__main__":

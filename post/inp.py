@@ -14,6 +14,8 @@ from pathlib import Path
 
 import numpy
 
+import command
+
 # meshio's name of a cell: its dimension, Gmsh's number of it, and its sides by its nodes with Gmsh's number of those.
 CELLS = {
     "triangle": (2, 2, ((0, 1), (1, 2), (2, 0)), 1),
@@ -21,10 +23,6 @@ CELLS = {
     "tetra": (3, 4, ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)), 2),
     "hexahedron": (3, 5, ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)), 3),
 }
-
-
-class NotAMesh(Exception):
-    """The text says what is wrong with the file."""
 
 
 def arguments(words):
@@ -39,13 +37,13 @@ def read(path):
     try:
         import meshio
     except ImportError as reason:
-        raise NotAMesh("meshio is not installed: apt install python3-meshio") from reason
+        raise command.Refused("meshio is not installed: apt install python3-meshio") from reason
     if not path.is_file():
-        raise NotAMesh(f"{path}: there is no such file")
+        raise command.Refused(f"{path}: there is no such file")
     try:
         return meshio.read(path, file_format="abaqus")
     except (SystemExit, Exception) as reason:  # meshio ends the process where it cannot read a file
-        raise NotAMesh(f"{path}: meshio cannot read it: {reason}") from reason
+        raise command.Refused(f"{path}: meshio cannot read it: {reason}") from reason
 
 
 def bodies_of(mesh):
@@ -53,7 +51,7 @@ def bodies_of(mesh):
     known = [(k, block) for k, block in enumerate(mesh.cells) if block.type in CELLS]
     if not known:
         names = sorted({block.type for block in mesh.cells})
-        raise NotAMesh(f"there are no 3- or 4-node elements in the plane, or 4- or 8-node ones in space, but {names}")
+        raise command.Refused(f"there are no 3- or 4-node elements in the plane, or 4- or 8-node ones in space, but {names}")
     dimension = max(CELLS[block.type][0] for _, block in known)
     return dimension, [(k, block) for k, block in known if CELLS[block.type][0] == dimension]
 
@@ -132,21 +130,17 @@ def mesh_text(mesh, first):
     return "\n".join(lines + ["$EndElements", ""]), groups
 
 
+def convert(chosen):
+    """Writes the mesh file and yields a line with its groups."""
+    out = chosen.out or chosen.file.with_suffix(".msh")
+    text, groups = mesh_text(read(chosen.file), first_sets(chosen.file))
+    out.write_text(text)
+    yield f"{out}: " + ", ".join(f"{'side' if dim < groups[0][0] else 'region'} '{name}'" for dim, name in groups)
+
+
 def main(words=None):
     chosen = arguments(words)
-    out = chosen.out or chosen.file.with_suffix(".msh")
-    try:
-        text, groups = mesh_text(read(chosen.file), first_sets(chosen.file))
-    except NotAMesh as mistake:
-        print(f"inp: {mistake}", file=sys.stderr)
-        return 2
-    try:
-        out.write_text(text)
-    except OSError as reason:
-        print(f"inp: {reason}", file=sys.stderr)
-        return 4
-    print(f"{out}: " + ", ".join(f"{'side' if dim < groups[0][0] else 'region'} '{name}'" for dim, name in groups))
-    return 0
+    return command.run("inp", lambda: convert(chosen))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
-import one_figure
+import command
 import tether_results
 import style
 import table
@@ -146,7 +146,7 @@ def draw(columns, meaning):
     names = axes_of(columns)
     bisected = "largest_holding" in columns
     if bisected and not names:
-        raise one_figure.NothingToDraw("the map has one square: there is nothing to draw")
+        raise command.Refused("the map has one square: there is nothing to draw")
     decks = columns.get("deck", numpy.full(len(columns["verdict"]), ""))
     count = len(set(decks.tolist()))
     figure, panels = style.panels(count, min(count, 2), width=5.4, height=3.6)
@@ -170,7 +170,7 @@ def read(path):
     """The columns, and what is bisected."""
     columns, _ = table.read(path)
     if "verdict" not in columns or not ({"own_run", "largest_holding"} & set(columns)):
-        raise one_figure.NothingToDraw(f"{path} is no map of tether map")
+        raise command.Refused(f"{path} is no map of tether map")
     with tether_results.open_dataset(path) as data:
         meaning = getattr(data.variables.get("largest_holding"), "long_name", "")
     return columns, meaning
@@ -181,7 +181,7 @@ def main(words=None):
     parser.add_argument("map", type=Path, metavar="MAP.nc", help="map.nc of tether map")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: map.svg next to it)")
     chosen = parser.parse_args(words)
-    return one_figure.make("map", lambda: draw(*read(chosen.map)), chosen.out or chosen.map.with_name("map.svg"))
+    return command.draw("map", lambda: draw(*read(chosen.map)), chosen.out or chosen.map.with_name("map.svg"))
 
 
 if __name__ == "__main__":

@@ -13,9 +13,9 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+import command
 import tether_results
 from run_page import document
-from scene import choose
 
 
 def arguments(words):
@@ -26,22 +26,15 @@ def arguments(words):
     return parser.parse_args(words)
 
 
+def page(chosen):
+    """Makes the page of a run and yields its path."""
+    text = document.page(tether_results.open(chosen.folder), chosen.field)
+    return command.save(chosen.out or chosen.folder / "page.html", lambda path: path.write_text(text, encoding="utf-8"))
+
+
 def main(words=None):
     chosen = arguments(words)
-    path = chosen.out or chosen.folder / "page.html"
-    try:
-        text = document.page(tether_results.open(chosen.folder), chosen.field)
-    except (tether_results.NotARun, choose.NoSuchField) as mistake:
-        print(f"page: {mistake}", file=sys.stderr)
-        return 2
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    except OSError as reason:
-        print(f"page: {reason}", file=sys.stderr)
-        return 4
-    print(path)
-    return 0
+    return command.run("page", lambda: page(chosen))
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot
 
-import style
+import command
 import tether_results
 from scene import choose, profiles
 
@@ -53,23 +53,18 @@ def save_all(run, chosen):
         yield folder / f"{name}.png"
 
 
-def main(words=None):
-    chosen = arguments(words)
-    style.use()
-    try:
-        run = tether_results.open(chosen.folder)
-        for path in save_all(run, chosen):
-            print(path)
-    except (tether_results.NotARun, choose.NoSuchField) as mistake:
-        print(f"plot: {mistake}", file=sys.stderr)
-        return 2
-    except OSError as reason:
-        print(f"plot: {reason}", file=sys.stderr)
-        return 4
+def pictures(chosen):
+    """Draws the run and yields the paths, and where there are no snapshots the switch that writes them."""
+    run = tether_results.open(chosen.folder)
+    yield from save_all(run, chosen)
     kind = choose.kind_of(run)
     if not run.has(kind.fields):
-        print(f"no snapshots: {kind.switch}")
-    return 0
+        yield f"no snapshots: {kind.switch}"
+
+
+def main(words=None):
+    chosen = arguments(words)
+    return command.run("plot", lambda: pictures(chosen))
 
 
 if __name__ == "__main__":

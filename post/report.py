@@ -22,8 +22,8 @@ matplotlib.use("Agg")
 from matplotlib import pyplot
 
 import chart
+import command
 import map as stability_map
-import one_figure
 import tether_results
 import style
 
@@ -39,7 +39,7 @@ def drawn(path, draw):
     text = io.BytesIO()
     try:
         figure = draw()
-    except one_figure.NothingToDraw as reason:
+    except command.Refused as reason:
         return f"<p>{html.escape(str(reason))}</p>"  # the report and the numbers are there all the same
     figure.savefig(text, format="svg")
     pyplot.close(figure)
@@ -63,18 +63,18 @@ def section(folder, link):
     """What a folder of a chart or a map has to show."""
     kind = next((kind for kind in ("chart", "map") if (folder / f"{kind}.nc").is_file()), None)
     if kind is None:
-        raise one_figure.NothingToDraw(f"{folder} has no chart.nc and no map.nc: give a folder of tether chart or tether map")
+        raise command.Refused(f"{folder} has no chart.nc and no map.nc: give a folder of tether chart or tether map")
     path = folder / f"{kind}.nc"
     figure = (lambda: chart.draw(chart.read(path))) if kind == "chart" else (lambda: stability_map.draw(*stability_map.read(path)))
     with tether_results.open_dataset(path) as data:
-        title, command, deck = data.title, data.history, data.deck
+        title, typed, deck = data.title, data.history, data.deck
         version = f"{data.program}, {data.git_hash}"
     parts = [f"<h2 id=\"{link}\">{html.escape(folder.resolve().name)} ({kind})</h2>", f"<p>{html.escape(title)}</p>", drawn(path, figure)]
     report = folder / f"{kind}.txt"
     if report.is_file():
         parts.append(f"<pre>{html.escape(report.read_text(encoding='utf-8'))}</pre>")
     parts += [folded("Numbers", rows_of(folder / f"{kind}.csv")), folded("Study deck", f"<pre>{html.escape(deck)}</pre>"),
-              f"<p>Command: <code>{html.escape(command)}</code><br>Program: {html.escape(version)}</p>"]
+              f"<p>Command: <code>{html.escape(typed)}</code><br>Program: {html.escape(version)}</p>"]
     return "\n".join(parts)
 
 
@@ -97,24 +97,25 @@ def page(folders):
 """
 
 
+def page_of(folders):
+    """The page. Raises Refused where a folder cannot be read."""
+    try:
+        return page(folders)
+    except OSError as reason:
+        raise command.Refused(reason) from reason
+
+
+def save(chosen):
+    text = page_of(chosen.folders)
+    return command.save(chosen.out, lambda path: path.write_text(text, encoding="utf-8"))
+
+
 def main(words=None):
     parser = argparse.ArgumentParser(description="Makes one HTML page of charts and maps.")
     parser.add_argument("folders", type=Path, nargs="+", metavar="DIR", help="folder of a chart or of a map")
     parser.add_argument("--out", type=Path, default=Path("out/report.html"), metavar="FILE.html", help="the page (default: out/report.html)")
     chosen = parser.parse_args(words)
-    try:
-        text = page(chosen.folders)
-    except (tether_results.NotARun, one_figure.NothingToDraw, OSError) as mistake:
-        print(f"report: {mistake}", file=sys.stderr)
-        return 2
-    try:
-        chosen.out.parent.mkdir(parents=True, exist_ok=True)
-        chosen.out.write_text(text, encoding="utf-8")
-    except OSError as reason:
-        print(f"report: {reason}", file=sys.stderr)
-        return 4
-    print(chosen.out)
-    return 0
+    return command.run("report", lambda: save(chosen))
 
 
 if __name__ == "__main__":

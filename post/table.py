@@ -16,10 +16,9 @@ import netCDF4
 import numpy
 from matplotlib import pyplot
 
-import one_figure
+import command
 import tether_results
 import style
-from one_figure import NothingToDraw
 
 
 def arguments(words):
@@ -37,7 +36,7 @@ def read(path):
     """Columns of the table by name, and the units of those that have some."""
     columns, units = {}, {}
     if path.suffix != ".nc":
-        raise NothingToDraw(f"{path} is no table: give the sweep's table.nc or outcome.nc")
+        raise command.Refused(f"{path} is no table: give the sweep's table.nc or outcome.nc")
     with tether_results.open_dataset(path) as data:
         for name, variable in data.variables.items():
             if variable.dtype == "S1":
@@ -50,9 +49,9 @@ def read(path):
 
 def column(columns, name, of_numbers=True):
     if name not in columns:
-        raise NothingToDraw(f"no column {name}; there are {', '.join(columns)}")
+        raise command.Refused(f"no column {name}; there are {', '.join(columns)}")
     if of_numbers and columns[name].dtype.kind != "f":
-        raise NothingToDraw(f"column {name} holds no numbers")
+        raise command.Refused(f"column {name} holds no numbers")
     return columns[name]
 
 
@@ -64,7 +63,7 @@ def lines(columns, chosen):
     """(label, x, y) of each line along x: a row without either number is left out."""
     x, y = column(columns, chosen.x), column(columns, chosen.y)
     if not numpy.any(numpy.isfinite(x) & numpy.isfinite(y)):
-        raise NothingToDraw(f"no row has both {chosen.x} and {chosen.y}")
+        raise command.Refused(f"no row has both {chosen.x} and {chosen.y}")
     keys = column(columns, chosen.by, of_numbers=False) if chosen.by else numpy.full(len(x), "")
     for key in dict.fromkeys(keys.tolist()):  # in the order of the table
         rows = numpy.flatnonzero((keys == key) & numpy.isfinite(x) & numpy.isfinite(y))
@@ -91,7 +90,7 @@ def draw(columns, units, chosen):
 def main(words=None):
     chosen = arguments(words)
     path = chosen.out or chosen.table.with_name(f"{chosen.y}-over-{chosen.x}.png")
-    return one_figure.make("table", lambda: draw(*read(chosen.table), chosen), path)
+    return command.draw("table", lambda: draw(*read(chosen.table), chosen), path)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ std::string warnings_text(const std::string& name, const Loaded& loaded) {
   return text;
 }
 
-/// Writes the remarks. What does no harm is one line, so that it hides no warning; `where` says who reports all of it.
+/// One line for all remarks, so that what does no harm hides no warning; `where` says who reports them in full.
 std::string remarks_text(const std::string& name, const Loaded& loaded, const std::string& where) {
   const auto count = loaded.remarks.size();
   return count == 0 ? "" : fmt::format("{}: {} remark{} {}\n", name, count, count == 1 ? "" : "s", where);

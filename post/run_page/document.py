@@ -12,7 +12,7 @@ from scene import choose
 
 HERE = Path(__file__).parent
 MOST_BYTES = 3_000_000  # of all snapshots, and of the history
-MOST_SNAPSHOTS = 200
+MOST_SNAPSHOTS, MOST_PICTURES = 200, 50  # in the plane; in space, where each takes a second or two
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"  # nothing from elsewhere
 CHART = 'width="760" height="300" tabindex="0" role="img"'
 
@@ -37,14 +37,15 @@ def scene_data(run, name=None):
         return None
     everything = range(len(scene.times))
     scene.fit([everything[k] for k in thinned(len(everything), 40)])
-    parts = Maker(scene).parts()
+    maker = Maker(scene)
+    parts = maker.parts()
     a_snapshot = max(1, sum(size_of(part.at(everything[-1])) for part in parts))
-    records = thinned(len(everything), min(MOST_SNAPSHOTS, max(2, MOST_BYTES // a_snapshot)))
+    records = thinned(len(everything), min(MOST_PICTURES if maker.in_space else MOST_SNAPSHOTS, max(2, MOST_BYTES // a_snapshot)))
     drawn = [{"draw": part.draw, "fixed": part.fixed, "frames": [part.at(record) for record in records]} for part in parts]
     return {"parts": drawn, "times": [float(scene.times[record]) for record in records], "records": records,
             "aspect": scene.aspect, "limits": [float(bound) for bound in scene.limits], "unit": scene.unit,
             "left_out": len(everything) - len(records), "first": len(records) - 1 if choose.is_steady(run) else 0,
-            "note": " ".join([scene.stretched(), *(part.note for part in parts)]).strip(), "scales": scales_of(scene)}
+            "note": scene.stretched(), "scales": scales_of(scene)}
 
 
 def scales_of(scene):

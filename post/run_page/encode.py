@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of a scene as few bytes, and texts that no deck can break a page with."""
 import base64
+import io
 import json
 
 import numpy
+from matplotlib import pyplot
 
 STEPS, NOWHERE = 65534, 65535  # places are whole numbers from 0 to STEPS over the frame; NOWHERE is a NaN
+QUALITY = 85  # of pictures, of 100
 SHADES, NOTHING = 254, 255  # numbers of a scale are from 0 to SHADES; NOTHING is a NaN
 
 
@@ -33,6 +36,13 @@ def places(points, limits):
 def shades(values, scale):
     """Numbers as places on a scale of colours, as text."""
     return text_of(whole(values, scale.low, scale.high, SHADES, NOTHING, numpy.uint8))
+
+
+def jpeg_of(image):
+    """A picture, colours from 0 to 1, as text."""
+    file = io.BytesIO()
+    pyplot.imsave(file, image, format="jpeg", pil_kwargs={"quality": QUALITY})
+    return base64.b64encode(file.getvalue()).decode()
 
 
 def colours_of(scale):

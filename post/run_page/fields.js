@@ -49,6 +49,7 @@ class FieldView {
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     this.context.fillStyle = "#ffffff";
     this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    this.number = number;
     let shapes = 0;
     this.scene.parts.forEach(part => { shapes += this[part.draw]({...part.fixed, ...part.frames[number]}); });
     this.canvas.dataset.shapes = shapes;
@@ -93,20 +94,14 @@ class FieldView {
     return nodes.length / 3;
   }
 
-  polygons(part) {
-    const places = this.pixels(part.xy), colours = unpack(part.c, Uint8Array), context = this.context, corners = part.corners;
-    context.strokeStyle = "rgba(40,40,40,.6)";
-    context.lineWidth = 0.6;
-    const count = colours.length / 3;
-    for (let k = 0; k < count; k++) {
-      context.fillStyle = `rgb(${colours[3 * k]},${colours[3 * k + 1]},${colours[3 * k + 2]})`;
-      context.beginPath();
-      for (let corner = 0; corner < corners; corner++) context.lineTo(places[2 * (k * corners + corner)], places[2 * (k * corners + corner) + 1]);
-      context.closePath();
-      context.fill();
-      context.stroke();
-    }
-    return count;
+  // A whole picture, which is there a moment later; a newer snapshot may have come by then.
+  image(part) {
+    const picture = new Image(), record = this.number, [left, bottom, right, top] = this.pixels(part.xy);
+    picture.onload = () => {
+      if (this.number === record) this.context.drawImage(picture, left, top, right - left, bottom - top);
+    };
+    picture.src = "data:image/jpeg;base64," + part.jpeg;
+    return 1;
   }
 
   points(part) {

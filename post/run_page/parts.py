@@ -10,7 +10,7 @@ from matplotlib import colors
 
 import style
 from run_page import encode
-from scene import bars, box, elements, flow, points, quantities, space, topology
+from scene import bars, box, elements, flow, points, quantities, topology
 
 
 @dataclass
@@ -18,7 +18,6 @@ class Part:
     draw: str  # the function of fields.js
     fixed: dict
     at: Callable
-    note: str = ""
 
 
 class Maker:
@@ -30,8 +29,19 @@ class Maker:
                       flow.Flow: self.of_flow, box.BoxLayer: self.of_box}
 
     def parts(self):
-        """The parts of all layers, those below first."""
+        """The parts of all layers, those below first; of a scene in space pictures."""
+        if self.in_space:
+            return [self.pictures(self.scene.layers[0])]
         return [part for layer in self.scene.layers for part in self.kinds[type(layer)](layer)]
+
+    @property
+    def in_space(self):
+        return self.scene.layers[0].fields.dimension == 3
+
+    def pictures(self, layer):
+        """What plot.py draws of each snapshot."""
+        right, top = layer.limits([])[1::2]
+        return Part("image", {"xy": self.places([(0, 0), (right, top)])}, lambda record: {"jpeg": encode.jpeg_of(layer.image(record))})
 
     def places(self, found):
         return encode.places(found, self.scene.limits)
@@ -75,8 +85,6 @@ class Maker:
         return [Part("lines", {"colour": style.OURS[0], "width": 3}, lambda record: self.lines([layer.fields.places(record)]))]
 
     def of_elements(self, layer):
-        if layer.dimension == 3:
-            return [self.faces(layer)]
         start = Part("edges", {"colour": "#a6a6a6", "xy": self.places(layer.fields.start), "e": self.numbers(layer.outline)},
                      lambda record: {})
         outline = Part("edges", {"colour": "#262626", "e": self.numbers(layer.outline)},
@@ -96,20 +104,6 @@ class Maker:
         fixed = {"t": self.numbers(topology.triangles(layer.elements)), "scale": self.number_of(scale) if scale else -1}
         return Part("triangles", fixed | {"colour": colors.to_hex(style.RIGID_MAP(0.0))}, at)
 
-    def faces(self, layer, picture=space.flat):
-        """Bodies in space as polygons from the back to the front, each with its own colour."""
-        def at(record):
-            places, values = layer.fields.places(record), layer.values(record)
-            corners = places[layer.faces]
-            shown = numpy.tile(style.RIGID_MAP(0.0), (len(corners), 1)) if values is None else \
-                layer.scales[0].rgba(numpy.nan_to_num(values[layer.faces].mean(axis=1)))
-            flat, depth = picture(corners)
-            turned = numpy.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]) > 0
-            order = numpy.flatnonzero(turned)[numpy.argsort(depth[turned].mean(axis=1))]
-            shown = space.shaded(shown[order], space.normals(corners[order]))
-            return {"xy": self.places(flat[order]), "c": encode.text_of(numpy.rint(255 * shown[:, :3]).astype(numpy.uint8))}
-        return Part("polygons", {"corners": int(layer.faces.shape[1])}, at)
-
     def of_flow(self, layer):
         """Triangles of the mesh, streamlines and walls."""
         mesh = layer.mesh
@@ -124,32 +118,25 @@ class Maker:
         return [field, lines, walls]
 
     def of_box(self, layer):
-        """Cells, obstacles among them, and bodies; in space those of the middle layer, and bodies from the front."""
+        """Cells, obstacles among them, and bodies."""
         found, bodies = [self.cells(layer)], layer.scene.bodies
         if bodies:
             shown = elements.Elements(bodies, "energy density")
             shown.scales = [layer.scene.energy]
-            parts = [self.faces(shown, from_front)] if layer.scene.dim == 3 else self.of_elements(shown)
-            found += [at_times(part, bodies, layer.times) for part in parts]
+            found += [at_times(part, bodies, layer.times) for part in self.of_elements(shown)]
         return found
 
     def cells(self, layer):
         edges = layer.scene.box.edges
-        middle = (layer.scene.shape[0] // 2,) if layer.scene.dim == 3 else ()
 
         def at(record):
             cells = layer.fields.at(record)
-            kind, values = cells["kind"][middle], quantities.value_of(cells, layer.name)[middle]
+            kind, values = cells["kind"], quantities.value_of(cells, layer.name)
             return {"v": encode.shades(numpy.where(kind == box.FLUID, values, numpy.nan), layer.scale),
                     "o": encode.text_of((kind == box.OBSTACLE).astype(numpy.uint8))}
         corners = self.places([(edges["x"][0], edges["y"][0]), (edges["x"][-1], edges["y"][-1])])
         fixed = {"nx": len(edges["x"]) - 1, "ny": len(edges["y"]) - 1, "xy": corners, "scale": self.number_of(layer.scale)}
-        return Part("cells", fixed, at, "Of cells the middle layer is shown, bodies from the front." if middle else "")
-
-
-def from_front(corners):
-    """Faces as seen along z."""
-    return corners[..., :2], corners[..., 2]
+        return Part("cells", fixed, at)
 
 
 def at_times(part, fields, times):

@@ -4,7 +4,7 @@ import numpy
 from matplotlib import colors, patches
 
 import style
-from scene import box_in_space, elements, quantities
+from scene import box_in_space, elements, in_space, quantities
 
 FLUID, SOLID, OBSTACLE, VOID = 0, 1, 2, 3  # kinds of cells
 MOST = 98.0  # per cent of the bodies' energy densities of the run: those beyond are drawn as that one
@@ -52,15 +52,17 @@ class BoxScene:
     def limits(self):
         """Of the picture; in space in its pixels."""
         if self.dim == 3:
-            return 0, self.in_space.pixels[0], 0, self.in_space.pixels[1]
+            return self.in_space.limits
         return tuple(float(self.box.edges[axis][end]) for axis in "xy" for end in (0, -1))
 
     def draw(self, axes, record, name, scale):
         """The field, obstacles and bodies."""
         axes.set_aspect("equal")
         axes.grid(False)
-        drawn = self.draw_plane if self.dim == 2 else self.draw_space
-        drawn(axes, record, name, scale)
+        if self.dim == 3:
+            self.in_space.show(axes, self.image(record, name, scale))
+        else:
+            self.draw_plane(axes, record, name, scale)
 
     def draw_plane(self, axes, record, name, scale):
         cells = self.fluid.at(record)
@@ -74,12 +76,11 @@ class BoxScene:
             bodies.scales = [self.energy]
             bodies.draw(axes, self.bodies.record(float(self.times[record])))
 
-    def draw_space(self, axes, record, name, scale):
-        """A picture with light and shadows, the field as smoke."""
+    def image(self, record, name, scale):
+        """The picture of a box in space."""
         cells = self.fluid.at(record)
         share = numpy.nan_to_num(quantities.value_of(cells, name)) / scale.high
-        picture = self.in_space.draw(cells["kind"], abs(share), self.surfaces(record), scale.colours, name == "speed")
-        axes.imshow(picture, extent=self.limits(), interpolation="antialiased", zorder=1)
+        return self.in_space.draw(cells["kind"], abs(share), self.surfaces(record), scale.colours, name == "speed")
 
     def surfaces(self, record):
         """The bodies at that time, coloured by their energy density."""
@@ -89,7 +90,8 @@ class BoxScene:
         places = numpy.stack([values[part] for part in "xyz"], axis=1)
         if not numpy.isfinite(places).all():
             return []
-        return [box_in_space.surface_of(places, self.faces, numpy.nan_to_num(values["energy_density"]), self.energy)]
+        colours = self.energy.rgba(numpy.nan_to_num(values["energy_density"]))[:, :3]
+        return [in_space.surface_of(places, self.faces, colours)]
 
 
 def has_smoke(fluid):
@@ -129,6 +131,10 @@ class BoxLayer:
 
     def draw(self, axes, record):
         self.scene.draw(axes, record, self.name, self.scale)
+
+    def image(self, record):
+        """The picture of a box in space."""
+        return self.scene.image(record, self.name, self.scale)
 
     @property
     def handles(self):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy
 
+import command
 import tether_results
 from scene import histories, last_values, quantities
 from scene.bars import Bars
@@ -18,10 +19,6 @@ from scene.points import Points
 LONGEST_TITLE = 140
 SENTENCE_ENDS = r"(?<!Fig)(?<!Figs)[.;] "
 MESHES, POINTS = "iout(39)=1 and tiout(39)=TIME write mesh.nc", "iout(13)=1 and tiout(13)=TIME write particles.nc"
-
-
-class NoSuchField(Exception):
-    """The text says which fields there are."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +105,7 @@ def scene_of(run, name=None):
         return None
     known = known_fields(run.fields(kind.fields))
     if name and name not in known:
-        raise NoSuchField(f"{run.folder}: no field {name}; there are {', '.join(known)}")
+        raise command.Refused(f"{run.folder}: no field {name}; there are {', '.join(known)}")
     layers = [layer for make in kind.layers if (layer := make(run, name)) is not None]
     return Scene(layers, title_of(run), kind.note)
 

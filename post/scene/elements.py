@@ -4,7 +4,7 @@ import numpy
 from matplotlib import collections, patches, tri
 
 import style
-from scene import quantities, space, topology
+from scene import in_space, quantities, topology
 
 CHOICES = ("von Mises stress", "energy density", "stress")
 
@@ -24,21 +24,23 @@ class Elements:
         """The quantity at the nodes, None for bodies without one, which are rigid."""
         return quantities.value_of(self.fields.at(record), self.name) if self.name else None
 
-    def picture(self, places):
-        return places if self.dimension == 2 else space.flat(places)[0]
-
     def limits(self, records):
-        everywhere = [self.fields.start] if self.dimension == 2 else []
-        everywhere += [self.fields.places(record) for record in records]
-        return quantities.largest(quantities.limits_of(self.picture(places)) for places in everywhere)
+        """Of the picture; in space those of the room that fit() has made."""
+        if self.dimension == 3:
+            return self.room.limits
+        everywhere = [self.fields.start, *(self.fields.places(record) for record in records)]
+        return quantities.largest(quantities.limits_of(places) for places in everywhere)
 
     def fit(self, records):
+        if self.dimension == 3:
+            places = numpy.concatenate([self.fields.start, *(self.fields.places(record) for record in records)])
+            self.room = in_space.Room(*in_space.room_around(places[numpy.isfinite(places).all(axis=1)]))
         for scale in self.scales:
             scale.fit([self.values(record) for record in records])
 
     def draw(self, axes, record):
         if self.dimension == 3:
-            self.draw_space(axes, record)
+            self.room.show(axes, self.image(record))
         else:
             self.draw_plane(axes, record)
 
@@ -55,14 +57,16 @@ class Elements:
                            shading="gouraud", zorder=3)
         axes.add_collection(collections.LineCollection(places[self.outline], **style.OUTLINE))
 
-    def draw_space(self, axes, record):
+    def image(self, record):
+        """The picture of bodies in space."""
         places, values = self.fields.places(record), self.values(record)
+        if not numpy.isfinite(places).all():
+            return self.room.picture.draw([])
         if values is None:
-            colours = numpy.tile(style.RIGID_MAP(0.0), (len(self.faces), 1))
+            colours = numpy.tile(style.RIGID_MAP(0.0), (len(places), 1))
         else:
-            colours = self.scales[0].rgba(numpy.nan_to_num(values[self.faces].mean(axis=1)))
-        space.draw_faces(axes, places, self.faces, colours)
-        space.draw_triad(axes)
+            colours = self.scales[0].rgba(numpy.nan_to_num(values))
+        return self.room.picture.draw([in_space.surface_of(places, self.faces, colours[:, :3])])
 
     @property
     def handles(self):

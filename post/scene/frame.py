@@ -77,7 +77,7 @@ class Scene:
     def label_axes(self, axes):
         layer = self.layers[0]
         if layer.fields.dimension == 3:
-            axes.set_xticks([])  # places are seen aslant
+            axes.set_xticks([])  # the axes count the pixels of a picture
             axes.set_yticks([])
             return
         for set_label, name in zip((axes.set_xlabel, axes.set_ylabel), layer.axes_names):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The gas of the last snapshot along x, over the exact solution at its time."""
-import numpy
 
 import style
 

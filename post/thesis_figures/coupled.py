@@ -38,7 +38,7 @@ def note_of(layer):
     """What a reader must know of a picture in space."""
     if layer.scene.dim == 2:
         return ""
-    return f"Seen aslant; darker where there is more of the {'smoke' if layer.name == 'smoke' else 'speed'} in the way."
+    return "Bodies are drawn clear, so that the speed inside is seen." if layer.name == "speed" else ""
 
 
 def frames(runs, deck):

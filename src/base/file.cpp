@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <array>
@@ -83,6 +84,15 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   if (!file) fail(path, "cannot be opened for writing");
   if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) fail(path, "cannot be written");
   if (std::fclose(file.release()) != 0) fail(path, "cannot be written");
+}
+
+int claim_room(int file, std::size_t bytes) {
+  struct stat status {};
+  struct rlimit limit {};
+  if (::fstat(file, &status) != 0 || ::getrlimit(RLIMIT_FSIZE, &limit) != 0) return errno;
+  if (limit.rlim_cur != RLIM_INFINITY && static_cast<rlim_t>(status.st_size) + bytes > limit.rlim_cur) return EFBIG;
+  const int refused = ::fallocate(file, FALLOC_FL_KEEP_SIZE, status.st_size, static_cast<off_t>(bytes));
+  return refused == 0 || errno == EOPNOTSUPP ? 0 : errno;
 }
 
 void put_in_place(const std::filesystem::path& fresh, const std::filesystem::path& path) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -17,6 +18,11 @@ void refuse_irregular_file(const std::filesystem::path& path);
 
 /// Writes the whole text and checks every step, the close included. Throws FileError.
 void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Sets so many bytes aside after the end of an open file, whose length stays: a full disk is met before anything is
+/// written. Returns 0, or the system's reason why the file cannot grow by that. File systems that cannot set bytes
+/// aside are left alone: the write itself will report it.
+int claim_room(int file, std::size_t bytes);
 
 /// Renames a finished file to `path`, in place of one that is there, so that not even a power cut leaves anything but
 /// the old file or the whole new one: the disk has the file before the name, and the name before this returns. Throws

@@ -9,15 +9,10 @@ namespace {
 /// Nodes of the elements, element by element: as many as `count` in VTK's order.
 FixedNumbers nodes_of_elements(const Mesh& mesh, const char* name, const char* axis, std::size_t count,
                                const char* meaning) {
-  const std::vector<int> order = vtk_order(mesh.kind);
-  std::vector<double> nodes;
-  nodes.reserve(mesh.element_count() * count);
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (std::size_t a = 0; a < count; ++a) nodes.push_back(mesh.element(e)[order[a]]);
-  }
+  const auto nodes = nodes_in_vtk_order(mesh, count);
   return {name,
           {{"element", mesh.element_count()}, {axis, count}},
-          std::move(nodes),
+          {nodes.begin(), nodes.end()},
           {{"start_index", 0}, {"long_name", meaning}}};
 }
 

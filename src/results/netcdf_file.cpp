@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <array>
 #include <cerrno>
@@ -29,22 +27,11 @@ void check_size(const NetcdfFile::Part& part, std::size_t given) {
   if (given != wanted) throw std::invalid_argument(fmt::format("{} values for a part of {}", given, wanted));
 }
 
-/// 0, or why the file cannot grow by so many bytes. The blocks are set aside after its end; its length stays. File
-/// systems that cannot set blocks aside are left alone: the write itself will report it.
-int claim_blocks(int file, std::size_t bytes) {
-  struct stat status {};
-  struct rlimit limit {};
-  if (::fstat(file, &status) != 0 || ::getrlimit(RLIMIT_FSIZE, &limit) != 0) return errno;
-  if (limit.rlim_cur != RLIM_INFINITY && static_cast<rlim_t>(status.st_size) + bytes > limit.rlim_cur) return EFBIG;
-  const int refused = ::fallocate(file, FALLOC_FL_KEEP_SIZE, status.st_size, static_cast<off_t>(bytes));
-  return refused == 0 || errno == EOPNOTSUPP ? 0 : errno;
-}
-
 /// Claims room in a file; `mode` may have it created or emptied first.
 void claim(const std::filesystem::path& path, int mode, std::size_t bytes) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | mode, 0666);
   if (file < 0) throw FileError(fmt::format("{}: cannot open the file: {}", path.string(), std::strerror(errno)));
-  const int reason = claim_blocks(file, bytes);
+  const int reason = claim_room(file, bytes);
   ::close(file);
   if (reason != 0) {
     throw FileError(

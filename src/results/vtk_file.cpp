@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
+#include "base/file.hpp"
 
 namespace tether {
 namespace {
@@ -76,11 +77,11 @@ VtkFile::VtkFile(std::filesystem::path path, const VtkShape& shape, const std::v
   }
 }
 
-/// The end first: where it has no room, nothing is written.
 void VtkFile::write_all_but_fields(const VtkShape& shape, std::uint64_t length) {
   const std::string text = head(shape);
   data_ = text.size();
-  claim(data_ + length + tail.size());
+  if (const int reason = claim_room(file_, data_ + length + tail.size()); reason != 0)
+    fail("get room for the file", reason);
   write(tail.data(), tail.size(), data_ + length);
   write(text.data(), text.size(), 0);
   const std::size_t first = arrays_.size() - shape.numbers.size();
@@ -127,13 +128,6 @@ std::string VtkFile::head(const VtkShape& shape) const {
     if (!arrays.empty()) text += fmt::format("<{0}>\n{1}</{0}>\n", section, arrays);
   }
   return text + fmt::format("</Piece>\n</{}>\n<AppendedData encoding=\"raw\">\n_", shape.type);
-}
-
-/// So that a full disk is met before any number is written. File systems that cannot set blocks aside are left alone:
-/// the write itself will report it.
-void VtkFile::claim(std::uint64_t length) const {
-  if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(length)) != 0 && errno != EOPNOTSUPP)
-    fail("get room for the file", errno);
 }
 
 void VtkFile::write(const void* bytes, std::size_t length, std::uint64_t at) const {

@@ -68,7 +68,6 @@ class VtkFile {
   void plan_fields(const std::string& section, std::size_t count);
   void write_all_but_fields(const VtkShape& shape, std::uint64_t length);
   std::string head(const VtkShape& shape) const;
-  void claim(std::uint64_t length) const;
   void write(const void* bytes, std::size_t length, std::uint64_t at) const;
   void write_array(const Array& array, const void* numbers) const;
   [[noreturn]] void fail(const char* doing, int reason) const;

@@ -49,6 +49,16 @@ std::vector<int> vtk_order(ElementKind kind) {
   return {row.in_vtk.begin(), row.in_vtk.begin() + row.nodes};
 }
 
+std::vector<std::int32_t> nodes_in_vtk_order(const Mesh& mesh, std::size_t count) {
+  const std::vector<int> order = vtk_order(mesh.kind);
+  std::vector<std::int32_t> nodes;
+  nodes.reserve(mesh.element_count() * count);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (std::size_t a = 0; a < count; ++a) nodes.push_back(mesh.element(e)[order[a]]);
+  }
+  return nodes;
+}
+
 VtkShape vtk_of_points(std::size_t count) {
   return {"PolyData",
           "",
@@ -57,19 +67,13 @@ VtkShape vtk_of_points(std::size_t count) {
 }
 
 VtkShape vtk_of_mesh(const Mesh& mesh) {
-  const std::vector<int> order = vtk_order(mesh.kind);
-  const std::size_t elements = mesh.element_count();
-  std::vector<std::int32_t> nodes;
-  nodes.reserve(mesh.nodes.size());
-  for (std::size_t e = 0; e < elements; ++e) {
-    for (const int a : order) nodes.push_back(mesh.element(e)[a]);
-  }
-  const auto per_element = static_cast<std::int32_t>(order.size());
+  const std::size_t elements = mesh.element_count(), nodes = vtk_order(mesh.kind).size();
+  const auto per_element = static_cast<std::int32_t>(nodes);
   return {"UnstructuredGrid",
           "",
           fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", mesh.node_count(), elements),
           {{"CellData", "region", std::vector<std::int32_t>(mesh.region.begin(), mesh.region.end())},
-           {"Cells", "connectivity", std::move(nodes)},
+           {"Cells", "connectivity", nodes_in_vtk_order(mesh, nodes)},
            {"Cells", "offsets", counted(elements, per_element, per_element)},
            {"Cells", "types", std::vector<std::uint8_t>(elements, vtk_cell(mesh.kind))}}};
 }

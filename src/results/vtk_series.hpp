@@ -20,6 +20,9 @@ namespace tether {
 /// order 2 then the middles of edges and faces, and the centre.
 std::vector<int> vtk_order(ElementKind kind);
 
+/// The first `count` nodes of each element in that order, element by element.
+std::vector<std::int32_t> nodes_in_vtk_order(const Mesh& mesh, std::size_t count);
+
 /// Points as they are, each a cell of its own.
 VtkShape vtk_of_points(std::size_t count);
 

@@ -41,6 +41,13 @@ std::vector<Combination> combinations(const Study& study) {
   return all;
 }
 
+Combination on_edge(const Study& study, std::size_t deck, std::size_t axis, std::size_t value, bool others_last) {
+  Combination at{deck, std::vector<std::size_t>(study.axes.size())};
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    at.values[a] = study.axes[a].leader == axis ? value : others_last ? study.axes[a].cells.size() - 1 : 0;
+  return at;
+}
+
 std::vector<std::string> overrides_of(const Study& study, const Combination& combination,
                                       std::optional<double> varied) {
   auto overrides = study.sets;

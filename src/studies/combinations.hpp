@@ -34,6 +34,10 @@ double count_combinations(const Study& study);
 /// All of them in the table's order: axis 1 fastest, as in a Fortran array, decks slowest.
 std::vector<Combination> combinations(const Study& study);
 
+/// A value of one leading axis, with all other axes at their first values, or at their last ones; linked axes move
+/// along.
+Combination on_edge(const Study& study, std::size_t deck, std::size_t axis, std::size_t value, bool others_last);
+
 /// The --set of a combination's run: those that all share, those of the axes, and the varied value's.
 std::vector<std::string> overrides_of(const Study& study, const Combination& combination, std::optional<double> varied);
 

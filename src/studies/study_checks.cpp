@@ -223,14 +223,10 @@ std::vector<Combination> told_apart(const Study& study) {
   constexpr double few = 100;
   if (count_combinations(study) <= few) return combinations(study);
   std::vector<Combination> some;
-  const auto& axes = study.axes;
   for (std::size_t d = 0; d < study.decks.size(); ++d) {
-    for (const std::size_t leading : leading_axes(study)) {
-      for (std::size_t k = 0; k < 2 * axes[leading].cells.size(); ++k) {
-        Combination at{d, std::vector<std::size_t>(axes.size())};
-        for (std::size_t a = 0; a < axes.size(); ++a)
-          at.values[a] = axes[a].leader == leading ? k / 2 : k % 2 == 0 ? 0 : axes[a].cells.size() - 1;
-        some.push_back(std::move(at));
+    for (const std::size_t axis : leading_axes(study)) {
+      for (std::size_t v = 0; v < study.axes[axis].cells.size(); ++v) {
+        for (const bool others_last : {false, true}) some.push_back(on_edge(study, d, axis, v, others_last));
       }
     }
   }

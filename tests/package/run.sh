@@ -12,10 +12,10 @@ trap 'umount "$root/proc" 2>/dev/null || true; rm -rf "$root"' EXIT
 
 debootstrap --variant=minbase bookworm "$root" "$mirror" > "$root.log" 2>&1 || { tail -20 "$root.log"; exit 1; }
 mount -t proc proc "$root/proc"
-cp "$package" "$root/tmp/tether.deb"
+cp "$package" "$root/tether.deb"
 for file in /etc/apt/apt.conf.d/*; do cp "$file" "$root/etc/apt/apt.conf.d/"; done
 chroot "$root" apt-get update -q > /dev/null
-chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends /tmp/tether.deb > /dev/null
+chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends ./tether.deb > /dev/null
 chroot "$root" useradd --create-home user
 chroot "$root" su user -c '
   set -e

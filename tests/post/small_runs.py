@@ -1,10 +1,61 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small runs of points that tests write themselves, with numbers that they know."""
+"""Small runs: of decks, made once for all tests of a class, and of points that tests write themselves."""
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
 import netCDF4
 import numpy
+from matplotlib import pyplot
+
+import style
+import tether_results
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["TETHER"]
 
 TIMES = numpy.linspace(0, 1, 21)
 PLACES = numpy.linspace(0, 1, 50)
+
+
+class DeckTest(unittest.TestCase):
+    """Has a folder for its class, and runs of decks in it."""
+
+    @classmethod
+    def setUpClass(cls):
+        style.use()
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.addClassCleanup(pyplot.close, "all")
+        cls.folder, cls.made = Path(scratch.name), {}
+
+    @classmethod
+    def run_of(cls, deck, values=None):
+        """A run of a deck, made once."""
+        key = f"{deck} {values}"
+        if key not in cls.made:
+            out = cls.folder / f"run-{len(cls.made)}"
+            cls.made[key] = tether_results.run(ROOT / "decks" / f"{deck}.in", values, out=out, program=PROGRAM)
+        return cls.made[key]
+
+
+class FolderTest(unittest.TestCase):
+    """Has a folder for each test, which is to be that of a run."""
+
+    @classmethod
+    def setUpClass(cls):
+        style.use()
+        cls.addClassCleanup(pyplot.close, "all")
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name) / "run"
+        self.folder.mkdir()
+
+    def pictures(self, folder=None):
+        return sorted(path.name for path in (folder or self.folder).glob("*.png"))
 
 
 def add(dataset, name, dimensions, values, units):

@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -17,12 +16,11 @@ matplotlib.use("Agg")
 
 import netCDF4
 import numpy
-from matplotlib import image, pyplot
+from matplotlib import image
 
-import style
 import tether_results
 from scene import choose, profiles
-from small_runs import PLACES, TIMES, write_history, write_particles
+from small_runs import FolderTest, PLACES, TIMES, write_history, write_particles
 
 PROGRAM = os.environ["TETHER"]
 
@@ -37,21 +35,7 @@ def plot(*words):
     return subprocess.run([sys.executable, POST / "plot.py", *map(str, words)], capture_output=True, text=True)
 
 
-class PlotTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        style.use()
-        cls.addClassCleanup(pyplot.close, "all")
-
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name) / "run"
-        self.folder.mkdir()
-
-    def pictures(self, folder=None):
-        return sorted(path.name for path in (folder or self.folder).glob("*.png"))
-
+class PlotTest(FolderTest):
     def reference(self, text):
         (self.folder / "reference.txt").write_text(text)
 

@@ -2,7 +2,6 @@
 """Which snapshots of points are drawn and how: evenly spaced, by the quantity that matters, and whatever is in their files."""
 import os
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -15,33 +14,17 @@ import matplotlib
 matplotlib.use("Agg")
 
 import numpy
-from matplotlib import pyplot
 
-import style
 import tether_results
 import plot
 from scene import choose, frame, quantities
 from scene.points import Points
-from small_runs import PLACES, write_deck, write_history, write_particles
+from small_runs import PLACES, FolderTest, write_deck, write_history, write_particles
 
 PROGRAM = os.environ["TETHER"]
 
 
-class PointsTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        style.use()
-        cls.addClassCleanup(pyplot.close, "all")
-
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name) / "run"
-        self.folder.mkdir()
-
-    def pictures(self):
-        return sorted(path.name for path in self.folder.glob("*.png"))
-
+class PointsTest(FolderTest):
     def open(self):
         return tether_results.open(self.folder)
 

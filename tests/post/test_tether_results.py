@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Python door to results: what the program wrote is read back, and what is no run is refused with a reason."""
-import os
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -13,31 +11,15 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "post"), str(Path(__file__).parent)]
 
 import tether_results
+from small_runs import PROGRAM, DeckTest
 from tether_results.program import in_namelist
 
-PROGRAM = os.environ["TETHER"]
 BALLOON = {"in.tmax": 0.1, "in.nx": 21, "in.ny": 21}
 
 
-class Folder(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.folder = Path(scratch.name)
-
-    @classmethod
-    def made(cls, deck, values=None):
-        """A run of a deck, made once."""
-        out = cls.folder / "-".join([deck, *map(str, (values or {}).values())])
-        if (out / "summary.txt").is_file():
-            return tether_results.open(out)
-        return tether_results.run(ROOT / "decks" / f"{deck}.in", values, out=out, program=PROGRAM)
-
-
-class Histories(Folder):
+class Histories(DeckTest):
     def test_columns_are_those_of_the_text(self):
-        run = self.made("pendulum-40", {"in.tmax": 0.1})
+        run = self.run_of("pendulum-40", {"in.tmax": 0.1})
         with open(run.folder / "history.txt") as file:
             names = file.readline().removeprefix("#").split()
             rows = numpy.loadtxt(file)
@@ -48,19 +30,19 @@ class Histories(Folder):
         numpy.testing.assert_array_equal(run.history["point_y"][:, 1], run.history["point_y_2"])
 
     def test_units_are_the_decks(self):
-        run = self.made("coupled-balloon", BALLOON)
+        run = self.run_of("coupled-balloon", BALLOON)
         self.assertEqual([run.history.units[name] for name in ("time", "energy_total", "body_vx_1")], ["s", "J", "m s-1"])
 
     def test_as_xarray_with_the_same_numbers(self):
-        run = self.made("pendulum-40", {"in.tmax": 0.1})
+        run = self.run_of("pendulum-40", {"in.tmax": 0.1})
         data = run.history.to_xarray()
         numpy.testing.assert_array_equal(data["point_y"], run.history["point_y"])
         self.assertEqual(data["energy_total"].attrs["units"], "1")
 
 
-class Snapshots(Folder):
+class Snapshots(DeckTest):
     def test_points_at_a_time_and_at_a_number(self):
-        particles = self.made("sod").fields("particles")
+        particles = self.run_of("sod").fields("particles")
         self.assertEqual((particles.form, len(particles)), ("points", 4))
         with netCDF4.Dataset(particles.path) as data:
             numpy.testing.assert_array_equal(particles.at(0.1)["pressure"], data["pressure"][2])
@@ -71,18 +53,18 @@ class Snapshots(Folder):
             particles.at(4)
 
     def test_one_snapshot_leaves_the_others_on_the_disk(self):
-        particles = tether_results.open(self.made("sod").folder).fields("particles")
+        particles = tether_results.open(self.run_of("sod").folder).fields("particles")
         particles.at(2)
         self.assertEqual(particles._whole, {})
 
     def test_the_grid_of_points(self):
-        grid = self.made("sod").fields("mesh")
+        grid = self.run_of("sod").fields("mesh")
         self.assertEqual(grid.form, "grid")
         self.assertEqual(grid.at(0)["mass"].shape, (2, 101))
         numpy.testing.assert_allclose(grid.axes["x"], numpy.linspace(0, 1, 101))
 
     def test_elements_and_their_places(self):
-        mesh = self.made("cook", {"mesh.cells(1,1)": (2, 3)}).fields("mesh")
+        mesh = self.run_of("cook", {"mesh.cells(1,1)": (2, 3)}).fields("mesh")
         self.assertEqual((mesh.form, mesh.dimension, mesh.elements.shape), ("elements", 2, (6, 9)))
         numpy.testing.assert_array_equal(mesh.places(0), mesh.start)
         moved = mesh.at(1)
@@ -90,7 +72,7 @@ class Snapshots(Folder):
         self.assertGreater(moved["uy"].max(), 1)
 
     def test_a_box_has_cells_by_rows(self):
-        run = self.made("coupled-balloon", BALLOON)
+        run = self.run_of("coupled-balloon", BALLOON)
         mesh = run.fields("mesh")
         self.assertEqual((mesh.form, mesh.box.shape), ("box", (20, 20)))
         numpy.testing.assert_allclose(mesh.axes["y"], numpy.arange(0.05, 2, 0.1))
@@ -100,9 +82,9 @@ class Snapshots(Folder):
         self.assertFalse((kind[1:] == 2).any())
 
 
-class Texts(Folder):
+class Texts(DeckTest):
     def test_summary_exact_deck_and_messages(self):
-        run = self.made("sod")
+        run = self.run_of("sod")
         self.assertEqual((run.summary["path"], run.summary["points"]), ("mpm", 900))
         self.assertEqual(next(iter(run.exact)), "x")
         self.assertEqual(run.exact_over("time"), {})
@@ -113,7 +95,7 @@ class Texts(Folder):
         self.assertIn("Sod's shock tube", run.title)
 
     def test_a_run_takes_values_of_python(self):
-        run = self.made("sod", {"in.nx": 51, "mpm.method": "robust", "in.tmax": numpy.float64(0.01), "in.large": False})
+        run = self.run_of("sod", {"in.nx": 51, "mpm.method": "robust", "in.tmax": numpy.float64(0.01), "in.large": False})
         self.assertEqual((run.deck_values["in.nx"], run.deck_values["mpm.method"]), (51, "robust"))
         self.assertEqual(run.history["time"][-1], 0.01)
 
@@ -131,7 +113,7 @@ class Texts(Folder):
             tether_results.run(ROOT / "decks" / "sod.in", program=self.folder / "nowhere")
 
 
-class Refused(Folder):
+class Refused(DeckTest):
     def refused(self, path, reason):
         with self.assertRaisesRegex(tether_results.NotARun, reason):
             tether_results.open(path)
@@ -153,7 +135,7 @@ class Refused(Folder):
         self.refused(here, "holds no records")
 
     def test_fields_that_were_not_written(self):
-        run = self.made("coupled-balloon", BALLOON)
+        run = self.run_of("coupled-balloon", BALLOON)
         with self.assertRaisesRegex(tether_results.NotARun, r"particles.nc: is not there: iout\(13\)=1"):
             run.fields("particles")
         with self.assertRaisesRegex(ValueError, "there are particles, mesh, solids"):
@@ -161,7 +143,7 @@ class Refused(Folder):
         self.assertEqual([run.has(kind) for kind in ("particles", "mesh", "solids")], [False, True, True])
 
     def test_a_run_that_has_no_summary_yet(self):
-        run = self.made("sod")
+        run = self.run_of("sod")
         (run.folder / "summary.txt").rename(run.folder / "away")
         self.addCleanup((run.folder / "away").rename, run.folder / "summary.txt")
         self.assertEqual(tether_results.open(run.folder).summary, {})

@@ -7,6 +7,8 @@ import pathlib
 import re
 import sys
 
+from sources import end, sources
+
 ORDER = "base fields algebra grid laws model deck read reference plan results loops physics run studies".split()
 PATHS = "points bars solids rigid flow box".split()  # inside physics/
 WITHOUT_DECK = "model reference results loops physics".split()
@@ -116,15 +118,10 @@ def types_of_one_name(files):
 
 
 def main():
-    src = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "src")
-    files = sorted(p for pattern in ("*.hpp", "*.cpp") for p in src.rglob(pattern))
-    if not files:
-        print(f"no sources in {src}")
-        return 1
+    src, files = sources()
     found = [*downward_includes(src, files), *circles(src, files), *reaches_deck(src, files),
              *mutable_globals(files), *types_of_one_name(files)]
-    print("\n".join(found) if found else f"{len(files)} files in order")
-    return 1 if found else 0
+    return end(found, files, "in order")
 
 
 if __name__ == "__main__":

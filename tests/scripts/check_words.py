@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails when a comment or a message in src/ has a word that plain English has a commoner one for, or a number like .5,
 and when the doc comment of a function in a header opens as a fragment instead of a sentence."""
-import pathlib
 import re
 import sys
+
+from sources import end, sources
 
 # What is not to stand there, and what to write instead.
 WORDS = (
@@ -95,19 +96,14 @@ def fragments(file, lines):
 
 
 def main():
-    src = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "src")
-    files = sorted(p for pattern in ("*.hpp", "*.cpp") for p in src.rglob(pattern))
-    if not files:
-        print(f"no sources in {src}")
-        return 1
+    _, files = sources()
     found = []
     for file in files:
         lines = file.read_text().splitlines()
         found += wrong_words(file, lines)
         if file.suffix == ".hpp":
             found += fragments(file, lines)
-    print("\n".join(found) if found else f"{len(files)} files in plain words")
-    return 1 if found else 0
+    return end(found, files, "in plain words")
 
 
 if __name__ == "__main__":

@@ -66,7 +66,7 @@ inline constexpr std::array fem_rows{
              "x of the axis that the fibres of region r go around."},
     Variable{"fem", "fibre_y", real, 1, nr, 1, "length", -none, none, "", "0.0", "y of that axis."},
     Variable{"fem", "vrz", real, 1, nr, 1, "velocity", -none, none, "", "0.0",
-             "Velocity of region r in z at the start, beside vrx and vry of $reg."},
+             "Velocity of region r in z at the start; vrx and vry of $reg are those in x and y."},
     Variable{"fem", "spin", real, 2, 3, nr, "1/time", -none, none, "", "0.0",
              "Angular velocity of region r about its centre of mass at the start; in the plane the third counts."},
     Variable{"fem", "settle", logical, 0, 1, 1, "", -none, none, "", ".false.",
@@ -108,7 +108,7 @@ inline constexpr std::array rigid_rows{
              "Components of the three directors; they must be independent, not orthogonal. One that is not given is "
              "the unit vector of its axis."},
     Variable{"rigid", "pin", real, 1, 3, 1, "length", -none, none, "", "",
-             "A place of the body, or beside it, that is held; the body turns about it without friction."},
+             "A place in the body, or next to it, that is held; the body turns about it without friction."},
     Variable{"rigid", "omega", real, 1, 3, 1, "1/time", -none, none, "", "0.0",
              "Angular velocity at the start. The centre of mass has vrx, vry of $reg and vrz of $fem, which all "
              "regions share; with a pin it goes round that."},

@@ -66,7 +66,7 @@ inline constexpr std::array flow_rows{
              "not given."},
     Variable{"flow", "v0", text, 0, 1, 1, "velocity", -none, none, "", "", "The same in y, or vry."},
     Variable{"flow", "bx", text, 0, 1, 1, "acceleration", -none, none, "", "",
-             "Acceleration in x by a body force as an expression in x, y, t, beside gravc of $in."},
+             "Acceleration in x by a body force as an expression in x, y, t, which is added to gravc of $in."},
     Variable{"flow", "by", text, 0, 1, 1, "acceleration", -none, none, "", "", "The same in y."},
     Variable{
         "flow", "force_on", text, 1, 10, 1, "", -none, none, "", "",

@@ -90,11 +90,8 @@ class MapReader {
 
   /// The other axis stands at its first value, or at its last one.
   bool check_axis(std::size_t deck, std::size_t axis, int number, bool at_the_end) {
-    const auto& axes = map_.study.axes;
-    Combination at{deck, std::vector<std::size_t>(axes.size(), 0)};
-    for (std::size_t v = 0; v < axes[axis].cells.size(); ++v) {
-      for (std::size_t a = 0; a < axes.size(); ++a)
-        at.values[a] = axes[a].leader == axis ? v : at_the_end ? axes[a].cells.size() - 1 : 0;
+    for (std::size_t v = 0; v < map_.study.axes[axis].cells.size(); ++v) {
+      const Combination at = on_edge(map_.study, deck, axis, v, at_the_end);
       if (!check_scene(at, low_end(), "study.axis", number)) return false;
     }
     return true;
