@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "base/diagnostics.hpp"
 #include "cases/run_deck.hpp"
@@ -44,6 +45,20 @@ void expect_cavity(const DeckRun& run, double u, double v) {
   EXPECT_NEAR(least_on_middle_line(run, "vy", "y") / v, 1, 0.005);
 }
 
+/// Expects one value of the stream function at the end at all nodes of this kind; returns it.
+double expect_one_stream(const DeckRun& run, const std::function<bool(double, double)>& is_of_it) {
+  const std::string file = run.folder + "/mesh.nc";
+  const auto x = read_variable(file, "node_x"), y = read_variable(file, "node_y"), all = read_variable(file, "stream");
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    if (!is_of_it(x[n], y[n])) continue;
+    const double stream = all[all.size() - x.size() + n];
+    low = std::min(low, stream), high = std::max(high, stream);
+  }
+  EXPECT_EQ(low, high);
+  return low;
+}
+
 std::vector<std::string> cavity(const char* element, int cells, const char* viscosity, const char* step) {
   const std::string n = std::to_string(cells);
   return {std::string("flow.element=") + element, "mesh.cells(1,1)=" + n, "mesh.cells(2,1)=" + n,
@@ -74,6 +89,18 @@ TEST(Flow, CavityOfReynolds1000OnCellsFinerAtTheWalls) {
   EXPECT_EQ(graded[2], equal[2]);
   EXPECT_LT(graded[0], equal[0] / 3);
   EXPECT_LT(graded[1], equal[1] / 3);
+}
+
+/// Nothing flows through walls and the lid: the stream function has one value there, also where the lid meets the walls
+/// and on elements of no order.
+TEST(Flow, StreamFunctionIsOneAlongWalls) {
+  const DeckRun lid = run_deck("cavity", {"mesh.cells(1:2,1)=6,5", "in.iout(39)=1", "in.tiout(39)=1."});
+  expect_one_stream(lid, [](double x, double y) { return x == 0 || x == 1 || y == 0 || y == 1; });
+  const DeckRun channel = run_deck("cylinder-file", {"in.iout(39)=1", "in.tiout(39)=1."});
+  const double bottom = expect_one_stream(channel, [](double, double y) { return y == 0; });
+  const double top = expect_one_stream(channel, [](double, double y) { return y == 0.41; });
+  EXPECT_NEAR(top - bottom, 0.2 * 0.41, 2e-5);
+  expect_one_stream(channel, [](double x, double y) { return std::abs(std::hypot(x - 0.2, y - 0.2) - 0.05) < 1e-6; });
 }
 
 TEST(Flow, PicardFindsTheSameFlow) {

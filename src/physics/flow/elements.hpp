@@ -76,8 +76,9 @@ class FlowElements {
   virtual std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const Vec<2>& s) const = 0;
   /// dv/dx - du/dy, the mean around each node [1/time].
   virtual std::vector<double> vorticity(std::span<const double> v) const = 0;
-  /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations.
-  virtual SparseMatrix laplacian() const = 0;
+  /// <grad N_A, grad N_B> of the velocity's functions, and <grad N_A, (-v, u)>: the stream function's equations. Nodes
+  /// that have one number from 0 in `unknown` share a row and a column.
+  virtual SparseMatrix laplacian(std::span<const int> unknown) const = 0;
   virtual std::vector<double> stream_source(std::span<const double> v) const = 0;
   /// <P_q, P_s> [volume] and <grad P_q, grad P_s> [volume/length2] of the pressures that are unknown, in the order of
   /// the unknowns; at open sides the second has rows and columns of the identity.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "base/vec.hpp"
 #include "physics/flow/elements_of_shape.hpp"
 #include "physics/flow/unknowns.hpp"
@@ -139,8 +141,11 @@ std::vector<double> FlowElementsOf<V, P>::vorticity(std::span<const double> v) c
 }
 
 template <class V, class P>
-SparseMatrix FlowElementsOf<V, P>::laplacian() const {
-  const NodalPattern pattern(1, mesh_.node_count(), mesh_.nodes, NV);
+SparseMatrix FlowElementsOf<V, P>::laplacian(std::span<const int> unknown) const {
+  std::vector<int> unknowns;
+  for (const int node : mesh_.nodes) unknowns.push_back(unknown[static_cast<std::size_t>(node)]);
+  const std::size_t count = static_cast<std::size_t>(*std::max_element(unknown.begin(), unknown.end())) + 1;
+  const NodalPattern pattern(1, count, unknowns, NV);
   SparseMatrix A = pattern.matrix();
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     Eigen::Matrix<double, NV, NV, Eigen::RowMajor> k = Eigen::Matrix<double, NV, NV>::Zero();

@@ -112,7 +112,7 @@ class FlowElementsOf final : public FlowElements {
   std::vector<NodeForce> corner_forces(const FlowMoment& m, std::size_t k) const override;
   std::array<double, 3> stress_at(const FlowMoment& m, std::size_t e, const Vec<2>& s) const override;
   std::vector<double> vorticity(std::span<const double> v) const override;
-  SparseMatrix laplacian() const override;
+  SparseMatrix laplacian(std::span<const int> unknown) const override;
   std::vector<double> stream_source(std::span<const double> v) const override;
   std::vector<double> pressure_at_nodes(std::span<const double> p) const override;
   SparseMatrix pressure_mass() const override;

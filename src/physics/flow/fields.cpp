@@ -36,7 +36,8 @@ const ColumnTable<ColumnSetting, NodeSource>& node_table() {
           .vector(),
       Row("v", D::velocity, "velocity", [](const S& s, std::size_t i, std::size_t n) { return s.state.v[2 * n + i]; })
           .vector(),
-      {"p", D::stress, "pressure, of the last step", [](const S& s, std::size_t n) { return s.pressure[n]; }},
+      {"p", D::stress, "pressure, of the last step, before the first one not a number",
+       [](const S& s, std::size_t n) { return s.state.dt_last > 0 ? s.pressure[n] : no_number; }},
       {"stream", D::flux, "stream function, zero at the first node",
        [](const S& s, std::size_t n) { return s.stream[n]; }},
       {"vorticity", D::rate, "dv/dx - du/dy, the mean around each node",
@@ -51,7 +52,7 @@ FlowFields::FlowFields(const Flow& flow, const FlowStep& step, const FlowTracers
     : flow_(flow),
       step_(step),
       tracers_(tracers),
-      stream_(step.elements()),
+      stream_(flow, step.elements()),
       forces_(flow, step),
       columns_(flow_columns(flow, step.immersed() ? &step.immersed()->solids() : nullptr)) {
   const PointFinder finder(flow.mesh);
@@ -132,20 +133,6 @@ Snapshot FlowFields::node_fields(const FlowState& state) const {
   const NodeSource source{flow_.mesh, state, step_.elements().pressure_at_nodes(state.p), stream_.of(state.v),
                           step_.elements().vorticity(state.v)};
   return Columns<NodeSource>(node_table(), ColumnSetting{}).snapshot(state.time, flow_.mesh.node_count(), source);
-}
-
-StreamFunction::StreamFunction(const FlowElements& elements) : elements_(elements), A_(elements.laplacian()) {
-  std::vector<std::uint8_t> held(static_cast<std::size_t>(A_.n), 0);
-  held[0] = 1;
-  hold(A_, held, 1);
-  solver_.factorise(A_, Definite::positive);
-}
-
-std::vector<double> StreamFunction::of(std::span<const double> v) const {
-  std::vector<double> psi = elements_.stream_source(v);
-  psi[0] = 0;
-  solver_.solve(psi, psi);
-  return psi;
 }
 
 }  // namespace tether::fem

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "algebra/sparse_solver.hpp"
 #include "grid/mesh_place.hpp"
 #include "model/flow.hpp"
 #include "physics/flow/columns.hpp"
@@ -12,26 +11,13 @@
 #include "physics/flow/forces.hpp"
 #include "physics/flow/state.hpp"
 #include "physics/flow/step.hpp"
+#include "physics/flow/stream_function.hpp"
 #include "physics/flow/tracers.hpp"
 #include "results/results.hpp"
 
 namespace tether::fem {
 
 // What a flow writes.
-
-/// The stream function psi of plane flows, u = dpsi/dy, v = -dpsi/dx, zero at the mesh's first node: the one whose
-/// curl is nearest to the velocity, <grad N_A, grad psi> = <grad N_A, (-v, u)>, which holes in the mesh do not disturb.
-class StreamFunction {
- public:
-  explicit StreamFunction(const FlowElements& elements);
-  /// At all nodes [area/time].
-  std::vector<double> of(std::span<const double> v) const;
-
- private:
-  const FlowElements& elements_;
-  SparseMatrix A_;
-  mutable SparseSolver solver_;  // keeps its work space
-};
 
 /// What records and snapshots of a flow are made from. All must outlive it.
 class FlowFields {
