@@ -168,6 +168,19 @@ void Assigner::assign(const std::vector<Group>& groups, Remarks& remarks) {
   }
 }
 
+namespace {
+
+/// A shell takes the quotes off group.name='text': on the command line a word is a text where the variable is one.
+void quote_words(const std::string& group, Item& item) {
+  const auto* variable = find_variable(group, lower(item.name.text));
+  if (variable == nullptr || variable->type != ValueType::text) return;
+  for (auto& value : item.values) {
+    if (value.kind == ItemValue::Kind::word) value.kind = ItemValue::Kind::quoted;
+  }
+}
+
+}  // namespace
+
 void Assigner::assign_override(Item read, Remarks& remarks) {
   if (read.broken) return;
   const auto full_name = lower(read.name.text);
@@ -182,6 +195,7 @@ void Assigner::assign_override(Item read, Remarks& remarks) {
   read.name.text.erase(0, dot + 1);
   read.name.column += static_cast<int>(dot) + 1;
   contents_.groups.try_emplace(group, remarks.place(read.name.line, 1));
+  quote_words(group, read);
   item(group, read, true, remarks);
 }
 

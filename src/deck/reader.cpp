@@ -107,7 +107,10 @@ void check_required(const Deck& deck, const std::set<std::string>& mentioned,
                     const std::map<std::string, Place>& left_empty, Diagnostics& diagnostics) {
   if (deck.is_study()) return;
   if (!deck.has_group("in")) {
-    diagnostics.error({deck.file(), 0, 0}, "", "there is no group $in", "A deck has at least: $in ... $");
+    diagnostics.error({deck.file(), 0, 0}, "", "there is no group $in",
+                      deck.has_group(published_group)
+                          ? "This deck has published numbers alone: tether reproduce runs it."
+                          : "A deck has at least: $in ... $");
     return;
   }
   std::string missing;

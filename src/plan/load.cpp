@@ -22,6 +22,13 @@ std::vector<std::string> texts_of(const std::vector<Diagnostic>& diagnostics) {
   return texts;
 }
 
+/// Says which command runs a deck of many runs.
+std::string command_for(const Deck& study) {
+  const std::string mode = study.text("study.mode");
+  return mode == "chart" || mode == "map" ? "tether " + mode + " runs it"
+                                          : "tether sweep runs it; with --dry-run it lists the runs";
+}
+
 }  // namespace
 
 Deck load_deck(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics) {
@@ -37,7 +44,7 @@ Loaded load_scene(const Deck& given_deck, const DeckOptions& options, Diagnostic
   const Deck deck = load_mesh(options.path.empty() ? given_deck : given_deck.with_path(options.path), diagnostics);
   if (deck.is_study() && !diagnostics.has_errors()) {
     diagnostics.add(deck.remark_on_group(Severity::error, study_group, "this is a study of many runs, none itself",
-                                         "tether sweep runs it; with --dry-run it lists the runs"));
+                                         command_for(deck)));
   }
   std::optional<std::filesystem::path> given;
   if (!options.particles.empty()) given = options.particles;
