@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 
 namespace tether {
@@ -60,7 +61,6 @@ std::vector<std::string> known_words() {
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Returns the place after the number at `at`, with its exponent; `at` where there is none.
 std::size_t behind_number(std::string_view text, std::size_t at) {

@@ -13,7 +13,6 @@
 namespace tether {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_sign(char c) { return c == '+' || c == '-'; }
 
 /// Moves `at` over the digits there; returns how many there were.

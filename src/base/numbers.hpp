@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +14,15 @@ namespace tether {
 
 /// An array's index of a number that counts cells, axes or nodes and is not negative.
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Returns whether c is a decimal digit, whatever the locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Returns whether a quantity is positive and finite.
+inline bool is_positive(double value) { return std::isfinite(value) && value > 0; }
+
+/// What stands where a number is asked for and there is none.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// [+-]digits, the whole text; what does not fit is the largest or smallest long long. Else nothing.
 std::optional<long long> parse_integer(std::string_view text);

@@ -12,8 +12,6 @@
 namespace tether {
 namespace {
 
-constexpr double tolerance = 1e-9;  // of the mesh's size
-
 double size_of(const Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
   double size = 0;
@@ -39,7 +37,7 @@ bool coincide(const Mesh& mesh, std::size_t a, std::size_t b, double within) {
 /// Neighbours in x are looked through.
 std::vector<int> lowest_at_place(const Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  const double within = tolerance * size_of(mesh);
+  const double within = coincident * size_of(mesh);
   std::vector<std::size_t> by_x(mesh.node_count());
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});
   std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) {

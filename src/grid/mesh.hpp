@@ -31,6 +31,9 @@ inline int root_of(std::vector<int>& above, int node) {
   return node;
 }
 
+/// Places nearer to each other than this part of the mesh's size are one place.
+constexpr double coincident = 1e-9;
+
 /// Elements of one kind with their nodes.
 struct Mesh {
   ElementKind kind = ElementKind::quad4;

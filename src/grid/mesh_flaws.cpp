@@ -156,8 +156,7 @@ void find_hanging(const Mesh& mesh, const std::vector<int>& numbers, std::vector
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // of the mesh's size
-constexpr double cell_size = 4;     // of the lattice that nodes are sorted into, in tolerances
+constexpr double cell_size = 4;  // of the lattice that nodes are sorted into, in tolerances
 
 /// A cell of the lattice that a node touches, and the node.
 struct Touch {
@@ -189,7 +188,7 @@ Extent extent_of(const Mesh& mesh) {
 /// of regular meshes touch one cell alone.
 void add_touches(const Mesh& mesh, int node, const Extent& extent, std::vector<Touch>& touches) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  const double within = tolerance * extent.size, cell = cell_size * within;
+  const double within = coincident * extent.size, cell = cell_size * within;
   std::array<std::array<long long, 2>, 3> range{};
   for (std::size_t i = 0; i < dim; ++i) {
     const double x = mesh.x[static_cast<std::size_t>(node) * dim + i] - extent.low[i] + 0.4 * cell;
@@ -229,7 +228,7 @@ std::vector<std::pair<int, int>> coinciding_nodes(const Mesh& mesh) {
     if (touches[k].cell != touches[first].cell) first = k;
     const auto other = std::find_if(
         touches.begin() + static_cast<std::ptrdiff_t>(first), touches.begin() + static_cast<std::ptrdiff_t>(k),
-        [&](const Touch& touch) { return coincide(mesh, touch.node, touches[k].node, tolerance * extent.size); });
+        [&](const Touch& touch) { return coincide(mesh, touch.node, touches[k].node, coincident * extent.size); });
     if (other != touches.begin() + static_cast<std::ptrdiff_t>(k)) pairs.emplace_back(other->node, touches[k].node);
   }
   const auto by_node = [](const auto& a, const auto& b) {

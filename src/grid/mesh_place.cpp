@@ -91,11 +91,11 @@ Point<Shapes> reference_place(const Mesh& mesh, std::size_t e, const Vec<3>& x) 
 
 /// A box around an element's nodes; edges of higher order may leave it by a part of its size.
 template <class Shapes>
-struct Outline {
+struct BoxOfNodes {
   Point<Shapes> low, high;
   double size = 0;
 
-  Outline(const Mesh& mesh, std::size_t e) {
+  BoxOfNodes(const Mesh& mesh, std::size_t e) {
     low.fill(std::numeric_limits<double>::infinity()), high.fill(-std::numeric_limits<double>::infinity());
     for (int a = 0; a < Shapes::nodes; ++a) {
       const double* node = &mesh.x[static_cast<std::size_t>(mesh.element(e)[a]) * low.size()];
@@ -127,12 +127,12 @@ template <class Shapes>
 NearestPlace nearest_of(const Mesh& mesh, const Vec<3>& x) {
   NearestPlace best{{}, 0, std::numeric_limits<double>::infinity(), 0};
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const Outline<Shapes> outline(mesh, e);
-    if (outline.away(x) >= best.away) continue;
+    const BoxOfNodes<Shapes> box(mesh, e);
+    if (box.away(x) >= best.away) continue;
     const Point<Shapes> s = reference_place<Shapes>(mesh, e, x);
     const double away = length<Shapes>(remainder<Shapes>(mesh, e, x, s));
-    if (away < best.away) best = {place_at<Shapes>(mesh, e, s), e, away, outline.size};
-    if (best.away <= rounding * outline.size) break;
+    if (away < best.away) best = {place_at<Shapes>(mesh, e, s), e, away, box.size};
+    if (best.away <= rounding * box.size) break;
   }
   return best;
 }

@@ -72,9 +72,9 @@ std::vector<NodeLattice> node_lattices_of(const Mesh& mesh) {
 
 namespace {
 
-using Way = std::pair<std::size_t, std::size_t>;  // lattice and way
+using LatticeWay = std::pair<std::size_t, std::size_t>;  // lattice and way
 /// A way along an edge, and whether its nodes are listed from its end.
-using OnEdge = std::pair<Way, bool>;
+using OnEdge = std::pair<LatticeWay, bool>;
 
 /// Returns for the nodes of each edge the ways that run along it.
 std::map<std::vector<int>, std::vector<OnEdge>> ways_of_edges(const std::vector<NodeLattice>& lattices) {
@@ -96,9 +96,9 @@ LatticeChains chains_of(const std::vector<NodeLattice>& lattices) {
   const auto ways_of = ways_of_edges(lattices);
   LatticeChains chains;
   chains.of.resize(lattices.size());
-  const auto link = [&](const Way& way) -> LatticeChains::Link& { return chains.of[way.first][way.second]; };
-  std::vector<Way> open;
-  const auto go_on_from = [&](const Way& from, const std::vector<OnEdge>& along) {
+  const auto link = [&](const LatticeWay& way) -> LatticeChains::Link& { return chains.of[way.first][way.second]; };
+  std::vector<LatticeWay> open;
+  const auto go_on_from = [&](const LatticeWay& from, const std::vector<OnEdge>& along) {
     const auto here = std::ranges::find(along, from, &OnEdge::first);
     for (const auto& [other, reversed] : along) {
       if (here == along.end() || link(other).chain >= 0) continue;
@@ -107,12 +107,12 @@ LatticeChains chains_of(const std::vector<NodeLattice>& lattices) {
     }
   };
   for (std::size_t k = 0; k < 2 * lattices.size(); ++k) {
-    const Way first{k / 2, k % 2};
+    const LatticeWay first{k / 2, k % 2};
     if (link(first).chain >= 0) continue;
     link(first) = {static_cast<int>(chains.lines.size()), false};
     chains.lines.push_back(lattices[first.first].count[first.second]);
     for (open = {first}; !open.empty();) {
-      const Way from = open.back();
+      const LatticeWay from = open.back();
       open.pop_back();
       for (const auto& [nodes, along] : ways_of) go_on_from(from, along);
     }

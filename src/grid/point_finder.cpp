@@ -11,8 +11,8 @@
 namespace tether {
 namespace {
 
-constexpr double tolerance = 1e-9;  // by which a place may be outside, of an element's size
-constexpr double farthest = 4;      // in the reference element: where a search has lost its way
+constexpr double outside = 1e-9;  // by which a place may be outside, of an element's size
+constexpr double farthest = 4;    // in the reference element: where a search has lost its way
 
 double length(const Vec<2>& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1]); }
 double largest(const Vec<2>& s) { return std::max(std::abs(s[0]), std::abs(s[1])); }
@@ -118,7 +118,7 @@ PointFinder::Outline PointFinder::outline_of(std::size_t e) const {
   Outline o;
   const auto x = range(*mesh_, e, 0), y = range(*mesh_, e, 1);
   const double size = length({x[1] - x[0], y[1] - y[0]});
-  o.within = std::max(tolerance * size, rounding_), o.enough = 16 * std::numeric_limits<double>::epsilon() * size;
+  o.within = std::max(outside * size, rounding_), o.enough = 16 * std::numeric_limits<double>::epsilon() * size;
   o.low = {x[0] - o.within, y[0] - o.within}, o.high = {x[1] + o.within, y[1] + o.within};
   // Shapes of order 1 between the corners have the mean slopes at the middle, whatever the element's own order.
   const auto last = static_cast<std::size_t>(node_count_of(mesh_->kind)) - 1;

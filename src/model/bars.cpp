@@ -12,9 +12,9 @@ namespace tether {
 namespace {
 
 /// One membrane's points in their order.
-class StringPoints {
+class MembranePoints {
  public:
-  StringPoints(const Scene& scene, const Body& body)
+  MembranePoints(const Scene& scene, const Body& body)
       : P_(scene.points), body_(body), law_(std::get<Membrane>(body.material)), pinned_(body.count, false) {
     for (const std::size_t p : scene.pinned) {
       if (p >= body.first && p < body.first + body.count) pinned_[p - body.first] = true;
@@ -106,7 +106,7 @@ Anchor anchor_at(const Scene& scene, std::size_t end, std::size_t inner, const W
   return anchor;
 }
 
-void meet_wall(const Scene& scene, const StringPoints& string, std::size_t end, std::size_t inner, BarMesh& mesh) {
+void meet_wall(const Scene& scene, const MembranePoints& string, std::size_t end, std::size_t inner, BarMesh& mesh) {
   if (mesh.held[end] == (holds_x | holds_y)) return;  // a pin holds it where it is
   const auto wall = wall_ahead(scene, end, inner);
   if (!wall) return;
@@ -124,7 +124,7 @@ void meet_wall(const Scene& scene, const StringPoints& string, std::size_t end, 
 }
 
 void add_string(const Scene& scene, const Body& body, BarMesh& mesh) {
-  const StringPoints string(scene, body);
+  const MembranePoints string(scene, body);
   const std::size_t first = body.first, last = body.first + body.count - 1;
   for (std::size_t p = first; p < last; ++p) mesh.bars.push_back(string.bar(p, p + 1));
   if (body.closed) return mesh.bars.push_back(string.bar(last, first));
@@ -163,10 +163,6 @@ double highest_frequency(const Scene& scene, const BarMesh& mesh) {
 }
 
 namespace {
-
-bool is_pinned(const Scene& scene, std::size_t point) {
-  return std::find(scene.pinned.begin(), scene.pinned.end(), point) != scene.pinned.end();
-}
 
 std::optional<HeldEnd> end_of_bars(const Scene& scene, std::size_t end) {
   const BarMesh mesh = bars_of(scene);

@@ -119,6 +119,11 @@ inline std::string tracked_name(const Scene& scene, std::size_t k) {
   return "point " + std::to_string(scene.tracked[k] + 1) + (k < scene.tracked_from.size() ? scene.tracked_from[k] : "");
 }
 
+/// Returns whether a pin holds the point where it is.
+inline bool is_pinned(const Scene& scene, std::size_t point) {
+  return std::find(scene.pinned.begin(), scene.pinned.end(), point) != scene.pinned.end();
+}
+
 /// The first body of a law, or null.
 template <class Law>
 const Body* find_body(const Scene& scene) {

@@ -12,7 +12,7 @@
 namespace tether {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a number of cells
+constexpr double slack = 1e-9;  // of a number of cells
 /// From a wall further away than this the points of a string's end get nothing [cells].
 constexpr double reach_of_walls = 1.5;
 
@@ -46,10 +46,6 @@ StringPoints points_of(const Scene& scene, const Body& body) {
   return {x.subspan(body.first, body.count), y.subspan(body.first, body.count), body.closed};
 }
 
-bool is_pinned(const Scene& scene, std::size_t p) {
-  return std::find(scene.pinned.begin(), scene.pinned.end(), p) != scene.pinned.end();
-}
-
 bool has_fluid(const Scene& scene) { return find_body<IdealGas>(scene) || find_body<LinearFluid>(scene); }
 
 void remark_gaps(const Scene& scene, const Body& body, std::vector<GapRemark>& remarks) {
@@ -64,7 +60,7 @@ void remark_gaps(const Scene& scene, const Body& body, std::vector<GapRemark>& r
                        "half a cell between points is good, one cell is the most"});
     return;
   }
-  if (gaps.widest <= widest_sound_gap + rounding || !(of_points || has_fluid(scene))) return;
+  if (gaps.widest <= widest_sound_gap + slack || !(of_points || has_fluid(scene))) return;
   remarks.push_back({Severity::warning, gaps.widest_at,
                      fmt::format("points {} and {} are {:.3g} cells apart: {}", gaps.widest_at + 1,
                                  (gaps.widest_at + 1) % body.count + 1, gaps.widest,
@@ -76,7 +72,7 @@ void remark_gaps(const Scene& scene, const Body& body, std::vector<GapRemark>& r
 void remark_ends(const Scene& scene, const Body& body, std::vector<GapRemark>& remarks) {
   for (const bool first : {true, false}) {
     const StringEnd end = end_at_wall(scene, body, points_of(scene, body), first);
-    if (!end.name || end.cells <= widest_sound_end + rounding) continue;
+    if (!end.name || end.cells <= widest_sound_end + slack) continue;
     remarks.push_back(
         {Severity::warning, first ? 0 : body.count - 1,
          fmt::format("its {} point stands {:.3g} of a cell off the {} wall, whose nodes hold little of "

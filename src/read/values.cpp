@@ -39,6 +39,11 @@ std::vector<int> regions_of(const Deck& deck, bool fluid) {
   return regions;
 }
 
+void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
+            Diagnostics& diagnostics) {
+  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
+}
+
 bool has_flow(const Deck& deck) { return deck.has_group("flow") || !regions_of(deck, true).empty(); }
 
 namespace {

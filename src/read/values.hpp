@@ -35,6 +35,10 @@ E word_or(const Deck& deck, TextVariable variable, E otherwise) {
 std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable name, int k,
                                                 std::vector<std::string> variables, Diagnostics& diagnostics);
 
+/// Adds an error on an element's value, at its place.
+void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
+            Diagnostics& diagnostics);
+
 /// Returns whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
 bool has_flow(const Deck& deck);
 /// Returns whether the path that the deck names has region r: `paths` of $reg may leave it to others.

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/numbers.hpp"
+
 namespace tether {
 namespace {
 
@@ -17,8 +19,6 @@ using std::numbers::pi;
 constexpr double courant = 0.4;
 /// Linear and quadratic coefficient of the artificial viscosity.
 constexpr double c1 = 1, c2 = 1;
-
-bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
 double sound_speed(const GasShells& shells, std::size_t k) {
   return std::sqrt((shells.gm1 + 1) * shells.gm1 * std::max(0.0, shells.specific_energy[k]));

@@ -8,12 +8,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/numbers.hpp"
+
 namespace tether {
 namespace {
 
 using std::numbers::pi;
-
-bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
 void check(const ThinRing& ring) {
   for (const double value : {ring.length, ring.thickness, ring.young, ring.gm1, ring.internal_energy}) {

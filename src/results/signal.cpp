@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace tether {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Vertex of the parabola through samples k - 1, k, k + 1.
 Reading refined(const std::vector<double>& t, const std::vector<double>& v, std::size_t k) {
@@ -39,7 +38,7 @@ std::vector<double> passages(const std::vector<double>& time, const std::vector<
 
 double period_about(const std::vector<double>& time, const std::vector<double>& values, double level) {
   const auto times = passages(time, values, level);
-  if (times.size() < 2) return none;
+  if (times.size() < 2) return no_number;
   return 2 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
 
@@ -50,19 +49,19 @@ Reading first_minimum(const std::vector<double>& time, const std::vector<double>
     if (values[k] < values[lowest]) lowest = k;
     climbed = values[k] - values[lowest] > 0.5 * (values.front() - values[lowest]);
   }
-  return climbed ? refined(time, values, lowest) : Reading{none, none};
+  return climbed ? refined(time, values, lowest) : Reading{no_number, no_number};
 }
 
 Reading first_maximum_after(const std::vector<double>& time, const std::vector<double>& values, double after) {
   const auto start = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), after) - time.begin());
-  if (std::isnan(after) || start >= values.size()) return {none, none};
+  if (std::isnan(after) || start >= values.size()) return {no_number, no_number};
   std::size_t highest = start;
   bool fell = false;
   for (std::size_t k = start; k < values.size() && !fell; ++k) {
     if (values[k] > values[highest]) highest = k;
     fell = highest > start && values[highest] - values[k] > 0.5 * (values[highest] - values[start]);
   }
-  return fell ? refined(time, values, highest) : Reading{none, none};
+  return fell ? refined(time, values, highest) : Reading{no_number, no_number};
 }
 
 }  // namespace tether

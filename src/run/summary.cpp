@@ -146,9 +146,6 @@ namespace {
 /// cyl-500-ambient by 0.71, then two-bar by 0.30; of fluids in a box the largest is 0.18.
 constexpr double much_of_points = 0.75, much_of_fluids = 0.3;
 
-/// Motions by less than this part of a cell a step are at rest, and what they lose is nothing.
-constexpr double resting = 1e-6;
-
 double sum_of_losses(const History& history) {
   double lost = 0;
   for (const Quantity& quantity : history.layout.quantities) {

@@ -9,6 +9,10 @@
 
 namespace tether {
 
+/// Motions by less than this part of a cell a step are at rest: what they lose is nothing, and their energy is no
+/// measure of another.
+constexpr double resting = 1e-6;
+
 /// Returns whether energy is exchanged over time, so that energy_drift and its like have a meaning: a row of equilibria
 /// and steady flows has no time in it, and a box without columns of what goes through its sides no balance.
 bool balances_energy(const Scene& scene, const HistoryLayout& layout);

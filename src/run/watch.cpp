@@ -16,9 +16,6 @@
 namespace tether {
 namespace {
 
-/// Motions by less than this part of a cell a step are at rest: their energy is no measure of another.
-constexpr double resting = 1e-6;
-
 /// Why a body's volume changes beyond reason.
 const char* cause_of_volume(const Scene& scene) {
   if (scene.flow() || scene.coupled()) return "a body too soft for what acts on it, or a fluid that goes through it";

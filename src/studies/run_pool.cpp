@@ -15,9 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Seconds between looks at the clock while nothing ends.
-constexpr double patience = 1;
-
 /// Returns where a run of one deck has written, by its key; a bisection is read from its own folder.
 fs::path files_of(const StudyRun& run) {
   if (run.study.mode == Mode::bisect) return run.out;

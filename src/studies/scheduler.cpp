@@ -101,9 +101,6 @@ void Workers::tell(int signal) const {
 
 namespace {
 
-/// Seconds between looks at the clock while nothing ends.
-constexpr double patience = 1;
-
 std::map<std::string, double> numbers_of(const std::filesystem::path& summary) {
   std::map<std::string, double> numbers;
   for (const auto& [key, text] : read_summary(summary)) {

@@ -16,6 +16,9 @@
 
 namespace tether {
 
+/// Seconds between looks at the clock while nothing ends.
+constexpr double patience = 1;
+
 /// How a piece of work ended that had a process of its own, and what it cost.
 struct Finished {
   std::size_t id = 0;

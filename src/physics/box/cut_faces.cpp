@@ -11,7 +11,7 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a box
+constexpr double no_part = 1e-9;  // of a box
 
 using Place = std::array<int, 3>;
 
@@ -69,7 +69,7 @@ void blend_cut_faces(const FlowDomain& domain, double h, FaceValues& v) {
       const int i = grid.place_of_face(axis, f)[at(axis)];
       const double whole = grid.volume() * (i == 0 || i == grid.n[at(axis)] ? 0.5 : 1),
                    lacks = 1 - domain.volume[at(axis)][f] / whole;
-      if (lacks < rounding) continue;
+      if (lacks < no_part) continue;
       const Around about = around(domain, axis, f, before);
       const double taken = lacks * -std::expm1(-h * about.fastest / grid.d[at(axis)]);
       v[at(axis)][f] += taken * (about.mean - before[f]);

@@ -91,8 +91,10 @@ const ColumnTable<CellSetting, CellSource>& cell_table() {
   const When<CellSetting> smoke("with smoke", [](const CellSetting& s) { return s.with_smoke; });
   static const ColumnTable<CellSetting, S> table({{{
       Row("v", D::velocity, "velocity, zero where there is no fluid", velocity).vector(),
-      {"p", D::stress, "pressure, of the last step",
-       [](const S& s, std::size_t c) { return s.fluid(c) ? s.state.p[c] : 0; }},
+      {"p", D::stress, "pressure, of the last step, before the first one not a number; zero where there is no fluid",
+       [](const S& s, std::size_t c) { return !s.fluid(c)           ? 0
+                                              : s.state.dt_last > 0 ? s.state.p[c]
+                                                                    : no_number; }},
       {"kind", D::whole, "fluid 0, solid 1, obstacle 2, void 3",
        [](const S& s, std::size_t c) { return static_cast<double>(s.domain.kind[c]); }},
       {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",

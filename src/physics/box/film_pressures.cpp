@@ -16,7 +16,7 @@ namespace tether::coupled {
 namespace {
 
 constexpr std::size_t rims_of_a_block = 8;
-constexpr double rounding = 1e-6;  // of a cell: surfaces that are nearer to each other touch
+constexpr double contact_gap = 1e-6;  // of a cell: surfaces that are nearer to each other touch
 
 double length(const Vec<3>& a) { return std::sqrt(dot(a, a)); }
 
@@ -49,7 +49,7 @@ FilmPressures::Kind FilmPressures::kind_of(std::size_t piece) const {
   const StaggeredGrid& grid = of_.domain.grid;
   Kind kind = Kind::film;
   for (int axis = 0; axis < grid.dim; ++axis) {
-    const double x = of.middle[at(axis)], edge = rounding * grid.d[at(axis)];
+    const double x = of.middle[at(axis)], edge = contact_gap * grid.d[at(axis)];
     const bool below = x < grid.low[at(axis)] - edge;
     if (!below && x <= grid.high(axis) + edge) continue;
     if (lets_out(axis, below ? 0 : 1)) return Kind::outlet;
@@ -74,7 +74,7 @@ bool FilmPressures::is_in_another_solid(const SurfacePiece& piece) const {
   if (of_.surface.parts < 2) return false;
   const Vec<3> normal = unit(of_.pieces.area[at(piece.side)]);
   Vec<3> x = piece.middle;
-  for (std::size_t i = 0; i < at(of_.surface.dim); ++i) x[i] -= rounding * of_.domain.grid.d[i] * normal[i];
+  for (std::size_t i = 0; i < at(of_.surface.dim); ++i) x[i] -= contact_gap * of_.domain.grid.d[i] * normal[i];
   return turns_about(of_.surface, of_.q, x, part) > 0.5;
 }
 
@@ -172,7 +172,7 @@ void FilmPressures::link_films() {
 double FilmPressures::conductance(std::size_t film, std::size_t other) const {
   const SurfacePiece &a = of_.pieces.pieces[film], &b = of_.pieces.pieces[other];
   const Vec<3> way = minus(b.middle, a.middle);
-  const double least = rounding * *std::min_element(of_.domain.grid.d.begin(), of_.domain.grid.d.end());
+  const double least = contact_gap * *std::min_element(of_.domain.grid.d.begin(), of_.domain.grid.d.end());
   const double far =
       kind_[other] == Kind::film ? length(way) : length(along_plane(way, unit(of_.pieces.area[at(a.side)])));
   return 1 / std::max(far, least);

@@ -155,7 +155,7 @@ PressureStencil PressureSampler::at(const Vec<3>& x, std::size_t cell, double be
 
 namespace {
 
-constexpr double rounding = 1e-6;  // of a cell: so near to a side a piece is at it
+constexpr double at_side = 1e-6;  // of a cell: so near to a side a piece is at it
 
 class BeforePieces {
  public:
@@ -172,7 +172,7 @@ class BeforePieces {
     int found = -1;
     for (int side = 0; side < 2 * grid_.dim; ++side) {
       const int axis = axis_of_side(side);
-      if (std::abs(gap_to(side, piece.middle)) <= rounding * grid_.d[at(axis)] && is_open(side, piece.middle))
+      if (std::abs(gap_to(side, piece.middle)) <= at_side * grid_.d[at(axis)] && is_open(side, piece.middle))
         return side;
       if ((normal[at(axis)] > 0) == is_low_side(side)) continue;
       const double way = way_to(side, piece.middle, normal);

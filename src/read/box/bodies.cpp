@@ -14,11 +14,6 @@
 namespace tether {
 namespace {
 
-void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
-            Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
-}
-
 std::vector<int> without_twins(std::vector<int> nodes) {
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

@@ -13,8 +13,6 @@
 namespace tether {
 namespace {
 
-constexpr double tolerance = 1e-9;  // of the mesh's size
-
 double apart(const Vec<2>& a, const Vec<2>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 std::size_t per_side(const Mesh& mesh) { return static_cast<std::size_t>(side_node_count_of(mesh.kind)); }
@@ -108,7 +106,7 @@ OnEdge FlowEdge::nearest(const Vec<2>& at) const {
 }
 
 const FlowSide* FlowEdge::inflow_at(const Vec<2>& at) const {
-  const double within = tolerance * size_of(flow_.mesh);
+  const double within = coincident * size_of(flow_.mesh);
   for (const FlowSide& side : flow_.sides) {
     if (side.boundary != Boundary::inflow) continue;
     if (nearest_of_sides(flow_.mesh, side.sides, at).away <= within) return &side;

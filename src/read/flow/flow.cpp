@@ -16,11 +16,6 @@
 namespace tether {
 namespace {
 
-void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
-            Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
-}
-
 /// Density and viscosity, in which all regions of the fluid agree.
 void read_material(const Deck& deck, Flow& flow, Diagnostics& diagnostics) {
   const std::vector<int> regions = regions_of(deck, true);

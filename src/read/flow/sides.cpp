@@ -179,8 +179,6 @@ std::vector<FlowSide> flow_sides_of(const Deck& deck, const Mesh& mesh, Diagnost
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // of the mesh's size
-
 std::vector<int> nodes_of(const Sides& sides) {
   std::vector<int> nodes(sides);
   std::sort(nodes.begin(), nodes.end());
@@ -194,7 +192,7 @@ class Twins {
   explicit Twins(const Mesh& mesh) : mesh_(mesh), lowest_(mesh.node_count()) {
     std::iota(lowest_.begin(), lowest_.end(), 0);
     const auto [low, high] = std::minmax_element(mesh.x.begin(), mesh.x.end());
-    within_ = tolerance * (*high - *low);
+    within_ = coincident * (*high - *low);
   }
 
   /// Says what is wrong with the pair, and what would be right; empty where its nodes are joined.

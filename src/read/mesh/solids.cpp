@@ -171,11 +171,6 @@ namespace {
 
 constexpr const char* plane_hint = "x and y are all there is; with z of the regions in $mesh there are bodies in space";
 
-void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
-            Diagnostics& diagnostics) {
-  diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
-}
-
 std::string region_hint(const Deck& deck) {
   return regions_of(deck, true).empty() ? "regions are 1 to nreg"
                                         : "loads act on the regions that are no fluid; a fluid has bx, by of $flow";

@@ -7,12 +7,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/numbers.hpp"
+
 namespace tether::chart {
 namespace {
 
 /// Errors that fall by less than this hardly fall: something else than the size keeps them up.
 constexpr double least_order = 0.5;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool counts(const Point& run) { return std::isfinite(run.cost) && std::isfinite(run.error); }
 
@@ -25,7 +26,7 @@ double slope(std::span<const double> size, std::span<const double> error) {
     x += log_size, y += log_error, xx += log_size * log_size, xy += log_size * log_error, count += 1;
   }
   const double spread = count * xx - x * x;
-  return spread > 0 ? (count * xy - x * y) / spread : none;
+  return spread > 0 ? (count * xy - x * y) / spread : no_number;
 }
 
 /// The number p with ((s0/s1)^p - 1)/(1 - (s2/s1)^p) = ratio, that of distances which errors as s^p have.
@@ -34,7 +35,7 @@ double order_of_distances(double s0, double s1, double s2, double ratio) {
     return (std::pow(s0 / s1, p) - 1) / (1 - std::pow(s2 / s1, p)) - ratio;  // grows with p
   };
   double low = 1e-3, high = 20;
-  if (!(excess(low) < 0) || !(excess(high) > 0)) return none;
+  if (!(excess(low) < 0) || !(excess(high) > 0)) return no_number;
   for (int k = 0; k < 100; ++k) {
     const double middle = 0.5 * (low + high);
     (excess(middle) < 0 ? low : high) = middle;
@@ -79,7 +80,7 @@ std::optional<std::size_t> cheapest(std::span<const Point> runs, double toleranc
 
 Order order_of(std::span<const double> size, std::span<const double> error, double spread) {
   const std::size_t count = size.size();
-  if (count < 2) return {none, 0, false};
+  if (count < 2) return {no_number, 0, false};
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   std::size_t first = count - 1;
   while (first > 0) {
@@ -99,8 +100,8 @@ Limit limit_of(std::span<const double> size, std::span<const double> value) {
   const std::size_t n = size.size();
   const double before = value[n - 2] - value[n - 3], last = value[n - 1] - value[n - 2];
   const double order = order_of_distances(size[n - 3], size[n - 2], size[n - 1], before / last);
-  if (last == 0) return {value[n - 1], 0, none, true};
-  if (std::isnan(order)) return {value[n - 1], std::max(std::abs(before), std::abs(last)), none, false};
+  if (last == 0) return {value[n - 1], 0, no_number, true};
+  if (std::isnan(order)) return {value[n - 1], std::max(std::abs(before), std::abs(last)), no_number, false};
   const double farther = last / (std::pow(size[n - 2] / size[n - 1], order) - 1);
   return {value[n - 1] + farther, std::abs(farther), order, true};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/numbers.hpp"
 #include "studies/map/map.hpp"
 #include "studies/run_table.hpp"
 
@@ -13,9 +14,7 @@ namespace {
 using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-double number_of(const Cell& cell) { return std::holds_alternative<double>(cell) ? std::get<double>(cell) : none; }
+double number_of(const Cell& cell) { return std::holds_alternative<double>(cell) ? std::get<double>(cell) : no_number; }
 
 void add_bisections(StudyTable& table, const std::string& vary, const Outcome& outcome) {
   Numbers low, high, theory;
@@ -32,13 +31,13 @@ void add_bisections(StudyTable& table, const std::string& vary, const Outcome& o
 }
 
 void add_verdicts(StudyTable& table, const Map& map, const Outcome& outcome) {
-  Numbers holds, decided, own, theory(outcome.decided_by.size(), none);
+  Numbers holds, decided, own, theory(outcome.decided_by.size(), no_number);
   Texts verdict;
   for (std::size_t k = 0; k < outcome.decided_by.size(); ++k) {
     const auto by = outcome.decided_by[k];
     verdict.push_back(by ? outcome.verdicts[*by] : "tells nothing");
-    holds.push_back(by ? (verdict.back() == "holds" ? 1 : 0) : none);
-    decided.push_back(by ? static_cast<double>(*by + 1) : none);
+    holds.push_back(by ? (verdict.back() == "holds" ? 1 : 0) : no_number);
+    decided.push_back(by ? static_cast<double>(*by + 1) : no_number);
     own.push_back(by && outcome.runs[*by].variant.combination == k ? 1 : 0);
   }
   for (const Crossing& crossing : border_of(map, outcome).crossings) theory[crossing.square] = crossing.theory;
@@ -65,7 +64,7 @@ double bisected_theory(const Outcome& outcome, std::size_t square) {
     const Variant& variant = outcome.runs[k].variant;
     if (variant.combination == square && variant.varied == outcome.bisections[square].holds()) return outcome.theory[k];
   }
-  return none;
+  return no_number;
 }
 
 std::vector<std::size_t> border_axes(const Study& study) {

@@ -20,17 +20,16 @@ namespace tether::published {
 namespace {
 
 using Arguments = std::vector<Argument>;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 const Formula& formula_of(const Argument& argument) { return *std::get<std::shared_ptr<const Formula>>(argument); }
 
 double sum(const Numbers& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 double least_of(const Numbers& values) {
-  return values.empty() ? none : *std::min_element(values.begin(), values.end());
+  return values.empty() ? no_number : *std::min_element(values.begin(), values.end());
 }
 double largest_of(const Numbers& values) {
-  return values.empty() ? none : *std::max_element(values.begin(), values.end());
+  return values.empty() ? no_number : *std::max_element(values.begin(), values.end());
 }
 
 /// The values of a formula at all points of a snapshot, or at all nodes.
@@ -105,7 +104,9 @@ std::size_t snapshot_of(std::size_t count, const Argument& argument) {
   return static_cast<std::size_t>(*number);
 }
 
-double mean(const Numbers& values) { return values.empty() ? none : sum(values) / static_cast<double>(values.size()); }
+double mean(const Numbers& values) {
+  return values.empty() ? no_number : sum(values) / static_cast<double>(values.size());
+}
 
 double points_sum(const RunFiles& run, const Arguments& a) { return sum(chosen_points(run, a[0], a[1], a[2])); }
 double points_mean(const RunFiles& run, const Arguments& a) { return mean(chosen_points(run, a[0], a[1], a[2])); }
@@ -113,13 +114,13 @@ double points_min(const RunFiles& run, const Arguments& a) { return least_of(cho
 double points_max(const RunFiles& run, const Arguments& a) { return largest_of(chosen_points(run, a[0], a[1], a[2])); }
 double points_where_least(const RunFiles& run, const Arguments& a) {
   const Numbers values = chosen_points(run, a[0], a[2], a[3]), by = chosen_points(run, a[1], a[2], a[3]);
-  if (values.empty()) return none;
+  if (values.empty()) return no_number;
   return values[static_cast<std::size_t>(std::min_element(by.begin(), by.end()) - by.begin())];
 }
 double point(const RunFiles& run, const Arguments& a) {
   const Numbers values = at_points(run, formula_of(a[0]), snapshot_of(run.snapshots(), a[2]));
   const double k = formula_of(a[1]).of_run(run);
-  return k >= 1 && k <= static_cast<double>(values.size()) ? values[static_cast<std::size_t>(k) - 1] : none;
+  return k >= 1 && k <= static_cast<double>(values.size()) ? values[static_cast<std::size_t>(k) - 1] : no_number;
 }
 double nodes_sum(const RunFiles& run, const Arguments& a) { return sum(chosen_nodes(run, a)); }
 double nodes_mean(const RunFiles& run, const Arguments& a) { return mean(chosen_nodes(run, a)); }
@@ -144,7 +145,7 @@ double front(const RunFiles& run, const Arguments& a) {
     if (here < level) continue;
     return columns.x[c - 1] + (columns.x[c] - columns.x[c - 1]) * (here - level) / (here - right);
   }
-  return none;
+  return no_number;
 }
 
 double columns_apart(const RunFiles& run, const Arguments& a) {

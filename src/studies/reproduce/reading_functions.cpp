@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "base/numbers.hpp"
 #include "results/signal.hpp"
 #include "studies/reproduce/point_readings.hpp"
 
@@ -14,7 +14,6 @@ namespace {
 
 using Arguments = std::vector<Argument>;
 using enum ArgumentKind;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 const std::string& word_of(const Argument& argument) { return std::get<std::string>(argument); }
 double number_of(const RunFiles& run, const Argument& argument) {
@@ -83,12 +82,12 @@ double of_scene(const RunFiles& run, const Arguments& a) {
   try {
     return scene_value(run.scene(), word_of(a[0]));
   } catch (const std::domain_error&) {
-    return none;  // the scene has no such solution
+    return no_number;  // the scene has no such solution
   }
 }
 double modulus(const RunFiles& run, const Arguments& a) {
   const double body = number_of(run, a[0]);
-  return std::isnan(body) ? none : modulus_of(run.scene(), static_cast<int>(body));
+  return std::isnan(body) ? no_number : modulus_of(run.scene(), static_cast<int>(body));
 }
 double summary(const RunFiles& run, const Arguments& a) { return run.summary(word_of(a[0])); }
 double outcome(const RunFiles& run, const Arguments& a) { return run.outcome(word_of(a[0])); }

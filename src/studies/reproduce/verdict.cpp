@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/diagnostics.hpp"
+#include "base/numbers.hpp"
 #include "studies/reproduce/point_readings.hpp"
 
 namespace tether::published {
@@ -16,7 +16,6 @@ namespace {
 
 /// Rounding of a band's own arithmetic.
 constexpr double band_slip = 1e-9;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A distance from a number: in per cent of it, or, where that has no meaning, in its own unit.
 std::string distance_text(double size, double of) {
@@ -116,7 +115,7 @@ Verdict on_theory(const PublishedQuantity& quantity, double exact) {
 }  // namespace
 
 double Measured::median() const {
-  if (values.empty() || 2 * values.size() <= runs) return none;
+  if (values.empty() || 2 * values.size() <= runs) return no_number;
   auto sorted = values;
   std::sort(sorted.begin(), sorted.end());
   const std::size_t middle = sorted.size() / 2;
@@ -124,7 +123,7 @@ double Measured::median() const {
 }
 
 double Measured::spread() const {
-  if (values.size() < 2) return none;
+  if (values.size() < 2) return no_number;
   double squares = 0;
   for (const double value : values) squares += (value - mean(values)) * (value - mean(values));
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
@@ -133,7 +132,7 @@ double Measured::spread() const {
 Measured measure(const PublishedQuantity& quantity, const MethodResult& result) {
   Measured measured{{}, result.runs, result.failure};
   for (const RunFiles& files : quantity.of_deck ? result.begun : result.files) {
-    double value = none;
+    double value = no_number;
     try {
       value = quantity.reading(files);
     } catch (const FileError& error) {
@@ -169,7 +168,7 @@ Verdict compare_with(const Measured& measured, const Printed& target, bool judge
 }
 
 double exact_of(const PublishedQuantity& quantity, const MethodResult& method) {
-  if (!quantity.exact) return none;
+  if (!quantity.exact) return no_number;
   for (const RunFiles& files : method.files) {
     try {
       const double exact = quantity.exact(files);
@@ -178,7 +177,7 @@ double exact_of(const PublishedQuantity& quantity, const MethodResult& method) {
       continue;  // a run that has no exact value: the next one
     }
   }
-  return none;
+  return no_number;
 }
 
 Judgement judge(const PublishedQuantity& quantity, const MethodResult& thesis, const MethodResult& robust) {
