@@ -10,8 +10,9 @@ AMBIENT = 0.5  # share of the light that comes from everywhere
 SHINE, SHARP = 0.12, 24  # of surfaces that mirror the light
 SHADOW_PIXELS = 700
 BIAS = 6e-3  # of the box, by which a surface is nearer than its own shadow
-FLOOR, WALL = numpy.array((0.74, 0.74, 0.73)), numpy.array((0.83, 0.85, 0.88))
+FLOOR, WALL = numpy.array((0.40, 0.40, 0.39)), numpy.array((0.36, 0.40, 0.46))
 SKY = numpy.array((0.97, 0.97, 0.98))
+GREY = (0.95, 0.94, 0.92)  # of smoke in full light
 
 
 class Surface:
@@ -51,9 +52,9 @@ class Picture:
         self.sun = LightCamera(low, high, LIGHT, SHADOW_PIXELS)
         self.pixels = pixels
 
-    def draw(self, surfaces, fog=None, tint=(0.95, 0.94, 0.92)):
+    def draw(self, surfaces, fog=None, tints=2 * (GREY,), second=None):
         """Colours of the pixels, (down, across, 3), each from 0 to 1. `fog` is the absorption of cells [1/length] over
-        (z, y, x), with their sizes, `tint` its colour in full light."""
+        (z, y, x), with their sizes, `tints` are its colours in full light, `second` the share of the second one."""
         light = smoke.light_in(*fog, LIGHT) if fog else None
         nearest, values = self.seen(surfaces + room(self.low, self.high))
         depth = numpy.divide(1.0, nearest, out=numpy.full_like(nearest, numpy.inf), where=nearest > 0)
@@ -62,7 +63,8 @@ class Picture:
         colours = numpy.where((nearest > 0)[..., None], colours, SKY)
         if fog:
             shades = AMBIENT + (1 - AMBIENT) * light
-            smoke.over(colours, depth, self.camera, (fog[0], shades), self.low, fog[1], tint)
+            share = numpy.zeros_like(light) if second is None else second
+            smoke.over(colours, depth, self.camera, (fog[0], shades, share), self.low, fog[1], tints)
         return numpy.clip(colours, 0, 1)
 
     def seen(self, surfaces):

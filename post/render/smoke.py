@@ -69,10 +69,12 @@ def between(field):
     return (1 - part) * field[first] + part * field[first + 1]
 
 
-def over(picture, depth, camera, smoke, low, sizes, tint):
+def over(picture, depth, camera, smoke, low, sizes, tints):
     """The picture with smoke in front of it, from the back to the front: `depth` is that of what stands in each pixel,
-    `smoke` its absorption [1/length] and its light, (z, y, x), `tint` its colour in full light."""
-    absorption, light = (between(field) for field in smoke)
+    `smoke` its absorption [1/length], its light and the share of it that has the second colour, (z, y, x), `tints` are both
+    colours in full light."""
+    absorption, light, second = (between(field) for field in smoke)
+    tints = numpy.asarray(tints)
     rays = camera.rays()
     length = numpy.linalg.norm(rays, axis=-1) * sizes[2] / BETWEEN / numpy.maximum(-rays[..., 2], 1e-9)
     for layer in range(absorption.shape[0]):
@@ -82,7 +84,8 @@ def over(picture, depth, camera, smoke, low, sizes, tint):
         ahead = (z - camera.eye[2]) / rays[..., 2]  # depth at which a ray passes the layer
         x, y = (camera.eye[k] + ahead * rays[..., k] for k in (0, 1))
         thick = across(absorption[layer], low, sizes, x, y)
-        bright = across(absorption[layer] * light[layer], low, sizes, x, y) / numpy.maximum(thick, 1e-12)
+        bright, share = (across(absorption[layer] * field[layer], low, sizes, x, y) / numpy.maximum(thick, 1e-12)
+                         for field in (light, second))
         cover = (1 - numpy.exp(-thick * length)) * (ahead < depth)
-        picture += cover[..., None] * (bright[..., None] * numpy.asarray(tint) - picture)
+        picture += cover[..., None] * (bright[..., None] * (tints[0] + share[..., None] * (tints[1] - tints[0])) - picture)
     return picture

@@ -79,8 +79,8 @@ class BoxScene:
     def image(self, record, name, scale):
         """The picture of a box in space."""
         cells = self.fluid.at(record)
-        share = numpy.nan_to_num(quantities.value_of(cells, name)) / scale.high
-        return self.in_space.draw(cells["kind"], abs(share), self.surfaces(record), scale.colours, name == "speed")
+        share = numpy.nan_to_num(quantities.value_of(cells, name)) / max(scale.high, -scale.low)
+        return self.in_space.draw(cells["kind"], share, self.surfaces(record), scale, name == "speed")
 
     def surfaces(self, record):
         """The bodies at that time, coloured by their energy density."""
@@ -127,6 +127,8 @@ class BoxLayer:
     def fit(self, records):
         samples = [self.scene.in_fluid(self.name, record) for record in records]
         self.scale.fit([*samples, numpy.zeros(1)], 0.0 if self.name == "smoke" else 0.1)
+        if self.scene.dim == 3:
+            self.scale.bar = box_in_space.bar_of(self.scale)
         self.scene.fit_bodies([record for record in records if self.scene.bodies])
 
     def draw(self, axes, record):

@@ -4,20 +4,19 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-import numpy
-
 import command
 import tether_results
-from scene import histories, last_values, quantities
+from scene import histories, last_values, moments, quantities
 from scene.bars import Bars
 from scene.box import BoxLayer
 from scene.elements import Elements
 from scene.flow import Flow
-from scene.frame import Scene, even_sets, liveliest
+from scene.frame import Scene
 from scene.points import Points
 
 LONGEST_TITLE = 140
 SENTENCE_ENDS = r"(?<!Fig)(?<!Figs)[.;] "
+REMARK = r"\s*\((?=[^()]*(?:chapter|appendix|[Ss]ection|thesis|Fig|Box|Table))[^()]*\)"  # where a deck is from
 MESHES, POINTS = "iout(39)=1 and tiout(39)=TIME write mesh.nc", "iout(13)=1 and tiout(13)=TIME write particles.nc"
 
 
@@ -34,10 +33,6 @@ class Kind:
     note: str = ""
 
 
-def of_flow(run, name=None):
-    return Flow(run.fields("mesh"), name)
-
-
 def bodies_in(run, _=None):
     """Bodies in a flow, which are in a file of their own."""
     return Elements(run.fields("solids")) if run.has("solids") else None
@@ -51,7 +46,7 @@ KINDS = (
     Kind("box", "fluid_volume", "mesh", (BoxLayer,),
          (histories.places, histories.energies, histories.works, histories.forces, histories.volumes, histories.smoke),
          MESHES),
-    Kind("flow", "stream_max", "mesh", (of_flow, bodies_in),
+    Kind("flow", "stream_max", "mesh", (Flow, bodies_in),
          (histories.places, histories.drag, histories.lift, histories.pressure_differences, histories.forces,
           histories.energies, histories.works), MESHES),
     Kind("rigid", "director_1_x", "mesh", (of_mesh,),
@@ -85,10 +80,13 @@ def first_statement(lines):
 
 
 def title_of(run):
-    """The run's name and the first sentence of its deck's head; lines that a namelist's readers want quoted are no words."""
+    """The run's name and the first sentence of its deck's head, without its source; lines that a namelist's readers want
+    quoted are no words."""
     lines = [line.strip() for line in run.title.splitlines() if line.strip()]
     words = [line for line in lines if line[0] not in "'\""] or [line.strip("'\" ") for line in lines[-1:]]
-    sentence = re.split(SENTENCE_ENDS, first_statement(words))[0]
+    sentence = re.split(SENTENCE_ENDS, re.sub(REMARK, "", first_statement(words)))[0]
+    while sentence.count("(") > sentence.count(")"):
+        sentence = sentence[:sentence.rindex("(")].rstrip()
     return f"{run.name}: {textwrap.shorten(sentence, LONGEST_TITLE, placeholder=' ...')}" if sentence else run.name
 
 
@@ -119,18 +117,12 @@ def needed_scene(run, name=None):
 
 
 def records_of(run, scene, times=()):
-    """The snapshots that are drawn: those nearest to these times, or some evenly spaced; of a steady run the last."""
+    """The snapshots that are drawn: those nearest to these times, or some that show it; of a steady run the last."""
     if times:
         return sorted({scene.layers[0].fields.record(float(time)) for time in times})
     if is_steady(run):
         return [len(scene.times) - 1]
-    return liveliest(even_sets(scene.times), lambda records: variety(run, scene.times[records]))
-
-
-def variety(run, times):
-    """How much the kinetic energy differs between some times."""
-    energy = run.history["energy_kinetic"] if "energy_kinetic" in run.history else 0 * run.history["time"]
-    return float(numpy.nan_to_num(numpy.interp(times, run.history["time"], energy).std()))
+    return moments.telling(run, scene.times)
 
 
 def histories_of(run):

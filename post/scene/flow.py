@@ -11,12 +11,21 @@ LINES = 12  # of the stream function, on either side of its middle
 IN_EDDIES = (0.25, 0.6, 0.9)  # of an eddy's own extreme, where its lines are
 TWO_WALLS = 5.0  # per cent of the outer nodes whose values count for nothing: at the corners of a lid they jump
 ONE_WALL = 0.02  # of the stream function's range: walls that differ by less are one
+AT_REST = 1e-6  # of its pressures: the kinetic energy of a fluid whose motion means nothing
 SMALLEST = 1e-7  # of the stream function's range: what is weaker is no eddy
 
 
 def both_sides(middle, sizes):
     """Numbers as far below a middle as above it, ascending."""
     return numpy.concatenate([middle - sizes[::-1], middle + sizes])
+
+
+def is_at_rest(run, fields):
+    """Whether the fluid's pressures do no more than hold it where it is: its motion is then rounding, or what the method makes
+    of steps of pressure between nodes."""
+    last = fields.at(-1, ["x", "y", "p"])
+    room = numpy.ptp(last["x"]) * numpy.ptp(last["y"])
+    return run.history["energy_kinetic"][-1] < AT_REST * numpy.ptp(last["p"]) * room
 
 
 class FlowMesh:
@@ -112,9 +121,11 @@ class Flow:
     handles = ()
     axes_names = ("x", "y")
 
-    def __init__(self, fields, name=None):
+    def __init__(self, run, name=None):
+        fields = run.fields("mesh")
         self.mesh, self.fields, self.times = FlowMesh(fields), fields, fields.times
-        self.name = name or "speed"
+        self.at_rest = is_at_rest(run, fields)
+        self.name = name or ("p" if self.at_rest else "speed")
         self.scales = [quantities.Scale(self.name, quantities.unit(fields, self.name))]
 
     def values(self, record):
@@ -133,7 +144,7 @@ class Flow:
         scale = self.scales[0]
         axes.tripcolor(self.mesh.triangles, numpy.nan_to_num(self.values(record)), cmap=scale.colours, norm=scale.norm,
                        shading="gouraud", zorder=1)
-        if "stream" in self.fields.names:
+        if "stream" in self.fields.names and not self.at_rest:
             self.mesh.draw_streamlines(axes, record, reach=self.reach, colors="black", linewidths=0.45, alpha=0.65)
         edges = self.fields.start[topology.outer_edges(self.mesh.elements)]
         style.draw_edges(axes, edges)

@@ -6,37 +6,9 @@ import style
 from scene import quantities
 from scene.sheet import Sheet
 
-MOST_PANELS = 6
-EVEN = 0.02  # of the time between panels, by which a snapshot may be off
-REACHED = 0.75  # of the run's time that panels must cover
-LIVELY = 0.7  # of the largest variety
 THINNEST = 6.0  # length over width of a domain: a thinner one is drawn wider than it is
 POWERS = (-3, 4)  # of ten, between which the numbers at a bar have no factor above it
 MARGIN = 0.03  # around a domain, of its sizes
-
-
-def are_even(times, end, count):
-    """Numbers of so many snapshots that are as far apart as each other up to one of them; None where there are none."""
-    targets = numpy.linspace(times[0], times[end], count)
-    records = [int(abs(times - target).argmin()) for target in targets]
-    even = abs(times[records] - targets).max() <= EVEN * (targets[1] - targets[0])
-    return records if even and len(set(records)) == count else None
-
-
-def even_sets(times, most=MOST_PANELS):
-    """Sets of snapshots that are as far apart as each other, from the first to the last or nearly; the best come first."""
-    ends = [end for end in range(len(times) - 1, 0, -1) if times[end] - times[0] > REACHED * (times[-1] - times[0])]
-    found = []
-    for counts in ((most, most - 2), (most - 1,), (3,)):
-        for end in ends:
-            found += [records for count in counts if (records := are_even(times, end, count))]
-    return found or [sorted({0, len(times) - 1})]
-
-
-def liveliest(sets, variety):
-    """The first set whose variety is not far below that of any: a swing is not seen by snapshots that are a period apart."""
-    varieties = [variety(records) for records in sets]
-    return next(records for records, here in zip(sets, varieties) if here >= LIVELY * max(varieties))
 
 
 class Scene:

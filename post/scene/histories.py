@@ -9,6 +9,8 @@ import style
 MOST_CURVES = 8
 SMALL = 1e-3  # of the largest change of its like: what changes less is left out
 SHORT = 0.02  # of a number: what changes by less is drawn as a change
+ROUNDED = 1e-9  # of the largest change of an energy: exchanges that are all smaller are rounding
+MOST_TICKS = 6  # along time, so that long numbers do not meet
 KEPT = 1e-6  # of the energies: a total that changes by less is kept
 LEAST_VOLUME = 1e-4  # per cent
 # Of energies: those that something holds; energy_pressure is what rounding is measured against, energy_fluid a part of another.
@@ -92,11 +94,17 @@ def exchange(title, what, chosen):
         sizes = {name: numpy.nanmax(abs(change), initial=0) for name, change in changes.items()}
         largest = max(sizes.values(), default=0)
         shown = sorted((name for name in names if sizes[name] > SMALL * largest), key=lambda name: -sizes[name])[:MOST_CURVES]
-        if not shown or not largest > 0:
+        if not shown or not largest > ROUNDED * largest_change(run):
             return []
         curves = [Curve(name.removeprefix("energy_"), name, changes[name]) for name in names if name in shown]
         return [Panel(title + kept(run, names), style.label(what, unit_of(run, names[0])), curves, changed(run.exact_over("time")))]
     return panels
+
+
+def largest_change(run):
+    """Of any energy from its start."""
+    return max((numpy.nanmax(abs(run.history[name] - run.history[name][0]), initial=0) for name in run.history.variables
+                if name.startswith("energy_")), default=0)
 
 
 def kept(run, names):
@@ -187,6 +195,7 @@ def draw_panel(axes, run, panel):
         if curve.column in panel.exact:
             axes.plot(panel.exact["time"], panel.exact[curve.column], **style.EXACT)
             errors.append(error_text(curve.values, panel.exact["time"], panel.exact[curve.column], time))
+    axes.locator_params(axis="x", nbins=MOST_TICKS)
     axes.set_xlabel(style.label("time", unit_of(run, "time")))
     axes.set_ylabel(panel.label)
     axes.set_title("\n".join([panel.title, *errors[:1]]), fontsize=8)

@@ -59,6 +59,7 @@ class Scale:
     low: float = 0.0
     high: float = 1.0
     extend: str = "neither"
+    bar: colors.Colormap | None = None  # where its bar has others
 
     @property
     def colours(self):
@@ -103,7 +104,7 @@ class Scale:
 
     def mappable(self):
         """What a colour bar is made from."""
-        return cm.ScalarMappable(self.norm, self.colours)
+        return cm.ScalarMappable(self.norm, self.bar or self.colours)
 
     def rgba(self, values):
         """Colours of numbers."""

@@ -5,6 +5,7 @@ import os
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # a run that goes on holds a lock on its files
 
 import netCDF4
+import numpy
 
 
 class NotARun(Exception):
@@ -17,13 +18,22 @@ def open_dataset(path):
         dataset = netCDF4.Dataset(path)
     except OSError as reason:
         raise NotARun(f"{path}: cannot be read as NetCDF: {reason.strerror or reason}") from reason
-    dataset.set_auto_mask(False)  # a run writes no fill values
+    dataset.set_auto_mask(False)
     return dataset
 
 
 def is_numeric(variable):
     """Whether a variable holds numbers."""
     return variable.dtype is not str and variable.dtype.kind in "fiu"
+
+
+def numbers(variable, where=slice(None)):
+    """Values as floating-point numbers: not a number where there is none, also of whole numbers, such as of points that have
+    left."""
+    values = numpy.asarray(variable[where], dtype=float)
+    if variable.dtype.kind in "iu" and "_FillValue" in variable.ncattrs():
+        values[values == variable.getncattr("_FillValue")] = numpy.nan
+    return values
 
 
 def texts(dataset, name):

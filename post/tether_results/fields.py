@@ -52,7 +52,7 @@ class Fields:
             return self._constants[name]
         if name not in self._whole:
             with datasets.open_dataset(self.path) as data:
-                self._whole[name] = numpy.asarray(data[name][:], dtype=float)
+                self._whole[name] = datasets.numbers(data[name])
         return self._whole[name]
 
     def record(self, when):
@@ -67,7 +67,7 @@ class Fields:
         """Arrays by name of one snapshot, of all fields or of these; of a box over ([z,] y, x)."""
         record = self.record(when)
         with datasets.open_dataset(self.path) as data:
-            found = {name: numpy.asarray(data[name][record], dtype=float) for name in names or self.names}
+            found = {name: datasets.numbers(data[name], record) for name in names or self.names}
         return {name: self.box.array(values) for name, values in found.items()} if self.box else found
 
     @property

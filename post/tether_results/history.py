@@ -27,7 +27,7 @@ class History:
         self._columns = {column: values for name in self.variables for column, values in self._split(name)}
 
     def _take(self, name, variable):
-        self.variables[name] = numpy.asarray(variable[:], dtype=float)
+        self.variables[name] = datasets.numbers(variable)
         count = variable.shape[1] if variable.ndim == 2 else 0
         for known in (name, *numbered(name, count)):
             self.units[known] = getattr(variable, "units", "1")

@@ -139,7 +139,7 @@ class Fields(PageTest):
         self.assertIn("records are left out", notes)
 
     def test_a_run_without_snapshots_says_what_writes_them(self):
-        run = self.run_of("l-block", {"in.tmax": 0.3})
+        run = self.run_of("l-block", {"in.tmax": 0.3, "in.iout(39)": 0})
         dom = self.shown(run, "#at=1")
         self.assertIn("iout(39)=1", dom)
         self.assertIn(f"time = {run.history['time'][1]:g}", self.text_at(dom, "reading"))

@@ -75,20 +75,21 @@ class Smoke(unittest.TestCase):
         camera = Camera(*BOX, (60, 45))
         fog = numpy.full((4, 6, 8), 1.3)
         sizes = numpy.array((0.25, 0.25, 0.25))
-        picture = smoke.over(numpy.zeros((45, 60, 3)), numpy.full((45, 60), numpy.inf), camera, (fog, numpy.ones_like(fog)),
-                             numpy.zeros(3), sizes, (0.9, 0.8, 0.7))
+        smoke_there = fog, numpy.ones_like(fog), numpy.full_like(fog, 0.25)
+        picture = smoke.over(numpy.zeros((45, 60, 3)), numpy.full((45, 60), numpy.inf), camera, smoke_there, numpy.zeros(3),
+                             sizes, ((0.9, 0.8, 0.7), (0.1, 0.4, 0.7)))
         places, _ = camera.project(numpy.array((1.0, 0.75, 0.5)))
         across, down = places.astype(int)
         ray = camera.rays()[down, across]
         through = numpy.linalg.norm(ray) / -ray[2]  # from the front to the back, along the ray
         cover = 1 - numpy.exp(-1.3 * through)
-        numpy.testing.assert_allclose(picture[down, across], cover * numpy.array((0.9, 0.8, 0.7)), rtol=1e-6)
+        numpy.testing.assert_allclose(picture[down, across], cover * numpy.array((0.7, 0.7, 0.7)), rtol=1e-6)
 
     def test_what_stands_in_front_is_not_covered(self):
         camera = Camera(*BOX, (60, 45))
         fog = numpy.full((4, 6, 8), 1.3)
-        picture = smoke.over(numpy.zeros((45, 60, 3)), numpy.zeros((45, 60)), camera, (fog, numpy.ones_like(fog)),
-                             numpy.zeros(3), numpy.full(3, 0.25), (1.0, 1.0, 1.0))
+        picture = smoke.over(numpy.zeros((45, 60, 3)), numpy.zeros((45, 60)), camera, (fog, numpy.ones_like(fog), 0 * fog),
+                             numpy.zeros(3), numpy.full(3, 0.25), 2 * ((1.0, 1.0, 1.0),))
         self.assertEqual(picture.max(), 0.0)
 
 

@@ -17,7 +17,7 @@ import numpy
 
 import tether_results
 import plot
-from scene import choose, frame, quantities
+from scene import choose, moments, quantities
 from scene.points import Points
 from small_runs import PLACES, FolderTest, write_deck, write_history, write_particles
 
@@ -29,22 +29,41 @@ class PointsTest(FolderTest):
         return tether_results.open(self.folder)
 
 
+class Titles(PointsTest):
+    def test_are_the_first_sentence_without_its_source(self):
+        write_history(self.folder)
+        run = self.open()
+        for head, words in (("A ball flies (chapter 5.9, Box 8; A.1.6), and lands. More.", "A ball flies, and lands"),
+                            ("A disk at (.6, .5); more", "A disk at (.6, .5)"),
+                            ("A ring at rest (mu F e (x) e, mu = 1; R = .25): more", "A ring at rest"),
+                            ("Gas: (density 1, p 1) on the left.", "Gas: (density 1, p 1) on the left.")):
+            run.history.attributes["title"] = head
+            self.assertEqual(choose.title_of(run), f"{run.name}: {words}")
+
+
 class Snapshots(PointsTest):
     def test_are_evenly_spaced_or_both_ends(self):
         for times, chosen in (([0], [0]), ([0, 1], [0, 1]), (range(6), range(6)), (range(18), (0, 3, 6, 9, 12, 15)),
                               ([0, 1, 2, 2.85], [0, 3]), ([0, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 1.75], (0, 2, 4, 6, 8))):
-            self.assertEqual(frame.even_sets(numpy.array(list(times), dtype=float))[0], list(chosen))
+            self.assertEqual(moments.even_sets(numpy.array(list(times), dtype=float))[0], list(chosen))
 
     def test_of_a_swing_are_not_a_period_apart(self):
         times = numpy.linspace(0, 3, 25)
-        sets = frame.even_sets(times)
+        sets = moments.even_sets(times)
         self.assertEqual(times[sets[0]].tolist(), [0, 1, 2, 3])
         variety = lambda records: numpy.sin(2 * numpy.pi * times[records]).std()
-        chosen = frame.liveliest(sets, variety)
+        chosen = moments.liveliest(sets, variety)
         self.assertLess(variety(sets[0]), 1e-12)
-        self.assertGreater(variety(chosen), frame.LIVELY * max(map(variety, sets)) - 1e-12)
+        self.assertGreater(variety(chosen), moments.LIVELY * max(map(variety, sets)) - 1e-12)
         self.assertEqual(len(set(numpy.diff(times[chosen]))), 1)
-        self.assertEqual(frame.liveliest(sets, lambda records: 0.0), sets[0])
+        self.assertEqual(moments.liveliest(sets, lambda records: 0.0), sets[0])
+
+    def test_of_a_motion_that_is_over_early_are_most_while_it_lasts(self):
+        times = numpy.linspace(0, 10, 101)
+        moved = numpy.minimum(times, 1)
+        self.assertTrue(moments.is_early(moved, times))
+        self.assertFalse(moments.is_early(times, times))
+        self.assertEqual(times[moments.while_it_moves(moved, times)].round(1).tolist(), [0, 0.4, 0.7, 2, 6, 10])
 
     def test_are_those_nearest_to_the_times_that_are_asked_for(self):
         write_history(self.folder)

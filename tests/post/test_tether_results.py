@@ -41,6 +41,20 @@ class Histories(DeckTest):
 
 
 class Snapshots(DeckTest):
+    def test_what_has_left_has_no_numbers_and_no_body(self):
+        run = self.run_of("open-tube")
+        first = run.fields("particles").at(0)
+        gone = numpy.isnan(first["x"])
+        self.assertTrue(0 < gone.sum() < len(gone))
+        numpy.testing.assert_array_equal(numpy.isnan(first["body"]), gone)
+        self.assertEqual(set(first["body"][~gone]), {1, 2})
+
+    def test_no_pressure_is_known_before_the_first_step(self):
+        for deck, kind, values in (("coupled-archimedes", "mesh", {"in.tmax": 0.05}), ("cavity", "mesh", {"mesh.cells(1,1)": (4, 4)})):
+            fields = self.run_of(deck, values).fields(kind)
+            self.assertTrue(numpy.isnan(fields.at(0)["p"]).any(), deck)
+            self.assertTrue(numpy.isfinite(fields.at(-1)["p"]).all(), deck)
+
     def test_points_at_a_time_and_at_a_number(self):
         particles = self.run_of("sod").fields("particles")
         self.assertEqual((particles.form, len(particles)), ("points", 4))
