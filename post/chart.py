@@ -59,14 +59,16 @@ def draw_over_size(axes, columns):
     axes.set(xscale="log", yscale="log", xlabel="size of a cell", ylabel="error")
 
 
-def draw(columns):
+def draw(columns, title=""):
     figure, axes = style.panels(4, 4)
     draw_over_cost(axes[0], columns, "cpu_seconds", "seconds of a processor")
     draw_over_cost(axes[1], columns, "peak_memory_mb", "memory [MB]")
     draw_over_size(axes[2], columns)
     axes[3].axis("off")  # room for the names, which would hide curves
     axes[3].legend(*axes[0].get_legend_handles_labels(), loc="center left")
-    style.note(figure, "Full: meshes; dotted, hollow: steps on one mesh.")
+    if (columns["of"] == "steps").any():
+        style.note(figure, "Full: meshes; dotted, hollow: steps on one mesh.")
+    figure.suptitle(title, fontsize=9)
     return figure
 
 
@@ -85,7 +87,7 @@ def main(words=None):
     parser.add_argument("chart", type=Path, metavar="CHART.nc", help="chart.nc of tether chart")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg next to it)")
     chosen = parser.parse_args(words)
-    return command.draw("chart", lambda: draw(read(chosen.chart)), chosen.out or chosen.chart.with_name("chart.svg"))
+    return command.draw("chart", lambda: draw(read(chosen.chart), command.title_of(chosen.chart)), chosen.out or chosen.chart.with_name("chart.svg"))
 
 
 if __name__ == "__main__":

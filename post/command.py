@@ -8,6 +8,7 @@ import sys
 
 import style
 import tether_results
+import titles
 
 
 class Refused(Exception):
@@ -27,6 +28,12 @@ def run(name, work):
         print(f"{name}: {reason}", file=sys.stderr)
         return 4
     return 0
+
+
+def title_of(path):
+    """The title of a figure of a study from its file."""
+    with tether_results.open_dataset(path) as data:
+        return titles.title(path.absolute().parent.name, getattr(data, "title", ""))
 
 
 def save(path, write):

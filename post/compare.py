@@ -42,8 +42,11 @@ class Difference:
 
     @property
     def reach(self):
-        """The range of the second curve; of one that is constant but for rounding its size, of zeros 1."""
-        size = float(numpy.nanmax(abs(self.other)))
+        """The range of the second curve; of one that is constant but for rounding its size, of one that is rounding next to
+        the first that one's, of zeros 1."""
+        first, size = (float(numpy.nanmax(abs(curve))) for curve in (self.one, self.other))
+        if size < CONSTANT * first:
+            return first
         extent = float(numpy.nanmax(self.other) - numpy.nanmin(self.other))
         return (extent if extent > CONSTANT * size else size) or 1.0
 

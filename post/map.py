@@ -84,7 +84,7 @@ def draw_verdicts(axes, columns, names, rows):
             axes.add_collection(PolyCollection(squares(ex, ey, verdict == name), facecolors="none", linewidths=0, hatch=hatch))
     own = columns["own_run"][rows].reshape(shape) == 1
     gx, gy = numpy.meshgrid(x, y)
-    axes.plot(gx[own], gy[own], ".", color="black", markersize=2)
+    axes.plot(gx[own], gy[own], "o", color="black", markersize=2.5, markeredgecolor="white", markeredgewidth=0.5)
     holds = columns["holds"][rows].reshape(shape)
     upward = values[1].dtype.kind == "f" and (abs(numpy.diff(holds, axis=0)) == 1).any()
     draw_theory(axes, columns["theory"][rows].reshape(shape), x, y, values, upward)
@@ -142,7 +142,7 @@ def draw_bisected(axes, columns, names, rows, meaning):
     style.legend(axes, title=names[1] if names[1:] else None)
 
 
-def draw(columns, meaning):
+def draw(columns, meaning, title=""):
     names = axes_of(columns)
     bisected = "largest_holding" in columns
     if bisected and not names:
@@ -163,6 +163,7 @@ def draw(columns, meaning):
         marks = [Patch(facecolor=VERDICTS[name][0], hatch=VERDICTS[name][1], edgecolor="black", linewidth=.5, label=name) for name in VERDICTS if name in seen]
         lines = [line for axes in panels for line in axes.lines if line.get_label() == "theory"][:1]
         panels[0].legend(handles=marks + lines, loc="lower left", bbox_to_anchor=(0, 1.06), ncols=3)
+    figure.suptitle(title, fontsize=9)
     return figure
 
 
@@ -181,7 +182,7 @@ def main(words=None):
     parser.add_argument("map", type=Path, metavar="MAP.nc", help="map.nc of tether map")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: map.svg next to it)")
     chosen = parser.parse_args(words)
-    return command.draw("map", lambda: draw(*read(chosen.map)), chosen.out or chosen.map.with_name("map.svg"))
+    return command.draw("map", lambda: draw(*read(chosen.map), command.title_of(chosen.map)), chosen.out or chosen.map.with_name("map.svg"))
 
 
 if __name__ == "__main__":

@@ -136,6 +136,9 @@ void check_count(const CLI::App& command, const std::vector<std::string>& names)
   if (names.size() <= most) return;
   std::string all;
   for (const auto& name : names) all += " " + in_quotes(name);
+  if (most == 0)
+    throw InputError(fmt::format("tether {} takes no names, not{}", command.get_name(), all),
+                     fmt::format("tether {} --help says what it takes", command.get_name()));
   throw InputError(fmt::format("tether {} takes one {}, not {}:{}", command.get_name(), wanted, names.size(), all),
                    fmt::format("Call it once for each: tether {} {}", command.get_name(), names.front()));
 }

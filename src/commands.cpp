@@ -15,6 +15,7 @@
 #include "base/text.hpp"
 #include "command_support.hpp"
 #include "deck/document.hpp"
+#include "deck/spelling.hpp"
 #include "physics/box/bodies.hpp"
 #include "physics/box/splitting_limit.hpp"
 #include "plan/plan_text.hpp"
@@ -181,7 +182,9 @@ int plan_command(const std::string& deck, const DeckOptions& options, int thread
 int vars_command(const std::string& group, bool markdown) {
   return guarded("tether vars", [&] {
     const std::string listing = markdown ? variables_markdown(lower(group)) : variables_listing(lower(group));
-    if (listing.empty()) throw InputError(fmt::format("there is no group {}", group), "tether vars lists all");
+    if (listing.empty())
+      throw InputError(fmt::format("there is no group {}", in_quotes("$" + group)),
+                       suggest_group(group) + " tether vars lists all.");
     fmt::print("{}", listing);
   });
 }

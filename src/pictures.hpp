@@ -14,12 +14,18 @@ struct Pictures {
   CLI::App *plot, *film, *compare, *page;
 
   explicit Pictures(CLI::App& app) {
-    plot = add(app, "plot", "pictures of a run: its fields at some times, its histories", "folder for the pictures");
-    option(plot, "--time", "a time to draw, repeated for each (default: evenly between start and end)");
+    plot = add(app, "plot", "pictures of a run, its fields and histories, or of a sweep, a chart or a map",
+               "folder for the pictures");
+    option(plot, "--time", "a time to draw, repeated for each (default: some that show the run)");
+    option(plot, "--x", "of a sweep: the column of the abscissa (default: the first axis)");
+    option(plot, "--y", "of a sweep: the column of the ordinate (default: each quantity)");
+    option(plot, "--by", "of a sweep: the column of which each value has a line (default: the second axis)");
+    plot->add_flag_callback(
+        "--log", [] {}, "of a sweep: logarithmic scales");
     film = add(app, "film", "a film of a run", "the film's file");
     film->add_flag_callback(
         "--gif", [] {}, "a GIF in place of an MP4");
-    option(film, "--frames", "the first pictures alone, so many");
+    option(film, "--frames", "how many pictures the film has, from the start on (default: all snapshots)");
     page = add(app, "page", "one HTML page of a run, with a slider over time", "the page's file");
     for (auto* of_fields : {plot, film, page})
       option(of_fields, "--field", "the field that colours show (default: what the scene is about)");

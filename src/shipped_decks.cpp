@@ -2,6 +2,7 @@
 #include "shipped_decks.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -111,9 +112,10 @@ void refuse_unknown(const std::vector<ShippedDeck>& all, const std::string& name
   std::vector<std::string> names;
   for (const ShippedDeck& deck : all) names.push_back(deck.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  const std::string near = nearest_name(lower(name.substr(0, 40)), names);
+  const std::string word = lower(name.substr(0, 40)), near = nearest_name(word, names);
+  std::erase_if(names, [&](const std::string& other) { return other != near && other.find(word) == std::string::npos; });
   throw InputError(fmt::format("there is no deck {}", in_quotes(name)),
-                   near.empty() ? "tether decks lists them" : fmt::format("Did you mean '{}'?", near));
+                   names.empty() ? "tether decks lists them" : fmt::format("Did you mean {}?", fmt::join(names, " or ")));
 }
 
 }  // namespace

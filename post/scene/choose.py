@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """THE table of what is drawn of which kind of run. A kind is known by a column that its histories alone have."""
-import re
-import textwrap
 from dataclasses import dataclass
 
 import command
 import tether_results
+import titles
 from scene import histories, last_values, moments, quantities
 from scene.bars import Bars
 from scene.box import BoxLayer
@@ -14,9 +13,6 @@ from scene.flow import Flow
 from scene.frame import Scene
 from scene.points import Points
 
-LONGEST_TITLE = 140
-SENTENCE_ENDS = r"(?<!Fig)(?<!Figs)[.;] "
-REMARK = r"\s*\((?=[^()]*(?:chapter|appendix|[Ss]ection|thesis|Fig|Box|Table))[^()]*\)"  # where a deck is from
 MESHES, POINTS = "iout(39)=1 and tiout(39)=TIME write mesh.nc", "iout(13)=1 and tiout(13)=TIME write particles.nc"
 
 
@@ -69,25 +65,9 @@ def is_steady(run):
     return ".true." in (run.deck_values.get("fem.static"), run.deck_values.get("flow.steady"))
 
 
-def first_statement(lines):
-    """Lines up to one that the next, which begins with a capital, does not carry on."""
-    found = lines[:1]
-    for line in lines[1:]:
-        if line[0].isupper() and not found[-1].endswith(","):
-            break
-        found.append(line)
-    return " ".join(found)
-
-
 def title_of(run):
-    """The run's name and the first sentence of its deck's head, without its source; lines that a namelist's readers want
-    quoted are no words."""
-    lines = [line.strip() for line in run.title.splitlines() if line.strip()]
-    words = [line for line in lines if line[0] not in "'\""] or [line.strip("'\" ") for line in lines[-1:]]
-    sentence = re.split(SENTENCE_ENDS, re.sub(REMARK, "", first_statement(words)))[0]
-    while sentence.count("(") > sentence.count(")"):
-        sentence = sentence[:sentence.rindex("(")].rstrip()
-    return f"{run.name}: {textwrap.shorten(sentence, LONGEST_TITLE, placeholder=' ...')}" if sentence else run.name
+    """The run's name and what it is about."""
+    return titles.title(run.name, run.title)
 
 
 def known_fields(fields):

@@ -198,7 +198,9 @@ def draw_panel(axes, run, panel):
     axes.locator_params(axis="x", nbins=MOST_TICKS)
     axes.set_xlabel(style.label("time", unit_of(run, "time")))
     axes.set_ylabel(panel.label)
-    axes.set_title("\n".join([panel.title, *errors[:1]]), fontsize=8)
+    alone = panel.curves[0].label if len(panel.curves) == 1 else panel.title
+    named = panel.title if alone in panel.title else f"{panel.title}: {alone}"
+    axes.set_title("\n".join([named, *errors[:1]]), fontsize=8)
     style.legend_beside(axes)
 
 

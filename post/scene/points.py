@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 import numpy
-from matplotlib import lines
+from matplotlib import collections, lines
 
 import style
 from scene import quantities
@@ -12,7 +12,7 @@ SPREAD = 1.0  # per cent of the points at either end that a scale leaves out: th
 GAS, FLUID = (7, 9), (8,)  # laws of ipath(4,r)
 HEAVY = 20.0  # times the mass of a body's other points: drawn as a mass of its own
 SMALLEST, LARGEST = 0.3, 2.5  # a point's width over the usual one, beyond which it is drawn no smaller and no larger
-MARKS = (0.8, 9.0)  # widths of marks in the figure's points
+LEAST_MARK = 0.8  # width of a mark in the figure's points
 GAP = 6.0  # times the usual distance of neighbours: a membrane's line ends there
 QUANTITY = {"gas": "pressure", "solid": "von Mises stress"}
 
@@ -119,10 +119,10 @@ class Points:
 
     @staticmethod
     def marks(axes, sides):
-        """Areas of marks as wide as the points are, in the figure's points, so that a body is a whole."""
+        """Widths and heights of points, so that a body is a whole; none is too small to be seen."""
         extent, (left, right), (low, high) = axes.get_window_extent(), axes.get_xlim(), axes.get_ylim()
-        scale = 72 / axes.figure.dpi * numpy.sqrt(extent.width / (right - left) * extent.height / (high - low))
-        return numpy.clip(numpy.nan_to_num(sides, nan=(right - left) / 100) * scale, *MARKS)**2
+        least = LEAST_MARK * axes.figure.dpi / 72 * numpy.array(((right - left) / extent.width, (high - low) / extent.height))
+        return numpy.maximum(numpy.nan_to_num(sides, nan=(right - left) / 100), least[:, None])
 
     def draw(self, axes, record):
         for kind in self.kinds.values():
@@ -133,12 +133,16 @@ class Points:
                 self.draw_bodies(axes, kind, found)
 
     def draw_bodies(self, axes, kind, found):
-        places, look = found["places"].T, {"s": self.marks(axes, found["side"]), "linewidths": 0, "zorder": 2, "marker": "s"}
+        across, up = self.marks(axes, found["side"])
+        half = 0.5 * numpy.stack([across, up], axis=-1)[:, None]
+        corners = found["places"][:, None] + half * numpy.array(((-1, -1), (1, -1), (1, 1), (-1, 1)))
+        there = numpy.isfinite(corners).all(axis=(1, 2))
+        drawn = collections.PolyCollection(corners[there], linewidths=0, zorder=2)
         if kind.scale is None:
-            axes.scatter(*places, color=style.OURS[0], **look)
-            return
-        drawn = axes.scatter(*places, c=numpy.zeros(len(found["places"])), cmap=kind.scale.colours, norm=kind.scale.norm, **look)
-        drawn.set_array(numpy.ma.masked_invalid(found["value"]))  # apart: scatter refuses numbers of which none is finite
+            drawn.set_facecolor(style.OURS[0])
+        else:
+            drawn.set(cmap=kind.scale.colours, norm=kind.scale.norm, array=numpy.ma.masked_invalid(found["value"][there]))
+        axes.add_collection(drawn, autolim=False)
 
     def draw_membranes(self, axes, kind, found):
         for number, (body, _) in enumerate(kind.bodies):

@@ -12,6 +12,7 @@ SPEED_PARTS = ("vx", "vy", "vz")
 COLOURS = {"von Mises stress": "YlOrRd", "energy density": "YlOrRd", "stress": "YlOrRd", "speed": "Blues", "smoke": "gray_r",
            "pressure": "viridis", "density": "viridis"}
 # Of all others: colours about 0, or from the least to the largest where one sign has no more than a share of the other.
+BEYOND = 1e-6  # of a scale: numbers that are farther outside are told of
 BOTH_SIGNS, ONE_SIGN, OTHER_SIGN = "PRGn_r", "viridis", 0.02
 NAMES = {"p": "pressure", "smoke": "density of smoke"}
 
@@ -79,7 +80,8 @@ class Scale:
             finite = numpy.zeros(1)
         self.low, self.high = (float(bound) for bound in numpy.percentile(finite, (within, 100 - within)))
         self._widen()
-        self.extend = style.extend(finite.min() < self.low, finite.max() > self.high)
+        beyond = BEYOND * (self.high - self.low)
+        self.extend = style.extend(finite.min() < self.low - beyond, finite.max() > self.high + beyond)
 
     def _widen(self):
         if abs(self.low) < 1e-9 * abs(self.high):

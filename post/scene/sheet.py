@@ -5,6 +5,7 @@ import textwrap
 import numpy
 from matplotlib import pyplot
 from matplotlib.layout_engine import PlaceHolderLayoutEngine
+from matplotlib.ticker import MaxNLocator
 
 WIDTH, TALLEST = 9.0, 6.0  # of all panels together, and of one
 NARROWEST, ALONE = 5.5, 6.5  # a figure, and a panel that stands alone
@@ -15,6 +16,7 @@ BAR, NEXT_BAR = 0.16, 0.95  # width of a colour bar, and how far from each other
 LINE = 0.2  # height of a line of text
 IN_ROW = 4  # entries of the legend
 LETTERS = 12.5  # of a title, an inch
+TICK = 0.55  # width of a number at an axis
 
 
 def columns_of(count, aspect):
@@ -56,7 +58,9 @@ class Sheet:
     def _panel(self, number):
         row, column = divmod(number, self.columns)
         top = self.bottom + self.block[1] - row * (self.panel[1] + ABOVE + 0.08) - ABOVE
-        return self.axes(self.left + column * (self.panel[0] + BETWEEN), top - self.panel[1], *self.panel)
+        axes = self.axes(self.left + column * (self.panel[0] + BETWEEN), top - self.panel[1], *self.panel)
+        axes.xaxis.set_major_locator(MaxNLocator(max(int(self.panel[0] / TICK), 1), steps=(1, 2, 5, 10)))
+        return axes
 
     def label_outer(self):
         """Numbers and names of axes stand at the left and at the bottom alone."""

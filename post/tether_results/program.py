@@ -8,6 +8,7 @@ from pathlib import Path
 from .folder import open as open_folder
 
 ROOT = Path(__file__).resolve().parents[2]
+NEAR = (ROOT / "build" / "release" / "tether", ROOT.parents[1] / "bin" / "tether")  # in a built tree, and where it is installed
 
 
 class NoProgram(Exception):
@@ -35,13 +36,14 @@ def in_namelist(value):
 
 
 def find_program(program=None):
-    """The path of the program: this one, that of $TETHER, the build's, or the one that the shell finds."""
+    """The path of the program: this one, that of $TETHER, the build's or the installed one, or the one that the
+    shell finds."""
     given = program or os.environ.get("TETHER")
-    found = Path(given) if given else ROOT / "build" / "release" / "tether"
-    if not found.is_file() and not given and shutil.which("tether"):
-        found = Path(shutil.which("tether"))
-    if not found.is_file():
-        raise NoProgram(f"{found}: is not there; ./quickstart build makes it")
+    on_path = shutil.which("tether")
+    places = [Path(given)] if given else [*NEAR, *([Path(on_path)] if on_path else [])]
+    found = next((place for place in places if place.is_file()), None)
+    if found is None:
+        raise NoProgram(f"{places[0]}: is not there; install the package, or build it with ./quickstart build")
     return found
 
 

@@ -55,6 +55,18 @@ struct Line {
   }
 };
 
+/// What point k of the rule adds at s to the polynomial of order q <= p that is nearest to the values at all points, in
+/// the mean over the line: by Legendre's polynomials, which the rule's p + 1 points integrate exactly.
+template <int p>
+double nearest_polynomial(int q, int k, double s) {
+  const double at_point = Line<p>::gauss_places()[at(k)], weight = Line<p>::gauss_weights()[at(k)];
+  const auto second = [](double x) { return 0.5 * (3 * x * x - 1); };
+  double sum = 0.5;
+  if (q > 0) sum += 1.5 * s * at_point;
+  if (q > 1) sum += 2.5 * second(s) * second(at_point);
+  return weight * sum;
+}
+
 /// Product of `d` lines: quadrilaterals and hexahedra.
 template <int d, int p>
 struct Brick {
@@ -99,6 +111,17 @@ struct Brick {
     for (int k = 0, rest = point; k < d; ++k, rest /= line) product *= w[at(rest % line)];
     return product;
   }
+  /// What each point of quadrature adds to a field at node a: the product of polynomials of order 1, in which derivatives
+  /// of these functions are most exact, or, with `whole`, of order p.
+  static Values<points> to_node(int a, bool whole) {
+    Values<points> parts;
+    for (int point = 0; point < points; ++point) {
+      parts[at(point)] = 1;
+      for (int k = 0, rest = point, node = a; k < d; ++k, rest /= line, node /= line)
+        parts[at(point)] *= nearest_polynomial<p>(whole ? p : 1, rest % line, -1 + 2.0 * (node % line) / p);
+    }
+    return parts;
+  }
 };
 
 /// Linear triangles and tetrahedra over the corner of the unit cube; d + 1 points, exact to order 2.
@@ -124,6 +147,12 @@ struct Simplex {
     return s;
   }
   static double weight(int) { return d == 2 ? 1.0 / 6 : 1.0 / 24; }
+  /// What each point of quadrature adds to a field at any node: derivatives of linear functions have one value.
+  static Values<points> to_node(int, bool) {
+    Values<points> parts;
+    parts.fill(1.0 / points);
+    return parts;
+  }
 };
 
 /// The shape functions of a kind of element, and of its sides.

@@ -141,8 +141,8 @@ std::string cfl_warning(const Scene& scene) {
   const double most = scene.limits.cfl.warn;
   if (most <= 0 || cfl.number <= most) return "";
   return fmt::format(
-      "{}, {:.4g}, crosses {:.3g} cells in a step, more than {:.3g} (cfl of $limits): much of what the "
-      "fluid carries along is lost; tstep = {:.3g} has {:.3g} cells",
+      "{}, {:.4g}, crosses {:.4g} cells in a step, more than {:.4g} (cfl of $limits): much of what the "
+      "fluid carries along is lost; with tstep = {:.3g} it crosses {:.4g}",
       cfl.of, cfl.speed, cfl.number, most, scene.clock.tstep * most / cfl.number, most);
 }
 

@@ -172,21 +172,21 @@ std::string points_lost(const Scene& scene, const History& history) {
 }
 
 /// Warns where cells damp the motion that the run is about.
-std::string fluid_lost(const History& history) {
+std::string fluid_lost(const Scene& scene, const History& history) {
   const double part = energy_lost_on_the_way(history);
   if (part <= much_of_fluids) return {};
   return fmt::format(
       "the fluid lost {:.2g} of the largest energy exchanged as it carried its velocity along and as bodies opened and "
       "closed its cells (energy_advected, energy_remeshed): its cells damp the motion as a drag would; finer cells and "
-      "shorter steps help, and advection='maccormack'",
-      part);
+      "shorter steps help{}",
+      part, scene.coupled()->advection == Advection::maccormack ? "" : ", and advection='maccormack'");
 }
 
 }  // namespace
 
 std::string lost_energy_warning(const Scene& scene, const History& history) {
   if (scene.path() == Path::mpm) return points_lost(scene, history);
-  return scene.path() == Path::coupled ? fluid_lost(history) : std::string();
+  return scene.path() == Path::coupled ? fluid_lost(scene, history) : std::string();
 }
 
 }  // namespace tether

@@ -45,6 +45,7 @@ struct Function {
   bool gives_time;
 };
 
+std::size_t first_of(const Numbers&) { return 0; }
 std::size_t last_of(const Numbers& column) { return column.size() - 1; }
 std::size_t largest_of(const Numbers& column) {
   return static_cast<std::size_t>(std::max_element(column.begin(), column.end()) - column.begin());
@@ -54,6 +55,7 @@ std::size_t least_of(const Numbers& column) {
 }
 
 constexpr std::array functions{
+    Function{"first", "first record of", first_of, false},
     Function{"last", "last record of", last_of, false},
     Function{"max", "largest record of", largest_of, false},
     Function{"min", "least record of", least_of, false},

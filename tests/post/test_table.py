@@ -28,7 +28,9 @@ def write_table(path, rows=5):
         for name, values in NUMBERS.items():
             data.createVariable(name, "f8", ("run",))[:rows] = values[:rows]
         data["cpu_seconds"].units = "s"
+        data["in.nx"].long_name = "deck value"
         texts = data.createVariable("mpm.order", "S1", ("run", "length"))
+        data.title = "A study of one thing. And more."
         if rows:
             texts[:rows] = netCDF4.stringtochar(numpy.array(ORDERS[:rows], "S4"))
         data.createVariable("body_x", "f8", ("run", "other"))
@@ -49,7 +51,7 @@ class TableTest(unittest.TestCase):
 
     def drawn(self, *words):
         """The axes, and its curves by label as lists of (x, y)."""
-        chosen = table.arguments([str(self.table), *words])
+        chosen = table.complete(table.arguments([str(self.table), *words]))
         figure = table.draw(*table.read(self.table), chosen)
         self.addCleanup(table.pyplot.close, figure)
         (axes,) = figure.axes
@@ -75,6 +77,15 @@ class TableTest(unittest.TestCase):
         axes, curves = self.drawn("--x", "cpu_seconds", "--y", "error", "--log")
         self.assertEqual((axes.get_xscale(), axes.get_yscale()), ("log", "log"))
         self.assertEqual(list(curves.values())[0][0], [1, 1])
+
+    def test_alone_has_each_quantity_over_the_first_axis(self):
+        axes, curves = self.drawn()
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("in.nx", "error"))
+        self.assertEqual(list(curves.values()), [[[11, 2], [11, 4], [21, -1], [21, 3]]])
+        environment = os.environ | {"MPLBACKEND": "Agg"}
+        result = subprocess.run([sys.executable, POST / "plot.py", self.folder], capture_output=True, text=True, env=environment)
+        self.assertEqual((result.returncode, result.stdout.strip()), (0, str(self.folder / "table.png")), result.stderr)
+        self.assertIn("A study of one thing", table.command.title_of(self.table))
 
     def test_writes_the_figure_where_it_is_told(self):
         for words, path in (([], self.folder / "error-over-in.nx.png"),

@@ -88,10 +88,8 @@ std::string thin_text(const ThinBodies& thin, int dim) {
   }
   return fmt::format(
       "bodies, or gaps between them, are thinner than a cell at {}{} (their surface goes through {}): {} as wholly "
-      "fluid "
-      "or solid, as by mode='symmetric', so that added mass and buoyancy there are of the order of a cell off; two "
-      "cells "
-      "across a body, three where it is slanted, are enough",
+      "fluid or solid, as by mode='symmetric', so that added mass and buoyancy there are of the order of a cell off; "
+      "two cells across a body, three where it is slanted or meets a wall, are enough",
       thin.cells == 1 ? "1 cell" : fmt::format("{} cells", thin.cells), where, thin.of_cells,
       thin.cells == 1 ? "it counts" : "these cells count");
 }

@@ -72,11 +72,11 @@ class Neighbourhood {
   explicit Neighbourhood(const FlowDomain& whole) : whole_(whole) {}
 
   /// Returns whether the fluid cells next to a cell (along `longer` next to it and to the one below it), corners
-  /// included, hang together by way of cells no farther away than three. A wall hides what is next to a plate that
-  /// meets it at an angle: there those one farther away count as well.
+  /// included, hang together by way of cells no farther away than three. A wall hides what is on one side of a plate that
+  /// meets it at an angle: there those one farther away count as well, where some are next to the cell.
   bool joined(const std::array<int, 3>& middle, int longer) {
     set_window(middle, longer, 1);
-    if (meets_wall(middle, longer)) set_window(middle, longer, 2);
+    if (meets_wall(middle, longer) && has_fluid()) set_window(middle, longer, 2);
     const auto first = low_, last = high_;
     set_window(middle, longer, reach);
     seen_.fill(0);
@@ -104,21 +104,33 @@ class Neighbourhood {
     }
   }
 
+  bool has_fluid() const {
+    bool found = false;
+    each_in_window([&](const std::array<int, 3>& cell) { found |= kind_of(cell) == CellKind::fluid; });
+    return found;
+  }
+
   /// Returns whether the window of those next to the cell leaves the box or has walls in it.
   bool meets_wall(const std::array<int, 3>& middle, int longer) const {
     for (int axis = 0; axis < whole_.grid.dim; ++axis) {
       const int below = 1 + (axis == longer ? 1 : 0);
       if (middle[at(axis)] < below || middle[at(axis)] + 1 == whole_.grid.n[at(axis)]) return true;
     }
+    bool found = false;
+    each_in_window([&](const std::array<int, 3>& cell) { found |= kind_of(cell) == CellKind::wall; });
+    return found;
+  }
+
+  CellKind kind_of(const std::array<int, 3>& cell) const { return whole_.kind[whole_.grid.cell(cell)]; }
+
+  template <class Function>
+  void each_in_window(const Function& f) const {
     std::array<int, 3> cell{};
     for (cell[2] = low_[2]; cell[2] <= high_[2]; ++cell[2]) {
       for (cell[1] = low_[1]; cell[1] <= high_[1]; ++cell[1]) {
-        for (cell[0] = low_[0]; cell[0] <= high_[0]; ++cell[0]) {
-          if (whole_.kind[whole_.grid.cell(cell)] == CellKind::wall) return true;
-        }
+        for (cell[0] = low_[0]; cell[0] <= high_[0]; ++cell[0]) f(cell);
       }
     }
-    return false;
   }
 
   void reach_from(const std::array<int, 3>& seed) {

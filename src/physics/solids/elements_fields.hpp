@@ -13,39 +13,64 @@ namespace tether::fem {
 /// xx, yy, zz, xy, yz, xz at a point of quadrature, and the energy density there. Of the linear law shape and stress
 /// are those of the start.
 template <class Shapes>
-std::array<double, 7> ElementsOf<Shapes>::cauchy_stress(std::size_t e, int k, const Square<dim>& F) const {
+std::array<double, stress_fields> ElementsOf<Shapes>::cauchy_stress(std::size_t e, int k, const Square<dim>& F) const {
   const auto r = response(e, k, F);
   const bool linear = std::holds_alternative<LinearElastic>(law(e));
   double J = linear ? 1 : F.determinant();
-  std::array<double, 7> values{};
+  std::array<double, stress_fields> values{};
   if constexpr (dim == 2) {
     const Across third = across_at(law(e), F);
     if (!linear) J *= third.stretch;
     values[2] = (linear ? 1 : third.stretch * third.stretch) * third.S / J;
   }
   const Square<dim> s = linear ? full<dim>(r.S) : Square<dim>(F * full<dim>(r.S) * F.transpose() / J);
-  values[0] = s(0, 0), values[1] = s(1, 1), values[3] = s(0, 1), values[6] = r.energy;
+  values[0] = s(0, 0), values[1] = s(1, 1), values[3] = s(0, 1), values[energy_field] = r.energy;
   if constexpr (dim == 3) values[2] = s(2, 2), values[4] = s(1, 2), values[5] = s(0, 2);
   return values;
 }
 
+/// What points of quadrature add to a field at each node: Shapes::to_node of all.
+template <class Shapes>
+auto parts_of_points(bool whole) {
+  std::array<Values<Shapes::points>, std::size_t{Shapes::nodes}> parts;
+  for (int a = 0; a < Shapes::nodes; ++a) parts[static_cast<std::size_t>(a)] = Shapes::to_node(a, whole);
+  return parts;
+}
+
+/// The same at an element's nodes: its stress is carried on to them by the polynomials in which it is most exact, its
+/// energy by those that have as many numbers as there are points, so that it is that of bending at a surface, too.
+template <class Shapes>
+auto ElementsOf<Shapes>::stress_at_nodes(std::size_t e, const Places& places) const {
+  static const auto linear = parts_of_points<Shapes>(false), whole = parts_of_points<Shapes>(true);
+  std::array<std::array<double, stress_fields>, std::size_t{points}> there;
+  for (int k = 0; k < points; ++k) there[index(k)] = cauchy_stress(e, k, deformation(places, e, k));
+  std::array<std::array<double, stress_fields>, std::size_t{nodes}> found{};
+  for (int a = 0; a < nodes; ++a) {
+    auto& values = found[index(a)];
+    for (int k = 0; k < points; ++k) {
+      for (std::size_t f = 0; f < stress_fields; ++f)
+        values[f] += (f == energy_field ? whole : linear)[index(a)][index(k)] * there[index(k)][f];
+    }
+    values[energy_field] = std::max(values[energy_field], 0.0);
+  }
+  return found;
+}
+
+/// The mean over the elements that meet at a node, by their volumes.
 template <class Shapes>
 std::vector<double> ElementsOf<Shapes>::nodal_stress(std::span<const double> q) const {
-  constexpr std::size_t fields = 7;
-  std::vector<double> sums(mesh_.node_count() * fields, 0.0), volume(mesh_.node_count(), 0.0);
+  std::vector<double> sums(mesh_.node_count() * stress_fields, 0.0), volume(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    const Places at = gathered(e, q);
-    for (int k = 0; k < points; ++k) {
-      const Square<dim> F = deformation(at, e, k);
-      const auto values = cauchy_stress(e, k, F);
-      for (int a = 0; a < nodes; ++a) {
-        const auto node = static_cast<std::size_t>(mesh_.element(e)[a]);
-        volume[node] += weight(e, k);
-        for (std::size_t f = 0; f < fields; ++f) sums[node * fields + f] += weight(e, k) * values[f];
-      }
+    const auto values = stress_at_nodes(e, gathered(e, q));
+    double size = 0;
+    for (int k = 0; k < points; ++k) size += weight(e, k);
+    for (int a = 0; a < nodes; ++a) {
+      const auto node = static_cast<std::size_t>(mesh_.element(e)[a]);
+      volume[node] += size;
+      for (std::size_t f = 0; f < stress_fields; ++f) sums[node * stress_fields + f] += size * values[index(a)][f];
     }
   }
-  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] /= std::max(volume[k / fields], 1e-300);
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] /= std::max(volume[k / stress_fields], 1e-300);
   return sums;
 }
 

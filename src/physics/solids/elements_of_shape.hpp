@@ -97,7 +97,8 @@ class ElementsOf final : public Elements {
   double frequency_bound(std::span<const double> q, std::span<const double> lumped) const override;
 
  private:
-  std::array<double, 7> cauchy_stress(std::size_t e, int k, const Square<dim>& F) const;
+  std::array<double, stress_fields> cauchy_stress(std::size_t e, int k, const Square<dim>& F) const;
+  auto stress_at_nodes(std::size_t e, const Places& places) const;
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
   void add_point(std::size_t e, int k) {

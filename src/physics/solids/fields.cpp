@@ -39,10 +39,10 @@ NodeGroup motion_group() {
 NodeGroup stress_group() {
   using Row = Column<ColumnSetting, NodeSource>;
   const auto stress = [](const char* name, std::size_t part) {
-    const auto value = [part](const NodeSource& s, std::size_t k) { return s.stress[7 * k + part]; };
-    return Row(name, D::stress, "Cauchy's stress", value);
+    const auto value = [part](const NodeSource& s, std::size_t k) { return s.stress[stress_fields * k + part]; };
+    return Row(name, D::stress, "Cauchy's stress, the mean of the elements that meet", value);
   };
-  const auto density = [](const NodeSource& s, std::size_t k) { return s.stress[7 * k + 6]; };
+  const auto density = [](const NodeSource& s, std::size_t k) { return s.stress[stress_fields * k + energy_field]; };
   return {{stress("sxx", 0), stress("syy", 1), stress("szz", 2), stress("sxy", 3), stress("syz", 4).when(in_space()),
            stress("sxz", 5).when(in_space()),
            Row("energy_density", D::stress, "strain energy per volume of the shape at the start", density)}};

@@ -58,7 +58,7 @@ TEST(HistoryValue, MistakesAtTheirColumns) {
 TEST(HistoryValue, HintsNameWhatWasMeant) {
   EXPECT_EQ(read_history_value("lats(time)").mistakes[0].hint, "Did you mean 'last'?");
   EXPECT_EQ(read_history_value("average(time)").mistakes[0].hint,
-            "There are last, max, min, time_of_max, time_of_min.");
+            "There are first, last, max, min, time_of_max, time_of_min.");
 }
 
 TEST(HistoryNumber, EachFunction) {
