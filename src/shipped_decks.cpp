@@ -113,9 +113,11 @@ void refuse_unknown(const std::vector<ShippedDeck>& all, const std::string& name
   for (const ShippedDeck& deck : all) names.push_back(deck.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
   const std::string word = lower(name.substr(0, 40)), near = nearest_name(word, names);
-  std::erase_if(names, [&](const std::string& other) { return other != near && other.find(word) == std::string::npos; });
-  throw InputError(fmt::format("there is no deck {}", in_quotes(name)),
-                   names.empty() ? "tether decks lists them" : fmt::format("Did you mean {}?", fmt::join(names, " or ")));
+  std::erase_if(names,
+                [&](const std::string& other) { return other != near && other.find(word) == std::string::npos; });
+  throw InputError(
+      fmt::format("there is no deck {}", in_quotes(name)),
+      names.empty() ? "tether decks lists them" : fmt::format("Did you mean '{}'?", fmt::join(names, "' or '")));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 "use strict";
 
 const STEPS = 65534, NOWHERE = 65535, NOTHING = 255;
+const FINEST = 3, SMALL_AREA = 12, ONE_SHADE = 6;  // halvings of a triangle, pixels of one that is not halved, shades that look alike
 
 function bytesOf(text) {
   const raw = atob(text), bytes = new Uint8Array(raw.length);
@@ -81,17 +82,31 @@ class FieldView {
     for (let k = 0; k < nodes.length; k += 3) {
       const [a, b, c] = [nodes[k], nodes[k + 1], nodes[k + 2]];
       if (shades && (shades[a] === NOTHING || shades[b] === NOTHING || shades[c] === NOTHING)) continue;
-      const colour = shades ? this.colour(part.scale, Math.round((shades[a] + shades[b] + shades[c]) / 3)) : part.colour;
-      context.fillStyle = context.strokeStyle = colour;
-      context.beginPath();
-      context.moveTo(places[2 * a], places[2 * a + 1]);
-      context.lineTo(places[2 * b], places[2 * b + 1]);
-      context.lineTo(places[2 * c], places[2 * c + 1]);
-      context.closePath();
-      context.fill();
-      context.stroke();  // else light comes through between neighbours
+      const corners = [a, b, c].map(node => [places[2 * node], places[2 * node + 1], shades ? shades[node] : 0]);
+      this.triangle(corners, shade => shades ? this.colour(part.scale, shade) : part.colour, shades ? FINEST : 0);
     }
     return nodes.length / 3;
+  }
+
+  // In one colour, or in four parts where its corners differ and it is large enough to show it.
+  triangle(corners, colour, halvings) {
+    const shades = corners.map(corner => corner[2]), [[ax, ay], [bx, by], [cx, cy]] = corners;
+    const area = Math.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2;
+    if (halvings > 0 && area > SMALL_AREA && Math.max(...shades) - Math.min(...shades) > ONE_SHADE) {
+      const middle = (one, other) => one.map((value, k) => (value + other[k]) / 2);
+      const [a, b, c] = corners, ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const part of [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]) this.triangle(part, colour, halvings - 1);
+      return;
+    }
+    const context = this.context;
+    context.fillStyle = context.strokeStyle = colour(Math.round((shades[0] + shades[1] + shades[2]) / 3));
+    context.beginPath();
+    context.moveTo(ax, ay);
+    context.lineTo(bx, by);
+    context.lineTo(cx, cy);
+    context.closePath();
+    context.fill();
+    context.stroke();  // else light comes through between neighbours
   }
 
   // A whole picture, which is there a moment later; a newer snapshot may have come by then.

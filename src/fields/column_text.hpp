@@ -43,6 +43,7 @@ struct HistoryLayout {
   std::vector<Quantity> quantities;
   std::vector<std::string> body_names;
   std::vector<std::string> point_names;
+  double rounding_energy = 0;  ///< where no more is exchanged nothing is [energy]
   /// Numbers of quantity q: 1, or the number of bodies, or the number of tracked points.
   std::size_t count(const Quantity& q) const;
   /// Names of the flat columns in order: `time`, ... `body_x_1`, `body_x_2`, ... `point_y_1`.

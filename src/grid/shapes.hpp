@@ -55,8 +55,8 @@ struct Line {
   }
 };
 
-/// What point k of the rule adds at s to the polynomial of order q <= p that is nearest to the values at all points, in
-/// the mean over the line: by Legendre's polynomials, which the rule's p + 1 points integrate exactly.
+/// Returns what point k of the rule adds at s to the polynomial of order q <= p that is nearest to the values at all
+/// points, in the mean over the line: by Legendre's polynomials, which the rule's p + 1 points integrate exactly.
 template <int p>
 double nearest_polynomial(int q, int k, double s) {
   const double at_point = Line<p>::gauss_places()[at(k)], weight = Line<p>::gauss_weights()[at(k)];
@@ -111,8 +111,8 @@ struct Brick {
     for (int k = 0, rest = point; k < d; ++k, rest /= line) product *= w[at(rest % line)];
     return product;
   }
-  /// What each point of quadrature adds to a field at node a: the product of polynomials of order 1, in which derivatives
-  /// of these functions are most exact, or, with `whole`, of order p.
+  /// Returns what each point of quadrature adds to a field at node a: the product of polynomials of order 1, in which
+  /// derivatives of these functions are most exact, or, with `whole`, of order p.
   static Values<points> to_node(int a, bool whole) {
     Values<points> parts;
     for (int point = 0; point < points; ++point) {
@@ -147,7 +147,7 @@ struct Simplex {
     return s;
   }
   static double weight(int) { return d == 2 ? 1.0 / 6 : 1.0 / 24; }
-  /// What each point of quadrature adds to a field at any node: derivatives of linear functions have one value.
+  /// Returns what each point of quadrature adds to a field at any node: derivatives of linear functions have one value.
   static Values<points> to_node(int, bool) {
     Values<points> parts;
     parts.fill(1.0 / points);

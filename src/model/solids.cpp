@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/diagnostics.hpp"
+#include "base/numbers.hpp"
 
 namespace tether {
 namespace {
@@ -30,6 +32,51 @@ double Amplitude::at(double t) const {
   if (next == time.size()) return factor.back();
   const double part = (t - time[next - 1]) / (time[next] - time[next - 1]);
   return factor[next - 1] + part * (factor[next] - factor[next - 1]);
+}
+
+namespace {
+
+/// The largest modulus of a law, that of being stretched alone one way [stress].
+struct Stiffest {
+  double operator()(const LinearElastic& law) const { return (*this)(law.law); }
+  double operator()(const StVenantKirchhoff& law) const { return law.lambda + 2 * law.mu; }
+  double operator()(const NeoHookean& law) const { return law.lambda + 2 * law.mu; }
+  double operator()(const HoopFibre& law) const { return law.mu; }
+};
+
+/// The least distance of nodes of one element.
+double least_distance(const Mesh& mesh) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  const int nodes = node_count_of(mesh.kind);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (int a = 1; a < nodes; ++a) {
+      double squared = 0;
+      for (std::size_t i = 0; i < dim; ++i) {
+        const double d = mesh.x[at(mesh.element(e)[a]) * dim + i] - mesh.x[at(mesh.element(e)[0]) * dim + i];
+        squared += d * d;
+      }
+      least = std::min(least, squared);
+    }
+  }
+  return std::sqrt(least);
+}
+
+}  // namespace
+
+double rounding_energy(const Solids& solids) {
+  constexpr double moved = 1e-13;
+  const auto dim = static_cast<std::size_t>(solids.mesh.dim());
+  double extent = 0, volume = 1, modulus = 0;
+  for (std::size_t i = 0; i < dim; ++i) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t k = i; k < solids.mesh.x.size(); k += dim)
+      low = std::min(low, solids.mesh.x[k]), high = std::max(high, solids.mesh.x[k]);
+    extent = std::max(extent, high - low), volume *= high - low;
+  }
+  for (const SolidRegion& region : solids.regions) modulus = std::max(modulus, std::visit(Stiffest{}, region.law));
+  const double strain = moved * extent / least_distance(solids.mesh);
+  return 0.5 * modulus * volume * strain * strain;
 }
 
 }  // namespace tether

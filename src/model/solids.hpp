@@ -81,6 +81,10 @@ struct Solids {
   bool from_equilibrium = false;  ///< starts in equilibrium with the loads of t = 0
 };
 
+/// The energy that bodies store where rounding moves their nodes by a 1e-13 of the bodies' extent, from a neighbour to
+/// the next: what is less is no motion [energy, in the plane per unit depth].
+double rounding_energy(const Solids& solids);
+
 /// How a step of a rigid body is solved: in the null space of its constraints, or with a multiplier for each of them.
 enum class RigidForm { reduced, constrained };
 template <>

@@ -69,7 +69,8 @@ double exchanged_energy(const History& history) {
     for (const double value : values) there = std::max(there, std::abs(value));
   }
   there = std::max(there, largest_of(history, "energy_pressure"));
-  return exchanged > rounding * there ? exchanged : there;
+  const double of = exchanged > rounding * there ? exchanged : there;
+  return of > history.layout.rounding_energy ? of : 0;
 }
 
 }  // namespace

@@ -97,9 +97,11 @@ void add_momenta(const Plan& plan, const History& history, Summary& summary) {
   const std::size_t from = first_without_loads(plan.scene, history.column("time"));
   if (from + 1 >= kinetic.size()) return;
   const double most = *std::max_element(kinetic.begin() + static_cast<std::ptrdiff_t>(from), kinetic.end());
-  const double momentum = std::sqrt(2 * history.column("mass").front() * most);
+  const bool moves = most > history.layout.rounding_energy;
+  const double momentum = moves ? std::sqrt(2 * history.column("mass").front() * most) : 0;
   const auto linear = components(history, "momentum_"), angular = components(history, "angular_momentum_");
-  const double moment = std::max(largest(angular, from, true), momentum * longest_extent(plan.scene.solids()->mesh));
+  const double moment =
+      moves ? std::max(largest(angular, from, true), momentum * longest_extent(plan.scene.solids()->mesh)) : 0;
   const auto part = [](double change, double of) { return of > 0 ? change / of : 0; };
   summary.push_back(line_of("momentum_drift", part(largest(linear, from, false), momentum)));
   summary.push_back(line_of("angular_momentum_drift", part(largest(angular, from, false), moment)));

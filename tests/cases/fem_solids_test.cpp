@@ -150,6 +150,18 @@ TEST(FemSolids, ExplicitStepsAboveTheirLimitAreTold) {
   EXPECT_NE(end_with("limits.energy_step=0.5,100").find("steps too long"), std::string::npos);
 }
 
+/// Nothing acts on the body: its energies are rounding, no motion whose balance or direction means anything.
+TEST(FemSolids, ABodyAtRestRaisesNoAlarm) {
+  const DeckRun run = run_text(
+      "rest",
+      "at rest\n$in nx=2,ny=2,xleft=-1.,xright=1.,ybot=-1.,ytop=1.,wl=1,wr=1,wb=1,wt=1,tmax=1.,tstep=.1,iout(33)=1,"
+      "tiout(33)=.1 $\n$reg nreg=1,nvi(1)=4,xvi(1,1)=0.,.3,.3,0.,yvi(1,1)=0.,0.,.02,.02,densir(1)=2700.,"
+      "matr(1,1)=70.d9,.33 $\n$mesh cells(1,1)=30,2,element='q2' $\n");
+  EXPECT_EQ(run.messages, std::vector<std::string>());
+  for (const char* key : {"energy_drift", "energy_rise", "momentum_drift", "angular_momentum_drift"})
+    EXPECT_EQ(run.summary.at(key), 0) << key;
+}
+
 /// A support that moves stretches a bar step by step: E A u^2/(2 L) is stored, and all of it came from outside.
 TEST(FemSolids, MovedSupportsDoTheWork) {
   const DeckRun run =

@@ -163,7 +163,7 @@ class Talk(ProgramTest):
     def test_vars_of_no_group(self):
         result = self.expect(2, "vars", "mpmm")
         self.assertEqual(result.stdout, "")
-        self.assertIn("error: there is no group mpmm", result.stderr)
+        self.assertIn("error: there is no group '$mpmm'", result.stderr)
 
 
 class Check(ProgramTest):

@@ -41,6 +41,7 @@ class ShippedDecks(ProgramTest):
         self.assertEqual((self.folder / "sod.in").read_text(), "mine\n")
 
     def test_a_name_that_is_none(self):
+        self.assertIn("Did you mean 'cantilever' or 'charts/cantilever'", self.expect(2, "decks", "get", "canti").stderr)
         self.assertIn("Did you mean 'charts/sod'?", self.expect(2, "decks", "get", "charts/sood").stderr)
         self.assertIn("tether decks get sod", self.expect(2, "decks", "got", "sod").stderr)
 

@@ -29,7 +29,8 @@ inline constexpr std::array study_rows{
     Variable{study_group, "set", text, 1, most_sets, 1, "", -none, none, "", "",
              "A value that all runs share: 'group.name=value', as with --set."},
     Variable{study_group, "quantities", text, 1, most_quantities, 1, "", -none, none, "", "",
-             "Columns of the table: keys of summary.txt, or first, last, max, min, time_of_max or time_of_min of a column of "
+             "Columns of the table: keys of summary.txt, or first, last, max, min, time_of_max or time_of_min of a "
+             "column of "
              "history.txt, 'last(body_vx_1)'."},
     Variable{study_group, "order", text, 0, 1, 1, "", -none, none, "", "''",
              "Column against which the observed order of each error_ quantity is reported, along axis 1 (grid)."},

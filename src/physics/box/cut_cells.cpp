@@ -72,8 +72,8 @@ class Neighbourhood {
   explicit Neighbourhood(const FlowDomain& whole) : whole_(whole) {}
 
   /// Returns whether the fluid cells next to a cell (along `longer` next to it and to the one below it), corners
-  /// included, hang together by way of cells no farther away than three. A wall hides what is on one side of a plate that
-  /// meets it at an angle: there those one farther away count as well, where some are next to the cell.
+  /// included, hang together by way of cells no farther away than three. A wall hides what is on one side of a plate
+  /// that meets it at an angle: there those one farther away count as well, where some are next to the cell.
   bool joined(const std::array<int, 3>& middle, int longer) {
     set_window(middle, longer, 1);
     if (meets_wall(middle, longer) && has_fluid()) set_window(middle, longer, 2);

@@ -42,7 +42,7 @@ Group turning_columns() {
   const auto director = [](std::size_t i) {
     return [i](const RigidSums& s, std::size_t axis, std::size_t) { return s.directors[i][axis]; };
   };
-  return {{Row("omega_", D::rate, "angular velocity", omega).vector(),
+  return {{Row("omega_", D::rate, "angular velocity about the fixed axes", omega).vector(),
            Row("director_1_", D::length, "director 1", director(0)).vector(),
            Row("director_2_", D::length, "director 2", director(1)).vector(),
            Row("director_3_", D::length, "director 3", director(2)).vector(),

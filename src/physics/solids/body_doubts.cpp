@@ -109,9 +109,10 @@ void BodyDoubts::look_at_turns(std::span<const double> q, double time, BodyDoubt
 
 /// A vibration of n steps a period turns back in 2 of n; steps longer than its period turn it back every time.
 void BodyDoubts::look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
-                                double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages) {
+                                double least, double time, BodyDoubtNumbers& doubts,
+                                std::vector<std::string>& messages) {
   constexpr double moving = 1e-3, most = 0.6;  // part of the largest energy; of steps that turn back
-  constexpr long long least = 4;
+  constexpr long long fewest = 4;
   if (is_warned(doubts.warned, BodyDoubt::swings)) return;
   const std::size_t dim = v0.size() / masses.size();
   double before = 0, after = 0, both = 0;
@@ -120,9 +121,9 @@ void BodyDoubts::look_at_swings(std::span<const double> v0, std::span<const doub
     before += m * v0[k] * v0[k], after += m * v1[k] * v1[k], both += m * v0[k] * v1[k];
   }
   doubts.fastest = std::max({doubts.fastest, before, after});
-  if (!(std::min(before, after) > moving * doubts.fastest)) return;
+  if (!(std::min(before, after) > std::max(moving * doubts.fastest, 2 * least))) return;
   ++doubts.looks, doubts.reversals += both < 0 ? 1 : 0;
-  if (doubts.reversals < least || static_cast<double>(doubts.reversals) < most * static_cast<double>(doubts.looks))
+  if (doubts.reversals < fewest || static_cast<double>(doubts.reversals) < most * static_cast<double>(doubts.looks))
     return;
   messages.push_back(fmt::format(
       "t = {:.6g}: in {} of {} steps the bodies' velocity turned back: steps are longer than half the period of what "

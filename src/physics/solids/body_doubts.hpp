@@ -56,9 +56,9 @@ class BodyDoubts {
   void look_at_turns(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                      std::vector<std::string>& messages) const;
   /// Looks whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the
-  /// nodes.
+  /// nodes; where no more energy than `least` moves, nothing does.
   static void look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,
-                             double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages);
+                             double least, double time, BodyDoubtNumbers& doubts, std::vector<std::string>& messages);
 
  private:
   void look_at_edges(std::span<const double> q, double time, BodyDoubtNumbers& doubts,

@@ -53,8 +53,8 @@ class Elements {
                               std::span<const double> change, std::vector<double>& stresses) const = 0;
   /// Energy stored at q [energy].
   virtual double strain_energy(std::span<const double> q) const = 0;
-  /// Cauchy's stress xx, yy, zz, xy, yz, xz and the energy density at the nodes, the mean of what the elements that meet
-  /// there have at them; `stress_fields` numbers a node. In the plane yz, xz are 0.
+  /// Cauchy's stress xx, yy, zz, xy, yz, xz and the energy density at the nodes, the mean of what the elements that
+  /// meet there have at them; `stress_fields` numbers a node. In the plane yz, xz are 0.
   virtual std::vector<double> nodal_stress(std::span<const double> q) const = 0;
   /// The consistent mass matrix <rho N_A, N_B> (9), one number a pair of nodes, and its row sums (of Q2: those of its
   /// diagonal, scaled to the mass).

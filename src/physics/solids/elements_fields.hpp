@@ -29,7 +29,7 @@ std::array<double, stress_fields> ElementsOf<Shapes>::cauchy_stress(std::size_t 
   return values;
 }
 
-/// What points of quadrature add to a field at each node: Shapes::to_node of all.
+/// Returns what points of quadrature add to a field at each node: Shapes::to_node of all.
 template <class Shapes>
 auto parts_of_points(bool whole) {
   std::array<Values<Shapes::points>, std::size_t{Shapes::nodes}> parts;
@@ -37,8 +37,9 @@ auto parts_of_points(bool whole) {
   return parts;
 }
 
-/// The same at an element's nodes: its stress is carried on to them by the polynomials in which it is most exact, its
-/// energy by those that have as many numbers as there are points, so that it is that of bending at a surface, too.
+/// Returns the same at an element's nodes: its stress is carried on to them by the polynomials in which it is most
+/// exact, its energy by those that have as many numbers as there are points, so that it is that of bending at a
+/// surface, too.
 template <class Shapes>
 auto ElementsOf<Shapes>::stress_at_nodes(std::size_t e, const Places& places) const {
   static const auto linear = parts_of_points<Shapes>(false), whole = parts_of_points<Shapes>(true);

@@ -19,6 +19,7 @@ SolidSolver::SolidSolver(const Plan& plan, int threads)
       system_(*plan.scene.solids(), plan.scene.gravity, team_),
       step_(system_),
       columns_(solid_columns(system_.solids)),
+      rounding_energy_(rounding_energy(system_.solids)),
       overlaps_(system_.solids),
       doubts_(system_.solids, plan.scene.grid) {
   state_.q = system_.solids.mesh.x;
@@ -60,7 +61,9 @@ void SolidSolver::advance(double until, long long most) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax && most-- > 0) {
     const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
     step(next_step());
-    if (implicit()) BodyDoubts::look_at_swings(before, state_.v, system_.lumped, state_.time, state_.doubts, messages_);
+    if (implicit())
+      BodyDoubts::look_at_swings(before, state_.v, system_.lumped, rounding_energy_, state_.time, state_.doubts,
+                                 messages_);
     look_at_bodies();
   }
 }

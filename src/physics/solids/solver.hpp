@@ -25,7 +25,11 @@ class SolidSolver final : public Solver {
   void advance(double until, long long most) override;
   RunCounts counts() const override;
   std::size_t cells_active() const override { return system_.solids.mesh.element_count(); }
-  HistoryLayout history_layout() const override { return columns_.layout(); }
+  HistoryLayout history_layout() const override {
+    HistoryLayout layout = columns_.layout();
+    layout.rounding_energy = rounding_energy_;
+    return layout;
+  }
   Record record() const override { return columns_.record(sums_of(state_, system_)); }
   Snapshot points() const override { return {state_.time, {}}; }
   Snapshot grid() const override;
@@ -56,6 +60,7 @@ class SolidSolver final : public Solver {
   SolidStep step_;
   SolidState state_;
   Columns<SolidSums> columns_;
+  double rounding_energy_;
   BodyOverlaps overlaps_;
   BodyDoubts doubts_;
   std::vector<std::string> messages_;
