@@ -82,12 +82,17 @@ def read(path):
     return columns
 
 
+def figure_of(path, _=None):
+    """The figure of a chart.nc."""
+    return draw(read(path), command.title_of(path))
+
+
 def main(words=None):
     parser = argparse.ArgumentParser(description="Draws a chart of tether chart.")
     parser.add_argument("chart", type=Path, metavar="CHART.nc", help="chart.nc of tether chart")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: chart.svg next to it)")
     chosen = parser.parse_args(words)
-    return command.draw("chart", lambda: draw(read(chosen.chart), command.title_of(chosen.chart)), chosen.out or chosen.chart.with_name("chart.svg"))
+    return command.draw("chart", lambda: figure_of(chosen.chart), chosen.out or chosen.chart.with_name("chart.svg"))
 
 
 if __name__ == "__main__":

@@ -88,7 +88,7 @@ def both_times(one, other):
     times = fewer[(fewer >= first) & (fewer <= last)]
     if not len(times):
         raise command.Refused(f"their times have nothing in common: {one['time'][0]:g} to {one['time'][-1]:g}, and "
-                               f"{other['time'][0]:g} to {other['time'][-1]:g}")
+                              f"{other['time'][0]:g} to {other['time'][-1]:g}")
     return times
 
 

@@ -177,12 +177,17 @@ def read(path):
     return columns, meaning
 
 
+def figure_of(path, _=None):
+    """The figure of a map.nc."""
+    return draw(*read(path), command.title_of(path))
+
+
 def main(words=None):
     parser = argparse.ArgumentParser(description="Draws a map of tether map.")
     parser.add_argument("map", type=Path, metavar="MAP.nc", help="map.nc of tether map")
     parser.add_argument("--out", type=Path, metavar="FILE.svg", help="the figure (default: map.svg next to it)")
     chosen = parser.parse_args(words)
-    return command.draw("map", lambda: draw(*read(chosen.map), command.title_of(chosen.map)), chosen.out or chosen.map.with_name("map.svg"))
+    return command.draw("map", lambda: figure_of(chosen.map), chosen.out or chosen.map.with_name("map.svg"))
 
 
 if __name__ == "__main__":

@@ -28,34 +28,24 @@ from scene import choose, profiles
 
 def arguments(words):
     parser = argparse.ArgumentParser(description="Draws pictures of a run from the files in its folder.")
-    parser.add_argument("folder", type=Path, metavar="DIR", help="folder of the run, with its history.nc, or of a sweep, a chart or a map")
+    parser.add_argument("folder", type=Path, metavar="DIR",
+                        help="folder of the run, with its history.nc, or of a sweep, a chart or a map")
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the pictures (default: DIR)")
     parser.add_argument("--time", type=float, action="append", default=[], metavar="T",
                         help="time of a panel of the scene, repeated for each")
     parser.add_argument("--field", metavar="NAME", help="what colours the scene, in place of what matters most")
-    for name, meaning in (("--x", "abscissa"), ("--y", "ordinate"), ("--by", "lines")):
-        parser.add_argument(name, metavar="COL", help=f"of a sweep: the column of the {meaning}")
-    parser.add_argument("--log", action="store_true", help="of a sweep: logarithmic scales")
+    table.add_columns(parser.add_argument_group("of a sweep"))
     return parser.parse_args(words)
 
 
-# What many runs leave in their folder, who draws it, and where.
-STUDIES = (("chart.nc", chart.main, "chart.svg"), ("map.nc", map_of_runs.main, "map.svg"), ("table.nc", table.main, "table.png"))
+# What many runs leave in their folder, who draws it, and the picture.
+STUDIES = (("chart.nc", chart, "chart.svg"), ("map.nc", map_of_runs, "map.svg"), ("table.nc", table, "table.png"))
 
 
-def study(chosen):
-    """Draws a study and returns the exit code; None where the folder is not that of one."""
-    for name, draw, figure in STUDIES:
-        if (chosen.folder / name).is_file() and not (chosen.folder / "history.nc").is_file():
-            words = [str(chosen.folder / name), *(["--out", str(chosen.out / figure)] if chosen.out else [])]
-            return draw(words + words_for_table(chosen) if draw is table.main else words)
-    return None
-
-
-def words_for_table(chosen):
-    """The words that choose columns."""
-    named = [(f"--{name}", getattr(chosen, name)) for name in ("x", "y", "by")]
-    return [word for option, column in named if column for word in (option, column)] + (["--log"] if chosen.log else [])
+def study_in(folder):
+    """The row of what a study has left in a folder; None in that of a run, and in any other."""
+    of_run = (folder / "history.nc").is_file()
+    return None if of_run else next((row for row in STUDIES if (folder / row[0]).is_file()), None)
 
 
 def fields(run, chosen):
@@ -82,7 +72,11 @@ def save_all(run, chosen):
 
 
 def pictures(chosen):
-    """Draws the run and yields the paths, and where there are no snapshots the switch that writes them."""
+    """Draws a study, or a run, and yields the paths, and where a run has no snapshots the switch that writes them."""
+    if found := study_in(chosen.folder):
+        name, drawer, picture = found
+        yield from command.save((chosen.out or chosen.folder) / picture, drawer.figure_of(chosen.folder / name, chosen).savefig)
+        return
     run = tether_results.open(chosen.folder)
     yield from save_all(run, chosen)
     kind = choose.kind_of(run)
@@ -92,8 +86,7 @@ def pictures(chosen):
 
 def main(words=None):
     chosen = arguments(words)
-    done = study(chosen)
-    return command.run("plot", lambda: pictures(chosen)) if done is None else done
+    return command.run("plot", lambda: pictures(chosen))
 
 
 if __name__ == "__main__":

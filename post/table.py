@@ -24,13 +24,18 @@ import style
 AXIS, COST = "deck value", "cpu_seconds"  # what the meaning of an axis is; the first column after the quantities
 
 
-def arguments(words):
-    parser = argparse.ArgumentParser(description="Draws a column of a sweep's table against another.")
-    parser.add_argument("table", type=Path, metavar="TABLE.nc", help="table.nc or outcome.nc of a sweep")
+def add_columns(parser):
+    """The options that choose columns of a sweep."""
     parser.add_argument("--x", metavar="COL", help="column of numbers along the abscissa (default: the first axis)")
     parser.add_argument("--y", metavar="COL", help="column of numbers along the ordinate (default: each quantity)")
     parser.add_argument("--by", metavar="COL", help="a line for each value of this column")
     parser.add_argument("--log", action="store_true", help="logarithmic scales, of the numbers' sizes")
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(description="Draws a column of a sweep's table against another.")
+    parser.add_argument("table", type=Path, metavar="TABLE.nc", help="table.nc or outcome.nc of a sweep")
+    add_columns(parser)
     parser.add_argument("--out", type=Path, metavar="FILE.png", help="the figure (default: beside the table)")
     return parser.parse_args(words)
 
@@ -72,11 +77,11 @@ def axes_and_quantities(path):
         return axes, [name for name in found if tether_results.is_numeric(data[name])]
 
 
-def complete(chosen):
-    """The same with what the study itself suggests."""
-    axes, quantities = axes_and_quantities(chosen.table) if not (chosen.x and chosen.y) else ([], [])
+def complete(path, chosen):
+    """The chosen columns with those that the study itself suggests."""
+    axes, quantities = axes_and_quantities(path) if not (chosen.x and chosen.y) else ([], [])
     if not chosen.x and not axes:
-        raise command.Refused(f"{chosen.table}: the study has no axis: name a column with --x")
+        raise command.Refused(f"{path}: the study has no axis: name a column with --x")
     by = chosen.by if chosen.by or chosen.x or len(axes) < 2 else axes[1]
     return argparse.Namespace(x=chosen.x or axes[0], y=[chosen.y] if chosen.y else quantities or [COST], by=by, log=chosen.log)
 
@@ -117,11 +122,15 @@ def draw(columns, units, chosen, title=""):
     return figure
 
 
+def figure_of(path, chosen):
+    """The figure of a table.nc or outcome.nc."""
+    return draw(*read(path), complete(path, chosen), command.title_of(path))
+
+
 def main(words=None):
-    given = arguments(words)
-    name = f"{given.y}-over-{given.x}.png" if given.x and given.y else "table.png"
-    return command.draw("table", lambda: draw(*read(given.table), complete(given), command.title_of(given.table)),
-                        given.out or given.table.with_name(name))
+    chosen = arguments(words)
+    name = f"{chosen.y}-over-{chosen.x}.png" if chosen.x and chosen.y else "table.png"
+    return command.draw("table", lambda: figure_of(chosen.table, chosen), chosen.out or chosen.table.with_name(name))
 
 
 if __name__ == "__main__":

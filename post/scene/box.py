@@ -5,10 +5,9 @@ from matplotlib import colors, patches
 
 import style
 from scene import box_in_space, elements, in_space, quantities
+from scene.box_in_space import FLUID, OBSTACLE, STONE
 
-FLUID, SOLID, OBSTACLE, VOID = 0, 1, 2, 3  # kinds of cells
 MOST = 98.0  # per cent of the bodies' energy densities of the run: those beyond are drawn as that one
-STONE = box_in_space.STONE
 
 
 class BoxScene:

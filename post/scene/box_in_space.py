@@ -25,7 +25,7 @@ def tints_of(scale):
 
 
 def bar_of(scale):
-    """The colours of a wall behind more and more smoke of a field."""
+    """The colours of a wall seen through more and more smoke of a field."""
     share = numpy.linspace(scale.low / max(scale.high, -scale.low), 1, 256)
     cover = 1 - numpy.exp(-OF_BAR * DENSE * abs(share) ** THINNER)
     below, above = tints_of(scale)

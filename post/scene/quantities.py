@@ -12,7 +12,7 @@ SPEED_PARTS = ("vx", "vy", "vz")
 COLOURS = {"von Mises stress": "YlOrRd", "energy density": "YlOrRd", "stress": "YlOrRd", "speed": "Blues", "smoke": "gray_r",
            "pressure": "viridis", "density": "viridis"}
 # Of all others: colours about 0, or from the least to the largest where one sign has no more than a share of the other.
-BEYOND = 1e-6  # of a scale: numbers that are farther outside are told of
+BEYOND = 1e-6  # of a scale: a bar has an arrow for numbers that are farther outside
 BOTH_SIGNS, ONE_SIGN, OTHER_SIGN = "PRGn_r", "viridis", 0.02
 NAMES = {"p": "pressure", "smoke": "density of smoke"}
 

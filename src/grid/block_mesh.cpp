@@ -8,21 +8,10 @@
 #include <numeric>
 
 #include "grid/mesh.hpp"
+#include "grid/mesh_extent.hpp"
 
 namespace tether {
 namespace {
-
-double size_of(const Mesh& mesh) {
-  const auto dim = static_cast<std::size_t>(mesh.dim());
-  double size = 0;
-  for (std::size_t i = 0; i < dim; ++i) {
-    double low = mesh.x[i], high = mesh.x[i];
-    for (std::size_t n = i; n < mesh.x.size(); n += dim)
-      low = std::min(low, mesh.x[n]), high = std::max(high, mesh.x[n]);
-    size = std::max(size, high - low);
-  }
-  return size;
-}
 
 bool coincide(const Mesh& mesh, std::size_t a, std::size_t b, double within) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
@@ -37,7 +26,7 @@ bool coincide(const Mesh& mesh, std::size_t a, std::size_t b, double within) {
 /// Neighbours in x are looked through.
 std::vector<int> lowest_at_place(const Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  const double within = coincident * size_of(mesh);
+  const double within = coincident * MeshExtent(mesh).size();
   std::vector<std::size_t> by_x(mesh.node_count());
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});
   std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grid/mesh_flaws.hpp"
 
+#include "grid/mesh_extent.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -165,30 +167,12 @@ struct Touch {
   bool operator<(const Touch& other) const { return cell != other.cell ? cell < other.cell : node < other.node; }
 };
 
-/// Lowest corner and largest extent of a mesh.
-struct Extent {
-  std::array<double, 3> low{};
-  double size = 0;
-};
-
-Extent extent_of(const Mesh& mesh) {
-  const auto dim = static_cast<std::size_t>(mesh.dim());
-  Extent extent;
-  for (std::size_t i = 0; i < dim && !mesh.x.empty(); ++i) {
-    double low = mesh.x[i], high = mesh.x[i];
-    for (std::size_t n = i; n < mesh.x.size(); n += dim)
-      low = std::min(low, mesh.x[n]), high = std::max(high, mesh.x[n]);
-    extent.low[i] = low, extent.size = std::max(extent.size, high - low);
-  }
-  return extent;
-}
-
 /// The node's cell and those that it comes near to from below: of two nodes in one place both touch the one that the
 /// higher coordinates of each direction are in. The lattice lies a part of a cell off the lowest corner, so that nodes
 /// of regular meshes touch one cell alone.
-void add_touches(const Mesh& mesh, int node, const Extent& extent, std::vector<Touch>& touches) {
+void add_touches(const Mesh& mesh, int node, const MeshExtent& extent, std::vector<Touch>& touches) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  const double within = coincident * extent.size, cell = cell_size * within;
+  const double within = coincident * extent.size(), cell = cell_size * within;
   std::array<std::array<long long, 2>, 3> range{};
   for (std::size_t i = 0; i < dim; ++i) {
     const double x = mesh.x[static_cast<std::size_t>(node) * dim + i] - extent.low[i] + 0.4 * cell;
@@ -214,10 +198,10 @@ bool coincide(const Mesh& mesh, int a, int b, double within) {
 }  // namespace
 
 std::vector<std::pair<int, int>> coinciding_nodes(const Mesh& mesh) {
-  const Extent extent = extent_of(mesh);
+  const MeshExtent extent(mesh);
   std::vector<std::pair<int, int>> pairs;
   const auto count = static_cast<int>(mesh.node_count());
-  if (extent.size == 0) {
+  if (extent.size() == 0) {
     for (int n = 1; n < count; ++n) pairs.emplace_back(0, n);
     return pairs;
   }
@@ -228,7 +212,7 @@ std::vector<std::pair<int, int>> coinciding_nodes(const Mesh& mesh) {
     if (touches[k].cell != touches[first].cell) first = k;
     const auto other = std::find_if(
         touches.begin() + static_cast<std::ptrdiff_t>(first), touches.begin() + static_cast<std::ptrdiff_t>(k),
-        [&](const Touch& touch) { return coincide(mesh, touch.node, touches[k].node, coincident * extent.size); });
+        [&](const Touch& touch) { return coincide(mesh, touch.node, touches[k].node, coincident * extent.size()); });
     if (other != touches.begin() + static_cast<std::ptrdiff_t>(k)) pairs.emplace_back(other->node, touches[k].node);
   }
   const auto by_node = [](const auto& a, const auto& b) {

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
+#include "grid/mesh_extent.hpp"
 
 namespace tether {
 namespace {
@@ -66,16 +67,12 @@ double least_distance(const Mesh& mesh) {
 
 double rounding_energy(const Solids& solids) {
   constexpr double moved = 1e-13;
-  const auto dim = static_cast<std::size_t>(solids.mesh.dim());
-  double extent = 0, volume = 1, modulus = 0;
-  for (std::size_t i = 0; i < dim; ++i) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t k = i; k < solids.mesh.x.size(); k += dim)
-      low = std::min(low, solids.mesh.x[k]), high = std::max(high, solids.mesh.x[k]);
-    extent = std::max(extent, high - low), volume *= high - low;
-  }
+  const MeshExtent extent(solids.mesh);
+  double volume = 1, modulus = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(solids.mesh.dim()); ++i)
+    volume *= extent.high[i] - extent.low[i];
   for (const SolidRegion& region : solids.regions) modulus = std::max(modulus, std::visit(Stiffest{}, region.law));
-  const double strain = moved * extent / least_distance(solids.mesh);
+  const double strain = moved * extent.size() / least_distance(solids.mesh);
   return 0.5 * modulus * volume * strain * strain;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/mesh_extent.hpp"
 #include "model/coupled.hpp"
 #include "model/flow.hpp"
 #include "model/solids.hpp"
@@ -77,18 +78,6 @@ double largest(const std::vector<std::vector<double>>& vector, std::size_t from,
   return most;
 }
 
-double longest_extent(const Mesh& mesh) {
-  const auto dim = static_cast<std::size_t>(mesh.dim());
-  double longest = 0;
-  for (std::size_t i = 0; i < dim; ++i) {
-    double low = mesh.x[i], high = low;
-    for (std::size_t k = i; k < mesh.x.size(); k += dim)
-      low = std::min(low, mesh.x[k]), high = std::max(high, mesh.x[k]);
-    longest = std::max(longest, high - low);
-  }
-  return longest;
-}
-
 /// Largest changes of the momenta since the loads are gone, over the momentum sqrt(2 m E) that the kinetic energy could
 /// be of, and its moment about the body's longest extent.
 void add_momenta(const Plan& plan, const History& history, Summary& summary) {
@@ -97,12 +86,11 @@ void add_momenta(const Plan& plan, const History& history, Summary& summary) {
   const std::size_t from = first_without_loads(plan.scene, history.column("time"));
   if (from + 1 >= kinetic.size()) return;
   const double most = *std::max_element(kinetic.begin() + static_cast<std::ptrdiff_t>(from), kinetic.end());
-  const bool moves = most > history.layout.rounding_energy;
-  const double momentum = moves ? std::sqrt(2 * history.column("mass").front() * most) : 0;
+  const double momentum = std::sqrt(2 * history.column("mass").front() * most);
   const auto linear = components(history, "momentum_"), angular = components(history, "angular_momentum_");
-  const double moment =
-      moves ? std::max(largest(angular, from, true), momentum * longest_extent(plan.scene.solids()->mesh)) : 0;
-  const auto part = [](double change, double of) { return of > 0 ? change / of : 0; };
+  const double moment = std::max(largest(angular, from, true), momentum * MeshExtent(plan.scene.solids()->mesh).size());
+  const bool moves = most > history.layout.rounding_energy;
+  const auto part = [&](double change, double of) { return moves && of > 0 ? change / of : 0; };
   summary.push_back(line_of("momentum_drift", part(largest(linear, from, false), momentum)));
   summary.push_back(line_of("angular_momentum_drift", part(largest(angular, from, false), moment)));
 }

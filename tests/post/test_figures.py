@@ -4,7 +4,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -22,9 +21,9 @@ from matplotlib import image, pyplot
 
 import contact_sheet
 import figures
-import style
 from thesis_figures import FIGURES, appendix_a, chapter4, chapter5
 from thesis_figures.runs import NoProgram, RunFailed, Runs
+from small_runs import DeckTest
 
 PROGRAM = Path(os.environ["TETHER"])
 
@@ -51,14 +50,11 @@ def coloured_share(path):
     return float(numpy.mean(pixels.max(axis=2) - pixels.min(axis=2) > 0.2))
 
 
-class FigureTest(unittest.TestCase):
+class FigureTest(DeckTest):
     @classmethod
     def setUpClass(cls):
         """One folder of runs for all tests of a class."""
-        style.use()
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.folder = Path(scratch.name)
+        super().setUpClass()
         cls.runs = ShortRuns(PROGRAM, ROOT / "decks", cls.folder / "runs", levels=1)
 
     def setUp(self):

@@ -2,7 +2,6 @@
 """The figures of chapters 6, 7 and A.1: what they evaluate themselves, against the program's own results and exact ones."""
 import os
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -20,18 +19,17 @@ import style
 from thesis_figures import (appendix_a_bars, bodies, chapter6_airbags, chapter6_membranes, chapter7_cells, chapter7_cylinder,
                             grid_colors, mass_matrix)
 from thesis_figures.runs import Runs
+from small_runs import DeckTest
 
 PROGRAM = Path(os.environ["TETHER"])
 CELL, CELLS = 0.1, 15  # of normals-cylinder
 
 
-class BodiesTest(unittest.TestCase):
+class BodiesTest(DeckTest):
     @classmethod
     def setUpClass(cls):
-        style.use()
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.runs = Runs(PROGRAM, ROOT / "decks", Path(scratch.name))
+        super().setUpClass()
+        cls.runs = Runs(PROGRAM, ROOT / "decks", cls.folder)
 
     def setUp(self):
         self.addCleanup(pyplot.close, "all")

@@ -2,7 +2,6 @@
 """The figures of flows: their meshes as triangles, what is read from them, and the curves that are drawn."""
 import os
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -15,7 +14,6 @@ import matplotlib
 matplotlib.use("Agg")
 
 import numpy
-from matplotlib import pyplot
 
 import figures
 import style
@@ -23,19 +21,17 @@ from thesis_figures import flaps, flows
 from scene.elements import Elements
 from scene.flow import FlowMesh
 from thesis_figures.runs import Runs
+from small_runs import DeckTest
 
 PROGRAM = Path(os.environ["TETHER"])
 SHORT = "in.tmax=0.05"
 
 
-class FlowsTest(unittest.TestCase):
+class FlowsTest(DeckTest):
     @classmethod
     def setUpClass(cls):
-        style.use()
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.runs = Runs(PROGRAM, ROOT / "decks", Path(scratch.name) / "runs", levels=1)
-        cls.addClassCleanup(pyplot.close, "all")
+        super().setUpClass()
+        cls.runs = Runs(PROGRAM, ROOT / "decks", cls.folder / "runs", levels=1)
 
     def cavity(self, element):
         return FlowMesh(self.runs.of("cavity", f"flow.element='{element}'", "mesh.cells(1,1)=32,32").fields("mesh"))

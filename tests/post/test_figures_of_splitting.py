@@ -3,7 +3,6 @@
 import math
 import os
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -15,23 +14,18 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-from matplotlib import pyplot
-
-import style
 from thesis_figures import splitting
 from thesis_figures.runs import Runs
+from small_runs import DeckTest
 
 PROGRAM = Path(os.environ["TETHER"])
 
 
-class Splitting(unittest.TestCase):
+class Splitting(DeckTest):
     @classmethod
     def setUpClass(cls):
-        style.use()
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.runs = Runs(PROGRAM, ROOT / "decks", Path(scratch.name) / "runs")
-        cls.addClassCleanup(pyplot.close, "all")
+        super().setUpClass()
+        cls.runs = Runs(PROGRAM, ROOT / "decks", cls.folder / "runs")
 
     def test_a_limit_is_where_the_value_is_one(self):
         self.assertAlmostEqual(splitting.limit((1, 100, 1000), [180, 1.8, 0.18]), 180)

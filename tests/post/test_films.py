@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -20,21 +19,18 @@ from matplotlib import animation
 from PIL import Image
 
 import film
-import style
 import tether_results
 from scene import choose
 from thesis_figures import coupled
+from small_runs import DeckTest
 
 PROGRAM = os.environ["TETHER"]
 
 
-class FilmTest(unittest.TestCase):
+class FilmTest(DeckTest):
     @classmethod
     def setUpClass(cls):
-        style.use()
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.folder = Path(scratch.name)
+        super().setUpClass()
         cls.bar = tether_results.run(ROOT / "decks" / "coupled-bar.in", {"in.tmax": 0.3}, out=cls.folder / "bar", program=PROGRAM)
         cls.silent = tether_results.run(ROOT / "decks" / "l-block.in", {"in.tmax": 0.3, "in.iout(39)": 0}, out=cls.folder / "silent", program=PROGRAM)
 

@@ -51,7 +51,7 @@ class TableTest(unittest.TestCase):
 
     def drawn(self, *words):
         """The axes, and its curves by label as lists of (x, y)."""
-        chosen = table.complete(table.arguments([str(self.table), *words]))
+        chosen = table.complete(self.table, table.arguments([str(self.table), *words]))
         figure = table.draw(*table.read(self.table), chosen)
         self.addCleanup(table.pyplot.close, figure)
         (axes,) = figure.axes

@@ -155,8 +155,8 @@ bool Contact::all_at_once(std::size_t wrong) {
   return chances_-- > 0;
 }
 
-/// Returns whether the place is beyond the wall and, where the wall is an obstacle's, in the obstacle: beside that its
-/// face continues as no wall.
+/// Returns whether the place is beyond the wall and, where the wall is an obstacle's, in the obstacle: the plane of its
+/// face is no wall farther out.
 bool Contact::is_behind(const Meeting& meeting, const Vec<3>& x) const {
   const std::size_t axis = meeting.axis;
   if (meeting.side * (x[axis] - meeting.place) >= -rounding * scene_.grid.d[axis]) return false;

@@ -6,27 +6,21 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "physics/flow/unknowns.hpp"
 
 namespace tether::fem {
 namespace {
 
-/// The axis, 0 or 1, that all places of an element side agree in; -1 where they agree in none.
-int axis_across(const Mesh& mesh, std::span<const int> side) {
-  for (const int axis : {0, 1}) {
-    const auto place = [&](int node) { return mesh.x[2 * at(node) + at(axis)]; };
-    const double along = std::hypot(mesh.x[2 * at(side.front())] - mesh.x[2 * at(side.back())],
-                                    mesh.x[2 * at(side.front()) + 1] - mesh.x[2 * at(side.back()) + 1]);
-    const auto agrees = [&](int node) { return std::abs(place(node) - place(side.front())) < coincident * along; };
-    if (std::all_of(side.begin(), side.end(), agrees)) return axis;
-  }
-  return -1;
-}
-
-/// Returns whether nothing flows through an element side: walls, and moving ones that run along themselves.
+/// Returns whether nothing flows through an element side: walls, and moving ones that run along themselves and an axis.
 bool is_closed(const Mesh& mesh, const FlowSide& of, std::span<const int> side) {
   if (of.boundary == Boundary::no_slip || of.boundary == Boundary::slip) return true;
-  const int across = of.boundary == Boundary::moving ? axis_across(mesh, side) : -1;
-  return across >= 0 && !of.velocity.component[at(across)];
+  const std::size_t across = axis_across(mesh, side);
+  if (of.boundary != Boundary::moving || of.velocity.component[across]) return false;
+  const auto place = [&](int node, std::size_t axis) { return mesh.x[2 * at(node) + axis]; };
+  const double length = std::abs(place(side.back(), 1 - across) - place(side.front(), 1 - across));
+  return std::ranges::all_of(side, [&](int node) {
+    return std::abs(place(node, across) - place(side.front(), across)) < coincident * length;
+  });
 }
 
 /// Returns the unknown of each node, from 0: nodes that closed sides join share theirs.

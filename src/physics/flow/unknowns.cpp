@@ -22,17 +22,16 @@ Lists clusters_of(const Flow& flow) {
   return clusters;
 }
 
+std::size_t axis_across(const Mesh& mesh, std::span<const int> side) {
+  const double* from = &mesh.x[2 * static_cast<std::size_t>(side.front())];
+  const double* to = &mesh.x[2 * static_cast<std::size_t>(side.back())];
+  return std::abs(to[0] - from[0]) > std::abs(to[1] - from[1]) ? 1 : 0;
+}
+
 namespace {
 
 constexpr std::array corners_of_q1{0, 1, 2, 3};
 constexpr std::array corners_of_q2{0, 2, 6, 8};
-
-/// The axis across a side that runs along the other one.
-std::size_t axis_across(const Mesh& mesh, const int* side, int nodes) {
-  const double* from = &mesh.x[2 * static_cast<std::size_t>(side[0])];
-  const double* to = &mesh.x[2 * static_cast<std::size_t>(side[nodes - 1])];
-  return std::abs(to[0] - from[0]) > std::abs(to[1] - from[1]) ? 1 : 0;
-}
 
 }  // namespace
 
@@ -50,8 +49,8 @@ FlowUnknowns::FlowUnknowns(const Flow& of) : flow(of), holders(holders_of(of)) {
   for (const FlowSide& side : flow.sides) {
     open |= side.boundary == Boundary::open;
     for (std::size_t n = 0; n < side.sides.size() && side.boundary == Boundary::slip; ++n) {
-      const int* first_of_side = &side.sides[n / per_side * per_side];
-      held[2 * twin(side.sides[n]) + axis_across(mesh, first_of_side, static_cast<int>(per_side))] = 1;
+      const auto of_element = std::span(side.sides).subspan(n / per_side * per_side, per_side);
+      held[2 * twin(side.sides[n]) + axis_across(mesh, of_element)] = 1;
     }
   }
   for (std::size_t n = 0; n < nodes; ++n) {

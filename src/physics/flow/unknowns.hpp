@@ -15,6 +15,9 @@ namespace tether::fem {
 /// The clusters of unknowns that elements couple, for ClusterPattern: the nodes of each, twins as one.
 Lists clusters_of(const Flow& flow);
 
+/// Returns the axis, 0 or 1, across an element side that runs along the other one.
+std::size_t axis_across(const Mesh& mesh, std::span<const int> side);
+
 /// Which numbers of a flow's nodes are unknown: velocities that no side prescribes, pressures at the corners of the
 /// elements. Nodes on periodic sides share those of their twins. Where no side is open and no body
 /// has a law for its volume, one pressure is pinned to zero.

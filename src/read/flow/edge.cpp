@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "grid/mesh_extent.hpp"
 #include "grid/point_finder.hpp"
 #include "grid/shapes.hpp"
 #include "read/flow/checks.hpp"
@@ -40,11 +41,6 @@ Vec<2> nearest_place_of(const Mesh& mesh, const int* side, const Vec<2>& at) {
     s = next;
   }
   return weighted(mesh, side, Line<p>::values(s));
-}
-
-double size_of(const Mesh& mesh) {
-  const auto [low, high] = std::minmax_element(mesh.x.begin(), mesh.x.end());
-  return *high - *low;
 }
 
 }  // namespace
@@ -106,7 +102,7 @@ OnEdge FlowEdge::nearest(const Vec<2>& at) const {
 }
 
 const FlowSide* FlowEdge::inflow_at(const Vec<2>& at) const {
-  const double within = coincident * size_of(flow_.mesh);
+  const double within = coincident * MeshExtent(flow_.mesh).size();
   for (const FlowSide& side : flow_.sides) {
     if (side.boundary != Boundary::inflow) continue;
     if (nearest_of_sides(flow_.mesh, side.sides, at).away <= within) return &side;

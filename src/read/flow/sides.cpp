@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/vec.hpp"
+#include "grid/mesh_extent.hpp"
 #include "grid/mesh_flaws.hpp"
 #include "read/flow/flow.hpp"
 #include "read/mesh/sides.hpp"
@@ -191,8 +192,7 @@ class Twins {
  public:
   explicit Twins(const Mesh& mesh) : mesh_(mesh), lowest_(mesh.node_count()) {
     std::iota(lowest_.begin(), lowest_.end(), 0);
-    const auto [low, high] = std::minmax_element(mesh.x.begin(), mesh.x.end());
-    within_ = coincident * (*high - *low);
+    within_ = coincident * MeshExtent(mesh).size();
   }
 
   /// Says what is wrong with the pair, and what would be right; empty where its nodes are joined.
