@@ -28,16 +28,16 @@ class DeckTest(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.addClassCleanup(pyplot.close, "all")
-        cls.folder, cls.made = Path(scratch.name), {}
+        cls.folder, cls.done = Path(scratch.name), {}
 
     @classmethod
     def run_of(cls, deck, values=None):
         """A run of a deck, made once."""
         key = f"{deck} {values}"
-        if key not in cls.made:
-            out = cls.folder / f"run-{len(cls.made)}"
-            cls.made[key] = tether_results.run(ROOT / "decks" / f"{deck}.in", values, out=out, program=PROGRAM)
-        return cls.made[key]
+        if key not in cls.done:
+            out = cls.folder / f"run-{len(cls.done)}"
+            cls.done[key] = tether_results.run(ROOT / "decks" / f"{deck}.in", values, out=out, program=PROGRAM)
+        return cls.done[key]
 
 
 class FolderTest(unittest.TestCase):
