@@ -17,12 +17,16 @@ import numpy
 import command
 
 # meshio's name of a cell: its dimension, Gmsh's number of it, and its sides by its nodes with Gmsh's number of those.
+# Gmsh counts the last two middles of a tetrahedron the other way round.
 CELLS = {
     "triangle": (2, 2, ((0, 1), (1, 2), (2, 0)), 1),
     "quad": (2, 3, ((0, 1), (1, 2), (2, 3), (3, 0)), 1),
     "tetra": (3, 4, ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)), 2),
+    "triangle6": (2, 9, ((0, 1, 3), (1, 2, 4), (2, 0, 5)), 8),
+    "tetra10": (3, 11, ((0, 2, 1, 6, 5, 4), (0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (2, 0, 3, 6, 7, 9)), 9),
     "hexahedron": (3, 5, ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)), 3),
 }
+GMSH_ORDER = {"tetra10": (0, 1, 2, 3, 4, 5, 6, 7, 9, 8)}
 
 
 def arguments(words):
@@ -51,7 +55,7 @@ def bodies_of(mesh):
     known = [(k, block) for k, block in enumerate(mesh.cells) if block.type in CELLS]
     if not known:
         names = sorted({block.type for block in mesh.cells})
-        raise command.Refused(f"there are no 3- or 4-node elements in the plane, or 4- or 8-node ones in space, but {names}")
+        raise command.Refused(f"there are no 3-, 4- or 6-node elements in the plane, or 4-, 8- or 10-node ones in space, but {names}")
     dimension = max(CELLS[block.type][0] for _, block in known)
     return dimension, [(k, block) for k, block in known if CELLS[block.type][0] == dimension]
 
@@ -114,7 +118,8 @@ def mesh_text(mesh, first):
     regions, owners = regions_of(mesh, bodies, first)
     groups, elements = [(dimension, name) for name in regions], []
     for (_, block), owner in zip(bodies, owners):
-        elements += [(CELLS[block.type][1], 1 + region, cell) for cell, region in zip(block.data, owner)]
+        cells = block.data[:, GMSH_ORDER.get(block.type, range(block.data.shape[1]))]
+        elements += [(CELLS[block.type][1], 1 + region, cell) for cell, region in zip(cells, owner)]
     for name, sides in sides_of(mesh, bodies):
         groups.append((dimension - 1, name))
         elements += [(kind, len(groups), nodes) for nodes, kind in sides]

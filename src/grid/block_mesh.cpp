@@ -144,16 +144,22 @@ class Lattice {
 };
 
 /// Corner k of a box is at the high end of x, y, z where k has 1, 2, 4.
-constexpr int triangles[2][3] = {{0, 1, 3}, {0, 3, 2}};
+constexpr std::array<std::array<int, 3>, 2> triangles{{{0, 1, 3}, {0, 3, 2}}};
 using Tetrahedra = std::array<std::array<int, 4>, 6>;
+
+/// Corner k of a box that has p + 1 nodes a line.
+int corner_of_box(ElementKind kind, int k) {
+  const int p = order_of(kind), line = p + 1;
+  return p * ((k & 1) + line * ((k >> 1 & 1) + line * (k >> 2 & 1)));
+}
 
 /// The lowest corner with two triangles of each face that it is not on, which the face's lowest corner begins. Each
 /// face is so parted from its lowest corner on, whichever way the blocks on its two sides are turned.
-Tetrahedra tetrahedra(const std::vector<int>& box, const std::vector<int>& number) {
-  const auto lower = [&](int a, int b) {
-    return number[static_cast<std::size_t>(box[static_cast<std::size_t>(a)])] <
-           number[static_cast<std::size_t>(box[static_cast<std::size_t>(b)])];
+Tetrahedra tetrahedra(ElementKind kind, const std::vector<int>& box, const std::vector<int>& number) {
+  const auto of_corner = [&](int k) {
+    return number[static_cast<std::size_t>(box[static_cast<std::size_t>(corner_of_box(kind, k))])];
   };
+  const auto lower = [&](int a, int b) { return of_corner(a) < of_corner(b); };
   constexpr std::array corners{0, 1, 2, 3, 4, 5, 6, 7};
   const int lowest = *std::min_element(corners.begin(), corners.end(), lower);
   Tetrahedra parts{};
@@ -168,17 +174,27 @@ Tetrahedra tetrahedra(const std::vector<int>& box, const std::vector<int>& numbe
   return parts;
 }
 
+/// Appends the nodes of a triangle or tetrahedron with these corners of a box: those between two corners are those of
+/// the box's own lattice.
+template <std::size_t count>
+void add_simplex(const std::vector<int>& box, const std::array<int, count>& corners, Mesh& mesh) {
+  const auto at = [&](int k) { return corner_of_box(mesh.kind, corners[static_cast<std::size_t>(k)]); };
+  for (int a = 0; a < corner_count_of(mesh.kind); ++a) mesh.nodes.push_back(box[static_cast<std::size_t>(at(a))]);
+  for (int m = corner_count_of(mesh.kind); m < node_count_of(mesh.kind); ++m) {
+    const auto [a, b] = ends_of_middle[static_cast<std::size_t>(m - corner_count_of(mesh.kind))];
+    mesh.nodes.push_back(box[static_cast<std::size_t>((at(a) + at(b)) / 2)]);
+  }
+}
+
 void add_elements(const std::vector<int>& box, int region, const std::vector<int>& number, Mesh& mesh) {
-  const auto add = [&](const int* of_box, int count) {
-    for (int a = 0; a < count; ++a) mesh.nodes.push_back(box[static_cast<std::size_t>(of_box ? of_box[a] : a)]);
+  if (!is_simplex(mesh.kind)) {
+    mesh.nodes.insert(mesh.nodes.end(), box.begin(), box.end());
     mesh.region.push_back(region);
-  };
-  if (mesh.kind == ElementKind::tri3) {
-    for (const auto& corners : triangles) add(corners, 3);
-  } else if (mesh.kind == ElementKind::tet4) {
-    for (const auto& corners : tetrahedra(box, number)) add(corners.data(), 4);
+  } else if (mesh.dim() == 2) {
+    for (const auto& corners : triangles) add_simplex(box, corners, mesh), mesh.region.push_back(region);
   } else {
-    add(nullptr, node_count_of(mesh.kind));
+    for (const auto& corners : tetrahedra(mesh.kind, box, number))
+      add_simplex(box, corners, mesh), mesh.region.push_back(region);
   }
 }
 

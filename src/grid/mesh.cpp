@@ -13,10 +13,54 @@ namespace {
 constexpr std::array<std::array<int, 2>, 3> edges_of_triangle{{{0, 1}, {1, 2}, {2, 0}}};
 constexpr std::array<std::array<int, 3>, 4> faces_of_tetrahedron{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 
+/// The middle node between two corners, within a triangle or tetrahedron of order 2.
+int middle_between(ElementKind kind, int a, int b) {
+  const std::array ends{std::min(a, b), std::max(a, b)};
+  const auto found = std::find(ends_of_middle.begin(), ends_of_middle.end(), ends);
+  return corner_count_of(kind) + static_cast<int>(found - ends_of_middle.begin());
+}
+
+/// Appends a side of a simplex with these corners: of order 2 an edge with its middle between them, as a line has it,
+/// and a face with its corners first.
+template <std::size_t count>
+void add_side_of_simplex(ElementKind kind, const int* element, const std::array<int, count>& corners, Sides& sides) {
+  const auto middle = [&](std::size_t a) {
+    return element[middle_between(kind, corners[a], corners[(a + 1) % count])];
+  };
+  const bool quadratic = order_of(kind) == 2;
+  for (std::size_t a = 0; a < count; ++a) {
+    sides.push_back(element[corners[a]]);
+    if (quadratic && count == 2 && a == 0) sides.push_back(middle(0));
+  }
+  for (std::size_t a = 0; quadratic && count == 3 && a < count; ++a) sides.push_back(middle(a));
+}
+
 /// A lattice number of a box with p + 1 nodes a line.
 int lattice(int p, int i, int j, int k) { return i + (p + 1) * (j + (p + 1) * k); }
 
+/// Facets of a side of a quadrilateral mesh's lattice, of order 1 or 2, and of a triangle with three middles.
+constexpr std::array<std::array<int, 3>, 4> facets_of_triangle{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
+
 }  // namespace
+
+std::vector<std::array<int, 3>> facets_of_side(ElementKind kind) {
+  const int p = order_of(kind);
+  std::vector<std::array<int, 3>> facets;
+  if (dimension_of(kind) == 2) {
+    for (int a = 0; a < p; ++a) facets.push_back({a, a + 1, -1});
+  } else if (is_simplex(kind)) {
+    if (p == 1) return {{0, 1, 2}};
+    facets.assign(facets_of_triangle.begin(), facets_of_triangle.end());
+  } else {
+    for (int b = 0; b < p; ++b) {
+      for (int a = 0; a < p; ++a) {
+        const int first = a + b * (p + 1), beyond = first + p + 2;
+        facets.push_back({first, first + 1, beyond}), facets.push_back({first, beyond, beyond - 1});
+      }
+    }
+  }
+  return facets;
+}
 
 std::vector<int> side_of_box(ElementKind kind, int axis, int end) {
   const int p = order_of(kind), dim = dimension_of(kind);
@@ -37,14 +81,10 @@ std::vector<int> side_of_box(ElementKind kind, int axis, int end) {
 }
 
 void add_sides(ElementKind kind, const int* element, Sides& sides) {
-  if (kind == ElementKind::tri3) {
-    for (const auto& edge : edges_of_triangle) {
-      for (const int a : edge) sides.push_back(element[a]);
-    }
-  } else if (kind == ElementKind::tet4) {
-    for (const auto& face : faces_of_tetrahedron) {
-      for (const int a : face) sides.push_back(element[a]);
-    }
+  if (is_simplex(kind) && dimension_of(kind) == 2) {
+    for (const auto& edge : edges_of_triangle) add_side_of_simplex(kind, element, edge, sides);
+  } else if (is_simplex(kind)) {
+    for (const auto& face : faces_of_tetrahedron) add_side_of_simplex(kind, element, face, sides);
   } else {
     for (int axis = 0; axis < dimension_of(kind); ++axis) {
       for (const int end : {0, 1}) {

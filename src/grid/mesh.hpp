@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -19,6 +20,10 @@ void add_sides(ElementKind kind, const int* element, Sides& sides);
 
 /// Nodes, within an element, of the side that is low (0) or high (1) along an axis of a quadrilateral or hexahedron.
 std::vector<int> side_of_box(ElementKind kind, int axis, int end);
+
+/// Edges, or triangles in space, that a side is parted into by its nodes: their numbers within the side, which turn as
+/// it does; the third of an edge is -1.
+std::vector<std::array<int, 3>> facets_of_side(ElementKind kind);
 
 /// The root of the tree that a node belongs to, each node's parent being above[node], a root's itself. Paths are halved
 /// on the way.

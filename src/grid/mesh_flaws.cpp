@@ -16,19 +16,15 @@
 namespace tether {
 namespace {
 
-/// Smallest Jacobian of an element over its points of quadrature, and the corners of quadrilaterals and hexahedra.
+/// Smallest Jacobian of an element over its points of quadrature and its corners.
 template <class Shapes>
 double smallest_jacobian(const Mesh& mesh, std::size_t e) {
   double smallest = std::numeric_limits<double>::infinity();
   for (int point = 0; point < Shapes::points; ++point) {
     smallest = std::min(smallest, jacobian_at<Shapes>(mesh, e, Shapes::place(point)).determinant);
   }
-  if (is_simplex(mesh.kind)) return smallest;  // it is the same everywhere
-  for (int corner = 0; corner < 1 << Shapes::dim; ++corner) {
-    std::array<double, Shapes::dim> s;
-    for (int i = 0; i < Shapes::dim; ++i) s[static_cast<std::size_t>(i)] = (corner >> i & 1) == 1 ? 1 : -1;
-    smallest = std::min(smallest, jacobian_at<Shapes>(mesh, e, s).determinant);
-  }
+  for (int corner = 0; corner < Shapes::corners; ++corner)
+    smallest = std::min(smallest, jacobian_at<Shapes>(mesh, e, Shapes::corner(corner)).determinant);
   return smallest;
 }
 
@@ -40,7 +36,7 @@ double coordinate(const Mesh& mesh, int node, std::size_t i) {
 std::vector<int> corners_of(ElementKind kind, const int* side) {
   const int count = side_node_count_of(kind), p = order_of(kind);
   if (dimension_of(kind) == 2) return {side[0], side[count - 1]};
-  if (kind == ElementKind::tet4) return {side[0], side[1], side[2]};
+  if (is_simplex(kind)) return {side[0], side[1], side[2]};
   const std::ptrdiff_t line = p + 1;
   return {side[0], side[p], side[line * line - 1], side[line * p]};
 }

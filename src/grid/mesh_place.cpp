@@ -15,9 +15,6 @@ constexpr double rounding = 1e-9;    // of an element's size, within which a pla
 constexpr int most_iterations = 40;  // of Newton's method for a place in the reference element
 
 template <class Shapes>
-constexpr bool is_simplex_of = Shapes::nodes == Shapes::dim + 1;
-
-template <class Shapes>
 using Point = std::array<double, static_cast<std::size_t>(Shapes::dim)>;
 
 template <class Shapes>
@@ -30,7 +27,7 @@ double length(const Point<Shapes>& v) {
 /// The place of the reference element that stands for s where s is outside of it.
 template <class Shapes>
 Point<Shapes> inside(Point<Shapes> s) {
-  if constexpr (is_simplex_of<Shapes>) {
+  if constexpr (Shapes::is_simplex) {
     double sum = 0;
     for (double& component : s) sum += component = std::max(component, 0.0);
     for (double& component : s) component /= std::max(sum, 1.0);
@@ -76,13 +73,13 @@ Point<Shapes> correction(const Mesh& mesh, std::size_t e, const Point<Shapes>& s
 template <class Shapes>
 Point<Shapes> reference_place(const Mesh& mesh, std::size_t e, const Vec<3>& x) {
   Point<Shapes> s{};
-  if constexpr (is_simplex_of<Shapes>) s.fill(1.0 / Shapes::nodes);
+  if constexpr (Shapes::is_simplex) s.fill(1.0 / (Shapes::dim + 1));
   for (int k = 0; k < most_iterations; ++k) {
     const Point<Shapes> ds = correction<Shapes>(mesh, e, s, remainder<Shapes>(mesh, e, x, s));
     if (!std::isfinite(length<Shapes>(ds))) break;
     for (std::size_t i = 0; i < s.size(); ++i) s[i] += ds[i];
     if (length<Shapes>(ds) < 1e-14) break;
-    if constexpr (!is_simplex_of<Shapes>) {
+    if constexpr (!Shapes::is_simplex) {
       for (double& component : s) component = std::clamp(component, -2.0, 2.0);
     }
   }

@@ -12,21 +12,10 @@ namespace {
 
 constexpr double touching = 1e-6;  // of a body's size
 
-/// Nodes of a side in a lattice of p + 1 a line, as edges or triangles that turn as the side does.
+/// Appends the edges or triangles of a side.
 void add_facets(const Mesh& mesh, const int* side, std::vector<int>& facets) {
-  const int p = order_of(mesh.kind);
-  if (is_simplex(mesh.kind)) {
-    facets.insert(facets.end(), side, side + mesh.dim());
-  } else if (mesh.dim() == 2) {
-    for (int a = 0; a < p; ++a) facets.insert(facets.end(), {side[a], side[a + 1]});
-  } else {
-    for (int b = 0; b < p; ++b) {
-      for (int a = 0; a < p; ++a) {
-        const int* first = side + a + b * (p + 1);
-        const int corners[] = {first[0], first[1], first[p + 2], first[p + 1]};
-        facets.insert(facets.end(), {corners[0], corners[1], corners[2], corners[0], corners[2], corners[3]});
-      }
-    }
+  for (const auto& facet : facets_of_side(mesh.kind)) {
+    for (int a = 0; a < mesh.dim(); ++a) facets.push_back(side[facet[at(a)]]);
   }
 }
 

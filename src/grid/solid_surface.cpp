@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "grid/mesh.hpp"
+#include "grid/shapes.hpp"
 
 namespace tether {
 namespace {
@@ -33,7 +34,17 @@ void find_sheets(std::size_t nodes, SolidSurface& surface) {
 SolidSurface surface_of(const Mesh& mesh) {
   SolidSurface surface;
   surface.dim = mesh.dim();
-  surface.sides = boundary_of(mesh);
+  surface.kind = mesh.kind;
+  surface.whole_sides = boundary_of(mesh);
+  surface.parting = facets_of_side(mesh.kind);
+  const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
+  for (std::size_t first = 0; first < surface.whole_sides.size(); first += per_side) {
+    for (const auto& facet : surface.parting) {
+      for (int a = 0; a < surface.dim; ++a)
+        surface.sides.push_back(
+            surface.whole_sides[first + static_cast<std::size_t>(facet[static_cast<std::size_t>(a)])]);
+    }
+  }
   find_sheets(mesh.node_count(), surface);
   const std::vector<int> parts = parts_of(mesh);
   surface.parts = count_parts(mesh);
@@ -41,6 +52,32 @@ SolidSurface surface_of(const Mesh& mesh) {
     surface.part.push_back(parts[static_cast<std::size_t>(surface.side(s)[0])]);
   for (const double volume : enclosed_volumes(surface, mesh.x)) surface.cavity.push_back(volume < 0 ? 1 : 0);
   return surface;
+}
+
+namespace {
+
+/// The functions of a whole side at the place whose shares of a facet's nodes are these.
+template <class Side>
+CarrierShares carried_by(const std::array<int, 3>& facet, const Vec<3>& share) {
+  Vec<Side::dim> s{};
+  for (std::size_t a = 0; a <= std::size_t{Side::dim}; ++a) {
+    const auto node = Side::node_place(facet[a]);
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] += share[a] * node[i];
+  }
+  const auto N = Side::values(s);
+  CarrierShares shares{};
+  std::copy(N.begin(), N.end(), shares.begin());
+  return shares;
+}
+
+}  // namespace
+
+CarrierShares SolidSurface::carried(std::size_t s, const Vec<3>& share) const {
+  if (kind == ElementKind::tri3 || kind == ElementKind::tet4 || kind == ElementKind::quad4)
+    return {share[0], share[1], share[2]};
+  return with_shapes(kind, [&](auto shapes) {
+    return carried_by<typename decltype(shapes)::Side>(parting[s % parting.size()], share);
+  });
 }
 
 Vec<3> place_of(std::span<const double> q, int node, int dim) {

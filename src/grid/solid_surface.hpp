@@ -11,25 +11,39 @@
 
 namespace tether {
 
-/// The surface of solids made of triangles or tetrahedra: edges in the plane, triangles in space. Places q have dim
-/// numbers a node.
+/// Nodes that a side of an element has at most, and numbers that those of a point on it are made of.
+constexpr std::size_t most_carriers = 9;
+using CarrierShares = std::array<double, most_carriers>;
+
+/// The surface of solids: edges in the plane, triangles in space, between the nodes of the elements' sides. A place of
+/// such a facet moves as the element's own functions say, of the nodes of the whole side, its carriers; of elements of
+/// order 1 in the plane, and of tetrahedra, these are the facet's own nodes. Places q have dim numbers a node.
 struct SolidSurface {
   int dim = 2;
-  Sides sides;             ///< dim nodes each; in the plane the solid is to the left of an edge, in space below a
-                           ///< triangle whose nodes turn counter-clockwise as seen from above
-  std::vector<int> sheet;  ///< of each side the connected part of the surface that it belongs to, from 0
+  Sides sides;  ///< dim nodes of each facet; in the plane the solid is to the left of an edge, in space below
+                ///< a triangle whose nodes turn counter-clockwise as seen from above
+  std::vector<int> sheet;  ///< of each facet the connected part of the surface that it belongs to, from 0
   int sheets = 0;
   std::vector<std::uint8_t> cavity;  ///< of each sheet, whether the solid is around it
-  std::vector<int> part;             ///< of each side the connected body, from 0
+  std::vector<int> part;             ///< of each facet the connected body, from 0
   int parts = 0;
+  ElementKind kind = ElementKind::tri3;
+  Sides whole_sides;                        ///< of the elements, each parted into as many facets, one after the other
+  std::vector<std::array<int, 3>> parting;  ///< of each: facets_of_side()
 
   std::size_t side_count() const { return sheet.size(); }
   std::span<const int> side(std::size_t s) const {
     return std::span(sides).subspan(s * static_cast<std::size_t>(dim), static_cast<std::size_t>(dim));
   }
+  std::span<const int> carriers(std::size_t s) const {
+    const auto count = static_cast<std::size_t>(side_node_count_of(kind));
+    return std::span(whole_sides).subspan(s / parting.size() * count, count);
+  }
+  /// Returns the parts of the carriers in the motion of a facet's place, of which the facet's nodes have these shares.
+  CarrierShares carried(std::size_t s, const Vec<3>& share) const;
 };
 
-/// Returns the surface of a mesh of triangles or tetrahedra.
+/// Returns the surface of a mesh.
 SolidSurface surface_of(const Mesh& mesh);
 
 /// Place of a node; z is 0 in the plane.

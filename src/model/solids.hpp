@@ -14,6 +14,7 @@
 #include "grid/mesh.hpp"
 #include "grid/mesh_place.hpp"
 #include "laws/hyperelastic.hpp"
+#include "model/dilatation.hpp"
 
 namespace tether {
 
@@ -76,6 +77,7 @@ struct Solids {
   std::vector<Support> supports;
   std::vector<TrackedPlace> tracked;
   Integrator integrator = Integrator::energy;
+  Dilatation dilatation = Dilatation::automatic;
   double alpha = 0, beta = 0;     ///< Rayleigh damping alpha M + beta K [1/time], [time]
   double tolerance = 1e-11;       ///< of Newton's method: residual over the largest force
   bool from_equilibrium = false;  ///< starts in equilibrium with the loads of t = 0

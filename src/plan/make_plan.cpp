@@ -236,7 +236,7 @@ struct WarningsOfPhysics {
   }
   void look_for_locking(const Solids& solids) const {
     plan.locking = locking_of(solids);
-    warn(locking_warning(plan.locking, solids, scene.path() == Path::coupled));
+    warn(locking_warning(plan.locking, solids));
   }
 };
 

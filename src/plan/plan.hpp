@@ -28,15 +28,15 @@ struct Locking {
 constexpr double told_stiffness = 0.05;
 
 /// Returns by how much a body divided like this is too stiff, with Lame's constants as they act in the plane.
-double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double lambda, double mu);
+double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double lambda, double mu, bool mean);
 
 /// Finds the locking of each connected body; none where elements are of order 2, which bend, or of fibres alone, which
 /// do not resist it.
 std::vector<Locking> locking_of(const Solids& solids);
 
 /// Says what is to be said of the one of those that bend that is most too stiff. It says nothing where that is not too
-/// stiff by told_stiffness; `coupled` bodies have no other elements.
-std::string locking_warning(const std::vector<Locking>& bodies, const Solids& solids, bool coupled);
+/// stiff by told_stiffness.
+std::string locking_warning(const std::vector<Locking>& bodies, const Solids& solids);
 
 /// dt = min(deck's step, cfl limit); cfl 0: the deck's step. The limit of material points is h / c, c = sqrt(E / rho)
 /// for solids and strings, c + |v| for gas; that of explicit elements is 2 over their highest frequency.

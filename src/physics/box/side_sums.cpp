@@ -9,34 +9,41 @@
 namespace tether::coupled {
 namespace {
 
+/// An entry and its numbers.
+struct Found {
+  int side = 0;
+  const double* value = nullptr;
+};
+
 /// The entries of each row, in the order of the lists.
 class EntriesOfRows {
  public:
-  EntriesOfRows(std::span<const std::vector<SideEntry>> lists, std::size_t rows) : first_(rows + 1, 0) {
+  EntriesOfRows(std::span<const SideEntries> lists, std::size_t rows) : first_(rows + 1, 0) {
     for (const auto& list : lists) {
-      for (const SideEntry& entry : list) ++first_[at(entry.row) + 1];
+      for (const SideEntry& entry : list.entries) ++first_[at(entry.row) + 1];
     }
     for (std::size_t r = 0; r < rows; ++r) first_[r + 1] += first_[r];
     entries_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
     for (const auto& list : lists) {
-      for (const SideEntry& entry : list) entries_[next[at(entry.row)]++] = &entry;
+      for (const SideEntry& entry : list.entries)
+        entries_[next[at(entry.row)]++] = {entry.side, &list.values[entry.first]};
     }
   }
-  std::span<const SideEntry* const> operator[](std::size_t row) const {
+  std::span<const Found> operator[](std::size_t row) const {
     return std::span(entries_).subspan(first_[row], first_[row + 1] - first_[row]);
   }
 
  private:
   std::vector<std::size_t> first_;
-  std::vector<const SideEntry*> entries_;
+  std::vector<Found> entries_;
 };
 
 /// The nodes of a row's sides, ascending.
-void find_nodes(const SolidSurface& surface, std::span<const SideEntry* const> entries, std::vector<int>& nodes) {
+void find_nodes(const SolidSurface& surface, std::span<const Found> entries, std::vector<int>& nodes) {
   nodes.clear();
-  for (const SideEntry* entry : entries) {
-    const auto side = surface.side(at(entry->side));
+  for (const Found& entry : entries) {
+    const auto side = surface.carriers(at(entry.side));
     nodes.insert(nodes.end(), side.begin(), side.end());
   }
   std::sort(nodes.begin(), nodes.end());
@@ -44,24 +51,24 @@ void find_nodes(const SolidSurface& surface, std::span<const SideEntry* const> e
 }
 
 /// Columns and values of a row.
-void fill_row(const SolidSurface& surface, std::span<const SideEntry* const> entries, std::span<const int> nodes,
+void fill_row(const SolidSurface& surface, std::span<const Found> entries, std::span<const int> nodes,
               std::int64_t* column, double* value) {
   const std::size_t dim = at(surface.dim);
   for (std::size_t k = 0; k < nodes.size() * dim; ++k)
     column[k] = nodes[k / dim] * surface.dim + static_cast<std::int64_t>(k % dim), value[k] = 0;
-  for (const SideEntry* entry : entries) {
-    const auto side = surface.side(at(entry->side));
+  for (const Found& entry : entries) {
+    const auto side = surface.carriers(at(entry.side));
     for (std::size_t a = 0; a < side.size(); ++a) {
       const auto place =
           static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), side[a]) - nodes.begin());
-      for (std::size_t i = 0; i < dim; ++i) value[place * dim + i] += entry->value[3 * a + i];
+      for (std::size_t i = 0; i < dim; ++i) value[place * dim + i] += entry.value[3 * a + i];
     }
   }
 }
 
 }  // namespace
 
-CouplingMatrix matrix_of_sides(Team& team, const SolidSurface& surface, std::span<const std::vector<SideEntry>> lists,
+CouplingMatrix matrix_of_sides(Team& team, const SolidSurface& surface, std::span<const SideEntries> lists,
                                std::size_t rows, std::size_t columns) {
   const EntriesOfRows of(lists, rows);
   CouplingMatrix B(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(columns));

@@ -15,42 +15,55 @@ namespace tether::coupled {
 /// Rows are pressures, columns velocities of the solids' nodes, dim a node.
 using CouplingMatrix = EigenRows;
 
-/// What one side of the surface has in one row of a coupling matrix: at the side's node a and the axis i number
-/// 3 a + i.
+/// What one facet of the surface has in one row of a coupling matrix: at its carrier a and the axis i number 3 a + i
+/// from the first on.
 struct SideEntry {
   int row = 0, side = 0;
-  std::array<double, 9> value{};
+  std::size_t first = 0;
 };
 
-/// Sums entries of a matrix side by side: the many that the points of one side give the same place become one.
+/// Entries and their numbers.
+struct SideEntries {
+  std::vector<SideEntry> entries;
+  std::vector<double> values;
+};
+
+/// Sums entries of a matrix facet by facet: the many that the points of one facet give the same place become one.
 class SideSums {
  public:
-  /// Entries from now on are this side's.
+  /// Sums those of a surface whose facets have this many carriers.
+  explicit SideSums(std::size_t carriers) : count_(3 * carriers) {}
+  /// Entries from now on are this facet's.
   void begin(int side) {
     if (side != side_) flush();
     side_ = side;
   }
-  /// The sums of a row, of the present side; valid until the next call.
-  std::array<double, 9>& row(int row) { return rows_[row]; }
-  /// All of them, side by side, the rows of a side ascending.
-  std::vector<SideEntry> take() {
+  /// The sums of a row, of the present facet; valid until the next call.
+  double* row(int row) {
+    const auto [place, fresh] = rows_.emplace(row, all_.values.size());
+    if (fresh) all_.values.resize(all_.values.size() + count_, 0.0);
+    return &all_.values[place->second];
+  }
+  /// All of them, facet by facet, the rows of a facet ascending.
+  SideEntries take() {
     flush();
-    return std::move(entries_);
+    return std::move(all_);
   }
 
  private:
   void flush() {
-    for (const auto& [row, value] : rows_) entries_.push_back({row, side_, value});
+    for (const auto& [row, first] : rows_) all_.entries.push_back({row, side_, first});
     rows_.clear();
   }
 
+  std::size_t count_;
   int side_ = -1;
-  std::map<int, std::array<double, 9>> rows_;
-  std::vector<SideEntry> entries_;
+  std::map<int, std::size_t> rows_;
+  SideEntries all_;
 };
 
 /// The matrix that lists of entries add up to, one list after the other.
-CouplingMatrix matrix_of_sides(Team& team, const SolidSurface& surface, std::span<const std::vector<SideEntry>> lists,
+CouplingMatrix matrix_of_sides(Team& team, const SolidSurface& surface, std::span<const SideEntries> lists,
                                std::size_t rows, std::size_t columns);
 
 }  // namespace tether::coupled

@@ -117,9 +117,13 @@ PointStress<dim> linear_stress(StressAt rule, const Square<dim>& F0, const Squar
   return at;
 }
 
+}  // namespace
+
 bool small_strains(const ElasticLaw& any) {
   return std::visit([](const auto& law) { return law.small_strains; }, any);
 }
+
+namespace {
 
 /// Returns what a law answers to at F.
 template <int dim>
@@ -135,6 +139,12 @@ PointStress<dim> point_stress(StressAt rule, const ElasticLaw& law, const Square
   const LawAt<dim> here{law, {X, Y}};
   return small_strains(law) ? linear_stress<with_modulus>(rule, F0, F1, here)
                             : finite_stress<with_modulus>(rule, F0, F1, here);
+}
+
+template <int dim, bool with_modulus>
+void gradient_stress(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const ElasticLaw& law, const Vec<2>& place,
+                     PointStress<dim>& at) {
+  discrete_gradient<with_modulus, dim>(C0, C1, LawAt<dim>{law, {place[0], place[1]}}, at);
 }
 
 template <int dim>
@@ -167,14 +177,39 @@ GradientModulus<dim> gradient_modulus(const PointStress<dim>& s) {
   return H;
 }
 
-template <int dim>
-GradientModulus<dim> convex(const GradientModulus<dim>& H) {
-  constexpr double rounding = 1e-13;  // of the trace: what is negative by so little is no more so by what is taken off
-  const GradientModulus<dim> raised = H + rounding * H.trace() * GradientModulus<dim>::Identity();
-  if (Eigen::LLT<GradientModulus<dim>>(raised).info() == Eigen::Success) return H;
-  const Eigen::SelfAdjointEigenSolver<GradientModulus<dim>> parts(H);
+namespace {
+
+/// Returns whether a matrix is positive semi-definite but for rounding: what is negative by so little of the trace is
+/// no more so by what is taken off.
+template <class Matrix>
+bool is_convex(const Matrix& H) {
+  constexpr double rounding = 1e-13;
+  double trace = 0;
+  for (Eigen::Index k = 0; k < H.rows(); ++k) trace += H(k, k);
+  Matrix raised = H;
+  for (Eigen::Index k = 0; k < H.rows(); ++k) raised(k, k) += rounding * trace;
+  return Eigen::LLT<Matrix>(raised).info() == Eigen::Success;
+}
+
+template <class Matrix>
+Matrix nearest_convex(const Matrix& H) {
+  if (is_convex(H)) return H;
+  const Eigen::SelfAdjointEigenSolver<Matrix> parts(H);
   if (parts.eigenvalues()[0] >= 0) return H;
   return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();
+}
+
+}  // namespace
+
+template <int dim>
+GradientModulus<dim> convex(const GradientModulus<dim>& H) {
+  return nearest_convex(H);
+}
+
+void make_convex(int n, std::span<double> matrix) {
+  Eigen::Map<Eigen::MatrixXd> K(matrix.data(), n, n);
+  const Eigen::MatrixXd symmetric = 0.5 * (K + K.transpose());
+  K = nearest_convex(symmetric);
 }
 
 template PointStress<2> point_stress<2, true>(StressAt, const ElasticLaw&, const Square<2>&, const Square<2>&, double,
@@ -185,6 +220,14 @@ template PointStress<3> point_stress<3, true>(StressAt, const ElasticLaw&, const
                                               double);
 template PointStress<3> point_stress<3, false>(StressAt, const ElasticLaw&, const Square<3>&, const Square<3>&, double,
                                                double);
+template void gradient_stress<2, true>(const Symmetric<2>&, const Symmetric<2>&, const ElasticLaw&, const Vec<2>&,
+                                       PointStress<2>&);
+template void gradient_stress<2, false>(const Symmetric<2>&, const Symmetric<2>&, const ElasticLaw&, const Vec<2>&,
+                                        PointStress<2>&);
+template void gradient_stress<3, true>(const Symmetric<3>&, const Symmetric<3>&, const ElasticLaw&, const Vec<2>&,
+                                       PointStress<3>&);
+template void gradient_stress<3, false>(const Symmetric<3>&, const Symmetric<3>&, const ElasticLaw&, const Vec<2>&,
+                                        PointStress<3>&);
 template Response<2> response_at<2>(const ElasticLaw&, const Square<2>&, double, double);
 template Response<3> response_at<3>(const ElasticLaw&, const Square<3>&, double, double);
 template double energy_at<2>(const ElasticLaw&, const Square<2>&, double, double);

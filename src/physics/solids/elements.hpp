@@ -8,6 +8,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "base/team.hpp"
+#include "base/vec.hpp"
 #include "laws/hyperelastic.hpp"
 #include "model/solids.hpp"
 
@@ -90,6 +91,15 @@ template <int dim, bool with_modulus>
 PointStress<dim> point_stress(StressAt rule, const ElasticLaw& law, const Square<dim>& F0, const Square<dim>& F1,
                               double X, double Y);
 
+/// Sets S to Gonzalez' stress between C0 and C1, at the place X, Y of the shape at the start, and D to its derivative
+/// by E1: where both are the same, the law's own stress and half its modulus. D is set where the modulus is asked.
+template <int dim, bool with_modulus>
+void gradient_stress(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const ElasticLaw& law, const Vec<2>& place,
+                     PointStress<dim>& at);
+
+/// Returns whether a law answers to small strains.
+bool small_strains(const ElasticLaw& law);
+
 /// Energy density at F, at the place X, Y of the shape at the start.
 template <int dim>
 double energy_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y);
@@ -128,5 +138,7 @@ GradientModulus<dim> gradient_modulus(const PointStress<dim>& s);
 /// The nearest positive semi-definite matrix.
 template <int dim>
 GradientModulus<dim> convex(const GradientModulus<dim>& H);
+/// Makes a symmetric matrix of n rows the nearest positive semi-definite one.
+void make_convex(int n, std::span<double> matrix);
 
 }  // namespace tether::fem

@@ -10,11 +10,11 @@ namespace tether::fem {
 
 // What elements say of their stress.
 
-/// xx, yy, zz, xy, yz, xz at a point of quadrature, and the energy density there. Of the linear law shape and stress
-/// are those of the start.
+/// xx, yy, zz, xy, yz, xz at a point of quadrature, and the energy density there, of the F that the law sees. Of the
+/// linear law shape and stress are those of the start.
 template <class Shapes>
 std::array<double, stress_fields> ElementsOf<Shapes>::cauchy_stress(std::size_t e, int k, const Square<dim>& F) const {
-  const auto r = response(e, k, F);
+  const auto r = response_at<dim>(law(e), F, place(e, k)[0], place(e, k)[1]);
   const bool linear = std::holds_alternative<LinearElastic>(law(e));
   double J = linear ? 1 : F.determinant();
   std::array<double, stress_fields> values{};
@@ -44,7 +44,12 @@ template <class Shapes>
 auto ElementsOf<Shapes>::stress_at_nodes(std::size_t e, const Places& places) const {
   static const auto linear = parts_of_points<Shapes>(false), whole = parts_of_points<Shapes>(true);
   std::array<std::array<double, stress_fields>, std::size_t{points}> there;
-  for (int k = 0; k < points; ++k) there[index(k)] = cauchy_stress(e, k, deformation(places, e, k));
+  std::array<double, std::size_t{points}> left_out{};
+  const Gradients F = seen_by_law(places, e, left_out);
+  for (int k = 0; k < points; ++k) {
+    there[index(k)] = cauchy_stress(e, k, F[index(k)]);
+    for (std::size_t i = 0; i < dim; ++i) there[index(k)][i] += left_out[index(k)];
+  }
   std::array<std::array<double, stress_fields>, std::size_t{nodes}> found{};
   for (int a = 0; a < nodes; ++a) {
     auto& values = found[index(a)];

@@ -10,6 +10,7 @@
 #include "grid/shapes.hpp"
 #include "loops/elements.hpp"
 #include "physics/solids/elements.hpp"
+#include "physics/solids/mean_dilatation.hpp"
 
 namespace tether::fem {
 
@@ -18,6 +19,9 @@ template <class Shapes>
 class ElementsOf final : public Elements {
  public:
   static constexpr int dim = Shapes::dim, nodes = Shapes::nodes, points = Shapes::points, unknowns = dim * nodes;
+  static constexpr int mass_points = Shapes::mass_points;
+  /// Functions that the mean dilatation is made of: a number an element; of order 2 in a product of lines, of degree 1.
+  static constexpr std::size_t modes = Shapes::order == 2 && !Shapes::is_simplex ? dim + 1 : 1;
   static constexpr std::size_t parts = component_count<dim>();  // of a symmetric tensor
   using Vector = Eigen::Matrix<double, dim, 1>;
   using Places = Eigen::Matrix<double, dim, nodes>;
@@ -28,8 +32,15 @@ class ElementsOf final : public Elements {
     const std::size_t count = mesh_.element_count() * points;
     gradients_.reserve(count), weights_.reserve(count), places_.reserve(count);
     for (int k = 0; k < points; ++k) values_[index(k)] = Shapes::values(Shapes::place(k));
+    for (int k = 0; k < mass_points; ++k) mass_values_[index(k)] = Shapes::values(Shapes::mass_place(k));
+    for (const SolidRegion& region : solids.regions)
+      dilated_.push_back(dilatation_of(solids.dilatation, mesh_.kind, region.law));
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       for (int k = 0; k < points; ++k) add_point(e, k);
+      for (int k = 0; k < mass_points; ++k)
+        mass_weights_.push_back(jacobian_at<Shapes>(mesh_, e, Shapes::mass_place(k)).determinant *
+                                Shapes::mass_weight(k));
+      if (std::ranges::any_of(dilated_, &DilatationChoice::mean)) add_modes(e);
     }
   }
 
@@ -63,14 +74,16 @@ class ElementsOf final : public Elements {
                       std::span<const double> change, std::vector<double>& stresses) const override {
     stresses.resize(mesh_.element_count() * points * parts);
     team_.each(0, mesh_.element_count(), [&](std::size_t e) {
-      const Places at0 = gathered(e, q0), at1 = gathered(e, q1), by = gathered(e, change);
+      const Places by = gathered(e, change);
+      const Points points_of = stresses_at(at, e, gathered(e, q0), gathered(e, q1), true);
       for (int k = 0; k < points; ++k) {
-        const auto s = stress<true>(at, e, k, at0, at1);
+        const auto& s = points_of.at[index(k)].s;
         Symmetric<dim> strain = Symmetric<dim>::Zero();
         for (int a = 0; a < nodes; ++a) strain += strain_map<dim>(s.F, gradients(e, k).col(a)) * by.col(a);
         Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
         predicted = s.S + s.D * strain;
       }
+      if (points_of.dilated) add_dilatation_to_stress(e, points_of, by, stresses);
     });
   }
 
@@ -81,8 +94,10 @@ class ElementsOf final : public Elements {
           double energy = 0;
           for (std::size_t e = begin; e < end; ++e) {
             const Places at = gathered(e, q);
+            const Gradients F = seen_by_law(at, e);
+            if (is_dilated(e)) energy += stabilising_energy<dim>(law(e), modes_of(e), deformations(at, e));
             for (int k = 0; k < points; ++k)
-              energy += weight(e, k) * energy_at<dim>(law(e), deformation(at, e, k), place(e, k)[0], place(e, k)[1]);
+              energy += weight(e, k) * energy_at<dim>(law(e), F[index(k)], place(e, k)[0], place(e, k)[1]);
           }
           return energy;
         },
@@ -101,6 +116,33 @@ class ElementsOf final : public Elements {
   auto stress_at_nodes(std::size_t e, const Places& places) const;
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
+  using Gradients = std::array<Square<dim>, std::size_t{points}>;
+  using Row = Eigen::Matrix<double, unknowns, 1>;
+  using Matrix = Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>>;
+  /// The stresses at all points of an element; where the law sees the mean dilatation, how they change with it.
+  struct Points {
+    std::array<DilatedPoint<dim>, std::size_t{points}> at;
+    bool dilated = false;
+  };
+
+  void add_modes(std::size_t e) {
+    std::array<double, std::size_t{points * dim}> places{};
+    for (int k = 0; k < points; ++k) {
+      for (int a = 0; a < nodes; ++a) {
+        for (int i = 0; i < dim; ++i)
+          places[index(k * dim + i)] +=
+              values_[index(k)][index(a)] * mesh_.x[static_cast<std::size_t>(mesh_.element(e)[a] * dim + i)];
+      }
+    }
+    add_dilatation_modes(std::span(weights_).last(points), places, modes > 1, modes_);
+  }
+  DilatationModes modes_of(std::size_t e) const {
+    return {std::span(weights_).subspan(e * points, points),
+            std::span(modes_).subspan(e * points * modes, points * modes),
+            dilated_[static_cast<std::size_t>(mesh_.region[e])].stabiliser};
+  }
+  bool is_dilated(std::size_t e) const { return dilated_[static_cast<std::size_t>(mesh_.region[e])].mean; }
+
   void add_point(std::size_t e, int k) {
     const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::place(k));
     gradients_.push_back(Eigen::Map<const Places>(map.gradients.data()));
@@ -116,6 +158,7 @@ class ElementsOf final : public Elements {
   double density(std::size_t e) const { return solids_.regions[static_cast<std::size_t>(mesh_.region[e])].density; }
   const Places& gradients(std::size_t e, int k) const { return gradients_[e * points + index(k)]; }
   double weight(std::size_t e, int k) const { return weights_[e * points + index(k)]; }
+  double mass_weight(std::size_t e, int k) const { return mass_weights_[e * mass_points + index(k)]; }
   const Vec<2>& place(std::size_t e, int k) const { return places_[e * points + index(k)]; }
 
   Places gathered(std::size_t e, std::span<const double> q) const {
@@ -126,8 +169,16 @@ class ElementsOf final : public Elements {
     return at;
   }
   Square<dim> deformation(const Places& at, std::size_t e, int k) const { return at * gradients(e, k).transpose(); }
-  Response<dim> response(std::size_t e, int k, const Square<dim>& F) const {
-    return response_at<dim>(law(e), F, place(e, k)[0], place(e, k)[1]);
+  Gradients deformations(const Places& at, std::size_t e) const {
+    Gradients F;
+    for (int k = 0; k < points; ++k) F[index(k)] = deformation(at, e, k);
+    return F;
+  }
+  /// Returns what the law takes for F at the points; `left_out` as take_mean_dilatation() has it.
+  Gradients seen_by_law(const Places& at, std::size_t e, std::span<double> left_out = {}) const {
+    Gradients F = deformations(at, e);
+    if (is_dilated(e)) take_mean_dilatation<dim>(law(e), modes_of(e), F, left_out);
+    return F;
   }
 
   template <bool with_modulus>
@@ -135,12 +186,25 @@ class ElementsOf final : public Elements {
     return point_stress<dim, with_modulus>(rule, law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],
                                            place(e, k)[1]);
   }
+  Points stresses_at(StressAt rule, std::size_t e, const Places& at0, const Places& at1, bool with_modulus) const {
+    Points all;
+    all.dilated = is_dilated(e);
+    if (all.dilated) {
+      const Gradients F0 = deformations(at0, e), F1 = deformations(at1, e);
+      dilated_stresses<dim>(rule, law(e), F0, F1, std::span(places_).subspan(e * points, points), modes_of(e),
+                            with_modulus, all.at);
+      return all;
+    }
+    for (int k = 0; k < points; ++k)
+      all.at[index(k)].s = with_modulus ? stress<true>(rule, e, k, at0, at1) : stress<false>(rule, e, k, at0, at1);
+    return all;
+  }
 
   Places element_forces(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1) const {
-    const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
+    const Points all = stresses_at(rule, e, gathered(e, q0), gathered(e, q1), false);
     Places sum = Places::Zero();
     for (int k = 0; k < points; ++k) {
-      const auto s = stress<false>(rule, e, k, at0, at1);
+      const auto& s = all.at[index(k)].s;
       sum += weight(e, k) * (s.A * full<dim>(s.S)) * gradients(e, k);
     }
     return sum;
@@ -148,19 +212,29 @@ class ElementsOf final : public Elements {
 
   void element_tangent(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
                        double inertia, std::span<const double> stresses, ElementMatrix& out) const {
-    const Places at0 = gathered(e, q0), at1 = gathered(e, q1);
-    Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
+    Points all = stresses_at(rule, e, gathered(e, q0), gathered(e, q1), true);
+    Matrix K(out.data());
     K.setZero();
     for (int k = 0; k < points; ++k) {
-      auto s = stress<true>(rule, e, k, at0, at1);
+      auto& s = all.at[index(k)].s;
       if (!stresses.empty()) s.S = Eigen::Map<const Symmetric<dim>>(&stresses[(e * points + index(k)) * parts]);
-      add_point_tangent(s, gradients(e, k), weight(e, k), inertia * density(e), values_[index(k)], K);
+      add_point_tangent(s, gradients(e, k), weight(e, k), K);
     }
+    if (all.dilated) add_dilatation_tangent(e, all, K);
+    if (inertia != 0) add_inertia(e, inertia * density(e), K);
   }
 
+  /// Makes each of the law's own points convex for itself, and what the mean dilatation ties together as a whole.
   void element_stiffness(std::size_t e, const Places& at, bool made_convex, ElementMatrix& out) const {
-    Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>> K(out.data());
+    Matrix K(out.data());
     K.setZero();
+    if (is_dilated(e)) {
+      const Points all = stresses_at(StressAt::end, e, at, at, true);
+      for (int k = 0; k < points; ++k) add_point_tangent(all.at[index(k)].s, gradients(e, k), weight(e, k), K);
+      add_dilatation_tangent(e, all, K);
+      if (made_convex) make_convex(unknowns, out);
+      return;
+    }
     for (int k = 0; k < points; ++k) {
       GradientModulus<dim> H = gradient_modulus<dim>(stress<true>(StressAt::end, e, k, at, at));
       if (made_convex) H = convex<dim>(H);
@@ -176,9 +250,19 @@ class ElementsOf final : public Elements {
     }
   }
 
-  template <class Matrix>
-  static void add_point_tangent(const PointStress<dim>& s, const Places& G, double w, double inertia,
-                                const Values<nodes>& N, Matrix& K) {
+  /// Adds the mass matrix, for each direction.
+  void add_inertia(std::size_t e, double density, Matrix& K) const;
+  /// Returns B(F)^T times a tensor, by nodes: what a change of place does to a scalar with that derivative by E.
+  static Row by_places(const Square<dim>& F, const Symmetric<dim>& by_strain, const Places& G) {
+    const Places row = F * full<dim>(by_strain) * G;
+    return Eigen::Map<const Row>(row.data());
+  }
+
+  void add_dilatation_tangent(std::size_t e, const Points& all, Matrix& K) const;
+  void add_dilatation_to_stress(std::size_t e, const Points& all, const Places& by,
+                                std::vector<double>& stresses) const;
+
+  static void add_point_tangent(const PointStress<dim>& s, const Places& G, double w, Matrix& K) {
     const Places SG = s.geometric * full<dim>(s.S) * G;
     Eigen::Matrix<double, component_count<dim>(), unknowns> left, right;
     for (int a = 0; a < nodes; ++a) {
@@ -188,7 +272,7 @@ class ElementsOf final : public Elements {
     K.noalias() += left.transpose() * (w * s.D * right);
     for (int a = 0; a < nodes; ++a) {
       for (int b = 0; b < nodes; ++b) {
-        const double diagonal = w * (G.col(a).dot(SG.col(b)) + inertia * N[index(a)] * N[index(b)]);
+        const double diagonal = w * G.col(a).dot(SG.col(b));
         for (int i = 0; i < dim; ++i) K(a * dim + i, b * dim + i) += diagonal;
       }
     }
@@ -198,95 +282,11 @@ class ElementsOf final : public Elements {
   const Solids& solids_;
   const Mesh& mesh_;
   std::array<Values<nodes>, std::size_t{points}> values_;
+  std::array<Values<nodes>, std::size_t{mass_points}> mass_values_;
   std::vector<Places> gradients_;
-  std::vector<double> weights_;
+  std::vector<double> weights_, mass_weights_, modes_;
+  std::vector<DilatationChoice> dilated_;  // of each region
   std::vector<Vec<2>> places_;
 };
-
-template <class Shapes>
-SparseMatrix ElementsOf<Shapes>::mass() const {
-  const NodalPattern pattern(1, mesh_.node_count(), mesh_.nodes, nodes);
-  SparseMatrix M = pattern.matrix();
-  std::array<double, static_cast<std::size_t>(nodes * nodes)> m;
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    m.fill(0);
-    for (int k = 0; k < points; ++k) {
-      const auto& N = values_[index(k)];
-      const double w = weight(e, k) * density(e);
-      for (std::size_t ab = 0; ab < m.size(); ++ab) m[ab] += w * N[ab / nodes] * N[ab % nodes];
-    }
-    pattern.add(e, m, M);
-  }
-  return M;
-}
-
-/// The diagonal of an element's mass matrix, scaled to its mass (E. Hinton, T. Rock and O. C. Zienkiewicz, Earthquake
-/// Engng Struct. Dyn. 4 (1976) 245-249); for linear functions these are the row sums.
-template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::lumped_mass() const {
-  std::vector<double> lumped(mesh_.node_count(), 0.0);
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    Values<nodes> diagonal{};
-    double mass = 0, trace = 0;
-    for (int k = 0; k < points; ++k) {
-      const double w = weight(e, k) * density(e);
-      mass += w;
-      for (int a = 0; a < nodes; ++a)
-        diagonal[index(a)] += w * values_[index(k)][index(a)] * values_[index(k)][index(a)];
-    }
-    for (const double value : diagonal) trace += value;
-    for (int a = 0; a < nodes; ++a)
-      lumped[static_cast<std::size_t>(mesh_.element(e)[a])] += trace == 0 ? 0 : diagonal[index(a)] * mass / trace;
-  }
-  return lumped;
-}
-
-template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::volumes(int region) const {
-  std::vector<double> volumes(mesh_.node_count(), 0.0);
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    if (mesh_.region[e] != region) continue;
-    for (int k = 0; k < points; ++k) {
-      for (int a = 0; a < nodes; ++a)
-        volumes[static_cast<std::size_t>(mesh_.element(e)[a])] += weight(e, k) * values_[index(k)][index(a)];
-    }
-  }
-  return volumes;
-}
-
-template <class Shapes>
-ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
-  ShapeVolumes shape{std::vector<double>(solids_.regions.size(), 0.0), std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    const Places at = gathered(e, q);
-    for (int k = 0; k < points; ++k) {
-      const double J = deformation(at, e, k).determinant();
-      shape.of_region[static_cast<std::size_t>(mesh_.region[e])] += weight(e, k) * J;
-      if (!(J >= shape.least)) shape.least = J, shape.worst = e;
-    }
-  }
-  return shape;
-}
-
-/// Bounds omega^2: that of an element alone is at most the largest row sum of |M^-1 K|, and that of a mesh at most that
-/// of its elements (B. M. Irons, J. Eng. Mech. Div. 97 (1971) 1219-1225), each with its own part of the lumped masses.
-template <class Shapes>
-double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<const double> lumped) const {
-  const auto of_element = [&](std::size_t e) {
-    ElementMatrix K;
-    element_tangent(StressAt::end, e, q, q, 0, {}, K);
-    double volume = 0, largest = 0;
-    for (int k = 0; k < points; ++k) volume += weight(e, k);
-    for (int row = 0; row < unknowns; ++row) {
-      double sum = 0;
-      for (int column = 0; column < unknowns; ++column) sum += std::abs(K[index(row * unknowns + column)]);
-      const double share = density(e) * volume / nodes;
-      const double whole = lumped[static_cast<std::size_t>(mesh_.element(e)[row / dim])];
-      largest = std::max(largest, sum / std::min(share, whole));
-    }
-    return largest;
-  };
-  return std::sqrt(largest_of(team_, mesh_.element_count(), of_element, elements_of_a_block));
-}
 
 }  // namespace tether::fem

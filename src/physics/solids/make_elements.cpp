@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/solids/make_elements.hpp"
 
+#include "physics/solids/elements_dilatation.hpp"
 #include "physics/solids/elements_fields.hpp"
+#include "physics/solids/elements_integrals.hpp"
 
 namespace tether::fem {
 namespace {
@@ -36,10 +38,10 @@ std::vector<double> side_areas(const Mesh& mesh, const Sides& sides) {
   with_shapes(mesh.kind, [&](auto shapes) {
     using Side = typename decltype(shapes)::Side;
     for (std::size_t first = 0; first < sides.size(); first += static_cast<std::size_t>(Side::nodes)) {
-      for (int k = 0; k < Side::points; ++k) {
-        const auto s = Side::place(k);
+      for (int k = 0; k < Side::mass_points; ++k) {
+        const auto s = Side::mass_place(k);
         const auto N = Side::values(s);
-        const double area = Side::weight(k) * side_measure<Side>(mesh, &sides[first], s);
+        const double area = Side::mass_weight(k) * side_measure<Side>(mesh, &sides[first], s);
         for (std::size_t a = 0; a < N.size(); ++a) areas[static_cast<std::size_t>(sides[first + a])] += area * N[a];
       }
     }

@@ -62,9 +62,6 @@ bool check_mesh(const Deck& deck, const Mesh& mesh, const StaggeredGrid& grid, D
     diagnostics.add(deck.remark(Severity::error, "mesh.file", {1, 1}, message, hint));
     return false;
   };
-  if (!is_simplex(mesh.kind))
-    return refuse(fmt::format("bodies in the fluid are not made of elements '{}'", element_name(mesh.kind)),
-                  "mesh them by triangles, in space by tetrahedra");
   if (mesh.dim() == grid.dim) return true;
   return refuse(fmt::format("the mesh is of {} dimensions, but the box of {}", mesh.dim(), grid.dim),
                 "nz, zback and zfront of $coupled make the box three-dimensional");

@@ -84,10 +84,6 @@ class Frame {
   void mesh() {
     const auto z = deck_.given_elements("mesh.z");
     if (deck_.text("mesh.file").empty()) {
-      const std::string element = deck_.given("mesh.element") ? deck_.text("mesh.element") : "q1";
-      if (element != "p1")
-        no("mesh.element", {1, 1}, fmt::format("bodies in the fluid are not made of elements '{}'", element),
-           "write element='p1' in $mesh: triangles, in space tetrahedra");
       if (!space_ && !z.empty())
         no("mesh.z", z[0], "the mesh is three-dimensional, but the box is plane",
            "give nz, zback and zfront of $coupled, or leave z away");

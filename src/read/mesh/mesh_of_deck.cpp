@@ -106,12 +106,12 @@ class BlockReader {
   Diagnostics& diagnostics_;
 };
 
-/// Bilinear elements lock in bodies as thin as those that flows bend; a body in a fluid is of order 2 unless the deck
+/// Elements of order 1 lock in bodies as thin as those that flows bend; a body in a fluid is of order 2 unless the deck
 /// says otherwise.
 ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
   if (fluid)
     return word<FlowElement>(deck, "flow.element") == FlowElement::q1q1 ? ElementKind::quad4 : ElementKind::quad9;
-  const std::string usual = deck.has_group("flow") ? "q2" : "q1";
+  const std::string usual = deck.has_group("flow") || deck.has_group("coupled") ? "q2" : "q1";
   return element_kind(deck.given("mesh.element") ? deck.text("mesh.element") : usual, solid ? 3 : 2);
 }
 

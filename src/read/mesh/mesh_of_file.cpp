@@ -83,7 +83,7 @@ bool check_fluid(const Deck& deck, ElementKind kind, Diagnostics& diagnostics) {
   if (dimension_of(kind) == 3)
     return refuse("mesh.file", "a fluid is plane, and the file's elements are those of a body in space",
                   "save a mesh of quadrangles: gmsh -2");
-  if (kind == ElementKind::tri3)
+  if (is_simplex(kind))
     return refuse(
         "mesh.file", "a fluid takes quadrangles, and the file's elements are triangles",
         "'Recombine Surface{:};' and 'Mesh.SubdivisionAlgorithm = 1;' in the .geo make quadrangles: of 4 nodes "

@@ -149,6 +149,7 @@ void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Dia
   if (!mesh) return;
   solids.mesh = std::move(*mesh);
   solids.integrator = integrator_of(deck);
+  solids.dilatation = word<Dilatation>(deck, "fem.dilatation");
   if (!has_flow(deck)) solids.alpha = deck.real("fem.alpha"), solids.beta = deck.real("fem.beta");
   solids.tolerance = deck.real("fem.tolerance");
   solids.from_equilibrium = deck.logical("fem.settle");

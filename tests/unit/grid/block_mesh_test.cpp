@@ -40,8 +40,8 @@ double volume(const Mesh& mesh) {
   });
 }
 
-constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad9, ElementKind::tri3,
-                               ElementKind::hex8,  ElementKind::hex27, ElementKind::tet4};
+constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad9, ElementKind::tri3, ElementKind::tri6,
+                               ElementKind::hex8,  ElementKind::hex27, ElementKind::tet4, ElementKind::tet10};
 
 TEST(BlockMesh, FillsASkewBlockWithoutAFlaw) {
   const Block block = quadrilateral({{{0, 0}, {3, 1}, {4, 3}, {-1, 2}}}, {3, 4, 2});
@@ -103,17 +103,21 @@ TEST(BlockMesh, TetrahedraOfTurnedBlocksMeet) {
   for (std::size_t turn = 0; turn < 4; ++turn) {
     std::array<std::array<double, 2>, 4> turned = corners;
     std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(turn), turned.end());
-    std::vector<MeshFlaw> flaws;
-    const Mesh mesh = mesh_of_blocks({rectangle({0, 0}, {1, 1}, {2, 2, 3}), quadrilateral(turned, {2, 2, 3})},
-                                     ElementKind::tet4, flaws);
-    EXPECT_TRUE(flaws.empty());
-    EXPECT_NEAR(volume(mesh), 6, 1e-12);
-    EXPECT_EQ(boundary_of(mesh).size(), 2u * 3 * (2 * 8 + 2 * 12 + 2 * 3 * 2)) << turn;  // of 2 x 4 x 3 boxes
+    for (const ElementKind kind : {ElementKind::tet4, ElementKind::tet10}) {
+      std::vector<MeshFlaw> flaws;
+      const Mesh mesh =
+          mesh_of_blocks({rectangle({0, 0}, {1, 1}, {2, 2, 3}), quadrilateral(turned, {2, 2, 3})}, kind, flaws);
+      EXPECT_TRUE(flaws.empty());
+      EXPECT_NEAR(volume(mesh), 6, 1e-12);
+      const auto per_side = static_cast<std::size_t>(side_node_count_of(kind));
+      EXPECT_EQ(boundary_of(mesh).size(), 2u * per_side * (2 * 8 + 2 * 12 + 2 * 3 * 2)) << turn;  // of 2 x 4 x 3 boxes
+    }
   }
 }
 
 TEST(BlockMesh, TellsOfBlocksThatTouchWithoutBeingJoined) {
-  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9, ElementKind::hex8, ElementKind::tet4}) {
+  for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9, ElementKind::tri6, ElementKind::hex8,
+                                 ElementKind::tet4, ElementKind::tet10}) {
     std::vector<MeshFlaw> flaws;
     mesh_of_blocks({rectangle({0, 0}, {1, 1}, {2, 2, 1}), rectangle({1, 0}, {2, 1}, {2, 3, 1})}, kind, flaws);
     ASSERT_EQ(flaws.size(), 1u);

@@ -88,7 +88,7 @@ TEST(GmshErrors, OfKindsOfElements) {
       read_mesh(file.version_22()).errors(),
       Texts{"20:1: elements of two kinds: 1 of the type 3-node triangle, and 2 of the type 4-node quadrangle, the "
             "first here"});
-  for (const auto& [type, nodes, name] : {std::tuple{16, 8, "8-node quadrangle"}, {9, 6, "6-node triangle"}}) {
+  for (const auto& [type, nodes, name] : {std::tuple{16, 8, "8-node quadrangle"}, {20, 9, "9-node triangle"}}) {
     MadeFile other;
     for (int n = 0; n < nodes; ++n) other.nodes.push_back({n * 1.0, n * n * 1.0, 0});
     other.elements = {{2, type, 1, {}}};

@@ -99,7 +99,13 @@ std::vector<Kind> all_kinds() {
                     {2, 3, 7, 6},
                     {4, 5, 6, 7},
                     {0, 6}});
-  return {{ElementKind::tri3, {{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{2, 2, 1, {1, 2, 3}}, {1, 1, 7, {1, 3}}}, {}}, 1},
+  std::vector<std::array<double, 3>> tri6{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, tet10 = tri6;
+  tet10.push_back({0, 0, 3});
+  add_means(tri6, {{0, 1}, {1, 2}, {2, 0}});
+  add_means(tet10, {{0, 1}, {1, 2}, {2, 0}, {3, 0}, {2, 3}, {1, 3}});
+  return {{ElementKind::tri6, {tri6, {{2, 9, 1, up_to(6)}, {1, 8, 7, {1, 3, 6}}}, {}}, 1},
+          {ElementKind::tet10, {tet10, {{3, 11, 1, up_to(10)}, {2, 9, 7, {1, 3, 4, 7, 9, 8}}}, {}}, 1},
+          {ElementKind::tri3, {{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{2, 2, 1, {1, 2, 3}}, {1, 1, 7, {1, 3}}}, {}}, 1},
           {ElementKind::quad4, {quad4, {{2, 3, 1, up_to(4)}, {1, 1, 7, {1, 4}}}, {}}, 2},
           {ElementKind::quad9, {quad9, {{2, 10, 1, up_to(9)}, {1, 8, 7, {1, 4, 8}}}, {}}, 2},
           {ElementKind::tet4,

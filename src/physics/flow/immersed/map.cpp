@@ -60,7 +60,7 @@ namespace {
 template <class Shapes>
 class ExcessInertiaOf final : public ExcessInertia {
  public:
-  static constexpr int nodes = Shapes::nodes, points = Shapes::points, size = 2 * nodes;
+  static constexpr int nodes = Shapes::nodes, points = Shapes::mass_points, size = 2 * nodes;
   using Values = Eigen::Matrix<double, nodes, 1>;
   using Columns = Eigen::Matrix<double, 2, nodes>;
 
@@ -68,13 +68,13 @@ class ExcessInertiaOf final : public ExcessInertia {
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const double density = excess.regions[static_cast<std::size_t>(mesh_.region[e])].density;
       for (int k = 0; k < points; ++k) {
-        const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::place(k));
+        const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::mass_place(k));
         gradients_.push_back(Eigen::Map<const Columns>(map.gradients.data()));
-        masses_.push_back(density * map.determinant * Shapes::weight(k));
+        masses_.push_back(density * map.determinant * Shapes::mass_weight(k));
       }
     }
     for (int k = 0; k < points; ++k)
-      values_[static_cast<std::size_t>(k)] = Eigen::Map<const Values>(Shapes::values(Shapes::place(k)).data());
+      values_[static_cast<std::size_t>(k)] = Eigen::Map<const Values>(Shapes::values(Shapes::mass_place(k)).data());
   }
 
   void add_forces(std::span<const double> x, std::span<const double> v, std::span<const double> rate,

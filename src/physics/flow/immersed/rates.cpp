@@ -35,8 +35,8 @@ void for_points(const Mesh& mesh, std::size_t e, const BodyMotion& motion, const
   const auto places = gathered<Shapes>(mesh, e, motion.places),
              velocities = gathered<Shapes>(mesh, e, motion.velocities);
   const auto rates = gathered<Shapes>(mesh, e, motion.rates);
-  for (int k = 0; k < Shapes::points; ++k) {
-    const auto s = Shapes::place(k);
+  for (int k = 0; k < Shapes::mass_points; ++k) {
+    const auto s = Shapes::mass_place(k);
     const auto map = jacobian_at<Shapes>(mesh, e, s);
     const Eigen::Map<const Columns<Shapes>> G(map.gradients.data());
     PointRate<Shapes> at;
@@ -44,7 +44,7 @@ void for_points(const Mesh& mesh, std::size_t e, const BodyMotion& motion, const
     const Eigen::Matrix2d F = places * G.transpose();
     const Eigen::Matrix2d slopes = velocities * (F.inverse().transpose() * G).transpose();
     at.place = places * at.N, at.acceleration = rates * at.N + slopes * (velocities * at.N);
-    at.weight = map.determinant * Shapes::weight(k);
+    at.weight = map.determinant * Shapes::mass_weight(k);
     f(at);
   }
 }
