@@ -15,16 +15,17 @@ from pathlib import Path
 import numpy
 
 import command
+from scene import topology
 
 # meshio's name of a cell: its dimension, Gmsh's number of it, and its sides by its nodes with Gmsh's number of those.
 # Gmsh counts the last two middles of a tetrahedron the other way round.
 CELLS = {
-    "triangle": (2, 2, ((0, 1), (1, 2), (2, 0)), 1),
-    "quad": (2, 3, ((0, 1), (1, 2), (2, 3), (3, 0)), 1),
-    "tetra": (3, 4, ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)), 2),
+    "triangle": (2, 2, topology.EDGES[3], 1),
+    "quad": (2, 3, topology.EDGES[4], 1),
+    "tetra": (3, 4, topology.TETRAHEDRON, 2),
     "triangle6": (2, 9, ((0, 1, 3), (1, 2, 4), (2, 0, 5)), 8),
-    "tetra10": (3, 11, ((0, 2, 1, 6, 5, 4), (0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (2, 0, 3, 6, 7, 9)), 9),
-    "hexahedron": (3, 5, ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)), 3),
+    "tetra10": (3, 11, topology.TETRAHEDRON_10, 9),
+    "hexahedron": (3, 5, topology.HEXAHEDRON, 3),
 }
 GMSH_ORDER = {"tetra10": (0, 1, 2, 3, 4, 5, 6, 7, 9, 8)}
 

@@ -147,11 +147,6 @@ constexpr bool is_simplex(ElementKind kind) { return row_of(kind).simplex; }
 constexpr int node_count_of(ElementKind kind) { return row_of(kind).nodes; }
 constexpr int corner_count_of(ElementKind kind) { return row_of(kind).corners; }
 constexpr int side_node_count_of(ElementKind kind) { return row_of(kind).side_nodes; }
-/// Corners of a side.
-constexpr int side_corner_count_of(ElementKind kind) {
-  const ElementRow& row = row_of(kind);
-  return row.dim == 2 ? 2 : row.simplex ? 3 : 4;
-}
 constexpr std::string_view element_name(ElementKind kind) { return row_of(kind).name; }
 
 /// The kind that decks call `name`, in the plane or in space. Throws std::logic_error where there is none.

@@ -73,8 +73,7 @@ CarrierShares carried_by(const std::array<int, 3>& facet, const Vec<3>& share) {
 }  // namespace
 
 CarrierShares SolidSurface::carried(std::size_t s, const Vec<3>& share) const {
-  if (kind == ElementKind::tri3 || kind == ElementKind::tet4 || kind == ElementKind::quad4)
-    return {share[0], share[1], share[2]};
+  if (parting.size() == 1) return {share[0], share[1], share[2]};  // the side is its facet
   return with_shapes(kind, [&](auto shapes) {
     return carried_by<typename decltype(shapes)::Side>(parting[s % parting.size()], share);
   });

@@ -16,8 +16,8 @@ constexpr std::size_t most_carriers = 9;
 using CarrierShares = std::array<double, most_carriers>;
 
 /// The surface of solids: edges in the plane, triangles in space, between the nodes of the elements' sides. A place of
-/// such a facet moves as the element's own functions say, of the nodes of the whole side, its carriers; of elements of
-/// order 1 in the plane, and of tetrahedra, these are the facet's own nodes. Places q have dim numbers a node.
+/// such a facet moves as the element's own functions say, of the nodes of the whole side, its carriers. Places q have
+/// dim numbers a node.
 struct SolidSurface {
   int dim = 2;
   Sides sides;  ///< dim nodes of each facet; in the plane the solid is to the left of an edge, in space below

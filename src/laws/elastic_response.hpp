@@ -78,6 +78,8 @@ struct Across {
 struct Lame {
   double lambda = 0, mu = 0;
 };
+/// Poisson's ratio of these, in space or plane strain.
+inline double poisson_ratio(const Lame& l) { return l.lambda / (2 * (l.lambda + l.mu)); }
 inline Lame lame(double E, double nu) { return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))}; }
 
 /// How a neo-Hookean body resists a change of volume: lambda/2 ln(J)^2, lambda/2 (J - 1)^2, or

@@ -11,7 +11,7 @@ namespace {
 
 /// In plane stress lambda is 2 mu nu/(1 - nu), else 2 mu nu/(1 - 2 nu).
 double poisson_ratio(const Lame& l, bool plane_stress) {
-  return plane_stress ? l.lambda / (l.lambda + 2 * l.mu) : l.lambda / (2 * (l.lambda + l.mu));
+  return plane_stress ? l.lambda / (l.lambda + 2 * l.mu) : poisson_ratio(l);
 }
 
 /// Longest extent over the thickness from which a body bends that nothing holds: shorter ones, of which their own

@@ -14,7 +14,7 @@
 namespace tether::cases {
 namespace {
 
-/// Largest change of a column behind t = 5, where the loads are gone, over `size`.
+/// Largest change of a column after t = 5, where the loads are gone, over `size`.
 double change_in_flight(const DeckRun& run, const std::string& column, double size) {
   const auto time = run.history.column("time"), values = run.history.column(column);
   const auto from = static_cast<std::size_t>(

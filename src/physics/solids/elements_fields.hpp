@@ -44,11 +44,10 @@ template <class Shapes>
 auto ElementsOf<Shapes>::stress_at_nodes(std::size_t e, const Places& places) const {
   static const auto linear = parts_of_points<Shapes>(false), whole = parts_of_points<Shapes>(true);
   std::array<std::array<double, stress_fields>, std::size_t{points}> there;
-  std::array<double, std::size_t{points}> left_out{};
-  const Gradients F = seen_by_law(places, e, left_out);
+  const SeenByLaw seen = seen_by_law(places, e);
   for (int k = 0; k < points; ++k) {
-    there[index(k)] = cauchy_stress(e, k, F[index(k)]);
-    for (std::size_t i = 0; i < dim; ++i) there[index(k)][i] += left_out[index(k)];
+    there[index(k)] = cauchy_stress(e, k, seen.F[index(k)]);
+    for (std::size_t i = 0; i < dim; ++i) there[index(k)][i] += stabiliser(e) * seen.left_out[index(k)];
   }
   std::array<std::array<double, stress_fields>, std::size_t{nodes}> found{};
   for (int a = 0; a < nodes; ++a) {

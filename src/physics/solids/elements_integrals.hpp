@@ -12,20 +12,33 @@ namespace tether::fem {
 // Integrals over elements that a run asks for once, or once a step.
 
 template <class Shapes>
+auto ElementsOf<Shapes>::element_mass(std::size_t e) const -> MassMatrix {
+  MassMatrix m{};
+  for (int k = 0; k < mass_points; ++k) {
+    const auto& N = mass_values_[index(k)];
+    const double w = mass_weight(e, k) * density(e);
+    for (std::size_t ab = 0; ab < m.size(); ++ab) m[ab] += w * N[ab / nodes] * N[ab % nodes];
+  }
+  return m;
+}
+
+template <class Shapes>
 SparseMatrix ElementsOf<Shapes>::mass() const {
   const NodalPattern pattern(1, mesh_.node_count(), mesh_.nodes, nodes);
   SparseMatrix M = pattern.matrix();
-  std::array<double, static_cast<std::size_t>(nodes * nodes)> m;
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    m.fill(0);
-    for (int k = 0; k < mass_points; ++k) {
-      const auto& N = mass_values_[index(k)];
-      const double w = mass_weight(e, k) * density(e);
-      for (std::size_t ab = 0; ab < m.size(); ++ab) m[ab] += w * N[ab / nodes] * N[ab % nodes];
-    }
-    pattern.add(e, m, M);
-  }
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) pattern.add(e, element_mass(e), M);
   return M;
+}
+
+/// Adds `inertia` times the mass matrix, for each direction.
+template <class Shapes>
+void ElementsOf<Shapes>::add_inertia(std::size_t e, double inertia, Matrix& K) const {
+  const MassMatrix m = element_mass(e);
+  for (int a = 0; a < nodes; ++a) {
+    for (int b = 0; b < nodes; ++b) {
+      for (int i = 0; i < dim; ++i) K(a * dim + i, b * dim + i) += inertia * m[index(a * nodes + b)];
+    }
+  }
 }
 
 /// The diagonal of an element's mass matrix, scaled to its mass (E. Hinton, T. Rock and O. C. Zienkiewicz, Earthquake
@@ -95,19 +108,6 @@ double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<
     return largest;
   };
   return std::sqrt(largest_of(team_, mesh_.element_count(), of_element, elements_of_a_block));
-}
-
-template <class Shapes>
-void ElementsOf<Shapes>::add_inertia(std::size_t e, double density, Matrix& K) const {
-  for (int k = 0; k < mass_points; ++k) {
-    const Values<nodes>& N = mass_values_[index(k)];
-    for (int a = 0; a < nodes; ++a) {
-      const double part = density * mass_weight(e, k) * N[index(a)];
-      for (int b = 0; b < nodes; ++b) {
-        for (int i = 0; i < dim; ++i) K(a * dim + i, b * dim + i) += part * N[index(b)];
-      }
-    }
-  }
 }
 
 }  // namespace tether::fem

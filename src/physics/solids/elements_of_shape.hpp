@@ -20,6 +20,7 @@ class ElementsOf final : public Elements {
  public:
   static constexpr int dim = Shapes::dim, nodes = Shapes::nodes, points = Shapes::points, unknowns = dim * nodes;
   static constexpr int mass_points = Shapes::mass_points;
+  static constexpr bool one_rule = mass_points == points;  // which is that of gradients for masses, too
   /// Functions that the mean dilatation is made of: a number an element; of order 2 in a product of lines, of degree 1.
   static constexpr std::size_t modes = Shapes::order == 2 && !Shapes::is_simplex ? dim + 1 : 1;
   static constexpr std::size_t parts = component_count<dim>();  // of a symmetric tensor
@@ -37,7 +38,7 @@ class ElementsOf final : public Elements {
       dilated_.push_back(dilatation_of(solids.dilatation, mesh_.kind, region.law));
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       for (int k = 0; k < points; ++k) add_point(e, k);
-      for (int k = 0; k < mass_points; ++k)
+      for (int k = 0; !one_rule && k < mass_points; ++k)
         mass_weights_.push_back(jacobian_at<Shapes>(mesh_, e, Shapes::mass_place(k)).determinant *
                                 Shapes::mass_weight(k));
       if (std::ranges::any_of(dilated_, &DilatationChoice::mean)) add_modes(e);
@@ -65,8 +66,7 @@ class ElementsOf final : public Elements {
   void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
                      SparseMatrix& K) const override {
     compute_then_add<ElementMatrix>(
-        team_, mesh_.element_count(),
-        [&](std::size_t e, ElementMatrix& k) { element_stiffness(e, gathered(e, q), convex, k); },
+        team_, mesh_.element_count(), [&](std::size_t e, ElementMatrix& k) { element_stiffness(e, q, convex, k); },
         [&](std::size_t e, const ElementMatrix& k) { pattern.add(e, k, K); });
   }
 
@@ -93,11 +93,12 @@ class ElementsOf final : public Elements {
         [&](std::size_t begin, std::size_t end) {
           double energy = 0;
           for (std::size_t e = begin; e < end; ++e) {
-            const Places at = gathered(e, q);
-            const Gradients F = seen_by_law(at, e);
-            if (is_dilated(e)) energy += stabilising_energy<dim>(law(e), modes_of(e), deformations(at, e));
-            for (int k = 0; k < points; ++k)
-              energy += weight(e, k) * energy_at<dim>(law(e), F[index(k)], place(e, k)[0], place(e, k)[1]);
+            const SeenByLaw seen = seen_by_law(gathered(e, q), e);
+            for (int k = 0; k < points; ++k) {
+              const double left_out = seen.left_out[index(k)];
+              energy += weight(e, k) * (energy_at<dim>(law(e), seen.F[index(k)], place(e, k)[0], place(e, k)[1]) +
+                                        0.5 * stabiliser(e) * left_out * left_out);
+            }
           }
           return energy;
         },
@@ -126,39 +127,35 @@ class ElementsOf final : public Elements {
   };
 
   void add_modes(std::size_t e) {
-    std::array<double, std::size_t{points * dim}> places{};
-    for (int k = 0; k < points; ++k) {
-      for (int a = 0; a < nodes; ++a) {
-        for (int i = 0; i < dim; ++i)
-          places[index(k * dim + i)] +=
-              values_[index(k)][index(a)] * mesh_.x[static_cast<std::size_t>(mesh_.element(e)[a] * dim + i)];
-      }
-    }
-    add_dilatation_modes(std::span(weights_).last(points), places, modes > 1, modes_);
+    Eigen::Matrix<double, dim, points> places;
+    for (int k = 0; k < points; ++k) places.col(k) = place_of_point(e, k);
+    add_dilatation_modes(std::span(weights_).last(points), std::span(places.data(), std::size_t{points * dim}),
+                         modes > 1, modes_);
   }
   DilatationModes modes_of(std::size_t e) const {
     return {std::span(weights_).subspan(e * points, points),
-            std::span(modes_).subspan(e * points * modes, points * modes),
-            dilated_[static_cast<std::size_t>(mesh_.region[e])].stabiliser};
+            std::span(modes_).subspan(e * points * modes, points * modes), stabiliser(e)};
   }
   bool is_dilated(std::size_t e) const { return dilated_[static_cast<std::size_t>(mesh_.region[e])].mean; }
+  double stabiliser(std::size_t e) const { return dilated_[static_cast<std::size_t>(mesh_.region[e])].stabiliser; }
 
   void add_point(std::size_t e, int k) {
     const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::place(k));
     gradients_.push_back(Eigen::Map<const Places>(map.gradients.data()));
     weights_.push_back(map.determinant * Shapes::weight(k));
-    Vec<2> place{};
-    for (int a = 0; a < nodes; ++a) {
-      const double* x = &mesh_.x[static_cast<std::size_t>(mesh_.element(e)[a]) * dim];
-      for (std::size_t i = 0; i < 2; ++i) place[i] += values_[index(k)][index(a)] * x[i];
-    }
-    places_.push_back(place);
+    const Vector place = place_of_point(e, k);
+    places_.push_back({place[0], place[1]});
+  }
+  Vector place_of_point(std::size_t e, int k) const {
+    return gathered(e, mesh_.x) * Eigen::Map<const Eigen::Matrix<double, nodes, 1>>(values_[index(k)].data());
   }
   const ElasticLaw& law(std::size_t e) const { return solids_.regions[static_cast<std::size_t>(mesh_.region[e])].law; }
   double density(std::size_t e) const { return solids_.regions[static_cast<std::size_t>(mesh_.region[e])].density; }
   const Places& gradients(std::size_t e, int k) const { return gradients_[e * points + index(k)]; }
   double weight(std::size_t e, int k) const { return weights_[e * points + index(k)]; }
-  double mass_weight(std::size_t e, int k) const { return mass_weights_[e * mass_points + index(k)]; }
+  double mass_weight(std::size_t e, int k) const {
+    return one_rule ? weight(e, k) : mass_weights_[e * mass_points + index(k)];
+  }
   const Vec<2>& place(std::size_t e, int k) const { return places_[e * points + index(k)]; }
 
   Places gathered(std::size_t e, std::span<const double> q) const {
@@ -174,11 +171,15 @@ class ElementsOf final : public Elements {
     for (int k = 0; k < points; ++k) F[index(k)] = deformation(at, e, k);
     return F;
   }
-  /// Returns what the law takes for F at the points; `left_out` as take_mean_dilatation() has it.
-  Gradients seen_by_law(const Places& at, std::size_t e, std::span<double> left_out = {}) const {
-    Gradients F = deformations(at, e);
-    if (is_dilated(e)) take_mean_dilatation<dim>(law(e), modes_of(e), F, left_out);
-    return F;
+  /// What the law takes for F at the points, and what is left out of the dilatation.
+  struct SeenByLaw {
+    Gradients F;
+    std::array<double, std::size_t{points}> left_out{};
+  };
+  SeenByLaw seen_by_law(const Places& at, std::size_t e) const {
+    SeenByLaw seen{deformations(at, e)};
+    if (is_dilated(e)) take_mean_dilatation<dim>(law(e), modes_of(e), seen.F, seen.left_out);
+    return seen;
   }
 
   template <bool with_modulus>
@@ -221,23 +222,21 @@ class ElementsOf final : public Elements {
       add_point_tangent(s, gradients(e, k), weight(e, k), K);
     }
     if (all.dilated) add_dilatation_tangent(e, all, K);
-    if (inertia != 0) add_inertia(e, inertia * density(e), K);
+    if (inertia != 0) add_inertia(e, inertia, K);
   }
 
   /// Makes each of the law's own points convex for itself, and what the mean dilatation ties together as a whole.
-  void element_stiffness(std::size_t e, const Places& at, bool made_convex, ElementMatrix& out) const {
-    Matrix K(out.data());
-    K.setZero();
-    if (is_dilated(e)) {
-      const Points all = stresses_at(StressAt::end, e, at, at, true);
-      for (int k = 0; k < points; ++k) add_point_tangent(all.at[index(k)].s, gradients(e, k), weight(e, k), K);
-      add_dilatation_tangent(e, all, K);
+  void element_stiffness(std::size_t e, std::span<const double> q, bool made_convex, ElementMatrix& out) const {
+    if (!made_convex || is_dilated(e)) {
+      element_tangent(StressAt::end, e, q, q, 0, {}, out);
       if (made_convex) make_convex(unknowns, out);
       return;
     }
+    const Places at = gathered(e, q);
+    Matrix K(out.data());
+    K.setZero();
     for (int k = 0; k < points; ++k) {
-      GradientModulus<dim> H = gradient_modulus<dim>(stress<true>(StressAt::end, e, k, at, at));
-      if (made_convex) H = convex<dim>(H);
+      const GradientModulus<dim> H = convex<dim>(gradient_modulus<dim>(stress<true>(StressAt::end, e, k, at, at)));
       for (int b = 0; b < nodes; ++b) {
         Eigen::Matrix<double, dim * dim, dim> by = decltype(by)::Zero();  // dP by the place of node b
         for (int l = 0; l < dim; ++l) by += gradients(e, k)(l, b) * H.template middleCols<dim>(l * dim);
@@ -250,8 +249,11 @@ class ElementsOf final : public Elements {
     }
   }
 
-  /// Adds the mass matrix, for each direction.
-  void add_inertia(std::size_t e, double density, Matrix& K) const;
+  /// An element's mass matrix, a number a pair of nodes.
+  using MassMatrix = std::array<double, static_cast<std::size_t>(nodes* nodes)>;
+  MassMatrix element_mass(std::size_t e) const;
+  void add_inertia(std::size_t e, double inertia, Matrix& K) const;
+
   /// Returns B(F)^T times a tensor, by nodes: what a change of place does to a scalar with that derivative by E.
   static Row by_places(const Square<dim>& F, const Symmetric<dim>& by_strain, const Places& G) {
     const Places row = F * full<dim>(by_strain) * G;

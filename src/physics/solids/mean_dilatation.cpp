@@ -82,22 +82,37 @@ struct StretchOfRatio {
   }
 };
 
-/// The dilatations of a shape at all points, and their means. There is no stress of an element that is turned inside
-/// out, so that equilibria are not looked for there; long steps of the discrete gradient may go through such shapes.
+/// The dilatations of a shape at all points, and their means; of laws of small strains J is tr eps.
 template <int dim>
 struct Dilatations {
   std::array<double, most_points> J{}, mean{};
-  Dilatations(std::span<const Square<dim>> F, const DilatationModes& modes, bool any_way_round) {
-    for (std::size_t k = 0; k < F.size(); ++k) {
-      J[k] = F[k].determinant();
-      if (any_way_round) J[k] = std::abs(J[k]);
-    }
+  Dilatations(std::span<const Square<dim>> F, const DilatationModes& modes, bool small) {
+    for (std::size_t k = 0; k < F.size(); ++k) J[k] = small ? F[k].trace() - dim : std::abs(F[k].determinant());
     modes.average(std::span(J).first(F.size()), std::span(mean).first(F.size()));
-    for (std::size_t k = 0; k < F.size(); ++k) {
-      if (!(J[k] > 0) || !(mean[k] > 0)) mean[k] = std::numeric_limits<double>::quiet_NaN();
-    }
   }
 };
+
+/// Takes the numbers out of an element that is turned inside out, so that equilibria are not looked for there; long
+/// steps of the discrete gradient may go through such shapes.
+template <int dim>
+void refuse_turned(std::span<const Square<dim>> F, Dilatations<dim>& of) {
+  for (std::size_t k = 0; k < F.size(); ++k) {
+    if (!(F[k].determinant() > 0) || !(of.mean[k] > 0)) of.mean[k] = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// The stress of a law between C^ of two shapes, and its modulus where that is asked.
+template <int dim>
+PointStress<dim> stress_between(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const ElasticLaw& law,
+                                const Vec<2>& place, bool with_modulus) {
+  PointStress<dim> hat;
+  if (with_modulus) {
+    gradient_stress<dim, true>(C0, C1, law, place, hat);
+  } else {
+    gradient_stress<dim, false>(C0, C1, law, place, hat);
+  }
+  return hat;
+}
 
 /// The step's rule at one point as a discrete gradient between two shapes: the two ends of the step, or twice the same.
 template <int dim>
@@ -106,14 +121,14 @@ struct Ends {
   double J0, J1, mean0, mean1;
 };
 
-/// What all points need of one before g is known. Of s.D, a, b, v that is the part without g.
+/// What is needed of all points before g is known at any.
 template <int dim>
 struct Halfway {
   double sigma = 0, alpha = 0;
   SymmetricMap<dim> Q;
 };
 
-/// The terms are those of the derivation above, in its order.
+/// Sets what there is at a point without g; the terms are those of the derivation in the header, in its order.
 template <int dim>
 Halfway<dim> respond(const ElasticLaw& law, const Vec<2>& place, const Ends<dim>& at, bool with_modulus,
                      DilatedPoint<dim>& out) {
@@ -122,12 +137,7 @@ Halfway<dim> respond(const ElasticLaw& law, const Vec<2>& place, const Ends<dim>
   const Symmetric<dim> C_hat0 = r.r0 * C0, C_hat1 = r.r1 * C1, Cm = 0.5 * (C0 + C1);
   const double rm = 0.5 * (r.r0 + r.r1), Jm = 0.5 * (J0 + J1), mean_m = 0.5 * (mean0 + mean1);
   const DilatationSlope<dim> J(C0, C1, J0, J1);
-  PointStress<dim> hat;
-  if (with_modulus) {
-    gradient_stress<dim, true>(C_hat0, C_hat1, law, place, hat);
-  } else {
-    gradient_stress<dim, false>(C_hat0, C_hat1, law, place, hat);
-  }
+  const PointStress<dim> hat = stress_between<dim>(C_hat0, C_hat1, law, place, with_modulus);
   const double across = contract<dim>(hat.S, Cm), per = 1 / (J0 * J1);
   Halfway<dim> half{across * r.rho * per, 0, J.Q};
   half.alpha = half.sigma * Jm;
@@ -162,7 +172,8 @@ void finite_stresses(StressAt rule, const ElasticLaw& law, std::span<const Squar
   const std::span<const Square<dim>> second =
       rule == StressAt::middle ? std::span<const Square<dim>>(middle).first(count) : F1;
   const std::span<const Square<dim>> first = one ? second : F0;
-  const Dilatations<dim> of0(first, modes, !one), of1(second, modes, !one);
+  Dilatations<dim> of0(first, modes, false), of1(second, modes, false);
+  if (one) refuse_turned<dim>(second, of0), refuse_turned<dim>(second, of1);
   std::array<Halfway<dim>, most_points> half;
   std::array<double, most_points> alpha{}, mean_alpha{};
   for (std::size_t k = 0; k < count; ++k) {
@@ -206,22 +217,21 @@ void small_stresses(StressAt rule, const ElasticLaw& law, std::span<const Square
   const std::size_t count = F1.size();
   const bool end = rule == StressAt::end;
   const Symmetric<dim> one = unit<dim>();
-  std::array<double, most_points> trace{}, mean{}, alpha{}, mean_alpha{};
-  const auto at = [&](std::size_t k) -> Square<dim> { return end ? F1[k] : Square<dim>(0.5 * (F0[k] + F1[k])); };
-  for (std::size_t k = 0; k < count; ++k) trace[k] = at(k).trace() - dim;
-  modes.average(std::span(trace).first(count), std::span(mean).first(count));
+  std::array<Square<dim>, most_points> F;
+  for (std::size_t k = 0; k < count; ++k) F[k] = end ? F1[k] : Square<dim>(0.5 * (F0[k] + F1[k]));
+  const Dilatations<dim> of(std::span<const Square<dim>>(F).first(count), modes, true);
+  std::array<double, most_points> alpha{}, mean_alpha{};
   for (std::size_t k = 0; k < count; ++k) {
-    const Symmetric<dim> C = symmetric<dim>(dilated_strain<dim>(at(k), trace[k], mean[k]));
+    const Symmetric<dim> C = symmetric<dim>(dilated_strain<dim>(F[k], of.J[k], of.mean[k]));
     PointStress<dim>& s = out[k].s;
-    gradient_stress<dim, true>(C, C, law, places[k], s);  // its D is half the law's
-    if (end) s.D *= 2;
+    s = stress_between<dim>(C, C, law, places[k], with_modulus);  // its D is half the law's
     s.A = s.F = Square<dim>::Identity(), s.geometric = 0;
     alpha[k] = contract<dim>(s.S, one) / dim;
     out[k].P = out[k].j = one;
     if (!with_modulus) continue;
-    const SymmetricMap<dim> D = s.D;
+    const SymmetricMap<dim> D = (end ? 2 : 1) * s.D;
     const Symmetric<dim> by_mean = D * one / dim;
-    s.D -= by_mean * one.transpose();
+    s.D = D - by_mean * one.transpose();
     out[k].a = s.D.transpose() * one / dim, out[k].b = one.dot(by_mean) / dim;
     const double c = end ? modes.stabiliser : 0.5 * modes.stabiliser;
     s.D -= one * out[k].a.transpose(), out[k].v = by_mean - out[k].b * one;
@@ -229,7 +239,7 @@ void small_stresses(StressAt rule, const ElasticLaw& law, std::span<const Square
   }
   modes.average(std::span(alpha).first(count), std::span(mean_alpha).first(count));
   for (std::size_t k = 0; k < count; ++k)
-    out[k].s.S += (mean_alpha[k] - alpha[k] + modes.stabiliser * (trace[k] - mean[k])) * one;
+    out[k].s.S += (mean_alpha[k] - alpha[k] + modes.stabiliser * (of.J[k] - of.mean[k])) * one;
 }
 
 }  // namespace
@@ -244,32 +254,17 @@ void dilated_stresses(StressAt rule, const ElasticLaw& law, std::span<const Squa
 }
 
 template <int dim>
-double stabilising_energy(const ElasticLaw& law, const DilatationModes& modes, std::span<const Square<dim>> F) {
-  if (modes.stabiliser == 0) return 0;
-  const bool small = small_strains(law);
-  std::array<double, most_points> J{}, mean{};
-  for (std::size_t k = 0; k < F.size(); ++k) J[k] = small ? F[k].trace() : std::abs(F[k].determinant());
-  modes.average(std::span(J).first(F.size()), std::span(mean).first(F.size()));
-  double energy = 0;
-  for (std::size_t k = 0; k < F.size(); ++k)
-    energy += 0.5 * modes.weights[k] * modes.stabiliser * (J[k] - mean[k]) * (J[k] - mean[k]);
-  return energy;
-}
-
-template <int dim>
 void take_mean_dilatation(const ElasticLaw& law, const DilatationModes& modes, std::span<Square<dim>> F,
                           std::span<double> left_out) {
   const bool small = small_strains(law);
-  std::array<double, most_points> J{}, mean{};
-  for (std::size_t k = 0; k < F.size(); ++k) J[k] = small ? F[k].trace() : std::abs(F[k].determinant());
-  modes.average(std::span(J).first(F.size()), std::span(mean).first(F.size()));
+  const Dilatations<dim> of(F, modes, small);
   for (std::size_t k = 0; k < F.size(); ++k) {
     if (small) {
-      F[k] += (mean[k] - J[k]) / dim * Square<dim>::Identity();
+      F[k] += (of.mean[k] - of.J[k]) / dim * Square<dim>::Identity();
     } else {
-      F[k] *= std::pow(mean[k] / J[k], 1.0 / dim);
+      F[k] *= std::pow(of.mean[k] / of.J[k], 1.0 / dim);
     }
-    if (!left_out.empty()) left_out[k] = modes.stabiliser * (J[k] - mean[k]);
+    if (!left_out.empty()) left_out[k] = of.J[k] - of.mean[k];
   }
 }
 
@@ -277,8 +272,6 @@ template void dilated_stresses<2>(StressAt, const ElasticLaw&, std::span<const S
                                   std::span<const Vec<2>>, const DilatationModes&, bool, std::span<DilatedPoint<2>>);
 template void dilated_stresses<3>(StressAt, const ElasticLaw&, std::span<const Square<3>>, std::span<const Square<3>>,
                                   std::span<const Vec<2>>, const DilatationModes&, bool, std::span<DilatedPoint<3>>);
-template double stabilising_energy<2>(const ElasticLaw&, const DilatationModes&, std::span<const Square<2>>);
-template double stabilising_energy<3>(const ElasticLaw&, const DilatationModes&, std::span<const Square<3>>);
 template void take_mean_dilatation<2>(const ElasticLaw&, const DilatationModes&, std::span<Square<2>>,
                                       std::span<double>);
 template void take_mean_dilatation<3>(const ElasticLaw&, const DilatationModes&, std::span<Square<3>>,

@@ -46,12 +46,8 @@ void dilated_stresses(StressAt rule, const ElasticLaw& law, std::span<const Squa
                       std::span<const Square<dim>> F1, std::span<const Vec<2>> places, const DilatationModes& modes,
                       bool with_modulus, std::span<DilatedPoint<dim>> out);
 
-/// The energy of what the mean leaves out, sum of w c (J - J-)^2/2 [energy].
-template <int dim>
-double stabilising_energy(const ElasticLaw& law, const DilatationModes& modes, std::span<const Square<dim>> F);
-
-/// F -> F^ at all points, which laws take in place of F. Where `left_out` is given, that is set to c (J - J-), which is
-/// to be added to the stress in the plane, or in space [stress].
+/// F -> F^ at all points, which laws take in place of F. Where `left_out` is given, it is set to J - J-: c times that
+/// is a stress in the plane, or in space, and c/2 times its square an energy density, besides those of the law.
 template <int dim>
 void take_mean_dilatation(const ElasticLaw& law, const DilatationModes& modes, std::span<Square<dim>> F,
                           std::span<double> left_out = {});
