@@ -4,7 +4,8 @@
 
 Element sets become physical groups that a deck's physical(r) names. Where sets overlap an element is of the smallest one, of
 equal ones of that which its *ELEMENT line names; sets that are left without elements are reported. Node sets become physical
-groups of sides: the outer sides all of whose nodes are in the set. meshio (Debian's python3-meshio) reads the file.
+groups of sides: the outer sides all of whose nodes are in the set. A set without such sides becomes a group of points, which a
+deck's loads and supports may name. meshio (Debian's python3-meshio) reads the file.
 Exit codes: 0 done, 2 the file cannot be understood, 4 the mesh file could not be written.
 """
 import argparse
@@ -27,6 +28,7 @@ CELLS = {
     "tetra10": (3, 11, topology.TETRAHEDRON_10, 9),
     "hexahedron": (3, 5, topology.HEXAHEDRON, 3),
 }
+POINT = 15
 GMSH_ORDER = {"tetra10": (0, 1, 2, 3, 4, 5, 6, 7, 9, 8)}
 
 
@@ -103,13 +105,15 @@ def outer_sides(bodies):
     return [found[0] for found in seen.values() if len(found) == 1]
 
 
-def sides_of(mesh, bodies):
-    """Of each node set that has some: its name and the outer sides all of whose nodes are in it."""
+def parts_of(mesh, bodies):
+    """Of each node set but one of all sides: its name and the outer sides all of whose nodes are in it, or else its nodes."""
     outer = outer_sides(bodies)
     for name, nodes in mesh.point_sets.items():
         inside = set(map(int, nodes))
         sides = [(side, kind) for side, kind in outer if inside.issuperset(side)]
-        if sides and len(sides) < len(outer):
+        if not sides:
+            yield name, [((node,), POINT) for node in sorted(inside)]
+        elif len(sides) < len(outer):
             yield name, sides
 
 
@@ -121,9 +125,9 @@ def mesh_text(mesh, first):
     for (_, block), owner in zip(bodies, owners):
         cells = block.data[:, GMSH_ORDER.get(block.type, range(block.data.shape[1]))]
         elements += [(CELLS[block.type][1], 1 + region, cell) for cell, region in zip(cells, owner)]
-    for name, sides in sides_of(mesh, bodies):
-        groups.append((dimension - 1, name))
-        elements += [(kind, len(groups), nodes) for nodes, kind in sides]
+    for name, parts in parts_of(mesh, bodies):
+        groups.append((0 if parts[0][1] == POINT else dimension - 1, name))
+        elements += [(kind, len(groups), nodes) for nodes, kind in parts]
     points = numpy.zeros((len(mesh.points), 3))
     points[:, :mesh.points.shape[1]] = mesh.points
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(groups))]
@@ -141,7 +145,8 @@ def convert(chosen):
     out = chosen.out or chosen.file.with_suffix(".msh")
     text, groups = mesh_text(read(chosen.file), first_sets(chosen.file))
     out.write_text(text)
-    yield f"{out}: " + ", ".join(f"{'side' if dim < groups[0][0] else 'region'} '{name}'" for dim, name in groups)
+    words = {groups[0][0]: "region", groups[0][0] - 1: "side", 0: "nodes"}
+    yield f"{out}: " + ", ".join(f"{words[dim]} '{name}'" for dim, name in groups)
 
 
 def main(words=None):

@@ -62,6 +62,14 @@ std::vector<std::array<int, 3>> facets_of_side(ElementKind kind) {
   return facets;
 }
 
+std::vector<int> corners_of(ElementKind kind) {
+  std::vector<int> corners;
+  const int p = order_of(kind);
+  for (int c = 0; c < corner_count_of(kind); ++c)
+    corners.push_back(is_simplex(kind) ? c : lattice(p, p * (c & 1), p * (c >> 1 & 1), p * (c >> 2 & 1)));
+  return corners;
+}
+
 std::vector<int> side_of_box(ElementKind kind, int axis, int end) {
   const int p = order_of(kind), dim = dimension_of(kind);
   std::vector<int> side;
@@ -122,18 +130,43 @@ Sides sides_of_all(const Mesh& mesh) {
   return all;
 }
 
+/// Sides that one element alone has, of all of them.
+std::vector<Face> outer_faces(const Mesh& mesh, const Sides& all) {
+  const std::vector<Face> faces = faces_of(mesh, all);
+  std::vector<Face> alone;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const bool with_last = k > 0 && faces[k].sorted == faces[k - 1].sorted;
+    const bool with_next = k + 1 < faces.size() && faces[k].sorted == faces[k + 1].sorted;
+    if (!with_last && !with_next) alone.push_back(faces[k]);
+  }
+  return alone;
+}
+
+/// How many sides each of the elements has, whose sides are `all`.
+std::size_t sides_per_element(const Mesh& mesh, const Sides& all) {
+  const std::size_t elements = mesh.element_count();
+  return elements == 0 ? 1 : all.size() / static_cast<std::size_t>(side_node_count_of(mesh.kind)) / elements;
+}
+
 }  // namespace
+
+Mesh by_corners(const Mesh& mesh) {
+  Mesh linear{.x = mesh.x, .nodes = {}, .region = mesh.region, .sides = {}};
+  for (const ElementRow& row : element_rows) {
+    if (row.dim == mesh.dim() && row.simplex == is_simplex(mesh.kind) && row.order == 1) linear.kind = row.kind;
+  }
+  const std::vector<int> corners = corners_of(mesh.kind);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (const int c : corners) linear.nodes.push_back(mesh.element(e)[c]);
+  }
+  return linear;
+}
 
 Sides boundary_of(const Mesh& mesh) {
   const auto per_side = static_cast<std::size_t>(side_node_count_of(mesh.kind));
   const Sides all = sides_of_all(mesh);
-  const std::vector<Face> faces = faces_of(mesh, all);
   std::vector<std::size_t> alone;
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    const bool with_last = k > 0 && faces[k].sorted == faces[k - 1].sorted;
-    const bool with_next = k + 1 < faces.size() && faces[k].sorted == faces[k + 1].sorted;
-    if (!with_last && !with_next) alone.push_back(faces[k].side);
-  }
+  for (const Face& face : outer_faces(mesh, all)) alone.push_back(face.side);
   std::sort(alone.begin(), alone.end());
   Sides boundary;
   for (const std::size_t s : alone) {
@@ -141,6 +174,23 @@ Sides boundary_of(const Mesh& mesh) {
     boundary.insert(boundary.end(), first, first + static_cast<std::ptrdiff_t>(per_side));
   }
   return boundary;
+}
+
+std::vector<std::size_t> elements_of_sides(const Mesh& mesh, const Sides& sides) {
+  const auto per_side = static_cast<std::ptrdiff_t>(side_node_count_of(mesh.kind));
+  const Sides all = sides_of_all(mesh);
+  const std::vector<Face> outer = outer_faces(mesh, all);
+  const std::size_t per_element = sides_per_element(mesh, all);
+  std::vector<std::size_t> elements;
+  for (auto first = sides.begin(); first != sides.end(); first += per_side) {
+    std::vector<int> sorted(first, first + per_side);
+    std::sort(sorted.begin(), sorted.end());
+    const auto found = std::lower_bound(outer.begin(), outer.end(), sorted,
+                                        [](const Face& face, const auto& nodes) { return face.sorted < nodes; });
+    const bool there = found != outer.end() && found->sorted == sorted;
+    elements.push_back(there ? found->side / per_element : mesh.element_count());
+  }
+  return elements;
 }
 
 void drop_twins(Mesh& mesh) {
@@ -185,9 +235,7 @@ int count_parts(const Mesh& mesh) {
 std::vector<int> blocks_by_sides(const Mesh& mesh) {
   const Sides all = sides_of_all(mesh);
   const std::vector<Face> faces = faces_of(mesh, all);
-  const std::size_t elements = mesh.element_count();
-  const std::size_t per_element =
-      elements == 0 ? 1 : all.size() / static_cast<std::size_t>(side_node_count_of(mesh.kind)) / elements;
+  const std::size_t elements = mesh.element_count(), per_element = sides_per_element(mesh, all);
   std::vector<int> above(elements), number(elements, -1), block(elements);
   std::iota(above.begin(), above.end(), 0);
   for (std::size_t k = 1; k < faces.size(); ++k) {

@@ -21,6 +21,9 @@ void add_sides(ElementKind kind, const int* element, Sides& sides);
 /// Nodes, within an element, of the side that is low (0) or high (1) along an axis of a quadrilateral or hexahedron.
 std::vector<int> side_of_box(ElementKind kind, int axis, int end);
 
+/// Nodes, within an element, of its corners.
+std::vector<int> corners_of(ElementKind kind);
+
 /// Edges, or triangles in space, that a side is parted into by its nodes: their numbers within the side, which turn as
 /// it does; the third of an edge is -1.
 std::vector<std::array<int, 3>> facets_of_side(ElementKind kind);
@@ -42,10 +45,11 @@ constexpr double coincident = 1e-9;
 /// Elements of one kind with their nodes.
 struct Mesh {
   ElementKind kind = ElementKind::quad4;
-  std::vector<double> x;               ///< dim numbers a node [length]
-  std::vector<int> nodes;              ///< of the elements, one after the other
-  std::vector<int> region;             ///< of each element, from 0
-  std::map<std::string, Sides> sides;  ///< named parts of the boundary
+  std::vector<double> x;                                   ///< dim numbers a node [length]
+  std::vector<int> nodes;                                  ///< of the elements, one after the other
+  std::vector<int> region;                                 ///< of each element, from 0
+  std::map<std::string, Sides> sides;                      ///< named parts of the boundary
+  std::map<std::string, std::vector<int>> node_sets = {};  ///< named sets of nodes, each node once, ascending
 
   int dim() const { return dimension_of(kind); }
   std::size_t node_count() const { return x.size() / static_cast<std::size_t>(dim()); }
@@ -53,8 +57,15 @@ struct Mesh {
   const int* element(std::size_t e) const { return &nodes[e * static_cast<std::size_t>(node_count_of(kind))]; }
 };
 
+/// Makes elements of order 1 of the corners of these; the nodes are all there.
+Mesh by_corners(const Mesh& mesh);
+
 /// The sides of all elements that belong to one element alone, in the order of the elements.
 Sides boundary_of(const Mesh& mesh);
+
+/// Returns the element that has each of these sides on the mesh's boundary; the number of elements for a side that is
+/// not on it.
+std::vector<std::size_t> elements_of_sides(const Mesh& mesh, const Sides& sides);
 
 /// Leaves of the named sides that stand twice under one name, from both elements or by mistake, the first alone.
 void drop_twins(Mesh& mesh);

@@ -147,6 +147,14 @@ NearestPlace nearest_place(const Mesh& mesh, const Vec<3>& x) {
   return with_shapes(mesh.kind, [&](auto shapes) { return nearest_of<decltype(shapes)>(mesh, x); });
 }
 
+bool is_in_element(const Mesh& mesh, std::size_t e, const Vec<3>& x) {
+  return with_shapes(mesh.kind, [&](auto shapes) {
+    using Shapes = decltype(shapes);
+    const Point<Shapes> s = reference_place<Shapes>(mesh, e, x);
+    return length<Shapes>(remainder<Shapes>(mesh, e, x, s)) <= rounding * BoxOfNodes<Shapes>(mesh, e).size;
+  });
+}
+
 namespace {
 
 /// An edge of an element from corner to corner.

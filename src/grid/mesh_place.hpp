@@ -34,6 +34,9 @@ struct NearestPlace {
 /// A distance that is not small compared with the element is an upper bound of the distance. The mesh has an element.
 NearestPlace nearest_place(const Mesh& mesh, const Vec<3>& x);
 
+/// Returns whether a place lies in an element, its sides included, as near as rounding allows.
+bool is_in_element(const Mesh& mesh, std::size_t e, const Vec<3>& x);
+
 /// How far apart nodes stand along an edge of a body's element, and those of the mesh below it in the same direction.
 /// Of biquadratic elements that is half their length. [length]
 struct NodeSpacing {

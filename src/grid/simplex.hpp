@@ -94,14 +94,22 @@ struct Simplex {
       return volume * place_of_rule(point).first;
     }
   }
-  /// Returns what each point of quadrature adds to a field at node a: derivatives of linear functions have one value,
-  /// those of order 2 the linear function through the points.
-  static Values<points> to_node(int node, bool) {
+  static Vec<d> middle() {
+    Vec<d> s;
+    s.fill(1.0 / corners);
+    return s;
+  }
+  /// Places where derivatives of these functions are most exact: the middle, or of order 2 the points of quadrature.
+  static constexpr int samples = p == 1 ? 1 : points;
+  static Vec<d> sample_place(int sample) { return p == 1 ? middle() : place(sample); }
+  /// Returns what each point of quadrature adds to a field at s: derivatives of linear functions have one value, those
+  /// of order 2 the linear function through the points.
+  static Values<points> to_place(const Vec<d>& s, bool) {
     Values<points> parts;
     parts.fill(1.0 / points);
     if constexpr (p == 2) {
       const double near = place(1)[0], far = place(0)[0];
-      const Values<corners> L = barycentric(node_place(node));
+      const Values<corners> L = barycentric(s);
       for (int k = 0; k < points; ++k) parts[at(k)] = (L[at(k)] - far) / (near - far);
     }
     return parts;

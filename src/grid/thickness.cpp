@@ -99,8 +99,9 @@ void measure_elements(const Mesh& mesh, const std::vector<std::size_t>& elements
 
 }  // namespace
 
-std::vector<ElementsAcross> elements_across(const Mesh& mesh) {
-  if (order_of(mesh.kind) != 1 || mesh.element_count() == 0) return {};
+std::vector<ElementsAcross> elements_across(const Mesh& of) {
+  if (of.element_count() == 0) return {};
+  const Mesh mesh = by_corners(of);
   const std::vector<int> part = parts_of(mesh);
   const auto part_of = [&](std::size_t e) {
     return static_cast<std::size_t>(part[static_cast<std::size_t>(mesh.element(e)[0])]);

@@ -20,10 +20,10 @@ struct ElementsAcross {
   std::vector<int> regions;
 };
 
-/// Counts the elements across each connected part of a mesh of order 1, in the order of parts_of(). It uses the sides
-/// alone, so that it holds for any mesh: the shortest of the ways_across() that leave opposite, from a tenth of the
-/// boundary. The thickness is at right angles to it, whatever the angle of the elements' other sides: a body bends as
-/// its own shape does.
+/// Counts the elements across each connected part of a mesh, in the order of parts_of(), by their corners. It uses the
+/// sides alone, so that it holds for any mesh: the shortest of the ways_across() that leave opposite, from a tenth of
+/// the boundary. The thickness is at right angles to it, whatever the angle of the elements' other sides: a body bends
+/// as its own shape does.
 std::vector<ElementsAcross> elements_across(const Mesh& mesh);
 
 /// The thinnest of connected bodies in cells of the mesh that it lies over.

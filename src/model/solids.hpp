@@ -46,12 +46,17 @@ struct SolidRegion {
   Vec<3> spin{};       // angular velocity about the region's centre of mass at the start [1/time]
 };
 
-/// A dead load on sides [force/area] or, without any, in the volume of a region [force/volume].
+/// A load on sides [force/area], at each of some nodes [force] or, without any of these, in the volume of a region
+/// [force/volume]. Its force keeps its direction; its pressure pushes against the sides as they lie at the time.
 struct Load {
   Sides sides;
+  std::vector<int> nodes;
   int region = -1;  // from 0
   Vec<3> force{};
+  double pressure = 0;
   Amplitude amplitude;
+
+  bool is_dead() const { return force != Vec<3>{}; }
 };
 
 /// Nodes that follow a prescribed displacement in some directions [length].

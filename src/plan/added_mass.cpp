@@ -13,6 +13,7 @@
 
 #include "base/numbers.hpp"
 #include "base/vec.hpp"
+#include "grid/ways_across.hpp"
 #include "model/coupled.hpp"
 #include "model/solids.hpp"
 
@@ -21,15 +22,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Area or volume of a simplex of dim edges from its first node, or the measure of a side with one edge less.
-double measure(const Mesh& mesh, const int* nodes, int edges) {
-  Eigen::MatrixXd e(mesh.dim(), edges);
-  for (int a = 0; a < edges; ++a) {
-    for (int i = 0; i < mesh.dim(); ++i)
-      e(i, a) = mesh.x[at(nodes[a + 1] * mesh.dim() + i)] - mesh.x[at(nodes[0] * mesh.dim() + i)];
+/// Length or area of a side, by its facets.
+double area_of_side(const Mesh& mesh, const int* side) {
+  const int edges = mesh.dim() - 1;
+  double area = 0;
+  for (const auto& facet : facets_of_side(mesh.kind)) {
+    Eigen::MatrixXd e(mesh.dim(), edges);
+    for (int a = 0; a < edges; ++a) {
+      for (int i = 0; i < mesh.dim(); ++i)
+        e(i, a) = mesh.x[at(side[facet[at(a + 1)]] * mesh.dim() + i)] - mesh.x[at(side[facet[0]] * mesh.dim() + i)];
+    }
+    area += std::sqrt((e.transpose() * e).determinant()) / edges;
   }
-  const double factorial = edges == 3 ? 6 : edges;
-  return std::sqrt((e.transpose() * e).determinant()) / factorial;
+  return area;
 }
 
 /// A connected part of the mesh.
@@ -48,7 +53,7 @@ std::vector<double> masses_of(const Solids& solids, const std::vector<int>& part
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const SolidRegion& region = solids.regions[at(mesh.region[e])];
     BodyOfMesh& body = bodies[at(part[at(mesh.element(e)[0])])];
-    const double volume = measure(mesh, mesh.element(e), mesh.dim());
+    const double volume = volume_of_element(mesh, e);
     body.volume += volume, body.mass += region.density * volume;
     body.modulus = std::min(body.modulus, std::visit([](const auto& law) { return law.stiffness(); }, region.law));
     for (int a = 0; a < count; ++a) mass[at(mesh.element(e)[a])] += region.density * volume / count;
@@ -81,7 +86,7 @@ std::vector<BodyOfMesh> bodies_of(const Solids& solids) {
     const int* side = &boundary[s];
     if (std::all_of(side, side + per_side, [&](int n) { return held[at(n)]; })) continue;
     BodyOfMesh& body = bodies[at(part[at(side[0])])];
-    body.surface += measure(mesh, side, per_side - 1);
+    body.surface += area_of_side(mesh, side);
     for (int a = 0; a < per_side; ++a) body.surface_mass += std::exchange(mass[at(side[a])], 0.0);
   }
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {

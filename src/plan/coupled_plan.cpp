@@ -123,7 +123,7 @@ std::vector<Term> body_terms(const Scene& scene) {
            c.viscosity > 0 ? "bodies_slip = .true.: mu acts at walls and obstacles alone" : "mu = 0"),
       term("damping", s.alpha > 0 || s.beta > 0, fmt::format("alpha {:.4g}, beta {:.4g}", s.alpha, s.beta),
            "alpha = beta = 0"),
-      term("loads", !s.loads.empty(), fmt::format("{}, dead", s.loads.size()), "none given"),
+      term("loads", !s.loads.empty(), loads_text(s), "none given"),
       term("supports", !s.supports.empty(), supports_text(s), "none given"),
       term("springs", !c.springs.empty(), fmt::format("{}", c.springs.size()), "none given"),
   };

@@ -9,6 +9,7 @@
 #include "base/diagnostics.hpp"
 #include "model/size.hpp"
 #include "model/solids.hpp"
+#include "plan/bending.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
 #include "plan/plan_text.hpp"
@@ -218,25 +219,25 @@ struct WarningsOfPhysics {
       warn("order = 'usl' is unstable well below the limit dx/c: it divides by nodal masses however small");
   }
   void operator()(const Bars&) const {}
-  void operator()(const ElasticBodies& bodies) const { look_for_locking(*bodies.solids); }
+  void operator()(const ElasticBodies& bodies) const { look_at_bending(*bodies.solids); }
   void operator()(const RigidBody& body) const { warn(turn_warning(*body.rigid, plan.step.first_step())); }
   void operator()(const MeshFlow& flow) const {
     if (!flow.solids) return;
-    look_for_locking(*flow.solids);
+    look_at_bending(*flow.solids);
     for (auto& warning : immersed_warnings(*flow.flow, *flow.solids)) warn(std::move(warning));
   }
   void operator()(const BoxFlow& flow) const {
     warn(cfl_warning(scene));
-    if (flow.solids) look_for_locking(*flow.solids);
+    if (flow.solids) look_at_bending(*flow.solids);
   }
 
  private:
   void warn(std::string warning) const {
     if (!warning.empty()) plan.warnings.push_back(std::move(warning));
   }
-  void look_for_locking(const Solids& solids) const {
-    plan.locking = locking_of(solids);
-    warn(locking_warning(plan.locking, solids));
+  void look_at_bending(const Solids& solids) const {
+    plan.bending = bending_of(solids);
+    warn(bending_warning(plan.bending, solids));
   }
 };
 

@@ -6,37 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "grid/thickness.hpp"
 #include "model/scene.hpp"
 #include "model/solids.hpp"
 
 namespace tether {
 
-/// By how much bodies of elements of order 1 are too stiff, as they lock: where they bend, by shear that their straight
-/// sides take for bending; where they hardly change their volume, by having too few ways to keep it.
-struct Locking {
+/// By how much a body of elements is too stiff or too soft where it bends.
+struct Bending {
   std::string body;      ///< what it is called
   int across = 0;        ///< elements across the thin direction
   double thickness = 0;  ///< [length]
   double nu = 0;         ///< Poisson's ratio
-  double too_stiff = 0;  ///< stiffness in bending over the true one, less 1
+  double too_stiff = 0;  ///< estimate of the stiffness in bending over the true one, less 1
   bool bends = true;     ///< it is held, or long enough to bend without
-  int enough = 0;        ///< elements across that would leave it too stiff by told_stiffness
+  int enough = 0;        ///< elements of the same kind across that would be off by told_stiffness
+  // The cheapest elements of order 2 that are off by little.
+  int better_across = 1;
+  double better_along = 0;  ///< their length [length]
+  double better_off = 0;    ///< how much these are too stiff
 };
-
-/// From this on it is reported.
-constexpr double told_stiffness = 0.05;
-
-/// Returns by how much a body divided like this is too stiff, with Lame's constants as they act in the plane.
-double bending_too_stiff(ElementKind kind, const ElementsAcross& across, double lambda, double mu, bool mean);
-
-/// Finds the locking of each connected body; none where elements are of order 2, which bend, or of fibres alone, which
-/// do not resist it.
-std::vector<Locking> locking_of(const Solids& solids);
-
-/// Says what is to be said of the one of those that bend that is most too stiff. It says nothing where that is not too
-/// stiff by told_stiffness.
-std::string locking_warning(const std::vector<Locking>& bodies, const Solids& solids);
 
 /// dt = min(deck's step, cfl limit); cfl 0: the deck's step. The limit of material points is h / c, c = sqrt(E / rho)
 /// for solids and strings, c + |v| for gas; that of explicit elements is 2 over their highest frequency.
@@ -82,7 +70,7 @@ struct Plan {
   StepRule step;
   std::vector<Term> terms;
   Cost cost;
-  std::vector<Locking> locking;  ///< of bodies on a mesh
+  std::vector<Bending> bending;  ///< of bodies on a mesh
   std::vector<std::string> warnings;
 };
 

@@ -6,6 +6,7 @@
 
 #include "model/bars.hpp"
 #include "model/solids.hpp"
+#include "plan/bending.hpp"
 #include "plan/coupled_plan.hpp"
 #include "plan/flow_plan.hpp"
 #include "plan/solid_plan.hpp"
@@ -69,6 +70,7 @@ std::string to_text(const Plan& plan) {
     if (!term.on) text += fmt::format("  {}: {}\n", term.name, term.reason);
   }
   text += std::visit(StepText{plan}, scene.physics);
+  if (const auto solids = scene.solids()) text += bending_text(plan.bending, *solids);
   text +=
       fmt::format("cost: {:.0f} steps, {:.4g} point-steps, {:.3g} MB, about {:.2g} CPU s on one core ({})\n",
                   plan.cost.steps, plan.cost.point_steps, plan.cost.megabytes, plan.cost.seconds,

@@ -46,6 +46,19 @@ std::string supports_text(const Solids& solids) {
   return text;
 }
 
+std::string loads_text(const Solids& solids) {
+  const auto pressures =
+      std::count_if(solids.loads.begin(), solids.loads.end(), [](const Load& load) { return load.pressure != 0; });
+  const auto dead = std::count_if(solids.loads.begin(), solids.loads.end(),
+                                  [](const Load& load) { return load.is_dead() || load.pressure == 0; });
+  std::string text;
+  if (dead > 0) text = fmt::format("{}, dead", dead);
+  if (pressures > 0)
+    text += fmt::format("{}{} {}", dead > 0 ? ", " : "", pressures,
+                        pressures == 1 ? "pressure, that follows its sides" : "pressures, that follow their sides");
+  return text;
+}
+
 std::string regions_text(const Solids& solids) {
   std::string text;
   for (const SolidRegion& region : solids.regions)
@@ -71,7 +84,7 @@ std::vector<Term> solid_terms(const Solids& solids, double gravity) {
       term("inertia", solids.integrator != Integrator::equilibrium, integrator_text(solids.integrator),
            integrator_text(solids.integrator)),
       term("gravity", gravity != 0, fmt::format("gravc = {:.6g} in y", gravity), "gravc = 0"),
-      term("loads", !solids.loads.empty(), fmt::format("{}, dead", solids.loads.size()), "none given"),
+      term("loads", !solids.loads.empty(), loads_text(solids), "none given"),
       term("supports", !solids.supports.empty(), supports_text(solids),
            "none given, and no wall that a node stands at"),
       term("damping", damped, fmt::format("alpha {:.4g}, beta {:.4g}", solids.alpha, solids.beta), "alpha = beta = 0"),
@@ -88,7 +101,9 @@ Cost solid_cost(const Scene& scene, const StepRule& rule) {
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * static_cast<double>(mesh.node_count());
-  const bool unsymmetric = scene.solids()->integrator == Integrator::energy;  // L and U
+  const auto& loads = scene.solids()->loads;
+  const bool unsymmetric = scene.solids()->integrator == Integrator::energy ||  // L and U
+                           std::any_of(loads.begin(), loads.end(), [](const Load& load) { return load.pressure != 0; });
   const double factor = direct ? factor_nonzeros(mesh) * (unsymmetric ? 2 : 1) : 0;
   const double element_matrices =
       static_cast<double>(mesh.element_count()) * std::pow(mesh.dim() * node_count_of(mesh.kind), 2);
@@ -136,7 +151,10 @@ std::string loads_reason(const Solids& solids, const Rigid& rigid) {
   const auto add = [&text](std::size_t count, const char* what) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   };
-  add(solids.loads.size(), "dead on sides or in volumes");
+  const auto pressures = static_cast<std::size_t>(
+      std::count_if(solids.loads.begin(), solids.loads.end(), [](const Load& load) { return load.pressure != 0; }));
+  add(solids.loads.size() - pressures, "dead on sides or in volumes");
+  add(pressures, "by pressures that turn with the body");
   add(rigid.torques.size(), "by torques");
   add(rigid.forces.size() - turning, "dead at points");
   add(turning, "at points that turn with the body");

@@ -18,6 +18,8 @@ Cost solid_cost(const Scene& scene, const StepRule& rule);
 std::string solid_head(const Solids& solids);
 /// Each region with its density and law, a line each.
 std::string regions_text(const Solids& solids);
+/// How many loads keep their direction, and how many are pressures.
+std::string loads_text(const Solids& solids);
 /// Each support and wall with the nodes that it holds or moves.
 std::string supports_text(const Solids& solids);
 

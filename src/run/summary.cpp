@@ -17,13 +17,14 @@ namespace {
 
 std::string number(double value) { return fmt::format("{}", value); }
 
-/// The least of elements across, and the most that a body is too stiff by.
-void add_locking(const Plan& plan, Summary& summary) {
-  if (plan.locking.empty()) return;
-  int across = plan.locking.front().across;
+/// The least of elements across, and how much the body that is most off is too stiff.
+void add_bending(const Plan& plan, Summary& summary) {
+  if (plan.bending.empty()) return;
+  int across = plan.bending.front().across;
   double too_stiff = 0;
-  for (const Locking& body : plan.locking)
-    across = std::min(across, body.across), too_stiff = std::max(too_stiff, body.too_stiff);
+  for (const Bending& body : plan.bending)
+    across = std::min(across, body.across),
+    too_stiff = std::abs(body.too_stiff) > std::abs(too_stiff) ? body.too_stiff : too_stiff;
   summary.push_back(line_of("elements_across", across));
   summary.push_back(line_of("bending_too_stiff", too_stiff));
 }
@@ -124,7 +125,7 @@ bool balances_energy(const Scene& scene, const HistoryLayout& layout) {
 
 Summary scene_summary(const Plan& plan, const History& history) {
   Summary summary;
-  add_locking(plan, summary);
+  add_bending(plan, summary);
   add_momenta(plan, history, summary);
   if (plan.scene.flow()) add_coefficients(history, summary);
   return summary;

@@ -22,6 +22,8 @@ const char* cause_of_volume(const Scene& scene) {
   const auto is_linear = [](const SolidRegion& region) { return std::holds_alternative<LinearElastic>(region.law); };
   if (scene.solids() && std::ranges::any_of(scene.solids()->regions, is_linear))
     return "a body too soft for what acts on it: large turns by law='linear' grow it, which other laws do not";
+  if (scene.solids() && scene.solids()->integrator == Integrator::equilibrium)
+    return "a body too soft for what acts on it, or steps of the load too long: shorter tstep";
   return "a body too soft for what acts on it";
 }
 

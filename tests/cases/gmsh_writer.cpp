@@ -12,7 +12,7 @@ namespace tether::cases {
 namespace {
 
 /// Lattice numbers of Gmsh's nodes that go around an element: corners, then the middles of its edges.
-std::vector<int> corners_of(ElementKind kind) {
+std::vector<int> corners_around(ElementKind kind) {
   return kind == ElementKind::quad4 ? std::vector{0, 1, 3, 2} : std::vector{0, 2, 8, 6};
 }
 std::vector<int> middles_of(ElementKind kind) {
@@ -29,7 +29,7 @@ class Writer {
     for (std::size_t n = 0; n < mesh.node_count(); ++n)
       places_.push_back(fmt::format("{:.17g} {:.17g} 0", mesh.x[2 * n], mesh.x[2 * n + 1]));
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      std::vector<int> corners = corners_of(mesh.kind), middles = middles_of(mesh.kind);
+      std::vector<int> corners = corners_around(mesh.kind), middles = middles_of(mesh.kind);
       const auto turn = static_cast<std::ptrdiff_t>(random_() % 4);
       std::rotate(corners.begin(), corners.begin() + turn, corners.end());
       if (!middles.empty()) std::rotate(middles.begin(), middles.begin() + turn, middles.end());

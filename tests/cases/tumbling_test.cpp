@@ -67,12 +67,17 @@ TEST(FemSolids, TumblingNeoHookeanBlockKeepsEnergyAndMomenta) {
   expect_kept_where_the_middle_is_not("'neo-hookean'", "0.3", "3.0", 1);
 }
 
-/// Every element, by the mean dilatation where it has one, with a material that hardly changes its volume.
+/// Every element, by the mean dilatation where it has one, with a material that hardly changes its volume. The block
+/// has as few elements as its shape allows: 1,000 steps of more take minutes.
 TEST(FemSolids, TumblingBlocksOfAllElementsKeepEnergyAndMomenta) {
-  for (const auto& [element, steps] : {std::pair("q1", 1000), {"p1", 200}, {"p2", 200}, {"q2", 30}}) {
+  for (const char* element : {"q1", "p1", "p2", "q2"}) {
     SCOPED_TRACE(element);
     std::vector<std::string> overrides{"mesh.element='" + std::string(element) + "'",
-                                       "in.tmax=" + std::to_string(5 + 0.1 * steps), "fem.dilatation='mean'"};
+                                       "in.tmax=105.",
+                                       "fem.dilatation='mean'",
+                                       "mesh.cells(1:3,1)=1,1,1",
+                                       "mesh.cells(1:3,2)=1,1,1",
+                                       "mesh.cells(1:3,3)=1,1,1"};
     for (const char* region : {"1", "2", "3"}) {
       overrides.push_back("fem.law(" + std::string(region) + ")='neo-hookean'");
       overrides.push_back("reg.matr(2," + std::string(region) + ")=0.49");

@@ -28,6 +28,8 @@ a plate of two parts
 1, 4
 *NSET, NSET=PULL
 3, 6
+*NSET, NSET=TIP
+6
 *ELSET, ELSET=ALL
 LEFT, RIGHT
 """
@@ -63,11 +65,25 @@ class Inp(unittest.TestCase):
         (self.folder / "plate.inp").write_text(PLATE)
         (self.folder / "plate.in").write_text(DECK)
         done = self.convert(0, self.folder / "plate.inp")
-        self.assertIn("region 'LEFT', region 'RIGHT', side 'CLAMP', side 'PULL'", done.stdout)
+        self.assertIn("region 'LEFT', region 'RIGHT', side 'CLAMP', side 'PULL', nodes 'TIP'", done.stdout)
         self.assertIn("the element set ALL is left without elements", done.stdout)
         end = self.run_deck()
         self.assertAlmostEqual(end["point_x_1"], 1.1, 9)
         self.assertAlmostEqual(end["point_x_2"], 2.15, 9)
+
+    def test_loads_and_supports_act_on_nodes(self):
+        (self.folder / "plate.inp").write_text(PLATE)
+        deck = DECK.replace("load_on(1)='PULL', load(1,1)=.1", "load_on(1)='TIP', load(1:2,1)=.01,-.02, fix_on(2)='TIP', fix(2,2)=0.")
+        (self.folder / "plate.in").write_text(deck)
+        self.convert(0, self.folder / "plate.inp")
+        end = self.run_deck()
+        for column, force in (("support_force_x_1", -0.01), ("support_force_x_2", 0)):
+            self.assertAlmostEqual(end[column], force, 10)
+        self.assertAlmostEqual(end["support_force_y_1"] + end["support_force_y_2"], 0.02, 10)
+        (self.folder / "plate.in").write_text(deck.replace("load(1:2,1)=.01,-.02", "pressure(1)=1."))
+        done = subprocess.run([os.environ["TETHER"], self.folder / "plate.in"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("the pressure of load 1 has no side to push against", done.stderr)
 
     def test_tetrahedra_of_10_nodes(self):
         tetrahedra = ((0, 1, 2, 4), (3, 2, 1, 7), (5, 4, 7, 1), (6, 7, 4, 2), (1, 2, 4, 7))

@@ -17,9 +17,9 @@ inline constexpr int nr = region_count, nl = load_count, nt = table_count;
 
 // group, name, type, rank, n1, n2, unit, low, high, choices, default, meaning
 inline constexpr std::array fem_rows{
-    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, body_elements, "",
-             "Elements of all regions but a fluid's: quadrilaterals or hexahedra of order 1 or 2, triangles or "
-             "tetrahedra; q2 of bodies in a fluid and q1 of others where it is not given."},
+    Variable{"mesh", "element", text, 0, 1, 1, "", -none, none, body_elements, "'q2'",
+             "Elements of all regions but a fluid's: quadrilaterals or hexahedra (q), triangles or tetrahedra (p), of "
+             "order 1 or 2."},
     Variable{
         "mesh", "file", text, 0, 1, 1, "", -none, none, "", "''",
         "ASCII mesh file of Gmsh (version 2.2 or 4.1), as a path from the deck's folder, at most one folder up; in "
@@ -76,16 +76,22 @@ inline constexpr std::array fem_rows{
              "Angular velocity of region r about its centre of mass at the start; in the plane the third counts."},
     Variable{"fem", "settle", logical, 0, 1, 1, "", -none, none, "", ".false.",
              "Whether the run starts in equilibrium with the loads of t = 0."},
-    Variable{"fem", "load_on", text, 1, nl, 1, "", -none, none, "", "",
-             "Side that load k acts on, force per area of the shape at the start, or 'region r', force per volume."},
+    Variable{
+        "fem", "load_on", text, 1, nl, 1, "", -none, none, "", "",
+        "What load k acts on: a side, force per area of the shape at the start; 'region r', force per volume; or a "
+        "set of nodes of the mesh file, force at each node (in the plane per depth)."},
     Variable{"fem", "load", real, 2, 3, nl, "stress", -none, none, "", "0.0",
              "Components of load k, which keep their direction."},
+    Variable{"fem", "pressure", real, 1, nl, 1, "stress", -none, none, "", "0.0",
+             "Pressure of load k, that pushes against its side as the side lies at the time; it pulls where it is "
+             "below 0. Its factor over time is that of load k."},
     Variable{"fem", "load_time", real, 2, nt, nl, "time", -none, none, "", "",
              "Ascending times of load k's table; between them the factor is linear, outside constant."},
     Variable{"fem", "load_factor", real, 2, nt, nl, "", -none, none, "", "", "Factors of load k at these times."},
     Variable{"fem", "load_expression", text, 1, nl, 1, "", -none, none, "", "",
              "Factor of load k as an expression in t, in place of a table."},
-    Variable{"fem", "fix_on", text, 1, nl, 1, "", -none, none, "", "", "Side whose nodes support k holds or moves."},
+    Variable{"fem", "fix_on", text, 1, nl, 1, "", -none, none, "", "",
+             "Side, or set of nodes of the mesh file, whose nodes support k holds or moves."},
     Variable{"fem", "fix", real, 2, 3, nl, "length", -none, none, "", "",
              "Displacement that support k prescribes in x, y, z; a direction that is not given stays free."},
     Variable{"fem", "fix_time", real, 2, nt, nl, "time", -none, none, "", "",

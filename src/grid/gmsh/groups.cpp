@@ -100,7 +100,8 @@ std::vector<int> nodes_of(const Content& content, const Element& element, const 
   return nodes;
 }
 
-std::string side_name(const Content& content, int dim, int tag) {
+/// What decks call a group.
+std::string group_name(const Content& content, int dim, int tag) {
   for (const Group& group : content.groups) {
     if (group.dim == dim && group.tag == tag && !group.name.empty()) return group.name;
   }
@@ -182,7 +183,7 @@ void add_named_sides(const Content& content, const std::vector<NodeIndex>& indic
       if (side == sides[m].end()) continue;
       found = true;
       for (const int tag : tags) {
-        Sides& of_name = meshes[m].mesh.sides[side_name(content, dim - 1, tag)];
+        Sides& of_name = meshes[m].mesh.sides[group_name(content, dim - 1, tag)];
         of_name.insert(of_name.end(), side->second.begin(), side->second.end());
       }
     }
@@ -193,6 +194,36 @@ void add_named_sides(const Content& content, const std::vector<NodeIndex>& indic
                     "A group of one dimension less names sides of the mesh's elements.");
   }
   for (NamedMesh& named : meshes) drop_twins(named.mesh);
+}
+
+void add_node_sets(const Content& content, const std::vector<NodeIndex>& indices, std::vector<NamedMesh>& meshes,
+                   Remarks& remarks) {
+  std::set<std::string> told;
+  for (const Element& element : content.elements) {
+    const int dim = find_type(element.type)->dim;
+    for (const int tag : content.tag_sets[element.tags]) {
+      const std::string name = group_name(content, dim, tag);
+      for (std::size_t m = 0; m < meshes.size() && dim < meshes[m].mesh.dim() - 1; ++m) {
+        Mesh& mesh = meshes[m].mesh;
+        const std::vector<int> nodes = nodes_of(content, element, indices[m]);
+        if (mesh.sides.count(name) == 0) {
+          std::vector<int>& set = mesh.node_sets[name];
+          set.insert(set.end(), nodes.begin(), nodes.end());
+        } else if (told.insert(name).second) {
+          remarks.warn(element.line, 1,
+                       fmt::format("the name {} is that of a group of sides, too: a deck cannot name these nodes",
+                                   in_quotes(name)),
+                       "Give the group another name.");
+        }
+      }
+    }
+  }
+  for (NamedMesh& named : meshes) {
+    for (auto& [name, nodes] : named.mesh.node_sets) {
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    }
+  }
 }
 
 }  // namespace tether::gmsh

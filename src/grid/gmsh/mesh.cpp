@@ -184,6 +184,7 @@ std::vector<Mesh> meshes_of_content(const Content& content, const std::vector<Fi
   if (!once) return {};
   check_used(whole, remarks);
   add_named_sides(content, indices, named, remarks);
+  add_node_sets(content, indices, named, remarks);
   std::vector<Mesh> meshes;
   for (NamedMesh& mesh : named) {
     check_shape(mesh, remarks);

@@ -39,6 +39,9 @@ std::vector<NamedMesh> split(const NamedMesh& whole, const std::vector<FileRegio
 /// The sides that groups of one dimension less make.
 void add_named_sides(const Content& content, const std::vector<NodeIndex>& indices, std::vector<NamedMesh>& meshes,
                      Remarks& remarks);
+/// The sets of nodes that groups of still fewer dimensions make: of points, in space of curves, too.
+void add_node_sets(const Content& content, const std::vector<NodeIndex>& indices, std::vector<NamedMesh>& meshes,
+                   Remarks& remarks);
 /// Reports nodes of no element.
 void check_used(const NamedMesh& whole, Remarks& remarks);
 /// Reports elements with the same nodes, and returns whether there are none.

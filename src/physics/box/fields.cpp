@@ -42,11 +42,6 @@ double fluid_volume(const FlowDomain& domain, bool cut) {
 
 double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-std::vector<std::vector<double>> masses_of_parts(const CoupledStep& step) {
-  const fem::SolidSystem& system = step.solids().system;
-  return masses_of_parts(parts_of(system.solids.mesh), step.surface().parts, system.weights);
-}
-
 /// `parts` bodies, where there are solids.
 CoupledSetting setting_of(const Scene& scene, const CoupledStep& step, std::size_t parts) {
   const Coupled& box = *scene.coupled();
@@ -113,7 +108,8 @@ const ColumnTable<CellSetting, CellSource>& cell_table() {
 CoupledFields::CoupledFields(const Scene& scene, const CoupledStep& step)
     : scene_(scene),
       step_(step),
-      part_masses_(masses_of_parts(step)),
+      part_of_node_(parts_of(step.solids().system.solids.mesh)),
+      part_masses_(masses_of_parts(part_of_node_, step.surface().parts, step.solids().system.weights)),
       columns_(coupled_table(), setting_of(scene, step, part_masses_.size())) {
   const SolidSurface& surface = step.surface();
   for (std::size_t s = 0; s < surface.side_count(); ++s) {
@@ -173,12 +169,9 @@ CoupledSums CoupledFields::sums_of(const CoupledState& state) const {
 /// Sums the forces on the nodes of each part.
 std::vector<Components> CoupledFields::forces_of_parts(std::span<const double> forces) const {
   const std::size_t d = at(scene_.coupled()->grid.dim);
-  std::vector<Components> sums;
-  for (const auto& masses : part_masses_) {
-    Components& sum = sums.emplace_back();
-    for (std::size_t i = 0; i < d; ++i) {
-      for (std::size_t n = 0; n < masses.size(); ++n) sum[i] += masses[n] > 0 ? forces[n * d + i] : 0;
-    }
+  std::vector<Components> sums(part_masses_.size());
+  for (std::size_t n = 0; n < part_of_node_.size(); ++n) {
+    for (std::size_t i = 0; i < d && part_of_node_[n] >= 0; ++i) sums[at(part_of_node_[n])][i] += forces[n * d + i];
   }
   return sums;
 }

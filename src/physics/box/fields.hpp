@@ -29,6 +29,7 @@ class CoupledFields {
 
   const Scene& scene_;
   const CoupledStep& step_;
+  std::vector<int> part_of_node_;                 // connected part, or -1
   std::vector<std::vector<double>> part_masses_;  // of each part, by nodes [mass]
   std::vector<std::size_t> part_of_sheet_;
   Columns<CoupledSums> columns_;

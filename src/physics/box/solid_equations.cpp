@@ -72,7 +72,12 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
   const bool paper = scene_.integrator == CoupledIntegrator::paper;
   const double part = paper ? 1 : 0.5;                // of damping that u1 has
   const double elastic = paper ? 0.5 * h : 0.25 * h;  // K' by u1, and by u0
-  system.external_forces(paper ? time + h : time + 0.5 * h, external);
+  const double loads_at = paper ? time + h : time + 0.5 * h;
+  system.external_forces(loads_at, external);
+  if (system.has_pressures()) {  // in the middle of the way that the velocity at the start leads
+    for (std::size_t k = 0; k < work_.size(); ++k) work_[k] = q[k] + 0.5 * h * u[k];
+    system.add_pressures(loads_at, fem::StressAt::end, work_, work_, external);
+  }
   stiffness_.set_zero();
   system.elements->add_stiffness(q, scene_.convex, system.pattern, stiffness_);
   for (std::size_t k = 0; k < A.value.size(); ++k) A.value[k] = (part * solids.beta + elastic) * stiffness_.value[k];

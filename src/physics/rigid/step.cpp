@@ -87,6 +87,18 @@ RigidForces force_at_point(const RigidFrame& frame, const RigidForce& force) {
                             force.turning ? RigidDirection::turning : RigidDirection::fixed);
 }
 
+/// A pressure's forces turn with the body.
+RigidForces pressure_load(const RigidFrame& frame, const Mesh& mesh, const Load& load) {
+  std::vector<double> f(mesh.x.size(), 0.0);
+  SidePressure(mesh, load.sides).add_forces(StressAt::end, mesh.x, mesh.x, load.pressure, f);
+  RigidForces sum;
+  for (std::size_t n = 0; n < mesh.node_count(); ++n)
+    sum.add(rigid_point_forces(frame, std::span(mesh.x).subspan(3 * n, 3), std::span(f).subspan(3 * n, 3),
+                               RigidDirection::turning),
+            1);
+  return sum;
+}
+
 }  // namespace
 
 RigidSystem::RigidSystem(const Solids& of, const Rigid& as, double gravity_y)
@@ -98,8 +110,9 @@ RigidSystem::RigidSystem(const Solids& of, const Rigid& as, double gravity_y)
   for (std::size_t n = 0; n < solids.mesh.node_count(); ++n)
     nodes.col(static_cast<Eigen::Index>(n)) << 1, body.frame.convective(Eigen::Vector3d(&solids.mesh.x[3 * n]));
   for (const tether::Load& load : solids.loads) {
-    const auto parts = load.region < 0 ? side_areas(solids.mesh, load.sides) : elements->volumes(load.region);
-    loads_.push_back({spread_load(body.frame, solids.mesh, parts, load.force), &load.amplitude});
+    const auto parts = load_parts(load, solids.mesh, *elements);
+    if (load.is_dead()) loads_.push_back({spread_load(body.frame, solids.mesh, parts, load.force), &load.amplitude});
+    if (load.pressure != 0) loads_.push_back({pressure_load(body.frame, solids.mesh, load), &load.amplitude});
   }
   for (const RigidTorque& torque : rigid.torques) loads_.push_back({rigid_torque(torque.torque), &torque.amplitude});
   for (const RigidForce& force : rigid.forces) {

@@ -26,7 +26,7 @@ struct ShapeVolumes {
 };
 
 /// Numbers that nodal_stress has of a node: six of the stress, and the energy density.
-constexpr std::size_t energy_field = 6, stress_fields = energy_field + 1;
+constexpr std::size_t stress_parts = 6, energy_field = stress_parts, stress_fields = energy_field + 1;
 
 /// The elements of a mesh with their laws: integrals over them. Vectors have dim numbers a node, [length] or [force].
 class Elements {
@@ -54,13 +54,15 @@ class Elements {
                               std::span<const double> change, std::vector<double>& stresses) const = 0;
   /// Energy stored at q [energy].
   virtual double strain_energy(std::span<const double> q) const = 0;
-  /// Cauchy's stress xx, yy, zz, xy, yz, xz and the energy density at the nodes, the mean of what the elements that
-  /// meet there have at them; `stress_fields` numbers a node. In the plane yz, xz are 0.
+  /// Cauchy's stress xx, yy, zz, xy, yz, xz, as fit_stress() makes it, and the energy density at the nodes, the mean of
+  /// what the elements that meet there have at them; `stress_fields` numbers a node. In the plane yz, xz are 0.
   virtual std::vector<double> nodal_stress(std::span<const double> q) const = 0;
-  /// The consistent mass matrix <rho N_A, N_B> (9), one number a pair of nodes, and its row sums (of Q2: those of its
-  /// diagonal, scaled to the mass).
+  /// The consistent mass matrix <rho N_A, N_B> (9), one number a pair of nodes.
   virtual SparseMatrix mass() const = 0;
-  virtual std::vector<double> lumped_mass() const = 0;
+  /// The mass of one region parted among its nodes: the diagonals of its elements' matrices, scaled to their masses.
+  /// All are positive, where row sums of order 2 are not: those of a triangle's corners are 0, of a tetrahedron's
+  /// below.
+  virtual std::vector<double> lumped_mass(int region) const = 0;
   /// <N_A> of one region, for forces in its volume [volume].
   virtual std::vector<double> volumes(int region) const = 0;
   /// Returns the volumes of the shape at q.

@@ -44,9 +44,10 @@ void ElementsOf<Shapes>::add_inertia(std::size_t e, double inertia, Matrix& K) c
 /// The diagonal of an element's mass matrix, scaled to its mass (E. Hinton, T. Rock and O. C. Zienkiewicz, Earthquake
 /// Engng Struct. Dyn. 4 (1976) 245-249); for linear functions these are the row sums.
 template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::lumped_mass() const {
+std::vector<double> ElementsOf<Shapes>::lumped_mass(int region) const {
   std::vector<double> lumped(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    if (mesh_.region[e] != region) continue;
     Values<nodes> diagonal{};
     double mass = 0, trace = 0;
     for (int k = 0; k < mass_points; ++k) {

@@ -11,6 +11,7 @@
 #include "loops/elements.hpp"
 #include "physics/solids/elements.hpp"
 #include "physics/solids/mean_dilatation.hpp"
+#include "physics/solids/stress_recovery.hpp"
 
 namespace tether::fem {
 
@@ -107,14 +108,17 @@ class ElementsOf final : public Elements {
 
   std::vector<double> nodal_stress(std::span<const double> q) const override;
   SparseMatrix mass() const override;
-  std::vector<double> lumped_mass() const override;
+  std::vector<double> lumped_mass(int region) const override;
   std::vector<double> volumes(int region) const override;
   ShapeVolumes shape(std::span<const double> q) const override;
   double frequency_bound(std::span<const double> q, std::span<const double> lumped) const override;
 
  private:
   std::array<double, stress_fields> cauchy_stress(std::size_t e, int k, const Square<dim>& F) const;
-  auto stress_at_nodes(std::size_t e, const Places& places) const;
+  using StressAtPoints = std::array<std::array<double, stress_fields>, std::size_t{points}>;
+  StressAtPoints stress_at_points(std::size_t e, const Places& places) const;
+  auto stress_at_nodes(const StressAtPoints& there) const;
+  void add_samples(std::size_t e, const StressAtPoints& there, StressSamples& samples) const;
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
   using Gradients = std::array<Square<dim>, std::size_t{points}>;

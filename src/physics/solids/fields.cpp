@@ -2,6 +2,8 @@
 #include "physics/solids/fields.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -36,15 +38,23 @@ NodeGroup motion_group() {
            Row("v", D::velocity, "velocity", velocity).vector()}};
 }
 
+/// Von Mises' equivalent of the stresses xx, yy, zz, xy, yz, xz.
+double mises(const double* s) {
+  const double normal = std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2);
+  return std::sqrt(0.5 * normal + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
 NodeGroup stress_group() {
   using Row = Column<ColumnSetting, NodeSource>;
   const auto stress = [](const char* name, std::size_t part) {
     const auto value = [part](const NodeSource& s, std::size_t k) { return s.stress[stress_fields * k + part]; };
     return Row(name, D::stress, "Cauchy's stress, the mean of the elements that meet", value);
   };
+  const auto equivalent = [](const NodeSource& s, std::size_t k) { return mises(&s.stress[stress_fields * k]); };
   const auto density = [](const NodeSource& s, std::size_t k) { return s.stress[stress_fields * k + energy_field]; };
   return {{stress("sxx", 0), stress("syy", 1), stress("szz", 2), stress("sxy", 3), stress("syz", 4).when(in_space()),
            stress("sxz", 5).when(in_space()),
+           Row("mises", D::stress, "von Mises' equivalent of these stresses", equivalent),
            Row("energy_density", D::stress, "strain energy per volume of the shape at the start", density)}};
 }
 
@@ -147,6 +157,65 @@ ColumnGroup<ColumnSetting, SolidSums> work_columns() {
            Row("energy_damped", D::energy, "energy that damping has taken", &SolidSums::damped).booked(Book::given)}};
 }
 
+/// The supports of the deck, whose numbers ascend, and then walls: numbers of solids.supports.
+std::vector<std::size_t> supports_in_order(const Solids& solids) {
+  std::vector<std::size_t> order(solids.supports.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t s) { return solids.supports[s].number > 0; });
+  return order;
+}
+
+/// "support 2 ('foot')": the force of supports.
+std::string support_meaning(const SolidSetting& setting, std::size_t k) {
+  return fmt::format("force of {} on the bodies, mean of the last step", setting.support_names[k]);
+}
+
+ColumnGroup<SolidSetting, SolidSums> support_columns() {
+  using Row = Column<SolidSetting, SolidSums>;
+  const auto force = [](const SolidSums& s, std::size_t axis, std::size_t k) { return s.supports.at(k).force[axis]; };
+  const auto torque = [](const SolidSums& s, std::size_t axis, std::size_t k) { return s.supports.at(k).torque[axis]; };
+  constexpr const char* torque_meaning = "its torque about the mean place of its nodes at the start";
+  return numbered<SolidSetting, SolidSums>(
+      {{"of supports and walls that hold nodes", [](const SolidSetting& s) { return s.support_names.size(); }},
+       {Row("support_force_", D::force,
+            "force of support k of the deck, or of a wall after these, on the bodies, mean of the last step; a node "
+            "that several hold counts to the last of them",
+            force)
+            .vector()
+            .meaning_of(support_meaning),
+        Row("support_torque_", D::torque, torque_meaning, torque).vector().when(in_space()),
+        Row("support_torque_z", D::torque, torque_meaning, [](const SolidSums& s, std::size_t k) {
+          return s.supports.at(k).torque[2];
+        }).when(in_plane())}});
+}
+
+/// Sums of what holds the nodes of each support.
+std::vector<SupportSums> supports_of(const SolidState& state, const SolidSystem& system) {
+  const Solids& solids = system.solids;
+  const auto d = static_cast<std::size_t>(system.dim());
+  std::vector<SupportSums> all;
+  for (const std::size_t number : supports_in_order(solids)) {
+    const std::vector<int>& nodes = solids.supports[number].nodes;
+    SupportSums& sums = all.emplace_back();
+    Components centre{};
+    for (const int node : nodes) {
+      const Components x = node_vector(solids.mesh.x, static_cast<std::size_t>(node), system.dim());
+      for (std::size_t i = 0; i < 3; ++i) centre[i] += x[i] / static_cast<double>(nodes.size());
+    }
+    for (const int node : nodes) {
+      const Components q = node_vector(state.q, static_cast<std::size_t>(node), system.dim());
+      Components force{};
+      for (std::size_t i = 0; i < d; ++i) {
+        const std::size_t k = static_cast<std::size_t>(node) * d + i;
+        if (system.holder[k] == static_cast<int>(number)) force[i] = state.hold[k];
+      }
+      const Vec<3> torque = cross(minus(q, centre), force);
+      for (std::size_t i = 0; i < 3; ++i) sums.force[i] += force[i], sums.torque[i] += torque[i];
+    }
+  }
+  return all;
+}
+
 /// M v, by the masses that the integrator moves.
 std::vector<double> momenta_of(const SolidState& state, const SolidSystem& system) {
   const auto d = static_cast<std::size_t>(system.dim());
@@ -161,15 +230,19 @@ std::vector<double> momenta_of(const SolidState& state, const SolidSystem& syste
 
 }  // namespace
 
-const ColumnTable<ColumnSetting, SolidSums>& solid_table() {
-  static const ColumnTable<ColumnSetting, SolidSums> table(
+const ColumnTable<SolidSetting, SolidSums>& solid_table() {
+  static const ColumnTable<SolidSetting, SolidSums> table(
       {energy_columns(), work_columns(), momentum_columns(), given(in_space(), spin_columns()),
-       given(in_plane(), plane_spin_column()), overlap_columns(), shape_columns(), body_columns(), tracked_columns()});
+       given(in_plane(), plane_spin_column()), overlap_columns(), shape_columns(), body_columns(), tracked_columns(),
+       support_columns()});
   return table;
 }
 
 Columns<SolidSums> solid_columns(const Solids& solids) {
-  return {solid_table(), mesh_setting(solids, region_names(solids))};
+  SolidSetting setting{mesh_setting(solids, region_names(solids)), {}};
+  for (const std::size_t s : supports_in_order(solids))
+    setting.support_names.push_back(solids.supports[s].amplitude.of);
+  return {solid_table(), std::move(setting)};
 }
 
 SolidSums sums_of(const SolidState& state, const SolidSystem& system) {
@@ -190,6 +263,7 @@ SolidSums sums_of(const SolidState& state, const SolidSystem& system) {
   const ShapeVolumes shape = system.elements->shape(state.q);
   s.least = shape.least, s.volumes = shape.of_region;
   s.tracked = tracked_of(system.solids, state.q, state.v);
+  s.supports = supports_of(state, system);
   return s;
 }
 

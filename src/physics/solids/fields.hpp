@@ -46,14 +46,25 @@ Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q,
 Snapshot shape_fields(double time, const Mesh& mesh, const Elements& elements, std::span<const double> q,
                       std::span<const double> v);
 
+/// What a support or a wall does to bodies: the sums over the nodes that it holds.
+struct SupportSums {
+  Components force{}, torque{};  ///< torque: about the mean place of these nodes at the start
+};
+
 /// What a record of elastic bodies is made from.
 struct SolidSums : MeshSums {
   double of_loads = 0, of_supports = 0, damped = 0;  ///< so far [energy]
+  std::vector<SupportSums> supports;                 ///< those of the deck, then walls
+};
+
+/// Names supports and walls, too.
+struct SolidSetting : ColumnSetting {
+  std::vector<std::string> support_names;
 };
 
 /// Lists what elastic bodies can write: the history's columns and what a record of them is made from, and fields of the
 /// nodes: places, displacements, velocities, Cauchy's stress and the energy density.
-const ColumnTable<ColumnSetting, SolidSums>& solid_table();
+const ColumnTable<SolidSetting, SolidSums>& solid_table();
 Columns<SolidSums> solid_columns(const Solids& solids);
 SolidSums sums_of(const SolidState& state, const SolidSystem& system);
 Snapshot node_fields(const SolidState& state, const SolidSystem& system);

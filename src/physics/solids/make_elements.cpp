@@ -49,4 +49,11 @@ std::vector<double> side_areas(const Mesh& mesh, const Sides& sides) {
   return areas;
 }
 
+std::vector<double> load_parts(const Load& load, const Mesh& mesh, const Elements& elements) {
+  if (load.region >= 0) return elements.volumes(load.region);
+  std::vector<double> parts = side_areas(mesh, load.sides);
+  for (const int node : load.nodes) parts[static_cast<std::size_t>(node)] = 1;
+  return parts;
+}
+
 }  // namespace tether::fem

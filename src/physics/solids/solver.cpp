@@ -23,7 +23,7 @@ SolidSolver::SolidSolver(const Plan& plan, int threads)
       overlaps_(system_.solids),
       doubts_(system_.solids, plan.scene.grid) {
   state_.q = system_.solids.mesh.x;
-  state_.v = first_velocities(system_);
+  state_.v = first_velocities(system_), state_.hold.assign(state_.q.size(), 0.0);
   if (system_.solids.integrator == Integrator::central) state_.a.assign(state_.q.size(), 0.0);
   system_.place_supports(0, state_.q);
   if (system_.solids.integrator != Integrator::equilibrium)
@@ -48,7 +48,7 @@ void SolidSolver::tell_of_short_steps() {
 }
 
 void SolidSolver::start() {
-  const NewtonReport report = step_.settle(state_, 0);
+  const NewtonReport report = step_.settle(state_);
   state_.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (report.converged) return;
   throw RunError(fmt::format("t = 0: no equilibrium with the loads of the start is found: residuals over the largest "

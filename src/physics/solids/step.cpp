@@ -58,6 +58,7 @@ SolidStep::SolidStep(const SolidSystem& system)
       start_(system.unknowns()),
       inner_(system.unknowns()),
       outer_(system.unknowns()),
+      dead_(system.unknowns()),
       inertia_(system.unknowns()),
       damping_(system.unknowns()),
       residual_(system.unknowns()),
@@ -74,7 +75,7 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     explicit_step(state, dt);
     return {std::isfinite(norm(state.v)), {}};
   }
-  find_outer_forces(state.time, dt);
+  find_dead_forces(state.time, dt);
   if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
   NewtonReport report;
   for (const NewtonRule& rule : {whole, careful}) {
@@ -87,17 +88,17 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   return report;
 }
 
-NewtonReport SolidStep::settle(SolidState& state, double at) {
+NewtonReport SolidStep::settle(SolidState& state) {
   const StepForces own = std::exchange(rule_, equilibrium);
-  system_.external_forces(at, outer_);
+  system_.external_forces(state.time, dead_);
   NewtonReport report;
   for (const NewtonRule& rule : {whole, careful}) {
     q1_ = state.q;
-    system_.place_supports(at, q1_);
+    system_.place_supports(state.time, q1_);
     report = newton(state, 0, rule);
     if (report.converged) break;
   }
-  if (report.converged) state.q = q1_;
+  if (report.converged) state.q = q1_, note_hold(state);
   rule_ = own;
   return report;
 }
@@ -112,44 +113,12 @@ void SolidStep::guess(const SolidState& state, double dt) {
   rigid_guess_.find(state.q, state.v, dt, change_);
   system_.place_supports(state.time + dt, change_);
   q1_ = change_;
-  find_inner_forces(state.q, false);
+  find_forces(state, dt, false);
   const double rigid = find_residual(state, dt) * scale_;
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] = state.q[k] + dt * state.v[k];
   system_.place_supports(state.time + dt, q1_);
-  find_inner_forces(state.q, true);
+  find_forces(state, dt, true);
   if (!(find_residual(state, dt) * scale_ <= rigid)) q1_ = change_;
-}
-
-/// Finds the forces of loads and gravity, where the integrator takes its stress.
-void SolidStep::find_outer_forces(double time, double dt) {
-  if (!rule_.mean) return system_.external_forces(time + rule_.loads_at * dt, outer_);
-  system_.external_forces(time, inner_);
-  system_.external_forces(time + dt, outer_);
-  for (std::size_t k = 0; k < outer_.size(); ++k) outer_[k] = 0.5 * (outer_[k] + inner_[k]);
-}
-
-/// (13) between q0 and q1; of the trapezoidal rule the mean of both ends.
-void SolidStep::find_inner_forces(std::span<const double> q0, bool again) {
-  const Elements& elements = *system_.elements;
-  std::fill(inner_.begin(), inner_.end(), 0.0);
-  if (rule_.mean && !again) {
-    std::fill(start_.begin(), start_.end(), 0.0);
-    elements.add_forces(StressAt::end, q0, q0, start_);
-  }
-  elements.add_forces(rule_.at, q0, q1_, inner_);
-  if (!rule_.mean) return;
-  for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = 0.5 * (inner_[k] + start_[k]);
-}
-
-/// alpha M + beta K of the reference shape, times the mean velocity of the step.
-void SolidStep::add_damping(double dt, std::span<const double> q0) {
-  const double alpha = system_.solids.alpha, beta = system_.solids.beta;
-  std::fill(damping_.begin(), damping_.end(), 0.0);
-  if (alpha == 0 && beta == 0) return;
-  for (std::size_t k = 0; k < q1_.size(); ++k) scratch_[k] = (q1_[k] - q0[k]) / dt;
-  if (beta != 0) K0_.multiply(scratch_, damping_);
-  system_.multiply_mass(scratch_, residual_);
-  for (std::size_t k = 0; k < q1_.size(); ++k) damping_[k] = beta * damping_[k] + alpha * residual_[k];
 }
 
 /// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17), of supported nodes the velocity that
@@ -179,14 +148,14 @@ double SolidStep::find_residual(const SolidState& state, double dt) {
 NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonRule& rule) {
   NewtonReport report;
   const Seconds from = seconds_now();
-  find_inner_forces(state.q, false);
+  find_forces(state, dt, false);
   report.residuals.push_back(find_residual(state, dt));
   cost_.assembly += seconds_now() - from;
   for (int k = 0; k < rule.most_iterations; ++k) {
     report.converged = report.residuals.back() <= system_.solids.tolerance;
     if (report.converged || !correct(state, dt)) return report;
     report.residuals.push_back(
-        residual_behind_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
+        residual_after_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
     const bool stagnates = report.residuals.back() > 0.5 * report.residuals[report.residuals.size() - 2];
     report.converged = stagnates && report.residuals.back() <= rounding();
     if (report.converged) return report;
@@ -204,10 +173,10 @@ double SolidStep::rounding() const {
 /// A correction is halved while it turns an element inside out, and `shortenings` times at most where it leads away:
 /// where neither the residual is smaller than `before` nor the next correction with the same tangent smaller than this
 /// one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
-double SolidStep::residual_behind_correction(const SolidState& state, double dt, int shortenings, double before) {
+double SolidStep::residual_after_correction(const SolidState& state, double dt, int shortenings, double before) {
   const double length = norm(change_);
   for (int back = 0; back < most_backsteps; ++back) {
-    find_inner_forces(state.q, true);
+    find_forces(state, dt, true);
     const double size = find_residual(state, dt);
     if (std::isfinite(size) && (back >= shortenings || size * scale_ <= before || next_correction() <= length))
       return size;
@@ -230,6 +199,7 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   const double share = rule_.mean ? 0.5 : 1, inertia = rule_.dynamic ? 2 / (dt * dt) + solids.alpha / dt : 0;
   K_.set_zero();
   system_.elements->add_tangent(rule_.at, state.q, q1_, inertia / share, system_.pattern, K_);
+  system_.add_pressure_tangent(state.time + (rule_.mean ? 1 : rule_.loads_at) * dt, rule_.at, state.q, q1_, -1, K_);
   stiffest_ = 0;
   for (double& value : K_.value) stiffest_ = std::max(stiffest_, value *= share);
   if (rule_.dynamic && solids.beta != 0) {
@@ -239,7 +209,7 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
   cost_.assembly += seconds_now() - from;
   const Seconds solve_from = seconds_now();
-  const bool regular = solver_.factorise(K_, rule_.tangent);
+  const bool regular = solver_.factorise(K_, system_.has_pressures() ? Definite::general : rule_.tangent);
   if (regular) solver_.solve(change_, change_);
   cost_.solve += seconds_now() - solve_from;
   cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis = solver_.analysis();
@@ -255,7 +225,16 @@ void SolidStep::accept(SolidState& state, double dt) {
     accept_equilibrium(state);
     state.of_loads += falling;
   }
+  note_hold(state);
   state.q = q1_;
+}
+
+/// Keeps what balances the unknowns that supports hold.
+void SolidStep::note_hold(SolidState& state) const {
+  state.hold = residual_;
+  for (std::size_t k = 0; k < residual_.size(); ++k) {
+    if (!system_.held[k]) state.hold[k] = 0;
+  }
 }
 
 /// Work of loads, of supports, and of damping, and the new velocity. In (17) the mean velocity does the work; that of a
@@ -278,6 +257,7 @@ void SolidStep::accept_motion(SolidState& state, double dt, double falling) {
 /// body answers linearly, and with the square of the step else.
 void SolidStep::accept_equilibrium(SolidState& state) {
   system_.external_forces(state.time, start_);
+  system_.add_pressures(state.time, StressAt::end, state.q, state.q, start_);
   std::fill(scratch_.begin(), scratch_.end(), 0.0);
   system_.elements->add_forces(StressAt::end, state.q, state.q, scratch_);
   double loads = 0, supports = 0;

@@ -47,8 +47,8 @@ class SolidStep {
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
-  /// Brings the state into equilibrium with loads and supports of time `at`, at rest.
-  NewtonReport settle(SolidState& state, double at);
+  /// Brings the state into equilibrium with the loads and supports of its time, at rest.
+  NewtonReport settle(SolidState& state);
   /// Returns what central differences allow at these places [time].
   double longest_explicit_step(std::span<const double> q) const;
 
@@ -57,16 +57,18 @@ class SolidStep {
  private:
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
   void guess(const SolidState& state, double dt);
-  void find_outer_forces(double time, double dt);
-  void find_inner_forces(std::span<const double> q0, bool again);
+  void find_dead_forces(double time, double dt);
+  void find_forces(const SolidState& state, double dt, bool again);
+  void find_outer_forces(const SolidState& state, double dt);
   double find_residual(const SolidState& state, double dt);
-  double residual_behind_correction(const SolidState& state, double dt, int shortenings, double before);
+  double residual_after_correction(const SolidState& state, double dt, int shortenings, double before);
   double next_correction();
   double rounding() const;
   bool correct(const SolidState& state, double dt);
   void accept(SolidState& state, double dt);
   void accept_motion(SolidState& state, double dt, double falling);
   void accept_equilibrium(SolidState& state);
+  void note_hold(SolidState& state) const;
   void add_damping(double dt, std::span<const double> q0);
   void find_accelerations(std::span<const double> q, std::span<const double> v, double time, std::span<double> a);
   void explicit_step(SolidState& state, double dt);
@@ -76,9 +78,9 @@ class SolidStep {
   RigidGuess rigid_guess_;
   SparseSolver solver_;
   SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
-  // Places at the step's end; forces: half of those at the start (trapezoidal rule), inner, outer, inertia, damping;
-  // their sum, the residual; the correction; and what is in between.
-  std::vector<double> q1_, start_, inner_, outer_, inertia_, damping_, residual_, change_, scratch_;
+  // Places at the step's end; forces: inner ones at the start (trapezoidal rule), inner, outer, of these the ones that
+  // the shape does not change, inertia, damping; their sum, the residual; the correction; and what is in between.
+  std::vector<double> q1_, start_, inner_, outer_, dead_, inertia_, damping_, residual_, change_, scratch_;
   std::vector<double> moved_;        // velocities of supported nodes at the step's end
   double scale_ = 0, stiffest_ = 0;  // the largest force, and the largest number of the tangent
   SolidCost cost_;

@@ -11,6 +11,7 @@ namespace tether::fem {
 void SolidStep::find_accelerations(std::span<const double> q, std::span<const double> v, double time,
                                    std::span<double> a) {
   system_.external_forces(time, outer_);
+  system_.add_pressures(time, StressAt::end, q, q, outer_);
   std::fill(inner_.begin(), inner_.end(), 0.0);
   system_.elements->add_forces(StressAt::end, q, q, inner_);
   std::fill(damping_.begin(), damping_.end(), 0.0);
@@ -39,6 +40,7 @@ void SolidStep::explicit_step(SolidState& state, double dt) {
     if (system_.held[k]) state.v[k] = (q1_[k] - state.q[k]) / dt;
   }
   system_.external_forces(state.time, start_);
+  system_.add_pressures(state.time, StressAt::end, state.q, state.q, start_);
   find_accelerations(q1_, state.v, state.time + dt, state.a);
   double loads = system_.gravity_energy(q1_) - system_.gravity_energy(state.q);  // which start_ and outer_ have, too
   double supports = 0;
@@ -49,6 +51,7 @@ void SolidStep::explicit_step(SolidState& state, double dt) {
     if (system_.held[k])
       supports += 0.5 * m * (moved_[k] * moved_[k] - scratch_[k] * scratch_[k] - (change_[k] + state.a[k]) * way);
     state.damped += damping_[k] * way;
+    state.hold[k] = system_.held[k] ? m * ((moved_[k] - scratch_[k]) / dt - state.a[k]) : 0;
     state.v[k] = system_.held[k] ? moved_[k] : state.v[k] + 0.5 * dt * state.a[k];
     state.q[k] = q1_[k];
   }

@@ -9,16 +9,13 @@
 namespace tether::fem {
 namespace {
 
-/// <rho N_A> of each region; central differences move lumped masses instead, of which a region has the same share.
+/// <rho N_A> of each region; central differences move lumped masses instead.
 std::vector<std::vector<double>> masses_of_regions(const SolidSystem& system) {
+  if (system.solids.integrator == Integrator::central) return system.region_lumped;
   std::vector<std::vector<double>> all;
-  const bool lumped = system.solids.integrator == Integrator::central;
   for (std::size_t r = 0; r < system.solids.regions.size(); ++r) {
     std::vector<double> masses = system.elements->volumes(static_cast<int>(r));
-    for (std::size_t n = 0; n < masses.size(); ++n) {
-      masses[n] *= system.solids.regions[r].density;
-      if (lumped && system.weights[n] != 0) masses[n] *= system.lumped[n] / system.weights[n];
-    }
+    for (double& mass : masses) mass *= system.solids.regions[r].density;
     all.push_back(std::move(masses));
   }
   return all;
@@ -31,19 +28,27 @@ SolidSystem::SolidSystem(const Solids& of, double gravity, Team& team)
       elements(make_elements(of, team)),
       pattern(of.mesh.dim(), of.mesh.node_count(), of.mesh.nodes, node_count_of(of.mesh.kind)),
       mass(elements->mass()),
-      lumped(elements->lumped_mass()),
       weights(of.mesh.node_count()),
+      lumped(of.mesh.node_count(), 0.0),
       held(of.mesh.x.size(), 0),
+      holder(of.mesh.x.size(), -1),
       gravity_(gravity) {
   mass.multiply(std::vector<double>(weights.size(), 1.0), weights);
+  for (std::size_t r = 0; r < solids.regions.size(); ++r) {
+    region_lumped.push_back(elements->lumped_mass(static_cast<int>(r)));
+    for (std::size_t n = 0; n < lumped.size(); ++n) lumped[n] += region_lumped[r][n];
+  }
   region_weights = masses_of_regions(*this);
   for (const Load& load : solids.loads) {
-    loads_.push_back({load.region < 0 ? side_areas(solids.mesh, load.sides) : elements->volumes(load.region), &load});
+    if (load.is_dead()) loads_.push_back({load_parts(load, solids.mesh, *elements), &load});
+    if (load.pressure != 0) pressures_.push_back({SidePressure(solids.mesh, load.sides), &load});
   }
   const auto d = static_cast<std::size_t>(dim());
-  for (const Support& support : solids.supports) {
-    for (const int node : support.nodes) {
-      for (std::size_t i = 0; i < d; ++i) held[at(node) * d + i] = support.fixed[i] ? 1 : held[at(node) * d + i];
+  for (std::size_t s = 0; s < solids.supports.size(); ++s) {
+    for (const int node : solids.supports[s].nodes) {
+      for (std::size_t i = 0; i < d; ++i) {
+        if (solids.supports[s].fixed[i]) held[at(node) * d + i] = 1, holder[at(node) * d + i] = static_cast<int>(s);
+      }
     }
   }
 }
@@ -70,6 +75,18 @@ void SolidSystem::external_forces(double time, std::span<double> f) const {
       for (std::size_t i = 0; i < d; ++i) f[a * d + i] += factor * load.parts[a] * load.load->force[i];
     }
   }
+}
+
+void SolidSystem::add_pressures(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
+                                std::span<double> f) const {
+  for (const FollowingLoad& load : pressures_)
+    load.of.add_forces(at, q0, q1, load.load->amplitude.at(time) * load.load->pressure, f);
+}
+
+void SolidSystem::add_pressure_tangent(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
+                                       double factor, SparseMatrix& K) const {
+  for (const FollowingLoad& load : pressures_)
+    load.of.add_tangent(at, q0, q1, factor * load.load->amplitude.at(time) * load.load->pressure, pattern, K);
 }
 
 double SolidSystem::gravity_energy(std::span<const double> q) const {
@@ -108,7 +125,7 @@ void SolidSystem::move_supports(double time, double h, std::span<double> v) cons
 std::vector<double> first_velocities(const SolidSystem& system) {
   const Solids& solids = system.solids;
   const auto d = static_cast<std::size_t>(system.dim());
-  std::vector<double> v(system.unknowns(), 0.0), mass(system.lumped.size(), 0.0);
+  std::vector<double> v(system.unknowns(), 0.0);
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     const SolidRegion& region = solids.regions[r];
     const std::vector<double>& weights = system.region_weights[r];
@@ -121,15 +138,17 @@ std::vector<double> first_velocities(const SolidSystem& system) {
     for (std::size_t n = 0; n < weights.size(); ++n) {
       Vec<3> arm{};
       for (std::size_t i = 0; i < d; ++i) arm[i] = solids.mesh.x[n * d + i] - centre[i] / total;
-      const double m = weights[n];
-      mass[n] += m;
+      const double m = system.region_lumped[r][n];
       for (std::size_t i = 0; i < d; ++i) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
         v[n * d + i] += m * (region.velocity[i] + region.spin[j] * arm[k] - region.spin[k] * arm[j]);
       }
     }
   }
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] = system.held[k] || mass[k / d] == 0 ? 0 : v[k] / mass[k / d];
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    const double mass = system.lumped[k / d];
+    v[k] = system.held[k] || mass == 0 ? 0 : v[k] / mass;
+  }
   return v;
 }
 

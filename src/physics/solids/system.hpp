@@ -12,6 +12,7 @@
 #include "model/solids.hpp"
 #include "physics/solids/body_doubts.hpp"
 #include "physics/solids/elements.hpp"
+#include "physics/solids/side_pressure.hpp"
 #include "physics/step_clock.hpp"
 #include "results/results.hpp"
 
@@ -24,6 +25,7 @@ struct SolidState : StepClock {
   double of_loads = 0;       ///< work that loads have done so far [energy]
   double of_supports = 0;    ///< work of supports and walls that lead nodes [energy]
   double damped = 0;         ///< taken by damping so far [energy]
+  std::vector<double> hold;  ///< what supports and walls did in the last step to unknowns that they hold [force]
   double residual = 0;       ///< that Newton's method ended the last step with, over the largest force
   long long newton_steps = 0, halvings = 0;
   OverlapCount overlap;
@@ -36,7 +38,7 @@ void exchange(Exchange& with, SolidState& state) {
   exchange_clock(with, state);
   with("q", state.q), with("v", state.v), with("a", state.a);
   with("of_loads", state.of_loads), with("of_supports", state.of_supports), with("damped", state.damped);
-  with("residual", state.residual);
+  with("hold", state.hold), with("residual", state.residual);
   with("newton_steps", state.newton_steps), with("halvings", state.halvings);
   exchange(with, state.overlap), exchange(with, state.doubts);
 }
@@ -51,8 +53,15 @@ class SolidSystem {
   std::size_t unknowns() const { return solids.mesh.x.size(); }
   /// y = M v, the consistent mass matrix for each direction.
   void multiply_mass(std::span<const double> v, std::span<double> y) const;
-  /// Loads and gravity at a time [force].
+  /// Forces that do not depend on the shape at a time: loads that keep their direction, and gravity [force].
   void external_forces(double time, std::span<double> f) const;
+  /// Adds those of pressures at a time between the shapes q0 and q1, where `at` says [force].
+  void add_pressures(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
+                     std::span<double> f) const;
+  /// Adds `factor` times the derivative of these forces by q1.
+  void add_pressure_tangent(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
+                            double factor, SparseMatrix& K) const;
+  bool has_pressures() const { return !pressures_.empty(); }
   /// Potential energy of gravity, zero at y = 0 [energy].
   double gravity_energy(std::span<const double> q) const;
   /// Sets the places of supported nodes to where they are at a time.
@@ -64,20 +73,28 @@ class SolidSystem {
   const Solids& solids;
   std::unique_ptr<Elements> elements;
   NodalPattern pattern;
-  SparseMatrix mass;            ///< a number a pair of nodes
-  std::vector<double> lumped;   ///< a number a node [mass]
-  std::vector<double> weights;  ///< row sums of the consistent mass matrix, a number a node [mass]
-  /// Of each region its part of the nodes' masses, of those that the integrator moves [mass].
+  SparseMatrix mass;                               ///< a number a pair of nodes
+  std::vector<double> weights;                     ///< row sums of the consistent mass matrix, a number a node [mass]
+  std::vector<std::vector<double>> region_lumped;  ///< each region's part of the lumped masses [mass]
+  std::vector<double> lumped;                      ///< their sums, a number a node, all positive [mass]
+  /// Of each region its part of the nodes' masses, of those that the integrator moves: where it is and how it moves is
+  /// the mean by these [mass].
   std::vector<std::vector<double>> region_weights;
   std::vector<std::uint8_t> held;  ///< unknowns that supports prescribe
+  std::vector<int> holder;         ///< of each unknown: the last support that prescribes it, from 0; -1 of free ones
 
  private:
   struct NodalLoad {
-    std::vector<double> parts;  // a number a node: area or volume
+    std::vector<double> parts;  // a number a node: load_parts()
+    const Load* load;
+  };
+  struct FollowingLoad {
+    SidePressure of;
     const Load* load;
   };
   double gravity_;
   std::vector<NodalLoad> loads_;
+  std::vector<FollowingLoad> pressures_;
 };
 
 /// Velocities of the nodes at the start: each region moves and turns about its centre of mass; a node that regions

@@ -34,8 +34,7 @@ std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
 std::vector<int> nodes_named(const Deck& deck, int k, const Solids& solids, Diagnostics& diagnostics) {
   const std::string on = deck.text("coupled.spring_on", k);
   if (!on.starts_with("region ")) {
-    const Sides* sides = named_sides(deck, "coupled.spring_on", k, solids.mesh, diagnostics);
-    return sides ? without_twins(*sides) : std::vector<int>{};
+    return named_part(deck, "coupled.spring_on", k, solids.mesh, diagnostics).all_nodes();
   }
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     if (solids.regions[r].name == on) return nodes_of_region(solids.mesh, static_cast<int>(r));

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "algebra/dense.hpp"
 #include "base/vec.hpp"
 #include "grid/mesh_flaws.hpp"
+#include "grid/mesh_place.hpp"
 #include "model/coupled.hpp"
 #include "model/solids.hpp"
 #include "read/box/checks.hpp"
@@ -69,22 +69,6 @@ void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Di
   }
 }
 
-/// Returns whether a place lies in a triangle or tetrahedron, ends included.
-bool in_element(const Mesh& mesh, std::size_t e, const Vec<3>& place) {
-  const int dim = mesh.dim();
-  Eigen::MatrixXd edges(dim, dim);
-  Eigen::VectorXd to(dim);
-  const Vec<3> first = place_of(mesh, mesh.element(e)[0]);
-  for (int i = 0; i < dim; ++i) {
-    const auto axis = static_cast<std::size_t>(i);
-    for (int a = 0; a < dim; ++a) edges(i, a) = place_of(mesh, mesh.element(e)[a + 1])[axis] - first[axis];
-    to[i] = place[axis] - first[axis];
-  }
-  const Eigen::VectorXd part = solve(edges, to);
-  constexpr double rounding = 1e-9;
-  return part.minCoeff() >= -rounding && part.sum() <= 1 + rounding;
-}
-
 /// Returns for each face of a jet the middle of what the jet has of it, and a place half a cell before that.
 std::vector<Vec<3>> places_of(const Jet& jet, const StaggeredGrid& grid) {
   const auto across = static_cast<std::size_t>(axis_of_side(jet.side));
@@ -128,7 +112,7 @@ std::optional<std::size_t> element_at(const Mesh& mesh, const std::vector<Vec<3>
     }
     const Box<3> about{low, high};
     if (std::any_of(places.begin(), places.end(),
-                    [&](const Vec<3>& place) { return about.contains(place) && in_element(mesh, e, place); }))
+                    [&](const Vec<3>& place) { return about.contains(place) && is_in_element(mesh, e, place); }))
       return e;
   }
   return std::nullopt;

@@ -106,13 +106,12 @@ class BlockReader {
   Diagnostics& diagnostics_;
 };
 
-/// Elements of order 1 lock in bodies as thin as those that flows bend; a body in a fluid is of order 2 unless the deck
-/// says otherwise.
+/// Bodies are of q2 unless the deck says otherwise: where they bend, and where they hardly change their volume, no
+/// other element is as exact for the same seconds.
 ElementKind kind_of(const Deck& deck, bool fluid, bool solid) {
   if (fluid)
     return word<FlowElement>(deck, "flow.element") == FlowElement::q1q1 ? ElementKind::quad4 : ElementKind::quad9;
-  const std::string usual = deck.has_group("flow") || deck.has_group("coupled") ? "q2" : "q1";
-  return element_kind(deck.given("mesh.element") ? deck.text("mesh.element") : usual, solid ? 3 : 2);
+  return element_kind(deck.text("mesh.element"), solid ? 3 : 2);
 }
 
 std::optional<Mesh> mesh_of_deck_blocks(const Deck& deck, const std::vector<int>& regions, bool fluid,

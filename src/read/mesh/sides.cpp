@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -30,13 +31,18 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
 
 namespace {
 
-/// Says what a user may have meant, or all names there are.
-std::string hint_for(const std::string& name, const Mesh& mesh) {
-  std::vector<std::string> names;
+/// Says what a user may have meant, or all names there are; those of sets of nodes where these would do, too.
+std::string hint_for(const std::string& name, const Mesh& mesh, bool sets) {
+  std::vector<std::string> names, of_sets;
   for (const auto& side : mesh.sides) names.push_back(side.first);
+  for (const auto& set : mesh.node_sets) of_sets.push_back(set.first);
+  std::string all = fmt::format("The sides of this mesh: {}.", fmt::join(names, ", "));
+  if (names.empty()) all = "this mesh has no sides with names: its file has no physical groups of curves or surfaces";
+  if (!of_sets.empty())
+    all +=
+        fmt::format(" {}: {}.", sets ? "Its sets of nodes" : "Sets of nodes do not do here", fmt::join(of_sets, ", "));
+  if (sets) names.insert(names.end(), of_sets.begin(), of_sets.end());
   const std::string near = nearest_name(name, names);
-  if (names.empty()) return "this mesh has no sides with names: its file has no physical groups of curves or surfaces";
-  const std::string all = fmt::format("The sides of this mesh: {}.", fmt::join(names, ", "));
   return near.empty() ? all : fmt::format("Did you mean '{}'? {}", near, all);
 }
 
@@ -47,8 +53,27 @@ const Sides* named_sides(const Deck& deck, TextVariable variable, int k, const M
   const auto found = mesh.sides.find(name);
   if (found != mesh.sides.end()) return &found->second;
   diagnostics.add(deck.remark(Severity::error, variable, {k, 1}, fmt::format("no side is called '{}'", name),
-                              hint_for(name, mesh)));
+                              hint_for(name, mesh, false)));
   return nullptr;
+}
+
+std::vector<int> NamedPart::all_nodes() const {
+  if (nodes) return *nodes;
+  std::vector<int> all = sides ? *sides : Sides{};
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+NamedPart named_part(const Deck& deck, TextVariable variable, int k, const Mesh& mesh, Diagnostics& diagnostics) {
+  const std::string name = deck.text(variable, k);
+  if (const auto sides = mesh.sides.find(name); sides != mesh.sides.end()) return {.sides = &sides->second};
+  if (const auto set = mesh.node_sets.find(name); set != mesh.node_sets.end()) return {.nodes = &set->second};
+  diagnostics.add(
+      deck.remark(Severity::error, variable, {k, 1},
+                  fmt::format("no side{} is called '{}'", mesh.node_sets.empty() ? "" : " and no set of nodes", name),
+                  hint_for(name, mesh, true)));
+  return {};
 }
 
 void check_all_act(const Deck& deck, const char* what, AnyVariable on, Variables others, Diagnostics& diagnostics) {

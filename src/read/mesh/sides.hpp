@@ -28,6 +28,17 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge);
 /// The sides of a mesh that variable(k) names, or null where the mesh has none of that name, which it reports.
 const Sides* named_sides(const Deck& deck, TextVariable variable, int k, const Mesh& mesh, Diagnostics& diagnostics);
 
+/// What a deck names of a mesh: sides, or a set of nodes of its file; none of them where there is nothing of that name.
+struct NamedPart {
+  const Sides* sides = nullptr;
+  const std::vector<int>* nodes = nullptr;
+
+  /// Returns the nodes, each once, ascending.
+  std::vector<int> all_nodes() const;
+};
+/// Returns what variable(k) names; reports where the mesh has nothing of that name.
+NamedPart named_part(const Deck& deck, TextVariable variable, int k, const Mesh& mesh, Diagnostics& diagnostics);
+
 /// Reports elements k of the variables `others` that act on nothing, since on(k) is not given: "load 3"
 /// where `what` is "load".
 void check_all_act(const Deck& deck, const char* what, AnyVariable on, Variables others, Diagnostics& diagnostics);

@@ -195,36 +195,70 @@ void add_wall(const Deck& deck, const GridEdge& edge, Solids& solids, Diagnostic
 
 }  // namespace
 
+namespace {
+
+/// Sets what load k acts on; false where there is nothing of that name, which is reported.
+bool place_load(const Deck& deck, int k, const Solids& solids, Load& load, Diagnostics& diagnostics) {
+  const std::string on = deck.text("fem.load_on", k);
+  if (!on.starts_with("region ")) {
+    const NamedPart part = named_part(deck, "fem.load_on", k, solids.mesh, diagnostics);
+    if (part.sides) load.sides = *part.sides;
+    if (part.nodes) load.nodes = *part.nodes;
+    return part.sides || part.nodes;
+  }
+  const auto named = std::find_if(solids.regions.begin(), solids.regions.end(),
+                                  [&](const SolidRegion& region) { return region.name == on; });
+  load.region = static_cast<int>(named - solids.regions.begin());
+  if (named != solids.regions.end()) return true;
+  refuse(deck, "fem.load_on", {k, 1}, fmt::format("there is no {}", on), region_hint(deck), diagnostics);
+  return false;
+}
+
+/// A pressure pushes against sides that have a body on one side of them and nothing on the other.
+void check_pressure(const Deck& deck, int k, const Load& load, const Mesh& mesh, Diagnostics& diagnostics) {
+  if (load.pressure == 0) return;
+  if (load.sides.empty())
+    return refuse(deck, "fem.pressure", {k, 1}, fmt::format("the pressure of load {} has no side to push against", k),
+                  fmt::format("load_on({0}) names a side of a body; load(1,{0}) is the force on {1}", k,
+                              load.region < 0 ? "each node of a set" : "a volume of a region"),
+                  diagnostics);
+  const std::vector<std::size_t> elements = elements_of_sides(mesh, load.sides);
+  if (std::find(elements.begin(), elements.end(), mesh.element_count()) == elements.end()) return;
+  refuse(deck, "fem.pressure", {k, 1},
+         fmt::format("the pressure of load {} acts on '{}', which has elements on both sides", k,
+                     deck.text("fem.load_on", k)),
+         "a pressure pushes against outer sides of bodies", diagnostics);
+}
+
+Load load_of(const Deck& deck, int k, const Mesh& mesh, Diagnostics& diagnostics) {
+  Load load;
+  bool sized = deck.given("fem.pressure", k);
+  for (int i = 1; i <= 3; ++i) {
+    load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem.load", i, k);
+    sized |= deck.given("fem.load", i, k);
+  }
+  load.pressure = deck.real("fem.pressure", k);
+  if (!sized)
+    refuse(deck, "fem.load_on", {k, 1},
+           fmt::format("load {} has no size: neither load(1,{}) nor pressure({}) is given", k, k, k),
+           fmt::format("write load(1:2,{0})=0.,-1., force per area along x and y, or pressure({0})=1.", k),
+           diagnostics);
+  if (mesh.dim() == 2 && load.force[2] != 0)
+    refuse(deck, "fem.load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
+           diagnostics);
+  load.amplitude = amplitude_of(deck, "fem.load", k, diagnostics);
+  return load;
+}
+
+}  // namespace
+
 void add_loads(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
-  check_all_act(deck, "load", "fem.load_on", {"fem.load", "fem.load_time", "fem.load_factor", "fem.load_expression"},
-                diagnostics);
+  check_all_act(deck, "load", "fem.load_on",
+                {"fem.load", "fem.pressure", "fem.load_time", "fem.load_factor", "fem.load_expression"}, diagnostics);
   for (const Subscript at : deck.given_elements("fem.load_on")) {
-    const int k = at[0];
-    Load load;
-    const std::string on = deck.text("fem.load_on", k);
-    if (on.starts_with("region ")) {
-      const auto named = std::find_if(solids.regions.begin(), solids.regions.end(),
-                                      [&](const SolidRegion& region) { return region.name == on; });
-      load.region = static_cast<int>(named - solids.regions.begin());
-      if (named == solids.regions.end()) {
-        refuse(deck, "fem.load_on", at, fmt::format("there is no {}", on), region_hint(deck), diagnostics);
-        continue;
-      }
-    } else if (const Sides* sides = named_sides(deck, "fem.load_on", k, solids.mesh, diagnostics)) {
-      load.sides = *sides;
-    }
-    bool sized = false;
-    for (int i = 1; i <= 3; ++i) {
-      load.force[static_cast<std::size_t>(i - 1)] = deck.real("fem.load", i, k);
-      sized |= deck.given("fem.load", i, k);
-    }
-    if (!sized)
-      refuse(deck, "fem.load_on", at, fmt::format("load {} has no size: load(1,{}) is not given", k, k),
-             fmt::format("write load(1:2,{0})=0.,-1., force per area along x and y", k), diagnostics);
-    if (solids.mesh.dim() == 2 && load.force[2] != 0)
-      refuse(deck, "fem.load", {3, k}, fmt::format("load {} acts along z, but the mesh is plane", k), plane_hint,
-             diagnostics);
-    load.amplitude = amplitude_of(deck, "fem.load", k, diagnostics);
+    Load load = load_of(deck, at[0], solids.mesh, diagnostics);
+    if (!place_load(deck, at[0], solids, load, diagnostics)) continue;
+    check_pressure(deck, at[0], load, solids.mesh, diagnostics);
     solids.loads.push_back(std::move(load));
   }
 }
@@ -235,12 +269,9 @@ void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnost
   for (const GridEdge& edge : edges_of(scene)) add_wall(deck, edge, solids, diagnostics);
   for (const Subscript at : deck.given_elements("fem.fix_on")) {
     const int k = at[0];
-    const Sides* sides = named_sides(deck, "fem.fix_on", k, solids.mesh, diagnostics);
-    if (!sides) continue;
     Support support;
-    support.nodes = *sides, support.number = k;
-    std::sort(support.nodes.begin(), support.nodes.end());
-    support.nodes.erase(std::unique(support.nodes.begin(), support.nodes.end()), support.nodes.end());
+    support.nodes = named_part(deck, "fem.fix_on", k, solids.mesh, diagnostics).all_nodes(), support.number = k;
+    if (support.nodes.empty()) continue;
     for (int i = 1; i <= 3; ++i) {
       const auto axis = static_cast<std::size_t>(i - 1);
       support.fixed[axis] = deck.given("fem.fix", i, k);

@@ -168,6 +168,26 @@ TEST(GmshFile, RegionsAreGroupsByTagOrName) {
   }
 }
 
+/// Groups of points, and of curves in space, are sets of nodes; one that has the name of sides cannot be named.
+TEST(GmshFile, GroupsOfFewerDimensionsAreSetsOfNodes) {
+  MadeFile file = two_squares();
+  file.elements.insert(file.elements.end(), {{0, 15, 5, {4}}, {0, 15, 5, {1}}, {0, 15, 6, {2}}});
+  file.groups.push_back("0 5 \"ends\"");
+  for (const auto& text : {file.version_22(), file.version_41()}) {
+    const Mesh mesh = mesh_of(text);
+    ASSERT_EQ(mesh.node_sets.size(), 2U);
+    EXPECT_EQ(mesh.node_sets.at("ends"), (std::vector<int>{0, 3}));
+    EXPECT_EQ(mesh.node_sets.at("physical 6"), (std::vector<int>{1}));
+  }
+  file.groups.back() = "0 5 \"left\"";
+  const auto reading = read_mesh(file.version_22());
+  ASSERT_TRUE(reading.mesh);
+  EXPECT_EQ(reading.mesh->node_sets.count("left"), 0U);
+  ASSERT_EQ(reading.diagnostics.warnings().size(), 1U);
+  EXPECT_EQ(reading.diagnostics.warnings()[0].message,
+            "the name 'left' is that of a group of sides, too: a deck cannot name these nodes");
+}
+
 TEST(GmshFile, WithoutGroupsIsRegionOne) {
   MadeFile file = two_squares();
   for (auto& element : file.elements) element.group = 0;

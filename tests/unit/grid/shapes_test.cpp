@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "grid/block_mesh.hpp"
+#include "grid/mesh_place.hpp"
+#include "grid/ways_across.hpp"
 
 namespace tether {
 namespace {
@@ -95,6 +100,62 @@ TEST(Shapes, RulesAreExact) {
       }
     }
   });
+}
+
+Mesh block_of(ElementKind kind) {
+  Block block;
+  block.edges = {straight({0, 0}, {2, 0}), straight({2, 0}, {2, 1}), straight({2, 1}, {0, 1}),
+                 straight({0, 1}, {0, 0})};
+  block.cells = {2, 2, 2}, block.z_high = 1;
+  std::vector<MeshFlaw> flaws;
+  return mesh_of_blocks({block}, kind, flaws);
+}
+
+/// By its corners alone a straight mesh has the same volume, and its boundary the same elements.
+TEST(Mesh, ByItsCornersIsOfOrder1) {
+  for (const ElementRow& row : element_rows) {
+    SCOPED_TRACE(row.name);
+    const Mesh mesh = block_of(row.kind), linear = by_corners(mesh);
+    EXPECT_EQ(order_of(linear.kind), 1);
+    EXPECT_EQ(is_simplex(linear.kind), row.simplex);
+    ASSERT_EQ(linear.element_count(), mesh.element_count());
+    double volume = 0;
+    for (std::size_t e = 0; e < linear.element_count(); ++e) volume += volume_of_element(linear, e);
+    EXPECT_NEAR(volume, 2, 1e-12);
+    EXPECT_EQ(elements_of_sides(linear, boundary_of(linear)), elements_of_sides(mesh, boundary_of(mesh)));
+  }
+}
+
+/// Each side of the boundary belongs to the element that has its nodes; one between elements to none.
+TEST(Mesh, SidesBelongToTheirElements) {
+  for (const ElementRow& row : element_rows) {
+    SCOPED_TRACE(row.name);
+    const Mesh mesh = block_of(row.kind);
+    const Sides boundary = boundary_of(mesh);
+    const auto elements = elements_of_sides(mesh, boundary);
+    for (std::size_t k = 0; k < boundary.size(); ++k) {
+      const std::size_t e = elements[k / static_cast<std::size_t>(row.side_nodes)];
+      ASSERT_LT(e, mesh.element_count());
+      EXPECT_NE(std::find(mesh.element(e), mesh.element(e) + row.nodes, boundary[k]), mesh.element(e) + row.nodes);
+    }
+    Sides of_first;
+    add_sides(row.kind, mesh.element(0), of_first);
+    const auto found = elements_of_sides(mesh, of_first);
+    EXPECT_NE(std::find(found.begin(), found.end(), mesh.element_count()), found.end());
+  }
+}
+
+TEST(Mesh, PlacesLieInTheirElements) {
+  for (const ElementRow& row : element_rows) {
+    SCOPED_TRACE(row.name);
+    const Mesh mesh = block_of(row.kind);
+    int holders = 0;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      holders += is_in_element(mesh, e, {0.3, 0.11, 0.2}) ? 1 : 0;
+      EXPECT_FALSE(is_in_element(mesh, e, {2.001, 0.5, 0.5}));
+    }
+    EXPECT_EQ(holders, 1);
+  }
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ namespace {
 /// A box of 4 x 2, open on the right, of a fluid of density 2, with a body from x = 1 to 1.5 and y = .5 to 1.5 of two
 /// triangles, whose four nodes are all on its surface: its mass is .5 times its density.
 Scene scene_of(const std::string& coupled, const std::string& fem = "", const std::string& reg = "densir=3.",
-               const std::string& mesh = "") {
+               const std::string& mesh = "", const std::string& element = "p1") {
   Diagnostics diagnostics;
   const std::string text =
       "$in\nnx=9,ny=5,xleft=0.,xright=4.,ybot=0.,ytop=2.,tmax=1.,tstep=.5\n$\n$coupled density=2.,side(2)='open'," +
       coupled + "$\n$reg nreg=1,nvi=4,xvi(1,1)=1.,1.5,1.5,1.,yvi(1,1)=.5,.5,1.5,1.5,matr(1,1)=100.,0.," + reg +
-      "\n$\n$mesh element='p1'," + mesh + " $\n$fem " + fem + " $\n";
+      "\n$\n$mesh element='" + element + "'," + mesh + " $\n$fem " + fem + " $\n";
   const Deck deck = read_deck(text, "a.in", {}, diagnostics);
   Scene scene = build_scene(deck, std::nullopt, Path::coupled, diagnostics);
   diagnostics.throw_if_errors();
@@ -50,6 +50,17 @@ TEST(SplittingEstimate, OfASurfaceIsThatOfTheChannelToTheOpening) {
   EXPECT_FALSE(estimate->holds());
   EXPECT_NEAR(splitting_estimate(scene_of("side(4)='open'"))->added, 2 * 3 * 3 * .5 / 4, 1e-12);
   EXPECT_NEAR(splitting_estimate(scene_of("void(1,1)=2.5,3.,0.,2."))->added, 2 * 3 * 3 * 1. / 2, 1e-12);
+}
+
+/// Whatever the elements, surface and mass are those of the body; of nine nodes of q2 eight are on the surface.
+TEST(SplittingEstimate, HoldsForAllElements) {
+  for (const auto& [element, part] : {std::pair("q1", 1.0), {"q2", 8.0 / 9}, {"p2", 5.0 / 6}}) {
+    const auto estimate = splitting_estimate(scene_of("", "", "densir=3.", "", element));
+    ASSERT_TRUE(estimate) << element;
+    EXPECT_NEAR(estimate->added, 2 * 3 * 3 * 2.5 / 2, 1e-12) << element;
+    EXPECT_NEAR(estimate->mass, part * 1.5 / std::numbers::sqrt3, 1e-12) << element;
+    EXPECT_NEAR(splitting_estimate(scene_of("side(2)='wall'", "", "densir=3.", "", element))->mass, 1.5, 1e-12);
+  }
 }
 
 /// Held nodes' sides do not move; the masses of the nodes beside them do. In a closed box nothing swells.

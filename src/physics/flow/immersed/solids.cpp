@@ -111,6 +111,7 @@ void ImmersedSolids::begin(const FlowState& state, const ImmersedMoment& moment)
                                .sudden = moment.sudden});
   if (pressure_ && moment.rest && !any_open(unknowns_.flow)) pressure_->restore_volume(dt);
   system_.external_forces(loads_at, outer_);
+  system_.add_pressures(loads_at, StressAt::end, middle_, middle_, outer_);
   for (double& force : outer_) force *= part;
   std::fill(change_.begin(), change_.end(), 0.0);
   system_.elements->predict_stress(StressAt::end, q0_, q0_, change_, stresses_);

@@ -85,21 +85,26 @@ TEST(CoupledPlaces, NodesMayStandAtWallsAndObstacles) {
 }
 
 TEST(CoupledPlaces, JetsMeetBodiesThatStandAtTheirSide) {
-  const auto body = [](const std::string& x) {
-    return "$reg nreg=1,nvi=4,xvi(1,1)=" + x +
-           ",yvi(1,1)=.5,.5,1.,1.,densir=5.,matr(1,1)=100.,.3 $\n$mesh "
-           "element='p1',cells(1,1)=1,3 $\n";
-  };
-  const std::string open = in + "side(2)='open',jet(1,1)=";
-  EXPECT_EQ(box(open + "0.,.5", body("0.,.5,.5,0.")).errors(), Texts{});
-  EXPECT_NE(error_of(box(open + "0.,.75", body("0.,.5,.5,0."))).find("jet 1 comes in through a body: through element"),
-            std::string::npos);
-  // thinner than half a cell, at the side itself
-  EXPECT_NE(error_of(box(open + "0.,.75", body("0.,.01,.01,0."))).find("through a body"), std::string::npos);
-  // over the middles of the cells at the side, not at the side itself
-  EXPECT_NE(error_of(box(open + "0.,.75", body(".05,.5,.5,.05"))).find("through a body"), std::string::npos);
-  // beyond the cells at the side
-  EXPECT_EQ(box(open + "0.,.75", body(".25,.5,.5,.25")).errors(), Texts{});
+  for (const std::string element : {"p1", "q1", "p2", "q2"}) {
+    SCOPED_TRACE(element);
+    const auto body = [&](const std::string& x) {
+      return "$reg nreg=1,nvi=4,xvi(1,1)=" + x +
+             ",yvi(1,1)=.5,.5,1.,1.,densir=5.,matr(1,1)=100.,.3 $\n$mesh "
+             "element='" +
+             element + "',cells(1,1)=1,3 $\n";
+    };
+    const std::string open = in + "side(2)='open',jet(1,1)=";
+    EXPECT_EQ(box(open + "0.,.5", body("0.,.5,.5,0.")).errors(), Texts{});
+    EXPECT_NE(
+        error_of(box(open + "0.,.75", body("0.,.5,.5,0."))).find("jet 1 comes in through a body: through element"),
+        std::string::npos);
+    // thinner than half a cell, at the side itself
+    EXPECT_NE(error_of(box(open + "0.,.75", body("0.,.01,.01,0."))).find("through a body"), std::string::npos);
+    // over the middles of the cells at the side, not at the side itself
+    EXPECT_NE(error_of(box(open + "0.,.75", body(".05,.5,.5,.05"))).find("through a body"), std::string::npos);
+    // beyond the cells at the side
+    EXPECT_EQ(box(open + "0.,.75", body(".25,.5,.5,.25")).errors(), Texts{});
+  }
 }
 
 TEST(CoupledPlaces, JetsMeetBodiesInSpace) {

@@ -48,6 +48,16 @@ TEST(Loads, GrowInProportionToTimeWhereNothingIsGiven) {
   EXPECT_DOUBLE_EQ(first_load(square("load_on(1)='1.top',load(1,1)=1.")).at(0.5), 1);
 }
 
+TEST(Loads, MayBePressures) {
+  const Built built = square("load_on(1)='1.top',pressure(1)=2.,load_on(2)='1.left',load(1,2)=1.,pressure(2)=-3.");
+  ASSERT_EQ(built.errors(), Texts{});
+  const auto& loads = built.scene.solids()->loads;
+  EXPECT_EQ(loads.at(0).pressure, 2);
+  EXPECT_FALSE(loads.at(0).is_dead());
+  EXPECT_EQ(loads.at(1).pressure, -3);
+  EXPECT_TRUE(loads.at(1).is_dead());
+}
+
 /// What only motions have is reported where there are none.
 TEST(Loads, EquilibriaHaveNoMotion) {
   const auto told = [](const std::string& fem) {
