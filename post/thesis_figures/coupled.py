@@ -28,7 +28,7 @@ SHOWN = {
     "coupled-sheets": Shown("smoke", (0.4, 0.8, 1.2, 2.0, 5.0, 10.0)),
     "coupled-sheets-3d": Shown("smoke", (0.6, 1.2, 1.8, 2.6, 5.0, 10.0)),
     "coupled-toy": Shown("speed", (0.0, 0.2, 0.3, 0.45, 0.8, 10.0)),
-    "coupled-toy-3d": Shown("speed", (0.0, 0.2, 0.3, 0.45, 0.8, 10.0)),
+    "coupled-toy-3d": Shown("speed", (0.0, 0.2, 0.3, 0.45, 0.8, 5.0)),
 }
 CELLS = (16, 32, 64)  # along each side of the box of the block under water
 LIFT = 1000 * 9.81 * 0.05999736  # rho g times the area between the deck's vertices [N/m]
