@@ -22,20 +22,23 @@ class CoupledScenes(ProgramTest):
         return history(self.run_ok(DECKS / f"coupled-{name}.in", *end, *options, out=name))
 
     def check_momentum(self, name, columns):
-        """The forces of a step, by the fluid, by what holds the body and by its weight, are what its momentum changes."""
+        """The forces of a step, by the fluid, by what holds the body and by its weight, are what its momentum changes.
+
+        What is left is the rounding of the largest of them, whatever its direction."""
         bodies = sum(column.startswith("body_mass_") for column in columns)
         self.assertGreater(bodies, 0)
         weight = GRAVITY if name in WITH_WEIGHT else 0.0
         for body in range(1, bodies + 1):
             mass = columns[f"body_mass_{body}"][1:]
+            left, size = {}, 0.0
             for axis in "xyz"[:3 if name.endswith("3d") else 2]:
-                if name in SPRUNG and axis == "x":
-                    continue
                 forces = [columns[f"body_{kind}_{axis}_{body}"][1:] for kind in ("force", "hold")]
                 forces.append(mass * weight * (axis == "y"))
                 change = mass * numpy.diff(columns[f"body_v{axis}_{body}"]) / columns["dt"][1:]
-                size = max(abs(part).max() for part in [*forces, change])
-                self.assertLess(abs(change - sum(forces)).max(), 1e-9 * max(size, 1e-3 * mass[0]), (name, body, axis))
+                size = max(size, *(abs(part).max() for part in [*forces, change]))
+                if name not in SPRUNG or axis != "x":
+                    left[axis] = abs(change - sum(forces)).max()
+            self.assertLess(max(left.values()), 1e-10 * size, (name, body, left))
 
     def check_smoke(self, name, columns):
         self.assertGreater(columns["smoke_in"][-1], 0, name)
@@ -43,9 +46,9 @@ class CoupledScenes(ProgramTest):
         self.assertLess(abs(columns["smoke_mass"] - kept).max(), 1e-9 * columns["smoke_in"][-1], name)
 
     def check_cavity(self, name, columns):
-        """The bodies' second sheet is the inner one: it holds the volume that it encloses."""
+        """The smaller of the bodies' two sheets is the inner one: it holds the volume that it encloses."""
         self.assertNotIn("volume_sheet_3", columns, name)
-        volume = columns["volume_sheet_2"]
+        volume = min((columns[f"volume_sheet_{sheet}"] for sheet in (1, 2)), key=lambda sheet: sheet[0])
         self.assertLess(abs(volume / volume[0] - 1).max(), 0.04, name)
         self.assertTrue((columns["regions"][1:] == 1).all(), name)
 
