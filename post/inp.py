@@ -3,9 +3,9 @@
 """A mesh of CalculiX or Abaqus as a mesh file for tether: python3 post/inp.py FILE.inp [--out FILE.msh].
 
 Element sets become physical groups that a deck's physical(r) names. Where sets overlap an element is of the smallest one, of
-equal ones of that which its *ELEMENT line names; sets that are left without elements are reported. Node sets become physical
-groups of sides: the outer sides all of whose nodes are in the set. A set without such sides becomes a group of points, which a
-deck's loads and supports may name. meshio (Debian's python3-meshio) reads the file.
+equal ones of that which its *ELEMENT line names; sets that are left without elements are reported. A node set that has the nodes
+of whole outer sides and no others becomes a physical group of these sides, any other a group of points, which a deck's loads and
+supports may name. meshio (Debian's python3-meshio) reads the file.
 Exit codes: 0 done, 2 the file cannot be understood, 4 the mesh file could not be written.
 """
 import argparse
@@ -106,15 +106,15 @@ def outer_sides(bodies):
 
 
 def parts_of(mesh, bodies):
-    """Of each node set but one of all sides: its name and the outer sides all of whose nodes are in it, or else its nodes."""
+    """Of each node set its name, and the outer sides whose nodes it has, or, where these are not all of them, its nodes."""
     outer = outer_sides(bodies)
     for name, nodes in mesh.point_sets.items():
         inside = set(map(int, nodes))
         sides = [(side, kind) for side, kind in outer if inside.issuperset(side)]
-        if not sides:
-            yield name, [((node,), POINT) for node in sorted(inside)]
-        elif len(sides) < len(outer):
+        if inside == {node for side, _ in sides for node in side}:
             yield name, sides
+        else:
+            yield name, [((node,), POINT) for node in sorted(inside)]
 
 
 def mesh_text(mesh, first):

@@ -70,6 +70,29 @@ std::vector<int> corners_of(ElementKind kind) {
   return corners;
 }
 
+std::vector<std::array<int, 3>> curved_edges_of(ElementKind kind) {
+  std::vector<std::array<int, 3>> edges;
+  if (order_of(kind) == 1) return edges;
+  const int dim = dimension_of(kind), corners = corner_count_of(kind);
+  if (is_simplex(kind)) {
+    for (int m = corners; m < node_count_of(kind); ++m) {
+      const auto& ends = ends_of_middle[static_cast<std::size_t>(m - corners)];
+      edges.push_back({ends[0], ends[1], m});
+    }
+    return edges;
+  }
+  const std::vector<int> at_corners = corners_of(kind);
+  for (int c = 0; c < corners; ++c) {
+    for (int axis = 0; axis < dim; ++axis) {
+      if (c >> axis & 1) continue;
+      const int from = at_corners[static_cast<std::size_t>(c)],
+                to = at_corners[static_cast<std::size_t>(c | 1 << axis)];
+      edges.push_back({from, to, (from + to) / 2});
+    }
+  }
+  return edges;
+}
+
 std::vector<int> side_of_box(ElementKind kind, int axis, int end) {
   const int p = order_of(kind), dim = dimension_of(kind);
   std::vector<int> side;

@@ -24,6 +24,9 @@ std::vector<int> side_of_box(ElementKind kind, int axis, int end);
 /// Nodes, within an element, of its corners.
 std::vector<int> corners_of(ElementKind kind);
 
+/// The edges of an element of order 2: the nodes at both ends, and the one in the middle last. Of order 1: none.
+std::vector<std::array<int, 3>> curved_edges_of(ElementKind kind);
+
 /// Edges, or triangles in space, that a side is parted into by its nodes: their numbers within the side, which turn as
 /// it does; the third of an edge is -1.
 std::vector<std::array<int, 3>> facets_of_side(ElementKind kind);

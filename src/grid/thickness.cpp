@@ -97,6 +97,51 @@ void measure_elements(const Mesh& mesh, const std::vector<std::size_t>& elements
   across.regions.assign(regions.begin(), regions.end());
 }
 
+/// How far the middle of an edge stands off the line between its ends, in the mean over the elements of their largest.
+double mean_bulge(const Mesh& mesh, const std::vector<std::size_t>& elements) {
+  const auto dim = static_cast<std::size_t>(mesh.dim());
+  const std::vector<std::array<int, 3>> edges = curved_edges_of(mesh.kind);
+  double sum = 0;
+  for (const std::size_t e : elements) {
+    double most = 0;
+    for (const auto& [a, b, middle] : edges) {
+      double square = 0;
+      for (std::size_t i = 0; i < dim; ++i) {
+        const auto x = [&](int node) { return mesh.x[static_cast<std::size_t>(mesh.element(e)[node]) * dim + i]; };
+        square += std::pow(x(middle) - 0.5 * (x(a) + x(b)), 2);
+      }
+      most = std::max(most, square);
+    }
+    sum += std::sqrt(most);
+  }
+  return sum / static_cast<double>(elements.size());
+}
+
+/// How far edges that meet in a corner lean from the right angle, in the mean over the elements of their largest.
+double mean_lean(const Mesh& mesh, const std::vector<std::size_t>& elements) {
+  if (is_simplex(mesh.kind)) return 0;
+  const int dim = mesh.dim();
+  const auto edge = [&](std::size_t e, int from, int axis) {
+    Vec<3> way{};
+    for (int i = 0; i < dim; ++i)
+      way[at(i)] =
+          mesh.x[at(mesh.element(e)[from ^ 1 << axis] * dim + i)] - mesh.x[at(mesh.element(e)[from] * dim + i)];
+    return way;
+  };
+  double sum = 0;
+  for (const std::size_t e : elements) {
+    double most = 0;
+    for (int c = 0; c < corner_count_of(mesh.kind); ++c) {
+      for (int axis = 0; axis < dim; ++axis) {
+        const Vec<3> a = edge(e, c, axis), b = edge(e, c, (axis + 1) % dim);
+        most = std::max(most, std::abs(dot(a, b)) / std::sqrt(dot(a, a) * dot(b, b)));
+      }
+    }
+    sum += std::asin(std::min(most, 1.0));
+  }
+  return sum / static_cast<double>(elements.size());
+}
+
 }  // namespace
 
 std::vector<ElementsAcross> elements_across(const Mesh& of) {
@@ -114,6 +159,7 @@ std::vector<ElementsAcross> elements_across(const Mesh& of) {
   for (std::size_t p = 0; p < ways.size(); ++p) {
     all.push_back(thin_direction(mesh, ways[p]));
     measure_elements(mesh, elements[p], all.back());
+    all.back().bulge = mean_bulge(of, elements[p]), all.back().lean = mean_lean(mesh, elements[p]);
   }
   return all;
 }

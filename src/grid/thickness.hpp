@@ -17,6 +17,11 @@ struct ElementsAcross {
   double thickness = 0;  ///< [length]
   double along = 0;      ///< length of an element across the thin direction, in the mean [length]
   double longest = 0;    ///< longest extent of the part along an axis [length]
+  /// How far edges of order 2 stand off the line between their ends, in the mean of each element's largest [length].
+  double bulge = 0;
+  /// How far edges of quadrilaterals and hexahedra lean from the right angle, in the mean of each element's largest
+  /// [rad].
+  double lean = 0;
   std::vector<int> regions;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace tether {
@@ -30,6 +31,14 @@ std::vector<bool> held_parts(const Solids& solids) {
   }
   return held;
 }
+
+/// How far edges may lean, and of how many elements across. One q2 across with edges at 45 degrees is too stiff by some
+/// per cent, at 72 degrees by half.
+constexpr double told_lean = 50 * std::numbers::pi / 180;
+constexpr int most_leaning = 3;
+
+/// Modulus of the volume over that of shear from which there is a warning of law='svk'.
+constexpr double least_held_trace = 50;
 
 std::string body_name(const ElementsAcross& across, const Solids& solids) {
   const std::string first = solids.regions[static_cast<std::size_t>(across.regions.front())].name;
@@ -69,15 +78,23 @@ double too_stiff_of_order_2(ElementKind kind, const ElementsAcross& across, doub
   const double a = across.along / H, slenderness = std::max(across.longest / H, 1.0);
   const double D = lambda + 2 * mu, E = 4 * mu * (lambda + mu) / D;
   const double held = nu2 * nu2 * a / slenderness;
-  const double changing = std::pow(a * across.along / across.longest, 2);
+  const double part = across.along / across.longest, most = 0.25 * part * part;
+  const double curved = 3 * std::pow(across.bulge / H, 2);
+  // The smaller of both, smoothly: a curvature that changes along an element, and one that no element follows.
+  const auto changing = [&](double c) { return 1 / std::hypot(1 / (c * std::pow(a * part, 2)), 1 / most); };
   if (is_simplex(kind)) {
-    const double stiff = 0.01 * changing + (mean ? 0.25 : 0.4) * held;
+    const double stiff = changing(0.012) + (mean ? 0.25 : 0.4) * held;
     if (!mean) return stiff + 0.085 * std::pow(std::max(D / E - 4.0 / 3, 0.0), 0.3) / std::pow(N, 1.6);
     return stiff - 0.2 * std::pow(std::max(3 * nu2 - 2, 0.0), 1.5) / std::pow(N, 2.4);
   }
-  const double stiff = 0.0065 * changing + 0.065 * held * std::sqrt(a);
-  if (!mean) return stiff + 0.047 * std::pow(std::max(D / E - 1, 0.0), 0.3) / std::pow(N, 1.2);
-  return stiff - (N == 1 ? 0.15 * nu2 * nu2 / slenderness : 0);
+  const double stiff = changing(0.0085) + 0.065 * held * std::sqrt(a);
+  if (!mean) return stiff + curved + 0.047 * std::pow(std::max(D / E - 1, 0.0), 0.3) / std::pow(N, 1.2);
+  return stiff - curved - (N == 1 ? 0.15 * nu2 * nu2 / slenderness : 0);
+}
+
+/// The elements of order 2 that plan offers in place of others: quadrilaterals, but for a body of triangles of order 2.
+ElementKind offered(ElementKind kind) {
+  return is_simplex(kind) && order_of(kind) == 2 ? kind : element_kind("q2", dimension_of(kind));
 }
 
 /// The fewest elements of order 2 across that are off by little, as long as the body is thick or a quarter of its
@@ -86,15 +103,13 @@ void find_better(const ElementsAcross& across, ElementKind kind, const Lame& l, 
   constexpr int most = 4;
   ElementsAcross better = across;
   better.along = std::min(across.thickness, 0.25 * across.longest);
+  better.bulge = across.bulge * std::pow(better.along / across.along, 2);
   for (better.count = 1; better.count <= most; ++better.count) {
     body.better_across = static_cast<int>(better.count), body.better_along = better.along;
-    body.better_off = too_stiff_of_order_2(kind, better, l.lambda, l.mu, true);
+    body.better_off = too_stiff_of_order_2(offered(kind), better, l.lambda, l.mu, true);
     if (std::abs(body.better_off) <= good_stiffness) return;
   }
 }
-
-/// What decks call the elements of order 2 that take the place of these.
-const char* better_name(ElementKind kind) { return is_simplex(kind) && order_of(kind) == 2 ? "p2" : "q2"; }
 
 /// That elements are too stiff, or too soft.
 const char* verb(bool locks, bool one) {
@@ -122,6 +137,7 @@ std::vector<Bending> bending_of(const Solids& solids) {
     Bending body{.body = body_name(across, solids),
                  .across = static_cast<int>(across.count),
                  .thickness = across.thickness,
+                 .lean = across.lean,
                  .bends = held[p] || across.longest >= slender * across.thickness};
     bool any = false;
     for (const int r : across.regions) {
@@ -165,15 +181,39 @@ std::string bending_warning(const std::vector<Bending>& bodies, const Solids& so
   return text + fmt::format("; {} other bod{} off by no more than this", others, others == 1 ? "y is" : "ies are");
 }
 
+std::string lean_warning(const std::vector<Bending>& bodies) {
+  for (const Bending& body : bodies) {
+    if (!body.bends || body.across > most_leaning || body.lean < told_lean) continue;
+    return fmt::format(
+        "{}: edges of its elements, of which {} lie{} across its thickness {:.3g}, lean by {:.0f} degrees: where it "
+        "bends it is stiffer than is estimated; more across, or edges at right angles to it, bend as they should",
+        body.body, body.across, body.across == 1 ? "s" : "", body.thickness, body.lean * 180 / std::numbers::pi);
+  }
+  return "";
+}
+
+std::string trace_warning(const Solids& solids) {
+  for (const SolidRegion& region : solids.regions) {
+    const auto* law = std::get_if<StVenantKirchhoff>(&region.law);
+    if (!law || law->plane_stress() || law->lambda < least_held_trace * law->mu) continue;
+    return fmt::format(
+        "{}: law='svk' with nu = {:.7g} holds the trace of the strain, which is the volume of small strains alone: "
+        "from "
+        "strains of about {:.1g} on elements lock; law='neo-hookean' holds the volume itself",
+        region.name, poisson_ratio({law->lambda, law->mu}), std::sqrt(law->mu / law->lambda));
+  }
+  return "";
+}
+
 std::string bending_text(const std::vector<Bending>& bodies, const Solids& solids) {
   std::string text;
   for (const Bending& body : bodies) {
     if (!body.bends) continue;
     text += fmt::format("  {}: {} {} across {:.3g} with nu = {:.4g}: {}\n", body.body, body.across,
                         element_name(solids.mesh.kind), body.thickness, body.nu, off_text(body.too_stiff));
-    if (std::abs(body.too_stiff) > good_stiffness)
+    if (std::abs(body.too_stiff) > good_stiffness && std::abs(body.better_off) < 0.5 * std::abs(body.too_stiff))
       text += fmt::format("    better: {} {} across, each {:.3g} long: {}\n", body.better_across,
-                          better_name(solids.mesh.kind), body.better_along, off_text(body.better_off));
+                          element_name(offered(solids.mesh.kind)), body.better_along, off_text(body.better_off));
   }
   return text.empty() ? "" : "bending, as estimated:\n" + text;
 }

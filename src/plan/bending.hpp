@@ -25,6 +25,13 @@ std::vector<Bending> bending_of(const Solids& solids);
 /// than told_stiffness.
 std::string bending_warning(const std::vector<Bending>& bodies, const Solids& solids);
 
+/// Says of the first body that bends that its elements are slanted so far that the estimate does not hold.
+std::string lean_warning(const std::vector<Bending>& bodies);
+
+/// Says of a region of St Venant and Kirchhoff's law that hardly changes its volume that it locks at finite strains:
+/// its energy lambda/2 (tr E)^2 is no function of the volume.
+std::string trace_warning(const Solids& solids);
+
 /// A line for each body that bends with its elements and the estimate, and another with better ones where these are off
 /// by more than good_stiffness.
 std::string bending_text(const std::vector<Bending>& bodies, const Solids& solids);

@@ -238,6 +238,8 @@ struct WarningsOfPhysics {
   void look_at_bending(const Solids& solids) const {
     plan.bending = bending_of(solids);
     warn(bending_warning(plan.bending, solids));
+    warn(lean_warning(plan.bending));
+    warn(trace_warning(solids));
   }
 };
 

@@ -18,6 +18,7 @@ struct Bending {
   double thickness = 0;  ///< [length]
   double nu = 0;         ///< Poisson's ratio
   double too_stiff = 0;  ///< estimate of the stiffness in bending over the true one, less 1
+  double lean = 0;       ///< how far edges lean from the right angle, of which the estimate knows nothing [rad]
   bool bends = true;     ///< it is held, or long enough to bend without
   int enough = 0;        ///< elements of the same kind across that would be off by told_stiffness
   // The cheapest elements of order 2 that are off by little.

@@ -124,9 +124,10 @@ void Watch::watch_energy(const Limits& limits) {
 void Watch::look(const Record& record, const Solver& solver) {
   if (first_.empty()) first_ = record;
   for (Number& number : numbers_) {
-    for (const std::size_t column : number.from)
-      judge(number, std::abs(record[column]), record.front(),
-            [&] { return number.low ? solver.worst_element() : std::string(); });
+    for (const std::size_t column : number.from) {
+      const double value = number.low ? record[column] : std::abs(record[column]);  // turned inside out, it is below 0
+      judge(number, value, record.front(), [&] { return number.low ? solver.worst_element() : std::string(); });
+    }
   }
   look_at_volumes(record);
   look_at_energy(record);

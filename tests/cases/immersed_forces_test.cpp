@@ -119,6 +119,25 @@ TEST(ImmersedForces, FloorBearsABodyThatIsClampedToIt) {
   }
 }
 
+/// A flap as heavy as the fluid that a load pushes and the floor holds: whatever its elements, the floor bears the
+/// load.
+TEST(ImmersedForces, HoldLoadsOnBodiesOfAllElements) {
+  for (const char* element : {"q1", "q2", "p1", "p2"}) {
+    const DeckRun run = run_text(
+        "flap",
+        fmt::format("a flap\n$in nx=2,ny=2,xleft=0.,xright=2.,ybot=0.,ytop=1.,tmax=.5,tstep=.05,iout(33)=1,"
+                    "tiout(33)=.05 $\n$reg nreg=2,nvi=4,4,densir=1.,1.,xvi(1,1)=0.,2.,2.,0.,yvi(1,1)=0.,0.,1.,1.,"
+                    "matr(1,1)=1.,xvi(1,2)=.95,1.05,1.05,.95,yvi(1,2)=0.,0.,.6,.6,matr(1,2)=1000.,.4 $\n"
+                    "$mesh element='{}',cells(1,1)=20,10,cells(1,2)=1,6 $\n$fem law='fluid','neo-hookean',"
+                    "fix_on='2.bottom',fix(1:2,1)=0.,0.,load_on='2.left',load(1,1)=1. $\n"
+                    "$flow boundary_on='1.right',boundary='open',steady=.true. $\n",
+                    element));
+    EXPECT_NEAR(run.last("body_hold_x_1"), -0.6, 1e-6) << element;
+    EXPECT_NEAR(run.last("body_hold_y_1"), 0, 1e-6) << element;
+    EXPECT_NEAR(run.last("body_force_x_1"), 0, 1e-6) << element;
+  }
+}
+
 TEST(ImmersedForces, RoundWallBearsABodyThatIsClampedToIt) {
   double coarse = 0;
   for (const int n : {8, 16}) {

@@ -58,10 +58,11 @@ DeckRun plate(const std::string& element, double x, int cells_after) {
 TEST(ImmersedSpacing, OfCoarseBodiesIsTold) {
   const DeckRun coarse = flap("q2", "1,1");  // .34 long: .17 apart
   ASSERT_TRUE(told(coarse));
-  EXPECT_NE(coarse.warnings[0].find("region 2: its q2 elements are up to 0.34 long in a fluid of elements 0.104 long "
-                                    "there, their nodes 3.28 times"),
-            std::string::npos)
-      << coarse.warnings[0];
+  EXPECT_TRUE(std::ranges::any_of(coarse.warnings, [](const std::string& warning) {
+    return warning.find(
+               "region 2: its q2 elements are up to 0.34 long in a fluid of elements 0.104 long there, their "
+               "nodes 3.28 times") != std::string::npos;
+  }));
   EXPECT_TRUE(told(flap("q1", "1,3")));   // .113 apart
   EXPECT_FALSE(told(flap("q2", "1,3")));  // .057 apart
   EXPECT_FALSE(told(flap("q1", "1,6")));

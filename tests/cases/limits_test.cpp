@@ -34,7 +34,7 @@ const char* const pressed =
     "$in nx=3,ny=3,xleft=-9.,xright=9.,ybot=-9.,ytop=9.,tmax=1.,tstep=.02,iout(33)=1,tiout(33)=.5,wl=1,wr=1,wb=1,wt=1 "
     "$\n"
     "$reg nreg=1,nvi=4,densir(1)=1.,xvi(1,1)=0.,1.,1.,0.,yvi(1,1)=0.,0.,1.,1.,matr(1,1)=100.,.0 $\n"
-    "$mesh cells(1,1)=3,3 $\n"
+    "$mesh element='q1',cells(1,1)=3,3 $\n"
     "$fem law(1)='neo-hookean',fix_on(1)='1.bottom',fix(1:2,1)=0.,0.,load_on(1)='1.top',load(1:2,1)=0.,-150.,"
     "load_expression(1)='min(t*2,1)',alpha=20. $\n";
 
@@ -54,6 +54,16 @@ TEST(Limits, OfElementsAndBodies) {
   EXPECT_NE(text.find("below the limit of 0.9 (quality of $limits)"), std::string::npos) << text;
   EXPECT_NE(text.find("element "), std::string::npos) << text;
   EXPECT_NE(error_of("small", pressed, {"limits.volume=.99,.9"}).find("body 1"), std::string::npos);
+}
+
+/// Elements of order 2 fold where those of order 1 are too stiff to: the first that is turned inside out ends the run.
+TEST(Limits, OfElementsThatAreTurnedInsideOut) {
+  for (const char* dilatation : {"point", "mean"}) {
+    const std::string text =
+        error_of("folded", pressed, {"mesh.element='q2'", std::string("fem.dilatation='") + dilatation + "'"});
+    EXPECT_NE(text.find("the least volume of an element over that at the start is -"), std::string::npos) << text;
+    EXPECT_NE(text.find("below the limit of 0.001 (quality of $limits)"), std::string::npos) << text;
+  }
 }
 
 /// A block of two cells that flies to and fro between walls.

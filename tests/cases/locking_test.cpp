@@ -91,6 +91,59 @@ TEST(Locking, OfElementsOfOrder2IsEstimated) {
       << soft.warnings[0];
 }
 
+/// A quarter of a pinched ring by so many elements along, one across: elements that are curved themselves.
+DeckRun pinched(int along, double thick) {
+  return run_text("pinched",
+                  fmt::format("a pinched ring\n$in nx=2,ny=2,xleft=-99.,xright=99.,ybot=-99.,ytop=99.,wl=1,wr=1,wb=1,"
+                              "wt=1,tmax=1.,tstep=1.,iout(33)=1,tiout(33)=1. $\n$reg nreg=1,nvi=4,xvi(1,1)={0},{1},0.,"
+                              "0.,yvi(1,1)=0.,0.,{1},{0},densir(1)=1.,matr(1,1)=1e6,.3 $\n$mesh cells(1,1)=1,{2},"
+                              "edge(2,1)='arc',edge(4,1)='arc' $\n$fem static=.true.,law(1)='linear',"
+                              "fix_on(1)='1.bottom',fix(2,1)=0.,fix_on(2)='1.top',fix(1,2)=0.,load_on(1)='1.bottom',"
+                              "load(1,1)=1e-3 $\n$points tracked_at(1,1)=10.,0. $\n",
+                              10 - thick / 2, 10 + thick / 2, along));
+}
+
+TEST(Locking, OfCurvedElementsIsEstimated) {
+  for (const auto& [thick, along] : {std::pair(0.2, 8), {0.2, 12}, {0.5, 6}, {1.0, 4}}) {
+    const DeckRun run = pinched(along, thick);
+    const double too_stiff = (pinched(64, thick).last("point_x_1") - 10) / (run.last("point_x_1") - 10) - 1;
+    EXPECT_NEAR(run.summary.at("bending_too_stiff"), too_stiff, 0.02 + 0.4 * std::abs(too_stiff)) << thick << along;
+  }
+  EXPECT_EQ(pinched(6, 0.2).warnings.size(), 1u);
+  EXPECT_EQ(pinched(24, 0.2).warnings, std::vector<std::string>{});
+}
+
+/// Parallelograms, of which the estimate knows the thickness alone.
+TEST(Locking, OfElementsThatLeanIsTold) {
+  const auto warnings = [](double shift) {
+    return run_text("leaning", fmt::format("a panel\n$in nx=2,ny=2,xleft=-9.,xright=19.,ybot=-9.,ytop=9.,tmax=1.,"
+                                           "tstep=1. $\n$reg nreg=1,nvi=4,xvi(1,1)=0.,10.,{0},{1},yvi(1,1)=0.,0.,1.,1.,"
+                                           "densir(1)=1.,matr(1,1)=1e5,.3 $\n$mesh cells(1,1)=10,1 $\n$fem "
+                                           "static=.true.,law(1)='linear',fix_on(1)='1.left',fix(1:2,1)=0.,0. $\n",
+                                           10 + shift, shift))
+        .warnings;
+  };
+  ASSERT_EQ(warnings(3).size(), 1u);
+  EXPECT_NE(warnings(3)[0].find("lean by 72 degrees"), std::string::npos) << warnings(3)[0];
+  EXPECT_EQ(warnings(0.5), std::vector<std::string>{});
+}
+
+/// St Venant and Kirchhoff's law holds the trace of the strain.
+TEST(Locking, OfALawThatHoldsNoVolumeIsTold) {
+  const auto warnings = [](const char* law, double nu) {
+    return run_text("trace", fmt::format("a beam\n$in nx=2,ny=2,xleft=-9.,xright=9.,ybot=-9.,ytop=9.,tmax=1.,tstep=1. $"
+                                         "\n$reg nreg=1,nvi=4,xvi(1,1)=0.,4.,4.,0.,yvi(1,1)=0.,0.,.5,.5,densir(1)=1.,"
+                                         "matr(1,1)=1000.,{} $\n$mesh cells(1,1)=8,1 $\n$fem law(1)='{}',static=.true.,"
+                                         "fix_on(1)='1.left',fix(1:2,1)=0.,0. $\n",
+                                         nu, law))
+        .warnings;
+  };
+  ASSERT_EQ(warnings("svk", 0.4999).size(), 1u);
+  EXPECT_NE(warnings("svk", 0.4999)[0].find("holds the trace of the strain"), std::string::npos);
+  for (const auto& [law, nu] : {std::pair("svk", 0.45), {"neo-hookean", 0.4999}, {"linear", 0.4999}})
+    EXPECT_EQ(warnings(law, nu), std::vector<std::string>{}) << law;
+}
+
 TEST(Locking, IsNotSaidWhereThereIsNone) {
   EXPECT_EQ(bent({"q1", 6, 10, 0.3}).warnings, std::vector<std::string>{});
   EXPECT_EQ(bent({"p1", 12, 10, 0.3}).warnings, std::vector<std::string>{});

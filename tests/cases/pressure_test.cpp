@@ -83,6 +83,19 @@ TEST(Pressure, BlowsARingUpAsTheRadialSolution) {
   }
 }
 
+/// A pressure that one step of Newton's method cannot take: the run settles by parts of it.
+TEST(Pressure, SettlesByParts) {
+  const DeckRun run = run_text(
+      "settles",
+      "a soft beam under pressure\n$in nx=2,ny=2,xleft=-9.,xright=9.,ybot=-9.,ytop=9.,wl=1,wr=1,wb=1,wt=1,tmax=.02,"
+      "tstep=.01,iout(33)=1,tiout(33)=.01 $\n$reg nreg=1,nvi=4,xvi(1,1)=0.,4.,4.,0.,yvi(1,1)=0.,0.,.5,.5,densir(1)=1.,"
+      "matr(1,1)=1000.,.3 $\n$mesh cells(1,1)=8,2 $\n$fem law(1)='neo-hookean',settle=.true.,fix_on(1)='1.left',"
+      "fix(1:2,1)=0.,0.,load_on(1)='1.top',pressure(1)=4. $\n$points tracked_at(1,1)=4.,.25 $\n");
+  EXPECT_LT(run.first("point_y_1"), -1);
+  EXPECT_NEAR(run.last("point_y_1"), run.first("point_y_1"), 1e-8);
+  EXPECT_LT(run.last("energy_kinetic"), 1e-12);
+}
+
 /// A block that tumbles under a pressure all around: the pressure's work is that of the block's volume, by any step.
 TEST(Pressure, AllAroundATumblingBlockKeepsItsEnergy) {
   std::string rest;

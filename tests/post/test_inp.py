@@ -71,6 +71,13 @@ class Inp(unittest.TestCase):
         self.assertAlmostEqual(end["point_x_1"], 1.1, 9)
         self.assertAlmostEqual(end["point_x_2"], 2.15, 9)
 
+    def test_a_set_is_a_side_where_it_has_no_other_nodes(self):
+        text = PLATE.replace("3, 6\n*NSET, NSET=TIP\n6", "3, 6, 1\n*NSET, NSET=TIP\n6\n*NSET, NSET=EVERY\n1, 2, 3, 4, 5, 6")
+        (self.folder / "plate.inp").write_text(text)
+        done = self.convert(0, self.folder / "plate.inp")
+        for name in ("side 'CLAMP'", "nodes 'PULL'", "nodes 'TIP'", "side 'EVERY'"):
+            self.assertIn(name, done.stdout)
+
     def test_loads_and_supports_act_on_nodes(self):
         (self.folder / "plate.inp").write_text(PLATE)
         deck = DECK.replace("load_on(1)='PULL', load(1,1)=.1", "load_on(1)='TIP', load(1:2,1)=.01,-.02, fix_on(2)='TIP', fix(2,2)=0.")

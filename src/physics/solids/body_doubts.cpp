@@ -132,6 +132,22 @@ void BodyDoubts::look_at_swings(std::span<const double> v0, std::span<const doub
   note_warning(doubts.warned, BodyDoubt::swings);
 }
 
+void BodyDoubts::look_at_balance(double residual, std::span<const double> q, std::span<const double> x, double time,
+                                 BodyDoubtNumbers& doubts, std::vector<std::string>& messages) {
+  constexpr double most = 1e-4, still = 1e-12;
+  if (!(residual > most) || is_warned(doubts.warned, BodyDoubt::unbalanced)) return;
+  double way = 0, extent = 0;
+  for (std::size_t k = 0; k < q.size(); ++k)
+    way = std::max(way, std::abs(q[k] - x[k])), extent = std::max(extent, std::abs(x[k]));
+  if (way <= still * extent) return;
+  messages.push_back(fmt::format(
+      "t = {:.6g}: forces of the equilibrium balance to {:.2g} of the largest of them alone, as rounding of a body so "
+      "stiff against its bending, or of parts so different in stiffness, leaves no less: places and forces are off by "
+      "as much or more",
+      time, residual));
+  note_warning(doubts.warned, BodyDoubt::unbalanced);
+}
+
 double BodyDoubts::left_out(std::size_t e, std::span<const double> q) const {
   return with_shapes(solids_.mesh.kind, [&](auto shapes) { return left_out_of<decltype(shapes)>(solids_.mesh, e, q); });
 }

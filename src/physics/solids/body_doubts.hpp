@@ -14,7 +14,7 @@
 namespace tether::fem {
 
 /// What a run warns of about bodies on a mesh, each once.
-enum class BodyDoubt { left_grid, turned, swings };
+enum class BodyDoubt { left_grid, turned, swings, unbalanced };
 
 /// What it has warned of, and the numbers that doubts are known by.
 struct BodyDoubtNumbers {
@@ -55,6 +55,10 @@ class BodyDoubts {
   /// The linear law alone: of bodies that something else holds within the grid.
   void look_at_turns(std::span<const double> q, double time, BodyDoubtNumbers& doubts,
                      std::vector<std::string>& messages) const;
+  /// Looks whether an equilibrium is one: how much of the largest force is left over, at places q of nodes that stand
+  /// at x at the start. A body that has not moved has none.
+  static void look_at_balance(double residual, std::span<const double> q, std::span<const double> x, double time,
+                              BodyDoubtNumbers& doubts, std::vector<std::string>& messages);
   /// Looks whether steps follow the motion: v0 and v1 are the velocities at a step's ends, the masses those of the
   /// nodes; where no more energy than `least` moves, nothing does.
   static void look_at_swings(std::span<const double> v0, std::span<const double> v1, std::span<const double> masses,

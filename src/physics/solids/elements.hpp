@@ -59,10 +59,10 @@ class Elements {
   virtual std::vector<double> nodal_stress(std::span<const double> q) const = 0;
   /// The consistent mass matrix <rho N_A, N_B> (9), one number a pair of nodes.
   virtual SparseMatrix mass() const = 0;
-  /// The mass of one region parted among its nodes: the diagonals of its elements' matrices, scaled to their masses.
-  /// All are positive, where row sums of order 2 are not: those of a triangle's corners are 0, of a tetrahedron's
-  /// below.
-  virtual std::vector<double> lumped_mass(int region) const = 0;
+  /// The volume of one region parted among its nodes, as lumped masses are: by the diagonals of its elements' matrices.
+  /// All are positive, where row sums of order 2 are not: those of a triangle's corners are 0, of a tetrahedron's below
+  /// [volume].
+  virtual std::vector<double> lumped_volumes(int region) const = 0;
   /// <N_A> of one region, for forces in its volume [volume].
   virtual std::vector<double> volumes(int region) const = 0;
   /// Returns the volumes of the shape at q.

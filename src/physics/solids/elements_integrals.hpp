@@ -41,24 +41,24 @@ void ElementsOf<Shapes>::add_inertia(std::size_t e, double inertia, Matrix& K) c
   }
 }
 
-/// The diagonal of an element's mass matrix, scaled to its mass (E. Hinton, T. Rock and O. C. Zienkiewicz, Earthquake
+/// The diagonal of an element's mass matrix, scaled to its volume (E. Hinton, T. Rock and O. C. Zienkiewicz, Earthquake
 /// Engng Struct. Dyn. 4 (1976) 245-249); for linear functions these are the row sums.
 template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::lumped_mass(int region) const {
+std::vector<double> ElementsOf<Shapes>::lumped_volumes(int region) const {
   std::vector<double> lumped(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     if (mesh_.region[e] != region) continue;
     Values<nodes> diagonal{};
-    double mass = 0, trace = 0;
+    double volume = 0, trace = 0;
     for (int k = 0; k < mass_points; ++k) {
-      const double w = mass_weight(e, k) * density(e);
-      mass += w;
+      const double w = mass_weight(e, k);
+      volume += w;
       for (int a = 0; a < nodes; ++a)
         diagonal[index(a)] += w * mass_values_[index(k)][index(a)] * mass_values_[index(k)][index(a)];
     }
     for (const double value : diagonal) trace += value;
     for (int a = 0; a < nodes; ++a)
-      lumped[static_cast<std::size_t>(mesh_.element(e)[a])] += trace == 0 ? 0 : diagonal[index(a)] * mass / trace;
+      lumped[static_cast<std::size_t>(mesh_.element(e)[a])] += diagonal[index(a)] * volume / trace;
   }
   return lumped;
 }

@@ -108,7 +108,7 @@ class ElementsOf final : public Elements {
 
   std::vector<double> nodal_stress(std::span<const double> q) const override;
   SparseMatrix mass() const override;
-  std::vector<double> lumped_mass(int region) const override;
+  std::vector<double> lumped_volumes(int region) const override;
   std::vector<double> volumes(int region) const override;
   ShapeVolumes shape(std::span<const double> q) const override;
   double frequency_bound(std::span<const double> q, std::span<const double> lumped) const override;

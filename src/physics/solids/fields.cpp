@@ -178,8 +178,9 @@ ColumnGroup<SolidSetting, SolidSums> support_columns() {
   return numbered<SolidSetting, SolidSums>(
       {{"of supports and walls that hold nodes", [](const SolidSetting& s) { return s.support_names.size(); }},
        {Row("support_force_", D::force,
-            "force of support k of the deck, or of a wall after these, on the bodies, mean of the last step; a node "
-            "that several hold counts to the last of them",
+            "force of support k of the deck, or of a wall after these, on the bodies, mean of the last step, or by "
+            "central "
+            "differences at its end; a node that several hold counts to the last of them",
             force)
             .vector()
             .meaning_of(support_meaning),

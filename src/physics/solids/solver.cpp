@@ -95,6 +95,9 @@ NewtonReport SolidSolver::advanced(double dt) {
   NewtonReport report = step_.advance(state_, dt);
   if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
   if (!report.residuals.empty()) state_.residual = report.residuals.back();
+  if (report.converged && system_.solids.integrator == Integrator::equilibrium)
+    BodyDoubts::look_at_balance(state_.residual, state_.q, system_.solids.mesh.x, state_.time + dt, state_.doubts,
+                                messages_);
   return report;
 }
 

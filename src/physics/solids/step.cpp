@@ -25,12 +25,6 @@ double largest(const std::vector<double>& f) {
   return size;
 }
 
-/// Whole corrections find the way in stiff and slender bodies, through larger residuals; where they lead nowhere, as in
-/// long steps of soft ones, a second attempt takes care.
-constexpr NewtonRule whole{12, 0}, careful{25, 6};
-
-constexpr StepForces equilibrium{.at = StressAt::end};
-
 StepForces forces_of(Integrator integrator) {
   switch (integrator) {
     case Integrator::energy:
@@ -43,7 +37,7 @@ StepForces forces_of(Integrator integrator) {
     case Integrator::equilibrium:
       break;
   }
-  return equilibrium;
+  return equilibrium_forces;
 }
 
 }  // namespace
@@ -78,28 +72,13 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   find_dead_forces(state.time, dt);
   if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
   NewtonReport report;
-  for (const NewtonRule& rule : {whole, careful}) {
+  for (const NewtonRule& rule : newton_rules) {
     guess(state, dt);
     report = newton(state, dt, rule);
     state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
     if (report.converged) break;
   }
   if (report.converged) accept(state, dt);
-  return report;
-}
-
-NewtonReport SolidStep::settle(SolidState& state) {
-  const StepForces own = std::exchange(rule_, equilibrium);
-  system_.external_forces(state.time, dead_);
-  NewtonReport report;
-  for (const NewtonRule& rule : {whole, careful}) {
-    q1_ = state.q;
-    system_.place_supports(state.time, q1_);
-    report = newton(state, 0, rule);
-    if (report.converged) break;
-  }
-  if (report.converged) state.q = q1_, note_hold(state);
-  rule_ = own;
   return report;
 }
 
@@ -156,11 +135,17 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
     if (report.converged || !correct(state, dt)) return report;
     report.residuals.push_back(
         residual_after_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
-    const bool stagnates = report.residuals.back() > 0.5 * report.residuals[report.residuals.size() - 2];
-    report.converged = stagnates && report.residuals.back() <= rounding();
+    report.converged = stagnates(report.residuals) && report.residuals.back() <= rounding();
     if (report.converged) return report;
   }
   return report;
+}
+
+/// Returns whether corrections gain no more. While the residual is large they go on as long as it falls at all.
+bool SolidStep::stagnates(const std::vector<double>& residuals) {
+  constexpr double large = 1e-6;
+  const double last = residuals.back(), before = residuals[residuals.size() - 2];
+  return last > (last > large ? 0.9 : 0.5) * before;
 }
 
 /// Returns what rounding leaves of the residual over the largest force: the places are known to epsilon, and stiff
@@ -199,7 +184,8 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   const double share = rule_.mean ? 0.5 : 1, inertia = rule_.dynamic ? 2 / (dt * dt) + solids.alpha / dt : 0;
   K_.set_zero();
   system_.elements->add_tangent(rule_.at, state.q, q1_, inertia / share, system_.pattern, K_);
-  system_.add_pressure_tangent(state.time + (rule_.mean ? 1 : rule_.loads_at) * dt, rule_.at, state.q, q1_, -1, K_);
+  system_.add_pressure_tangent(state.time + (rule_.mean ? 1 : rule_.loads_at) * dt, rule_.at, state.q, q1_, -loaded_,
+                               K_);
   stiffest_ = 0;
   for (double& value : K_.value) stiffest_ = std::max(stiffest_, value *= share);
   if (rule_.dynamic && solids.beta != 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace tether::fem {
 struct NewtonRule {
   int most_iterations, most_shortenings;  ///< corrections, and halvings of one that leads away
 };
+
+/// Whole corrections find the way in stiff and slender bodies, through larger residuals; where they lead nowhere, as in
+/// long steps of soft ones, a second attempt takes care.
+inline constexpr std::array newton_rules{NewtonRule{12, 0}, NewtonRule{25, 6}};
 
 /// How Newton's method went in a step.
 struct NewtonReport {
@@ -29,6 +34,9 @@ struct StepForces {
   double loads_at = 1;          ///< part of the step after which the loads are taken, unless they are a mean
   Definite tangent = Definite::positive;
 };
+
+/// Those of an equilibrium, at the step's end.
+inline constexpr StepForces equilibrium_forces{.at = StressAt::end};
 
 /// Part of a step over which the velocities of supports are measured, to both sides of its end.
 constexpr double slope_width = 1e-3;
@@ -47,7 +55,8 @@ class SolidStep {
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
-  /// Brings the state into equilibrium with the loads and supports of its time, at rest.
+  /// Brings the state into equilibrium with the loads and supports of its time, at rest; by parts of them where all at
+  /// once lead nowhere.
   NewtonReport settle(SolidState& state);
   /// Returns what central differences allow at these places [time].
   double longest_explicit_step(std::span<const double> q) const;
@@ -55,6 +64,7 @@ class SolidStep {
   const SolidCost& cost() const { return cost_; }
 
  private:
+  NewtonReport settle_by(SolidState& state, double part);
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
   void guess(const SolidState& state, double dt);
   void find_dead_forces(double time, double dt);
@@ -63,6 +73,7 @@ class SolidStep {
   double find_residual(const SolidState& state, double dt);
   double residual_after_correction(const SolidState& state, double dt, int shortenings, double before);
   double next_correction();
+  static bool stagnates(const std::vector<double>& residuals);
   double rounding() const;
   bool correct(const SolidState& state, double dt);
   void accept(SolidState& state, double dt);
@@ -81,6 +92,7 @@ class SolidStep {
   // Places at the step's end; forces: inner ones at the start (trapezoidal rule), inner, outer, of these the ones that
   // the shape does not change, inertia, damping; their sum, the residual; the correction; and what is in between.
   std::vector<double> q1_, start_, inner_, outer_, dead_, inertia_, damping_, residual_, change_, scratch_;
+  double loaded_ = 1;                // part of the loads that act while a body settles
   std::vector<double> moved_;        // velocities of supported nodes at the step's end
   double scale_ = 0, stiffest_ = 0;  // the largest force, and the largest number of the tangent
   SolidCost cost_;

@@ -19,7 +19,8 @@ void SolidStep::find_dead_forces(double time, double dt) {
 void SolidStep::find_outer_forces(const SolidState& state, double dt) {
   outer_ = dead_;
   if (!system_.has_pressures()) return;
-  if (!rule_.mean) return system_.add_pressures(state.time + rule_.loads_at * dt, rule_.at, state.q, q1_, outer_);
+  if (!rule_.mean)
+    return system_.add_pressures(state.time + rule_.loads_at * dt, rule_.at, state.q, q1_, outer_, loaded_);
   std::fill(scratch_.begin(), scratch_.end(), 0.0);
   system_.add_pressures(state.time, StressAt::end, state.q, state.q, scratch_);
   system_.add_pressures(state.time + dt, StressAt::end, q1_, q1_, scratch_);

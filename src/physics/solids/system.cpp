@@ -35,8 +35,8 @@ SolidSystem::SolidSystem(const Solids& of, double gravity, Team& team)
       gravity_(gravity) {
   mass.multiply(std::vector<double>(weights.size(), 1.0), weights);
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
-    region_lumped.push_back(elements->lumped_mass(static_cast<int>(r)));
-    for (std::size_t n = 0; n < lumped.size(); ++n) lumped[n] += region_lumped[r][n];
+    region_lumped.push_back(elements->lumped_volumes(static_cast<int>(r)));
+    for (std::size_t n = 0; n < lumped.size(); ++n) lumped[n] += region_lumped[r][n] *= solids.regions[r].density;
   }
   region_weights = masses_of_regions(*this);
   for (const Load& load : solids.loads) {
@@ -78,9 +78,9 @@ void SolidSystem::external_forces(double time, std::span<double> f) const {
 }
 
 void SolidSystem::add_pressures(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
-                                std::span<double> f) const {
+                                std::span<double> f, double factor) const {
   for (const FollowingLoad& load : pressures_)
-    load.of.add_forces(at, q0, q1, load.load->amplitude.at(time) * load.load->pressure, f);
+    load.of.add_forces(at, q0, q1, factor * load.load->amplitude.at(time) * load.load->pressure, f);
 }
 
 void SolidSystem::add_pressure_tangent(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,

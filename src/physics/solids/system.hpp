@@ -55,9 +55,9 @@ class SolidSystem {
   void multiply_mass(std::span<const double> v, std::span<double> y) const;
   /// Forces that do not depend on the shape at a time: loads that keep their direction, and gravity [force].
   void external_forces(double time, std::span<double> f) const;
-  /// Adds those of pressures at a time between the shapes q0 and q1, where `at` says [force].
+  /// Adds `factor` times those of pressures at a time between the shapes q0 and q1, where `at` says [force].
   void add_pressures(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
-                     std::span<double> f) const;
+                     std::span<double> f, double factor = 1) const;
   /// Adds `factor` times the derivative of these forces by q1.
   void add_pressure_tangent(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
                             double factor, SparseMatrix& K) const;

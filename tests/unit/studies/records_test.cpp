@@ -189,7 +189,7 @@ TEST_F(Records, SummariesOfMeshesHaveTheirKeysToo) {
 }
 
 TEST_F(Records, SummariesOfBoxesHaveTheirs) {
-  const std::vector<std::string> overrides{"in.tmax=.04", "coupled.mode='splitting'", "mesh.element='p1'",
+  const std::vector<std::string> overrides{"in.tmax=.04", "coupled.mode='splitting'",
                                            "coupled.obstacle(1,1)=1.5,1.6,.5,.6", "coupled.void(1,1)=1.2,1.3,.7,.8"};
   const Loaded loaded = load(std::string(TETHER_SOURCE_DIR) + "/decks/coupled-bar.in", {overrides, "", ""});
   run(loaded.plan, request_of(loaded, folder / "bar", ""));

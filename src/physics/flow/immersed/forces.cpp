@@ -48,7 +48,7 @@ ImmersedForces::ImmersedForces(const ImmersedSolids& immersed, const FlowUnknown
   const std::size_t regions = immersed.solids().regions.size(), nodes = system.unknowns() / 2;
   std::vector<double> all(nodes, 0.0);
   for (std::size_t r = 0; r < regions; ++r) {
-    shares_.push_back(system.elements->volumes(static_cast<int>(r)));
+    shares_.push_back(system.elements->lumped_volumes(static_cast<int>(r)));
     for (std::size_t n = 0; n < nodes; ++n) all[n] += shares_[r][n];
   }
   for (auto& shares : shares_) {
