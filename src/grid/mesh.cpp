@@ -174,10 +174,8 @@ std::size_t sides_per_element(const Mesh& mesh, const Sides& all) {
 }  // namespace
 
 Mesh by_corners(const Mesh& mesh) {
-  Mesh linear{.x = mesh.x, .nodes = {}, .region = mesh.region, .sides = {}};
-  for (const ElementRow& row : element_rows) {
-    if (row.dim == mesh.dim() && row.simplex == is_simplex(mesh.kind) && row.order == 1) linear.kind = row.kind;
-  }
+  const ElementKind kind = element_kind(is_simplex(mesh.kind) ? "p1" : "q1", mesh.dim());
+  Mesh linear{.kind = kind, .x = mesh.x, .nodes = {}, .region = mesh.region, .sides = {}};
   const std::vector<int> corners = corners_of(mesh.kind);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (const int c : corners) linear.nodes.push_back(mesh.element(e)[c]);

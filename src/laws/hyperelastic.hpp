@@ -28,6 +28,11 @@ namespace tether {
 /// Every law an elastic body can obey.
 using ElasticLaw = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, HoopFibre>;
 
+/// Returns whether a law answers to small strains.
+inline bool small_strains(const ElasticLaw& any) {
+  return std::visit([](const auto& law) { return law.small_strains; }, any);
+}
+
 /// Of these, what material points obey, too, by their F: a point knows no place of the start that a fibre could ask,
 /// and small strains have their rate form there (elastic.hpp).
 using PointLaw = std::variant<StVenantKirchhoff, NeoHookean>;

@@ -117,6 +117,9 @@ const char* verb(bool locks, bool one) {
   return one ? "gives way" : "give way";
 }
 
+/// Whether the elements that are offered are worth it: twice as good at least.
+bool has_better(const Bending& body) { return std::abs(body.better_off) < 0.5 * std::abs(body.too_stiff); }
+
 std::string off_text(double too_stiff) {
   return fmt::format("too {} by about {:.2g} %", too_stiff < 0 ? "soft" : "stiff", 100 * std::abs(too_stiff));
 }
@@ -169,14 +172,16 @@ std::string bending_warning(const std::vector<Bending>& bodies, const Solids& so
   const double deflection = 1 / (1 + worst.too_stiff) - 1;
   std::string text = fmt::format(
       "{}: {} {} element{} across its thickness {:.3g} with nu = {:.4g} {} where it bends: it is about {:.0f} % too "
-      "{} and deflects {:.0f} % too {}; ",
+      "{} and deflects {:.0f} % too {}",
       worst.body, worst.across, element_name(solids.mesh.kind), one ? "" : "s", worst.thickness, worst.nu,
       verb(locks, one), 100 * std::abs(worst.too_stiff), locks ? "stiff" : "soft", 100 * std::abs(deflection),
       locks ? "little" : "far");
   if (order_of(solids.mesh.kind) == 1)
-    text += fmt::format("about {} across leave {:.0f} %, ", worst.enough, 100 * told_stiffness);
-  text += fmt::format("element='q2' with {} across, each {:.3g} long, leaves {:.2g} %", worst.better_across,
-                      worst.better_along, 100 * std::abs(worst.better_off));
+    text += fmt::format("; about {} across leave {:.0f} %", worst.enough, 100 * told_stiffness);
+  if (has_better(worst))
+    text += fmt::format("{} element='{}' with {} across, each {:.3g} long, leaves {:.2g} %",
+                        order_of(solids.mesh.kind) == 1 ? "," : ";", element_name(offered(solids.mesh.kind)),
+                        worst.better_across, worst.better_along, 100 * std::abs(worst.better_off));
   if (others == 0) return text;
   return text + fmt::format("; {} other bod{} off by no more than this", others, others == 1 ? "y is" : "ies are");
 }
@@ -198,8 +203,7 @@ std::string trace_warning(const Solids& solids) {
     if (!law || law->plane_stress() || law->lambda < least_held_trace * law->mu) continue;
     return fmt::format(
         "{}: law='svk' with nu = {:.7g} holds the trace of the strain, which is the volume of small strains alone: "
-        "from "
-        "strains of about {:.1g} on elements lock; law='neo-hookean' holds the volume itself",
+        "from strains of about {:.1g} on elements lock; law='neo-hookean' holds the volume itself",
         region.name, poisson_ratio({law->lambda, law->mu}), std::sqrt(law->mu / law->lambda));
   }
   return "";
@@ -211,7 +215,7 @@ std::string bending_text(const std::vector<Bending>& bodies, const Solids& solid
     if (!body.bends) continue;
     text += fmt::format("  {}: {} {} across {:.3g} with nu = {:.4g}: {}\n", body.body, body.across,
                         element_name(solids.mesh.kind), body.thickness, body.nu, off_text(body.too_stiff));
-    if (std::abs(body.too_stiff) > good_stiffness && std::abs(body.better_off) < 0.5 * std::abs(body.too_stiff))
+    if (std::abs(body.too_stiff) > good_stiffness && has_better(body))
       text += fmt::format("    better: {} {} across, each {:.3g} long: {}\n", body.better_across,
                           element_name(offered(solids.mesh.kind)), body.better_along, off_text(body.better_off));
   }

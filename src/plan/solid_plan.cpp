@@ -33,6 +33,11 @@ double factor_nonzeros(const Mesh& mesh) {
   return mesh.dim() == 2 ? 8 * n * std::log2(n + 2) : 12 * std::pow(n, 4.0 / 3);
 }
 
+std::size_t pressure_count(const Solids& solids) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(solids.loads, [](const Load& load) { return load.pressure != 0; }));
+}
+
 }  // namespace
 
 std::string supports_text(const Solids& solids) {
@@ -47,8 +52,7 @@ std::string supports_text(const Solids& solids) {
 }
 
 std::string loads_text(const Solids& solids) {
-  const auto pressures =
-      std::count_if(solids.loads.begin(), solids.loads.end(), [](const Load& load) { return load.pressure != 0; });
+  const std::size_t pressures = pressure_count(solids);
   const auto dead = std::count_if(solids.loads.begin(), solids.loads.end(),
                                   [](const Load& load) { return load.is_dead() || load.pressure == 0; });
   std::string text;
@@ -101,9 +105,8 @@ Cost solid_cost(const Scene& scene, const StepRule& rule) {
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * static_cast<double>(mesh.node_count());
-  const auto& loads = scene.solids()->loads;
-  const bool unsymmetric = scene.solids()->integrator == Integrator::energy ||  // L and U
-                           std::any_of(loads.begin(), loads.end(), [](const Load& load) { return load.pressure != 0; });
+  const bool unsymmetric =  // L and U
+      scene.solids()->integrator == Integrator::energy || pressure_count(*scene.solids()) > 0;
   const double factor = direct ? factor_nonzeros(mesh) * (unsymmetric ? 2 : 1) : 0;
   const double element_matrices =
       static_cast<double>(mesh.element_count()) * std::pow(mesh.dim() * node_count_of(mesh.kind), 2);
@@ -151,8 +154,7 @@ std::string loads_reason(const Solids& solids, const Rigid& rigid) {
   const auto add = [&text](std::size_t count, const char* what) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   };
-  const auto pressures = static_cast<std::size_t>(
-      std::count_if(solids.loads.begin(), solids.loads.end(), [](const Load& load) { return load.pressure != 0; }));
+  const std::size_t pressures = pressure_count(solids);
   add(solids.loads.size() - pressures, "dead on sides or in volumes");
   add(pressures, "by pressures that turn with the body");
   add(rigid.torques.size(), "by torques");

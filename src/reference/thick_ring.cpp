@@ -24,10 +24,6 @@ struct PrincipalStress {
   double energy = 0;  // Psi [energy/volume]
 };
 
-bool small_strains(const ElasticLaw& law) {
-  return std::visit([](const auto& of) { return std::decay_t<decltype(of)>::small_strains; }, law);
-}
-
 PrincipalStress principal_stress(const ElasticLaw& law, double a, double b) {
   return std::visit(
       [&](const auto& of) -> PrincipalStress {

@@ -117,14 +117,6 @@ PointStress<dim> linear_stress(StressAt rule, const Square<dim>& F0, const Squar
   return at;
 }
 
-}  // namespace
-
-bool small_strains(const ElasticLaw& any) {
-  return std::visit([](const auto& law) { return law.small_strains; }, any);
-}
-
-namespace {
-
 /// Returns what a law answers to at F.
 template <int dim>
 Symmetric<dim> strain_of(const ElasticLaw& law, const Square<dim>& F) {

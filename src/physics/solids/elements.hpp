@@ -99,9 +99,6 @@ template <int dim, bool with_modulus>
 void gradient_stress(const Symmetric<dim>& C0, const Symmetric<dim>& C1, const ElasticLaw& law, const Vec<2>& place,
                      PointStress<dim>& at);
 
-/// Returns whether a law answers to small strains.
-bool small_strains(const ElasticLaw& law);
-
 /// Energy density at F, at the place X, Y of the shape at the start.
 template <int dim>
 double energy_at(const ElasticLaw& law, const Square<dim>& F, double X, double Y);

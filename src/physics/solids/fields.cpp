@@ -165,9 +165,9 @@ std::vector<std::size_t> supports_in_order(const Solids& solids) {
   return order;
 }
 
-/// "support 2 ('foot')": the force of supports.
+/// "force of support 2 on the bodies in the last step".
 std::string support_meaning(const SolidSetting& setting, std::size_t k) {
-  return fmt::format("force of {} on the bodies, mean of the last step", setting.support_names[k]);
+  return fmt::format("force of {} on the bodies in the last step", setting.support_names[k]);
 }
 
 ColumnGroup<SolidSetting, SolidSums> support_columns() {
@@ -178,9 +178,8 @@ ColumnGroup<SolidSetting, SolidSums> support_columns() {
   return numbered<SolidSetting, SolidSums>(
       {{"of supports and walls that hold nodes", [](const SolidSetting& s) { return s.support_names.size(); }},
        {Row("support_force_", D::force,
-            "force of support k of the deck, or of a wall after these, on the bodies, mean of the last step, or by "
-            "central "
-            "differences at its end; a node that several hold counts to the last of them",
+            "force of support k of the deck, or of a wall after these, on the bodies: the mean of the last step, by "
+            "central differences at its end; a node that several hold counts to the last of them",
             force)
             .vector()
             .meaning_of(support_meaning),
