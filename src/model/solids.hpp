@@ -14,6 +14,7 @@
 #include "grid/mesh.hpp"
 #include "grid/mesh_place.hpp"
 #include "laws/hyperelastic.hpp"
+#include "model/contact.hpp"
 #include "model/dilatation.hpp"
 
 namespace tether {
@@ -86,6 +87,7 @@ struct Solids {
   double alpha = 0, beta = 0;     ///< Rayleigh damping alpha M + beta K [1/time], [time]
   double tolerance = 1e-11;       ///< of Newton's method: residual over the largest force
   bool from_equilibrium = false;  ///< starts in equilibrium with the loads of t = 0
+  std::optional<Contact> contact = {};
 };
 
 /// The energy that bodies store where rounding moves their nodes by a 1e-13 of the bodies' extent, from a neighbour to
