@@ -14,35 +14,6 @@
 namespace tether {
 namespace {
 
-std::vector<int> without_twins(std::vector<int> nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
-/// Nodes of the elements of a region, from 0.
-std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
-  std::vector<int> nodes;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    if (mesh.region[e] == region)
-      nodes.insert(nodes.end(), mesh.element(e), mesh.element(e) + node_count_of(mesh.kind));
-  }
-  return without_twins(std::move(nodes));
-}
-
-/// Returns what spring_on(k) names, and reports where there is nothing of that name.
-std::vector<int> nodes_named(const Deck& deck, int k, const Solids& solids, Diagnostics& diagnostics) {
-  const std::string on = deck.text("coupled.spring_on", k);
-  if (!on.starts_with("region ")) {
-    return named_part(deck, "coupled.spring_on", k, solids.mesh, diagnostics).all_nodes();
-  }
-  for (std::size_t r = 0; r < solids.regions.size(); ++r) {
-    if (solids.regions[r].name == on) return nodes_of_region(solids.mesh, static_cast<int>(r));
-  }
-  refuse(deck, "coupled.spring_on", {k, 1}, fmt::format("there is no {}", on), "regions are 1 to nreg", diagnostics);
-  return {};
-}
-
 /// The used node nearest to x, y.
 std::size_t nearest_node(const Mesh& mesh, double x, double y) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
@@ -88,7 +59,7 @@ void add_springs(const Deck& deck, const Solids& solids, Coupled& coupled, Diagn
   for (const Subscript at : deck.given_elements("coupled.spring_on")) {
     Spring spring;
     spring.number = at[0];
-    spring.nodes = nodes_named(deck, at[0], solids, diagnostics);
+    spring.nodes = named_nodes(deck, "coupled.spring_on", at[0], solids, diagnostics);
     for (int i = 1; i <= 3; ++i)
       spring.stiffness[static_cast<std::size_t>(i - 1)] = deck.real("coupled.spring", i, at[0]);
     if (spring.stiffness == Vec<3>{})

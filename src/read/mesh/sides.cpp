@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/text.hpp"
+#include "read/values.hpp"
 
 namespace tether {
 
@@ -30,6 +31,12 @@ std::vector<int> nodes_at(const Mesh& mesh, const GridEdge& edge) {
 }
 
 namespace {
+
+/// Sorts them and leaves of each the first alone.
+void keep_each_once(std::vector<int>& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
 
 /// Says what a user may have meant, or all names there are; those of sets of nodes where these would do, too.
 std::string hint_for(const std::string& name, const Mesh& mesh, bool sets) {
@@ -60,8 +67,7 @@ const Sides* named_sides(const Deck& deck, TextVariable variable, int k, const M
 std::vector<int> NamedPart::all_nodes() const {
   if (nodes) return *nodes;
   std::vector<int> all = sides ? *sides : Sides{};
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  keep_each_once(all);
   return all;
 }
 
@@ -73,6 +79,32 @@ NamedPart named_part(const Deck& deck, TextVariable variable, int k, const Mesh&
       deck.remark(Severity::error, variable, {k, 1},
                   fmt::format("no side{} is called '{}'", mesh.node_sets.empty() ? "" : " and no set of nodes", name),
                   hint_for(name, mesh, true)));
+  return {};
+}
+
+namespace {
+
+/// Nodes of the elements of a region, from 0.
+std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
+  std::vector<int> nodes;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.region[e] == region)
+      nodes.insert(nodes.end(), mesh.element(e), mesh.element(e) + node_count_of(mesh.kind));
+  }
+  keep_each_once(nodes);
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<int> named_nodes(const Deck& deck, TextVariable variable, int k, const Solids& solids,
+                             Diagnostics& diagnostics) {
+  const std::string on = deck.text(variable, k);
+  if (!on.starts_with("region ")) return named_part(deck, variable, k, solids.mesh, diagnostics).all_nodes();
+  for (std::size_t r = 0; r < solids.regions.size(); ++r) {
+    if (solids.regions[r].name == on) return nodes_of_region(solids.mesh, static_cast<int>(r));
+  }
+  refuse(deck, variable, {k, 1}, fmt::format("there is no {}", on), "regions are 1 to nreg", diagnostics);
   return {};
 }
 

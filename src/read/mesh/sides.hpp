@@ -10,6 +10,7 @@
 #include "deck/deck.hpp"
 #include "grid/mesh.hpp"
 #include "model/scene.hpp"
+#include "model/solids.hpp"
 
 namespace tether {
 
@@ -38,6 +39,11 @@ struct NamedPart {
 };
 /// Returns what variable(k) names; reports where the mesh has nothing of that name.
 NamedPart named_part(const Deck& deck, TextVariable variable, int k, const Mesh& mesh, Diagnostics& diagnostics);
+
+/// Returns the nodes, each once and ascending, of what variable(k) names: a side, a set of nodes, or 'region r' and so
+/// the nodes of that region's elements; reports where there is nothing of that name.
+std::vector<int> named_nodes(const Deck& deck, TextVariable variable, int k, const Solids& solids,
+                             Diagnostics& diagnostics);
 
 /// Reports elements k of the variables `others` that act on nothing, since on(k) is not given: "load 3"
 /// where `what` is "load".
