@@ -45,7 +45,7 @@ std::string effective_deck(const Deck& deck) {
   for (const auto& line : deck.header()) text += line + "\n";
   for (const auto& group : deck.possible_groups()) {
     if (group == published_group) continue;  // it says nothing to the run
-    if (chooses_path(group) && !deck.has_group(group)) continue;
+    if (acts_by_presence(group) && !deck.has_group(group)) continue;
     std::string items;
     for (const auto& variable : variables()) {
       if (variable.group == group) items += assignments(deck, variable);

@@ -20,8 +20,9 @@ std::vector<std::string> group_names() {
   return names;
 }
 
-bool chooses_path(std::string_view group) {
-  return group == "fem" || group == "mesh" || group == "rigid" || group == "flow" || group == "coupled";
+bool acts_by_presence(std::string_view group) {
+  return group == "fem" || group == "mesh" || group == "contact" || group == "rigid" || group == "flow" ||
+         group == "coupled";
 }
 
 bool is_group(std::string_view name) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "deck/groups/added.hpp"
+#include "deck/groups/contact.hpp"
 #include "deck/groups/coupled.hpp"
 #include "deck/groups/fem.hpp"
 #include "deck/groups/flow.hpp"
@@ -25,10 +26,12 @@ namespace tether {
 
 /// THE table: all rows, those of a group together, in the order in which decks and documents show them.
 inline constexpr auto variable_table = [] {
-  constexpr std::array<std::span<const Variable>, 12> parts{
-      thesis_table::in_rows,       thesis_table::fluid_rows, thesis_table::reg_rows,  membrane_table::membrane_rows,
-      added_table::added_rows,     fem_table::fem_rows,      fem_table::rigid_rows,   flow_table::flow_rows,
-      coupled_table::coupled_rows, study_table::study_rows,  study_table::chart_rows, study_table::published_rows,
+  constexpr std::array<std::span<const Variable>, 13> parts{
+      thesis_table::in_rows,         thesis_table::fluid_rows, thesis_table::reg_rows,
+      membrane_table::membrane_rows, added_table::added_rows,  fem_table::fem_rows,
+      contact_table::contact_rows,   fem_table::rigid_rows,    flow_table::flow_rows,
+      coupled_table::coupled_rows,   study_table::study_rows,  study_table::chart_rows,
+      study_table::published_rows,
   };
   constexpr std::size_t count = [&] {
     std::size_t sum = 0;
@@ -60,8 +63,8 @@ constexpr const Variable* find_variable(std::string_view group, std::string_view
 std::vector<std::string> group_names();
 bool is_group(std::string_view name);
 
-/// Returns whether a group chooses the path of a deck by being there.
-bool chooses_path(std::string_view group);
+/// Returns whether a group says something by being there alone: it chooses the path of a deck, or turns contact on.
+bool acts_by_presence(std::string_view group);
 
 /// A variable of the table, of any type, by its name "flow.speed": a name without a row does not compile.
 class AnyVariable {

@@ -60,7 +60,7 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, n>& nam
 bool is_of_boxes(const Variable& variable) {
   constexpr std::array<std::string_view, 5> of_other_steps{"static", "settle", "integrator", "tolerance", "cfl"};
   constexpr std::array<std::string_view, 4> walls{"wl", "wr", "wb", "wt"};
-  if (variable.group == "flow" || variable.group == "rigid") return false;
+  if (variable.group == "contact" || variable.group == "flow" || variable.group == "rigid") return false;
   if (variable.group == "fem") return !is_one_of(variable.name, of_other_steps);
   if (variable.group == "in") return is_of_meshes(variable) && !is_one_of(variable.name, walls);
   return is_of_meshes(variable);
@@ -69,7 +69,8 @@ bool is_of_boxes(const Variable& variable) {
 /// Returns whether it makes elements of regions, or acts on them; strings have none of it.
 bool is_of_mesh_alone(const Variable& variable) {
   if (variable.group == "fem") return variable.name != "cfl";
-  return variable.group == "mesh" || variable.group == "rigid" || variable.group == "flow";
+  constexpr std::array<std::string_view, 4> of_meshes{"mesh", "contact", "rigid", "flow"};
+  return is_one_of(variable.group, of_meshes);
 }
 
 /// Returns whether the path has a use for a variable of this deck. Exact solutions are of points and bars.
@@ -77,7 +78,7 @@ bool is_of(Path path, bool mesh, const Variable& variable) {
   if (variable.group == "reference") return path == Path::mpm || (path == Path::fem && !mesh);
   if (path == Path::coupled) return is_of_boxes(variable);
   if (path == Path::fem) return variable.group != "coupled" && (!mesh || is_of_meshes(variable));
-  return !chooses_path(variable.group);
+  return !acts_by_presence(variable.group);
 }
 
 /// Returns whether a deck says more of a variable than what stands there by itself.
@@ -110,8 +111,9 @@ void note_unused(const Deck& deck, const std::string& group, Path path, const Us
 
 /// Warns of what acts on the scene by another path and is left out: the scene is another one then.
 void warn_of_lost_actions(const Deck& deck, Path path, const Used& used, Diagnostics& diagnostics) {
-  for (const AnyVariable name : Variables{"fem.static", "fem.settle", "fem.load_on", "flow.boundary", "coupled.jet_on",
-                                          "coupled.spring_on", "coupled.hinge"}) {
+  for (const AnyVariable name :
+       Variables{"fem.static", "fem.settle", "fem.load_on", "contact.plane", "contact.obstacle", "flow.boundary",
+                 "coupled.jet_on", "coupled.spring_on", "coupled.hinge"}) {
     if (used(name.row()) || !says(deck, name)) continue;
     diagnostics.add(deck.remark(Severity::warning, name, deck.given_elements(name).front(),
                                 fmt::format("the {} path leaves {} of ${} out, which acts on the scene",
