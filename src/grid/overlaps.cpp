@@ -230,4 +230,16 @@ Overlap OverlapFinder::find(std::span<const double> q) {
   return found;
 }
 
+double OverlapFinder::depth(const Overlap& overlap, std::span<const double> q) const {
+  const std::span<const int> facets = parts_[at(overlap.other)].facets;
+  const std::size_t d = at(dim_);
+  double least = INFINITY;
+  for (std::size_t f = 0; f < facets.size(); f += d) {
+    const Vec<3> a = minus(place(q, facets[f]), overlap.place), b = minus(place(q, facets[f + 1]), overlap.place);
+    least = std::min(least,
+                     dim_ == 2 ? distance_to(a, b) : distance_to(a, b, minus(place(q, facets[f + 2]), overlap.place)));
+  }
+  return least;
+}
+
 }  // namespace tether

@@ -36,6 +36,8 @@ class OverlapFinder {
   /// The first two bodies whose sides cross by more than touching, whether or not a node is inside: coarse bodies that
   /// lie across each other have none there.
   CrossedSides find_crossed(std::span<const double> q);
+  /// Returns how far the node of an overlap with another body is from the nearest side of that one [length].
+  double depth(const Overlap& overlap, std::span<const double> q) const;
 
  private:
   /// A connected body: its nodes, those of its surface, and the surface as edges or triangles.

@@ -133,27 +133,62 @@ void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& d
   }
 }
 
+namespace {
+
+/// Says which bodies overlap, and where.
+class OverlapText {
+ public:
+  explicit OverlapText(const Solids& solids) : solids_(solids), parts_(parts_of(solids.mesh)) {}
+
+  std::string of(const Overlap& found, double depth) const {
+    const std::string where = fmt::format("node {} at {}", found.node + 1, place_text(solids_.mesh, found.node));
+    if (found.part == found.other)
+      return fmt::format("{} overlaps itself at the start: {} lies inside it", name(found.part), where);
+    return fmt::format("{} lies inside both, {:.3g} from the nearest side of the latter",
+                       both(found.part, found.other) + where, depth);
+  }
+  std::string of(const CrossedSides& crossed) const {
+    return fmt::format("{}their sides cross at ({:.6g}, {:.6g}{})", both(crossed.part, crossed.other), crossed.place[0],
+                       crossed.place[1], solids_.mesh.dim() == 3 ? fmt::format(", {:.6g}", crossed.place[2]) : "");
+  }
+
+ private:
+  std::string both(int part, int other) const {
+    return fmt::format("{} and {} overlap at the start: ", name(part), name(other));
+  }
+  std::string name(int part) const {
+    std::size_t e = 0;
+    while (parts_[static_cast<std::size_t>(solids_.mesh.element(e)[0])] != part) ++e;
+    const auto region = static_cast<std::size_t>(solids_.mesh.region[e]);
+    return fmt::format("body {} ({})", part + 1, solids_.regions[region].name);
+  }
+
+  const Solids& solids_;
+  std::vector<int> parts_;
+};
+
+/// Returns whether contact stops one part of the bodies at another, or at itself.
+bool is_stopped(const Solids& solids, int part, int other) {
+  return solids.contact && (part == other ? solids.contact->itself : solids.contact->bodies);
+}
+
+}  // namespace
+
 void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
   const Mesh& mesh = solids.mesh;
   OverlapFinder finder(mesh);
   const Overlap found = finder.find(mesh.x);
   const CrossedSides crossed = found.nodes == 0 ? finder.find_crossed(mesh.x) : CrossedSides{};
   if (found.nodes == 0 && crossed.part < 0) return;
-  const std::vector<int> parts = parts_of(mesh);
-  const auto name = [&](int part) {
-    std::size_t e = 0;
-    while (parts[static_cast<std::size_t>(mesh.element(e)[0])] != part) ++e;
-    return fmt::format("body {} ({})", part + 1, solids.regions[static_cast<std::size_t>(mesh.region[e])].name);
-  };
+  const OverlapText text(solids);
+  const bool stopped =
+      found.nodes == 0 ? is_stopped(solids, crossed.part, crossed.other) : is_stopped(solids, found.part, found.other);
   const bool file = !deck.text("mesh.file").empty();
   diagnostics.add(deck.remark(
-      Severity::warning, file ? AnyVariable("mesh.file") : "reg.nreg", {1, 1},
-      found.nodes == 0 ? fmt::format("{} and {} overlap at the start: their sides cross at ({:.6g}, {:.6g}{})",
-                                     name(crossed.part), name(crossed.other), crossed.place[0], crossed.place[1],
-                                     mesh.dim() == 3 ? fmt::format(", {:.6g}", crossed.place[2]) : "")
-                       : fmt::format("{} and {} overlap at the start: node {} at {} lies inside both", name(found.part),
-                                     name(found.other), found.node + 1, place_text(mesh, found.node)),
-      "nothing stops bodies at one another: what they do where they overlap is wrong; place them apart"));
+      stopped ? Severity::error : Severity::warning, file ? AnyVariable("mesh.file") : "reg.nreg", {1, 1},
+      found.nodes == 0 ? text.of(crossed) : text.of(found, finder.depth(found, mesh.x)),
+      stopped ? "$contact stops bodies that start apart from one another: place them apart"
+              : "nothing stops bodies at one another: what they do where they overlap is wrong; place them apart"));
 }
 
 namespace {

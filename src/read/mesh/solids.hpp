@@ -29,7 +29,7 @@ void add_supports(const Deck& deck, const Scene& scene, Solids& solids, Diagnost
 void check_mesh_deck(const Deck& deck, Diagnostics& diagnostics);
 /// Reports an edge of the grid that goes through the mesh and whose wall would hold `held` nodes.
 void check_wall(const Deck& deck, const Mesh& mesh, const GridEdge& edge, std::size_t held, Diagnostics& diagnostics);
-/// Warns of bodies that overlap at the start.
+/// Warns of bodies that overlap at the start; where contact stops them at one another that is a mistake.
 void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
 /// Reports supports that move one node along one axis to different places.
 void check_supports_agree(const Deck& deck, const Solids& solids, Diagnostics& diagnostics);
