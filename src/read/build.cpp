@@ -11,6 +11,7 @@
 #include "read/edges.hpp"
 #include "read/flow/flow.hpp"
 #include "read/limits.hpp"
+#include "read/mesh/contact.hpp"
 #include "read/mesh/fem_checks.hpp"
 #include "read/mesh/solids.hpp"
 #include "read/method.hpp"
@@ -185,6 +186,7 @@ void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
 Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles, Path path, Diagnostics& diagnostics) {
   Scene scene;
   scene.physics = physics_of(deck, path);
+  check_contact_deck(deck, diagnostics);
   check_axis(deck, diagnostics);
   if (!check_axes(deck, diagnostics)) {
     check_without_grid(deck, diagnostics);

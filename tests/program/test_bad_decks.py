@@ -74,6 +74,14 @@ REQUIRED = {
     "flow_of_both", "flow_of_a_file_in_two_parts", "flow_file_without_the_group", "flow_file_without_the_side",
     "flow_body_without_fluid", "flow_of_curved_triangles", "flow_body_across_a_hole", "flow_body_around_a_hole",
     "mesh_two_gradings",
+    "contact_at_a_wall_twice", "contact_at_the_back", "contact_beyond_a_plane", "contact_beyond_a_wall",
+    "contact_by_central_differences", "contact_by_the_midpoint_rule", "contact_by_the_trapezoidal_rule",
+    "contact_in_a_box", "contact_in_a_flow", "contact_in_an_obstacle", "contact_obstacle_half_given",
+    "contact_obstacle_in_depth", "contact_obstacle_inverted", "contact_of_bodies_that_cross",
+    "contact_of_bodies_that_overlap", "contact_of_nothing", "contact_on_an_inner_region", "contact_on_no_region",
+    "contact_on_no_side", "contact_plane_half_given", "contact_plane_in_space", "contact_plane_without_normal",
+    "contact_pushed_by_friction", "contact_stick_backwards", "contact_unknown_step", "contact_unknown_wall",
+    "contact_with_a_rigid_body", "contact_without_a_mesh", "contact_without_gap", "contact_without_stiffness",
 }
 
 

@@ -10,6 +10,7 @@
 #include "base/vec.hpp"
 #include "deck/spelling.hpp"
 #include "read/materials.hpp"
+#include "read/mesh/contact.hpp"
 #include "read/mesh/mesh_of_deck.hpp"
 #include "read/mesh/rigid.hpp"
 #include "read/mesh/sides.hpp"
@@ -94,12 +95,13 @@ void track_places(const Deck& deck, Solids& solids, Diagnostics& diagnostics) {
   }
 }
 
-/// Reports an equilibrium that the supports leave undetermined, and damping that takes a turn for strain.
+/// Reports an equilibrium that the supports leave undetermined, where no contact may hold the bodies, and damping that
+/// takes a turn for strain.
 void check_free_motions(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
   const bool rests = solids.integrator == Integrator::equilibrium || solids.from_equilibrium;
   const bool damped = solids.beta > 0;
   const int parts = count_parts(solids.mesh), left = rests || damped ? free_motions(solids) : 0;
-  if (rests && left > 0) {
+  if (rests && left > 0 && !solids.contact) {
     diagnostics.add(deck.remark(
         Severity::error, solids.from_equilibrium ? AnyVariable("fem.settle") : "fem.static", {1, 1},
         fmt::format("the supports leave {} rigid motion{}{} free: there is no equilibrium", left, left > 1 ? "s" : "",
@@ -156,6 +158,7 @@ void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Dia
   check_equilibria(deck, diagnostics);
   add_loads(deck, solids, diagnostics);
   track_places(deck, solids, diagnostics);
+  solids.contact = contact_of(deck, scene, solids, diagnostics);
   check_overlaps(deck, solids, diagnostics);
   if (scene.rigid()) {
     check_rigid_places(deck, *scene.rigid(), solids.mesh, diagnostics);
