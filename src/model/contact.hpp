@@ -6,6 +6,7 @@
 
 #include "base/vec.hpp"
 #include "base/words.hpp"
+#include "grid/contact/apart.hpp"
 
 namespace tether {
 
@@ -16,22 +17,17 @@ template <>
 inline constexpr std::array<Word<ContactStep>, 3> words<ContactStep>{
     {{ContactStep::automatic, "auto"}, {ContactStep::energy, "energy"}, {ContactStep::damped, "damped"}}};
 
-/// Room beyond a plane that bodies do not enter: a wall of the box, or a slope.
-struct ContactPlane {
-  Vec<3> place{}, normal{};  // [length]; a unit vector, to where bodies are
-};
-
 /// That the scene's bodies stop each other, themselves, and at walls, as the deck's group $contact says.
 struct Contact {
-  double gap = 0;        ///< at which sides begin to press each other [length]; 0: found from the mesh
+  double gap = 0;        ///< at which sides begin to press each other [length]
   double stiffness = 0;  ///< of the pressure between them [stress]; 0: found from the bodies' laws
   double friction = 0;   ///< Coulomb's coefficient
   double stick = 0;      ///< speed below which friction is in proportion to it [velocity]; 0: found from the scene
   ContactStep step = ContactStep::automatic;
-  bool bodies = true;      ///< whether bodies meet each other
-  bool itself = true;      ///< whether a body meets itself
-  std::vector<int> nodes;  ///< of the sides and regions that can meet something, ascending; empty: all can
-  std::vector<ContactPlane> planes;
+  bool bodies = true;                ///< whether bodies meet each other
+  bool itself = true;                ///< whether a body meets itself
+  std::vector<int> nodes;            ///< of the sides and regions that can meet something, ascending; empty: all can
+  std::vector<SurfacePlane> planes;  ///< walls of the box, slopes: nothing goes beyond
   std::vector<Box<3>> obstacles;
 };
 

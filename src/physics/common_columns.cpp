@@ -28,14 +28,15 @@ const When<ColumnSetting>& in_plane() {
 }
 
 CommonGroup energy_columns() {
-  return {{{"time", D::time, "time", &CommonSums::time},
-           {"dt", D::time, "length of the last step", &CommonSums::dt},
-           {"energy_kinetic", D::energy, "kinetic energy", &CommonSums::kinetic},
-           {"energy_strain", D::energy, "energy stored in solids, strings and linear fluids", &CommonSums::strain},
-           {"energy_internal", D::energy, "internal energy of gas", &CommonSums::internal},
-           {"energy_potential", D::energy, "potential energy in gravity, zero at y = 0", &CommonSums::potential},
-           {"energy_total", D::energy, "sum of these, with energy_ambient and energy_step where there are such",
-            &CommonSums::total}}};
+  return {
+      {{"time", D::time, "time", &CommonSums::time},
+       {"dt", D::time, "length of the last step", &CommonSums::dt},
+       {"energy_kinetic", D::energy, "kinetic energy", &CommonSums::kinetic},
+       {"energy_strain", D::energy, "energy stored in solids, strings and linear fluids", &CommonSums::strain},
+       {"energy_internal", D::energy, "internal energy of gas", &CommonSums::internal},
+       {"energy_potential", D::energy, "potential energy in gravity, zero at y = 0", &CommonSums::potential},
+       {"energy_total", D::energy,
+        "sum of these, with energy_ambient, energy_step and energy_contact where there are such", &CommonSums::total}}};
 }
 
 CommonGroup momentum_columns() {

@@ -38,6 +38,22 @@ std::size_t pressure_count(const Solids& solids) {
       std::ranges::count_if(solids.loads, [](const Load& load) { return load.pressure != 0; }));
 }
 
+/// "bodies and themselves, 4 planes; gap 0.01, friction 0.3; damped, as friction asks".
+std::string contact_text(const Contact& contact) {
+  std::string what = contact.bodies ? "bodies with each other" : "";
+  const auto add = [&](const std::string& more) { what += (what.empty() ? "" : ", ") + more; };
+  if (contact.itself) add("with themselves");
+  if (!contact.planes.empty()) add(fmt::format("with {} walls and planes", contact.planes.size()));
+  if (!contact.obstacles.empty()) add(fmt::format("with {} obstacles", contact.obstacles.size()));
+  const bool asked = contact.step != ContactStep::automatic;
+  return fmt::format("{}; gap {:.4g}, {}; {}{}", what, contact.gap,
+                     contact.friction > 0 ? fmt::format("friction {:.4g}", contact.friction) : "no friction",
+                     is_damped(contact) ? "damped" : "keeps the energy",
+                     asked                ? ", as the deck asks"
+                     : is_damped(contact) ? ", since friction wants steady pressures"
+                                          : "");
+}
+
 }  // namespace
 
 std::string supports_text(const Solids& solids) {
@@ -92,7 +108,8 @@ std::vector<Term> solid_terms(const Solids& solids, double gravity) {
       term("supports", !solids.supports.empty(), supports_text(solids),
            "none given, and no wall that a node stands at"),
       term("damping", damped, fmt::format("alpha {:.4g}, beta {:.4g}", solids.alpha, solids.beta), "alpha = beta = 0"),
-      {"contact", false, "bodies on a mesh do not meet, and walls stop none but hold what stands at them"},
+      term("contact", solids.contact.has_value(), solids.contact ? contact_text(*solids.contact) : "",
+           "without $contact bodies on a mesh do not meet, and walls stop none but hold what stands at them"),
       {"third dimension", solids.mesh.dim() == 3,
        solids.mesh.dim() == 3 ? "the mesh is three-dimensional" : "the mesh is plane, one unit deep"},
   };

@@ -81,7 +81,8 @@ REQUIRED = {
     "contact_of_bodies_that_overlap", "contact_of_nothing", "contact_on_an_inner_region", "contact_on_no_region",
     "contact_on_no_side", "contact_plane_half_given", "contact_plane_in_space", "contact_plane_without_normal",
     "contact_pushed_by_friction", "contact_stick_backwards", "contact_unknown_step", "contact_unknown_wall",
-    "contact_with_a_rigid_body", "contact_without_a_mesh", "contact_without_gap", "contact_without_stiffness",
+    "contact_with_a_rigid_body", "contact_without_a_mesh", "contact_without_gap",
+    "contact_without_stiffness", "contact_touching",
 }
 
 

@@ -10,7 +10,7 @@ import sys
 from sources import end, sources
 
 ORDER = "base fields algebra grid laws model deck read reference plan results loops physics run studies".split()
-PATHS = "points bars solids rigid flow box".split()  # inside physics/
+PATHS = "points bars contact solids rigid flow box".split()  # inside physics/
 WITHOUT_DECK = "model reference results loops physics".split()
 DECK = ("deck/", "read/")
 

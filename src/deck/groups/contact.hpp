@@ -21,7 +21,7 @@ inline constexpr std::array contact_rows{
              "can. The group turns contact on by being there."},
     Variable{"contact", "gap", real, 0, 1, 1, "length", above_zero, none, "", "",
              "Distance at which sides begin to press each other; a tenth of the shortest side of the surface where it "
-             "is not given, or how far bodies are apart at the start where that is less."},
+             "is not given, or how far moving bodies are apart at the start where that is less."},
     Variable{"contact", "stiffness", real, 0, 1, 1, "stress", above_zero, none, "", "",
              "Stiffness of the pressure between sides; a tenth of the modulus E of the softer body where it is not "
              "given."},

@@ -17,6 +17,7 @@ struct NodeSource {
   const Mesh& mesh;
   std::span<const double> q, v;
   std::vector<double> stress = {};  ///< seven numbers a node: Elements::nodal_stress
+  const ContactState* contact = nullptr;
 };
 
 using NodeGroup = ColumnGroup<ColumnSetting, NodeSource>;
@@ -42,6 +43,20 @@ NodeGroup motion_group() {
 double mises(const double* s) {
   const double normal = std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2);
   return std::sqrt(0.5 * normal + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+NodeGroup contact_group() {
+  using Row = Column<ColumnSetting, NodeSource>;
+  const auto row = [](const char* name, D dimension, const char* meaning, std::vector<double> ContactState::*values) {
+    return Row(name, dimension, meaning,
+               [values](const NodeSource& s, std::size_t k) { return (s.contact->*values)[k]; });
+  };
+  return {{row("contact_pressure", D::stress,
+               "pressure by surfaces that meet, per area of the shape at the start, the mean near the node",
+               &ContactState::pressure),
+           row("contact_friction", D::stress, "friction of these, likewise", &ContactState::friction),
+           row("contact_distance", D::length, "least distance from another surface, at most the gap of $contact",
+               &ContactState::distance)}};
 }
 
 NodeGroup stress_group() {
@@ -232,14 +247,14 @@ std::vector<double> momenta_of(const SolidState& state, const SolidSystem& syste
 
 const ColumnTable<SolidSetting, SolidSums>& solid_table() {
   static const ColumnTable<SolidSetting, SolidSums> table(
-      {energy_columns(), work_columns(), momentum_columns(), given(in_space(), spin_columns()),
+      {energy_columns(), work_columns(), contact_columns(), momentum_columns(), given(in_space(), spin_columns()),
        given(in_plane(), plane_spin_column()), overlap_columns(), shape_columns(), body_columns(), tracked_columns(),
        support_columns()});
   return table;
 }
 
 Columns<SolidSums> solid_columns(const Solids& solids) {
-  SolidSetting setting{mesh_setting(solids, region_names(solids)), {}};
+  SolidSetting setting{mesh_setting(solids, region_names(solids)), {}, solids.contact.has_value()};
   for (const std::size_t s : supports_in_order(solids))
     setting.support_names.push_back(solids.supports[s].amplitude.of);
   return {solid_table(), std::move(setting)};
@@ -251,7 +266,8 @@ SolidSums sums_of(const SolidState& state, const SolidSystem& system) {
   s.time = state.time, s.dt = state.dt_last;
   for (std::size_t k = 0; k < momenta.size(); ++k) s.kinetic += 0.5 * momenta[k] * state.v[k];
   s.strain = system.elements->strain_energy(state.q), s.potential = system.gravity_energy(state.q);
-  s.total = s.kinetic + s.strain + s.potential;
+  s.contact = state.contact;
+  s.total = s.kinetic + s.strain + s.potential + s.contact.energy;
   s.of_loads = state.of_loads, s.of_supports = state.of_supports, s.damped = state.damped;
   for (const auto& weights : system.region_weights) {
     const double mass = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -275,7 +291,10 @@ std::string worst_element(const SolidSystem& system, std::span<const double> q) 
 }
 
 Snapshot node_fields(const SolidState& state, const SolidSystem& system) {
-  return shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.v);
+  if (!system.solids.contact) return shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.v);
+  static const ColumnTable<ColumnSetting, NodeSource> table({motion_group(), stress_group(), contact_group()});
+  return snapshot_of(table, state.time,
+                     {system.solids.mesh, state.q, state.v, system.elements->nodal_stress(state.q), &state.contact});
 }
 
 }  // namespace tether::fem

@@ -54,13 +54,18 @@ struct SupportSums {
 /// What a record of elastic bodies is made from.
 struct SolidSums : MeshSums {
   double of_loads = 0, of_supports = 0, damped = 0;  ///< so far [energy]
-  std::vector<SupportSums> supports;                 ///< those of the deck, then walls
+  ContactState contact;
+  std::vector<SupportSums> supports;  ///< those of the deck, then walls
 };
 
 /// Names supports and walls, too.
 struct SolidSetting : ColumnSetting {
   std::vector<std::string> support_names;
+  bool meets = false;  ///< whether there is contact
 };
+
+/// Lists what contact stores and takes, and how bodies touch.
+ColumnGroup<SolidSetting, SolidSums> contact_columns();
 
 /// Lists what elastic bodies can write: the history's columns and what a record of them is made from, and fields of the
 /// nodes: places, displacements, velocities, Cauchy's stress and the energy density.

@@ -12,6 +12,19 @@
 #include "results/summary_keys.hpp"
 
 namespace tether::fem {
+namespace {
+
+/// The counts of a contact alone, without its numbers of nodes.
+ContactState counts_of(const ContactState& contact) {
+  ContactState counts;
+  counts.slid = contact.slid, counts.eased = contact.eased, counts.damped_steps = contact.damped_steps;
+  return counts;
+}
+
+/// Below this part of the deck's step it is halved no more, give or take rounding.
+constexpr double shortest_halved = 1.001 / (1 << most_halvings);
+
+}  // namespace
 
 SolidSolver::SolidSolver(const Plan& plan, int threads)
     : plan_(plan),
@@ -29,6 +42,7 @@ SolidSolver::SolidSolver(const Plan& plan, int threads)
   if (system_.solids.integrator != Integrator::equilibrium)
     system_.move_supports(0, slope_width * plan.scene.clock.tstep, state_.v);
   if (system_.solids.from_equilibrium) start();
+  step_.look_at_contact(state_);
   tell_of_short_steps();
   std::vector<std::string> told_by_the_deck;
   overlaps_.look(state_.q, 0, state_.overlap, told_by_the_deck);
@@ -60,12 +74,34 @@ void SolidSolver::start() {
 void SolidSolver::advance(double until, long long most) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax && most-- > 0) {
     const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
+    const ContactState contact = counts_of(state_.contact);
     step(next_step());
     if (implicit())
       BodyDoubts::look_at_swings(before, state_.v, system_.lumped, rounding_energy_, state_.time, state_.doubts,
                                  messages_);
+    tell_of_contact(contact);
     look_at_bodies();
   }
+}
+
+/// Reports each of what contact found doubtful once.
+void SolidSolver::tell_of_contact(const ContactState& before) {
+  const ContactState& now = state_.contact;
+  if (before.slid <= 1 && now.slid > 1)
+    messages_.push_back(fmt::format(
+        "t = {:.6g}: surfaces slide {:.3g} gaps past each other in a step: damped contact brakes them, the less the "
+        "shorter the steps (with the square) and the larger the gap; step='energy' of $contact does not",
+        state_.time, now.slid));
+  if (before.damped_steps == 0 && now.damped_steps > 0)
+    messages_.push_back(fmt::format(
+        "t = {:.6g}: no step that keeps the energy leads on: contact is damped in this one, and in others like it "
+        "(contact_damped_steps of summary.txt counts them)",
+        state_.time));
+  if (before.eased == 0 && now.eased > 0)
+    messages_.push_back(fmt::format(
+        "t = {:.6g}: friction as steep as stick of $contact asks has no solution here: it comes up at up to a hundred "
+        "times that speed (contact_eased_steps of summary.txt counts the steps)",
+        state_.time));
 }
 
 /// Explicit steps are many and short: bodies do not go far in some of them.
@@ -89,10 +125,12 @@ void SolidSolver::step(double dt) {
       [this](double part, const NewtonReport& report) { stop(part, report); }, messages_);
 }
 
-/// Explicit steps have nothing to be halved for.
+/// Explicit steps have nothing to be halved for. A step that cannot be halved again takes damped contact.
 NewtonReport SolidSolver::advanced(double dt) {
   if (state_.time + dt <= state_.time) lose(dt);
   NewtonReport report = step_.advance(state_, dt);
+  if (!report.converged && step_.can_be_damped() && dt <= shortest_halved * plan_.step.deck_step)
+    report = step_.advance_damped(state_, dt);
   if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
   if (!report.residuals.empty()) state_.residual = report.residuals.back();
   if (report.converged && system_.solids.integrator == Integrator::equilibrium)
@@ -175,6 +213,12 @@ Summary SolidSolver::more_summary() const {
                   line_of("factor_nonzeros", cost.factor_nonzeros)};
   if (system_.solids.integrator == Integrator::equilibrium)
     summary.push_back(line_of("equilibrium_residual", state_.residual));
+  if (system_.solids.contact) {
+    summary.push_back(line_of("contact_gap", system_.solids.contact->gap));
+    summary.push_back(line_of("contact_slid", state_.contact.slid));
+    summary.push_back(line_of("contact_damped_steps", state_.contact.damped_steps));
+    summary.push_back(line_of("contact_eased_steps", state_.contact.eased));
+  }
   return summary;
 }
 

@@ -48,6 +48,7 @@ class SolidSolver final : public Solver {
   void start();
   void tell_of_short_steps();
   void look_at_bodies();
+  void tell_of_contact(const ContactState& before);
   double next_step() const;
   void step(double dt);
   NewtonReport advanced(double dt);

@@ -12,6 +12,9 @@ namespace tether::fem {
 namespace {
 
 constexpr int most_backsteps = 10;
+/// Where bodies meet, what is no nearer to balance than this is no equilibrium, however stiff the barrier: a body that
+/// nothing holds.
+constexpr double unbalanced = 1e-4;
 
 double norm(const std::vector<double>& f) {
   double sum = 0;
@@ -47,6 +50,7 @@ SolidStep::SolidStep(const SolidSystem& system)
       rule_(forces_of(system.solids.integrator)),
       rigid_guess_(system.solids.mesh, system.weights, system.held),
       solver_(system.dim()),
+      contact_(),
       K_(system.pattern.matrix()),
       q1_(system.unknowns()),
       start_(system.unknowns()),
@@ -58,7 +62,10 @@ SolidStep::SolidStep(const SolidSystem& system)
       residual_(system.unknowns()),
       change_(system.unknowns()),
       scratch_(system.unknowns()),
+      touching_(system.unknowns(), 0.0),
+      led_(system.unknowns()),
       moved_(system.unknowns()) {
+  if (system.solids.contact) contact_.emplace(system.solids, system.gravity(), system.team());
   if (system.solids.beta == 0) return;
   K0_ = system.pattern.matrix();
   system.elements->add_tangent(StressAt::end, system.solids.mesh.x, system.solids.mesh.x, 0, system.pattern, K0_);
@@ -69,8 +76,8 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     explicit_step(state, dt);
     return {std::isfinite(norm(state.v)), {}};
   }
-  find_dead_forces(state.time, dt);
-  if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
+  begin(state, dt);
+  if (contact_) return meet(state, dt, false);
   NewtonReport report;
   for (const NewtonRule& rule : newton_rules) {
     guess(state, dt);
@@ -80,6 +87,11 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   }
   if (report.converged) accept(state, dt);
   return report;
+}
+
+void SolidStep::begin(const SolidState& state, double dt) {
+  find_dead_forces(state.time, dt);
+  if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
 }
 
 /// Finds where Newton's method starts: with the velocity carried on, or as rigid bodies would move on, whichever leaves
@@ -129,13 +141,16 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
   const Seconds from = seconds_now();
   find_forces(state, dt, false);
   report.residuals.push_back(find_residual(state, dt));
+  sizes_.assign(1, report.residuals.back() * scale_);
   cost_.assembly += seconds_now() - from;
   for (int k = 0; k < rule.most_iterations; ++k) {
-    report.converged = report.residuals.back() <= system_.solids.tolerance;
-    if (report.converged || !correct(state, dt)) return report;
+    report.converged = report.residuals.back() <= system_.solids.tolerance && supports_are_there();
+    if (report.converged || leads_nowhere() || !correct(state, dt)) return report;
     report.residuals.push_back(
         residual_after_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
-    report.converged = stagnates(report.residuals) && report.residuals.back() <= rounding();
+    sizes_.push_back(report.residuals.back() * scale_);
+    report.converged = stagnates(report.residuals) && report.residuals.back() <= rounding() && supports_are_there() &&
+                       (!meets_ || rule_.dynamic || report.residuals.back() <= unbalanced);
     if (report.converged) return report;
   }
   return report;
@@ -163,7 +178,8 @@ double SolidStep::residual_after_correction(const SolidState& state, double dt, 
   for (int back = 0; back < most_backsteps; ++back) {
     find_forces(state, dt, true);
     const double size = find_residual(state, dt);
-    if (std::isfinite(size) && (back >= shortenings || size * scale_ <= before || next_correction() <= length))
+    if (std::isfinite(size) &&
+        (back >= shortenings || size * scale_ <= before || (!meets_ && next_correction() <= length)))
       return size;
     for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i] *= 0.5;
   }
@@ -191,12 +207,20 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   if (rule_.dynamic && solids.beta != 0) {
     for (std::size_t k = 0; k < K_.value.size(); ++k) K_.value[k] += solids.beta / dt * K0_.value[k];
   }
-  hold(K_, system_.held, stiffest_);
+  SparseMatrix met;
+  if (meets_) {
+    met = contact_->with_slopes(K_, q1_, share);
+    lead_supports(met);
+    for (const double value : met.value) stiffest_ = std::max(stiffest_, std::abs(value));
+  }
+  SparseMatrix& K = meets_ ? met : K_;
+  hold(K, system_.held, stiffest_);
   for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
   cost_.assembly += seconds_now() - from;
   const Seconds solve_from = seconds_now();
-  const bool regular = solver_.factorise(K_, system_.has_pressures() ? Definite::general : rule_.tangent);
+  const bool regular = solver_.factorise(K, system_.has_pressures() ? Definite::general : rule_.tangent);
   if (regular) solver_.solve(change_, change_);
+  if (meets_ && regular) stop_before_surfaces();
   cost_.solve += seconds_now() - solve_from;
   cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis = solver_.analysis();
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] += change_[k];
@@ -212,6 +236,7 @@ void SolidStep::accept(SolidState& state, double dt) {
     state.of_loads += falling;
   }
   note_hold(state);
+  if (contact_) accept_contact(state);
   state.q = q1_;
 }
 

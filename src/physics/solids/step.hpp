@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/process.hpp"
+#include "physics/contact/body_contact.hpp"
 #include "physics/solids/rigid_guess.hpp"
 #include "physics/solids/system.hpp"
 
@@ -19,6 +21,9 @@ struct NewtonRule {
 /// Whole corrections find the way in stiff and slender bodies, through larger residuals; where they lead nowhere, as in
 /// long steps of soft ones, a second attempt takes care.
 inline constexpr std::array newton_rules{NewtonRule{12, 0}, NewtonRule{25, 6}};
+
+/// Where bodies meet, surfaces stop corrections short, and stiffen from one to the next: more of them are needed.
+inline constexpr NewtonRule meeting_rule{100, 8};
 
 /// How Newton's method went in a step.
 struct NewtonReport {
@@ -55,6 +60,12 @@ class SolidStep {
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
+  /// Does the same with damped contact, whatever the deck says: what is left where steps that keep the energy are
+  /// halved as often as they may be.
+  NewtonReport advance_damped(SolidState& state, double dt);
+  /// Finds how bodies touch where they are.
+  void look_at_contact(SolidState& state);
+  bool can_be_damped() const { return contact_ && !contact_->damps(); }
   /// Brings the state into equilibrium with the loads and supports of its time, at rest; by parts of them where all at
   /// once lead nowhere.
   NewtonReport settle(SolidState& state);
@@ -66,6 +77,10 @@ class SolidStep {
  private:
   NewtonReport settle_by(SolidState& state, double part);
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
+  NewtonReport meet(SolidState& state, double dt, bool damped);
+  NewtonReport meet_by_easing(SolidState& state, double dt);
+  void approach(const SolidState& state);
+  void begin(const SolidState& state, double dt);
   void guess(const SolidState& state, double dt);
   void find_dead_forces(double time, double dt);
   void find_forces(const SolidState& state, double dt, bool again);
@@ -74,9 +89,15 @@ class SolidStep {
   double residual_after_correction(const SolidState& state, double dt, int shortenings, double before);
   double next_correction();
   static bool stagnates(const std::vector<double>& residuals);
+  bool leads_nowhere() const;
   double rounding() const;
   bool correct(const SolidState& state, double dt);
+  bool supports_are_there() const;
+  void lead_supports(const SparseMatrix& K);
+  void stop_before_surfaces();
+  void shorten_correction(double nearest);
   void accept(SolidState& state, double dt);
+  void accept_contact(SolidState& state);
   void accept_motion(SolidState& state, double dt, double falling);
   void accept_equilibrium(SolidState& state);
   void note_hold(SolidState& state) const;
@@ -88,13 +109,17 @@ class SolidStep {
   StepForces rule_;
   RigidGuess rigid_guess_;
   SparseSolver solver_;
+  std::optional<contact::BodyContact> contact_;
+  bool meets_ = false;   // whether the forces of contact are asked
   SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
   // Places at the step's end; forces: inner ones at the start (trapezoidal rule), inner, outer, of these the ones that
   // the shape does not change, inertia, damping; their sum, the residual; the correction; and what is in between.
   std::vector<double> q1_, start_, inner_, outer_, dead_, inertia_, damping_, residual_, change_, scratch_;
-  double loaded_ = 1;                // part of the loads that act while a body settles
-  std::vector<double> moved_;        // velocities of supported nodes at the step's end
-  double scale_ = 0, stiffest_ = 0;  // the largest force, and the largest number of the tangent
+  std::vector<double> touching_, led_;  // forces of contact, part of the inner ones; places where supports lead to
+  double loaded_ = 1;                   // part of the loads that act while a body settles
+  std::vector<double> moved_;           // velocities of supported nodes at the step's end
+  std::vector<double> sizes_;           // of the residuals of corrections of bodies that meet [force]
+  double scale_ = 0, stiffest_ = 0;     // the largest force, and the largest number of the tangent
   SolidCost cost_;
 };
 

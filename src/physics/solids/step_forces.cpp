@@ -37,6 +37,11 @@ void SolidStep::find_forces(const SolidState& state, double dt, bool again) {
     elements.add_forces(StressAt::end, state.q, state.q, start_);
   }
   elements.add_forces(rule_.at, state.q, q1_, inner_);
+  if (meets_) {
+    std::fill(touching_.begin(), touching_.end(), 0.0);
+    contact_->add_forces(q1_, touching_);
+    for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] += touching_[k];
+  }
   if (!rule_.mean) return;
   for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = 0.5 * (inner_[k] + start_[k]);
 }

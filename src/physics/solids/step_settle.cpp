@@ -40,8 +40,14 @@ NewtonReport SolidStep::settle_by(SolidState& state, double part) {
       const double x = system_.solids.mesh.x[k];
       if (system_.held[k]) q1_[k] = x + part * (q1_[k] - x);
     }
-    report = newton(state, 0, rule);
-    if (report.converged) break;
+    if (contact_) {
+      contact_->begin_equilibrium(state.q, 0);
+      approach(state);
+      meets_ = true;
+    }
+    report = newton(state, 0, contact_ ? meeting_rule : rule);
+    meets_ = false;
+    if (report.converged || contact_) break;
   }
   if (report.converged) state.q = q1_;
   return report;

@@ -32,6 +32,7 @@ SolidSystem::SolidSystem(const Solids& of, double gravity, Team& team)
       lumped(of.mesh.node_count(), 0.0),
       held(of.mesh.x.size(), 0),
       holder(of.mesh.x.size(), -1),
+      team_(team),
       gravity_(gravity) {
   mass.multiply(std::vector<double>(weights.size(), 1.0), weights);
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {

@@ -18,6 +18,20 @@
 
 namespace tether::fem {
 
+/// How bodies touch: what contact stores, and the rest of the last step; what it has taken so far.
+struct ContactState {
+  double energy = 0;     ///< stored between surfaces [energy]
+  double rubbed = 0;     ///< taken by friction so far [energy]
+  double damped = 0;     ///< taken by damped contact so far [energy]
+  double pressing = 0;   ///< sum of the sizes of the forces across surfaces [force]
+  double least_gap = 0;  ///< between surfaces that press; 0 where none do [length]
+  double sides = 0;      ///< of bodies that are pressed
+  double slid = 0;       ///< farthest way past each other of damped surfaces in a step so far, over the gap
+  std::vector<double> pressure, friction, distance;  ///< at the nodes, of contact::ContactNumbers
+  long long eased = 0;         ///< steps in which friction came up over a longer way than the deck's
+  long long damped_steps = 0;  ///< steps in which contact was damped because nothing else led on
+};
+
 /// Of elastic bodies; dim numbers a node.
 struct SolidState : StepClock {
   std::vector<double> q, v;  ///< places [length] and velocities of the nodes
@@ -28,9 +42,19 @@ struct SolidState : StepClock {
   std::vector<double> hold;  ///< what supports and walls did in the last step to unknowns that they hold [force]
   double residual = 0;       ///< that Newton's method ended the last step with, over the largest force
   long long newton_steps = 0, halvings = 0;
+  ContactState contact;
   OverlapCount overlap;
   BodyDoubtNumbers doubts;
 };
+
+template <class Exchange>
+void exchange(Exchange& with, ContactState& contact) {
+  with("contact_energy", contact.energy), with("rubbed", contact.rubbed), with("contact_damped", contact.damped);
+  with("pressing", contact.pressing), with("least_gap", contact.least_gap), with("touching_sides", contact.sides);
+  with("contact_pressure", contact.pressure), with("contact_friction", contact.friction);
+  with("contact_distance", contact.distance);
+  with("slid", contact.slid), with("eased", contact.eased), with("damped_steps", contact.damped_steps);
+}
 
 /// Lists what a step depends on over saver and restorer alike.
 template <class Exchange>
@@ -40,7 +64,7 @@ void exchange(Exchange& with, SolidState& state) {
   with("of_loads", state.of_loads), with("of_supports", state.of_supports), with("damped", state.damped);
   with("hold", state.hold), with("residual", state.residual);
   with("newton_steps", state.newton_steps), with("halvings", state.halvings);
-  exchange(with, state.overlap), exchange(with, state.doubts);
+  exchange(with, state.contact), exchange(with, state.overlap), exchange(with, state.doubts);
 }
 
 /// What the equations of elastic bodies are made of, that no step changes. Vectors have dim numbers a node.
@@ -62,6 +86,8 @@ class SolidSystem {
   void add_pressure_tangent(double time, StressAt at, std::span<const double> q0, std::span<const double> q1,
                             double factor, SparseMatrix& K) const;
   bool has_pressures() const { return !pressures_.empty(); }
+  Team& team() const { return team_; }
+  double gravity() const { return gravity_; }
   /// Potential energy of gravity, zero at y = 0 [energy].
   double gravity_energy(std::span<const double> q) const;
   /// Sets the places of supported nodes to where they are at a time.
@@ -92,6 +118,7 @@ class SolidSystem {
     SidePressure of;
     const Load* load;
   };
+  Team& team_;
   double gravity_;
   std::vector<NodalLoad> loads_;
   std::vector<FollowingLoad> pressures_;

@@ -17,6 +17,7 @@
 #include "grid/mesh_flaws.hpp"
 #include "grid/solid_surface.hpp"
 #include "model/coupled.hpp"
+#include "read/mesh/contact_checks.hpp"
 #include "read/mesh/sides.hpp"
 #include "read/values.hpp"
 
@@ -124,7 +125,7 @@ class ContactReader {
     if (!walls_.insert(side).second)
       return error("contact.wall", {k, 1}, fmt::format("the {} is a wall already", name), "name each side once");
     const GridEdge edge = edges_of(scene_)[at(side)];
-    ContactPlane plane;
+    SurfacePlane plane;
     plane.place = {scene_.grid.x0, scene_.grid.y0, 0};
     plane.place[edge.axis] = edge.place;
     plane.normal[edge.axis] = is_low_side(side) ? 1 : -1;
@@ -147,7 +148,7 @@ class ContactReader {
     if (!is_whole("contact.plane", k, "a plane has x and y of a place and of its normal",
                   "a plane in space has x, y and z of a place and of its normal"))
       return;
-    ContactPlane plane;
+    SurfacePlane plane;
     for (int i = 0; i < dim_; ++i) {
       plane.place[at(i)] = deck_.real("contact.plane", i + 1, k);
       plane.normal[at(i)] = deck_.real("contact.plane", dim_ + i + 1, k);
@@ -197,7 +198,7 @@ class ContactReader {
     return true;
   }
 
-  void add(const ContactPlane& plane, AnyVariable name, Subscript at, const std::string& what, const char* hint) {
+  void add(const SurfacePlane& plane, AnyVariable name, Subscript at, const std::string& what, const char* hint) {
     check_start([&](const Vec<3>& x) { return dot(plane.normal, minus(plane.place, x)); }, name, at, "beyond " + what,
                 hint);
     contact_.planes.push_back(plane);
@@ -276,7 +277,10 @@ void check_contact_deck(const Deck& deck, Diagnostics& diagnostics) {
 std::optional<Contact> contact_of(const Deck& deck, const Scene& scene, const Solids& solids,
                                   Diagnostics& diagnostics) {
   if (!deck.has_group("contact") || !std::holds_alternative<ElasticBodies>(scene.physics)) return std::nullopt;
-  return ContactReader(deck, scene, solids, diagnostics).read();
+  Contact contact = ContactReader(deck, scene, solids, diagnostics).read();
+  warn_of_laws(deck, solids, diagnostics);
+  if (!diagnostics.has_errors()) find_gap(deck, solids, contact, diagnostics);
+  return contact;
 }
 
 }  // namespace tether

@@ -19,7 +19,7 @@ std::string squares(const std::string& contact, const std::string& fem = "", con
   return on_unit_square(
       "$\n$reg nreg=2,nvi=4,4,xvi(1,1)=.1,.4,.4,.1,xvi(1,2)=.6,.9,.9,.6,densir=2*1.,\n"
       "yvi(1,1)=.2,.2,.8,.8,yvi(1,2)=.2,.2,.8,.8,matr(1,1)=9.,.3,matr(1,2)=9.,.3 $\n$mesh element='q1'," +
-      mesh + "$\n$fem\n" + fem + "\n$\n$contact\n" + contact + "\n$\n");
+      mesh + "$\n$fem law(1)='neo-hookean','neo-hookean'\n" + fem + "\n$\n$contact\n" + contact + "\n$\n");
 }
 
 /// The same in space, from z = 0 to 1.
@@ -38,7 +38,8 @@ TEST(ContactGroup, TurnsContactOnByBeingThere) {
   ASSERT_TRUE(built.scene.solids()->contact.has_value());
   EXPECT_TRUE(contact.bodies && contact.itself && contact.nodes.empty() && contact.planes.empty());
   EXPECT_TRUE(contact.obstacles.empty());
-  for (const double number : {contact.gap, contact.stiffness, contact.friction, contact.stick}) EXPECT_EQ(number, 0);
+  for (const double number : {contact.stiffness, contact.friction, contact.stick}) EXPECT_EQ(number, 0);
+  EXPECT_NEAR(contact.gap, 0.03, 1e-15);  // a tenth of the shortest side
   EXPECT_EQ(contact.step, ContactStep::automatic);
   EXPECT_FALSE(is_damped(contact));
 
@@ -94,10 +95,18 @@ TEST(ContactGroup, HasPlanesAndObstaclesInSpace) {
             (Texts{"11:12: plane 1: plane(5,1) is not given"}));
 }
 
-/// A body that touches a plane or an obstacle starts out of it.
-TEST(ContactGroup, BodiesMayTouchAtTheStart) {
-  const Contact contact = contact_of(build_on_mesh(squares("plane(1,1)=0.,.2,0.,1.,obstacle(1,1)=0.,1.,.8,.9")));
-  EXPECT_EQ(contact.planes.size() + contact.obstacles.size(), 2u);
+/// No barrier can stand between a body and a plane or an obstacle that it touches; between those that are near to each
+/// other one begins where they are, but for equilibria, which it has to hold.
+TEST(ContactGroup, TakesItsGapFromTheStart) {
+  for (const char* touching : {"plane(1,1)=0.,.2,0.,1.", "obstacle(1,1)=0.,1.,.8,.9"}) {
+    const Texts errors = build_on_mesh(squares(touching)).errors();
+    ASSERT_EQ(errors.size(), 1u) << touching;
+    EXPECT_NE(errors[0].find("touch at the start"), std::string::npos) << errors[0];
+  }
+  const char* near = "plane(1,1)=0.,.19,0.,1.";
+  EXPECT_NEAR(contact_of(build_on_mesh(squares(near))).gap, 0.01, 1e-12);
+  EXPECT_NEAR(contact_of(build_on_mesh(squares(near, "static=.true."))).gap, 0.03, 1e-12);
+  EXPECT_EQ(build_on_mesh(squares("gap=.02,plane(1,1)=0.,.19,0.,1.")).diagnostics.warnings().size(), 1u);
 }
 
 /// What contact may hold needs no supports.
@@ -121,6 +130,8 @@ TEST(ContactGroup, WarnsOfWhatHasNoEffect) {
   std::string deck = squares("wall(1)='bottom'");
   deck.replace(deck.find("ybot=0."), 7, "ybot=.2");
   EXPECT_EQ(warnings_of(deck), (Texts{"wb of $in holds 4 nodes that start at the bottom: they never leave it"}));
+  deck.replace(deck.find("law(1)='neo-hookean'"), 20, "law(1)='svk'");
+  EXPECT_EQ(warnings_of(deck).size(), 2u);
 }
 
 /// Bodies that overlap are a mistake where contact stops them at one another, and else doubtful.

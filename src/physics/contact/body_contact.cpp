@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/contact/body_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "base/numbers.hpp"
+#include "physics/contact/plane_force.hpp"
+
+namespace tether::contact {
+namespace {
+
+/// Numbers that no deck gives. The guards' gap is a part of the other's, which points of quadrature use up at no
+/// pressure that bodies bear.
+constexpr double part_of_modulus = 0.1, part_of_gap = 0.25;
+
+/// E of small strains, of the law as it stands; of fibres theirs [stress].
+double young(const ElasticLaw& law) {
+  const auto lame = std::visit([](const auto& one) { return one.in_plane(); }, law);
+  if (!lame) return std::visit([](const auto& one) { return one.stiffness(); }, law);
+  return 2 * lame->mu * (1 + poisson_ratio(*lame));
+}
+
+/// A speed that counts as rest: a small part of that with which the bodies start, or fall by as far as the scene is
+/// high; without any, of the speed of waves [velocity].
+double slow_speed(const Solids& solids, double gravity) {
+  constexpr double part = 1e-4, part_of_waves = 1e-6;
+  const auto d = at(solids.mesh.dim());
+  double low = INFINITY, high = -INFINITY, fastest = 0, waves = 0;
+  for (std::size_t k = 1; k < solids.mesh.x.size(); k += d)
+    low = std::min(low, solids.mesh.x[k]), high = std::max(high, solids.mesh.x[k]);
+  for (const SolidRegion& region : solids.regions) {
+    fastest = std::max(fastest, std::sqrt(dot(region.velocity, region.velocity)));
+    waves = std::max(waves, std::sqrt(young(region.law) / region.density));
+  }
+  fastest = std::max(fastest, std::sqrt(std::abs(gravity) * (high - low)));
+  return fastest > 0 ? part * fastest : part_of_waves * waves;
+}
+
+/// How near surfaces may come in one correction that are `away` from each other: what presses them is then of the size
+/// that it has to be, or grows by some times.
+double nearest_after(double away, double gap, double left) { return std::min(left * away, 0.7 * gap); }
+
+}  // namespace
+
+BodyContact::BodyContact(const Solids& solids, double gravity, Team& team)
+    : solids_(solids),
+      contact_(*solids.contact),
+      team_(team),
+      surface_(contact_surface(solids.mesh, contact_.nodes, contact_.obstacles)),
+      pairs_(surface_, {contact_.bodies, contact_.itself}, team),
+      gap_(contact_.gap),
+      guard_gap_(part_of_gap * contact_.gap),
+      stick_(contact_.stick > 0 ? contact_.stick : slow_speed(solids, gravity)) {
+  for (const SolidRegion& region : solids.regions)
+    modulus_.push_back(contact_.stiffness > 0 ? contact_.stiffness : part_of_modulus * young(region.law));
+}
+
+void BodyContact::begin(std::span<const double> q0, double dt, bool damped) {
+  surface_.places.find(q0, x0_);
+  dt_ = dt;
+  rule_.friction = dt > 0 ? contact_.friction : 0;
+  ease_friction(1);
+  rule_.damped = damped || is_damped(contact_), rule_.at_end = false;
+  met_ = EigenSparse();
+  covered_ = false;
+  cover(x0_, x0_);
+}
+
+void BodyContact::begin_equilibrium(std::span<const double> q0, double dt) {
+  begin(q0, dt, false);
+  rule_.damped = false, rule_.at_end = true;
+}
+
+double BodyContact::modulus(int side) const {
+  return side < 0 ? INFINITY : modulus_[tether::at(surface_.side_region[tether::at(side)])];
+}
+
+PairScale BodyContact::scale_of(const ContactPair& pair) const {
+  const double gap = pair.guard ? guard_gap_ : gap_;
+  return {0.5 * std::min(modulus(pair.side), modulus(pair.other)) * pair.area * gap, gap * gap, pair.parallel};
+}
+
+PairScale BodyContact::scale_of(const ContactPoint& point, bool guard) const {
+  const double gap = guard ? guard_gap_ : gap_;
+  return {0.5 * modulus(point.side) * point.area * gap, gap * gap, 0};
+}
+
+/// Points of quadrature, and after these guards.
+const ContactPoint& BodyContact::point_of(std::size_t number) const {
+  return is_guard(number) ? surface_.guards[number - surface_.points.size()] : surface_.points[number];
+}
+
+/// Sees to it that all pairs are known that can meet between the start, x1 and x2.
+void BodyContact::cover(std::span<const double> x1, std::span<const double> x2) {
+  if (covered_ && pairs_.hold(x1) && pairs_.hold(x2)) return;
+  double farthest = 0;
+  for (std::size_t k = 0; k < x0_.size(); ++k)
+    farthest = std::max({farthest, std::abs(x1[k] - x0_[k]), std::abs(x2[k] - x0_[k])});
+  pairs_.find({x0_, x1, x2}, gap_, std::max(gap_, 0.25 * farthest));
+  const auto& pairs = pairs_.pairs();
+  s0_.resize(pairs.size());
+  team_.each(0, pairs.size(), [&](std::size_t k) { s0_[k] = squared_distance(pairs[k], surface_.dim(), x0_); });
+  covered_ = true;
+}
+
+void BodyContact::place(std::span<const double> q1) {
+  surface_.places.find(q1, x1_);
+  cover(x1_, x1_);
+  find_active();
+}
+
+/// Finds what is nearer than the gap at either end of the step.
+void BodyContact::find_active() {
+  const auto& pairs = pairs_.pairs();
+  std::vector<double> s1(pairs.size());
+  team_.each(0, pairs.size(), [&](std::size_t k) { s1[k] = squared_distance(pairs[k], surface_.dim(), x1_); });
+  active_.clear();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double gap = pairs[k].guard ? guard_gap_ : gap_;
+    if (std::min(s0_[k], s1[k]) < gap * gap) active_.push_back({k, -1, s0_[k], s1[k]});
+  }
+  if (rule_.damped) find_nearest();
+  find_active_at_planes();
+}
+
+/// Marks what each point of quadrature is nearest to, over the step's ends; pairs of a point stand together.
+void BodyContact::find_nearest() {
+  const auto& pairs = pairs_.pairs();
+  for (std::size_t first = 0, next = 0; first < active_.size(); first = next) {
+    if (pairs[active_[first].number].guard) return;
+    const std::size_t point = pairs[active_[first].number].point;
+    std::size_t nearest = first;
+    for (next = first; next < active_.size(); ++next) {
+      const ContactPair& pair = pairs[active_[next].number];
+      if (pair.guard || pair.point != point) break;
+      if (pair.area > 0 && active_[next].s0 + active_[next].s1 < active_[nearest].s0 + active_[nearest].s1)
+        nearest = next;
+    }
+    active_[nearest].damps = pairs[active_[nearest].number].area > 0;
+  }
+}
+
+void BodyContact::find_active_at_planes() {
+  const std::size_t points = surface_.points.size() + surface_.guards.size(), d = tether::at(surface_.dim());
+  for (std::size_t p = 0; p < contact_.planes.size(); ++p) {
+    const auto height = [&](const double* x) {
+      return d == 2 ? height_over<2>(contact_.planes[p], x) : height_over<3>(contact_.planes[p], x);
+    };
+    for (std::size_t k = 0; k < points; ++k) {
+      const ContactPoint& point = point_of(k);
+      if (point.side < 0) continue;
+      const double gap = is_guard(k) ? guard_gap_ : gap_;
+      const double h0 = height(&x0_[tether::at(point.place) * d]), h1 = height(&x1_[tether::at(point.place) * d]);
+      if (std::min(h0, h1) < gap) active_.push_back({k, static_cast<int>(p), h0 * h0, h1 * h1, true});
+    }
+  }
+}
+
+double BodyContact::part_of_way(std::span<const double> q, std::span<const double> change, double left) {
+  surface_.places.find(q, x1_);
+  std::vector<double> then(q.begin(), q.end()), x2;
+  for (std::size_t k = 0; k < then.size(); ++k) then[k] += change[k];
+  surface_.places.find(then, x2);
+  cover(x1_, x2);
+  ways_.resize(x1_.size());
+  for (std::size_t k = 0; k < x1_.size(); ++k) ways_[k] = x2[k] - x1_[k];
+  const auto& pairs = pairs_.pairs();
+  std::vector<double> parts(pairs.size());
+  team_.each(0, pairs.size(), [&](std::size_t k) {
+    const double away = std::sqrt(squared_distance(pairs[k], surface_.dim(), x1_));
+    const double to = nearest_after(away, pairs[k].guard ? guard_gap_ : gap_, left);
+    parts[k] = tether::part_of_way(pairs[k], surface_.dim(), x1_, ways_, to);
+  });
+  double part = 1;
+  for (const double one : parts) part = std::min(part, one);
+  return part_before_planes(part, left);
+}
+
+/// Returns the same, of the part of the way that surfaces leave.
+double BodyContact::part_before_planes(double part, double left) const {
+  const std::size_t points = surface_.points.size() + surface_.guards.size(), d = tether::at(surface_.dim());
+  for (const SurfacePlane& plane : contact_.planes) {
+    for (std::size_t k = 0; k < points; ++k) {
+      const ContactPoint& point = point_of(k);
+      if (point.side < 0) continue;
+      double away = 0, way = 0;
+      for (std::size_t i = 0; i < d; ++i) {
+        const std::size_t x = tether::at(point.place) * d + i;
+        away += plane.normal[i] * (x1_[x] - plane.place[i]), way += plane.normal[i] * ways_[x];
+      }
+      const double most = away - nearest_after(away, is_guard(k) ? guard_gap_ : gap_, left);
+      if (way < 0 && part * -way > most) part = most / -way;
+    }
+  }
+  return part;
+}
+
+}  // namespace tether::contact

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "loops/elements.hpp"
+#include "physics/contact/body_contact.hpp"
+#include "physics/contact/plane_force.hpp"
+
+namespace tether::contact {
+
+// Sums over all that presses: forces, their derivatives, and what is reported of them.
+
+namespace {
+
+/// Calls f with the dimension as a constant.
+template <class Function>
+auto with_dim(int dim, const Function& f) {
+  return dim == 2 ? f(std::integral_constant<int, 2>{}) : f(std::integral_constant<int, 3>{});
+}
+
+using Triplets = std::vector<Eigen::Triplet<double, std::int64_t>>;
+
+/// Adds a block of two places to the numbers of the nodes that carry them.
+template <int dim>
+void add_block(const CarriedPlaces& places, int row, int column, const Eigen::Matrix<double, dim, dim>& block,
+               Triplets& numbers) {
+  const auto rows = places.nodes(row), columns = places.nodes(column);
+  const auto row_shares = places.shares(row), column_shares = places.shares(column);
+  for (std::size_t a = 0; a < rows.size(); ++a) {
+    for (std::size_t b = 0; b < columns.size(); ++b) {
+      for (int i = 0; i < dim; ++i) {
+        for (int j = 0; j < dim; ++j)
+          numbers.emplace_back(std::int64_t{rows[a]} * dim + i, std::int64_t{columns[b]} * dim + j,
+                               row_shares[a] * column_shares[b] * block(i, j));
+      }
+    }
+  }
+}
+
+SparseMatrix matrix_of(const EigenSparse& sum) {
+  SparseMatrix matrix{sum.rows(), {}, {}, {}};
+  matrix.start.assign(sum.outerIndexPtr(), sum.outerIndexPtr() + sum.rows() + 1);
+  matrix.row.assign(sum.innerIndexPtr(), sum.innerIndexPtr() + sum.nonZeros());
+  matrix.value.assign(sum.valuePtr(), sum.valuePtr() + sum.nonZeros());
+  return matrix;
+}
+
+}  // namespace
+
+template <int dim>
+void BodyContact::find_forces(const PairRule& rule, const Active& active, PlaceForces<dim>& forces) const {
+  forces.force.setZero();
+  if (rule.with_slopes) forces.slope.setZero();
+  const auto note = [&](const auto& found) {
+    forces.pressing = found.pressing, forces.rubbing = found.rubbing, forces.rubbed = found.rubbed;
+  };
+  if (active.plane >= 0) {
+    const ContactPoint& point = point_of(active.number);
+    const std::size_t x = tether::at(point.place) * dim;
+    const PairScale scale = scale_of(point, is_guard(active.number));
+    const auto found = plane_force<dim>(rule, scale, contact_.planes[tether::at(active.plane)], &x0_[x], &x1_[x]);
+    forces.places = {point.place, -1, -1, -1}, forces.count = 1, forces.force.col(0) = found.force;
+    if (rule.with_slopes) forces.slope.template topLeftCorner<dim, dim>() = found.slope;
+    forces.energy = scale.strength * barrier(active.s1 / scale.gap2);
+    forces.slid = 0;
+    return note(found);
+  }
+  const ContactPair& pair = pairs_.pairs()[active.number];
+  const PairScale scale = scale_of(pair);
+  with_kind<dim>(pair.kind, [&](auto kind_of) {
+    constexpr PairKind kind = decltype(kind_of)::value;
+    constexpr int count = vector_count(kind);
+    const auto r0 = vectors_of<kind, dim>(pair, x0_), r1 = vectors_of<kind, dim>(pair, x1_);
+    PairRule own = rule;
+    own.damped = rule.damped && active.damps;
+    const auto found = pair_force<kind, dim>(own, scale, r0, r1, active.s0, active.s1);
+    const auto by = vectors_by_places<kind>();
+    forces.places = pair.places, forces.count = count + 1;
+    forces.force.template leftCols<count + 1>() = found.force * by;
+    forces.energy = pair_energy<kind, dim>(scale, r1, active.s1);
+    note(found);
+    forces.slid = own.damped && active.s1 < scale.gap2 ? found.slid : 0;
+    for (int p = 0; rule.with_slopes && p <= count; ++p) {
+      for (int r = 0; r <= count; ++r) {
+        for (int i = 0; i < count; ++i) {
+          for (int j = 0; j < count; ++j)
+            forces.slope.template block<dim, dim>(p * dim, r * dim) +=
+                by(i, p) * by(j, r) * found.slope.template block<dim, dim>(i * dim, j * dim);
+        }
+      }
+    }
+  });
+}
+
+/// Calls add(k, forces) for all that is active, in its order.
+template <int dim, class Add>
+void BodyContact::each_force(bool with_slopes, const Add& add) const {
+  PairRule rule = rule_;
+  rule.with_slopes = with_slopes;
+  compute_then_add<PlaceForces<dim>>(
+      team_, active_.size(),
+      [&](std::size_t k, PlaceForces<dim>& forces) { find_forces<dim>(rule, active_[k], forces); }, add);
+}
+
+void BodyContact::add_forces(std::span<const double> q1, std::span<double> f) {
+  place(q1);
+  place_forces_.assign(x1_.size(), 0.0);
+  with_dim(surface_.dim(), [&](auto d) {
+    constexpr int dim = decltype(d)::value;
+    each_force<dim>(false, [&](std::size_t, const PlaceForces<dim>& forces) {
+      for (int p = 0; p < forces.count; ++p)
+        Eigen::Map<Eigen::Matrix<double, dim, 1>>(&place_forces_[tether::at(forces.places[tether::at(p)]) * dim]) +=
+            forces.force.col(p);
+    });
+  });
+  surface_.places.add_to_nodes(place_forces_, f);
+}
+
+SparseMatrix BodyContact::with_slopes(const SparseMatrix& K, std::span<const double> q1, double factor) {
+  place(q1);
+  Triplets numbers;
+  with_dim(surface_.dim(), [&](auto d) {
+    constexpr int dim = decltype(d)::value;
+    each_force<dim>(true, [&](std::size_t, const PlaceForces<dim>& forces) {
+      for (int p = 0; p < forces.count; ++p) {
+        for (int r = 0; r < forces.count; ++r)
+          add_block<dim>(surface_.places, forces.places[tether::at(p)], forces.places[tether::at(r)],
+                         factor * forces.slope.template block<dim, dim>(p * dim, r * dim), numbers);
+      }
+    });
+  });
+  EigenSparse sum(K.n, K.n);
+  sum.setFromTriplets(numbers.begin(), numbers.end());
+  if (met_.rows() == K.n) sum += met_;
+  met_ = sum, met_.coeffs().setZero();
+  return matrix_of(eigen_of(K) + sum);
+}
+
+ContactNumbers BodyContact::numbers(std::span<const double> q1) {
+  place(q1);
+  ContactNumbers numbers;
+  // Of each point of quadrature pressure, friction and distance.
+  std::vector<std::array<double, 3>> points(surface_.points.size(), {0, 0, gap_});
+  with_dim(surface_.dim(), [&](auto d) {
+    constexpr int dim = decltype(d)::value;
+    each_force<dim>(false, [&](std::size_t k, const PlaceForces<dim>& forces) {
+      add_numbers<dim>(active_[k], forces, numbers, points);
+    });
+  });
+  spread(points, numbers);
+  return numbers;
+}
+
+/// Two bodies that meet press each other from both sides by half: a point of one feels half the pressure.
+template <int dim>
+void BodyContact::add_numbers(const Active& active, const PlaceForces<dim>& forces, ContactNumbers& numbers,
+                              std::vector<std::array<double, 3>>& points) const {
+  numbers.energy += forces.energy, numbers.rubbed += forces.rubbed;
+  numbers.slid = std::max(numbers.slid, forces.slid);
+  std::size_t number = active.number;
+  double sign = 1, times = 1;
+  bool at_a_point = !is_guard(number);
+  if (active.plane < 0) {
+    const ContactPair& pair = pairs_.pairs()[active.number];
+    sign = pair.area < 0 ? -1 : 1, times = pair.side < 0 || pair.other < 0 ? 1 : 2;
+    at_a_point = !pair.guard, number = pair.point;
+  }
+  numbers.pressing += sign * forces.pressing;
+  if (!at_a_point) return;
+  auto& [pressure, friction, distance] = points[number];
+  pressure += sign * times * forces.pressing / surface_.points[number].area;
+  friction += sign * times * forces.rubbing / surface_.points[number].area;
+  distance = std::min(distance, std::sqrt(active.s1));
+}
+
+/// The means over the points of the sides that a node belongs to, by their shares of it; and what is least.
+void BodyContact::spread(const std::vector<std::array<double, 3>>& points, ContactNumbers& numbers) const {
+  const std::size_t nodes = solids_.mesh.node_count();
+  std::vector<double> weight(nodes, 0.0);
+  numbers.pressure.assign(nodes, 0.0), numbers.friction.assign(nodes, 0.0), numbers.distance.assign(nodes, gap_);
+  std::vector<std::uint8_t> touched(surface_.side_nodes.size(), 0);
+  double least = gap_;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const ContactPoint& point = surface_.points[k];
+    const auto& [pressure, friction, distance] = points[k];
+    const auto carriers = surface_.places.nodes(point.place);
+    for (std::size_t a = 0; a < carriers.size(); ++a) {
+      const auto node = tether::at(carriers[a]);
+      const double part = point.area * std::abs(surface_.places.shares(point.place)[a]);
+      weight[node] += part;
+      numbers.pressure[node] += part * pressure, numbers.friction[node] += part * friction;
+      numbers.distance[node] = std::min(numbers.distance[node], distance);
+    }
+    least = std::min(least, distance);
+    if (distance < gap_) touched[tether::at(point.side)] = 1;
+  }
+  for (std::size_t n = 0; n < nodes; ++n) {
+    if (weight[n] > 0) numbers.pressure[n] /= weight[n], numbers.friction[n] /= weight[n];
+  }
+  numbers.sides = static_cast<double>(std::count(touched.begin(), touched.end(), 1));
+  numbers.least_gap = least < gap_ ? least : 0;
+}
+
+}  // namespace tether::contact

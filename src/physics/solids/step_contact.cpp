@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "physics/solids/step.hpp"
+
+namespace tether::fem {
+namespace {
+
+/// What is left of the distance of surfaces that press each other, at least: a guess brings them little nearer, since
+/// what it presses too much corrections take back by a fourth each; a correction knows better.
+constexpr double nearest_guess = 0.9, nearest_correction = 0.4;
+
+void take_over(const contact::ContactNumbers& now, ContactState& contact) {
+  contact.energy = now.energy, contact.pressing = now.pressing, contact.least_gap = now.least_gap;
+  contact.sides = now.sides;
+  contact.pressure = now.pressure, contact.friction = now.friction, contact.distance = now.distance;
+}
+
+}  // namespace
+
+// A step of bodies that meet. Places on the way never let a surface through another: the first guess and each
+// correction go no farther than nine tenths of the way to the next one.
+
+NewtonReport SolidStep::meet(SolidState& state, double dt, bool damped) {
+  meets_ = false;
+  guess(state, dt);
+  rule_.dynamic ? contact_->begin(state.q, dt, damped) : contact_->begin_equilibrium(state.q, dt);
+  meets_ = true;
+  approach(state);
+  NewtonReport report = newton(state, dt, meeting_rule);
+  state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+  if (!report.converged && contact_->rubs()) report = meet_by_easing(state, dt);
+  meets_ = false;
+  if (report.converged) accept(state, dt);
+  return report;
+}
+
+NewtonReport SolidStep::advance_damped(SolidState& state, double dt) {
+  begin(state, dt);
+  NewtonReport report = meet(state, dt, true);
+  if (report.converged) ++state.contact.damped_steps;
+  return report;
+}
+
+/// Lets friction come up over ways that are longer at first, from each solution to the next. Where the last ones lead
+/// nowhere, a way that is up to a hundred times as long does for this step, which is counted.
+NewtonReport SolidStep::meet_by_easing(SolidState& state, double dt) {
+  constexpr double first = 1e5, shorter = 0.3, enough = 100;
+  q1_ = led_;
+  approach(state);
+  NewtonReport report, good;
+  std::vector<double> at;
+  double eased = first;
+  for (double ease = first; ease > 0; ease = ease > 1 ? std::max(1.0, shorter * ease) : 0) {
+    contact_->ease_friction(ease);
+    report = newton(state, dt, meeting_rule);
+    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+    if (!report.converged) break;
+    at = q1_;
+    good = report;
+    if (ease <= 1) return report;
+    eased = ease;
+  }
+  if (!good.converged || eased > enough) return report;
+  q1_ = at;
+  contact_->ease_friction(eased);
+  find_forces(state, dt, true);
+  find_residual(state, dt);
+  ++state.contact.eased;
+  return good;
+}
+
+/// Goes from the start to the first guess as far as surfaces let nodes go. Corrections lead on supports that are not
+/// there yet.
+void SolidStep::approach(const SolidState& state) {
+  led_ = q1_;
+  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - state.q[k];
+  q1_ = state.q;
+  shorten_correction(nearest_guess);
+  for (std::size_t k = 0; k < q1_.size(); ++k)
+    q1_[k] = change_[k] == led_[k] - state.q[k] ? led_[k] : q1_[k] + change_[k];
+}
+
+/// Returns whether many corrections of bodies that meet have taken little of the residual.
+bool SolidStep::leads_nowhere() const {
+  constexpr std::size_t many = 10;
+  constexpr double little = 0.7;
+  return meets_ && sizes_.size() > many && !(sizes_.back() < little * sizes_[sizes_.size() - 1 - many]);
+}
+
+bool SolidStep::supports_are_there() const {
+  if (!meets_) return true;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    if (system_.held[k] && q1_[k] != led_[k]) return false;
+  }
+  return true;
+}
+
+/// Adds to the residual what the way of supports that are not there yet does to it by the tangent K.
+void SolidStep::lead_supports(const SparseMatrix& K) {
+  if (supports_are_there()) return;
+  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = system_.held[k] ? led_[k] - q1_[k] : 0;
+  K.multiply(change_, scratch_);
+  for (std::size_t k = 0; k < q1_.size(); ++k) residual_[k] += scratch_[k];
+}
+
+/// Supports that are not there yet go with a correction, which goes as far as it can.
+void SolidStep::stop_before_surfaces() {
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    if (system_.held[k]) change_[k] = led_[k] - q1_[k];
+  }
+  shorten_correction(nearest_correction);
+}
+
+/// Shortens a correction to where the next surface is, and where no element loses more than four fifths of its least
+/// volume: beyond a volume of 0 laws see the mirrored shape.
+void SolidStep::shorten_correction(double nearest) {
+  constexpr double most_lost = 0.2;
+  constexpr int most_halvings = 30;
+  const double part = contact_->part_of_way(q1_, change_, nearest);
+  if (part < 1) {
+    for (double& change : change_) change *= part;
+  }
+  const double least = most_lost * std::min(1.0, system_.elements->shape(q1_).least);
+  for (int k = 0; k < most_halvings; ++k) {
+    for (std::size_t i = 0; i < q1_.size(); ++i) scratch_[i] = q1_[i] + change_[i];
+    if (system_.elements->shape(scratch_).least >= least) {
+      return;
+    }
+    for (double& change : change_) change *= 0.5;
+  }
+}
+
+void SolidStep::look_at_contact(SolidState& state) {
+  if (!contact_) return;
+  contact_->begin_equilibrium(state.q, 0);
+  take_over(contact_->numbers(state.q), state.contact);
+}
+
+/// Takes note of what contact stores, and of what friction and damped contact took on the way.
+void SolidStep::accept_contact(SolidState& state) {
+  const contact::ContactNumbers now = contact_->numbers(q1_);
+  double work = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) work += touching_[k] * (q1_[k] - state.q[k]);
+  ContactState& contact = state.contact;
+  contact.slid = std::max(contact.slid, now.slid / system_.solids.contact->gap);
+  contact.rubbed += now.rubbed;
+  contact.damped += work - now.rubbed - (now.energy - contact.energy);
+  take_over(now, contact);
+}
+
+}  // namespace tether::fem
