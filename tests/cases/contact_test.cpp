@@ -89,12 +89,14 @@ TEST(Contact, PassesAPressureToAPlaneToAllDigits) {
 }
 
 TEST(Contact, PassesAPressureFromMeshToMesh) {
-  for (const auto& [element, within] : {std::pair("q1", 0.01), {"q2", 0.02}, {"p1", 0.01}, {"p2", 0.03}}) {
+  for (const auto& [element, within] : {std::pair("q1", 0.003), {"q2", 0.004}, {"p1", 0.003}, {"p2", 0.005}}) {
     SCOPED_TRACE(element);
     EXPECT_LT(pressure_off({element, 8, 11}), within);
   }
-  EXPECT_LT(pressure_off({"q1", 4, 5, true}), 0.02);
-  EXPECT_LT(pressure_off({"p1", 4, 5, true}), 0.02);
+  for (const auto& [element, within] : {std::pair("q1", 0.01), {"q2", 0.02}, {"p1", 0.01}, {"p2", 0.03}}) {
+    SCOPED_TRACE(element);
+    EXPECT_LT(pressure_off({element, 4, 5, true}), within);
+  }
 }
 
 /// A softer and a stiffer barrier, and friction, which has nothing to hold where both blocks widen alike.
