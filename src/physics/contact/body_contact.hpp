@@ -87,6 +87,7 @@ class BodyContact {
   double part_before_planes(double part, double left) const;
   template <int dim>
   void find_forces(const PairRule& rule, const Active& active, PlaceForces<dim>& forces) const;
+  int side_of(const Active& active) const;
   template <int dim, class Add>
   void each_force(bool with_slopes, const Add& add) const;
   template <int dim>

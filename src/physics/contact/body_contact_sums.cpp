@@ -21,22 +21,58 @@ auto with_dim(int dim, const Function& f) {
 
 using Triplets = std::vector<Eigen::Triplet<double, std::int64_t>>;
 
-/// Adds a block of two places to the numbers of the nodes that carry them.
+/// Gathers the blocks of one side's pairs in a full matrix of the nodes that they have, of which there are few, before
+/// they go to the sparse one: most pairs of a side have the same nodes.
 template <int dim>
-void add_block(const CarriedPlaces& places, int row, int column, const Eigen::Matrix<double, dim, dim>& block,
-               Triplets& numbers) {
-  const auto rows = places.nodes(row), columns = places.nodes(column);
-  const auto row_shares = places.shares(row), column_shares = places.shares(column);
-  for (std::size_t a = 0; a < rows.size(); ++a) {
-    for (std::size_t b = 0; b < columns.size(); ++b) {
-      for (int i = 0; i < dim; ++i) {
-        for (int j = 0; j < dim; ++j)
-          numbers.emplace_back(std::int64_t{rows[a]} * dim + i, std::int64_t{columns[b]} * dim + j,
-                               row_shares[a] * column_shares[b] * block(i, j));
+class SideMatrix {
+ public:
+  /// Adds a block of two places to those of the nodes that carry them.
+  void add(const CarriedPlaces& places, int row, int column, const Eigen::Matrix<double, dim, dim>& block) {
+    const auto rows = places.nodes(row), columns = places.nodes(column);
+    const auto row_shares = places.shares(row), column_shares = places.shares(column);
+    for (std::size_t a = 0; a < rows.size(); ++a) {
+      const Eigen::Index i = dim * number_of(rows[a]);
+      for (std::size_t b = 0; b < columns.size(); ++b) {
+        const Eigen::Index j = dim * number_of(columns[b]);
+        if (std::max(i, j) >= matrix_.rows()) grow();
+        matrix_.template block<dim, dim>(i, j) += row_shares[a] * column_shares[b] * block;
       }
     }
   }
-}
+  /// Hands all over, and begins again.
+  void flush(double factor, Triplets& numbers) {
+    const auto count = static_cast<Eigen::Index>(nodes_.size());
+    for (Eigen::Index b = 0; b < count; ++b) {
+      for (Eigen::Index a = 0; a < count; ++a) {
+        const auto block = matrix_.template block<dim, dim>(dim * a, dim * b);
+        if ((block.array() == 0).all()) continue;
+        for (int i = 0; i < dim; ++i) {
+          for (int j = 0; j < dim; ++j)
+            numbers.emplace_back(std::int64_t{nodes_[static_cast<std::size_t>(a)]} * dim + i,
+                                 std::int64_t{nodes_[static_cast<std::size_t>(b)]} * dim + j, factor * block(i, j));
+        }
+      }
+    }
+    matrix_.topLeftCorner(dim * count, dim * count).setZero();
+    nodes_.clear();
+  }
+
+ private:
+  Eigen::Index number_of(int node) {
+    const auto found = std::find(nodes_.begin(), nodes_.end(), node);
+    if (found != nodes_.end()) return found - nodes_.begin();
+    nodes_.push_back(node);
+    return static_cast<Eigen::Index>(nodes_.size()) - 1;
+  }
+  void grow() {
+    const Eigen::MatrixXd before = matrix_;
+    matrix_ = Eigen::MatrixXd::Zero(2 * before.rows(), 2 * before.cols());
+    matrix_.topLeftCorner(before.rows(), before.cols()) = before;
+  }
+
+  std::vector<int> nodes_;
+  Eigen::MatrixXd matrix_ = Eigen::MatrixXd::Zero(16 * dim, 16 * dim);
+};
 
 SparseMatrix matrix_of(const EigenSparse& sum) {
   SparseMatrix matrix{sum.rows(), {}, {}, {}};
@@ -93,6 +129,11 @@ void BodyContact::find_forces(const PairRule& rule, const Active& active, PlaceF
   });
 }
 
+/// The side whose point or guard it is, or whose edge.
+int BodyContact::side_of(const Active& active) const {
+  return active.plane >= 0 ? point_of(active.number).side : pairs_.pairs()[active.number].side;
+}
+
 /// Calls add(k, forces) for all that is active, in its order.
 template <int dim, class Add>
 void BodyContact::each_force(bool with_slopes, const Add& add) const {
@@ -122,13 +163,18 @@ SparseMatrix BodyContact::with_slopes(const SparseMatrix& K, std::span<const dou
   Triplets numbers;
   with_dim(surface_.dim(), [&](auto d) {
     constexpr int dim = decltype(d)::value;
-    each_force<dim>(true, [&](std::size_t, const PlaceForces<dim>& forces) {
+    SideMatrix<dim> matrix;
+    int side = -1;
+    each_force<dim>(true, [&](std::size_t k, const PlaceForces<dim>& forces) {
+      if (side_of(active_[k]) != side) matrix.flush(factor, numbers);
+      side = side_of(active_[k]);
       for (int p = 0; p < forces.count; ++p) {
         for (int r = 0; r < forces.count; ++r)
-          add_block<dim>(surface_.places, forces.places[tether::at(p)], forces.places[tether::at(r)],
-                         factor * forces.slope.template block<dim, dim>(p * dim, r * dim), numbers);
+          matrix.add(surface_.places, forces.places[tether::at(p)], forces.places[tether::at(r)],
+                     forces.slope.template block<dim, dim>(p * dim, r * dim));
       }
     });
+    matrix.flush(factor, numbers);
   });
   EigenSparse sum(K.n, K.n);
   sum.setFromTriplets(numbers.begin(), numbers.end());
