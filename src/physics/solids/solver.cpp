@@ -157,6 +157,16 @@ void SolidSolver::lose(double dt) const {
                   step_.longest_explicit_step(system_.solids.mesh.x)));
 }
 
+/// Says why a step may not converge, of what the scene has.
+const char* SolidSolver::likely_cause() const {
+  if (!system_.solids.contact) return "a step or a load increment too long, or an element turned inside out";
+  if (system_.solids.integrator == Integrator::equilibrium)
+    return "a body that neither supports nor contact hold (one that starts farther than the gap from what is to hold "
+           "it, too), or a load increment too long";
+  return "bodies that squeeze each other by more than their elements bear, or a step too long: shorter steps, finer "
+         "elements or a larger gap";
+}
+
 void SolidSolver::stop(double dt, const NewtonReport& report) const {
   std::size_t worst = 0;
   double fastest = 0;
@@ -167,10 +177,10 @@ void SolidSolver::stop(double dt, const NewtonReport& report) const {
   throw RunError(
       fmt::format("t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} "
                   "times; residuals over the largest force{}; fastest is node {} at ({:.6g}, {:.6g}): likely "
-                  "cause, a step or a load increment too long, or an element turned inside out",
+                  "cause, {}",
                   state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report.residuals), node + 1,
                   state_.q[node * static_cast<std::size_t>(system_.dim())],
-                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1]),
+                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1], likely_cause()),
       Failure::does_not_converge);
 }
 

@@ -53,6 +53,7 @@ class SolidSolver final : public Solver {
   void step(double dt);
   NewtonReport advanced(double dt);
   [[noreturn]] void lose(double dt) const;
+  const char* likely_cause() const;
   [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;
