@@ -135,5 +135,26 @@ TEST(Contact, KeepsTheEnergyOfABlockThatBounces) {
   EXPECT_GT(damped.last("energy_friction"), 0);
 }
 
+/// Three spinning blocks of each element in a box, in long and in short steps: nothing comes into another, and energy
+/// is kept while they hit each other and the walls.
+TEST(Contact, KeepsTurningBlocksInABox) {
+  for (const auto& [element, step] : {std::pair("q1", 0.01), {"q2", 0.005}, {"p1", 0.02}, {"p2", 0.01}}) {
+    SCOPED_TRACE(element);
+    const DeckRun run = run_text(
+        "pile",
+        fmt::format(
+            "a pile\n$in nx=2,ny=2,xleft=0.,xright=1.,ybot=0.,ytop=1.,wl=1,wr=1,wb=1,wt=1,gravc=-10.,tmax=.4,tstep={0},"
+            "iout(33)=1,tiout(33)={0} $\n$reg nreg=3,nvi=4,4,4,xvi(1,1)=.1,.4,.5,.2,yvi(1,1)=.1,.05,.3,.35,"
+            "xvi(1,2)=.6,.9,.8,.5,yvi(1,2)=.2,.3,.5,.4,xvi(1,3)=.2,.5,.5,.2,yvi(1,3)=.6,.6,.8,.8,densir=3*1000.,"
+            "matr(1,1)=1.e6,.3,matr(1,2)=5.e5,.4,matr(1,3)=3.e6,0.,vrx(1)=1.,-2.,.5,vry(3)=-2. $\n$mesh element='{1}',"
+            "cells(1,1)=3,3,cells(1,2)=3,2,cells(1,3)=3,2 $\n$fem law(1)=3*'neo-hookean',spin(3,1)=3.,spin(3,2)=-4.,"
+            "spin(3,3)=2. $\n$contact wall(1)='left','right','bottom','top' $\n",
+            step, element));
+    EXPECT_GT(std::ranges::max(run.history.column("contact_force")), 0);
+    EXPECT_EQ(run.summary.at("nodes_inside"), 0);
+    EXPECT_LT(energy_off(run), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace tether::cases
