@@ -201,8 +201,7 @@ void ContactPairs::find(std::initializer_list<std::span<const double>> times, do
 namespace {
 
 template <PairKind kind, int dim>
-double squared_distance_of(const ContactPair& pair, std::span<const double> x) {
-  const auto r = vectors_of<kind, dim>(pair, x);
+double squared_distance_of(const PairVectors<dim, vector_count(kind)>& r) {
   return squared_distance<dim, vector_count(kind)>(r, nearest<kind>(products_of<dim, vector_count(kind)>(r)));
 }
 
@@ -225,8 +224,7 @@ double part_of_way_of(const ContactPair& pair, std::span<const double> x, std::s
   constexpr double least = 0.8;  // of the distance that it is to go to
   const auto r = vectors_of<kind, dim>(pair, x), change = vectors_of<kind, dim>(pair, ways);
   const auto away = [&](double part) {
-    const PairVectors<dim, count> there = r + part * change;
-    return std::sqrt(squared_distance<dim, count>(there, nearest<kind>(products_of<dim, count>(there))));
+    return std::sqrt(squared_distance_of<kind, dim>(PairVectors<dim, count>(r + part * change)));
   };
   const double speed = fastest<kind, dim>(pair, ways);
   double now = away(0), part = 0;
@@ -257,7 +255,8 @@ double part_of_way(const ContactPair& pair, int dim, std::span<const double> x, 
 
 double squared_distance(const ContactPair& pair, int dim, std::span<const double> x) {
   return with_dim_and_kind(dim, pair.kind, [&](auto d, auto kind) {
-    return squared_distance_of<decltype(kind)::value, decltype(d)::value>(pair, x);
+    constexpr PairKind of = decltype(kind)::value;
+    return squared_distance_of<of, decltype(d)::value>(vectors_of<of, decltype(d)::value>(pair, x));
   });
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -15,22 +15,14 @@ namespace tether {
 
 // How a side of an element is parted for contact: points of quadrature, and facets between its corners and middles.
 
-/// Gauss' points on -1 .. 1, `n` of them, by Newton's method from the usual guess.
+/// Gauss' rule with `n` points on -1 .. 1.
 struct GaussRule {
   std::vector<double> places, weights;
   explicit GaussRule(int n) {
-    for (int k = 0; k < n; ++k) {
-      double x = std::cos(std::numbers::pi * (k + 0.75) / (n + 0.5)), slope = 1;
-      for (int turn = 0; turn < 20; ++turn) {
-        double before = 1, now = x;
-        for (int j = 2; j <= n; ++j) {
-          const double next = ((2 * j - 1) * x * now - (j - 1) * before) / j;
-          before = now, now = next;
-        }
-        slope = n * (x * now - before) / (x * x - 1);
-        x -= now / slope;
-      }
-      places.push_back(x), weights.push_back(2 / ((1 - x * x) * slope * slope));
+    for (const double x : boost::math::legendre_p_zeros<double>(n)) {  // those that are not below 0
+      const double slope = boost::math::legendre_p_prime(n, x), weight = 2 / ((1 - x * x) * slope * slope);
+      places.push_back(x), weights.push_back(weight);
+      if (x > 0) places.push_back(-x), weights.push_back(weight);
     }
   }
 };

@@ -13,7 +13,6 @@
 #include "grid/solid_surface.hpp"
 
 namespace tether {
-
 namespace {
 
 /// Area of a reference side's place over that of the side at the start.
@@ -40,10 +39,9 @@ class Builder {
   void add_guards();
   void add_obstacle(const Box<3>& box);
   void join();
-  double shortest() const { return shortest_; }
 
  private:
-  void add_facet(const std::vector<int>& places, const std::vector<int>& names);
+  void add_facet(int side, const std::vector<int>& places, const std::vector<int>& names);
   int shared_place(int node, std::span<const int> nodes, std::span<const double> shares);
   int guard_place(int node);
 
@@ -51,15 +49,14 @@ class Builder {
   ContactSurface& surface_;
   std::vector<std::array<int, 3>> names_;  // of each facet's corners: a node; below 0, of its own
   std::map<int, int> guard_, shared_;      // place of a node, and of the corner of facets that it names
-  double shortest_ = INFINITY;
   int own_ = -1;
 };
 
-void Builder::add_facet(const std::vector<int>& places, const std::vector<int>& names) {
+void Builder::add_facet(int side, const std::vector<int>& places, const std::vector<int>& names) {
   ContactFacet facet;
   std::array<int, 3> name{-1, -1, -1};
   for (std::size_t k = 0; k < places.size(); ++k) facet.corners[k] = places[k], name[k] = names[k];
-  facet.side = static_cast<int>(surface_.side_nodes.size()) - 1;
+  facet.side = side;
   surface_.facets.push_back(facet), names_.push_back(name);
 }
 
@@ -92,12 +89,12 @@ void Builder::add_sides(const Sides& sides, std::span<const int> part, std::span
       std::vector<int> of, called;
       for (int a = 0; a < surface_.dim(); ++a)
         of.push_back(corners[at(facet[at(a)])]), called.push_back(names[at(facet[at(a)])]);
-      add_facet(of, called);
+      add_facet(static_cast<int>(s), of, called);
     }
     for (const auto& [a, b] : parting.edges) {
       const Vec<3> way =
           minus(place_of(mesh_.x, nodes[at(b)], surface_.dim()), place_of(mesh_.x, nodes[at(a)], surface_.dim()));
-      shortest_ = std::min(shortest_, std::sqrt(dot(way, way)));
+      surface_.shortest = std::min(surface_.shortest, std::sqrt(dot(way, way)));
     }
   }
 }
@@ -190,8 +187,7 @@ void Builder::add_obstacle(const Box<3>& box) {
   const auto add = [&](const std::vector<int>& of) {
     std::vector<int> places, called;
     for (const int c : of) places.push_back(corners[at(c)]), called.push_back(names[at(c)]);
-    add_facet(places, called);
-    surface_.facets.back().side = -1;
+    add_facet(-1, places, called);
     surface_.guard_facets.push_back(surface_.facets.back());
   };
   for (int a = 0; a < count; ++a) {
@@ -211,7 +207,7 @@ void Builder::add_obstacle(const Box<3>& box) {
 ContactSurface contact_surface(const Mesh& mesh, std::span<const int> taking_part,
                                const std::vector<Box<3>>& obstacles) {
   ContactSurface surface;
-  surface.places.dim = mesh.dim();
+  surface.places.dim = mesh.dim(), surface.shortest = INFINITY;
   const Sides all = boundary_of(mesh);
   const std::vector<std::size_t> elements = elements_of_sides(mesh, all);
   const std::vector<int> parts = parts_of(mesh);
@@ -230,7 +226,6 @@ ContactSurface contact_surface(const Mesh& mesh, std::span<const int> taking_par
   Builder builder(mesh, surface);
   with_shapes(mesh.kind, [&](auto shapes) { builder.add_sides<typename decltype(shapes)::Side>(sides, part, region); });
   builder.add_guards();
-  surface.shortest = builder.shortest();
   for (const Box<3>& box : obstacles) builder.add_obstacle(box);
   builder.join();
   std::vector<double> x;

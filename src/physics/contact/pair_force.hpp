@@ -171,14 +171,7 @@ PairForce<dim, vector_count(kind)> pair_force(const PairRule& rule, const PairSc
   return f;
 }
 
-/// The squared distance of a pair [length2].
-template <PairKind kind, int dim>
-double squared_distance_of(const PairVectors<dim, vector_count(kind)>& r) {
-  constexpr int count = vector_count(kind);
-  return squared_distance<dim, count>(r, nearest<kind>(products_of<dim, count>(r)));
-}
-
-/// Its energy at a squared distance s.
+/// The energy of a pair at a squared distance s.
 template <PairKind kind, int dim>
 double pair_energy(const PairScale& scale, const PairVectors<dim, vector_count(kind)>& r, double s) {
   double energy = scale.strength * barrier(s / scale.gap2);

@@ -19,7 +19,7 @@ void take_over(const contact::ContactNumbers& now, ContactState& contact) {
 }  // namespace
 
 // A step of bodies that meet. Places on the way never let a surface through another: the first guess and each
-// correction go no farther than nine tenths of the way to the next one.
+// correction stop before the next one, as nearest_guess and nearest_correction say.
 
 NewtonReport SolidStep::meet(SolidState& state, double dt, bool damped) {
   meets_ = false;

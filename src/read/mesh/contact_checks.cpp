@@ -26,6 +26,15 @@ std::string meeting_text(const ContactSurface& surface, const Solids& solids, co
                      where);
 }
 
+/// How far bodies are from themselves at the start, of what is nearer than `usual`. An equilibrium takes no smaller gap
+/// than that: it stores nothing that it would not, and needs the barrier to hold bodies at once; but what is near by
+/// its shape alone is not to be pressed for that.
+double apart_by_shape(const Solids& solids, const Contact& contact, double usual) {
+  Team team;
+  const ContactSurface bodies = contact_surface(solids.mesh, contact.nodes, {});
+  return nearest_surfaces(bodies, {.bodies = false, .itself = contact.itself}, {}, solids.mesh.x, usual, team).away;
+}
+
 }  // namespace
 
 void warn_of_laws(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
@@ -48,13 +57,6 @@ void find_gap(const Deck& deck, const Solids& solids, Contact& contact, Diagnost
   const double usual = part_of_side * surface.shortest;
   const bool given = contact.gap > 0;
   if (!given) contact.gap = usual;
-  // An equilibrium stores nothing that it would not, and needs the barrier to hold bodies at once; one that is as near
-  // to itself by its shape alone is not to be pressed for that.
-  const bool rests = solids.integrator == Integrator::equilibrium || solids.from_equilibrium;
-  const double apart_from_itself =
-      nearest_surfaces(contact_surface(solids.mesh, contact.nodes, {}), {.bodies = false, .itself = contact.itself}, {},
-                       solids.mesh.x, usual, team)
-          .away;
   const Apart apart = nearest_surfaces(surface, {contact.bodies, contact.itself}, contact.planes, solids.mesh.x,
                                        std::max(usual, contact.gap), team);
   if (apart.away >= contact.gap) return;
@@ -66,7 +68,8 @@ void find_gap(const Deck& deck, const Solids& solids, Contact& contact, Diagnost
             "leave {:.3g} between surfaces, a hundredth of the shortest side, or more; a gap of {:.3g} is usual",
             usual / 10, usual)));
   } else if (!given) {
-    contact.gap = rests ? std::min(contact.gap, apart_from_itself) : apart.away;
+    const bool rests = solids.integrator == Integrator::equilibrium || solids.from_equilibrium;
+    contact.gap = rests ? std::min(usual, apart_by_shape(solids, contact, usual)) : apart.away;
   } else if (apart.away < pressed_a_lot * contact.gap) {
     diagnostics.add(deck.remark(Severity::warning, "contact.gap", {1, 1},
                                 fmt::format("{} are {:.3g} apart, less than the gap: they press each other from the "

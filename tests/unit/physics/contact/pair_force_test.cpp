@@ -29,7 +29,9 @@ struct RandomPair {
       for (int k = 0; k < dim * count; ++k) r1(k) += way * side(random);
     } while (distance(r0) < 0.01 || distance(r1) < 0.01);
   }
-  static double distance(const PairVectors<dim, count>& r) { return squared_distance_of<kind, dim>(r); }
+  static double distance(const PairVectors<dim, count>& r) {
+    return squared_distance<dim, count>(r, nearest<kind>(products_of<dim, count>(r)));
+  }
   double energy(const PairVectors<dim, count>& r) const { return pair_energy<kind, dim>(scale, r, distance(r)); }
   PairForce<dim, count> force(const PairRule& rule, const PairVectors<dim, count>& end) const {
     return pair_force<kind, dim>(rule, scale, r0, end, distance(r0), distance(end));
