@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "laws/elastic.hpp"
+#include "laws/elastic_response.hpp"
 #include "laws/neo_hookean.hpp"
 #include "laws/st_venant_kirchhoff.hpp"
 
@@ -27,6 +28,13 @@ namespace tether {
 
 /// Every law an elastic body can obey.
 using ElasticLaw = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, HoopFibre>;
+
+/// Returns Young's modulus of small strains, of the law as it stands in the plane; of fibres theirs [stress].
+inline double youngs_modulus(const ElasticLaw& any) {
+  const auto lame = std::visit([](const auto& law) { return law.in_plane(); }, any);
+  if (!lame) return std::visit([](const auto& law) { return law.stiffness(); }, any);
+  return 2 * lame->mu * (1 + poisson_ratio(*lame));
+}
 
 /// Returns whether a law answers to small strains.
 inline bool small_strains(const ElasticLaw& any) {

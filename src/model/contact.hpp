@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 #include "base/words.hpp"
-#include "grid/contact/apart.hpp"
+#include "grid/contact/surface_plane.hpp"
 
 namespace tether {
 

@@ -3,8 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "base/vec.hpp"
+#include "grid/solid_surface.hpp"
 
 namespace tether {
+namespace {
+
+/// Root of the mean square distance of a region's nodes from their middle [length].
+double radius_of_gyration(const Mesh& mesh, int region) {
+  std::set<int> nodes;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.region[e] != region) continue;
+    nodes.insert(mesh.element(e), mesh.element(e) + node_count_of(mesh.kind));
+  }
+  Vec<3> middle{};
+  double squares = 0;
+  const double count = static_cast<double>(nodes.size());
+  for (const int node : nodes) {
+    const Vec<3> x = place_of(mesh.x, node, mesh.dim());
+    for (std::size_t i = 0; i < 3; ++i) middle[i] += x[i] / count;
+    squares += dot(x, x) / count;
+  }
+  return std::sqrt(std::max(0.0, squares - dot(middle, middle)));
+}
+
+}  // namespace
 
 Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid) {
   Box<3> cells = box;
@@ -24,6 +49,26 @@ bool has_fluid_beyond(const Coupled& coupled, int side) {
   return kind == BoxSide::open ||
          (is_wall(kind) && std::any_of(coupled.openings.begin(), coupled.openings.end(),
                                        [&](const Opening& opening) { return opening.side == side; }));
+}
+
+double linear_gain(const Solids& solids, double tstep) {
+  double most = 0;
+  for (std::size_t r = 0; r < solids.regions.size(); ++r) {
+    const SolidRegion& region = solids.regions[r];
+    const double rate = std::sqrt(dot(region.spin, region.spin)), angle = rate * tstep;
+    if (!(angle > 0)) continue;
+    const double radius = radius_of_gyration(solids.mesh, static_cast<int>(r));
+    // Stretched by angle^2 / 2 in the plane of its turn: E angle^4 / 4 a volume, of rho (rate radius)^2 / 2.
+    most = std::max(most, youngs_modulus(region.law) * std::pow(angle, 4) /
+                              (2 * region.density * std::pow(rate * radius, 2)));
+  }
+  return most;
+}
+
+bool keeps_energy(const Coupled& coupled, const Solids& solids, double tstep) {
+  if (coupled.step != SolidsStep::automatic) return coupled.step == SolidsStep::energy;
+  if (!coupled.coupling.simultaneous || coupled.coupling.two_maps) return false;
+  return solids.contact || linear_gain(solids, tstep) > most_linear_gain;
 }
 
 Systems systems_of(const Coupled& coupled) {

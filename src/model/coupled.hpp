@@ -74,6 +74,13 @@ template <>
 inline constexpr std::array<Word<CoupledIntegrator>, 2> words<CoupledIntegrator>{
     {{CoupledIntegrator::paper, "paper"}, {CoupledIntegrator::trapezoid, "trapezoid"}}};
 
+/// How a step finds where solids go: by one linear solution, with the stiffness of the step's start; by Newton's method,
+/// with forces that keep the energy; or as the scene asks.
+enum class SolidsStep { automatic, linear, energy };
+template <>
+inline constexpr std::array<Word<SolidsStep>, 3> words<SolidsStep>{
+    {{SolidsStep::automatic, "auto"}, {SolidsStep::linear, "linear"}, {SolidsStep::energy, "energy"}}};
+
 /// How a flow carries its velocity along.
 enum class Advection { semi_lagrangian, maccormack };
 template <>
@@ -139,7 +146,8 @@ struct Spring {
 struct Coupled {
   StaggeredGrid grid;
   Coupling coupling = coupling_of(CouplingMode::cut_cell);
-  CoupledIntegrator integrator = CoupledIntegrator::paper;
+  SolidsStep step = SolidsStep::automatic;
+  CoupledIntegrator integrator = CoupledIntegrator::paper;  ///< of linear steps
   Advection advection = Advection::maccormack;
   Systems systems = Systems::automatic;
   double tolerance = 1e-12;  ///< of conjugate gradients and BiCGSTAB: residual over the right side
@@ -168,6 +176,15 @@ struct Coupled {
 
 /// Returns whether the fluid rubs at bodies.
 inline bool sticks_to_bodies(const Coupled& coupled) { return coupled.viscosity > 0 && !coupled.bodies_slip; }
+
+/// Returns whether steps of a length keep the energy of the solids, as `step` says: where it leaves that open, those of
+/// solids that meet do, and of solids that linear steps would give much energy [tstep: time].
+bool keeps_energy(const Coupled& coupled, const Solids& solids, double tstep);
+/// Returns the largest share of its kinetic energy that a linear step gives a body which turns at the start: where it
+/// turns by an angle a in a step, it is stretched by a^2/2, and has the energy of that.
+double linear_gain(const Solids& solids, double tstep);
+/// Above this share linear steps are not taken unless the deck says so.
+constexpr double most_linear_gain = 0.01;
 
 /// Returns whether there is fluid beyond a side: it is open, or a wall with an opening.
 bool has_fluid_beyond(const Coupled& coupled, int side);

@@ -78,6 +78,8 @@ namespace tether::fem {
 // How implicit solvers get on in time: a step whose Newton iteration does not converge is halved.
 
 constexpr int most_halvings = 6;
+/// Below this part of the deck's step it is halved no more, give or take rounding.
+constexpr double shortest_halved = 1.001 / (1 << most_halvings);
 
 /// The last residuals of Newton's method, for people: " 1.2e-3 4e-7".
 std::string residuals_text(std::span<const double> residuals);

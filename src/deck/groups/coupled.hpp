@@ -22,8 +22,12 @@ inline constexpr std::array coupled_rows{
              "How fluid and solids are solved: simultaneously by one map and its transpose, with the open parts of "
              "faces; the same with cells that are wholly fluid or solid; one after the other; or simultaneously by two "
              "maps as in the paper."},
+    Variable{"coupled", "step", text, 0, 1, 1, "", -none, none, choices<SolidsStep>, "'auto'",
+             "How a step finds where solids go: by one linear solution, as the paper's; by Newton's method with forces "
+             "that keep the energy, which bodies that meet by $contact need, and stiff ones that turn; or auto: linear "
+             "unless bodies meet or would gain by turning at the start."},
     Variable{"coupled", "integrator", text, 0, 1, 1, "", -none, none, choices<CoupledIntegrator>, "'paper'",
-             "Step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule."},
+             "Linear step of the solids: the paper's, of order 1 in the velocity, or the trapezoidal rule."},
     Variable{"coupled", "advection", text, 0, 1, 1, "", -none, none, choices<Advection>, "'maccormack'",
              "How the fluid carries its velocity along: of order 1, or corrected to order 2 and limited."},
     Variable{"coupled", "solver", text, 0, 1, 1, "", -none, none, choices<Systems>, "'auto'",
@@ -95,7 +99,7 @@ inline constexpr std::array coupled_rows{
     Variable{"coupled", "smoke_lift", real, 0, 1, 1, "acceleration", 0, none, "", "0.0",
              "Acceleration upwards by a temperature of 1."},
     Variable{"coupled", "contact", logical, 0, 1, 1, "", -none, none, "", ".true.",
-             "Whether walls and obstacles stop solids."},
+             "Whether walls and obstacles stop solids. Steps that keep the energy stop them, and each other, by $contact."},
     Variable{"coupled", "friction", real, 0, 1, 1, "", 0, none, "", "0.0", "Coulomb's coefficient of that contact."},
     Variable{"coupled", "volume_term", logical, 0, 1, 1, "", -none, none, "", ".true.",
              "Whether the volumes of regions that solids and walls enclose are held."},

@@ -6,13 +6,9 @@
 
 #include "grid/contact/pairs.hpp"
 #include "grid/contact/surface.hpp"
+#include "grid/contact/surface_plane.hpp"
 
 namespace tether {
-
-/// A plane that places stay on one side of; a unit normal, to that side.
-struct SurfacePlane {
-  Vec<3> place{}, normal{};
-};
 
 /// How far surfaces are apart, where they are nearest to each other.
 struct Apart {

@@ -9,7 +9,7 @@
 
 namespace tether::coupled {
 
-struct CoupledSetting : ColumnSetting {
+struct CoupledSetting : fem::MeshSetting {
   bool with_solids = false, with_smoke = false;
   std::vector<double> first_volumes;  ///< that the surface's sheets enclose at the start, negative of cavities [volume]
 };

@@ -45,14 +45,14 @@ double sum_of(const std::vector<double>& values) { return std::accumulate(values
 /// `parts` bodies, where there are solids.
 CoupledSetting setting_of(const Scene& scene, const CoupledStep& step, std::size_t parts) {
   const Coupled& box = *scene.coupled();
-  CoupledSetting setting{{box.grid.dim, {}, {}},
+  CoupledSetting setting{{{box.grid.dim, {}, {}}},
                          scene.solids() != nullptr,
                          box.smoke,
                          enclosed_volumes(step.surface(), step.solids().system.solids.mesh.x)};
   if (!scene.solids()) return setting;
   std::vector<std::string> names;
   for (std::size_t b = 0; b < parts; ++b) names.push_back(fmt::format("body {}", b + 1));
-  static_cast<ColumnSetting&>(setting) = fem::mesh_setting(*scene.solids(), names);
+  static_cast<fem::MeshSetting&>(setting) = fem::mesh_setting(*scene.solids(), names);
   return setting;
 }
 
@@ -155,7 +155,8 @@ CoupledSums CoupledFields::sums_of(const CoupledState& state) const {
   s.fluid = kinetic_energy(domain, state.v, state.v, coupled.density), s.kinetic = kinetic + s.fluid;
   s.strain = solids.system.elements->strain_energy(state.q) + solids.spring_energy(state.q);
   s.potential = solids.system.gravity_energy(state.q);
-  s.total = s.kinetic + s.strain + s.potential;
+  s.contact = state.contact;
+  s.total = s.kinetic + s.strain + s.potential + s.contact.last.energy;
   s.fluid_volume = fluid_volume(domain, coupled.coupling.cuts_faces);
   s.mass = coupled.density * s.fluid_volume + sum_of(solids.system.weights);
   s.pressure_energy = pressure_energy(state), s.regions = static_cast<double>(domain.regions);
@@ -198,7 +199,8 @@ Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
 Snapshot CoupledFields::solid_fields(const CoupledState& state) const {
   if (!scene_.solids()) return {state.time, {}};
   const fem::SolidSystem& system = step_.solids().system;
-  return fem::shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.u);
+  return fem::shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.u,
+                           system.solids.contact ? &state.contact.last : nullptr);
 }
 
 }  // namespace tether::coupled

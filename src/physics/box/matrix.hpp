@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "algebra/sparse_solver.hpp"
 #include "physics/box/coupling_map.hpp"
 
 namespace tether::coupled {
@@ -29,6 +30,7 @@ struct CoupledEquations {
   std::span<const std::uint8_t> closed;  ///< regions whose constant pressures L does not feel
   std::span<const std::uint8_t> loose;   ///< those of them that no free velocity of the solids feels either
   bool same_matrices = false;            ///< all but b, r and the values of held velocities is as it was solved last
+  Definite definite = Definite::positive;  ///< what A is; else it is not symmetric either
 };
 
 /// The right sides with what held velocities bring, and the value of their own rows, which are those of a multiple of

@@ -99,7 +99,7 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   if (std::exchange(ordered_, equations.A.n) != equations.A.n) solids_.order_by(equations.A);
   SparseMatrix A = held_matrix(equations.A, equations.held);
   std::vector<double> inverse;  // of A's diagonal
-  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / diagonal(A, k));
+  for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / std::abs(diagonal(A, k)));
   multigrid_ = AggregationMultigrid(team_);  // what another solution had left makes room before anything is made
   B_ = free_part(equations, pinned);
   forces_.resize(equations.b.size()), moved_.resize(equations.b.size());
@@ -108,7 +108,7 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   team_.each(0, 2, [&](std::size_t part) {
     try {
       if (part == 0)
-        has_factors = A.n == 0 || solids_.factorise(std::exchange(A, {}), Definite::positive);
+        has_factors = A.n == 0 || solids_.factorise(std::exchange(A, {}), equations.definite);
       else
         has_levels = make_levels(equations, inverse);
     } catch (...) {
@@ -116,7 +116,8 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
     }
   });
   if (failure) std::rethrow_exception(failure);
-  if (!has_factors) throw RunError("the solids' matrix is singular");
+  if (!has_factors && equations.definite == Definite::positive) throw RunError("the solids' matrix is singular");
+  if (!has_factors) return false;
   constants_ = ConstantPressures(equations);
   set_up_constants();
   return has_levels && multigrid_.factorise();
@@ -188,6 +189,15 @@ void SchurComplement::precondition(std::span<const double> r, std::span<double> 
       stiffness_ * Eigen::Map<const Eigen::VectorXd>(r.data() + n, count);
 }
 
+KrylovResult SchurComplement::iterate(bool symmetric, std::span<const double> right, double tolerance,
+                                      std::span<double> x) {
+  constexpr int restart = 60;
+  const auto by = [&](std::span<const double> v, std::span<double> y) { multiply(v, y); };
+  const auto with = [&](std::span<const double> r, std::span<double> z) { precondition(r, z); };
+  return symmetric ? pcg(team_, by, with, right, x, tolerance, most_iterations)
+                   : gmres(by, with, right, x, tolerance, restart, most_iterations);
+}
+
 KrylovResult SchurComplement::solve(const CoupledEquations& equations, const ReducedEquations& with, double tolerance,
                                     std::span<double> u, std::span<double> p) {
   take_pressures(equations, with.pinned);
@@ -202,10 +212,7 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
   for (std::size_t k = 0; k < n; ++k) right[k] = -with.r[k];
   add_product(B_, -1, moved_, std::span(right).first(n));
   constants_.add_sums(std::span(right).first(n), std::span(right).subspan(n));
-  const KrylovResult result = pcg(
-      team_, [&](std::span<const double> v, std::span<double> y) { multiply(v, y); },
-      [&](std::span<const double> r, std::span<double> z) { precondition(r, z); }, right, x, tolerance,
-      most_iterations);
+  const KrylovResult result = iterate(equations.definite == Definite::positive, right, tolerance, x);
   std::copy_n(x.begin(), n, p.begin());
   constants_.add(std::span(x).subspan(n), p);
   forces_ = with.b;

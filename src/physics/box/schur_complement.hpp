@@ -50,8 +50,8 @@ class RegionConstants {
   std::vector<double> right_;                // of each the sum of r
 };
 
-/// The pressures by conjugate gradients with the solids taken out by factors of A:
-/// (L + B A^-1 B^T) p = -r - B A^-1 b. Multigrid of L with the solids as if their nodes moved each on its own.
+/// The pressures by conjugate gradients, or by GMRES where A is not symmetric, with the solids taken out by factors of
+/// A: (L + B A^-1 B^T) p = -r - B A^-1 b. Multigrid of L with the solids as if their nodes moved each on its own.
 /// The constant pressures c of closed regions that solids feel are unknowns beside the others, p = x + W c with W the
 /// regions' cells: L does not feel them, and of those that stiff solids need, rounding of L p would leave nothing else.
 /// The equations of c are sums of those of x; x without means in these regions is the solution that is found. They are
@@ -77,6 +77,7 @@ class SchurComplement {
   void take_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   void set_up_constants();
   void move_solids(std::span<const double> forces);
+  KrylovResult iterate(bool symmetric, std::span<const double> right, double tolerance, std::span<double> x);
   void multiply(std::span<const double> x, std::span<double> y);
   void precondition(std::span<const double> r, std::span<double> z);
 

@@ -56,11 +56,8 @@ void SolidEquations::add_mass(double factor, SparseMatrix& matrix) const {
 
 /// Springs are part of K and K'.
 void SolidEquations::add_springs(std::span<const double> q, double factor, std::span<double> internal) {
-  for (std::size_t k = 0; k < spring_.size(); ++k) {
-    if (spring_[k] == 0) continue;
-    internal[k] += spring_[k] * (q[k] - system.solids.mesh.x[k]);
-    add_to_diagonal(A, static_cast<std::int64_t>(k), factor * spring_[k]);
-  }
+  for (std::size_t k = 0; k < spring_.size(); ++k) internal[k] += spring_[k] * (q[k] - system.solids.mesh.x[k]);
+  add_spring_stiffness(factor, A);
 }
 
 /// The paper's step is (18), of order 1 in the velocity: A = M/h + C + h/2 K', b = M u0/h - h/2 K' u0 - K(d0) + f, with
@@ -131,6 +128,18 @@ SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) con
   for (double& value : R.value) value *= half * system.solids.beta;
   add_mass(1 + half * system.solids.alpha, R);
   return R;
+}
+
+void SolidEquations::add_spring_forces(std::span<const double> q0, std::span<const double> q1,
+                                       std::span<double> f) const {
+  for (std::size_t k = 0; k < spring_.size(); ++k)
+    f[k] -= spring_[k] * (0.5 * (q0[k] + q1[k]) - system.solids.mesh.x[k]);
+}
+
+void SolidEquations::add_spring_stiffness(double factor, SparseMatrix& K) const {
+  for (std::size_t k = 0; k < spring_.size(); ++k) {
+    if (spring_[k] != 0) add_to_diagonal(K, static_cast<std::int64_t>(k), factor * spring_[k]);
+  }
 }
 
 double SolidEquations::spring_energy(std::span<const double> q) const {

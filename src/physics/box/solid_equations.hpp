@@ -30,6 +30,10 @@ class SolidEquations {
   /// Returns what resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by
   /// the trapezoidal rule; rows of velocities that are held, too [mass].
   SparseMatrix resistance(std::span<const double> q, double h) const;
+  /// Adds the forces of springs in the middle of the way from q0 to q1 [force].
+  void add_spring_forces(std::span<const double> q0, std::span<const double> q1, std::span<double> f) const;
+  /// Adds `factor` times the springs' stiffness to a matrix.
+  void add_spring_stiffness(double factor, SparseMatrix& K) const;
   /// Energy that springs store at q [energy].
   double spring_energy(std::span<const double> q) const;
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "physics/box/splitting_limit.hpp"
+#include "physics/solids/contact_report.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
@@ -48,13 +49,47 @@ void CoupledSolver::advance(double until, long long most) {
   while (state_.time < until && state_.time < tmax && most-- > 0) {
     const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
     const CoupledState before = step_.may_stop(h) ? state_ : CoupledState{};
-    if (!step_.advance(state_, h)) {
+    bool stopped = false;
+    fem::clock_step(
+        state_, h, tmax, [&](double part) { return advanced(part, stopped); },
+        [this](double part, const fem::NewtonReport& report) { refuse_step(part, report); }, messages_);
+    if (stopped) {
       state_ = before;
-      return;
+      return step_.go_back(state_);
     }
-    state_.count_step(h, tmax);
     look_for_overlaps();
   }
+}
+
+/// A step that keeps the energy may not be found: the state then is as before. One that cannot be halved again takes
+/// damped contact. A step that was stopped, and what follows of its parts, counts as found until all are given up.
+fem::NewtonReport CoupledSolver::advanced(double h, bool& stopped) {
+  if (stopped) return {true, {}};
+  const CoupledState before = step_.keeps_energy() ? state_ : CoupledState{};
+  StepEnd end = step_.advance(state_, h);
+  const auto failed = [&] { return !end.stopped && !end.newton.converged; };
+  const auto go_back = [&] {
+    const long long newton_steps = state_.newton_steps;
+    state_ = before;
+    state_.newton_steps = newton_steps;
+  };
+  if (failed()) go_back();
+  if (failed() && step_.can_be_damped() && h <= fem::shortest_halved * plan_.step.deck_step) {
+    end = step_.advance(state_, h, true);
+    if (failed()) go_back();
+  }
+  stopped = end.stopped;
+  if (stopped) return {true, {}};
+  if (end.newton.converged)
+    fem::report_contact(before.contact.doubts, state_.contact.doubts, state_.time + h, messages_);
+  return end.newton;
+}
+
+void CoupledSolver::refuse_step(double h, const fem::NewtonReport& report) const {
+  fem::SolidState solids;
+  solids.time = state_.time, solids.steps = state_.steps;
+  solids.q = state_.q, solids.v = state_.u;
+  fem::refuse_step(solids, step_.solids().system.solids, h, report);
 }
 
 void CoupledSolver::look_for_overlaps() { overlaps_.look(state_.q, state_.time, state_.overlap, messages_); }
@@ -117,6 +152,12 @@ Summary CoupledSolver::more_summary() const {
                   line_of("bodies_left", std::count(state_.left.begin(), state_.left.end(), 1)),
                   line_of("bodies_slip", scene.viscosity > 0 && scene.bodies_slip ? state_.left.size() : 0),
                   line_of("interface_mismatch", state_.worst_mismatch)};
+  if (step_.keeps_energy()) {
+    summary.push_back(line_of("newton_iterations", state_.newton_steps));
+    summary.push_back(line_of("halvings", state_.halvings));
+    for (auto& line : fem::contact_summary(step_.solids().system.solids, state_.contact.doubts))
+      summary.push_back(std::move(line));
+  }
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;
     return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * scene.grid.volume();

@@ -40,6 +40,8 @@ class CoupledSolver final : public Solver {
   std::string worst_element() const override;
 
  private:
+  fem::NewtonReport advanced(double h, bool& stopped);
+  [[noreturn]] void refuse_step(double h, const fem::NewtonReport& report) const;
   void look_for_overlaps();
 
   const Plan& plan_;

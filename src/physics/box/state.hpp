@@ -9,6 +9,7 @@
 #include "physics/box/outside.hpp"
 #include "physics/box/smoke.hpp"
 #include "physics/solids/body_doubts.hpp"
+#include "physics/solids/system.hpp"
 #include "physics/step_clock.hpp"
 
 namespace tether::coupled {
@@ -74,6 +75,8 @@ struct CoupledState : StepClock {
   long long iterations = 0;         ///< of linear solvers
   long long lu_solutions = 0;       ///< by factors where BiCGSTAB did not converge
   std::vector<double> orders;       ///< of elimination, when the state was saved
+  fem::ContactState contact;        ///< of steps that keep the energy
+  long long newton_steps = 0, halvings = 0;  ///< of these
   long long contact_solutions = 0;  ///< solutions found again because of contact
   long long unmeasured = 0;         ///< 1 once it was reported that a closed volume is not held
   long long heated_up = 0;          ///< 1 once it was reported that friction has given more energy than it took
@@ -107,7 +110,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("cfl", state.last.cfl), with("cfl_largest", state.cfl_largest);
   with("work", state.work), with("contact_solutions", state.contact_solutions),
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
-  fem::exchange(with, state.overlap);
+  with("newton_steps", state.newton_steps), with("halvings", state.halvings);
+  fem::exchange(with, state.contact), fem::exchange(with, state.overlap);
   with("left", state.left);
   with("unmeasured", state.unmeasured), with("heated_up", state.heated_up);
   with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);

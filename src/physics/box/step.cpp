@@ -57,20 +57,30 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
       placer_(coupled_, surface_, box_, outside_, team),
       contact_(coupled_, surface_),
       system_(coupled_, team),
+      around_(solids_, system_),
       drag_(solids_.system.unknowns(), 0.0),
-      first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {}
+      first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {
+  if (tether::keeps_energy(coupled_, solids, scene.clock.tstep)) solid_step_.emplace(solids_.system, &around_);
+}
 
 void CoupledStep::resume(const CoupledState& state) {
   at_ = placer_.at(state.q);
   system_.keep_orders(state.orders);
 }
 
-/// One step of the paper, 3.1 to 3.3.
-bool CoupledStep::advance(CoupledState& state, double h) {
+/// One step of the paper, 3.1 to 3.3, or one whose solids keep their energy.
+StepEnd CoupledStep::advance(CoupledState& state, double h, bool damped) {
   const std::vector<double> q0 = state.q, u0 = state.u;
-  if (!move_fluid_freely(state, h)) return false;     // (1) without pressure: v*
-  solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
-  const Solution solution = solve(state, h);          // (7), (8)
+  StepEnd end{false, {true, {}}};
+  if (!move_fluid_freely(state, h)) return {true, {}};  // (1) without pressure: v*
+  Solution solution = begin_solution(state, h);
+  if (solid_step_) {
+    end.newton = solve_by_energy(state, h, damped, solution);
+    if (!end.newton.converged) return end;
+  } else {
+    solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
+    solve(state, h, solution);                          // (7), (8)
+  }
   state.last.cfl = cells_crossed(at_.domain, state.v, h);
   state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
   carry_smoke_along(state, h);
@@ -78,13 +88,14 @@ bool CoupledStep::advance(CoupledState& state, double h) {
   const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
   end_velocity(h, state.v);
   if (coupled_.viscosity > 0) keep_drive(given, h, state);
-  move_solids(state, u0, h);  // (5)
+  if (!solid_step_) move_solids(state, u0, h);  // (5)
   if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
-  book_solids(q0, u0, solution, state, h);
+  if (!solid_step_) book_solids(q0, u0, solution, state, h);
+  check(state);
   note_friction_that_gives(state);
   place_solids(state.time + h, state);
   state.books.remeshed += found - energy_of(state.v);
-  return true;
+  return end;
 }
 
 /// Leaves what the next step is to find, in cut faces and in the solids.
@@ -132,12 +143,17 @@ void CoupledStep::add_forces(const Smoke& smoke, double h, FaceValues& v) const 
   outside_.press(at_.domain, h, v);
 }
 
-/// Contact decides which velocities are held; as these change, the equations are solved again.
-CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
-  const std::vector<double> u0 = state.u, flux = net_flux(at_.domain, at_.numbers, state.v);
+/// Begins with the pressures of the step before.
+CoupledStep::Solution CoupledStep::begin_solution(const CoupledState& state, double h) const {
   Solution solution;
   solution.p = of_cells(at_.numbers, state.p);
   solution.L = pressure_matrix(at_.domain, at_.numbers, h / coupled_.density);
+  return solution;
+}
+
+/// Contact decides which velocities are held; as these change, the equations are solved again.
+void CoupledStep::solve(CoupledState& state, double h, Solution& solution) {
+  const std::vector<double> u0 = state.u, flux = net_flux(at_.domain, at_.numbers, state.v);
   const SystemCost before = system_.cost();
   std::vector<double> change(u0.size()), inertia(u0.size());
   contact_.begin(state.q, u0, h, state.touches);
@@ -160,8 +176,14 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
   if (!settled) tell_of_unsettled_contact(state);
   state.iterations += system_.cost().iterations - before.iterations;
   state.lu_solutions += system_.cost().lu_solves - before.lu_solves;
+  note_powers(state, solution);
+  finish(state, h, solution);
+}
+
+/// Gives the fluid what the pressures make of it, (8), and keeps what was found.
+void CoupledStep::finish(CoupledState& state, double h, Solution& solution) {
   const FaceValues free = state.v;
-  add_pressure(at_.domain, at_.numbers, solution.p, h / coupled_.density, state.v);  // (8)
+  add_pressure(at_.domain, at_.numbers, solution.p, h / coupled_.density, state.v);
   account(free, solution, state, h);
   state.p = on_cells(at_.numbers, solution.p);
   extend_pressure(at_.domain, state.p, layers_around_fluid);
@@ -170,7 +192,6 @@ CoupledStep::Solution CoupledStep::solve(CoupledState& state, double h) {
     state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
   }
   solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
-  return solution;
 }
 
 /// Finds, with the volume term, what each cell of a region takes of it.
@@ -182,6 +203,20 @@ void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution&
   for (std::size_t k = 0; k < regions.source.size(); ++k) {
     if (!any || regions.compliant[k] == 0) regions.source[k] = 0;
   }
+}
+
+/// What a step of the fluid is for the solids in it: `flux` is that of v*, and forces on the nodes are those that
+/// nothing in the step changes.
+FluidOfStep CoupledStep::fluid_of(const CoupledState& state, double h, const Solution& solution) const {
+  FluidOfStep fluid{at_.map.B, solution.L, net_flux(at_.domain, at_.numbers, state.v), drag_, at_.numbers.cell,
+                    at_.domain.kind.size(), of_cells(at_.numbers, at_.domain.region), solution.regions.closed,
+                    solution.regions.closed, state.time, h};
+  for (std::size_t k = 0; k < fluid.given.size(); ++k) fluid.given[k] += at_.map.outside[k] + at_.map.film_weight[k];
+  for (std::size_t k = 0; k < fluid.r.size(); ++k) fluid.r[k] -= solution.regions.source[at(fluid.region[k])];
+  for (std::size_t k = 0; k < fluid.loose.size(); ++k) {
+    if (solution.regions.compliant[k] != 0) fluid.loose[k] = 0;
+  }
+  return fluid;
 }
 
 void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, Solution& solution) {
@@ -224,17 +259,27 @@ void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, 
     system_.solve(equations, state.time, state.u, solution.p);
     add_transposed_product(at_.map.B, 1, solution.p, solution.fluid_force);
   }
-  solution.Au.resize(b.size()), solution.wall_force.resize(b.size());
-  solids_.A.multiply(state.u, solution.Au);
-  for (std::size_t k = 0; k < b.size(); ++k)  // what holds the velocities that are held
-    solution.wall_force[k] = solution.held[k] != 0 ? solution.Au[k] - b[k] - solution.fluid_force[k] : 0;
+  std::vector<double>& taken = solution.taken;  // A u1 - b
+  taken.resize(b.size()), solution.wall_force.assign(b.size(), 0.0);
+  solids_.A.multiply(state.u, taken);
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    taken[k] -= b[k];
+    if (solution.held[k] == 0) continue;
+    solution.wall_force[k] = taken[k] - solution.fluid_force[k];  // which holds it
+    taken[k] = solution.fluid_force[k];
+  }
+}
+
+void CoupledStep::note_powers(const CoupledState& state, Solution& solution) const {
+  solution.working = state.u;
+  solution.terms = terms_size(solids_.A, state.u);
+  for (std::size_t k = 0; k < state.u.size(); ++k) solution.terms += std::abs(state.u[k] * solution.b[k]);
 }
 
 void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, double h) {
   for (std::size_t k = 0; k < state.q.size(); ++k) state.q[k] += 0.5 * h * (u0[k] + state.u[k]);
   solids_.system.place_supports(state.time + h, state.q);
   contact_.place(state.q);
-  check(state);
 }
 
 /// The fluid's velocity of the deck, less what pressures take of it so that it flows round the solids.
@@ -266,6 +311,7 @@ CoupledState CoupledStep::start() {
   end_velocity(scene_.clock.tstep, state.v);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
   if (coupled_.smoke) state.smoke = smoke_at_start();
+  if (solid_step_) look_at_contact(state);
   note_thin_bodies(0, state);
   return state;
 }

@@ -2,21 +2,30 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "physics/box/contact.hpp"
 #include "physics/box/flow_box.hpp"
+#include "physics/box/fluid_around.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/solid_equations.hpp"
 #include "physics/box/state.hpp"
 #include "physics/box/system.hpp"
+#include "physics/solids/step.hpp"
 #include "plan/plan.hpp"
 
 namespace tether::coupled {
 
 /// After these solutions of a step what touches stays as it is.
 constexpr int most_contact_solutions = 60;
+
+/// How a step ended.
+struct StepEnd {
+  bool stopped = false;      ///< in the middle: the state is neither that before nor that after
+  fem::NewtonReport newton;  ///< of one that keeps the energy; where it has not converged the state is as after a stop
+};
 
 /// A step of fluid and solids together. The scene must outlive it, and the team that shares its loops.
 class CoupledStep {
@@ -25,8 +34,13 @@ class CoupledStep {
 
   /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
   CoupledState start();
-  /// False where it was stopped in the middle: the state then is neither that before nor that after.
-  bool advance(CoupledState& state, double h);
+  /// `damped`: with damped contact, whatever the deck says, as fem::SolidStep::advance_damped().
+  StepEnd advance(CoupledState& state, double h, bool damped = false);
+  /// Returns whether steps keep the energy of the solids: they may need halves then, or damped contact.
+  bool keeps_energy() const { return solid_step_.has_value(); }
+  bool can_be_damped() const { return solid_step_ && solid_step_->can_be_damped(); }
+  /// Goes back to a state that it had, after a step that did not end well.
+  void go_back(const CoupledState& state) { at_ = placer_.at(state.q); }
   /// Sets what a step with much viscosity asks meanwhile: whether it is to stop.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
   bool may_stop(double h) const;
@@ -53,7 +67,9 @@ class CoupledStep {
     SparseMatrix L;
     std::vector<double> p;                                  ///< of each pressure [stress]
     std::vector<double> b;                                  ///< of the solids, with friction and lifts [force]
-    std::vector<double> Au;                                 ///< A u1 [force]
+    std::vector<double> working;  ///< velocities of the solids that the pressures work at: u1, or the step's mean
+    std::vector<double> taken;    ///< force of the fluid by the solids' equations, of held ones by the fluid's [force]
+    double terms = 0;             ///< size of the terms of these equations' power [power]
     std::vector<double> fluid_force, wall_force, friction;  ///< on the nodes; walls without friction [force]
     std::vector<double> lifts;                              ///< of the nodes that contact halts [length]
   };
@@ -62,7 +78,15 @@ class CoupledStep {
   bool add_friction(CoupledState& state, double h);
   StickingBodies sticking(const CoupledState& state) const;
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
-  Solution solve(CoupledState& state, double h);
+  void solve(CoupledState& state, double h, Solution& solution);
+  Solution begin_solution(const CoupledState& state, double h) const;
+  FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
+  fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool damped, Solution& solution);
+  void take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution);
+  void book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state);
+  void look_at_contact(CoupledState& state);
+  void finish(CoupledState& state, double h, Solution& solution);
+  void note_powers(const CoupledState& state, Solution& solution) const;
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
   void solve_once(std::span<const double> flux, CoupledState& state, Solution& solution);
   void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h);
@@ -98,6 +122,8 @@ class CoupledStep {
   Placer placer_;
   Contact contact_;
   CoupledSystem system_;
+  FluidAround around_;
+  std::optional<fem::SolidStep> solid_step_;  // of steps that keep the energy
   std::vector<std::string> messages_;
   std::function<bool()> stop_;
   Placement at_;                       // of the solids now

@@ -28,14 +28,14 @@ constexpr double rounded = 1e-6, solved = 1e-3;
 /// Kinetic energy of the fluid.
 double CoupledStep::energy_of(const FaceValues& v) const { return kinetic_energy(at_.domain, v, v, coupled_.density); }
 
-/// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held, and once by
-/// the fluid's: what its kinetic energy, the pressure's step, prescribed faces and the volume term leave.
+/// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held or what they
+/// are in a step that keeps the energy, and once by the fluid's: what its kinetic energy, the pressure's step,
+/// prescribed faces and the volume term leave.
 void CoupledStep::account(const FaceValues& free, const Solution& solution, CoupledState& state, double h) {
-  double taken = 0, size = 0, inside = terms_size(solids_.A, state.u);
-  for (std::size_t k = 0; k < state.u.size(); ++k) {
-    const double force = solution.held[k] != 0 ? solution.fluid_force[k] : solution.Au[k] - solution.b[k];
-    taken += state.u[k] * force, size += std::abs(state.u[k] * force);
-    inside += std::abs(state.u[k] * solution.b[k]);
+  double taken = 0, size = 0;
+  for (std::size_t k = 0; k < solution.taken.size(); ++k) {
+    const double power = solution.working[k] * solution.taken[k];
+    taken += power, size += std::abs(power);
   }
   FaceValues change = state.v;
   for (std::size_t axis = 0; axis < change.size(); ++axis) {
@@ -49,7 +49,7 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
   state.last.interface_power = taken;
   const double in_motion = energy_of(state.v) / h,
                passing = energy_of(change) / h + std::abs(moving) + std::abs(let_in) + std::abs(sources);
-  const double least = std::max(rounded * (in_motion + inside), solved * passing);
+  const double least = std::max(rounded * (in_motion + solution.terms), solved * passing);
   state.last.mismatch = size > 0 ? (sources - moving - let_in - taken) / std::max(size, least) : 0;
   state.worst_mismatch = std::max(state.worst_mismatch, std::abs(state.last.mismatch));
   state.work += h * taken;
@@ -82,7 +82,7 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
   double given = sources - moving - let_in;
   if (coupled_.coupling.simultaneous) {
     std::vector<double> displaced(solution.p.size(), 0.0);
-    add_product(coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B, 1, state.u, displaced);
+    add_product(coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B, 1, solution.working, displaced);
     given = product(solution.p, displaced);
   }
   books.coupling += h * given;

@@ -37,6 +37,7 @@ ReducedEquations balanced(const CoupledEquations& equations, double time, std::s
 struct CoupledSystem::Parts {
   Parts(int dim, Team& team) : schur(dim, team) {}
   QuasidefiniteSolver both, solids, fluid;
+  SparseSolver corrections;
   SchurComplement schur;
 };
 
@@ -102,6 +103,37 @@ void CoupledSystem::solve_by_gradients(const CoupledEquations& equations, double
                        "none; likely cause, values that ran away",
                        result.iterations),
            Failure::does_not_converge);
+}
+
+void CoupledSystem::check_balance(const CoupledEquations& equations, double time, std::span<const double> u) {
+  balanced(equations, time, u);
+}
+
+bool CoupledSystem::correct(const CoupledEquations& equations, double tolerance, std::span<double> u,
+                            std::span<double> p) {
+  const Stopwatch watch(cost_.solve);
+  ++cost_.solves;
+  const ReducedEquations with = reduced(equations, u);
+  if (direct_) return correct_directly(equations, with, u, p);
+  const KrylovResult result = parts_->schur.solve(equations, with, tolerance, u, p);
+  cost_.iterations += result.iterations;
+  return result.converged;
+}
+
+bool CoupledSystem::correct_directly(const CoupledEquations& equations, const ReducedEquations& with,
+                                     std::span<double> u, std::span<double> p) {
+  SparseMatrix K = whole_matrix(equations, with.pinned);
+  const std::vector<double> scales = scales_of(K);
+  scale(K, scales);
+  if (!parts_->corrections.factorise(K, Definite::general)) return false;
+  std::vector<double> x(with.b);
+  x.insert(x.end(), with.r.begin(), with.r.end());
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] /= scales[k];
+  parts_->corrections.solve(x, x);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] = x[k] / scales[k];
+  for (std::size_t k = 0; k < p.size(); ++k) p[k] = x[u.size() + k] / scales[u.size() + k];
+  cost_.factor_nonzeros = parts_->corrections.factor_nonzeros();
+  return true;
 }
 
 void CoupledSystem::solve_as_the_paper(const CoupledEquations& equations, double time, std::span<double> u,

@@ -32,6 +32,11 @@ class CoupledSystem {
   /// Sets the velocities that are not held, and the pressures, zero in one cell of each loose region; p has the first
   /// guess of iterations. Throws RunError where there is no solution, with the time.
   void solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
+  /// Throws RunError where more flows into a loose region than out of it, u being velocities that are held.
+  static void check_balance(const CoupledEquations& equations, double time, std::span<const double> u);
+  /// Finds the same for a correction of Newton's method, whose A need be neither symmetric nor definite, to `tolerance`.
+  /// False where it is not found.
+  bool correct(const CoupledEquations& equations, double tolerance, std::span<double> u, std::span<double> p);
   /// The solids alone, A u = b + B^T p with the pressures given.
   void solve_solids(const CoupledEquations& equations, double time, std::span<double> u, std::span<const double> p);
   /// The fluid alone, -L p = r + flux u with all velocities given.
@@ -55,6 +60,8 @@ class CoupledSystem {
   void solve_as_the_paper(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
   void solve_by_lu(const SparseMatrix& K, std::span<const double> right, double time, int iterations,
                    std::span<double> x);
+  bool correct_directly(const CoupledEquations& equations, const ReducedEquations& with, std::span<double> u,
+                        std::span<double> p);
   void check_pivots(std::int64_t expected, double time);
 
   const Coupled& scene_;

@@ -15,13 +15,6 @@ namespace {
 /// pressure that bodies bear.
 constexpr double part_of_modulus = 0.1, part_of_gap = 0.25;
 
-/// E of small strains, of the law as it stands; of fibres theirs [stress].
-double young(const ElasticLaw& law) {
-  const auto lame = std::visit([](const auto& one) { return one.in_plane(); }, law);
-  if (!lame) return std::visit([](const auto& one) { return one.stiffness(); }, law);
-  return 2 * lame->mu * (1 + poisson_ratio(*lame));
-}
-
 /// A speed that counts as rest: a small part of that with which the bodies start, or fall by as far as the scene is
 /// high; without any, of the speed of waves [velocity].
 double slow_speed(const Solids& solids, double gravity) {
@@ -32,7 +25,7 @@ double slow_speed(const Solids& solids, double gravity) {
     low = std::min(low, solids.mesh.x[k]), high = std::max(high, solids.mesh.x[k]);
   for (const SolidRegion& region : solids.regions) {
     fastest = std::max(fastest, std::sqrt(dot(region.velocity, region.velocity)));
-    waves = std::max(waves, std::sqrt(young(region.law) / region.density));
+    waves = std::max(waves, std::sqrt(youngs_modulus(region.law) / region.density));
   }
   fastest = std::max(fastest, std::sqrt(std::abs(gravity) * (high - low)));
   return fastest > 0 ? part * fastest : part_of_waves * waves;
@@ -54,7 +47,7 @@ BodyContact::BodyContact(const Solids& solids, double gravity, Team& team)
       guard_gap_(part_of_gap * contact_.gap),
       stick_(contact_.stick > 0 ? contact_.stick : slow_speed(solids, gravity)) {
   for (const SolidRegion& region : solids.regions)
-    modulus_.push_back(contact_.stiffness > 0 ? contact_.stiffness : part_of_modulus * young(region.law));
+    modulus_.push_back(contact_.stiffness > 0 ? contact_.stiffness : part_of_modulus * youngs_modulus(region.law));
 }
 
 void BodyContact::begin(std::span<const double> q0, double dt, bool damped) {

@@ -11,22 +11,10 @@
 #include "grid/contact/pairs.hpp"
 #include "grid/contact/surface.hpp"
 #include "model/solids.hpp"
+#include "physics/contact/contact_numbers.hpp"
 #include "physics/contact/pair_force.hpp"
 
 namespace tether::contact {
-
-/// How bodies touch at the end of a step.
-struct ContactNumbers {
-  double energy = 0;     ///< stored between surfaces [energy]
-  double rubbed = 0;     ///< that friction took in the step [energy]
-  double least_gap = 0;  ///< between surfaces that press each other; 0 where none do [length]
-  double pressing = 0;   ///< sum of the sizes of the forces across surfaces [force]
-  double slid = 0;       ///< farthest that damped surfaces which press slid past each other in the step [length]
-  double sides = 0;      ///< how many of the bodies' sides are nearer to a surface than the gap
-  // A number a node: means of what the points of quadrature near it feel.
-  std::vector<double> pressure, friction;  ///< per area of the shape at the start [stress]
-  std::vector<double> distance;            ///< least one from another surface, at most the gap [length]
-};
 
 /// Contact of the bodies on a mesh with each other, with themselves, with planes and obstacles: forces of a step from
 /// places q0 to q1, and how far nodes can go. Vectors have dim numbers a node.

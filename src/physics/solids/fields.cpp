@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "physics/solids/contact_report.hpp"
+
 namespace tether::fem {
 namespace {
 
@@ -17,7 +19,7 @@ struct NodeSource {
   const Mesh& mesh;
   std::span<const double> q, v;
   std::vector<double> stress = {};  ///< seven numbers a node: Elements::nodal_stress
-  const ContactState* contact = nullptr;
+  const contact::ContactNumbers* contact = nullptr;
 };
 
 using NodeGroup = ColumnGroup<ColumnSetting, NodeSource>;
@@ -47,16 +49,16 @@ double mises(const double* s) {
 
 NodeGroup contact_group() {
   using Row = Column<ColumnSetting, NodeSource>;
-  const auto row = [](const char* name, D dimension, const char* meaning, std::vector<double> ContactState::*values) {
+  const auto row = [](const char* name, D dimension, const char* meaning, std::vector<double> contact::ContactNumbers::*values) {
     return Row(name, dimension, meaning,
                [values](const NodeSource& s, std::size_t k) { return (s.contact->*values)[k]; });
   };
   return {{row("contact_pressure", D::stress,
                "pressure by surfaces that meet, per area of the shape at the start, the mean near the node",
-               &ContactState::pressure),
-           row("contact_friction", D::stress, "friction of these, likewise", &ContactState::friction),
+               &contact::ContactNumbers::pressure),
+           row("contact_friction", D::stress, "friction of these, likewise", &contact::ContactNumbers::friction),
            row("contact_distance", D::length, "least distance from another surface, at most the gap of $contact",
-               &ContactState::distance)}};
+               &contact::ContactNumbers::distance)}};
 }
 
 NodeGroup stress_group() {
@@ -95,8 +97,8 @@ MeshGroup overlap_columns() {
             &MeshSums::nodes_inside}}};
 }
 
-ColumnSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies) {
-  ColumnSetting setting{solids.mesh.dim(), std::move(bodies), {}};
+MeshSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies) {
+  MeshSetting setting{{solids.mesh.dim(), std::move(bodies), {}}, solids.contact.has_value()};
   for (const TrackedPlace& tracked : solids.tracked) setting.point_names.push_back(tracked.name);
   return setting;
 }
@@ -138,9 +140,10 @@ Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q,
 }
 
 Snapshot shape_fields(double time, const Mesh& mesh, const Elements& elements, std::span<const double> q,
-                      std::span<const double> v) {
-  static const ColumnTable<ColumnSetting, NodeSource> table({motion_group(), stress_group()});
-  return snapshot_of(table, time, {mesh, q, v, elements.nodal_stress(q)});
+                      std::span<const double> v, const contact::ContactNumbers* contact) {
+  static const ColumnTable<ColumnSetting, NodeSource> alone({motion_group(), stress_group()}),
+      that_meet({motion_group(), stress_group(), contact_group()});
+  return snapshot_of(contact ? that_meet : alone, time, {mesh, q, v, elements.nodal_stress(q), contact});
 }
 
 namespace {
@@ -254,7 +257,7 @@ const ColumnTable<SolidSetting, SolidSums>& solid_table() {
 }
 
 Columns<SolidSums> solid_columns(const Solids& solids) {
-  SolidSetting setting{mesh_setting(solids, region_names(solids)), {}, solids.contact.has_value()};
+  SolidSetting setting{mesh_setting(solids, region_names(solids)), {}};
   for (const std::size_t s : supports_in_order(solids))
     setting.support_names.push_back(solids.supports[s].amplitude.of);
   return {solid_table(), std::move(setting)};
@@ -267,7 +270,7 @@ SolidSums sums_of(const SolidState& state, const SolidSystem& system) {
   for (std::size_t k = 0; k < momenta.size(); ++k) s.kinetic += 0.5 * momenta[k] * state.v[k];
   s.strain = system.elements->strain_energy(state.q), s.potential = system.gravity_energy(state.q);
   s.contact = state.contact;
-  s.total = s.kinetic + s.strain + s.potential + s.contact.energy;
+  s.total = s.kinetic + s.strain + s.potential + s.contact.last.energy;
   s.of_loads = state.of_loads, s.of_supports = state.of_supports, s.damped = state.damped;
   for (const auto& weights : system.region_weights) {
     const double mass = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -291,10 +294,8 @@ std::string worst_element(const SolidSystem& system, std::span<const double> q) 
 }
 
 Snapshot node_fields(const SolidState& state, const SolidSystem& system) {
-  if (!system.solids.contact) return shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.v);
-  static const ColumnTable<ColumnSetting, NodeSource> table({motion_group(), stress_group(), contact_group()});
-  return snapshot_of(table, state.time,
-                     {system.solids.mesh, state.q, state.v, system.elements->nodal_stress(state.q), &state.contact});
+  return shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.v,
+                      system.solids.contact ? &state.contact.last : nullptr);
 }
 
 }  // namespace tether::fem

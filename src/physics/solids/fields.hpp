@@ -20,6 +20,12 @@ struct MeshSums : CommonSums {
   double least = 0;             ///< least volume of an element over that at the start
   std::vector<double> volumes;  ///< of each body [volume]
   double nodes_inside = 0;      ///< of bodies inside of bodies
+  ContactState contact;
+};
+
+/// What the columns of bodies on a mesh depend on.
+struct MeshSetting : ColumnSetting {
+  bool meets = false;  ///< whether there is contact
 };
 
 using MeshGroup = ColumnGroup<ColumnSetting, MeshSums>;
@@ -30,7 +36,7 @@ MeshGroup shape_columns();
 MeshGroup overlap_columns();
 
 /// Names bodies and tracked places.
-ColumnSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies);
+MeshSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies);
 /// The names of the regions.
 std::vector<std::string> region_names(const Solids& solids);
 
@@ -42,9 +48,9 @@ BodySums body_of(double mass, std::span<const double> parts, std::span<const dou
 
 /// Places, displacements and velocities of all nodes.
 Snapshot motion_fields(double time, const Mesh& mesh, std::span<const double> q, std::span<const double> v);
-/// Returns the same with Cauchy's stress and the energy density.
+/// Returns the same with Cauchy's stress and the energy density and, unless it is null, with contact.
 Snapshot shape_fields(double time, const Mesh& mesh, const Elements& elements, std::span<const double> q,
-                      std::span<const double> v);
+                      std::span<const double> v, const contact::ContactNumbers* contact = nullptr);
 
 /// What a support or a wall does to bodies: the sums over the nodes that it holds.
 struct SupportSums {
@@ -54,18 +60,13 @@ struct SupportSums {
 /// What a record of elastic bodies is made from.
 struct SolidSums : MeshSums {
   double of_loads = 0, of_supports = 0, damped = 0;  ///< so far [energy]
-  ContactState contact;
   std::vector<SupportSums> supports;  ///< those of the deck, then walls
 };
 
 /// Names supports and walls, too.
-struct SolidSetting : ColumnSetting {
+struct SolidSetting : MeshSetting {
   std::vector<std::string> support_names;
-  bool meets = false;  ///< whether there is contact
 };
-
-/// Lists what contact stores and takes, and how bodies touch.
-ColumnGroup<SolidSetting, SolidSums> contact_columns();
 
 /// Lists what elastic bodies can write: the history's columns and what a record of them is made from, and fields of the
 /// nodes: places, displacements, velocities, Cauchy's stress and the energy density.

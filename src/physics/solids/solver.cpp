@@ -7,25 +7,12 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
+#include "physics/solids/contact_report.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
 
 namespace tether::fem {
-namespace {
-
-/// The counts of a contact alone, without its numbers of nodes.
-ContactState counts_of(const ContactState& contact) {
-  ContactState counts;
-  counts.slid = contact.slid, counts.eased = contact.eased, counts.damped_steps = contact.damped_steps;
-  return counts;
-}
-
-/// Below this part of the deck's step it is halved no more, give or take rounding.
-constexpr double shortest_halved = 1.001 / (1 << most_halvings);
-
-}  // namespace
-
 SolidSolver::SolidSolver(const Plan& plan, int threads)
     : plan_(plan),
       team_(threads),
@@ -74,34 +61,14 @@ void SolidSolver::start() {
 void SolidSolver::advance(double until, long long most) {
   while (state_.time < until && state_.time < plan_.scene.clock.tmax && most-- > 0) {
     const std::vector<double> before = implicit() ? state_.v : std::vector<double>();
-    const ContactState contact = counts_of(state_.contact);
+    const ContactDoubts doubts = state_.contact.doubts;
     step(next_step());
     if (implicit())
       BodyDoubts::look_at_swings(before, state_.v, system_.lumped, rounding_energy_, state_.time, state_.doubts,
                                  messages_);
-    tell_of_contact(contact);
+    report_contact(doubts, state_.contact.doubts, state_.time, messages_);
     look_at_bodies();
   }
-}
-
-/// Reports each of what contact found doubtful once.
-void SolidSolver::tell_of_contact(const ContactState& before) {
-  const ContactState& now = state_.contact;
-  if (before.slid <= 1 && now.slid > 1)
-    messages_.push_back(fmt::format(
-        "t = {:.6g}: surfaces slide {:.3g} gaps past each other in a step: damped contact brakes them, the less the "
-        "shorter the steps (with the square) and the larger the gap; step='energy' of $contact does not",
-        state_.time, now.slid));
-  if (before.damped_steps == 0 && now.damped_steps > 0)
-    messages_.push_back(fmt::format(
-        "t = {:.6g}: no step that keeps the energy leads on: contact is damped in this one, and in others like it "
-        "(contact_damped_steps of summary.txt counts them)",
-        state_.time));
-  if (before.eased == 0 && now.eased > 0)
-    messages_.push_back(fmt::format(
-        "t = {:.6g}: friction as steep as stick of $contact asks has no solution here: it comes up at up to a hundred "
-        "times that speed (contact_eased_steps of summary.txt counts the steps)",
-        state_.time));
 }
 
 /// Explicit steps are many and short: bodies do not go far in some of them.
@@ -122,7 +89,8 @@ double SolidSolver::next_step() const {
 void SolidSolver::step(double dt) {
   clock_step(
       state_, dt, plan_.scene.clock.tmax, [this](double part) { return advanced(part); },
-      [this](double part, const NewtonReport& report) { stop(part, report); }, messages_);
+      [this](double part, const NewtonReport& report) { refuse_step(state_, system_.solids, part, report); },
+      messages_);
 }
 
 /// Explicit steps have nothing to be halved for. A step that cannot be halved again takes damped contact.
@@ -155,33 +123,6 @@ void SolidSolver::lose(double dt) const {
                   "likely cause, steps of {:.3g} above the limit {:.3g} of central differences at the start",
                   state_.time, state_.steps + 1, k / d + 1, place[0], place[1], dt,
                   step_.longest_explicit_step(system_.solids.mesh.x)));
-}
-
-/// Says why a step may not converge, of what the scene has.
-const char* SolidSolver::likely_cause() const {
-  if (!system_.solids.contact) return "a step or a load increment too long, or an element turned inside out";
-  if (system_.solids.integrator == Integrator::equilibrium)
-    return "a body that neither supports nor contact hold (one that starts farther than the gap from what is to hold "
-           "it, too), or a load increment too long";
-  return "bodies that squeeze each other by more than their elements bear, or a step too long: shorter steps, finer "
-         "elements or a larger gap";
-}
-
-void SolidSolver::stop(double dt, const NewtonReport& report) const {
-  std::size_t worst = 0;
-  double fastest = 0;
-  for (std::size_t k = 0; k < state_.v.size(); ++k) {
-    if (std::abs(state_.v[k]) > fastest) fastest = std::abs(state_.v[k]), worst = k;
-  }
-  const std::size_t node = worst / static_cast<std::size_t>(system_.dim());
-  throw RunError(
-      fmt::format("t = {:.9g}, step {}: Newton's method does not converge in a step of {:.3g}, halved {} "
-                  "times; residuals over the largest force{}; fastest is node {} at ({:.6g}, {:.6g}): likely "
-                  "cause, {}",
-                  state_.time, state_.steps + 1, dt, most_halvings, residuals_text(report.residuals), node + 1,
-                  state_.q[node * static_cast<std::size_t>(system_.dim())],
-                  state_.q[node * static_cast<std::size_t>(system_.dim()) + 1], likely_cause()),
-      Failure::does_not_converge);
 }
 
 RunCounts SolidSolver::counts() const {
@@ -223,12 +164,7 @@ Summary SolidSolver::more_summary() const {
                   line_of("factor_nonzeros", cost.factor_nonzeros)};
   if (system_.solids.integrator == Integrator::equilibrium)
     summary.push_back(line_of("equilibrium_residual", state_.residual));
-  if (system_.solids.contact) {
-    summary.push_back(line_of("contact_gap", system_.solids.contact->gap));
-    summary.push_back(line_of("contact_slid", state_.contact.slid));
-    summary.push_back(line_of("contact_damped_steps", state_.contact.damped_steps));
-    summary.push_back(line_of("contact_eased_steps", state_.contact.eased));
-  }
+  for (auto& line : contact_summary(system_.solids, state_.contact.doubts)) summary.push_back(std::move(line));
   return summary;
 }
 

@@ -48,13 +48,10 @@ class SolidSolver final : public Solver {
   void start();
   void tell_of_short_steps();
   void look_at_bodies();
-  void tell_of_contact(const ContactState& before);
   double next_step() const;
   void step(double dt);
   NewtonReport advanced(double dt);
   [[noreturn]] void lose(double dt) const;
-  const char* likely_cause() const;
-  [[noreturn]] void stop(double dt, const NewtonReport& report) const;
 
   const Plan& plan_;
   ThreadTeam team_;

@@ -9,6 +9,7 @@
 #include "base/process.hpp"
 #include "physics/contact/body_contact.hpp"
 #include "physics/solids/rigid_guess.hpp"
+#include "physics/solids/surroundings.hpp"
 #include "physics/solids/system.hpp"
 
 namespace tether::fem {
@@ -55,8 +56,8 @@ struct SolidCost {
 /// One step of elastic bodies, from q0, v0 at t to q1, v1 at t + dt, by the solids' integrator.
 class SolidStep {
  public:
-  /// The system must outlive it.
-  explicit SolidStep(const SolidSystem& system);
+  /// The system must outlive it, and surroundings, where something besides loads and contact acts.
+  explicit SolidStep(const SolidSystem& system, Surroundings* surroundings = nullptr);
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
@@ -73,6 +74,12 @@ class SolidStep {
   double longest_explicit_step(std::span<const double> q) const;
 
   const SolidCost& cost() const { return cost_; }
+  /// What the forces of the last step leave over: rounding, or what supports hold [force].
+  std::span<const double> residual() const { return residual_; }
+  /// The forces of contact in the last step, which act against those from outside; zero without contact [force].
+  std::span<const double> touching() const { return touching_; }
+  /// Size of the terms of the power of the last step's forces at velocities w [power].
+  double terms_size(std::span<const double> w) const;
 
  private:
   NewtonReport settle_by(SolidState& state, double part);
@@ -85,6 +92,7 @@ class SolidStep {
   void find_dead_forces(double time, double dt);
   void find_forces(const SolidState& state, double dt, bool again);
   void find_outer_forces(const SolidState& state, double dt);
+  void add_pressures(const SolidState& state, double dt);
   double find_residual(const SolidState& state, double dt);
   double residual_after_correction(const SolidState& state, double dt, int shortenings, double before);
   double next_correction();
@@ -92,6 +100,10 @@ class SolidStep {
   bool leads_nowhere() const;
   double rounding() const;
   bool correct(const SolidState& state, double dt);
+  bool solve(SparseMatrix& K);
+  void go_on();
+  void shorten(double part);
+  bool is_whole() const;
   bool supports_are_there() const;
   void lead_supports(const SparseMatrix& K);
   void stop_before_surfaces();
@@ -106,6 +118,7 @@ class SolidStep {
   void explicit_step(SolidState& state, double dt);
 
   const SolidSystem& system_;
+  Surroundings* surroundings_;
   StepForces rule_;
   RigidGuess rigid_guess_;
   SparseSolver solver_;
@@ -119,6 +132,7 @@ class SolidStep {
   double loaded_ = 1;                   // part of the loads that act while a body settles
   std::vector<double> moved_;           // velocities of supported nodes at the step's end
   std::vector<double> sizes_;           // of the residuals of corrections of bodies that meet [force]
+  double part_ = 1;                     // of the last correction that was gone
   double scale_ = 0, stiffest_ = 0;     // the largest force, and the largest number of the tangent
   SolidCost cost_;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <utility>
 
 #include "physics/solids/step.hpp"
 
@@ -9,12 +10,6 @@ namespace {
 /// What is left of the distance of surfaces that press each other, at least: a guess brings them little nearer, since
 /// what it presses too much corrections take back by a fourth each; a correction knows better.
 constexpr double nearest_guess = 0.9, nearest_correction = 0.4;
-
-void take_over(const contact::ContactNumbers& now, ContactState& contact) {
-  contact.energy = now.energy, contact.pressing = now.pressing, contact.least_gap = now.least_gap;
-  contact.sides = now.sides;
-  contact.pressure = now.pressure, contact.friction = now.friction, contact.distance = now.distance;
-}
 
 }  // namespace
 
@@ -38,7 +33,7 @@ NewtonReport SolidStep::meet(SolidState& state, double dt, bool damped) {
 NewtonReport SolidStep::advance_damped(SolidState& state, double dt) {
   begin(state, dt);
   NewtonReport report = meet(state, dt, true);
-  if (report.converged) ++state.contact.damped_steps;
+  if (report.converged) ++state.contact.doubts.damped_steps;
   return report;
 }
 
@@ -47,6 +42,7 @@ NewtonReport SolidStep::advance_damped(SolidState& state, double dt) {
 NewtonReport SolidStep::meet_by_easing(SolidState& state, double dt) {
   constexpr double first = 1e5, shorter = 0.3, enough = 100;
   q1_ = led_;
+  if (surroundings_) surroundings_->go_back();
   approach(state);
   NewtonReport report, good;
   std::vector<double> at;
@@ -57,16 +53,18 @@ NewtonReport SolidStep::meet_by_easing(SolidState& state, double dt) {
     state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
     if (!report.converged) break;
     at = q1_;
+    if (surroundings_) surroundings_->keep();
     good = report;
     if (ease <= 1) return report;
     eased = ease;
   }
   if (!good.converged || eased > enough) return report;
   q1_ = at;
+  if (surroundings_) surroundings_->go_back();
   contact_->ease_friction(eased);
   find_forces(state, dt, true);
   find_residual(state, dt);
-  ++state.contact.eased;
+  ++state.contact.doubts.eased;
   return good;
 }
 
@@ -118,35 +116,33 @@ void SolidStep::shorten_correction(double nearest) {
   constexpr double most_lost = 0.2;
   constexpr int most_halvings = 30;
   const double part = contact_->part_of_way(q1_, change_, nearest);
-  if (part < 1) {
-    for (double& change : change_) change *= part;
-  }
+  if (part < 1) shorten(part);
   const double least = most_lost * std::min(1.0, system_.elements->shape(q1_).least);
   for (int k = 0; k < most_halvings; ++k) {
     for (std::size_t i = 0; i < q1_.size(); ++i) scratch_[i] = q1_[i] + change_[i];
     if (system_.elements->shape(scratch_).least >= least) {
       return;
     }
-    for (double& change : change_) change *= 0.5;
+    shorten(0.5);
   }
 }
 
 void SolidStep::look_at_contact(SolidState& state) {
   if (!contact_) return;
   contact_->begin_equilibrium(state.q, 0);
-  take_over(contact_->numbers(state.q), state.contact);
+  state.contact.last = contact_->numbers(state.q);
 }
 
 /// Takes note of what contact stores, and of what friction and damped contact took on the way.
 void SolidStep::accept_contact(SolidState& state) {
-  const contact::ContactNumbers now = contact_->numbers(q1_);
+  contact::ContactNumbers now = contact_->numbers(q1_);
   double work = 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) work += touching_[k] * (q1_[k] - state.q[k]);
   ContactState& contact = state.contact;
-  contact.slid = std::max(contact.slid, now.slid / system_.solids.contact->gap);
+  contact.doubts.slid = std::max(contact.doubts.slid, now.slid / system_.solids.contact->gap);
   contact.rubbed += now.rubbed;
-  contact.damped += work - now.rubbed - (now.energy - contact.energy);
-  take_over(now, contact);
+  contact.damped += work - now.rubbed - (now.energy - contact.last.energy);
+  contact.last = std::move(now);
 }
 
 }  // namespace tether::fem

@@ -15,10 +15,14 @@ void SolidStep::find_dead_forces(double time, double dt) {
   for (std::size_t k = 0; k < dead_.size(); ++k) dead_[k] = 0.5 * (dead_[k] + inner_[k]);
 }
 
-/// The same with pressures, between the step's start and q1.
+/// The same with pressures and what surroundings do, between the step's start and q1.
 void SolidStep::find_outer_forces(const SolidState& state, double dt) {
   outer_ = dead_;
-  if (!system_.has_pressures()) return;
+  if (system_.has_pressures()) add_pressures(state, dt);
+  if (surroundings_) surroundings_->add_forces(q1_, outer_);
+}
+
+void SolidStep::add_pressures(const SolidState& state, double dt) {
   if (!rule_.mean)
     return system_.add_pressures(state.time + rule_.loads_at * dt, rule_.at, state.q, q1_, outer_, loaded_);
   std::fill(scratch_.begin(), scratch_.end(), 0.0);

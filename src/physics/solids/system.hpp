@@ -10,6 +10,7 @@
 #include "algebra/sparse_matrix.hpp"
 #include "algebra/sparse_solver.hpp"
 #include "model/solids.hpp"
+#include "physics/contact/contact_numbers.hpp"
 #include "physics/solids/body_doubts.hpp"
 #include "physics/solids/elements.hpp"
 #include "physics/solids/side_pressure.hpp"
@@ -18,18 +19,19 @@
 
 namespace tether::fem {
 
-/// How bodies touch: what contact stores, and the rest of the last step; what it has taken so far.
-struct ContactState {
-  double energy = 0;     ///< stored between surfaces [energy]
-  double rubbed = 0;     ///< taken by friction so far [energy]
-  double damped = 0;     ///< taken by damped contact so far [energy]
-  double pressing = 0;   ///< sum of the sizes of the forces across surfaces [force]
-  double least_gap = 0;  ///< between surfaces that press; 0 where none do [length]
-  double sides = 0;      ///< of bodies that are pressed
-  double slid = 0;       ///< farthest way past each other of damped surfaces in a step so far, over the gap
-  std::vector<double> pressure, friction, distance;  ///< at the nodes, of contact::ContactNumbers
+/// What contact did that is doubtful, so far.
+struct ContactDoubts {
+  double slid = 0;             ///< farthest way past each other of damped surfaces in a step, over the gap
   long long eased = 0;         ///< steps in which friction came up over a longer way than the deck's
   long long damped_steps = 0;  ///< steps in which contact was damped because nothing else led on
+};
+
+/// How bodies touch: at the end of the last step, and what contact has taken so far.
+struct ContactState {
+  contact::ContactNumbers last;
+  double rubbed = 0;  ///< by friction [energy]
+  double damped = 0;  ///< where it is damped [energy]
+  ContactDoubts doubts;
 };
 
 /// Of elastic bodies; dim numbers a node.
@@ -49,11 +51,13 @@ struct SolidState : StepClock {
 
 template <class Exchange>
 void exchange(Exchange& with, ContactState& contact) {
-  with("contact_energy", contact.energy), with("rubbed", contact.rubbed), with("contact_damped", contact.damped);
-  with("pressing", contact.pressing), with("least_gap", contact.least_gap), with("touching_sides", contact.sides);
-  with("contact_pressure", contact.pressure), with("contact_friction", contact.friction);
-  with("contact_distance", contact.distance);
-  with("slid", contact.slid), with("eased", contact.eased), with("damped_steps", contact.damped_steps);
+  contact::ContactNumbers& last = contact.last;
+  with("contact_energy", last.energy), with("rubbed", contact.rubbed), with("contact_damped", contact.damped);
+  with("pressing", last.pressing), with("least_gap", last.least_gap), with("touching_sides", last.sides);
+  with("contact_pressure", last.pressure), with("contact_friction", last.friction);
+  with("contact_distance", last.distance);
+  ContactDoubts& doubts = contact.doubts;
+  with("slid", doubts.slid), with("eased", doubts.eased), with("damped_steps", doubts.damped_steps);
 }
 
 /// Lists what a step depends on over saver and restorer alike.

@@ -27,6 +27,7 @@ StaggeredGrid grid_of(const Deck& deck, const BackgroundGrid& plane) {
 
 void read_method(const Deck& deck, Coupled& coupled) {
   coupled.coupling = coupling_of(word<CouplingMode>(deck, "coupled.mode"));
+  coupled.step = word<SolidsStep>(deck, "coupled.step");
   coupled.integrator = word<CoupledIntegrator>(deck, "coupled.integrator");
   coupled.advection = word<Advection>(deck, "coupled.advection");
   coupled.systems = word<Systems>(deck, "coupled.solver");
@@ -67,12 +68,17 @@ bool check_mesh(const Deck& deck, const Mesh& mesh, const StaggeredGrid& grid, D
                 "nz, zback and zfront of $coupled make the box three-dimensional");
 }
 
-/// The solids that the scene has by then, with the deck's hinges and springs.
+/// The solids that the scene has by then, with the deck's hinges, springs and contact.
 void add_bodies(const Deck& deck, Scene& scene, Coupled& coupled, Diagnostics& diagnostics) {
   if (!check_mesh(deck, scene.solids()->mesh, coupled.grid, diagnostics)) return;
   auto solids = std::make_shared<Solids>(*scene.solids());
   add_hinges(deck, *solids, diagnostics);
   add_springs(deck, *solids, coupled, diagnostics);
+  if (deck.has_group("contact")) solids->contact.emplace();
+  if (keeps_energy(coupled, *solids, scene.clock.tstep)) {
+    solids->integrator = Integrator::energy;
+    solids->contact = contact_in_box(deck, scene, coupled, *solids, diagnostics);
+  }
   set_solids(scene.physics, std::move(solids));
 }
 
@@ -89,7 +95,8 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   add_boxes(deck, *coupled, diagnostics);
   if (deck.has_group("mesh")) add_solids(deck, scene, diagnostics);
   if (scene.solids()) add_bodies(deck, scene, *coupled, diagnostics);
-  check_coupled_deck(deck, *coupled, diagnostics);
+  const bool energy = scene.solids() && keeps_energy(*coupled, *scene.solids(), scene.clock.tstep);
+  check_coupled_deck(deck, *coupled, energy, diagnostics);
   if (!diagnostics.has_errors()) {
     check_coupled_places(deck, scene, *coupled, diagnostics);
     check_coupled_regions(deck, scene, *coupled, diagnostics);

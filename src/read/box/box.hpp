@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "base/diagnostics.hpp"
 #include "deck/deck.hpp"
 #include "model/coupled.hpp"
@@ -21,6 +23,12 @@ void add_openings(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
 
 /// Obstacles and voids.
 void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
+
+/// Returns how solids meet in steps that keep the energy: the box's walls and obstacles, where its contact is not
+/// switched off, and what $contact says; nothing without either. Sides with nodes that supports hold at walls meet
+/// nothing. Reports mistakes at their places, and bodies that touch at the start.
+std::optional<Contact> contact_in_box(const Deck& deck, const Scene& scene, const Coupled& coupled,
+                                      const Solids& solids, Diagnostics& diagnostics);
 
 /// Springs on nodes of the solids.
 void add_springs(const Deck& deck, const Solids& solids, Coupled& coupled, Diagnostics& diagnostics);

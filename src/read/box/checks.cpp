@@ -19,8 +19,8 @@ namespace {
 /// Reports what is wrong with a deck of the coupled path, or says nothing there.
 class CoupledChecks {
  public:
-  CoupledChecks(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics)
-      : deck_(deck), coupled_(coupled), diagnostics_(diagnostics) {}
+  CoupledChecks(const Deck& deck, const Coupled& coupled, bool energy, Diagnostics& diagnostics)
+      : deck_(deck), coupled_(coupled), energy_(energy), diagnostics_(diagnostics) {}
 
   /// Warns of what has a use beside bodies on a mesh by finite elements, and none here.
   void others() {
@@ -31,8 +31,9 @@ class CoupledChecks {
       if (deck_.logical(name))
         error(name, {1, 1}, "solids in a fluid have no equilibrium of their own", "leave it away");
     }
-    unused("fem.integrator", "integrator of $coupled is that of the solids");
-    unused("fem.tolerance", "solids take one linear step, as the paper's; tolerance of $coupled is the solver's");
+    unused("fem.integrator", "step and integrator of $coupled are those of the solids");
+    if (!energy_)
+      unused("fem.tolerance", "solids take one linear step, as the paper's; tolerance of $coupled is the solver's");
     unused("fem.cfl", "steps are tstep");
   }
   /// Checks what $coupled says of a third dimension that a plane box does not have.
@@ -60,6 +61,25 @@ class CoupledChecks {
       unused(
           name,
           "there is no smoke: jet_smoke(k) or jet_temperature(k) brings it, box_smoke(k) or box_temperature(k) has it");
+  }
+  /// What linear steps cannot, and what those that keep the energy do not ask.
+  void step() {
+    const bool meets = deck_.has_group("contact");
+    if (meets && coupled_.step == SolidsStep::linear)
+      error("coupled.step", {1, 1}, "bodies do not meet in linear steps: they go through one another",
+            "leave step or $contact away: contact of $coupled stops bodies at walls and obstacles");
+    if ((meets || coupled_.step == SolidsStep::energy) &&
+        (!coupled_.coupling.simultaneous || coupled_.coupling.two_maps))
+      error("coupled.mode", {1, 1},
+            fmt::format("mode='{}' has linear steps alone, in which {}", word_of(coupled_.coupling.mode),
+                        meets ? "bodies do not meet" : "stiff bodies that turn gain energy"),
+            "write mode='cut-cell', or leave it away");
+    if (deck_.given("contact.friction") && deck_.given("coupled.friction"))
+      error("coupled.friction", {1, 1}, "friction is given twice, here and in $contact",
+            "leave it to $contact, whose friction is that of walls and obstacles, too");
+    if (!energy_) return;
+    unused("coupled.integrator", "it is of linear steps: these keep the energy, to order 2");
+    unused("coupled.convex", "it is of linear steps");
   }
   /// Viscosity uses explicit steps of its own, such that a face's velocity changes by no more than it differs from
   /// those around it.
@@ -155,16 +175,18 @@ class CoupledChecks {
 
   const Deck& deck_;
   const Coupled& coupled_;
+  bool energy_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void check_coupled_deck(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics) {
-  CoupledChecks checks(deck, coupled, diagnostics);
+void check_coupled_deck(const Deck& deck, const Coupled& coupled, bool energy, Diagnostics& diagnostics) {
+  CoupledChecks checks(deck, coupled, energy, diagnostics);
   checks.others();
   checks.plane();
   checks.method();
+  checks.step();
   checks.viscous_steps();
   checks.friction_of_bodies();
   checks.no_bodies();

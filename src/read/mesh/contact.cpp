@@ -55,14 +55,17 @@ double depth_in(const Box<3>& box, const Vec<3>& place, int dim) {
 /// Reads $contact and reports what is wrong with it.
 class ContactReader {
  public:
-  ContactReader(const Deck& deck, const Scene& scene, const Solids& solids, Diagnostics& diagnostics)
+  /// `walls`: sides of the box that stop bodies without $contact.
+  ContactReader(const Deck& deck, const Scene& scene, const Solids& solids, const std::set<int>& walls,
+                Diagnostics& diagnostics)
       : deck_(deck),
         scene_(scene),
         solids_(solids),
         diagnostics_(diagnostics),
         dim_(solids.mesh.dim()),
         meeting_(surface_nodes(solids.mesh)),
-        rounding_(coincident * MeshExtent(solids.mesh).size()) {}
+        rounding_(coincident * MeshExtent(solids.mesh).size()),
+        walls_(walls) {}
 
   Contact read() {
     read_law();
@@ -236,7 +239,7 @@ class ContactReader {
 
   /// Reports a deck that leaves nothing to meet.
   void check_anything_meets() {
-    if (contact_.bodies || contact_.itself) return;
+    if (contact_.bodies || contact_.itself || !walls_.empty()) return;
     for (const AnyVariable name : Variables{"contact.wall", "contact.plane", "contact.obstacle"}) {
       if (!deck_.given_elements(name).empty()) return;
     }
@@ -263,9 +266,6 @@ void check_contact_deck(const Deck& deck, Diagnostics& diagnostics) {
   const auto no = [&](const char* message, const char* hint) {
     diagnostics.add(deck.remark_on_group(Severity::error, "contact", message, hint));
   };
-  if (deck.has_group("coupled"))
-    return no("there is no $contact in a box of fluid yet",
-              "leave $contact away: contact of $coupled stops bodies at walls and obstacles");
   if (has_flow(deck)) return no("there is no $contact in a flow yet", "leave $contact away, or the fluid");
   if (deck.has_group("rigid"))
     return no("a rigid body meets nothing: $contact is of elastic bodies", "leave $contact away, or $rigid");
@@ -274,10 +274,15 @@ void check_contact_deck(const Deck& deck, Diagnostics& diagnostics) {
        "add $mesh, whose cells(1,r) divide region r of $reg; contact of $mpm is that of material points");
 }
 
+Contact read_contact(const Deck& deck, const Scene& scene, const Solids& solids, const std::set<int>& walls,
+                     Diagnostics& diagnostics) {
+  return ContactReader(deck, scene, solids, walls, diagnostics).read();
+}
+
 std::optional<Contact> contact_of(const Deck& deck, const Scene& scene, const Solids& solids,
                                   Diagnostics& diagnostics) {
   if (!deck.has_group("contact") || !std::holds_alternative<ElasticBodies>(scene.physics)) return std::nullopt;
-  Contact contact = ContactReader(deck, scene, solids, diagnostics).read();
+  Contact contact = read_contact(deck, scene, solids, {}, diagnostics);
   warn_of_laws(deck, solids, diagnostics);
   if (!diagnostics.has_errors()) find_gap(deck, solids, contact, diagnostics);
   return contact;

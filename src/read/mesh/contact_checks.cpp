@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
+#include "grid/contact/apart.hpp"
 #include "read/values.hpp"
 
 namespace tether {

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/fluid_around.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tether::coupled {
+namespace {
+
+void go_from(std::span<const double> before, double part, std::span<const double> way, std::span<double> now) {
+  for (std::size_t k = 0; k < now.size(); ++k) now[k] = before[k] + part * way[k];
+}
+
+}  // namespace
+
+void FluidAround::begin(FluidOfStep step, std::span<const double> q0, std::span<const double> p) {
+  step_.emplace(std::move(step));
+  q0_.assign(q0.begin(), q0.end());
+  std::vector<double> led(q0.begin(), q0.end());
+  solids_.system.place_supports(step_->time + step_->h, led);
+  const std::vector<double> w = velocity(led), none(q0.size(), 0.0);
+  const CoupledEquations at = equations(solids_.A, none, step_->r);
+  CoupledSystem::check_balance(at, step_->time, w);
+  constants_ = ConstantPressures(at);
+  now_.varying.assign(p.begin(), p.end());
+  now_.constant = constants_.take_means(now_.varying);
+  keep();
+}
+
+CoupledEquations FluidAround::equations(const SparseMatrix& A, std::span<const double> b,
+                                        std::span<const double> r) const {
+  return {A,
+          b,
+          step_->B,
+          step_->B,
+          step_->L,
+          r,
+          solids_.held,
+          step_->cell,
+          step_->cells,
+          step_->region,
+          step_->closed,
+          step_->loose,
+          false,
+          Definite::general};
+}
+
+std::vector<double> FluidAround::pressures() const {
+  std::vector<double> p = now_.varying;
+  constants_.add(now_.constant, p);
+  return p;
+}
+
+/// The pressures' forces, what the step is given, and springs in the middle of the way, where the work that they do on
+/// it is what they store.
+void FluidAround::add_forces(std::span<const double> q1, std::span<double> f) const {
+  for (std::size_t k = 0; k < f.size(); ++k) f[k] += step_->given[k];
+  add_transposed_product(step_->B, 1, pressures(), f);
+  solids_.add_spring_forces(q0_, q1, f);
+}
+
+std::vector<double> FluidAround::velocity(std::span<const double> q1) const {
+  std::vector<double> w(q1.size());
+  for (std::size_t k = 0; k < w.size(); ++k) w[k] = (q1[k] - q0_[k]) / step_->h;
+  return w;
+}
+
+/// r + B w + L p [volume/time].
+std::vector<double> FluidAround::left_over(std::span<const double> w) const {
+  std::vector<double> left(step_->r.size());
+  step_->L.multiply(now_.varying, left);
+  for (std::size_t k = 0; k < left.size(); ++k) left[k] += step_->r[k];
+  add_product(step_->B, 1, w, left);
+  return left;
+}
+
+/// In terms of w the tangent is h K, and the equations are those of a linear step:
+///     [ h K  -B^T ] [dw]   [ right        ]
+///     [ -B    -L  ] [dp] = [ r + B w + L p ]
+bool FluidAround::correct(const SparseMatrix& K, std::span<const double> right, std::span<const double> q1,
+                          std::span<double> change) {
+  constexpr double tolerance = 1e-9;  // the next correction takes what this one leaves
+  SparseMatrix A = K;
+  solids_.add_spring_stiffness(0.5, A);
+  for (double& value : A.value) value *= step_->h;
+  std::vector<double> w = velocity(q1);
+  for (std::size_t k = 0; k < w.size(); ++k) w[k] += change[k] / step_->h;
+  std::vector<double> dw(w.size(), 0.0), dp(step_->r.size(), 0.0);
+  const std::vector<double> left = left_over(w);
+  if (!system_.correct(equations(A, right, left), tolerance, dw, dp)) return false;
+  for (std::size_t k = 0; k < dw.size(); ++k) {
+    if (solids_.held[k] == 0) change[k] = step_->h * dw[k];
+  }
+  before_ = now_;
+  way_.varying = std::move(dp);
+  way_.constant = constants_.take_means(way_.varying);
+  return true;
+}
+
+void FluidAround::go(double part) {
+  go_from(before_.varying, part, way_.varying, now_.varying);
+  go_from(before_.constant, part, way_.constant, now_.constant);
+}
+
+/// The largest of the sizes of the terms in these equations.
+double FluidAround::largest_term(std::span<const double> w) const {
+  std::vector<double> sizes(step_->r.size(), 0.0);
+  for (std::int64_t column = 0; column < step_->L.n; ++column) {
+    for (std::int64_t k = step_->L.start[static_cast<std::size_t>(column)];
+         k < step_->L.start[static_cast<std::size_t>(column + 1)]; ++k) {
+      const auto entry = static_cast<std::size_t>(k);
+      sizes[static_cast<std::size_t>(step_->L.row[entry])] +=
+          std::abs(step_->L.value[entry] * now_.varying[static_cast<std::size_t>(column)]);
+    }
+  }
+  double largest = 0;
+  for (std::int64_t row = 0; row < step_->B.outerSize(); ++row) {
+    double& size = sizes[static_cast<std::size_t>(row)];
+    for (CouplingMatrix::InnerIterator entry(step_->B, row); entry; ++entry)
+      size += std::abs(entry.value() * w[static_cast<std::size_t>(entry.col())]);
+    largest = std::max(largest, size + std::abs(step_->r[static_cast<std::size_t>(row)]));
+  }
+  return largest;
+}
+
+bool FluidAround::settled(std::span<const double> q1) const {
+  constexpr double rounding = 1e-12;
+  const std::vector<double> w = velocity(q1);
+  double most = 0;
+  for (const double left : left_over(w)) most = std::max(most, std::abs(left));
+  return most <= rounding * largest_term(w);
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/box/matrix.hpp"
+#include "physics/box/schur_complement.hpp"
+#include "physics/box/solid_equations.hpp"
+#include "physics/box/system.hpp"
+#include "physics/solids/surroundings.hpp"
+
+namespace tether::coupled {
+
+/// What a step of the fluid is for the solids in it. All that is referred to must stay as long as the step takes.
+struct FluidOfStep {
+  const CouplingMatrix& B;
+  const SparseMatrix& L;
+  std::vector<double> r;      ///< flux of v* with the sources of regions [volume/time]
+  std::vector<double> given;  ///< forces on the nodes that nothing in the step changes [force]
+  std::span<const std::size_t> cell;
+  std::size_t cells = 0;
+  std::vector<int> region;
+  std::vector<std::uint8_t> closed, loose;
+  double time = 0, h = 0;
+};
+
+/// The fluid about solids in a step that keeps their energy. With w = (q1 - q0)/h, the velocity that takes the solids
+/// to q1, and the pressures p of the step
+///     B w + L p = -r:
+/// the fluid gives way to what the solids sweep, and B^T p does the work on them that it takes of the fluid. (With the
+/// solids' velocity at the step's end in place of w, as a linear step has it, the energy of both may grow.)
+class FluidAround final : public fem::Surroundings {
+ public:
+  /// Both must outlive it. Springs of the solids act here, too.
+  FluidAround(const SolidEquations& solids, CoupledSystem& system) : solids_(solids), system_(system) {}
+
+  /// Begins a step from places q0 with the first guess p of its pressures. Throws RunError where more flows into a part
+  /// of the fluid that nothing can widen than out of it.
+  void begin(FluidOfStep step, std::span<const double> q0, std::span<const double> p);
+  /// The pressures that were found [stress].
+  std::vector<double> pressures() const;
+
+  void add_forces(std::span<const double> q1, std::span<double> f) const override;
+  bool correct(const SparseMatrix& K, std::span<const double> right, std::span<const double> q1,
+               std::span<double> change) override;
+  void go(double part) override;
+  bool settled(std::span<const double> q1) const override;
+  void keep() override { kept_ = now_; }
+  void go_back() override { now_ = kept_; }
+
+ private:
+  /// Pressures: in closed regions whose constant the solids feel the mean apart, whose size would drown the others.
+  struct Pressures {
+    std::vector<double> varying, constant;
+  };
+  CoupledEquations equations(const SparseMatrix& A, std::span<const double> b, std::span<const double> r) const;
+  std::vector<double> left_over(std::span<const double> w) const;
+  std::vector<double> velocity(std::span<const double> q1) const;
+  double largest_term(std::span<const double> w) const;
+
+  const SolidEquations& solids_;
+  CoupledSystem& system_;
+  std::optional<FluidOfStep> step_;
+  std::vector<double> q0_;
+  ConstantPressures constants_;
+  Pressures now_, kept_, before_, way_;  // way_: the last correction, from before_
+};
+
+}  // namespace tether::coupled

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "physics/box/step.hpp"
+
+namespace tether::coupled {
+
+// A step of fluid and solids that keeps the solids' energy: Newton's method over elasticity, contact and pressures
+// together, with the cells of the step's start.
+
+namespace {
+
+/// The solids of a state, as their own step has them, with nothing exchanged yet.
+fem::SolidState solids_of(const CoupledState& state) {
+  fem::SolidState solids;
+  solids.time = state.time;
+  solids.q = state.q, solids.v = state.u;
+  solids.contact = state.contact;
+  return solids;
+}
+
+}  // namespace
+
+fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bool damped, Solution& solution) {
+  solution.held = solids_.held;
+  find_regions_of(state, h, solution);
+  tell_of_unmeasured_volume(solution.regions, state);
+  const SystemCost before = system_.cost();
+  around_.begin(fluid_of(state, h, solution), state.q, solution.p);
+  fem::SolidState moved = solids_of(state);
+  fem::NewtonReport report = damped ? solid_step_->advance_damped(moved, h) : solid_step_->advance(moved, h);
+  state.newton_steps += moved.newton_steps;
+  state.iterations += system_.cost().iterations - before.iterations;
+  if (report.converged) take_moved(moved, state, h, solution);
+  return report;
+}
+
+/// Takes over what was found. Held nodes, too, sweep what takes them to where they are led.
+void CoupledStep::take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution) {
+  const std::size_t count = state.q.size();
+  solution.p = around_.pressures();
+  solution.fluid_force.assign(count, 0.0), solution.friction.assign(count, 0.0);
+  add_transposed_product(at_.map.B, 1, solution.p, solution.fluid_force);
+  const auto residual = solid_step_->residual(), touching = solid_step_->touching();
+  solution.working.resize(count), solution.taken = solution.fluid_force, solution.wall_force.assign(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k) {
+    solution.working[k] = (moved.q[k] - state.q[k]) / h;
+    if (solution.held[k] == 0) solution.taken[k] += residual[k];
+    solution.wall_force[k] = moved.hold[k] - touching[k];
+  }
+  solution.terms = solid_step_->terms_size(solution.working);
+  book_moved(moved, solution, state);
+  state.q = moved.q, state.u = moved.v, state.contact = moved.contact;
+  finish(state, h, solution);
+}
+
+/// The work of all that acts on the solids from outside, on their way; loads are what is left of it.
+void CoupledStep::book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state) {
+  EnergyBooks& books = state.books;
+  std::vector<double> way(moved.q);
+  for (std::size_t k = 0; k < way.size(); ++k) way[k] -= state.q[k];
+  const double by_fluid = product(way, solution.fluid_force), outside = product(way, at_.map.outside),
+               weight = product(way, at_.map.film_weight), rubbed = product(way, drag_),
+               springs = solids_.spring_energy(state.q) - solids_.spring_energy(moved.q);
+  books.coupling -= by_fluid;
+  books.open_sides += outside, books.gravity += weight;
+  books.viscous -= rubbed, state.work += rubbed;
+  books.loads += moved.of_loads + moved.of_supports - by_fluid - outside - weight - rubbed - springs;
+  books.damped += moved.damped;
+}
+
+void CoupledStep::look_at_contact(CoupledState& state) {
+  fem::SolidState solids = solids_of(state);
+  solid_step_->look_at_contact(solids);
+  state.contact = solids.contact;
+}
+
+}  // namespace tether::coupled
