@@ -51,16 +51,20 @@ bool has_fluid_beyond(const Coupled& coupled, int side) {
                                        [&](const Opening& opening) { return opening.side == side; }));
 }
 
+/// E angle^4 / 4 a volume, of rho (rate radius)^2 / 2.
+double linear_gain(const SolidRegion& region, double rate, double radius, double tstep) {
+  const double angle = rate * tstep;
+  if (!(angle > 0)) return 0;
+  return youngs_modulus(region.law) * std::pow(angle, 4) / (2 * region.density * std::pow(rate * radius, 2));
+}
+
 double linear_gain(const Solids& solids, double tstep) {
   double most = 0;
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     const SolidRegion& region = solids.regions[r];
-    const double rate = std::sqrt(dot(region.spin, region.spin)), angle = rate * tstep;
-    if (!(angle > 0)) continue;
+    if (region.spin == Vec<3>{}) continue;
     const double radius = radius_of_gyration(solids.mesh, static_cast<int>(r));
-    // Stretched by angle^2 / 2 in the plane of its turn: E angle^4 / 4 a volume, of rho (rate radius)^2 / 2.
-    most = std::max(most, youngs_modulus(region.law) * std::pow(angle, 4) /
-                              (2 * region.density * std::pow(rate * radius, 2)));
+    most = std::max(most, linear_gain(region, std::sqrt(dot(region.spin, region.spin)), radius, tstep));
   }
   return most;
 }

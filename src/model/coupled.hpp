@@ -180,8 +180,11 @@ inline bool sticks_to_bodies(const Coupled& coupled) { return coupled.viscosity 
 /// Returns whether steps of a length keep the energy of the solids, as `step` says: where it leaves that open, those of
 /// solids that meet do, and of solids that linear steps would give much energy [tstep: time].
 bool keeps_energy(const Coupled& coupled, const Solids& solids, double tstep);
-/// Returns the largest share of its kinetic energy that a linear step gives a body which turns at the start: where it
-/// turns by an angle a in a step, it is stretched by a^2/2, and has the energy of that.
+/// Returns the share of the energy of its turning that a linear step gives a region which turns at a rate [1/time]:
+/// it is stretched by half the square of the angle that it turns by, and has the energy of that. `radius` is that of
+/// gyration [length].
+double linear_gain(const SolidRegion& region, double rate, double radius, double tstep);
+/// Returns the largest of these at the start.
 double linear_gain(const Solids& solids, double tstep);
 /// Above this share linear steps are not taken unless the deck says so.
 constexpr double most_linear_gain = 0.01;

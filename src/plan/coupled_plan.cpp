@@ -105,20 +105,47 @@ std::vector<Term> fluid_terms(const Scene& scene) {
   };
 }
 
+/// Says how steps find where solids go, and why.
+std::string step_text(const Coupled& coupled, const Solids& solids, double tstep) {
+  const bool asked = coupled.step != SolidsStep::automatic, paper = coupled.integrator == CoupledIntegrator::paper;
+  const double gain = linear_gain(solids, tstep);
+  if (keeps_energy(coupled, solids, tstep))
+    return fmt::format("keeps the energy: Newton's method over solids, contact and pressures, {}",
+                       asked            ? "as the deck says"
+                       : solids.contact ? "since bodies meet"
+                                        : fmt::format("since turning at the start would give a body {:.2g} of its "
+                                                      "energy in a linear one",
+                                                      gain));
+  const char* rule =
+      paper ? "linear, the paper's: backward Euler in the velocity, damps by h omega/4" : "linear, trapezoidal rule";
+  if (!coupled.coupling.simultaneous || coupled.coupling.two_maps) return fmt::format("{}: the mode has no other", rule);
+  if (asked) return fmt::format("{}, as the deck says", rule);
+  return fmt::format("{}: no body is to meet another, and turning at the start gives {}", rule,
+                     gain > 0 ? fmt::format("{:.2g} of its energy at most", gain) : "none energy");
+}
+
+/// Says what stops bodies, and whether they stop each other.
+std::vector<Term> contact_terms(const Coupled& coupled, const Solids& solids, double tstep) {
+  if (keeps_energy(coupled, solids, tstep))
+    return {term("contact", solids.contact.has_value(), solids.contact ? contact_text(*solids.contact) : "",
+                 "contact = .false.")};
+  return {term("contact", coupled.contact, fmt::format("with walls and obstacles, friction {:.4g}", coupled.friction),
+               "contact = .false."),
+          {"contact between bodies", false, "bodies go through one another: $contact has them meet"}};
+}
+
 std::vector<Term> body_terms(const Scene& scene) {
   const Coupled& c = *scene.coupled();
   const Solids& s = *scene.solids();
-  const bool paper = c.integrator == CoupledIntegrator::paper;
-  return {
-      {"step of the solids", true,
-       paper ? "the paper's: backward Euler in the velocity, damps by h omega/4" : "trapezoidal rule: of order 2"},
+  const double tstep = scene.clock.tstep;
+  std::vector<Term> terms{
+      {"step of the solids", true, step_text(c, s, tstep)},
       term("closed regions", c.volume_term, "found each step, their volumes held", "volume_term = .false."),
       term("repair of areas", !c.coupling.simultaneous && c.area_repair,
            "balances the walls' velocities of closed regions", "the mode needs none, or area_repair = .false."),
-      term("convex stiffness", c.convex, "K' of each element is made positive semi-definite", "convex = .false."),
-      term("contact", c.contact, fmt::format("with walls and obstacles, friction {:.4g}", c.friction),
-           "contact = .false."),
-      {"contact between bodies", false, "bodies go through one another"},
+      term("convex stiffness", c.convex && !keeps_energy(c, s, tstep),
+           "K' of each element is made positive semi-definite",
+           c.convex ? "Newton's method takes the forces' own slopes" : "convex = .false."),
       term("friction of the fluid on bodies", sticks_to_bodies(c), "it sticks to them",
            c.viscosity > 0 ? "bodies_slip = .true.: mu acts at walls and obstacles alone" : "mu = 0"),
       term("damping", s.alpha > 0 || s.beta > 0, fmt::format("alpha {:.4g}, beta {:.4g}", s.alpha, s.beta),
@@ -127,6 +154,9 @@ std::vector<Term> body_terms(const Scene& scene) {
       term("supports", !s.supports.empty(), supports_text(s), "none given"),
       term("springs", !c.springs.empty(), fmt::format("{}", c.springs.size()), "none given"),
   };
+  const auto contact = contact_terms(c, s, tstep);
+  terms.insert(terms.end(), contact.begin(), contact.end());
+  return terms;
 }
 
 }  // namespace
@@ -154,12 +184,14 @@ Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   const double nonzeros = !direct                 ? 0
                           : coupled.grid.dim == 2 ? 10 * unknowns * std::log2(unknowns + 2)
                                                   : 12 * std::pow(unknowns, 4.0 / 3);
+  // A step that keeps the energy takes several corrections of Newton's method, each by factors of a full matrix.
+  const double solutions = scene.solids() && keeps_energy(coupled, *scene.solids(), scene.clock.tstep) ? 5 : 1;
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.deck_step * (1 - 1e-9));
   cost.point_steps = cost.steps * cells;
   cost.megabytes = 1e-6 * (bytes_per_cell * unknowns + bytes_per_nonzero * nonzeros);
-  cost.seconds = cost.steps * (seconds_per_cell * cells + seconds_per_nonzero * nonzeros +
-                               (direct ? 0 : seconds_by_krylov * unknowns));
+  cost.seconds = cost.steps * (seconds_per_cell * cells +
+                               solutions * (seconds_per_nonzero * nonzeros + (direct ? 0 : seconds_by_krylov * unknowns)));
   return cost;
 }
 

@@ -10,6 +10,7 @@
 #include "grid/mesh_place.hpp"
 #include "grid/thickness.hpp"
 #include "model/solids.hpp"
+#include "plan/solid_plan.hpp"
 
 namespace tether {
 namespace {
@@ -113,6 +114,9 @@ std::vector<Term> flow_terms(const Scene& scene) {
        scene.gravity != 0 ? fmt::format("gravc = {:.6g} in y", scene.gravity) : "gravc = 0"},
       {"body force", driven, driven ? "by bx, by" : "bx and by not given"},
       {"immersed solids", solids, solids ? solids_text(scene) : "every region is fluid"},
+      {"contact of bodies", solids && scene.solids()->contact,
+       solids && scene.solids()->contact ? contact_text(*scene.solids()->contact)
+                                         : "without $contact the fluid between bodies is all that keeps them apart"},
       {"pressure in bodies", solids && !all_own_volume(flow), solids ? volume_text(flow) : "there are none"},
       {"linear systems", true, systems_text(flow, solids)},
       {"third dimension", false, "the mesh is plane, one unit deep"},

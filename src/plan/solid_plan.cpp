@@ -38,7 +38,8 @@ std::size_t pressure_count(const Solids& solids) {
       std::ranges::count_if(solids.loads, [](const Load& load) { return load.pressure != 0; }));
 }
 
-/// "bodies and themselves, 4 planes; gap 0.01, friction 0.3; damped, as friction asks".
+}  // namespace
+
 std::string contact_text(const Contact& contact) {
   std::string what = contact.bodies ? "bodies with each other" : "";
   const auto add = [&](const std::string& more) { what += (what.empty() ? "" : ", ") + more; };
@@ -53,8 +54,6 @@ std::string contact_text(const Contact& contact) {
                      : is_damped(contact) ? ", since friction wants steady pressures"
                                           : "");
 }
-
-}  // namespace
 
 std::string supports_text(const Solids& solids) {
   std::string text;

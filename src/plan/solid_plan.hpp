@@ -20,6 +20,9 @@ std::string solid_head(const Solids& solids);
 std::string regions_text(const Solids& solids);
 /// How many loads keep their direction, and how many are pressures.
 std::string loads_text(const Solids& solids);
+/// "bodies with each other, with themselves, with 4 walls and planes; gap 0.01, friction 0.3; damped, since friction
+/// wants steady pressures".
+std::string contact_text(const Contact& contact);
 /// Each support and wall with the nodes that it holds or moves.
 std::string supports_text(const Solids& solids);
 

@@ -39,6 +39,8 @@ inline constexpr auto summary_rows = [] {
   using namespace runs_of;
   using enum Dimension;
   constexpr std::string_view motion = "not of equilibria and steady flows";
+  constexpr std::string_view newton = "not of linear steps in a box";
+  constexpr std::string_view meets = "`$contact`, or steps that keep the energy in a box with contact";
   return std::array{
       SummaryRow{"path", all, number, "method: mpm, fem or coupled"},
       SummaryRow{"steps", all, number, "steps taken"},
@@ -82,8 +84,8 @@ inline constexpr auto summary_rows = [] {
       SummaryRow{"gas_leaked", points, number, "points of gas half a cell and more beyond the side that they began on",
                  "gas and membranes that part the grid"},
       SummaryRow{"unknowns", meshes | boxes, number, "unknowns of the linear systems"},
-      SummaryRow{"newton_iterations", meshes, number, "Newton's iterations of all steps"},
-      SummaryRow{"halvings", meshes, number, "corrections that were halved, of all steps"},
+      SummaryRow{"newton_iterations", meshes | boxes, number, "Newton's iterations of all steps", newton},
+      SummaryRow{"halvings", meshes | boxes, number, "steps, and parts of steps, that were halved", newton},
       SummaryRow{"factorisations", flows, number, "matrices that were factorised"},
       SummaryRow{"factor_nonzeros", solids | flows | boxes, number, "nonzeros of the factors"},
       SummaryRow{"linear_solver", flows | boxes, number, "how linear systems are solved: direct, krylov, bicgstab"},
@@ -118,13 +120,15 @@ inline constexpr auto summary_rows = [] {
                  "there are bodies"},
       SummaryRow{"mode", boxes, number, "mode of the coupling"},
       SummaryRow{"lu_solutions", boxes, number, "solutions by factors within iterations", "mode='paper'"},
-      SummaryRow{"contact_gap", solids, length, "distance at which surfaces began to press each other", "$contact"},
-      SummaryRow{"contact_slid", solids, number,
-                 "farthest way of damped surfaces past each other in a step, over the gap", "$contact"},
-      SummaryRow{"contact_damped_steps", solids, number,
-                 "steps in which contact was damped since nothing that keeps the energy led on", "$contact"},
-      SummaryRow{"contact_eased_steps", solids, number,
-                 "steps in which friction came up at up to a hundred times the speed of stick", "$contact"},
+      SummaryRow{"contact_gap", bodies, length, "distance at which surfaces began to press each other", meets},
+      SummaryRow{"contact_slid", bodies, number,
+                 "farthest way of damped surfaces past each other in a step, over the gap", meets},
+      SummaryRow{"contact_damped_steps", bodies, number,
+                 "steps in which contact was damped since nothing that keeps the energy led on", meets},
+      SummaryRow{"contact_eased_steps", bodies, number,
+                 "steps in which friction came up at up to a hundred times the speed of stick", meets},
+      SummaryRow{"linear_gain", boxes, number,
+                 "most that a step gave bodies that turn, over their energy of motion", "steps are linear"},
       SummaryRow{"contact_solutions", boxes, number, "steps' systems that were solved again for contact"},
       SummaryRow{"contact_unsettled", boxes, number, "steps in which 60 such did not settle it"},
       SummaryRow{"cfl_largest", boxes, number, "most cells that the fluid crossed in a step"},

@@ -55,7 +55,9 @@ Group book_columns() {
        booked("energy_outside", gained, "work of loads and moved supports on the solids", &B::loads),
        booked("energy_viscous", given, "energy that viscosity turned into heat", &B::viscous),
        booked("energy_damped", given, "energy that damping has taken", &B::damped),
-       booked("energy_contact", given, "what walls, obstacles and friction took of the solids", &B::contact),
+       booked("energy_contact", given, "what walls, obstacles and friction took of the solids, of linear steps",
+              &B::contact)
+           .when("without contact that keeps the energy", [](const CoupledSetting& s) { return s.meets ? 0 : 1; }),
        booked("energy_advected", lost, "kinetic energy lost as the fluid carries its velocity along", &B::advected),
        booked("energy_remeshed", lost,
               "kinetic energy lost as solids open and close faces, and small faces take over the speed of those around",

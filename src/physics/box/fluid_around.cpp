@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra/krylov.hpp"
+
 namespace tether::coupled {
 namespace {
 
@@ -25,6 +27,7 @@ void FluidAround::begin(FluidOfStep step, std::span<const double> q0, std::span<
   constants_ = ConstantPressures(at);
   now_.varying.assign(p.begin(), p.end());
   now_.constant = constants_.take_means(now_.varying);
+  force_of_flux_ = -1;
   keep();
 }
 
@@ -67,7 +70,7 @@ std::vector<double> FluidAround::velocity(std::span<const double> q1) const {
 }
 
 /// r + B w + L p [volume/time].
-std::vector<double> FluidAround::left_over(std::span<const double> w) const {
+std::vector<double> FluidAround::flux_left_over(std::span<const double> w) const {
   std::vector<double> left(step_->r.size());
   step_->L.multiply(now_.varying, left);
   for (std::size_t k = 0; k < left.size(); ++k) left[k] += step_->r[k];
@@ -87,15 +90,28 @@ bool FluidAround::correct(const SparseMatrix& K, std::span<const double> right, 
   std::vector<double> w = velocity(q1);
   for (std::size_t k = 0; k < w.size(); ++k) w[k] += change[k] / step_->h;
   std::vector<double> dw(w.size(), 0.0), dp(step_->r.size(), 0.0);
-  const std::vector<double> left = left_over(w);
+  const std::vector<double> left = flux_left_over(w);
   if (!system_.correct(equations(A, right, left), tolerance, dw, dp)) return false;
   for (std::size_t k = 0; k < dw.size(); ++k) {
     if (solids_.held[k] == 0) change[k] = step_->h * dw[k];
   }
   before_ = now_;
   way_.varying = std::move(dp);
+  if (force_of_flux_ < 0) find_force_of_flux(left);
   way_.constant = constants_.take_means(way_.varying);
   return true;
+}
+
+/// By the step's first correction, of which most is this answer.
+void FluidAround::find_force_of_flux(std::span<const double> flux) {
+  std::vector<double> forces(q0_.size(), 0.0);
+  add_transposed_product(step_->B, 1, way_.varying, forces);
+  const double size = norm(flux);
+  force_of_flux_ = size > 0 ? norm(forces) / size : 0;
+}
+
+double FluidAround::left_over(std::span<const double> q1) const {
+  return force_of_flux_ > 0 ? force_of_flux_ * norm(flux_left_over(velocity(q1))) : 0;
 }
 
 void FluidAround::go(double part) {
@@ -103,33 +119,36 @@ void FluidAround::go(double part) {
   go_from(before_.constant, part, way_.constant, now_.constant);
 }
 
-/// The largest of the sizes of the terms in these equations.
-double FluidAround::largest_term(std::span<const double> w) const {
+/// The largest of the sizes of the terms in these equations, of each what rounding leaves of it: of w it is that of the
+/// places.
+double FluidAround::rounding(std::span<const double> q1, std::span<const double> w) const {
+  constexpr double of_terms = 1e-12, of_places = 4e-16;
   std::vector<double> sizes(step_->r.size(), 0.0);
   for (std::int64_t column = 0; column < step_->L.n; ++column) {
     for (std::int64_t k = step_->L.start[static_cast<std::size_t>(column)];
          k < step_->L.start[static_cast<std::size_t>(column + 1)]; ++k) {
       const auto entry = static_cast<std::size_t>(k);
       sizes[static_cast<std::size_t>(step_->L.row[entry])] +=
-          std::abs(step_->L.value[entry] * now_.varying[static_cast<std::size_t>(column)]);
+          of_terms * std::abs(step_->L.value[entry] * now_.varying[static_cast<std::size_t>(column)]);
     }
   }
   double largest = 0;
   for (std::int64_t row = 0; row < step_->B.outerSize(); ++row) {
     double& size = sizes[static_cast<std::size_t>(row)];
-    for (CouplingMatrix::InnerIterator entry(step_->B, row); entry; ++entry)
-      size += std::abs(entry.value() * w[static_cast<std::size_t>(entry.col())]);
-    largest = std::max(largest, size + std::abs(step_->r[static_cast<std::size_t>(row)]));
+    for (CouplingMatrix::InnerIterator entry(step_->B, row); entry; ++entry) {
+      const auto k = static_cast<std::size_t>(entry.col());
+      size += std::abs(entry.value()) * (of_terms * std::abs(w[k]) + of_places * std::abs(q1[k]) / step_->h);
+    }
+    largest = std::max(largest, size + of_terms * std::abs(step_->r[static_cast<std::size_t>(row)]));
   }
   return largest;
 }
 
 bool FluidAround::settled(std::span<const double> q1) const {
-  constexpr double rounding = 1e-12;
   const std::vector<double> w = velocity(q1);
   double most = 0;
-  for (const double left : left_over(w)) most = std::max(most, std::abs(left));
-  return most <= rounding * largest_term(w);
+  for (const double left : flux_left_over(w)) most = std::max(most, std::abs(left));
+  return most <= rounding(q1, w);
 }
 
 }  // namespace tether::coupled

@@ -46,6 +46,7 @@ class FluidAround final : public fem::Surroundings {
   bool correct(const SparseMatrix& K, std::span<const double> right, std::span<const double> q1,
                std::span<double> change) override;
   void go(double part) override;
+  double left_over(std::span<const double> q1) const override;
   bool settled(std::span<const double> q1) const override;
   void keep() override { kept_ = now_; }
   void go_back() override { now_ = kept_; }
@@ -56,14 +57,16 @@ class FluidAround final : public fem::Surroundings {
     std::vector<double> varying, constant;
   };
   CoupledEquations equations(const SparseMatrix& A, std::span<const double> b, std::span<const double> r) const;
-  std::vector<double> left_over(std::span<const double> w) const;
+  std::vector<double> flux_left_over(std::span<const double> w) const;
+  void find_force_of_flux(std::span<const double> flux);
   std::vector<double> velocity(std::span<const double> q1) const;
-  double largest_term(std::span<const double> w) const;
+  double rounding(std::span<const double> q1, std::span<const double> w) const;
 
   const SolidEquations& solids_;
   CoupledSystem& system_;
   std::optional<FluidOfStep> step_;
   std::vector<double> q0_;
+  double force_of_flux_ = -1;  // what answers a flux that is left over; below 0: not known yet [force time/volume]
   ConstantPressures constants_;
   Pressures now_, kept_, before_, way_;  // way_: the last correction, from before_
 };

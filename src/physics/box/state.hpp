@@ -77,6 +77,7 @@ struct CoupledState : StepClock {
   std::vector<double> orders;       ///< of elimination, when the state was saved
   fem::ContactState contact;        ///< of steps that keep the energy
   long long newton_steps = 0, halvings = 0;  ///< of these
+  double linear_gain = 0;           ///< most that a linear step gave turning bodies, over their energy of motion
   long long contact_solutions = 0;  ///< solutions found again because of contact
   long long unmeasured = 0;         ///< 1 once it was reported that a closed volume is not held
   long long heated_up = 0;          ///< 1 once it was reported that friction has given more energy than it took
@@ -110,7 +111,7 @@ void exchange(Exchange& with, CoupledState& state) {
   with("cfl", state.last.cfl), with("cfl_largest", state.cfl_largest);
   with("work", state.work), with("contact_solutions", state.contact_solutions),
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
-  with("newton_steps", state.newton_steps), with("halvings", state.halvings);
+  with("linear_gain", state.linear_gain), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
   fem::exchange(with, state.contact), fem::exchange(with, state.overlap);
   with("left", state.left);
   with("unmeasured", state.unmeasured), with("heated_up", state.heated_up);

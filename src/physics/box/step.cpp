@@ -92,6 +92,7 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool damped) {
   if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
   if (!solid_step_) book_solids(q0, u0, solution, state, h);
   check(state);
+  if (!solid_step_) note_turning(state, h);
   note_friction_that_gives(state);
   place_solids(state.time + h, state);
   state.books.remeshed += found - energy_of(state.v);

@@ -110,6 +110,7 @@ class CoupledStep {
   void place_solids(double time, CoupledState& state);
   void note_bodies_that_left(double time, CoupledState& state);
   void note_friction_that_gives(CoupledState& state);
+  void note_turning(CoupledState& state, double h);
   void note_thin_bodies(double time, CoupledState& state);
 
   Team& team_;

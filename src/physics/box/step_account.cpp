@@ -12,6 +12,7 @@
 #include "physics/box/projection.hpp"
 #include "physics/box/smoke_follow.hpp"
 #include "physics/box/step.hpp"
+#include "physics/box/turning.hpp"
 
 namespace tether::coupled {
 
@@ -193,6 +194,19 @@ void CoupledStep::note_friction_that_gives(CoupledState& state) {
       "doing: bodies too light for bodies_slip=.false. at such steps; longer steps, heavier bodies or "
       "bodies_slip=.true. hold",
       state.time, state.steps + 1));
+}
+
+/// A warning once: a linear step stretches what turns in it.
+void CoupledStep::note_turning(CoupledState& state, double h) {
+  constexpr double much = 0.1;
+  const double gain = gain_by_turning(solids_.system, state.q, state.u, h);
+  if (state.linear_gain <= much && gain > much)
+    messages_.push_back(fmt::format(
+        "t = {:.6g}, step {}: bodies turn so fast, and are so stiff, that a linear step gives them {:.2g} of their "
+        "energy of motion, and the next ones damp that away (linear_gain of summary.txt has the most): step='energy' of "
+        "$coupled keeps it, or shorter steps",
+        state.time, state.steps + 1, gain));
+  state.linear_gain = std::max(state.linear_gain, gain);
 }
 
 /// A warning once, where the cells are first too wide for the bodies.

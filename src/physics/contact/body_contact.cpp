@@ -85,9 +85,14 @@ const ContactPoint& BodyContact::point_of(std::size_t number) const {
   return is_guard(number) ? surface_.guards[number - surface_.points.size()] : surface_.points[number];
 }
 
-/// Sees to it that all pairs are known that can meet between the start, x1 and x2.
+/// Sees to it that all pairs are known that can meet between the start, x1 and x2, and which of them x1 and x2 are
+/// near to.
 void BodyContact::cover(std::span<const double> x1, std::span<const double> x2) {
-  if (covered_ && pairs_.hold(x1) && pairs_.hold(x2)) return;
+  if (!covered_ || !pairs_.hold(x1) || !pairs_.hold(x2)) find_pairs(x1, x2);
+  if (!moved_little(x1) || !moved_little(x2)) find_near(x1, x2);
+}
+
+void BodyContact::find_pairs(std::span<const double> x1, std::span<const double> x2) {
   double farthest = 0;
   for (std::size_t k = 0; k < x0_.size(); ++k)
     farthest = std::max({farthest, std::abs(x1[k] - x0_[k]), std::abs(x2[k] - x0_[k])});
@@ -96,6 +101,37 @@ void BodyContact::cover(std::span<const double> x1, std::span<const double> x2) 
   s0_.resize(pairs.size());
   team_.each(0, pairs.size(), [&](std::size_t k) { s0_[k] = squared_distance(pairs[k], surface_.dim(), x0_); });
   covered_ = true;
+  near_to_.clear();
+}
+
+/// Returns whether no place has moved by more than a gap from where near pairs were looked for.
+bool BodyContact::moved_little(std::span<const double> x) const {
+  if (near_to_.size() != x.size()) return false;
+  const std::size_t d = tether::at(surface_.dim());
+  for (std::size_t k = 0; k < x.size(); k += d) {
+    double square = 0;
+    for (std::size_t i = k; i < k + d; ++i) square += (x[i] - near_to_[i]) * (x[i] - near_to_[i]);
+    if (!(square <= gap_ * gap_)) return false;
+  }
+  return true;
+}
+
+/// Lists the pairs that press at the start, or do while no place moves by more than a gap from x1: Newton's method does
+/// not go far after its first corrections. Where x2 is farther, all are near.
+void BodyContact::find_near(std::span<const double> x1, std::span<const double> x2) {
+  const auto& pairs = pairs_.pairs();
+  near_.clear();
+  near_to_.assign(x1.begin(), x1.end());
+  const bool all = !moved_little(x2);
+  std::vector<std::uint8_t> is_near(pairs.size());
+  team_.each(0, all ? 0 : pairs.size(), [&](std::size_t k) {
+    const double gap = pairs[k].guard ? guard_gap_ : gap_, reach = gap + 2 * gap_;
+    is_near[k] = s0_[k] < gap * gap || squared_distance(pairs[k], surface_.dim(), x1) <= reach * reach ? 1 : 0;
+  });
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (all || is_near[k] != 0) near_.push_back(k);
+  }
+  if (all) near_to_.clear();
 }
 
 void BodyContact::place(std::span<const double> q1) {
@@ -107,12 +143,13 @@ void BodyContact::place(std::span<const double> q1) {
 /// Finds what is nearer than the gap at either end of the step.
 void BodyContact::find_active() {
   const auto& pairs = pairs_.pairs();
-  std::vector<double> s1(pairs.size());
-  team_.each(0, pairs.size(), [&](std::size_t k) { s1[k] = squared_distance(pairs[k], surface_.dim(), x1_); });
+  std::vector<double> s1(near_.size());
+  team_.each(0, near_.size(), [&](std::size_t n) { s1[n] = squared_distance(pairs[near_[n]], surface_.dim(), x1_); });
   active_.clear();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    const std::size_t k = near_[n];
     const double gap = pairs[k].guard ? guard_gap_ : gap_;
-    if (std::min(s0_[k], s1[k]) < gap * gap) active_.push_back({k, -1, s0_[k], s1[k]});
+    if (std::min(s0_[k], s1[n]) < gap * gap) active_.push_back({k, -1, s0_[k], s1[n]});
   }
   if (rule_.damped) find_nearest();
   find_active_at_planes();
@@ -160,11 +197,12 @@ double BodyContact::part_of_way(std::span<const double> q, std::span<const doubl
   ways_.resize(x1_.size());
   for (std::size_t k = 0; k < x1_.size(); ++k) ways_[k] = x2[k] - x1_[k];
   const auto& pairs = pairs_.pairs();
-  std::vector<double> parts(pairs.size());
-  team_.each(0, pairs.size(), [&](std::size_t k) {
-    const double away = std::sqrt(squared_distance(pairs[k], surface_.dim(), x1_));
-    const double to = nearest_after(away, pairs[k].guard ? guard_gap_ : gap_, left);
-    parts[k] = tether::part_of_way(pairs[k], surface_.dim(), x1_, ways_, to);
+  std::vector<double> parts(near_.size());
+  team_.each(0, near_.size(), [&](std::size_t n) {
+    const ContactPair& pair = pairs[near_[n]];
+    const double away = std::sqrt(squared_distance(pair, surface_.dim(), x1_));
+    const double to = nearest_after(away, pair.guard ? guard_gap_ : gap_, left);
+    parts[n] = tether::part_of_way(pair, surface_.dim(), x1_, ways_, to);
   });
   double part = 1;
   for (const double one : parts) part = std::min(part, one);

@@ -68,6 +68,9 @@ class BodyContact {
   const ContactPoint& point_of(std::size_t number) const;
   bool is_guard(std::size_t number) const { return number >= surface_.points.size(); }
   void cover(std::span<const double> x1, std::span<const double> x2);
+  void find_pairs(std::span<const double> x1, std::span<const double> x2);
+  bool moved_little(std::span<const double> x) const;
+  void find_near(std::span<const double> x1, std::span<const double> x2);
   void place(std::span<const double> q1);
   void find_active();
   void find_nearest();
@@ -94,6 +97,8 @@ class BodyContact {
   std::vector<double> x0_, x1_, ways_, place_forces_;  // of the surface's places
   std::vector<double> s0_;                             // squared distances of the pairs at the start
   bool covered_ = false;                               // whether the pairs are of this step
+  std::vector<std::size_t> near_;                      // pairs that can press about places near_to_, ascending
+  std::vector<double> near_to_;                        // empty: near_ has all pairs
   std::vector<Active> active_;
   EigenSparse met_;  // zeros where anything met in this step
 };

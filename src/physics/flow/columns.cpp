@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "physics/solids/contact_report.hpp"
+
 namespace tether::fem {
 namespace {
 
@@ -164,12 +166,12 @@ const ColumnTable<FlowSetting, FlowSums>& flow_table() {
   static const ColumnTable<FlowSetting, FlowSums> table(
       {energy_columns(), exchange_columns(), fluid_columns(), force_columns(), probe_columns(), difference_columns(),
        body_force_columns(), of_bodies(body_columns()), tracked_columns(), tracer_column(), of_bodies(shape_columns()),
-       of_bodies(overlap_columns())});
+       of_bodies(overlap_columns()), contact_columns()});
   return table;
 }
 
 Columns<FlowSums> flow_columns(const Flow& flow, const Solids* solids) {
-  const ColumnSetting common = solids ? mesh_setting(*solids, region_names(*solids)) : ColumnSetting{};
+  const MeshSetting common = solids ? mesh_setting(*solids, region_names(*solids)) : MeshSetting{};
   return {flow_table(), FlowSetting{common, flow, solids != nullptr}};
 }
 

@@ -11,7 +11,7 @@
 
 namespace tether::fem {
 
-struct FlowSetting : ColumnSetting {
+struct FlowSetting : MeshSetting {
   const Flow& flow;
   bool with_bodies = false;
 };

@@ -108,7 +108,8 @@ FlowSums FlowFields::sums_of(const FlowState& state) const {
   s.kinetic = elements.kinetic_energy(state.v) + (immersed ? immersed->kinetic_energy(state) : 0);
   s.strain = immersed ? immersed->strain_energy(state) : 0;
   s.potential = immersed ? immersed->potential_energy(state) : 0;
-  s.total = s.kinetic + s.strain + s.potential;
+  s.contact = state.contact;
+  s.total = s.kinetic + s.strain + s.potential + s.contact.last.energy;
   s.exchanged = state.exchanged, s.pressure_energy = elements.pressure_energy(state.p);
   const auto momentum = elements.momentum(state.v);
   s.mass = momentum[0], s.momentum = {momentum[1], momentum[2]};
@@ -126,7 +127,8 @@ FlowSums FlowFields::sums_of(const FlowState& state) const {
 Snapshot FlowFields::body_fields(const FlowState& state) const {
   if (!step_.immersed()) return {state.time, {}};
   const SolidSystem& system = step_.immersed()->system();
-  return shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.w);
+  return shape_fields(state.time, system.solids.mesh, *system.elements, state.q, state.w,
+                      step_.immersed()->meets() ? &state.contact.last : nullptr);
 }
 
 Snapshot FlowFields::node_fields(const FlowState& state) const {

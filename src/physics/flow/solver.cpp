@@ -9,6 +9,7 @@
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "base/vec.hpp"
+#include "physics/solids/contact_report.hpp"
 #include "physics/solids/fields.hpp"
 #include "physics/step_clock.hpp"
 #include "results/summary_keys.hpp"
@@ -100,11 +101,13 @@ void FlowSolver::advance(double until, long long most) {
   const double tmax = plan_.scene.clock.tmax;
   while (state_.time < until && state_.time < tmax && most-- > 0) {
     const long long failures = state_.krylov_failures;
+    const ContactDoubts doubts = state_.contact.doubts;
     clock_step(
         state_, step_before_end(plan_.step.deck_step, state_.time, tmax), tmax,
         [&](double part) { return advance_by(part); },
         [this](double part, const FlowReport& report) { stop(part, report); }, messages_);
     tell_of_failures(failures);
+    report_contact(doubts, state_.contact.doubts, state_.time, messages_);
     look_at_bodies();
     if (light_bodies_) check_kinetic_energy();
   }
@@ -233,6 +236,8 @@ Summary FlowSolver::more_summary() const {
   summary.push_back(line_of("nodes_carried", step_.immersed()->carried().nodes().size()));
   summary.push_back(line_of("node_spacing", fmt::format("{:.6g}", state_.doubts.spacing)));
   summary.push_back(line_of("cells_across", fmt::format("{:.6g}", state_.doubts.thinnest)));
+  for (auto& line : contact_summary(step_.immersed()->solids(), state_.contact.doubts))
+    summary.push_back(std::move(line));
   return summary;
 }
 

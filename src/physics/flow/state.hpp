@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/solids/body_doubts.hpp"
+#include "physics/solids/system.hpp"
 #include "physics/step_clock.hpp"
 #include "results/results.hpp"
 
@@ -48,7 +49,8 @@ struct FlowState : StepClock {
   long long newton_steps = 0, factorisations = 0, halvings = 0;
   long long krylov_iterations = 0, krylov_failures = 0;
   long long rounds = 0;     ///< of steady solutions with bodies
-  OverlapCount overlap;     ///< of immersed solids
+  ContactState contact;     ///< of immersed solids
+  OverlapCount overlap;     ///< of them
   BodyDoubtNumbers doubts;  ///< of them
   LinearisedAt linearised;
 };
@@ -71,7 +73,7 @@ void exchange(Exchange& with, FlowState& state) {
       with("halvings", state.halvings);
   with("krylov_iterations", state.krylov_iterations), with("krylov_failures", state.krylov_failures),
       with("rounds", state.rounds);
-  exchange(with, state.overlap), exchange(with, state.doubts);
+  exchange(with, state.contact), exchange(with, state.overlap), exchange(with, state.doubts);
   LinearisedAt& at = state.linearised;
   with("linearised_time", at.time), with("linearised_dt", at.dt);
   with.list("linearised_v0", at.v0), with.list("linearised_v1", at.v1), with.list("linearised_p", at.p);

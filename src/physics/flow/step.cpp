@@ -12,7 +12,7 @@
 namespace tether::fem {
 namespace {
 
-constexpr int most_iterations = 25;
+constexpr int most_iterations = 25, most_iterations_of_contact = 100;
 
 }  // namespace
 
@@ -40,7 +40,8 @@ FlowReport FlowStep::advance(FlowState& state, const FlowStepTime& at) {
   begin(state, at);
   FlowReport report;
   report.residuals.push_back(find_residual(state));
-  for (int k = 0; k < most_iterations; ++k) {
+  const bool meets = immersed_ && immersed_->meets();
+  for (int k = 0; k < (meets ? most_iterations_of_contact : most_iterations); ++k) {
     report.converged = report.residuals.back() <= 1 && !(immersed_ && immersed_->gap_is_open());
     if (report.converged || !std::isfinite(report.residuals.back())) break;
     if (factors_.are_due() && !factorise(state)) break;
@@ -96,7 +97,7 @@ void FlowStep::begin_bodies(const FlowState& state) {
   if (settles()) moment.dt = at_.settling, moment.rest = LoadsAtRest{at_.tmax, loads_};
   immersed_->begin(state, moment);
   immersed_->move(state.v, v1_);
-  if (settles()) immersed_->open_gap();
+  settles() ? immersed_->open_gap() : immersed_->stop_guess();
   immersed_->end_correction();
 }
 
@@ -196,7 +197,12 @@ bool FlowStep::correct(FlowState& state, double residual) {
   if (!immersed_ || !possible) return possible;
   immersed_->close_gap(1);
   immersed_->move(state.v, v1_);
-  double part = 1;
+  double part = immersed_->part_before_surfaces();
+  if (part < 1) {
+    apply_correction(part - 1);
+    immersed_->close_gap(part);
+    immersed_->move(state.v, v1_);
+  }
   for (int k = 0; k < most_halvings_of_a_correction && !(immersed_->least_change_of_volume() > least_volume); ++k) {
     part *= 0.5;
     apply_correction(-part);
@@ -205,7 +211,7 @@ bool FlowStep::correct(FlowState& state, double residual) {
   }
   corrected_part_ = part;
   immersed_->end_correction();
-  if (immersed_->gap_is_open()) factors_.drop();
+  if (immersed_->gap_is_open() || immersed_->press()) factors_.drop();
   return immersed_->least_change_of_volume() > least_volume;
 }
 

@@ -8,6 +8,7 @@
 #include "physics/rigid/reduced.hpp"
 #include "physics/rigid/state.hpp"
 #include "physics/solids/make_elements.hpp"
+#include "physics/solids/side_pressure.hpp"
 
 namespace tether::fem {
 namespace {

@@ -95,6 +95,7 @@ class SolidStep {
   void add_pressures(const SolidState& state, double dt);
   double find_residual(const SolidState& state, double dt);
   double residual_after_correction(const SolidState& state, double dt, int shortenings, double before);
+  double left_over(double residual) const;
   double next_correction();
   static bool stagnates(const std::vector<double>& residuals);
   bool leads_nowhere() const;

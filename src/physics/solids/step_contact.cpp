@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <utility>
 
 #include "physics/solids/step.hpp"
 
@@ -135,14 +134,9 @@ void SolidStep::look_at_contact(SolidState& state) {
 
 /// Takes note of what contact stores, and of what friction and damped contact took on the way.
 void SolidStep::accept_contact(SolidState& state) {
-  contact::ContactNumbers now = contact_->numbers(q1_);
   double work = 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) work += touching_[k] * (q1_[k] - state.q[k]);
-  ContactState& contact = state.contact;
-  contact.doubts.slid = std::max(contact.doubts.slid, now.slid / system_.solids.contact->gap);
-  contact.rubbed += now.rubbed;
-  contact.damped += work - now.rubbed - (now.energy - contact.last.energy);
-  contact.last = std::move(now);
+  state.contact.note(contact_->numbers(q1_), work, system_.solids.contact->gap);
 }
 
 }  // namespace tether::fem

@@ -55,19 +55,24 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
   const Seconds from = seconds_now();
   find_forces(state, dt, false);
   report.residuals.push_back(find_residual(state, dt));
-  sizes_.assign(1, report.residuals.back() * scale_);
+  sizes_.assign(1, left_over(report.residuals.back()));
   cost_.assembly += seconds_now() - from;
   for (int k = 0; k < rule.most_iterations; ++k) {
     report.converged = report.residuals.back() <= system_.solids.tolerance && is_whole();
     if (report.converged || leads_nowhere() || !correct(state, dt)) return report;
     report.residuals.push_back(
-        residual_after_correction(state, dt, rule.most_shortenings, report.residuals.back() * scale_));
-    sizes_.push_back(report.residuals.back() * scale_);
+        residual_after_correction(state, dt, rule.most_shortenings, sizes_.back()));
+    sizes_.push_back(left_over(report.residuals.back()));
     report.converged = stagnates(report.residuals) && report.residuals.back() <= rounding() && is_whole() &&
                        (!meets_ || rule_.dynamic || report.residuals.back() <= unbalanced);
     if (report.converged) return report;
   }
   return report;
+}
+
+/// Returns what a residual and the surroundings' own equations leave over [force].
+double SolidStep::left_over(double residual) const {
+  return residual * scale_ + (surroundings_ ? surroundings_->left_over(q1_) : 0);
 }
 
 /// Returns whether supports are where they lead, and what surrounds bodies has its due.
@@ -95,7 +100,7 @@ double SolidStep::rounding() const {
 }
 
 /// A correction is halved while it turns an element inside out, and `shortenings` times at most where it leads away:
-/// where neither the residual is smaller than `before` nor the next correction with the same tangent smaller than this
+/// where neither what is left over is less than `before` nor the next correction with the same tangent smaller than this
 /// one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
 double SolidStep::residual_after_correction(const SolidState& state, double dt, int shortenings, double before) {
   const double length = norm(change_);
@@ -103,7 +108,7 @@ double SolidStep::residual_after_correction(const SolidState& state, double dt, 
     find_forces(state, dt, true);
     const double size = find_residual(state, dt);
     if (std::isfinite(size) &&
-        (back >= shortenings || size * scale_ <= before ||
+        (back >= shortenings || left_over(size) <= before ||
          (!meets_ && !surroundings_ && next_correction() <= length)))
       return size;
     for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i];

@@ -24,7 +24,10 @@ class Surroundings {
                        std::span<double> change) = 0;
   /// Goes from where its unknowns were before the last correction by this part of it.
   virtual void go(double part) = 0;
-  /// Returns whether its own equations hold with places q1.
+  /// Returns what its own equations leave over at places q1, as a force like that by which its unknowns were found to
+  /// change for it at a step's first correction [force].
+  virtual double left_over(std::span<const double> q1) const = 0;
+  /// Returns whether these hold with places q1.
   virtual bool settled(std::span<const double> q1) const = 0;
   /// Remembers its unknowns, and goes back to them.
   virtual void keep() = 0;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
@@ -32,6 +34,14 @@ struct ContactState {
   double rubbed = 0;  ///< by friction [energy]
   double damped = 0;  ///< where it is damped [energy]
   ContactDoubts doubts;
+
+  /// Takes note of a step's end, in which contact took `work` in all [energy]; `gap` is that of the contact.
+  void note(contact::ContactNumbers now, double work, double gap) {
+    doubts.slid = std::max(doubts.slid, now.slid / gap);
+    rubbed += now.rubbed;
+    damped += work - now.rubbed - (now.energy - last.energy);
+    last = std::move(now);
+  }
 };
 
 /// Of elastic bodies; dim numbers a node.

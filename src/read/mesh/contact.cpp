@@ -266,9 +266,12 @@ void check_contact_deck(const Deck& deck, Diagnostics& diagnostics) {
   const auto no = [&](const char* message, const char* hint) {
     diagnostics.add(deck.remark_on_group(Severity::error, "contact", message, hint));
   };
-  if (has_flow(deck)) return no("there is no $contact in a flow yet", "leave $contact away, or the fluid");
+  if (has_flow(deck) && deck.logical("flow.steady"))
+    return no("bodies in steady flows do not meet", "leave $contact away, or steady");
   if (deck.has_group("rigid"))
     return no("a rigid body meets nothing: $contact is of elastic bodies", "leave $contact away, or $rigid");
+  if (has_flow(deck) && regions_of(deck, false).empty())
+    return no("$contact has no bodies to act on: every region is fluid", "leave $contact away, or add a body");
   if (!deck.has_group("mesh"))
     no("$contact has no bodies to act on: the deck has no $mesh",
        "add $mesh, whose cells(1,r) divide region r of $reg; contact of $mpm is that of material points");
@@ -281,7 +284,9 @@ Contact read_contact(const Deck& deck, const Scene& scene, const Solids& solids,
 
 std::optional<Contact> contact_of(const Deck& deck, const Scene& scene, const Solids& solids,
                                   Diagnostics& diagnostics) {
-  if (!deck.has_group("contact") || !std::holds_alternative<ElasticBodies>(scene.physics)) return std::nullopt;
+  const bool meets =
+      std::holds_alternative<ElasticBodies>(scene.physics) || std::holds_alternative<MeshFlow>(scene.physics);
+  if (!deck.has_group("contact") || !meets) return std::nullopt;
   Contact contact = read_contact(deck, scene, solids, {}, diagnostics);
   warn_of_laws(deck, solids, diagnostics);
   if (!diagnostics.has_errors()) find_gap(deck, solids, contact, diagnostics);

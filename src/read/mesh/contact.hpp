@@ -21,7 +21,7 @@ void check_contact_deck(const Deck& deck, Diagnostics& diagnostics);
 Contact read_contact(const Deck& deck, const Scene& scene, const Solids& solids, const std::set<int>& walls,
                      Diagnostics& diagnostics);
 
-/// Returns the same of elastic bodies alone, with the gap; nothing without the group.
+/// Returns the same of elastic bodies alone or in a flow, with the gap; nothing without the group.
 std::optional<Contact> contact_of(const Deck& deck, const Scene& scene, const Solids& solids, Diagnostics& diagnostics);
 
 }  // namespace tether

@@ -56,7 +56,9 @@ ImmersedSolids::ImmersedSolids(const Solids& solids, const FlowUnknowns& unknown
        {&q0_, &middle_, &q1_, &supported_, &led_, &led_rate_, &V_, &V1_, &rate_, &F_, &free_, &outer_, &change_})
     numbers->resize(n);
   difference_.resize(unknowns.velocity.size());
+  touching_.assign(n, 0.0);
   if (any_own_volume(unknowns.flow)) pressure_.emplace(unknowns.flow, solids, gravity);
+  if (solids.contact) contact_.emplace(solids, gravity, team);
   if (!any(unknowns.flow.volume_penalty)) return;
   penalised_ = with_penalty(solids, unknowns.flow.volume_penalty);
   penalty_ = make_elements(penalised_, team);
@@ -88,6 +90,9 @@ void ImmersedSolids::start(FlowState& state, double dt) {
   velocities(state.v, state.w, state.w);
   q0_ = q1_ = state.q;
   state.drift = state.w;
+  if (!contact_) return;
+  contact_->begin(state.q, 0, false);
+  state.contact.last = contact_->numbers(state.q);
 }
 
 /// The middle is predicted by the mean velocities of the step before, without what alternates from step to step.
@@ -113,6 +118,7 @@ void ImmersedSolids::begin(const FlowState& state, const ImmersedMoment& moment)
   system_.external_forces(loads_at, outer_);
   system_.add_pressures(loads_at, StressAt::end, middle_, middle_, outer_);
   for (double& force : outer_) force *= part;
+  if (contact_) contact_->begin(q0_, moment.sudden ? 0 : dt, false);
   std::fill(change_.begin(), change_.end(), 0.0);
   system_.elements->predict_stress(StressAt::end, q0_, q0_, change_, stresses_);
   corrected_ = q0_;
@@ -150,6 +156,34 @@ void ImmersedSolids::open_gap() {
   open_ = open_before_ = 1, q1_ = q0_;
 }
 
+void ImmersedSolids::stop_guess() {
+  constexpr double nearest = 0.9;  // as SolidStep's first guess
+  if (!contact_) return;
+  gap_.resize(V_.size());
+  for (std::size_t k = 0; k < V_.size(); ++k) gap_[k] = q1_[k] - q0_[k];
+  const double part = contact_->part_of_way(q0_, gap_, nearest);
+  if (!(part < 1)) return;
+  for (std::size_t k = 0; k < V_.size(); ++k) gap_[k] *= 1 - part, q1_[k] -= gap_[k];
+  open_ = open_before_ = 1;
+}
+
+double ImmersedSolids::part_before_surfaces() {
+  constexpr double nearest = 0.4;  // as SolidStep's corrections
+  if (!contact_) return 1;
+  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - corrected_[k];
+  return contact_->part_of_way(corrected_, change_, nearest);
+}
+
+bool ImmersedSolids::press() const {
+  return contact_ && std::ranges::any_of(touching_, [](double force) { return force != 0; });
+}
+
+void ImmersedSolids::note_contact(FlowState& state) {
+  double work = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) work += touching_[k] * (q1_[k] - q0_[k]);
+  state.contact.note(contact_->numbers(q1_), work, solids_.contact->gap);
+}
+
 void ImmersedSolids::end_correction() {
   for (std::size_t k = 0; k < rate_.size(); ++k) change_[k] = q1_[k] - corrected_[k];
   stresses_.swap(stresses_before_);
@@ -173,9 +207,10 @@ void ImmersedSolids::accept(FlowState& state) {
   double supports = 0, lost = strain_energy(q0_) - strain_energy(q1_) + kinetic_energy(state);
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     const double way = q1_[k] - q0_[k];
-    loads += outer_[k] * way, lost += (F_[k] + outer_[k]) * way;
+    loads += outer_[k] * way, lost += (F_[k] + outer_[k] - touching_[k]) * way;
     if (system_.held[k]) supports += F_[k] * way;
   }
+  if (contact_) note_contact(state);
   state.q = q1_, state.drift = V_;
   place(state.q, moment_.rest ? state.time : state.time + moment_.dt);
   velocities(state.v, led_, state.w);

@@ -8,6 +8,7 @@
 
 #include "grid/carried_nodes.hpp"
 #include "model/flow.hpp"
+#include "physics/contact/body_contact.hpp"
 #include "physics/flow/elements.hpp"
 #include "physics/flow/immersed/blocks.hpp"
 #include "physics/flow/immersed/map.hpp"
@@ -49,6 +50,14 @@ class ImmersedSolids {
   void begin(const FlowState& state, const ImmersedMoment& moment);
   /// Moves the nodes by fluid velocities v0, v1 at its ends.
   void move(std::span<const double> v0, std::span<const double> v1);
+  /// Where bodies meet, lets the nodes stay before the surface that is in the way of the first guess, as open_gap() does
+  /// at the step's start. After move().
+  void stop_guess();
+  /// Returns the part of the present correction, which move() has followed, before surfaces stop it.
+  double part_before_surfaces();
+  bool meets() const { return contact_.has_value(); }
+  /// Returns whether surfaces press each other, so that the tangent changes much from one correction to the next.
+  bool press() const;
   /// Lets the nodes stay where the step has begun, with a gap to where v1 takes them, which the corrections close: of
   /// a steady flow, whose velocity was zero at the places of before, not at these. After move().
   void open_gap();
@@ -110,6 +119,8 @@ class ImmersedSolids {
   void velocities(std::span<const double> v, std::span<const double> given, std::span<double> V);
   EigenSparse find_tangent();
   void find_stiffness();
+  SparseMatrix with_contact(double factor);
+  void note_contact(FlowState& state);
   void add_forces_of_gap();
   void find_rounding();
   void release_carried(EigenSparse& A, bool rows) const;
@@ -125,6 +136,7 @@ class ImmersedSolids {
   CarriedNodes carried_;
   ImmersedMap map_;                           // of the carried nodes
   std::optional<ImmersedPressure> pressure_;  // of bodies with a law for their volume
+  std::optional<contact::BodyContact> contact_;
   SparseMatrix S_;
   std::optional<ImmersedBlocks> blocks_;
   // The step: solid nodes' places at its start, middle and end, and there after the last correction; the stress that
@@ -133,7 +145,7 @@ class ImmersedSolids {
   double time_ = 0, rounding_ = 0;
   ImmersedMoment moment_;
   std::vector<double> q0_, middle_, q1_, corrected_, stresses_, stresses_before_, supported_, led_, led_rate_, V_, V1_,
-      rate_, F_, free_, outer_, change_, difference_, at_carried_;
+      rate_, F_, free_, outer_, change_, difference_, at_carried_, touching_;
   // The gap at the step's start [length], the part of it that is open, and that before the present correction.
   std::vector<double> gap_;
   double open_ = 0, open_before_ = 0;

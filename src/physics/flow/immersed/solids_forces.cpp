@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/krylov.hpp"
 #include "algebra/sparse_products.hpp"
 #include "base/numbers.hpp"
 #include "physics/flow/immersed/solids.hpp"
@@ -11,22 +12,17 @@ namespace tether::fem {
 
 // The forces of immersed bodies on the fluid, and their derivatives.
 
-namespace {
-
-double norm(const std::vector<double>& f) {
-  double sum = 0;
-  for (const double value : f) sum += value * value;
-  return std::sqrt(sum);
-}
-
-}  // namespace
-
 /// (55): I^T of stress, penalty, excess inertia and weight, and of the pressure that is not inside. What acts on
 /// supported nodes their supports take.
 FlowScale ImmersedSolids::add_forces(std::span<const double> p, std::span<double> f, std::span<double> g) {
   std::fill(F_.begin(), F_.end(), 0.0);
   system_.elements->add_forces(rule_, q0_, q1_, F_);
   if (penalty_) penalty_->add_forces(rule_, q0_, q1_, F_);
+  if (contact_) {
+    std::fill(touching_.begin(), touching_.end(), 0.0);
+    contact_->add_forces(q1_, touching_);
+    for (std::size_t k = 0; k < F_.size(); ++k) F_[k] += touching_[k];
+  }
   const double elastic = norm(F_);
   if (open_ > 0) add_forces_of_gap();
   if (inertia_ && !moment_.rest) inertia_->add_forces(middle_, V_, rate_, F_);
@@ -90,6 +86,11 @@ void ImmersedSolids::find_rounding() {
   rounding_ = std::numeric_limits<double>::epsilon() * std::sqrt(sum);
 }
 
+/// Returns the stiffness, or what has become of it, with `factor` times that of contact.
+SparseMatrix ImmersedSolids::with_contact(double factor) {
+  return contact_ ? contact_->with_slopes(S_, q1_, factor) : S_;
+}
+
 void ImmersedSolids::find_stiffness() {
   S_.set_zero();
   system_.elements->add_tangent(rule_, q0_, q1_, 0, system_.pattern, S_, stresses_);
@@ -99,12 +100,9 @@ void ImmersedSolids::find_stiffness() {
 /// Adds what the stress, linearised, will be once the gap is closed.
 void ImmersedSolids::add_forces_of_gap() {
   find_stiffness();
-  for (std::size_t k = 0; k < gap_.size(); ++k) {
-    for (auto at = S_.start[k]; at < S_.start[k + 1]; ++at) {
-      const auto n = static_cast<std::size_t>(at);
-      F_[static_cast<std::size_t>(S_.row[n])] += S_.value[n] * open_ * gap_[k];
-    }
-  }
+  std::vector<double> forces(F_.size());
+  with_contact(1).multiply(gap_, forces);
+  for (std::size_t k = 0; k < F_.size(); ++k) F_[k] += open_ * forces[k];
 }
 
 /// The softest node's stiffness in its two directions, about the shear modulus G whatever the size of elements, gives
@@ -142,8 +140,9 @@ EigenSparse ImmersedSolids::find_tangent() {
   find_rounding();
   for (double& value : S_.value) value *= moment_.theta * moment_.dt;
   if (inertia_ && !moment_.rest) inertia_->add_tangent(middle_, V_, 1 / moment_.dt, moment_.theta, system_.pattern, S_);
-  hold(S_, system_.held, 0);
-  EigenSparse S = eigen_of(S_);
+  SparseMatrix whole = with_contact(moment_.theta * moment_.dt);
+  hold(whole, system_.held, 0);
+  EigenSparse S = eigen_of(whole);
   if (!carried_.all()) S = congruent(S, carried_.following());
   release_carried(S, true);
   return S;

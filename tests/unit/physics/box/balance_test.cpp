@@ -97,6 +97,21 @@ TEST_P(Balance, OfBodies) {
     EXPECT_NE(last(history, column), 0) << column;
 }
 
+/// By steps that keep the energy nothing is lost in the solids.
+TEST(CoupledBalance, OfBodiesWhoseEnergyIsKept) {
+  const Overrides of{"coupled.step='energy'", "fem.law='neo-hookean','neo-hookean','neo-hookean','neo-hookean'"};
+  for (const char* solver : {"coupled.solver='direct'", "coupled.solver='krylov'"}) {
+    Overrides all = of;
+    all.push_back(solver);
+    const History history = history_of(bag, all);
+    EXPECT_LE(energy_drift(history), 1e-10) << solver;
+    for (const char* column : {"energy_outside", "energy_friction", "energy_damped"})
+      EXPECT_NE(last(history, column), 0) << solver << ' ' << column;
+    for (const char* column : {"energy_solid_step", "energy_coupling"})
+      EXPECT_LE(std::abs(last(history, column)), 1e-9 * std::abs(last(history, "energy_outside"))) << column;
+  }
+}
+
 /// Bodies that leave through an open side, beyond which the fluid lifts them, too.
 TEST(CoupledBalance, OfBodiesThatLeave) {
   for (const char* mode : {"coupled.mode='symmetric'", "coupled.mode='cut-cell'"}) {
