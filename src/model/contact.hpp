@@ -24,6 +24,7 @@ struct Contact {
   double friction = 0;   ///< Coulomb's coefficient
   double stick = 0;      ///< speed below which friction is in proportion to it [velocity]; 0: found from the scene
   ContactStep step = ContactStep::automatic;
+  int parts = 1;                     ///< of a line of a side, each with points of quadrature of its own
   bool bodies = true;                ///< whether bodies meet each other
   bool itself = true;                ///< whether a body meets itself
   std::vector<int> nodes;            ///< of the sides and regions that can meet something, ascending; empty: all can

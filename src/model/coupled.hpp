@@ -74,8 +74,8 @@ template <>
 inline constexpr std::array<Word<CoupledIntegrator>, 2> words<CoupledIntegrator>{
     {{CoupledIntegrator::paper, "paper"}, {CoupledIntegrator::trapezoid, "trapezoid"}}};
 
-/// How a step finds where solids go: by one linear solution, with the stiffness of the step's start; by Newton's method,
-/// with forces that keep the energy; or as the scene asks.
+/// How a step finds where solids go: by one linear solution, with the stiffness of the step's start; by Newton's
+/// method, with forces that keep the energy; or as the scene asks.
 enum class SolidsStep { automatic, linear, energy };
 template <>
 inline constexpr std::array<Word<SolidsStep>, 3> words<SolidsStep>{

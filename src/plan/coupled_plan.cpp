@@ -118,7 +118,8 @@ std::string step_text(const Coupled& coupled, const Solids& solids, double tstep
                                                       gain));
   const char* rule =
       paper ? "linear, the paper's: backward Euler in the velocity, damps by h omega/4" : "linear, trapezoidal rule";
-  if (!coupled.coupling.simultaneous || coupled.coupling.two_maps) return fmt::format("{}: the mode has no other", rule);
+  if (!coupled.coupling.simultaneous || coupled.coupling.two_maps)
+    return fmt::format("{}: the mode has no other", rule);
   if (asked) return fmt::format("{}, as the deck says", rule);
   return fmt::format("{}: no body is to meet another, and turning at the start gives {}", rule,
                      gain > 0 ? fmt::format("{:.2g} of its energy at most", gain) : "none energy");
@@ -190,8 +191,8 @@ Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   cost.steps = std::ceil(scene.clock.tmax / rule.deck_step * (1 - 1e-9));
   cost.point_steps = cost.steps * cells;
   cost.megabytes = 1e-6 * (bytes_per_cell * unknowns + bytes_per_nonzero * nonzeros);
-  cost.seconds = cost.steps * (seconds_per_cell * cells +
-                               solutions * (seconds_per_nonzero * nonzeros + (direct ? 0 : seconds_by_krylov * unknowns)));
+  cost.seconds = cost.steps * (seconds_per_cell * cells + solutions * (seconds_per_nonzero * nonzeros +
+                                                                       (direct ? 0 : seconds_by_krylov * unknowns)));
   return cost;
 }
 

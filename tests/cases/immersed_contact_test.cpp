@@ -7,7 +7,8 @@
 
 #include "cases/run_deck.hpp"
 
-// Bodies that a flow on a mesh carries onto each other: on coarse cells the fluid between them does not keep them apart.
+// Bodies that a flow on a mesh carries onto each other: on coarse cells the fluid between them does not keep them
+// apart.
 
 namespace tether::cases {
 namespace {

@@ -32,6 +32,9 @@ inline constexpr std::array contact_rows{
     Variable{"contact", "step", text, 0, 1, 1, "", -none, none, choices<ContactStep>, "'auto'",
              "How contact enters a step: energy gives back all the energy that it takes, damped gives back less; auto: "
              "damped where there is friction."},
+    Variable{"contact", "parts", integer, 0, 1, 1, "", 1, 16, "", "1",
+             "Parts that each line of a side is cut into, with points of quadrature of their own: more parts pass "
+             "pressures more evenly between meshes that do not match, and cost as much more."},
     Variable{"contact", "bodies", logical, 0, 1, 1, "", -none, none, "", ".true.", "Whether bodies meet each other."},
     Variable{"contact", "itself", logical, 0, 1, 1, "", -none, none, "", ".true.", "Whether a body meets itself."},
     Variable{"contact", "wall", text, 1, 6, 1, "", -none, none, coupled_table::sides, "",

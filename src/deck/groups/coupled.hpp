@@ -98,8 +98,9 @@ inline constexpr std::array coupled_rows{
              "temperature, or a box holds it at the start."},
     Variable{"coupled", "smoke_lift", real, 0, 1, 1, "acceleration", 0, none, "", "0.0",
              "Acceleration upwards by a temperature of 1."},
-    Variable{"coupled", "contact", logical, 0, 1, 1, "", -none, none, "", ".true.",
-             "Whether walls and obstacles stop solids. Steps that keep the energy stop them, and each other, by $contact."},
+    Variable{
+        "coupled", "contact", logical, 0, 1, 1, "", -none, none, "", ".true.",
+        "Whether walls and obstacles stop solids. Steps that keep the energy stop them, and each other, by $contact."},
     Variable{"coupled", "friction", real, 0, 1, 1, "", 0, none, "", "0.0", "Coulomb's coefficient of that contact."},
     Variable{"coupled", "volume_term", logical, 0, 1, 1, "", -none, none, "", ".true.",
              "Whether the volumes of regions that solids and walls enclose are held."},

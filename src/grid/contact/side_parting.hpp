@@ -37,32 +37,54 @@ struct SidePoint {
 /// So many points a line of a side of order 1 or 2.
 constexpr int points_a_line(int dim, int order) { return dim == 2 ? (order == 1 ? 5 : 8) : (order == 1 ? 4 : 6); }
 
+/// Returns the points of a triangle whose edges are cut into so many parts.
 template <class Side>
-std::vector<SidePoint<Side::dim>> side_points() {
-  constexpr int d = Side::dim;
-  std::vector<SidePoint<d>> points;
-  if constexpr (Side::is_simplex) {
-    using Rule = Simplex<2, Side::order>;  // on each of the four triangles between corners and middles
-    for (int part = 0; part < 4; ++part) {
-      for (int k = 0; k < Rule::mass_points; ++k) {
-        const auto s = Rule::mass_place(k);
-        const double turn = part == 3 ? -0.5 : 0.5;
-        const Vec<2> from{part == 1 ? 0.5 : part == 3 ? 0.5 : 0, part == 2 ? 0.5 : part == 3 ? 0.5 : 0};
-        points.push_back({{from[0] + turn * s[0], from[1] + turn * s[1]}, 0.25 * Rule::mass_weight(k)});
-      }
+std::vector<SidePoint<2>> triangle_points(int parts) {
+  using Rule = Simplex<2, Side::order>;
+  const double size = 1.0 / parts;
+  std::vector<SidePoint<2>> points;
+  const auto add = [&](double x, double y, double turn) {  // one of the small triangles, from its corner at x, y
+    for (int k = 0; k < Rule::mass_points; ++k) {
+      const auto s = Rule::mass_place(k);
+      points.push_back({{x + turn * size * s[0], y + turn * size * s[1]}, size * size * Rule::mass_weight(k)});
     }
-  } else {
-    const GaussRule rule(points_a_line(d + 1, Side::order));
-    for (std::size_t j = 0; j < (d == 2 ? rule.places.size() : 1); ++j) {
-      for (std::size_t i = 0; i < rule.places.size(); ++i) {
-        Vec<d> place;
-        place[0] = rule.places[i];
-        if constexpr (d == 2) place[1] = rule.places[j];
-        points.push_back({place, rule.weights[i] * (d == 2 ? rule.weights[j] : 1)});
-      }
+  };
+  for (int row = 0; row < parts; ++row) {
+    for (int i = 0; i < parts - row; ++i) {
+      add(i * size, row * size, 1);
+      if (i + row + 1 < parts) add((i + 1) * size, (row + 1) * size, -1);
     }
   }
   return points;
+}
+
+/// The points of a side of which each line is cut into so many parts, each with points of its own. The lines of a
+/// triangle are cut into twice as many, or four times with order 2: its rules have fewer points.
+template <class Side>
+std::vector<SidePoint<Side::dim>> side_points(int parts) {
+  constexpr int d = Side::dim;
+  if constexpr (Side::is_simplex) {
+    return triangle_points<Side>((Side::order == 1 ? 2 : 4) * parts);
+  } else {
+    const GaussRule rule(points_a_line(d + 1, Side::order));
+    std::vector<double> places, weights;
+    for (int part = 0; part < parts; ++part) {
+      for (std::size_t k = 0; k < rule.places.size(); ++k) {
+        places.push_back((2 * part + 1 + rule.places[k]) / parts - 1);
+        weights.push_back(rule.weights[k] / parts);
+      }
+    }
+    std::vector<SidePoint<d>> points;
+    for (std::size_t j = 0; j < (d == 2 ? places.size() : 1); ++j) {
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        Vec<d> place;
+        place[0] = places[i];
+        if constexpr (d == 2) place[1] = places[j];
+        points.push_back({place, weights[i] * (d == 2 ? weights[j] : 1)});
+      }
+    }
+    return points;
+  }
 }
 
 /// What a side's pressing facets hang between: sums of its nodes, and the node that names each, so that sides which

@@ -32,7 +32,7 @@ double area_ratio(std::span<const int> nodes, std::span<const double> x, const V
 /// Makes a surface side by side.
 class Builder {
  public:
-  Builder(const Mesh& mesh, ContactSurface& surface) : mesh_(mesh), surface_(surface) {}
+  Builder(const Mesh& mesh, int parts, ContactSurface& surface) : mesh_(mesh), parts_(parts), surface_(surface) {}
 
   template <class Side>
   void add_sides(const Sides& sides, std::span<const int> part, std::span<const int> region);
@@ -46,6 +46,7 @@ class Builder {
   int guard_place(int node);
 
   const Mesh& mesh_;
+  int parts_;
   ContactSurface& surface_;
   std::vector<std::array<int, 3>> names_;  // of each facet's corners: a node; below 0, of its own
   std::map<int, int> guard_, shared_;      // place of a node, and of the corner of facets that it names
@@ -70,7 +71,7 @@ int Builder::shared_place(int node, std::span<const int> nodes, std::span<const 
 template <class Side>
 void Builder::add_sides(const Sides& sides, std::span<const int> part, std::span<const int> region) {
   static const SideFacets parting = facets_of<Side>();
-  const auto points = side_points<Side>();
+  const auto points = side_points<Side>(parts_);
   for (std::size_t s = 0; s < part.size(); ++s) {
     const auto nodes = std::span(sides).subspan(s * Side::nodes, Side::nodes);
     surface_.side_nodes.emplace_back(nodes.begin(), nodes.end());
@@ -204,13 +205,13 @@ void Builder::add_obstacle(const Box<3>& box) {
 
 }  // namespace
 
-ContactSurface contact_surface(const Mesh& mesh, std::span<const int> taking_part,
-                               const std::vector<Box<3>>& obstacles) {
+ContactSurface contact_surface(const Mesh& mesh, std::span<const int> taking_part, const std::vector<Box<3>>& obstacles,
+                               int parts) {
   ContactSurface surface;
   surface.places.dim = mesh.dim(), surface.shortest = INFINITY;
   const Sides all = boundary_of(mesh);
   const std::vector<std::size_t> elements = elements_of_sides(mesh, all);
-  const std::vector<int> parts = parts_of(mesh);
+  const std::vector<int> body = parts_of(mesh);
   const auto per_side = at(side_node_count_of(mesh.kind));
   Sides sides;
   std::vector<int> part, region;
@@ -221,9 +222,9 @@ ContactSurface contact_surface(const Mesh& mesh, std::span<const int> taking_par
                             });
     if (!takes_part) continue;
     sides.insert(sides.end(), nodes.begin(), nodes.end());
-    part.push_back(parts[at(nodes[0])]), region.push_back(mesh.region[elements[s]]);
+    part.push_back(body[at(nodes[0])]), region.push_back(mesh.region[elements[s]]);
   }
-  Builder builder(mesh, surface);
+  Builder builder(mesh, parts, surface);
   with_shapes(mesh.kind, [&](auto shapes) { builder.add_sides<typename decltype(shapes)::Side>(sides, part, region); });
   builder.add_guards();
   for (const Box<3>& box : obstacles) builder.add_obstacle(box);

@@ -59,7 +59,8 @@ struct ContactSurface {
 };
 
 /// Makes the surface of a mesh and of obstacles; `nodes`: those of the sides that take part, ascending, or all where it
-/// is empty.
-ContactSurface contact_surface(const Mesh& mesh, std::span<const int> nodes, const std::vector<Box<3>>& obstacles);
+/// is empty; `parts`: how many of them with points of their own a line of a side is cut into.
+ContactSurface contact_surface(const Mesh& mesh, std::span<const int> nodes, const std::vector<Box<3>>& obstacles,
+                               int parts = 1);
 
 }  // namespace tether

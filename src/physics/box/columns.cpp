@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "physics/solids/contact_report.hpp"
-
 namespace tether::coupled {
 namespace {
 
@@ -122,8 +120,8 @@ const ColumnTable<CoupledSetting, CoupledSums>& coupled_table() {
   const auto of_solids = [](const Group& group) { return given<CoupledSetting, CoupledSums>(with_solids(), group); };
   static const ColumnTable<CoupledSetting, CoupledSums> table(
       {energy_columns(), fluid_columns(), book_columns(), step_columns(), smoke_columns(),
-       of_solids(fem::shape_columns()), of_solids(fem::overlap_columns()), fem::contact_columns(), sheet_columns(), force_columns(),
-       of_solids(body_columns()), tracked_columns()});
+       of_solids(fem::shape_columns()), of_solids(fem::overlap_columns()), fem::contact_columns(), sheet_columns(),
+       force_columns(), of_solids(body_columns()), tracked_columns()});
   return table;
 }
 

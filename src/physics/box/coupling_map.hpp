@@ -16,6 +16,13 @@ struct PressureNumbers {
   std::vector<std::size_t> cell;  ///< of each pressure
 };
 PressureNumbers number_pressures(const FlowDomain& domain);
+/// Returns the values of the pressures' cells, of values of all cells.
+template <class Value>
+std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Value>& values) {
+  std::vector<Value> p;
+  for (const std::size_t cell : numbers.cell) p.push_back(values[cell]);
+  return p;
+}
 
 /// All that flow and solids know of each other: B u is the flux out of the fluid's cells that velocities u of the
 /// solids' nodes cause, positive where a surface recedes [volume/time], and B^T p the pressure's force on them [force].

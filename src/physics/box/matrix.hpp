@@ -23,13 +23,13 @@ struct CoupledEquations {
   const CouplingMatrix& flux;  ///< flux that they cause; B but for the paper's own
   const SparseMatrix& L;       ///< of the pressures
   std::span<const double> r;
-  std::span<const std::uint8_t> held;    ///< velocities that are prescribed, as u has them
-  std::span<const std::size_t> cell;     ///< of each pressure
-  std::size_t cells;                     ///< of the box
-  std::span<const int> region;           ///< of each pressure
-  std::span<const std::uint8_t> closed;  ///< regions whose constant pressures L does not feel
-  std::span<const std::uint8_t> loose;   ///< those of them that no free velocity of the solids feels either
-  bool same_matrices = false;            ///< all but b, r and the values of held velocities is as it was solved last
+  std::span<const std::uint8_t> held;      ///< velocities that are prescribed, as u has them
+  std::span<const std::size_t> cell;       ///< of each pressure
+  std::size_t cells;                       ///< of the box
+  std::span<const int> region;             ///< of each pressure
+  std::span<const std::uint8_t> closed;    ///< regions whose constant pressures L does not feel
+  std::span<const std::uint8_t> loose;     ///< those of them that no free velocity of the solids feels either
+  bool same_matrices = false;              ///< all but b, r and the values of held velocities is as it was solved last
   Definite definite = Definite::positive;  ///< what A is; else it is not symmetric either
 };
 

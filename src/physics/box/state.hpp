@@ -69,13 +69,13 @@ struct CoupledState : StepClock {
   SmokeFlow smoke_flow;  ///< since the start
   StepAccount last;
   EnergyBooks books;
-  double worst_mismatch = 0;        ///< of all steps
-  double cfl_largest = 0;           ///< likewise
-  double work = 0;                  ///< that the solids have taken from the fluid [energy]
-  long long iterations = 0;         ///< of linear solvers
-  long long lu_solutions = 0;       ///< by factors where BiCGSTAB did not converge
-  std::vector<double> orders;       ///< of elimination, when the state was saved
-  fem::ContactState contact;        ///< of steps that keep the energy
+  double worst_mismatch = 0;                 ///< of all steps
+  double cfl_largest = 0;                    ///< likewise
+  double work = 0;                           ///< that the solids have taken from the fluid [energy]
+  long long iterations = 0;                  ///< of linear solvers
+  long long lu_solutions = 0;                ///< by factors where BiCGSTAB did not converge
+  std::vector<double> orders;                ///< of elimination, when the state was saved
+  fem::ContactState contact;                 ///< of steps that keep the energy
   long long newton_steps = 0, halvings = 0;  ///< of these
   double linear_gain = 0;           ///< most that a linear step gave turning bodies, over their energy of motion
   long long contact_solutions = 0;  ///< solutions found again because of contact

@@ -16,19 +16,11 @@ namespace tether::coupled {
 namespace {
 
 constexpr int layers_around_fluid = 4;
-constexpr double support_width = 1e-3;  // of a step: about its end the speed of a support is taken
 
 std::vector<double> on_cells(const PressureNumbers& numbers, std::span<const double> p) {
   std::vector<double> values(numbers.of_cell.size(), 0.0);
   for (std::size_t k = 0; k < p.size(); ++k) values[numbers.cell[k]] = p[k];
   return values;
-}
-
-template <class Value>
-std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Value>& values) {
-  std::vector<Value> p;
-  for (const std::size_t cell : numbers.cell) p.push_back(values[cell]);
-  return p;
 }
 
 /// Measures by what goes through a face over all of its area: through the sliver that a solid leaves of one little
@@ -164,7 +156,7 @@ void CoupledStep::solve(CoupledState& state, double h, Solution& solution) {
     std::vector<std::uint8_t> held = solids_.held;
     for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solids_.held[i] != 0 ? 0 : u0[i];
     contact_.hold(state.touches, held, state.u);
-    solids_.system.move_supports(state.time + h, support_width * h, state.u);
+    solids_.system.move_supports(state.time + h, fem::slope_width * h, state.u);
     solution.same_matrices = k > 0 && held == solution.held;
     solution.held = std::move(held);
     if (!solution.same_matrices) find_regions_of(state, h, solution);
@@ -209,9 +201,17 @@ void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution&
 /// What a step of the fluid is for the solids in it: `flux` is that of v*, and forces on the nodes are those that
 /// nothing in the step changes.
 FluidOfStep CoupledStep::fluid_of(const CoupledState& state, double h, const Solution& solution) const {
-  FluidOfStep fluid{at_.map.B, solution.L, net_flux(at_.domain, at_.numbers, state.v), drag_, at_.numbers.cell,
-                    at_.domain.kind.size(), of_cells(at_.numbers, at_.domain.region), solution.regions.closed,
-                    solution.regions.closed, state.time, h};
+  FluidOfStep fluid{at_.map.B,
+                    solution.L,
+                    net_flux(at_.domain, at_.numbers, state.v),
+                    drag_,
+                    at_.numbers.cell,
+                    at_.domain.kind.size(),
+                    of_cells(at_.numbers, at_.domain.region),
+                    solution.regions.closed,
+                    solution.regions.closed,
+                    state.time,
+                    h};
   for (std::size_t k = 0; k < fluid.given.size(); ++k) fluid.given[k] += at_.map.outside[k] + at_.map.film_weight[k];
   for (std::size_t k = 0; k < fluid.r.size(); ++k) fluid.r[k] -= solution.regions.source[at(fluid.region[k])];
   for (std::size_t k = 0; k < fluid.loose.size(); ++k) {
@@ -281,40 +281,6 @@ void CoupledStep::move_solids(CoupledState& state, std::span<const double> u0, d
   for (std::size_t k = 0; k < state.q.size(); ++k) state.q[k] += 0.5 * h * (u0[k] + state.u[k]);
   solids_.system.place_supports(state.time + h, state.q);
   contact_.place(state.q);
-}
-
-/// The fluid's velocity of the deck, less what pressures take of it so that it flows round the solids.
-CoupledState CoupledStep::start() {
-  CoupledState state;
-  const Mesh& mesh = solids_.system.solids.mesh;
-  state.q = mesh.x;
-  state.u = fem::first_velocities(solids_.system);
-  solids_.system.place_supports(0, state.q);
-  solids_.system.move_supports(0, support_width * scene_.clock.tstep, state.u);
-  state.touches.assign(state.q.size(), Touch::away);
-  state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
-    state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
-  if (coupled_.viscosity > 0) state.driven = face_values(coupled_.grid);
-  state.driven_nodes.assign(sticks_to_bodies(coupled_) ? state.u.size() : 0, 0.0);
-  state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
-  at_ = placer_.at(state.q);
-  box_.prescribe(at_.domain, 0, 0, state.v);
-  solids_.assemble(state.q, state.u, 0, scene_.clock.tstep);
-  const std::vector<double> r = net_flux(at_.domain, at_.numbers, state.v);
-  std::vector<double> p(r.size(), 0.0);
-  const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
-  const Regions regions = regions_of(at_.domain, at_.map, at_.numbers, first_volumes_, first_volumes_, solids_.held, 1);
-  system_.solve_fluid({solids_.A, solids_.b, at_.map.B, at_.map.B, pressure_matrix(at_.domain, at_.numbers, 1), r,
-                       solids_.held, at_.numbers.cell, at_.domain.kind.size(), region, regions.closed, regions.closed},
-                      0, state.u, p);
-  add_pressure(at_.domain, at_.numbers, p, 1, state.v);
-  end_velocity(scene_.clock.tstep, state.v);
-  state.p.assign(coupled_.grid.cell_count(), 0.0);
-  if (coupled_.smoke) state.smoke = smoke_at_start();
-  if (solid_step_) look_at_contact(state);
-  note_thin_bodies(0, state);
-  return state;
 }
 
 }  // namespace tether::coupled

@@ -65,8 +65,8 @@ class CoupledStep {
     bool same_matrices = false;      ///< nothing else is held than in the solution before
     Regions regions;
     SparseMatrix L;
-    std::vector<double> p;                                  ///< of each pressure [stress]
-    std::vector<double> b;                                  ///< of the solids, with friction and lifts [force]
+    std::vector<double> p;        ///< of each pressure [stress]
+    std::vector<double> b;        ///< of the solids, with friction and lifts [force]
     std::vector<double> working;  ///< velocities of the solids that the pressures work at: u1, or the step's mean
     std::vector<double> taken;    ///< force of the fluid by the solids' equations, of held ones by the fluid's [force]
     double terms = 0;             ///< size of the terms of these equations' power [power]
@@ -74,6 +74,7 @@ class CoupledStep {
     std::vector<double> lifts;                              ///< of the nodes that contact halts [length]
   };
 
+  void project_start(CoupledState& state);
   bool move_fluid_freely(CoupledState& state, double h);
   bool add_friction(CoupledState& state, double h);
   StickingBodies sticking(const CoupledState& state) const;

@@ -34,8 +34,8 @@ class CoupledSystem {
   void solve(const CoupledEquations& equations, double time, std::span<double> u, std::span<double> p);
   /// Throws RunError where more flows into a loose region than out of it, u being velocities that are held.
   static void check_balance(const CoupledEquations& equations, double time, std::span<const double> u);
-  /// Finds the same for a correction of Newton's method, whose A need be neither symmetric nor definite, to `tolerance`.
-  /// False where it is not found.
+  /// Finds the same for a correction of Newton's method, whose A need be neither symmetric nor definite, to
+  /// `tolerance`. False where it is not found.
   bool correct(const CoupledEquations& equations, double tolerance, std::span<double> u, std::span<double> p);
   /// The solids alone, A u = b + B^T p with the pressures given.
   void solve_solids(const CoupledEquations& equations, double time, std::span<double> u, std::span<const double> p);

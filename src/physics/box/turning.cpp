@@ -39,8 +39,7 @@ Turn turn_of(const std::vector<double>& masses, int dim, std::span<const double>
 
 }  // namespace
 
-double gain_by_turning(const fem::SolidSystem& system, std::span<const double> q, std::span<const double> u,
-                       double h) {
+double gain_by_turning(const fem::SolidSystem& system, std::span<const double> q, std::span<const double> u, double h) {
   double moving = 0, gained = 0;
   for (std::size_t r = 0; r < system.region_weights.size(); ++r) {
     const Turn turn = turn_of(system.region_weights[r], system.dim(), q, u);

@@ -41,7 +41,7 @@ BodyContact::BodyContact(const Solids& solids, double gravity, Team& team)
     : solids_(solids),
       contact_(*solids.contact),
       team_(team),
-      surface_(contact_surface(solids.mesh, contact_.nodes, contact_.obstacles)),
+      surface_(contact_surface(solids.mesh, contact_.nodes, contact_.obstacles, contact_.parts)),
       pairs_(surface_, {contact_.bodies, contact_.itself}, team),
       gap_(contact_.gap),
       guard_gap_(part_of_gap * contact_.gap),
@@ -57,7 +57,8 @@ void BodyContact::begin(std::span<const double> q0, double dt, bool damped) {
   ease_friction(1);
   rule_.damped = damped || is_damped(contact_), rule_.at_end = false;
   met_ = EigenSparse();
-  covered_ = false;
+  covered_ = covered_ && pairs_.hold(x0_);  // pairs are of places, not of steps
+  if (covered_) measure_start();
   cover(x0_, x0_);
 }
 
@@ -97,10 +98,15 @@ void BodyContact::find_pairs(std::span<const double> x1, std::span<const double>
   for (std::size_t k = 0; k < x0_.size(); ++k)
     farthest = std::max({farthest, std::abs(x1[k] - x0_[k]), std::abs(x2[k] - x0_[k])});
   pairs_.find({x0_, x1, x2}, gap_, std::max(gap_, 0.25 * farthest));
+  covered_ = true;
+  measure_start();
+}
+
+/// Measures how far the pairs are apart at the step's start.
+void BodyContact::measure_start() {
   const auto& pairs = pairs_.pairs();
   s0_.resize(pairs.size());
   team_.each(0, pairs.size(), [&](std::size_t k) { s0_[k] = squared_distance(pairs[k], surface_.dim(), x0_); });
-  covered_ = true;
   near_to_.clear();
 }
 
@@ -188,10 +194,14 @@ void BodyContact::find_active_at_planes() {
   }
 }
 
-double BodyContact::part_of_way(std::span<const double> q, std::span<const double> change, double left) {
+double BodyContact::part_of_way(std::span<const double> q, std::span<const double> change, double left,
+                                double longest) {
   surface_.places.find(q, x1_);
+  double farthest = 0;
+  for (const double way : change) farthest = std::max(farthest, std::abs(way));
+  const double most = farthest > longest ? longest / farthest : 1;
   std::vector<double> then(q.begin(), q.end()), x2;
-  for (std::size_t k = 0; k < then.size(); ++k) then[k] += change[k];
+  for (std::size_t k = 0; k < then.size(); ++k) then[k] += most * change[k];
   surface_.places.find(then, x2);
   cover(x1_, x2);
   ways_.resize(x1_.size());
@@ -206,7 +216,7 @@ double BodyContact::part_of_way(std::span<const double> q, std::span<const doubl
   });
   double part = 1;
   for (const double one : parts) part = std::min(part, one);
-  return part_before_planes(part, left);
+  return most * part_before_planes(part, left);
 }
 
 /// Returns the same, of the part of the way that surfaces leave.

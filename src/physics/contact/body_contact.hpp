@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,8 +35,12 @@ class BodyContact {
   bool rubs() const { return rule_.friction > 0; }
 
   /// Returns the part of the way from q by `change` after which no two surfaces that are nearer than the gap are nearer
-  /// to each other than `left` of their distance now, nor others than 0.7 of the gap.
-  double part_of_way(std::span<const double> q, std::span<const double> change, double left);
+  /// to each other than `left` of their distance now, nor others than 0.7 of the gap. It is no longer than `longest`
+  /// along an axis: all that farther ways pass would have to be looked at [length].
+  double part_of_way(std::span<const double> q, std::span<const double> change, double left,
+                     double longest = std::numeric_limits<double>::infinity());
+  /// Returns the length of the shortest edge of a side at the start [length].
+  double shortest_side() const { return surface_.shortest; }
   /// Adds what surfaces do against the forces from outside: the derivative of their energy, and friction.
   void add_forces(std::span<const double> q1, std::span<double> f);
   /// Returns K with `factor` times the derivative of these by q1. Its pattern grows from the step's beginning on by all
@@ -69,6 +74,7 @@ class BodyContact {
   bool is_guard(std::size_t number) const { return number >= surface_.points.size(); }
   void cover(std::span<const double> x1, std::span<const double> x2);
   void find_pairs(std::span<const double> x1, std::span<const double> x2);
+  void measure_start();
   bool moved_little(std::span<const double> x) const;
   void find_near(std::span<const double> x1, std::span<const double> x2);
   void place(std::span<const double> q1);
@@ -96,7 +102,7 @@ class BodyContact {
   PairRule rule_;
   std::vector<double> x0_, x1_, ways_, place_forces_;  // of the surface's places
   std::vector<double> s0_;                             // squared distances of the pairs at the start
-  bool covered_ = false;                               // whether the pairs are of this step
+  bool covered_ = false;                               // whether the pairs are all that can meet
   std::vector<std::size_t> near_;                      // pairs that can press about places near_to_, ascending
   std::vector<double> near_to_;                        // empty: near_ has all pairs
   std::vector<Active> active_;

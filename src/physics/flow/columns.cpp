@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "physics/solids/contact_report.hpp"
-
 namespace tether::fem {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "physics/solids/fields.hpp"
 #include "physics/solids/step.hpp"
 #include "results/results.hpp"
 
@@ -12,8 +11,6 @@ namespace tether::fem {
 
 // What runs with bodies that meet say of it.
 
-/// Lists what contact stores and takes, and how bodies touch.
-ColumnGroup<MeshSetting, MeshSums> contact_columns();
 /// Reports each of what contact found doubtful once: what is in `now` that was not in `before`.
 void report_contact(const ContactDoubts& before, const ContactDoubts& now, double time,
                     std::vector<std::string>& messages);

@@ -7,8 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "physics/solids/contact_report.hpp"
-
 namespace tether::fem {
 namespace {
 
@@ -49,7 +47,8 @@ double mises(const double* s) {
 
 NodeGroup contact_group() {
   using Row = Column<ColumnSetting, NodeSource>;
-  const auto row = [](const char* name, D dimension, const char* meaning, std::vector<double> contact::ContactNumbers::*values) {
+  const auto row = [](const char* name, D dimension, const char* meaning,
+                      std::vector<double> contact::ContactNumbers::*values) {
     return Row(name, dimension, meaning,
                [values](const NodeSource& s, std::size_t k) { return (s.contact->*values)[k]; });
   };

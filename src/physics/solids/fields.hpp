@@ -34,6 +34,8 @@ using MeshGroup = ColumnGroup<ColumnSetting, MeshSums>;
 MeshGroup shape_columns();
 /// The number of nodes inside another body.
 MeshGroup overlap_columns();
+/// Lists what contact stores and takes, and how bodies touch.
+ColumnGroup<MeshSetting, MeshSums> contact_columns();
 
 /// Names bodies and tracked places.
 MeshSetting mesh_setting(const Solids& solids, std::vector<std::string> bodies);
@@ -60,7 +62,7 @@ struct SupportSums {
 /// What a record of elastic bodies is made from.
 struct SolidSums : MeshSums {
   double of_loads = 0, of_supports = 0, damped = 0;  ///< so far [energy]
-  std::vector<SupportSums> supports;  ///< those of the deck, then walls
+  std::vector<SupportSums> supports;                 ///< those of the deck, then walls
 };
 
 /// Names supports and walls, too.

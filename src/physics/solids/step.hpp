@@ -74,11 +74,12 @@ class SolidStep {
   double longest_explicit_step(std::span<const double> q) const;
 
   const SolidCost& cost() const { return cost_; }
-  /// What the forces of the last step leave over: rounding, or what supports hold [force].
+  /// Returns what the forces of the last step leave over: rounding, or what supports hold [force].
   std::span<const double> residual() const { return residual_; }
-  /// The forces of contact in the last step, which act against those from outside; zero without contact [force].
+  /// Returns the forces of contact in the last step, which act against those from outside; zero without contact
+  /// [force].
   std::span<const double> touching() const { return touching_; }
-  /// Size of the terms of the power of the last step's forces at velocities w [power].
+  /// Returns the size of the terms of the power of the last step's forces at velocities w [power].
   double terms_size(std::span<const double> w) const;
 
  private:
@@ -108,7 +109,7 @@ class SolidStep {
   bool supports_are_there() const;
   void lead_supports(const SparseMatrix& K);
   void stop_before_surfaces();
-  void shorten_correction(double nearest);
+  void shorten_correction(double nearest, double longest);
   void accept(SolidState& state, double dt);
   void accept_contact(SolidState& state);
   void accept_motion(SolidState& state, double dt, double falling);
@@ -134,6 +135,7 @@ class SolidStep {
   std::vector<double> moved_;           // velocities of supported nodes at the step's end
   std::vector<double> sizes_;           // of the residuals of corrections of bodies that meet [force]
   double part_ = 1;                     // of the last correction that was gone
+  double led_far_ = 0;                  // farthest that the first guess leads a node along an axis [length]
   double scale_ = 0, stiffest_ = 0;     // the largest force, and the largest number of the tangent
   SolidCost cost_;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include "physics/solids/step.hpp"
 
@@ -71,9 +72,13 @@ NewtonReport SolidStep::meet_by_easing(SolidState& state, double dt) {
 /// there yet.
 void SolidStep::approach(const SolidState& state) {
   led_ = q1_;
-  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - state.q[k];
+  led_far_ = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    change_[k] = q1_[k] - state.q[k];
+    led_far_ = std::max(led_far_, std::abs(change_[k]));
+  }
   q1_ = state.q;
-  shorten_correction(nearest_guess);
+  shorten_correction(nearest_guess, led_far_);
   for (std::size_t k = 0; k < q1_.size(); ++k)
     q1_[k] = change_[k] == led_[k] - state.q[k] ? led_[k] : q1_[k] + change_[k];
 }
@@ -101,20 +106,21 @@ void SolidStep::lead_supports(const SparseMatrix& K) {
   for (std::size_t k = 0; k < q1_.size(); ++k) residual_[k] += scratch_[k];
 }
 
-/// Supports that are not there yet go with a correction, which goes as far as it can.
+/// Supports that are not there yet go with a correction, which goes as far as it can: no farther than the first guess or
+/// a side, beyond which it is none of this step's.
 void SolidStep::stop_before_surfaces() {
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     if (system_.held[k]) change_[k] = led_[k] - q1_[k];
   }
-  shorten_correction(nearest_correction);
+  shorten_correction(nearest_correction, std::max(led_far_, contact_->shortest_side()));
 }
 
-/// Shortens a correction to where the next surface is, and where no element loses more than four fifths of its least
+/// Shortens a correction to `longest`, to where the next surface is, and where no element loses more than four fifths of its least
 /// volume: beyond a volume of 0 laws see the mirrored shape.
-void SolidStep::shorten_correction(double nearest) {
+void SolidStep::shorten_correction(double nearest, double longest) {
   constexpr double most_lost = 0.2;
   constexpr int most_halvings = 30;
-  const double part = contact_->part_of_way(q1_, change_, nearest);
+  const double part = contact_->part_of_way(q1_, change_, nearest, longest);
   if (part < 1) shorten(part);
   const double least = most_lost * std::min(1.0, system_.elements->shape(q1_).least);
   for (int k = 0; k < most_halvings; ++k) {

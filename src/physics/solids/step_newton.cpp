@@ -60,8 +60,7 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
   for (int k = 0; k < rule.most_iterations; ++k) {
     report.converged = report.residuals.back() <= system_.solids.tolerance && is_whole();
     if (report.converged || leads_nowhere() || !correct(state, dt)) return report;
-    report.residuals.push_back(
-        residual_after_correction(state, dt, rule.most_shortenings, sizes_.back()));
+    report.residuals.push_back(residual_after_correction(state, dt, rule.most_shortenings, sizes_.back()));
     sizes_.push_back(left_over(report.residuals.back()));
     report.converged = stagnates(report.residuals) && report.residuals.back() <= rounding() && is_whole() &&
                        (!meets_ || rule_.dynamic || report.residuals.back() <= unbalanced);
@@ -81,7 +80,8 @@ bool SolidStep::is_whole() const { return supports_are_there() && (!surroundings
 double SolidStep::terms_size(std::span<const double> w) const {
   double size = 0;
   for (std::size_t k = 0; k < w.size(); ++k)
-    size += std::abs(w[k]) * (std::abs(inertia_[k]) + std::abs(inner_[k]) + std::abs(damping_[k]) + std::abs(outer_[k]));
+    size +=
+        std::abs(w[k]) * (std::abs(inertia_[k]) + std::abs(inner_[k]) + std::abs(damping_[k]) + std::abs(outer_[k]));
   return size;
 }
 
@@ -100,16 +100,15 @@ double SolidStep::rounding() const {
 }
 
 /// A correction is halved while it turns an element inside out, and `shortenings` times at most where it leads away:
-/// where neither what is left over is less than `before` nor the next correction with the same tangent smaller than this
-/// one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
+/// where neither what is left over is less than `before` nor the next correction with the same tangent smaller than
+/// this one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
 double SolidStep::residual_after_correction(const SolidState& state, double dt, int shortenings, double before) {
   const double length = norm(change_);
   for (int back = 0; back < most_backsteps; ++back) {
     find_forces(state, dt, true);
     const double size = find_residual(state, dt);
-    if (std::isfinite(size) &&
-        (back >= shortenings || left_over(size) <= before ||
-         (!meets_ && !surroundings_ && next_correction() <= length)))
+    if (std::isfinite(size) && (back >= shortenings || left_over(size) <= before ||
+                                (!meets_ && !surroundings_ && next_correction() <= length)))
       return size;
     for (std::size_t i = 0; i < q1_.size(); ++i) q1_[i] -= change_[i];
     shorten(0.5);
@@ -170,7 +169,7 @@ bool SolidStep::solve(SparseMatrix& K) {
   return true;
 }
 
-/// Goes by the correction.
+/// Takes the correction.
 void SolidStep::go_on() {
   for (std::size_t k = 0; k < q1_.size(); ++k) q1_[k] += change_[k];
   if (surroundings_) surroundings_->go(part_);

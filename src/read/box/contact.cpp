@@ -38,8 +38,9 @@ bool is_at_a_wall(const Contact& contact, const Vec<3>& x, int dim, double near)
     for (std::size_t i = 0; i < at(dim); ++i) inside &= x[i] >= box.low[i] - near && x[i] <= box.high[i] + near;
     return inside;
   };
-  return std::ranges::any_of(contact.planes,
-                             [&](const SurfacePlane& plane) { return dot(plane.normal, minus(x, plane.place)) <= near; }) ||
+  return std::ranges::any_of(
+             contact.planes,
+             [&](const SurfacePlane& plane) { return dot(plane.normal, minus(x, plane.place)) <= near; }) ||
          std::ranges::any_of(contact.obstacles, at_box);
 }
 

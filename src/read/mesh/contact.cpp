@@ -93,6 +93,7 @@ class ContactReader {
     contact_.friction = deck_.real("contact.friction");
     contact_.stick = number("contact.stick");
     contact_.step = word<ContactStep>(deck_, "contact.step");
+    contact_.parts = static_cast<int>(deck_.integer("contact.parts"));
     contact_.bodies = deck_.logical("contact.bodies");
     contact_.itself = deck_.logical("contact.itself");
     if (contact_.stick > 0 && contact_.friction == 0)

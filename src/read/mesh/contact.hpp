@@ -16,8 +16,8 @@ namespace tether {
 void check_contact_deck(const Deck& deck, Diagnostics& diagnostics);
 
 /// Returns what $contact says, or what it says by default, of the solids of a scene, whose mesh, regions and integrator
-/// are there, without the gap; `walls` are sides of the box that stop them without it. Reports mistakes at their places,
-/// and bodies that start beyond a wall or plane or in an obstacle. In the plane obstacles are at z = 0.
+/// are there, without the gap; `walls` are sides of the box that stop them without it. Reports mistakes at their
+/// places, and bodies that start beyond a wall or plane or in an obstacle. In the plane obstacles are at z = 0.
 Contact read_contact(const Deck& deck, const Scene& scene, const Solids& solids, const std::set<int>& walls,
                      Diagnostics& diagnostics);
 

@@ -170,8 +170,12 @@ void ImmersedSolids::stop_guess() {
 double ImmersedSolids::part_before_surfaces() {
   constexpr double nearest = 0.4;  // as SolidStep's corrections
   if (!contact_) return 1;
-  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - corrected_[k];
-  return contact_->part_of_way(corrected_, change_, nearest);
+  double longest = contact_->shortest_side();
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    change_[k] = q1_[k] - corrected_[k];
+    longest = std::max(longest, std::abs(q1_[k] - q0_[k]));
+  }
+  return contact_->part_of_way(corrected_, change_, nearest, longest);
 }
 
 bool ImmersedSolids::press() const {

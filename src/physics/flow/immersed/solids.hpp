@@ -50,8 +50,8 @@ class ImmersedSolids {
   void begin(const FlowState& state, const ImmersedMoment& moment);
   /// Moves the nodes by fluid velocities v0, v1 at its ends.
   void move(std::span<const double> v0, std::span<const double> v1);
-  /// Where bodies meet, lets the nodes stay before the surface that is in the way of the first guess, as open_gap() does
-  /// at the step's start. After move().
+  /// Lets the nodes of bodies that meet stay before the surface that is in the way of the first guess, as open_gap()
+  /// does at the step's start. After move().
   void stop_guess();
   /// Returns the part of the present correction, which move() has followed, before surfaces stop it.
   double part_before_surfaces();
