@@ -23,6 +23,7 @@ SHOWN = {
     "coupled-balloon": Shown("speed", (0.0, 0.3, 0.4, 0.6, 1.0, 10.0)),
     "coupled-bar": Shown("smoke", (0.3, 0.6, 1.0, 2.0, 5.0, 10.0)),
     "coupled-bar-3d": Shown("smoke", (0.3, 0.6, 1.0, 2.0, 5.0, 10.0)),
+    "coupled-blocks": Shown("speed", (0.0, 0.3, 0.5, 0.7, 1.0, 2.0)),
     "coupled-paddle": Shown("smoke", (0.4, 0.6, 0.8, 1.2, 4.4, 8.0)),
     "coupled-paddle-3d": Shown("smoke", (0.4, 0.6, 0.8, 1.2, 4.4, 8.0)),
     "coupled-sheets": Shown("smoke", (0.4, 0.8, 1.2, 2.0, 5.0, 10.0)),
@@ -109,6 +110,11 @@ def bar_3d(runs):
     return frames(runs, "coupled-bar-3d")
 
 
+def blocks(runs):
+    """Three blocks of rubber that sink onto each other in a tank of water."""
+    return frames(runs, "coupled-blocks")
+
+
 def paddle(runs):
     """A paddle, hinged above a floor, in a jet of smoke."""
     return frames(runs, "coupled-paddle")
@@ -140,4 +146,5 @@ def toy_3d(runs):
 
 
 FIGURES = {f"coupled-{draw.__name__.replace('_', '-')}": draw
-           for draw in (piston, archimedes, balloon, bar, bar_3d, paddle, paddle_3d, sheets, sheets_3d, toy, toy_3d)}
+           for draw in (piston, archimedes, balloon, bar, bar_3d, blocks, paddle, paddle_3d, sheets, sheets_3d, toy,
+                        toy_3d)}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One scene, one deck, several paths: the ring, the piston, the pendulum and the flap of decks/paths.
+// One scene, one deck, several paths: the ring, the piston, the pendulum, the flap, and what meets, of decks/paths.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -132,6 +132,35 @@ TEST(ViscousLinearFluid, SlidesBetweenWallsAsAParabola) {
   const double coarse = error(8), fine = error(16);
   EXPECT_LT(fine, 0.01);
   EXPECT_GT(std::log2(coarse / fine), 1.7);
+}
+
+/// How fast two bodies part, over how fast they met.
+double restitution(const DeckRun& run) {
+  return (run.last("body_vx_2") - run.last("body_vx_1")) / run.first("body_vx_1");
+}
+
+/// Exact: two equal bars swap their velocities. Points lose some to their transfer.
+TEST(SharedScene, IsTwoBarsThatMeetByTwoPaths) {
+  EXPECT_NEAR(restitution(run_by("mpm", "two-bar")), 0.837, 0.01);
+  EXPECT_NEAR(restitution(run_by("fem", "two-bar")), 1, 0.015);
+}
+
+/// The mean of the parts that the ring is made of, all alike.
+double ring_speed(const DeckRun& run, int parts) {
+  double sum = 0;
+  for (int part = 1; part <= parts; ++part) sum += run.last("body_vx_" + std::to_string(part)) / parts;
+  return sum;
+}
+
+/// Elements lead to a speed back of .817; points come nearer to it on finer cells.
+TEST(SharedScene, IsARingThatFliesAgainstAWallByTwoPaths) {
+  EXPECT_NEAR(ring_speed(run_by("fem", "ring-wall", {"in.tstep=.002", "in.tmax=.6"}), 4), 0.817, 0.03);
+  const double coarse = ring_speed(run_by("mpm", "ring-wall", {"in.tmax=.6"}), 1);
+  const double fine =
+      ring_speed(run_by("mpm", "ring-wall", {"in.tmax=.6", "in.nx=121", "in.ny=121", "in.tstep=1.5e-4"}), 1);
+  EXPECT_NEAR(coarse, 0.817, 0.06);
+  EXPECT_LT(coarse, fine);
+  EXPECT_LT(fine, 0.817);
 }
 
 }  // namespace

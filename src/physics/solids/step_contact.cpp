@@ -106,8 +106,8 @@ void SolidStep::lead_supports(const SparseMatrix& K) {
   for (std::size_t k = 0; k < q1_.size(); ++k) residual_[k] += scratch_[k];
 }
 
-/// Supports that are not there yet go with a correction, which goes as far as it can: no farther than the first guess or
-/// a side, beyond which it is none of this step's.
+/// Supports that are not there yet go with a correction, which goes as far as it can: no farther than the first guess
+/// or a side, beyond which it is none of this step's.
 void SolidStep::stop_before_surfaces() {
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     if (system_.held[k]) change_[k] = led_[k] - q1_[k];
@@ -115,8 +115,8 @@ void SolidStep::stop_before_surfaces() {
   shorten_correction(nearest_correction, std::max(led_far_, contact_->shortest_side()));
 }
 
-/// Shortens a correction to `longest`, to where the next surface is, and where no element loses more than four fifths of its least
-/// volume: beyond a volume of 0 laws see the mirrored shape.
+/// Shortens a correction to `longest`, to where the next surface is, and where no element loses more than four fifths
+/// of its least volume: beyond a volume of 0 laws see the mirrored shape.
 void SolidStep::shorten_correction(double nearest, double longest) {
   constexpr double most_lost = 0.2;
   constexpr int most_halvings = 30;

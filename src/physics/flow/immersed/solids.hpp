@@ -149,6 +149,7 @@ class ImmersedSolids {
   // The gap at the step's start [length], the part of it that is open, and that before the present correction.
   std::vector<double> gap_;
   double open_ = 0, open_before_ = 0;
+  double led_far_ = 0;  // farthest that the first guess leads a node along an axis [length]
 };
 
 }  // namespace tether::fem
