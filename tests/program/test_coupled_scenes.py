@@ -9,7 +9,7 @@ from program import DECKS, ProgramTest, history, sets
 
 GRAVITY = -9.81
 # How long each runs: until what it shows has begun.
-SCENES = {"archimedes": 0.5, "balloon": 1.0, "bar": 1.0, "bar-3d": 0.3, "blocks": 0.4, "paddle": 1.0, "paddle-3d": 0.3,
+SCENES = {"archimedes": 0.5, "balloon": 1.0, "bar": 1.0, "bar-3d": 0.3, "blocks": 0.25, "paddle": 1.0, "paddle-3d": 0.3,
           "piston": 1.0, "sheets": 0.5, "sheets-3d": 0.2, "toy": 1.0, "toy-3d": 0.3}
 SPRUNG = {"piston"}  # the spring's force stands in no column
 WITH_WEIGHT = {"archimedes", "balloon", "blocks", "paddle", "paddle-3d", "toy", "toy-3d"}
