@@ -111,18 +111,18 @@ std::string step_text(const Coupled& coupled, const Solids& solids, double tstep
   const double gain = linear_gain(solids, tstep);
   if (keeps_energy(coupled, solids, tstep))
     return fmt::format("keeps the energy: Newton's method over solids, contact and pressures, {}",
-                       asked            ? "as the deck says"
-                       : solids.contact ? "since bodies meet"
-                                        : fmt::format("since turning at the start would give a body {:.2g} of its "
-                                                      "energy in a linear one",
-                                                      gain));
+                       asked                     ? "as the deck says"
+                       : gain > most_linear_gain ? fmt::format("since turning at the start would give a body {:.2g} of "
+                                                               "its energy in a linear one",
+                                                               gain)
+                                                 : "since bodies meet");
   const char* rule =
       paper ? "linear, the paper's: backward Euler in the velocity, damps by h omega/4" : "linear, trapezoidal rule";
   if (!coupled.coupling.simultaneous || coupled.coupling.two_maps)
     return fmt::format("{}: the mode has no other", rule);
   if (asked) return fmt::format("{}, as the deck says", rule);
   return fmt::format("{}: no body is to meet another, and turning at the start gives {}", rule,
-                     gain > 0 ? fmt::format("{:.2g} of its energy at most", gain) : "none energy");
+                     gain > 0 ? fmt::format("{:.2g} of its energy at most", gain) : "no energy");
 }
 
 /// Says what stops bodies, and whether they stop each other.

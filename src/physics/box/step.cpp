@@ -72,6 +72,9 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool damped) {
   } else {
     solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
     solve(state, h, solution);                          // (7), (8)
+    move_solids(state, u0, h);                          // (5)
+    book_solids(q0, u0, solution, state, h);
+    note_turning(state, h);
   }
   state.last.cfl = cells_crossed(at_.domain, state.v, h);
   state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
@@ -80,11 +83,8 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool damped) {
   const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
   end_velocity(h, state.v);
   if (coupled_.viscosity > 0) keep_drive(given, h, state);
-  if (!solid_step_) move_solids(state, u0, h);  // (5)
   if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
-  if (!solid_step_) book_solids(q0, u0, solution, state, h);
   check(state);
-  if (!solid_step_) note_turning(state, h);
   note_friction_that_gives(state);
   place_solids(state.time + h, state);
   state.books.remeshed += found - energy_of(state.v);

@@ -203,9 +203,8 @@ void CoupledStep::note_turning(CoupledState& state, double h) {
   if (state.linear_gain <= much && gain > much)
     messages_.push_back(fmt::format(
         "t = {:.6g}, step {}: bodies turn so fast, and are so stiff, that a linear step gives them {:.2g} of their "
-        "energy of motion, and the next ones damp that away (linear_gain of summary.txt has the most): step='energy' "
-        "of "
-        "$coupled keeps it, or shorter steps",
+        "energy of motion, and the next ones damp that away: step='energy' of $coupled keeps it, or shorter steps "
+        "(linear_gain of summary.txt has the most)",
         state.time, state.steps + 1, gain));
   state.linear_gain = std::max(state.linear_gain, gain);
 }

@@ -33,6 +33,12 @@ double slow_speed(const Solids& solids, double gravity) {
 
 /// How near surfaces may come in one correction that are `away` from each other: what presses them is then of the size
 /// that it has to be, or grows by some times.
+double farthest_of(std::span<const double> change) {
+  double farthest = 0;
+  for (const double way : change) farthest = std::max(farthest, std::abs(way));
+  return farthest;
+}
+
 double nearest_after(double away, double gap, double left) { return std::min(left * away, 0.7 * gap); }
 
 }  // namespace
@@ -194,11 +200,22 @@ void BodyContact::find_active_at_planes() {
   }
 }
 
+double BodyContact::part_of_guess(std::span<const double> q0, std::span<const double> change) {
+  guessed_far_ = farthest_of(change);
+  return part_of_way(q0, change, 0.9, guessed_far_);
+}
+
+double BodyContact::part_of_correction(std::span<const double> q, std::span<const double> change) {
+  return part_of_way(q, change, 0.4, std::max(guessed_far_, surface_.shortest));
+}
+
+/// Returns the part of the way from q by `change`, no longer than `longest` along an axis [length], after which no two
+/// surfaces that are nearer than the gap are nearer to each other than `left` of their distance now, nor others than
+/// 0.7 of the gap.
 double BodyContact::part_of_way(std::span<const double> q, std::span<const double> change, double left,
                                 double longest) {
   surface_.places.find(q, x1_);
-  double farthest = 0;
-  for (const double way : change) farthest = std::max(farthest, std::abs(way));
+  const double farthest = farthest_of(change);
   const double most = farthest > longest ? longest / farthest : 1;
   std::vector<double> then(q.begin(), q.end()), x2;
   for (std::size_t k = 0; k < then.size(); ++k) then[k] += most * change[k];

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,13 +33,13 @@ class BodyContact {
   bool damps() const { return rule_.damped; }
   bool rubs() const { return rule_.friction > 0; }
 
-  /// Returns the part of the way from q by `change` after which no two surfaces that are nearer than the gap are nearer
-  /// to each other than `left` of their distance now, nor others than 0.7 of the gap. It is no longer than `longest`
-  /// along an axis: all that farther ways pass would have to be looked at [length].
-  double part_of_way(std::span<const double> q, std::span<const double> change, double left,
-                     double longest = std::numeric_limits<double>::infinity());
-  /// Returns the length of the shortest edge of a side at the start [length].
-  double shortest_side() const { return surface_.shortest; }
+  /// Returns the part of the way from the start q0 to a step's first guess before surfaces stop it: what is left of the
+  /// distance of those nearer than the gap is 0.9 at least, since what a guess presses too much corrections take back
+  /// by a fourth each.
+  double part_of_guess(std::span<const double> q0, std::span<const double> change);
+  /// Returns the part of a correction from q before they stop it, 0.4 of their distance left; it goes no farther along
+  /// an axis than the guess did or a side is long: all that farther ways pass would have to be looked at.
+  double part_of_correction(std::span<const double> q, std::span<const double> change);
   /// Adds what surfaces do against the forces from outside: the derivative of their energy, and friction.
   void add_forces(std::span<const double> q1, std::span<double> f);
   /// Returns K with `factor` times the derivative of these by q1. Its pattern grows from the step's beginning on by all
@@ -67,6 +66,7 @@ class BodyContact {
     double energy = 0, pressing = 0, rubbing = 0, rubbed = 0, slid = 0;
   };
 
+  double part_of_way(std::span<const double> q, std::span<const double> change, double left, double longest);
   double modulus(int side) const;
   PairScale scale_of(const ContactPair& pair) const;
   PairScale scale_of(const ContactPoint& point, bool guard) const;
@@ -99,6 +99,7 @@ class BodyContact {
   ContactPairs pairs_;
   std::vector<double> modulus_;  // of each region's surface [stress]
   double gap_ = 0, guard_gap_ = 0, stick_ = 0, dt_ = 0;
+  double guessed_far_ = 0;  // farthest that the step's first guess led a node along an axis [length]
   PairRule rule_;
   std::vector<double> x0_, x1_, ways_, place_forces_;  // of the surface's places
   std::vector<double> s0_;                             // squared distances of the pairs at the start

@@ -109,7 +109,7 @@ class SolidStep {
   bool supports_are_there() const;
   void lead_supports(const SparseMatrix& K);
   void stop_before_surfaces();
-  void shorten_correction(double nearest, double longest);
+  void shorten_correction(double part);
   void accept(SolidState& state, double dt);
   void accept_contact(SolidState& state);
   void accept_motion(SolidState& state, double dt, double falling);
@@ -135,7 +135,6 @@ class SolidStep {
   std::vector<double> moved_;           // velocities of supported nodes at the step's end
   std::vector<double> sizes_;           // of the residuals of corrections of bodies that meet [force]
   double part_ = 1;                     // of the last correction that was gone
-  double led_far_ = 0;                  // farthest that the first guess leads a node along an axis [length]
   double scale_ = 0, stiffest_ = 0;     // the largest force, and the largest number of the tangent
   SolidCost cost_;
 };

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "physics/solids/step.hpp"
 
 namespace tether::fem {
-namespace {
-
-/// What is left of the distance of surfaces that press each other, at least: a guess brings them little nearer, since
-/// what it presses too much corrections take back by a fourth each; a correction knows better.
-constexpr double nearest_guess = 0.9, nearest_correction = 0.4;
-
-}  // namespace
-
 // A step of bodies that meet. Places on the way never let a surface through another: the first guess and each
-// correction stop before the next one, as nearest_guess and nearest_correction say.
+// correction stop before the next one.
 
 NewtonReport SolidStep::meet(SolidState& state, double dt, bool damped) {
   meets_ = false;
@@ -72,13 +63,9 @@ NewtonReport SolidStep::meet_by_easing(SolidState& state, double dt) {
 /// there yet.
 void SolidStep::approach(const SolidState& state) {
   led_ = q1_;
-  led_far_ = 0;
-  for (std::size_t k = 0; k < q1_.size(); ++k) {
-    change_[k] = q1_[k] - state.q[k];
-    led_far_ = std::max(led_far_, std::abs(change_[k]));
-  }
+  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - state.q[k];
   q1_ = state.q;
-  shorten_correction(nearest_guess, led_far_);
+  shorten_correction(contact_->part_of_guess(q1_, change_));
   for (std::size_t k = 0; k < q1_.size(); ++k)
     q1_[k] = change_[k] == led_[k] - state.q[k] ? led_[k] : q1_[k] + change_[k];
 }
@@ -106,21 +93,19 @@ void SolidStep::lead_supports(const SparseMatrix& K) {
   for (std::size_t k = 0; k < q1_.size(); ++k) residual_[k] += scratch_[k];
 }
 
-/// Supports that are not there yet go with a correction, which goes as far as it can: no farther than the first guess
-/// or a side, beyond which it is none of this step's.
+/// Supports that are not there yet go with a correction, which goes as far as it can.
 void SolidStep::stop_before_surfaces() {
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     if (system_.held[k]) change_[k] = led_[k] - q1_[k];
   }
-  shorten_correction(nearest_correction, std::max(led_far_, contact_->shortest_side()));
+  shorten_correction(contact_->part_of_correction(q1_, change_));
 }
 
-/// Shortens a correction to `longest`, to where the next surface is, and where no element loses more than four fifths
-/// of its least volume: beyond a volume of 0 laws see the mirrored shape.
-void SolidStep::shorten_correction(double nearest, double longest) {
+/// Shortens a correction to the part before surfaces, and to where no element loses more than four fifths of its least
+/// volume: beyond a volume of 0 laws see the mirrored shape.
+void SolidStep::shorten_correction(double part) {
   constexpr double most_lost = 0.2;
   constexpr int most_halvings = 30;
-  const double part = contact_->part_of_way(q1_, change_, nearest, longest);
   if (part < 1) shorten(part);
   const double least = most_lost * std::min(1.0, system_.elements->shape(q1_).least);
   for (int k = 0; k < most_halvings; ++k) {

@@ -14,8 +14,8 @@ namespace tether {
 /// ends.
 bool check_coupled_frame(const Deck& deck, Diagnostics& diagnostics);
 
-/// Reports what the deck asks for and cannot have beside $coupled, and what has no effect there, where steps keep the
-/// `energy` of bodies or do not.
+/// Reports what the deck asks for and cannot have with $coupled, and what has no effect there. `energy`: whether steps
+/// keep that of bodies.
 void check_coupled_deck(const Deck& deck, const Coupled& coupled, bool energy, Diagnostics& diagnostics);
 
 /// Reports nodes of bodies outside the box or in an obstacle, of each region the first, and jets in bodies or obstacles

@@ -157,25 +157,19 @@ void ImmersedSolids::open_gap() {
 }
 
 void ImmersedSolids::stop_guess() {
-  constexpr double nearest = 0.9;  // as SolidStep's first guess
   if (!contact_) return;
   gap_.resize(V_.size());
-  led_far_ = 0;
-  for (std::size_t k = 0; k < V_.size(); ++k) {
-    gap_[k] = q1_[k] - q0_[k];
-    led_far_ = std::max(led_far_, std::abs(gap_[k]));
-  }
-  const double part = contact_->part_of_way(q0_, gap_, nearest);
+  for (std::size_t k = 0; k < V_.size(); ++k) gap_[k] = q1_[k] - q0_[k];
+  const double part = contact_->part_of_guess(q0_, gap_);
   if (!(part < 1)) return;
   for (std::size_t k = 0; k < V_.size(); ++k) gap_[k] *= 1 - part, q1_[k] -= gap_[k];
   open_ = open_before_ = 1;
 }
 
 double ImmersedSolids::part_before_surfaces() {
-  constexpr double nearest = 0.4;  // as SolidStep's corrections
   if (!contact_) return 1;
   for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - corrected_[k];
-  return contact_->part_of_way(corrected_, change_, nearest, std::max(led_far_, contact_->shortest_side()));
+  return contact_->part_of_correction(corrected_, change_);
 }
 
 bool ImmersedSolids::press() const {

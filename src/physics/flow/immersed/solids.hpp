@@ -119,7 +119,7 @@ class ImmersedSolids {
   void velocities(std::span<const double> v, std::span<const double> given, std::span<double> V);
   EigenSparse find_tangent();
   void find_stiffness();
-  SparseMatrix with_contact(double factor);
+  SparseMatrix& with_contact(double factor);
   void note_contact(FlowState& state);
   void add_forces_of_gap();
   void find_rounding();
@@ -137,7 +137,7 @@ class ImmersedSolids {
   ImmersedMap map_;                           // of the carried nodes
   std::optional<ImmersedPressure> pressure_;  // of bodies with a law for their volume
   std::optional<contact::BodyContact> contact_;
-  SparseMatrix S_;
+  SparseMatrix S_, met_;  // met_: with contact
   std::optional<ImmersedBlocks> blocks_;
   // The step: solid nodes' places at its start, middle and end, and there after the last correction; the stress that
   // the tangent takes; what supports prescribe, their places and velocities at its end and accelerations; velocity,
@@ -149,7 +149,6 @@ class ImmersedSolids {
   // The gap at the step's start [length], the part of it that is open, and that before the present correction.
   std::vector<double> gap_;
   double open_ = 0, open_before_ = 0;
-  double led_far_ = 0;  // farthest that the first guess leads a node along an axis [length]
 };
 
 }  // namespace tether::fem

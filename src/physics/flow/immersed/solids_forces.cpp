@@ -87,8 +87,10 @@ void ImmersedSolids::find_rounding() {
 }
 
 /// Returns the stiffness, or what has become of it, with `factor` times that of contact.
-SparseMatrix ImmersedSolids::with_contact(double factor) {
-  return contact_ ? contact_->with_slopes(S_, q1_, factor) : S_;
+SparseMatrix& ImmersedSolids::with_contact(double factor) {
+  if (!contact_) return S_;
+  met_ = contact_->with_slopes(S_, q1_, factor);
+  return met_;
 }
 
 void ImmersedSolids::find_stiffness() {
@@ -140,7 +142,7 @@ EigenSparse ImmersedSolids::find_tangent() {
   find_rounding();
   for (double& value : S_.value) value *= moment_.theta * moment_.dt;
   if (inertia_ && !moment_.rest) inertia_->add_tangent(middle_, V_, 1 / moment_.dt, moment_.theta, system_.pattern, S_);
-  SparseMatrix whole = with_contact(moment_.theta * moment_.dt);
+  SparseMatrix& whole = with_contact(moment_.theta * moment_.dt);
   hold(whole, system_.held, 0);
   EigenSparse S = eigen_of(whole);
   if (!carried_.all()) S = congruent(S, carried_.following());
