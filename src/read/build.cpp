@@ -170,7 +170,7 @@ Physics physics_of(const Deck& deck, Path path) {
 
 void check_without_grid(const Deck& deck, Diagnostics& diagnostics) {
   if (deck.is_study()) return;
-  limits_of(deck, diagnostics);
+  limits_of(deck, nullptr, diagnostics);
   const Method method = method_of(deck, diagnostics);
   const bool of_points =
       !deck.has_group("mesh") && !deck.has_group("rigid") && !deck.has_group("coupled") && !has_flow(deck);
@@ -222,7 +222,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
     if (path == Path::fem) check_fem(deck, particles, scene, diagnostics);
   }
   scene.ambient = ambient_of(deck, scene, diagnostics);
-  scene.limits = limits_of(deck, diagnostics);
+  scene.limits = limits_of(deck, scene.solids(), diagnostics);
   scene.outputs = outputs_of(deck, scene, diagnostics);
   drop_grid_outputs(deck, scene, diagnostics);
   scene.reference = reference_of(deck, scene, diagnostics);

@@ -22,6 +22,15 @@ constexpr Limits default_limits{.quality = {0.1, 0.001},
                                 .splitting = {1, 100},
                                 .cfl = {4, 0}};
 
+/// Where the laws of all bodies have no bound on the energy of a volume that vanishes, small volumes grow again, and
+/// nothing but a mirrored one is past help.
+constexpr double vanishing_quality = 1e-9;
+
+bool all_resist_without_bound(const Solids& solids) {
+  return std::ranges::all_of(solids.regions,
+                             [](const SolidRegion& region) { return std::holds_alternative<NeoHookean>(region.law); });
+}
+
 /// Reads one limit; `low` says that smaller numbers are worse.
 Limit limit_of(const Deck& deck, AnyVariable name, Limit limit, bool low, Diagnostics& diagnostics) {
   if (deck.given(name, 1)) limit.warn = deck.real(name, 1);
@@ -37,8 +46,9 @@ Limit limit_of(const Deck& deck, AnyVariable name, Limit limit, bool low, Diagno
 
 }  // namespace
 
-Limits limits_of(const Deck& deck, Diagnostics& diagnostics) {
+Limits limits_of(const Deck& deck, const Solids* solids, Diagnostics& diagnostics) {
   Limits limits = default_limits;
+  if (solids && all_resist_without_bound(*solids)) limits.quality.stop = vanishing_quality;
   const auto read = [&](AnyVariable name, Limit& limit, bool low) {
     limit = limit_of(deck, name, limit, low, diagnostics);
   };

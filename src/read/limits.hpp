@@ -11,8 +11,9 @@
 
 namespace tether {
 
-/// Returns what $limits says, by default what Limits has.
-Limits limits_of(const Deck& deck, Diagnostics& diagnostics);
+/// Returns what $limits says, by default what Limits has. `solids`, where there are any, set what is a doubtful volume
+/// of an element.
+Limits limits_of(const Deck& deck, const Solids* solids, Diagnostics& diagnostics);
 
 /// Why a grid with so many points cannot be held, with the memory it would need; empty where it can. Counts against
 /// the machine's physical memory, and the node numbers' range.

@@ -56,13 +56,18 @@ TEST(Limits, OfElementsAndBodies) {
   EXPECT_NE(error_of("small", pressed, {"limits.volume=.99,.9"}).find("body 1"), std::string::npos);
 }
 
-/// Elements of order 2 fold where those of order 1 are too stiff to: the first that is turned inside out ends the run.
+/// Elements of order 2 fold where those of order 1 are too stiff to: the first that is turned inside out ends the run,
+/// and of a law that bears any volume the first that has next to none.
 TEST(Limits, OfElementsThatAreTurnedInsideOut) {
   for (const char* dilatation : {"point", "mean"}) {
-    const std::string text =
-        error_of("folded", pressed, {"mesh.element='q2'", std::string("fem.dilatation='") + dilatation + "'"});
+    const Overrides folded{"mesh.element='q2'", std::string("fem.dilatation='") + dilatation + "'"};
+    const std::string text = error_of("folded", pressed, folded);
     EXPECT_NE(text.find("the least volume of an element over that at the start is -"), std::string::npos) << text;
-    EXPECT_NE(text.find("below the limit of 0.001 (quality of $limits)"), std::string::npos) << text;
+    EXPECT_NE(text.find("below the limit of 1e-09 (quality of $limits)"), std::string::npos) << text;
+    Overrides other = folded;
+    other.push_back("fem.law(1)='svk'");
+    const std::string soft = error_of("soft", pressed, other);
+    EXPECT_NE(soft.find("below the limit of 0.001 (quality of $limits)"), std::string::npos) << soft;
   }
 }
 

@@ -78,9 +78,11 @@ inline constexpr std::array added_rows{
     Variable{"reference", "window", real, 1, 2, 1, "length", -none, none, "", "",
              "Part of the tube in which 'riemann' is compared, from x to x. Without it, all that no wave from the ends "
              "has reached when the run ends."},
-    Variable{"limits", "quality", real, 1, 2, 1, "", 0, none, "", "",
-             "Least volume of an element of a body over that at the start, below which a run warns (1) and is stopped "
-             "(2). 0.1 and 0.001 where not given, as in all of this group 0 switches off."},
+    Variable{
+        "limits", "quality", real, 1, 2, 1, "", 0, none, "", "",
+        "Least volume of an element of a body over that at the start, below which a run warns (1) and is stopped "
+        "(2). 0.1 and 0.001 where not given, and 1e-9 in place of 0.001 where all bodies are neo-Hookean, whose energy "
+        "has no bound there. As in all of this group 0 switches off."},
     Variable{
         "limits", "volume", real, 1, 2, 1, "", 0, none, "", "",
         "Volume of a body against that at the start, the smaller over the larger: warning, stop below. 0.5 and 0.05."},

@@ -240,8 +240,7 @@ double part_of_way_of(const ContactPair& pair, std::span<const double> x, std::s
 
 template <class Function>
 auto with_dim_and_kind(int dim, PairKind kind, const Function& f) {
-  if (dim == 2) return with_kind<2>(kind, [&](auto k) { return f(std::integral_constant<int, 2>{}, k); });
-  return with_kind<3>(kind, [&](auto k) { return f(std::integral_constant<int, 3>{}, k); });
+  return with_dim(dim, [&](auto d) { return with_kind<decltype(d)::value>(kind, [&](auto k) { return f(d, k); }); });
 }
 
 }  // namespace

@@ -106,6 +106,12 @@ Eigen::Matrix<double, vector_count(kind), vector_count(kind) + 1> vectors_by_pla
   return by;
 }
 
+/// Calls f with the dimension as a constant.
+template <class Function>
+auto with_dim(int dim, const Function& f) {
+  return dim == 2 ? f(std::integral_constant<int, 2>{}) : f(std::integral_constant<int, 3>{});
+}
+
 /// Calls f with the kind as a constant, of the plane without triangles and crossed edges.
 template <int dim, class Function>
 auto with_kind(PairKind kind, const Function& f) {

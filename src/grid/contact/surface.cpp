@@ -9,7 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "grid/contact/side_parting.hpp"
-#include "grid/shapes.hpp"
+#include "grid/side_tangents.hpp"
 #include "grid/solid_surface.hpp"
 
 namespace tether {
@@ -18,14 +18,7 @@ namespace {
 /// Area of a reference side's place over that of the side at the start.
 template <class Side>
 double area_ratio(std::span<const int> nodes, std::span<const double> x, const Vec<Side::dim>& s) {
-  constexpr int dim = Side::dim + 1;
-  const auto G = Side::gradients(s);
-  Eigen::Matrix<double, dim, Side::dim> t = decltype(t)::Zero();
-  for (int a = 0; a < Side::nodes; ++a) {
-    for (int i = 0; i < dim; ++i) {
-      for (int j = 0; j < Side::dim; ++j) t(i, j) += x[at(nodes[at(a)] * dim + i)] * G[at(a * Side::dim + j)];
-    }
-  }
+  const auto t = tangents_at<Side>(nodes.data(), x, Side::gradients(s));
   return std::sqrt((t.transpose() * t).determinant());
 }
 

@@ -52,7 +52,7 @@ Group book_columns() {
        booked("energy_buoyancy", gained, "work of smoke and warmth on the fluid", &B::buoyancy),
        booked("energy_outside", gained, "work of loads and moved supports on the solids", &B::loads),
        booked("energy_viscous", given, "energy that viscosity turned into heat", &B::viscous),
-       booked("energy_damped", given, "energy that damping has taken", &B::damped),
+       booked("energy_damped", given, "energy that damping and backward Euler have taken", &B::damped),
        booked("energy_contact", given, "what walls, obstacles and friction took of the solids, of linear steps",
               &B::contact)
            .when("without contact that keeps the energy", [](const CoupledSetting& s) { return s.meets ? 0 : 1; }),

@@ -16,37 +16,24 @@ void go_from(std::span<const double> before, double part, std::span<const double
 
 }  // namespace
 
+CoupledEquations FluidOfStep::equations(const CouplingMatrix& caused, const SparseMatrix& A, std::span<const double> b,
+                                        std::span<const double> flux_left, std::span<const std::uint8_t> held) const {
+  return {A, b, B, caused, L, flux_left, held, cell, cells, region, closed, loose};
+}
+
 void FluidAround::begin(FluidOfStep step, std::span<const double> q0, std::span<const double> p) {
   step_.emplace(std::move(step));
   q0_.assign(q0.begin(), q0.end());
   std::vector<double> led(q0.begin(), q0.end());
   solids_.system.place_supports(step_->time + step_->h, led);
   const std::vector<double> w = velocity(led), none(q0.size(), 0.0);
-  const CoupledEquations at = equations(solids_.A, none, step_->r);
+  const CoupledEquations at = step_->equations(step_->B, solids_.A, none, step_->r, solids_.held);
   CoupledSystem::check_balance(at, step_->time, w);
   constants_ = ConstantPressures(at);
   now_.varying.assign(p.begin(), p.end());
   now_.constant = constants_.take_means(now_.varying);
   force_of_flux_ = -1;
   keep();
-}
-
-CoupledEquations FluidAround::equations(const SparseMatrix& A, std::span<const double> b,
-                                        std::span<const double> r) const {
-  return {A,
-          b,
-          step_->B,
-          step_->B,
-          step_->L,
-          r,
-          solids_.held,
-          step_->cell,
-          step_->cells,
-          step_->region,
-          step_->closed,
-          step_->loose,
-          false,
-          Definite::general};
 }
 
 std::vector<double> FluidAround::pressures() const {
@@ -91,7 +78,9 @@ bool FluidAround::correct(const SparseMatrix& K, std::span<const double> right, 
   for (std::size_t k = 0; k < w.size(); ++k) w[k] += change[k] / step_->h;
   std::vector<double> dw(w.size(), 0.0), dp(step_->r.size(), 0.0);
   const std::vector<double> left = flux_left_over(w);
-  if (!system_.correct(equations(A, right, left), tolerance, dw, dp)) return false;
+  CoupledEquations equations = step_->equations(step_->B, A, right, left, solids_.held);
+  equations.definite = Definite::general;
+  if (!system_.correct(equations, tolerance, dw, dp)) return false;
   for (std::size_t k = 0; k < dw.size(); ++k) {
     if (solids_.held[k] == 0) change[k] = step_->h * dw[k];
   }

@@ -24,6 +24,10 @@ struct FluidOfStep {
   std::vector<int> region;
   std::vector<std::uint8_t> closed, loose;
   double time = 0, h = 0;
+
+  /// The equations of it and solids of A and b, whose velocities cause a flux by `caused`; its own r is that of u = 0.
+  CoupledEquations equations(const CouplingMatrix& caused, const SparseMatrix& A, std::span<const double> b,
+                             std::span<const double> flux_left, std::span<const std::uint8_t> held) const;
 };
 
 /// The fluid about solids in a step that keeps their energy. With w = (q1 - q0)/h, the velocity that takes the solids
@@ -56,7 +60,6 @@ class FluidAround final : public fem::Surroundings {
   struct Pressures {
     std::vector<double> varying, constant;
   };
-  CoupledEquations equations(const SparseMatrix& A, std::span<const double> b, std::span<const double> r) const;
   std::vector<double> flux_left_over(std::span<const double> w) const;
   void find_force_of_flux(std::span<const double> flux);
   std::vector<double> velocity(std::span<const double> q1) const;

@@ -38,22 +38,6 @@ SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, doubl
       spring_(spring_stiffness(scene, system)),
       work_(system.unknowns()) {}
 
-/// matrix += factor M, the consistent mass for each direction: a column's rows stand in it node by node, dim each.
-void SolidEquations::add_mass(double factor, SparseMatrix& matrix) const {
-  const SparseMatrix& M = system.mass;
-  const std::int64_t d = system.dim();
-  for (std::int64_t node = 0; node < M.n; ++node) {
-    for (std::int64_t i = 0; i < d; ++i) {
-      const std::int64_t first = matrix.start[static_cast<std::size_t>(d * node + i)];
-      for (std::int64_t k = M.start[static_cast<std::size_t>(node)]; k < M.start[static_cast<std::size_t>(node + 1)];
-           ++k) {
-        const std::int64_t rank = k - M.start[static_cast<std::size_t>(node)];
-        matrix.value[static_cast<std::size_t>(first + d * rank + i)] += factor * M.value[static_cast<std::size_t>(k)];
-      }
-    }
-  }
-}
-
 /// Springs are part of K and K'.
 void SolidEquations::add_springs(std::span<const double> q, double factor, std::span<double> internal) {
   for (std::size_t k = 0; k < spring_.size(); ++k) internal[k] += spring_[k] * (q[k] - system.solids.mesh.x[k]);
@@ -78,7 +62,7 @@ void SolidEquations::assemble(std::span<const double> q, std::span<const double>
   stiffness_.set_zero();
   system.elements->add_stiffness(q, scene_.convex, system.pattern, stiffness_);
   for (std::size_t k = 0; k < A.value.size(); ++k) A.value[k] = (part * solids.beta + elastic) * stiffness_.value[k];
-  add_mass(1 / h + part * solids.alpha, A);
+  system.add_mass(1 / h + part * solids.alpha, A);
   std::fill(internal_.begin(), internal_.end(), 0.0);
   system.elements->add_forces(fem::StressAt::end, q, q, internal_);  // K(d0)
   add_springs(q, elastic, internal_);
@@ -126,7 +110,7 @@ SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) con
   SparseMatrix R = system.pattern.matrix();
   system.elements->add_stiffness(q, scene_.convex, system.pattern, R);
   for (double& value : R.value) value *= half * system.solids.beta;
-  add_mass(1 + half * system.solids.alpha, R);
+  system.add_mass(1 + half * system.solids.alpha, R);
   return R;
 }
 

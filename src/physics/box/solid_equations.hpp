@@ -44,7 +44,6 @@ class SolidEquations {
   std::vector<std::uint8_t> held;  ///< velocities that supports prescribe
 
  private:
-  void add_mass(double factor, SparseMatrix& A) const;
   void add_springs(std::span<const double> q, double factor, std::span<double> internal);
 
   const Coupled& scene_;

@@ -62,7 +62,7 @@ void CoupledSolver::advance(double until, long long most) {
 }
 
 /// A step that keeps the energy may not be found: the state then is as before. One that cannot be halved again takes
-/// damped contact. A step that was stopped, and what follows of its parts, counts as found until all are given up.
+/// backward Euler. A step that was stopped, and what follows of its parts, counts as found until all are given up.
 fem::NewtonReport CoupledSolver::advanced(double h, bool& stopped) {
   if (stopped) return {true, {}};
   const CoupledState before = step_.keeps_energy() ? state_ : CoupledState{};
@@ -74,7 +74,7 @@ fem::NewtonReport CoupledSolver::advanced(double h, bool& stopped) {
     state_.newton_steps = newton_steps;
   };
   if (failed()) go_back();
-  if (failed() && step_.can_be_damped() && h <= fem::shortest_halved * plan_.step.deck_step) {
+  if (failed() && step_.can_take_euler() && h <= fem::shortest_halved * plan_.step.deck_step) {
     end = step_.advance(state_, h, true);
     if (failed()) go_back();
   }
@@ -156,8 +156,7 @@ Summary CoupledSolver::more_summary() const {
   if (step_.keeps_energy()) {
     summary.push_back(line_of("newton_iterations", state_.newton_steps));
     summary.push_back(line_of("halvings", state_.halvings));
-    for (auto& line : fem::contact_summary(step_.solids().system.solids, state_.contact.doubts))
-      summary.push_back(std::move(line));
+    fem::add_contact_summary(step_.solids().system.solids, state_.contact.doubts, summary);
   }
   const auto volume_of = [&](CellKind kind) {
     const auto& kinds = step_.domain().kind;

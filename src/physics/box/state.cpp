@@ -56,10 +56,4 @@ CarriedIn carried_in(const Coupled& scene, const FlowDomain& domain, const FaceV
   return in;
 }
 
-double product(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  return sum;
-}
-
 }  // namespace tether::coupled

@@ -44,9 +44,6 @@ struct CarriedIn {
 /// square is the mean of those on both sides of the fluid's cell.
 CarriedIn carried_in(const Coupled& scene, const FlowDomain& domain, const FaceValues& v, double h);
 
-/// a.b
-double product(std::span<const double> a, std::span<const double> b);
-
 /// What one step reports of itself.
 struct StepAccount {
   double interface_power = 0;  ///< that the solids take from the fluid, by the solids' equations [power]

@@ -61,13 +61,13 @@ void CoupledStep::resume(const CoupledState& state) {
 }
 
 /// One step of the paper, 3.1 to 3.3, or one whose solids keep their energy.
-StepEnd CoupledStep::advance(CoupledState& state, double h, bool damped) {
+StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
   const std::vector<double> q0 = state.q, u0 = state.u;
   StepEnd end{false, {true, {}}};
   if (!move_fluid_freely(state, h)) return {true, {}};  // (1) without pressure: v*
   Solution solution = begin_solution(state, h);
   if (solid_step_) {
-    end.newton = solve_by_energy(state, h, damped, solution);
+    end.newton = solve_by_energy(state, h, by_euler, solution);
     if (!end.newton.converged) return end;
   } else {
     solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
@@ -146,7 +146,7 @@ CoupledStep::Solution CoupledStep::begin_solution(const CoupledState& state, dou
 
 /// Contact decides which velocities are held; as these change, the equations are solved again.
 void CoupledStep::solve(CoupledState& state, double h, Solution& solution) {
-  const std::vector<double> u0 = state.u, flux = net_flux(at_.domain, at_.numbers, state.v);
+  const std::vector<double> u0 = state.u;
   const SystemCost before = system_.cost();
   std::vector<double> change(u0.size()), inertia(u0.size());
   contact_.begin(state.q, u0, h, state.touches);
@@ -161,7 +161,7 @@ void CoupledStep::solve(CoupledState& state, double h, Solution& solution) {
     solution.held = std::move(held);
     if (!solution.same_matrices) find_regions_of(state, h, solution);
     if (k == 0) tell_of_unmeasured_volume(solution.regions, state);
-    solve_once(flux, state, solution);
+    solve_once(fluid_of(state, h, solution), state, solution);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = state.u[i] - u0[i];
     solids_.system.multiply_mass(change, inertia);
     settled = !contact_.changed(state.u, solution.wall_force, inertia, state.touches);
@@ -215,43 +215,24 @@ FluidOfStep CoupledStep::fluid_of(const CoupledState& state, double h, const Sol
   for (std::size_t k = 0; k < fluid.given.size(); ++k) fluid.given[k] += at_.map.outside[k] + at_.map.film_weight[k];
   for (std::size_t k = 0; k < fluid.r.size(); ++k) fluid.r[k] -= solution.regions.source[at(fluid.region[k])];
   for (std::size_t k = 0; k < fluid.loose.size(); ++k) {
-    if (solution.regions.compliant[k] != 0) fluid.loose[k] = 0;
+    if (coupled_.coupling.simultaneous && solution.regions.compliant[k] != 0) fluid.loose[k] = 0;
   }
   return fluid;
 }
 
-void CoupledStep::solve_once(std::span<const double> flux, CoupledState& state, Solution& solution) {
-  const bool splitting = !coupled_.coupling.simultaneous;
+void CoupledStep::solve_once(const FluidOfStep& fluid, CoupledState& state, Solution& solution) {
   std::vector<double>& b = solution.b;
-  std::vector<double> r(flux.begin(), flux.end());
   b = solids_.b;
   solution.friction.assign(b.size(), 0.0);
   contact_.add_friction(solution.friction);
-  for (std::size_t k = 0; k < b.size(); ++k)
-    b[k] += solution.friction[k] + at_.map.outside[k] + at_.map.film_weight[k] + drag_[k];
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + fluid.given[k];
   solution.lifts = contact_.lifts(state.touches, b.size());
   solids_.add_lifts(solution.lifts, b);
-  const std::vector<int> region = of_cells(at_.numbers, at_.domain.region);
-  for (std::size_t k = 0; k < r.size(); ++k) r[k] -= solution.regions.source[at(region[k])];
-  std::vector<std::uint8_t> loose = solution.regions.closed;
-  for (std::size_t k = 0; k < loose.size() && !splitting; ++k)
-    loose[k] = loose[k] != 0 && solution.regions.compliant[k] == 0 ? 1 : 0;
   const CouplingMatrix& caused = coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B;
-  const CoupledEquations equations{solids_.A,
-                                   b,
-                                   at_.map.B,
-                                   caused,
-                                   solution.L,
-                                   r,
-                                   solution.held,
-                                   at_.numbers.cell,
-                                   at_.domain.kind.size(),
-                                   region,
-                                   solution.regions.closed,
-                                   loose,
-                                   solution.same_matrices};
+  CoupledEquations equations = fluid.equations(caused, solids_.A, b, fluid.r, solution.held);
+  equations.same_matrices = solution.same_matrices;
   solution.fluid_force.assign(b.size(), 0.0);
-  if (splitting) {
+  if (!coupled_.coupling.simultaneous) {
     const std::vector<double> before = of_cells(at_.numbers, state.p);
     add_transposed_product(at_.map.B, 1, before, solution.fluid_force);
     system_.solve_solids(equations, state.time, state.u, before);

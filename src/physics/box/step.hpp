@@ -34,11 +34,11 @@ class CoupledStep {
 
   /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
   CoupledState start();
-  /// `damped`: with damped contact, whatever the deck says, as fem::SolidStep::advance_damped().
-  StepEnd advance(CoupledState& state, double h, bool damped = false);
-  /// Returns whether steps keep the energy of the solids: they may need halves then, or damped contact.
+  /// `by_euler`: the solids as fem::SolidStep::advance_by_euler() has them.
+  StepEnd advance(CoupledState& state, double h, bool by_euler = false);
+  /// Returns whether steps keep the energy of the solids: they may need halves then, or backward Euler.
   bool keeps_energy() const { return solid_step_.has_value(); }
-  bool can_be_damped() const { return solid_step_ && solid_step_->can_be_damped(); }
+  bool can_take_euler() const { return solid_step_ && solid_step_->can_take_euler(); }
   /// Goes back to a state that it had, after a step that did not end well.
   void go_back(const CoupledState& state) { at_ = placer_.at(state.q); }
   /// Sets what a step with much viscosity asks meanwhile: whether it is to stop.
@@ -82,14 +82,14 @@ class CoupledStep {
   void solve(CoupledState& state, double h, Solution& solution);
   Solution begin_solution(const CoupledState& state, double h) const;
   FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
-  fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool damped, Solution& solution);
+  fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool by_euler, Solution& solution);
   void take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution);
   void book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state);
   void look_at_contact(CoupledState& state);
   void finish(CoupledState& state, double h, Solution& solution);
   void note_powers(const CoupledState& state, Solution& solution) const;
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
-  void solve_once(std::span<const double> flux, CoupledState& state, Solution& solution);
+  void solve_once(const FluidOfStep& fluid, CoupledState& state, Solution& solution);
   void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h);
   void book_fluid(const Solution& solution, double moving, double let_in, double sources, CoupledState& state,
                   double h);

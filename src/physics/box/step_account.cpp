@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra/krylov.hpp"
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/bodies.hpp"
@@ -84,7 +85,7 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
   if (coupled_.coupling.simultaneous) {
     std::vector<double> displaced(solution.p.size(), 0.0);
     add_product(coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B, 1, solution.working, displaced);
-    given = product(solution.p, displaced);
+    given = dot(solution.p, displaced);
   }
   books.coupling += h * given;
 }
@@ -103,14 +104,14 @@ void CoupledStep::book_solids(std::span<const double> q0, std::span<const double
     solids_.held[k] != 0 ? books.loads += held : books.contact -= held;
   }
   const SolidEquations::Taken taken = solids_.taken(u0, state.u, solution.lifts, h);
-  books.contact -= product(way, solution.friction);
-  books.viscous -= product(way, drag_);  // of what it took of the fluid the solids have this
-  state.work += product(way, drag_);
-  books.open_sides += product(way, at_.map.outside);
-  books.gravity += product(way, at_.map.film_weight);
-  books.loads += product(way, solids_.external) + solids_.system.gravity_energy(way);
+  books.contact -= dot(way, solution.friction);
+  books.viscous -= dot(way, drag_);  // of what it took of the fluid the solids have this
+  state.work += dot(way, drag_);
+  books.open_sides += dot(way, at_.map.outside);
+  books.gravity += dot(way, at_.map.film_weight);
+  books.loads += dot(way, solids_.external) + solids_.system.gravity_energy(way);
   books.damped += taken.damping;
-  books.coupling -= product(way, solution.fluid_force);
+  books.coupling -= dot(way, solution.fluid_force);
   books.solid_step += taken.inside - (stored(state.q) - stored(q0)) - solids_.system.gravity_energy(farther);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
+#include "algebra/krylov.hpp"
 #include "physics/box/step.hpp"
 
 namespace tether::coupled {
@@ -21,14 +22,14 @@ fem::SolidState solids_of(const CoupledState& state) {
 
 }  // namespace
 
-fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bool damped, Solution& solution) {
+fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bool by_euler, Solution& solution) {
   solution.held = solids_.held;
   find_regions_of(state, h, solution);
   tell_of_unmeasured_volume(solution.regions, state);
   const SystemCost before = system_.cost();
   around_.begin(fluid_of(state, h, solution), state.q, solution.p);
   fem::SolidState moved = solids_of(state);
-  fem::NewtonReport report = damped ? solid_step_->advance_damped(moved, h) : solid_step_->advance(moved, h);
+  fem::NewtonReport report = by_euler ? solid_step_->advance_by_euler(moved, h) : solid_step_->advance(moved, h);
   state.newton_steps += moved.newton_steps;
   state.iterations += system_.cost().iterations - before.iterations;
   if (report.converged) take_moved(moved, state, h, solution);
@@ -59,8 +60,8 @@ void CoupledStep::book_moved(const fem::SolidState& moved, const Solution& solut
   EnergyBooks& books = state.books;
   std::vector<double> way(moved.q);
   for (std::size_t k = 0; k < way.size(); ++k) way[k] -= state.q[k];
-  const double by_fluid = product(way, solution.fluid_force), outside = product(way, at_.map.outside),
-               weight = product(way, at_.map.film_weight), rubbed = product(way, drag_),
+  const double by_fluid = dot(way, solution.fluid_force), outside = dot(way, at_.map.outside),
+               weight = dot(way, at_.map.film_weight), rubbed = dot(way, drag_),
                springs = solids_.spring_energy(state.q) - solids_.spring_energy(moved.q);
   books.coupling -= by_fluid;
   books.open_sides += outside, books.gravity += weight;

@@ -56,21 +56,21 @@ BodyContact::BodyContact(const Solids& solids, double gravity, Team& team)
     modulus_.push_back(contact_.stiffness > 0 ? contact_.stiffness : part_of_modulus * youngs_modulus(region.law));
 }
 
-void BodyContact::begin(std::span<const double> q0, double dt, bool damped) {
+void BodyContact::begin(std::span<const double> q0, double dt) {
   surface_.places.find(q0, x0_);
   dt_ = dt;
   rule_.friction = dt > 0 ? contact_.friction : 0;
   ease_friction(1);
-  rule_.damped = damped || is_damped(contact_), rule_.at_end = false;
+  rule_.damped = is_damped(contact_), rule_.at_end = convex_ = false;
   met_ = EigenSparse();
   covered_ = covered_ && pairs_.hold(x0_);  // pairs are of places, not of steps
   if (covered_) measure_start();
   cover(x0_, x0_);
 }
 
-void BodyContact::begin_equilibrium(std::span<const double> q0, double dt) {
-  begin(q0, dt, false);
-  rule_.damped = false, rule_.at_end = true;
+void BodyContact::begin_at_end(std::span<const double> q0, double dt, bool convex) {
+  begin(q0, dt);
+  rule_.damped = false, rule_.at_end = true, convex_ = convex;
 }
 
 double BodyContact::modulus(int side) const {

@@ -24,13 +24,13 @@ class BodyContact {
   /// of what speed is slow [length/time2].
   BodyContact(const Solids& solids, double gravity, Team& team);
 
-  /// Begins a step of length dt from q0, damped where the deck or `damped` says so; with dt = 0 nothing rubs.
-  void begin(std::span<const double> q0, double dt, bool damped);
-  /// Begins one to an equilibrium at its end.
-  void begin_equilibrium(std::span<const double> q0, double dt);
+  /// Begins a step of length dt from q0, damped where the deck says so; with dt = 0 nothing rubs.
+  void begin(std::span<const double> q0, double dt);
+  /// Begins one whose forces are those of its end. With `convex` the derivatives of each side are made symmetric and
+  /// positive semi-definite, so that corrections by them lead down.
+  void begin_at_end(std::span<const double> q0, double dt, bool convex = false);
   /// Lets friction come up over so many times its way.
   void ease_friction(double times) { rule_.come_up = times * dt_ * stick_; }
-  bool damps() const { return rule_.damped; }
   bool rubs() const { return rule_.friction > 0; }
 
   /// Returns the part of the way from the start q0 to a step's first guess before surfaces stop it: what is left of the
@@ -101,6 +101,7 @@ class BodyContact {
   double gap_ = 0, guard_gap_ = 0, stick_ = 0, dt_ = 0;
   double guessed_far_ = 0;  // farthest that the step's first guess led a node along an axis [length]
   PairRule rule_;
+  bool convex_ = false;                                // whether derivatives are made positive semi-definite
   std::vector<double> x0_, x1_, ways_, place_forces_;  // of the surface's places
   std::vector<double> s0_;                             // squared distances of the pairs at the start
   bool covered_ = false;                               // whether the pairs are all that can meet

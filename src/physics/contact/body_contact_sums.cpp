@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/convex.hpp"
 #include "base/numbers.hpp"
 #include "loops/elements.hpp"
 #include "physics/contact/body_contact.hpp"
@@ -12,12 +13,6 @@ namespace tether::contact {
 // Sums over all that presses: forces, their derivatives, and what is reported of them.
 
 namespace {
-
-/// Calls f with the dimension as a constant.
-template <class Function>
-auto with_dim(int dim, const Function& f) {
-  return dim == 2 ? f(std::integral_constant<int, 2>{}) : f(std::integral_constant<int, 3>{});
-}
 
 using Triplets = std::vector<Eigen::Triplet<double, std::int64_t>>;
 
@@ -40,7 +35,8 @@ class SideMatrix {
     }
   }
   /// Hands all over, and begins again.
-  void flush(double factor, Triplets& numbers) {
+  void flush(double factor, bool convex, Triplets& numbers) {
+    if (convex) make_convex();
     const auto count = static_cast<Eigen::Index>(nodes_.size());
     for (Eigen::Index b = 0; b < count; ++b) {
       for (Eigen::Index a = 0; a < count; ++a) {
@@ -63,6 +59,12 @@ class SideMatrix {
     if (found != nodes_.end()) return found - nodes_.begin();
     nodes_.push_back(node);
     return static_cast<Eigen::Index>(nodes_.size()) - 1;
+  }
+  void make_convex() {
+    const auto rows = dim * static_cast<Eigen::Index>(nodes_.size());
+    auto used = matrix_.topLeftCorner(rows, rows);
+    const Eigen::MatrixXd symmetric = 0.5 * (used + used.transpose());
+    used = nearest_convex(symmetric);
   }
   void grow() {
     const Eigen::MatrixXd before = matrix_;
@@ -166,7 +168,7 @@ SparseMatrix BodyContact::with_slopes(const SparseMatrix& K, std::span<const dou
     SideMatrix<dim> matrix;
     int side = -1;
     each_force<dim>(true, [&](std::size_t k, const PlaceForces<dim>& forces) {
-      if (side_of(active_[k]) != side) matrix.flush(factor, numbers);
+      if (side_of(active_[k]) != side) matrix.flush(factor, convex_, numbers);
       side = side_of(active_[k]);
       for (int p = 0; p < forces.count; ++p) {
         for (int r = 0; r < forces.count; ++r)
@@ -174,7 +176,7 @@ SparseMatrix BodyContact::with_slopes(const SparseMatrix& K, std::span<const dou
                      forces.slope.template block<dim, dim>(p * dim, r * dim));
       }
     });
-    matrix.flush(factor, numbers);
+    matrix.flush(factor, convex_, numbers);
   });
   EigenSparse sum(K.n, K.n);
   sum.setFromTriplets(numbers.begin(), numbers.end());

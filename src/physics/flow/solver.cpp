@@ -236,8 +236,7 @@ Summary FlowSolver::more_summary() const {
   summary.push_back(line_of("nodes_carried", step_.immersed()->carried().nodes().size()));
   summary.push_back(line_of("node_spacing", fmt::format("{:.6g}", state_.doubts.spacing)));
   summary.push_back(line_of("cells_across", fmt::format("{:.6g}", state_.doubts.thinnest)));
-  for (auto& line : contact_summary(step_.immersed()->solids(), state_.contact.doubts))
-    summary.push_back(std::move(line));
+  add_contact_summary(step_.immersed()->solids(), state_.contact.doubts, summary);
   return summary;
 }
 

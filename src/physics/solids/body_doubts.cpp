@@ -134,8 +134,8 @@ void BodyDoubts::look_at_swings(std::span<const double> v0, std::span<const doub
 
 void BodyDoubts::look_at_balance(double residual, std::span<const double> q, std::span<const double> x, double time,
                                  BodyDoubtNumbers& doubts, std::vector<std::string>& messages) {
-  constexpr double most = 1e-4, still = 1e-12;
-  if (!(residual > most) || is_warned(doubts.warned, BodyDoubt::unbalanced)) return;
+  constexpr double still = 1e-12;
+  if (!(residual > most_unbalanced) || is_warned(doubts.warned, BodyDoubt::unbalanced)) return;
   double way = 0, extent = 0;
   for (std::size_t k = 0; k < q.size(); ++k)
     way = std::max(way, std::abs(q[k] - x[k])), extent = std::max(extent, std::abs(x[k]));

@@ -13,6 +13,9 @@
 
 namespace tether::fem {
 
+/// A residual over the largest force above which a shape is no equilibrium to rely on.
+inline constexpr double most_unbalanced = 1e-4;
+
 /// What a run warns of about bodies on a mesh, each once.
 enum class BodyDoubt { left_grid, turned, swings, unbalanced };
 

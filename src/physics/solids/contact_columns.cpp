@@ -15,16 +15,18 @@ ColumnGroup<MeshSetting, MeshSums> contact_columns() {
         .when(meets)
         .booked(Book::given);
   };
-  return {{last("energy_contact", Dimension::energy, "energy stored between surfaces that press each other",
-                &Numbers::energy),
-           taken("energy_friction", "energy that friction between surfaces has taken", &ContactState::rubbed),
-           taken("energy_contact_damped", "energy that contact has taken where it is damped", &ContactState::damped),
-           last("contact_force", Dimension::force, "sum of the sizes of the forces across surfaces in the last step",
-                &Numbers::pressing),
-           last("contact_gap", Dimension::length, "least distance of surfaces that press each other; 0 where none do",
-                &Numbers::least_gap),
-           last("contact_sides", Dimension::number, "sides of bodies that are nearer to another surface than the gap",
-                &Numbers::sides)}};
+  return {
+      {last("energy_contact", Dimension::energy, "energy stored between surfaces that press each other",
+            &Numbers::energy),
+       taken("energy_friction", "energy that friction between surfaces has taken", &ContactState::rubbed),
+       taken("energy_contact_damped",
+             "energy that contact has taken where it is damped, and in steps of backward Euler", &ContactState::damped),
+       last("contact_force", Dimension::force, "sum of the sizes of the forces across surfaces in the last step",
+            &Numbers::pressing),
+       last("contact_gap", Dimension::length, "least distance of surfaces that press each other; 0 where none do",
+            &Numbers::least_gap),
+       last("contact_sides", Dimension::number, "sides of bodies that are nearer to another surface than the gap",
+            &Numbers::sides)}};
 }
 
 }  // namespace tether::fem

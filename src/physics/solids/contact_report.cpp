@@ -17,10 +17,10 @@ void report_contact(const ContactDoubts& before, const ContactDoubts& now, doubl
         "t = {:.6g}: surfaces slide {:.3g} gaps past each other in a step: damped contact brakes them, the less the "
         "shorter the steps (with the square) and the larger the gap; step='energy' of $contact does not",
         time, now.slid));
-  if (before.damped_steps == 0 && now.damped_steps > 0)
+  if (before.euler_steps == 0 && now.euler_steps > 0)
     messages.push_back(fmt::format(
-        "t = {:.6g}: no step that keeps the energy leads on: contact is damped in this one, and in others like it "
-        "(contact_damped_steps of summary.txt counts them)",
+        "t = {:.6g}: no step that keeps the energy leads on: backward Euler takes this one, and others like it "
+        "(contact_euler_steps of summary.txt counts them; energy_damped and energy_contact_damped have what they took)",
         time));
   if (before.eased == 0 && now.eased > 0)
     messages.push_back(fmt::format(
@@ -29,10 +29,12 @@ void report_contact(const ContactDoubts& before, const ContactDoubts& now, doubl
         time));
 }
 
-Summary contact_summary(const Solids& solids, const ContactDoubts& doubts) {
-  if (!solids.contact) return {};
-  return {line_of("contact_gap", solids.contact->gap), line_of("contact_slid", doubts.slid),
-          line_of("contact_damped_steps", doubts.damped_steps), line_of("contact_eased_steps", doubts.eased)};
+void add_contact_summary(const Solids& solids, const ContactDoubts& doubts, Summary& summary) {
+  if (!solids.contact) return;
+  summary.push_back(line_of("contact_gap", solids.contact->gap));
+  summary.push_back(line_of("contact_slid", doubts.slid));
+  summary.push_back(line_of("contact_euler_steps", doubts.euler_steps));
+  summary.push_back(line_of("contact_eased_steps", doubts.eased));
 }
 
 namespace {

@@ -22,6 +22,7 @@ enum class StressAt { gradient, middle, end };
 struct ShapeVolumes {
   std::vector<double> of_region;
   double least = 0;       ///< det F at a point of quadrature
+  double least_seen = 0;  ///< the same, or the mean dilatation that a law of finite strains sees there, if that is less
   std::size_t worst = 0;  ///< its element
 };
 

@@ -77,8 +77,17 @@ std::vector<double> ElementsOf<Shapes>::volumes(int region) const {
 }
 
 template <class Shapes>
+double ElementsOf<Shapes>::least_mean_dilatation(const Places& at, std::size_t e) const {
+  std::array<double, std::size_t{points}> J, mean;
+  for (int k = 0; k < points; ++k) J[index(k)] = deformation(at, e, k).determinant();
+  modes_of(e).average(J, mean);
+  return std::ranges::min(mean);
+}
+
+template <class Shapes>
 ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
-  ShapeVolumes shape{std::vector<double>(solids_.regions.size(), 0.0), std::numeric_limits<double>::infinity(), 0};
+  constexpr double none = std::numeric_limits<double>::infinity();
+  ShapeVolumes shape{std::vector<double>(solids_.regions.size(), 0.0), none, none, 0};
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     const Places at = gathered(e, q);
     for (int k = 0; k < points; ++k) {
@@ -86,7 +95,10 @@ ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
       shape.of_region[static_cast<std::size_t>(mesh_.region[e])] += weight(e, k) * J;
       if (!(J >= shape.least)) shape.least = J, shape.worst = e;
     }
+    if (is_dilated(e) && !small_strains(law(e)))
+      shape.least_seen = std::min(shape.least_seen, least_mean_dilatation(at, e));
   }
+  shape.least_seen = std::min(shape.least_seen, shape.least);
   return shape;
 }
 

@@ -186,6 +186,7 @@ class ElementsOf final : public Elements {
     return seen;
   }
 
+  double least_mean_dilatation(const Places& at, std::size_t e) const;
   template <bool with_modulus>
   PointStress<dim> stress(StressAt rule, std::size_t e, int k, const Places& at0, const Places& at1) const {
     return point_stress<dim, with_modulus>(rule, law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],

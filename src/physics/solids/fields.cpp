@@ -166,12 +166,12 @@ void add_motion(const SolidState& state, const SolidSystem& system, const std::v
 }
 
 ColumnGroup<ColumnSetting, SolidSums> work_columns() {
-  using Row = Column<ColumnSetting, SolidSums>;
-  return {{Row("energy_loads", D::energy, "work that loads have done on the bodies", &SolidSums::of_loads)
-               .booked(Book::gained),
-           Row("energy_supports", D::energy, "work of supports and walls that move", &SolidSums::of_supports)
-               .booked(Book::gained),
-           Row("energy_damped", D::energy, "energy that damping has taken", &SolidSums::damped).booked(Book::given)}};
+  const auto row = [](const char* name, const char* what, double SolidSums::*number, Book book) {
+    return Column<ColumnSetting, SolidSums>(name, D::energy, what, number).booked(book);
+  };
+  return {{row("energy_loads", "work that loads have done on the bodies", &SolidSums::of_loads, Book::gained),
+           row("energy_supports", "work of supports and walls that move", &SolidSums::of_supports, Book::gained),
+           row("energy_damped", "energy that damping and backward Euler have taken", &SolidSums::damped, Book::given)}};
 }
 
 /// The supports of the deck, whose numbers ascend, and then walls: numbers of solids.supports.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "grid/shapes.hpp"
+#include "grid/side_tangents.hpp"
 
 namespace tether::fem {
 namespace {
@@ -25,21 +25,6 @@ std::vector<double> between(std::span<const double> q0, std::span<const double> 
   std::vector<double> q(q0.size());
   for (std::size_t k = 0; k < q.size(); ++k) q[k] = (1 - at) * q0[k] + at * q1[k];
   return q;
-}
-
-/// The derivatives of a side's map from its reference side, a column a direction of it.
-template <class Side>
-using Tangents = Eigen::Matrix<double, Side::dim + 1, Side::dim>;
-
-template <class Side>
-Tangents<Side> tangents_at(const int* nodes, std::span<const double> q, const Values<Side::nodes * Side::dim>& G) {
-  constexpr int dim = Side::dim + 1;
-  Tangents<Side> t = Tangents<Side>::Zero();
-  for (int a = 0; a < Side::nodes; ++a) {
-    const Eigen::Map<const Eigen::Matrix<double, dim, 1>> x(&q[static_cast<std::size_t>(nodes[a]) * dim]);
-    for (int i = 0; i < Side::dim; ++i) t.col(i) += x * G[at(a * Side::dim + i)];
-  }
-  return t;
 }
 
 /// The outward normal times the area over that of the reference side, and its derivative by the place of a node whose

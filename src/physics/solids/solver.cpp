@@ -93,12 +93,12 @@ void SolidSolver::step(double dt) {
       messages_);
 }
 
-/// Explicit steps have nothing to be halved for. A step that cannot be halved again takes damped contact.
+/// Explicit steps have nothing to be halved for. A step that cannot be halved again takes backward Euler.
 NewtonReport SolidSolver::advanced(double dt) {
   if (state_.time + dt <= state_.time) lose(dt);
   NewtonReport report = step_.advance(state_, dt);
-  if (!report.converged && step_.can_be_damped() && dt <= shortest_halved * plan_.step.deck_step)
-    report = step_.advance_damped(state_, dt);
+  if (!report.converged && step_.can_take_euler() && dt <= shortest_halved * plan_.step.deck_step)
+    report = step_.advance_by_euler(state_, dt);
   if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
   if (!report.residuals.empty()) state_.residual = report.residuals.back();
   if (report.converged && system_.solids.integrator == Integrator::equilibrium)
@@ -164,7 +164,7 @@ Summary SolidSolver::more_summary() const {
                   line_of("factor_nonzeros", cost.factor_nonzeros)};
   if (system_.solids.integrator == Integrator::equilibrium)
     summary.push_back(line_of("equilibrium_residual", state_.residual));
-  for (auto& line : contact_summary(system_.solids, state_.contact.doubts)) summary.push_back(std::move(line));
+  add_contact_summary(system_.solids, state_.contact.doubts, summary);
   return summary;
 }
 

@@ -46,7 +46,8 @@ SolidStep::SolidStep(const SolidSystem& system, Surroundings* surroundings)
       scratch_(system.unknowns()),
       touching_(system.unknowns(), 0.0),
       led_(system.unknowns()),
-      moved_(system.unknowns()) {
+      moved_(system.unknowns()),
+      stiffness_(system.unknowns(), 0.0) {
   if (system.solids.contact) contact_.emplace(system.solids, system.gravity(), system.team());
   if (system.solids.beta == 0) return;
   K0_ = system.pattern.matrix();
@@ -59,7 +60,7 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     return {std::isfinite(norm(state.v)), {}};
   }
   begin(state, dt);
-  if (contact_) return meet(state, dt, false);
+  if (contact_) return meet(state, dt);
   NewtonReport report;
   for (const NewtonRule& rule : newton_rules) {
     guess(state, dt);
@@ -121,15 +122,16 @@ void SolidStep::note_hold(SolidState& state) const {
 /// gravity's energy, which takes gravity out of the loads' work.
 void SolidStep::accept_motion(SolidState& state, double dt, double falling) {
   double loads = falling, supports = 0;
+  const double lost = rule_.euler ? lost_by_euler(state, dt) : 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) {
-    const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : 2 * way / dt - state.v[k];
+    const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : velocity_at_end(way / dt, state.v[k]);
     const double inertial_way = 0.5 * dt * (state.v[k] + v1);
     loads += outer_[k] * way;
     if (system_.held[k]) supports += inertia_[k] * inertial_way + (inner_[k] + damping_[k] - outer_[k]) * way;
     state.damped += damping_[k] * way;
     state.v[k] = v1;
   }
-  state.of_loads += loads, state.of_supports += supports;
+  state.of_loads += loads, state.of_supports += supports, state.damped += lost;
 }
 
 /// From equilibrium to equilibrium loads and the forces of supports work with the mean of both ends: exactly where the

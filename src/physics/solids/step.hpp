@@ -25,6 +25,8 @@ inline constexpr std::array newton_rules{NewtonRule{12, 0}, NewtonRule{25, 6}};
 
 /// Where bodies meet, surfaces stop corrections short, and stiffen from one to the next: more of them are needed.
 inline constexpr NewtonRule meeting_rule{100, 8};
+/// Backward Euler is for where these lead nowhere, and has a way down from anywhere.
+inline constexpr NewtonRule euler_rule{300, 20};
 
 /// How Newton's method went in a step.
 struct NewtonReport {
@@ -37,12 +39,14 @@ struct StepForces {
   StressAt at = StressAt::end;  ///< where between the step's ends the stress is taken
   bool dynamic = false;         ///< with inertia and damping, (17); else equilibrium at the step's end
   bool mean = false;            ///< inner and outer forces are the mean of both ends (trapezoidal rule)
+  bool euler = false;           ///< the velocity at the end is that over the step: backward Euler
   double loads_at = 1;          ///< part of the step after which the loads are taken, unless they are a mean
   Definite tangent = Definite::positive;
 };
 
 /// Those of an equilibrium, at the step's end.
 inline constexpr StepForces equilibrium_forces{.at = StressAt::end};
+inline constexpr StepForces euler_forces{.at = StressAt::end, .dynamic = true, .euler = true};
 
 /// Part of a step over which the velocities of supports are measured, to both sides of its end.
 constexpr double slope_width = 1e-3;
@@ -61,12 +65,12 @@ class SolidStep {
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
-  /// Does the same with damped contact, whatever the deck says: what is left where steps that keep the energy are
-  /// halved as often as they may be.
-  NewtonReport advance_damped(SolidState& state, double dt);
+  /// Does the same by backward Euler, which takes energy: what is left for bodies that meet where steps that keep the
+  /// energy are halved as often as they may be.
+  NewtonReport advance_by_euler(SolidState& state, double dt);
   /// Finds how bodies touch where they are.
   void look_at_contact(SolidState& state);
-  bool can_be_damped() const { return contact_ && !contact_->damps(); }
+  bool can_take_euler() const { return contact_ && rule_.dynamic; }
   /// Brings the state into equilibrium with the loads and supports of its time, at rest; by parts of them where all at
   /// once lead nowhere.
   NewtonReport settle(SolidState& state);
@@ -85,7 +89,7 @@ class SolidStep {
  private:
   NewtonReport settle_by(SolidState& state, double part);
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
-  NewtonReport meet(SolidState& state, double dt, bool damped);
+  NewtonReport meet(SolidState& state, double dt);
   NewtonReport meet_by_easing(SolidState& state, double dt);
   void approach(const SolidState& state);
   void begin(const SolidState& state, double dt);
@@ -96,11 +100,13 @@ class SolidStep {
   void add_pressures(const SolidState& state, double dt);
   double find_residual(const SolidState& state, double dt);
   double residual_after_correction(const SolidState& state, double dt, int shortenings, double before);
+  double residual_downhill(const SolidState& state, double dt, int shortenings, double before);
   double left_over(double residual) const;
   double next_correction();
   static bool stagnates(const std::vector<double>& residuals);
   bool leads_nowhere() const;
-  double rounding() const;
+  bool is_rounding() const;
+  void note_stiffness(const SparseMatrix& K);
   bool correct(const SolidState& state, double dt);
   bool solve(SparseMatrix& K);
   void go_on();
@@ -115,6 +121,10 @@ class SolidStep {
   void accept_motion(SolidState& state, double dt, double falling);
   void accept_equilibrium(SolidState& state);
   void note_hold(SolidState& state) const;
+  /// The velocity at the end of a step of which the mean is w, from v0 at its start: w = (v0 + v1)/2 (17), or w = v1.
+  double velocity_at_end(double w, double v0) const { return rule_.euler ? w : 2 * w - v0; }
+  double lost_by_euler(const SolidState& state, double dt) const;
+  double along_correction() const;
   void add_damping(double dt, std::span<const double> q0);
   void find_accelerations(std::span<const double> q, std::span<const double> v, double time, std::span<double> a);
   void explicit_step(SolidState& state, double dt);
@@ -135,7 +145,8 @@ class SolidStep {
   std::vector<double> moved_;           // velocities of supported nodes at the step's end
   std::vector<double> sizes_;           // of the residuals of corrections of bodies that meet [force]
   double part_ = 1;                     // of the last correction that was gone
-  double scale_ = 0, stiffest_ = 0;     // the largest force, and the largest number of the tangent
+  double scale_ = 0;                    // the largest force
+  std::vector<double> stiffness_;       // of each unknown the largest number of its row of the tangent
   SolidCost cost_;
 };
 

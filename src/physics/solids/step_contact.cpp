@@ -7,24 +7,17 @@ namespace tether::fem {
 // A step of bodies that meet. Places on the way never let a surface through another: the first guess and each
 // correction stop before the next one.
 
-NewtonReport SolidStep::meet(SolidState& state, double dt, bool damped) {
+NewtonReport SolidStep::meet(SolidState& state, double dt) {
   meets_ = false;
   guess(state, dt);
-  rule_.dynamic ? contact_->begin(state.q, dt, damped) : contact_->begin_equilibrium(state.q, dt);
+  rule_.at == StressAt::end ? contact_->begin_at_end(state.q, dt, rule_.euler) : contact_->begin(state.q, dt);
   meets_ = true;
   approach(state);
-  NewtonReport report = newton(state, dt, meeting_rule);
+  NewtonReport report = newton(state, dt, rule_.euler ? euler_rule : meeting_rule);
   state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (!report.converged && contact_->rubs()) report = meet_by_easing(state, dt);
   meets_ = false;
   if (report.converged) accept(state, dt);
-  return report;
-}
-
-NewtonReport SolidStep::advance_damped(SolidState& state, double dt) {
-  begin(state, dt);
-  NewtonReport report = meet(state, dt, true);
-  if (report.converged) ++state.contact.doubts.damped_steps;
   return report;
 }
 
@@ -74,7 +67,7 @@ void SolidStep::approach(const SolidState& state) {
 bool SolidStep::leads_nowhere() const {
   constexpr std::size_t many = 10;
   constexpr double little = 0.7;
-  return meets_ && sizes_.size() > many && !(sizes_.back() < little * sizes_[sizes_.size() - 1 - many]);
+  return meets_ && !rule_.euler && sizes_.size() > many && !(sizes_.back() < little * sizes_[sizes_.size() - 1 - many]);
 }
 
 bool SolidStep::supports_are_there() const {
@@ -107,10 +100,10 @@ void SolidStep::shorten_correction(double part) {
   constexpr double most_lost = 0.2;
   constexpr int most_halvings = 30;
   if (part < 1) shorten(part);
-  const double least = most_lost * std::min(1.0, system_.elements->shape(q1_).least);
+  const double least = most_lost * std::min(1.0, system_.elements->shape(q1_).least_seen);
   for (int k = 0; k < most_halvings; ++k) {
     for (std::size_t i = 0; i < q1_.size(); ++i) scratch_[i] = q1_[i] + change_[i];
-    if (system_.elements->shape(scratch_).least >= least) {
+    if (system_.elements->shape(scratch_).least_seen >= least) {
       return;
     }
     shorten(0.5);
@@ -119,7 +112,7 @@ void SolidStep::shorten_correction(double part) {
 
 void SolidStep::look_at_contact(SolidState& state) {
   if (!contact_) return;
-  contact_->begin_equilibrium(state.q, 0);
+  contact_->begin_at_end(state.q, 0);
   state.contact.last = contact_->numbers(state.q);
 }
 

@@ -14,9 +14,6 @@ namespace tether::fem {
 namespace {
 
 constexpr int most_backsteps = 10;
-/// Where bodies meet, what is no nearer to balance than this is no equilibrium, however stiff the barrier: a body that
-/// nothing holds.
-constexpr double unbalanced = 1e-4;
 
 double largest(const std::vector<double>& f) {
   double size = 0;
@@ -26,17 +23,18 @@ double largest(const std::vector<double>& f) {
 
 }  // namespace
 
-/// M (v1 - v0)/dt + inner + damping - outer with v1 = 2 (q1 - q0)/dt - v0 (17), of supported nodes the velocity that
-/// they are given, which that rule would let alternate about its mean for ever; its size over the largest of them,
-/// infinite where that is not finite.
+/// M (v1 - v0)/dt + inner + damping - outer with v1 of velocity_at_end(), of supported nodes the velocity that they are
+/// given, which (17) would let alternate about its mean for ever; its size over the largest of them, infinite where
+/// that is not finite.
 double SolidStep::find_residual(const SolidState& state, double dt) {
   std::fill(inertia_.begin(), inertia_.end(), 0.0);
   std::fill(damping_.begin(), damping_.end(), 0.0);
   if (rule_.dynamic) {
     add_damping(dt, state.q);
     for (std::size_t k = 0; k < q1_.size(); ++k) {
+      const double twice = rule_.euler ? 1 : 2;
       scratch_[k] =
-          system_.held[k] ? (moved_[k] - state.v[k]) / dt : 2 / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
+          system_.held[k] ? (moved_[k] - state.v[k]) / dt : twice / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
     }
     system_.multiply_mass(scratch_, inertia_);
   }
@@ -62,8 +60,9 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
     if (report.converged || leads_nowhere() || !correct(state, dt)) return report;
     report.residuals.push_back(residual_after_correction(state, dt, rule.most_shortenings, sizes_.back()));
     sizes_.push_back(left_over(report.residuals.back()));
-    report.converged = stagnates(report.residuals) && report.residuals.back() <= rounding() && is_whole() &&
-                       (!meets_ || rule_.dynamic || report.residuals.back() <= unbalanced);
+    // However stiff the barrier is where bodies meet, a body that nothing holds is in no equilibrium.
+    report.converged = stagnates(report.residuals) && is_rounding() && is_whole() &&
+                       (!meets_ || rule_.dynamic || report.residuals.back() <= most_unbalanced);
     if (report.converged) return report;
   }
   return report;
@@ -92,17 +91,35 @@ bool SolidStep::stagnates(const std::vector<double>& residuals) {
   return last > (last > large ? 0.9 : 0.5) * before;
 }
 
-/// Returns what rounding leaves of the residual over the largest force: the places are known to epsilon, and stiff
-/// bodies whose forces nearly cancel answer it with the tangent's largest number.
-double SolidStep::rounding() const {
+/// Returns whether the residual is what rounding leaves: the places are known to epsilon, and stiff bodies whose forces
+/// nearly cancel answer it with the tangent's largest number; each unknown with that of its own row, as a stiff contact
+/// says nothing of a soft body's inside.
+bool SolidStep::is_rounding() const {
   const double epsilon = std::numeric_limits<double>::epsilon(), n = static_cast<double>(q1_.size());
-  return epsilon * std::sqrt(n) * stiffest_ * largest(q1_) / scale_;
+  const double known = epsilon * std::sqrt(n) * largest(q1_);
+  double square = 0, stiffest = 0;
+  for (std::size_t k = 0; k < q1_.size(); ++k) {
+    stiffest = std::max(stiffest, stiffness_[k]);
+    if (system_.held[k]) continue;
+    if (!(std::abs(residual_[k]) <= known * stiffness_[k])) return false;
+    square += residual_[k] * residual_[k];
+  }
+  return std::sqrt(square) <= known * stiffest;
+}
+
+void SolidStep::note_stiffness(const SparseMatrix& K) {
+  std::fill(stiffness_.begin(), stiffness_.end(), 0.0);
+  for (std::size_t k = 0; k < K.value.size(); ++k) {
+    double& most = stiffness_[static_cast<std::size_t>(K.row[k])];
+    most = std::max(most, std::abs(K.value[k]));
+  }
 }
 
 /// A correction is halved while it turns an element inside out, and `shortenings` times at most where it leads away:
 /// where neither what is left over is less than `before` nor the next correction with the same tangent smaller than
 /// this one (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, 3.3).
 double SolidStep::residual_after_correction(const SolidState& state, double dt, int shortenings, double before) {
+  if (rule_.euler) return residual_downhill(state, dt, shortenings, before);
   const double length = norm(change_);
   for (int back = 0; back < most_backsteps; ++back) {
     find_forces(state, dt, true);
@@ -128,13 +145,19 @@ double SolidStep::next_correction() {
 bool SolidStep::correct(const SolidState& state, double dt) {
   const Seconds from = seconds_now();
   const Solids& solids = system_.solids;
-  const double share = rule_.mean ? 0.5 : 1, inertia = rule_.dynamic ? 2 / (dt * dt) + solids.alpha / dt : 0;
+  const double share = rule_.mean ? 0.5 : 1, twice = rule_.euler ? 1 : 2;
+  const double inertia = rule_.dynamic ? twice / (dt * dt) + solids.alpha / dt : 0;
   K_.set_zero();
-  system_.elements->add_tangent(rule_.at, state.q, q1_, inertia / share, system_.pattern, K_);
-  system_.add_pressure_tangent(state.time + (rule_.mean ? 1 : rule_.loads_at) * dt, rule_.at, state.q, q1_, -loaded_,
-                               K_);
-  stiffest_ = 0;
-  for (double& value : K_.value) stiffest_ = std::max(stiffest_, value *= share);
+  if (rule_.euler) {
+    system_.elements->add_stiffness(q1_, true, system_.pattern, K_);
+    system_.add_mass(inertia, K_);
+  } else {
+    system_.elements->add_tangent(rule_.at, state.q, q1_, inertia / share, system_.pattern, K_);
+    system_.add_pressure_tangent(state.time + (rule_.mean ? 1 : rule_.loads_at) * dt, rule_.at, state.q, q1_, -loaded_,
+                                 K_);
+  }
+  for (double& value : K_.value) value *= share;
+  note_stiffness(K_);
   if (rule_.dynamic && solids.beta != 0) {
     for (std::size_t k = 0; k < K_.value.size(); ++k) K_.value[k] += solids.beta / dt * K0_.value[k];
   }
@@ -142,7 +165,7 @@ bool SolidStep::correct(const SolidState& state, double dt) {
   if (meets_) {
     met = contact_->with_slopes(K_, q1_, share);
     lead_supports(met);
-    for (const double value : met.value) stiffest_ = std::max(stiffest_, std::abs(value));
+    note_stiffness(met);
   }
   cost_.assembly += seconds_now() - from;
   if (!solve(meets_ ? met : K_)) return false;
@@ -153,7 +176,7 @@ bool SolidStep::correct(const SolidState& state, double dt) {
 /// Finds the correction, into change, and shortens it where surfaces ask for that. False where the tangent is singular.
 bool SolidStep::solve(SparseMatrix& K) {
   const Stopwatch watch(cost_.solve);
-  hold(K, system_.held, stiffest_);
+  hold(K, system_.held, largest(stiffness_));
   part_ = 1;
   for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = system_.held[k] ? 0 : -residual_[k];
   if (surroundings_) {
@@ -161,7 +184,8 @@ bool SolidStep::solve(SparseMatrix& K) {
     for (std::size_t k = 0; k < change_.size(); ++k) change_[k] = meets_ && system_.held[k] ? led_[k] - q1_[k] : 0;
     if (!surroundings_->correct(K, scratch_, q1_, change_)) return false;
   } else {
-    if (!solver_.factorise(K, system_.has_pressures() ? Definite::general : rule_.tangent)) return false;
+    if (!solver_.factorise(K, system_.has_pressures() && !rule_.euler ? Definite::general : rule_.tangent))
+      return false;
     solver_.solve(change_, change_);
     cost_.factor_nonzeros = solver_.factor_nonzeros(), cost_.analysis = solver_.analysis();
   }

@@ -41,7 +41,7 @@ NewtonReport SolidStep::settle_by(SolidState& state, double part) {
       if (system_.held[k]) q1_[k] = x + part * (q1_[k] - x);
     }
     if (contact_) {
-      contact_->begin_equilibrium(state.q, 0);
+      contact_->begin_at_end(state.q, 0);
       approach(state);
       meets_ = true;
     }

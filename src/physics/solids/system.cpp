@@ -65,6 +65,22 @@ void SolidSystem::multiply_mass(std::span<const double> v, std::span<double> y) 
   }
 }
 
+/// A column's rows stand in the matrix node by node, dim each.
+void SolidSystem::add_mass(double factor, SparseMatrix& matrix) const {
+  const SparseMatrix& M = mass;
+  const std::int64_t d = dim();
+  for (std::int64_t node = 0; node < M.n; ++node) {
+    for (std::int64_t i = 0; i < d; ++i) {
+      const std::int64_t first = matrix.start[static_cast<std::size_t>(d * node + i)];
+      for (std::int64_t k = M.start[static_cast<std::size_t>(node)]; k < M.start[static_cast<std::size_t>(node + 1)];
+           ++k) {
+        const std::int64_t rank = k - M.start[static_cast<std::size_t>(node)];
+        matrix.value[static_cast<std::size_t>(first + d * rank + i)] += factor * M.value[static_cast<std::size_t>(k)];
+      }
+    }
+  }
+}
+
 void SolidSystem::external_forces(double time, std::span<double> f) const {
   const auto d = static_cast<std::size_t>(dim());
   for (std::size_t a = 0; a < weights.size(); ++a) {

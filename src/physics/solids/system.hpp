@@ -23,16 +23,16 @@ namespace tether::fem {
 
 /// What contact did that is doubtful, so far.
 struct ContactDoubts {
-  double slid = 0;             ///< farthest way past each other of damped surfaces in a step, over the gap
-  long long eased = 0;         ///< steps in which friction came up over a longer way than the deck's
-  long long damped_steps = 0;  ///< steps in which contact was damped because nothing else led on
+  double slid = 0;            ///< farthest way past each other of damped surfaces in a step, over the gap
+  long long eased = 0;        ///< steps in which friction came up over a longer way than the deck's
+  long long euler_steps = 0;  ///< steps by backward Euler because nothing else led on
 };
 
 /// How bodies touch: at the end of the last step, and what contact has taken so far.
 struct ContactState {
   contact::ContactNumbers last;
   double rubbed = 0;  ///< by friction [energy]
-  double damped = 0;  ///< where it is damped [energy]
+  double damped = 0;  ///< where it is damped, and in steps of backward Euler [energy]
   ContactDoubts doubts;
 
   /// Takes note of a step's end, in which contact took `work` in all [energy]; `gap` is that of the contact.
@@ -50,7 +50,7 @@ struct SolidState : StepClock {
   std::vector<double> a;     ///< accelerations, of central differences only [length/time2]
   double of_loads = 0;       ///< work that loads have done so far [energy]
   double of_supports = 0;    ///< work of supports and walls that lead nodes [energy]
-  double damped = 0;         ///< taken by damping so far [energy]
+  double damped = 0;         ///< taken by damping so far, and by steps of backward Euler [energy]
   std::vector<double> hold;  ///< what supports and walls did in the last step to unknowns that they hold [force]
   double residual = 0;       ///< that Newton's method ended the last step with, over the largest force
   long long newton_steps = 0, halvings = 0;
@@ -67,7 +67,7 @@ void exchange(Exchange& with, ContactState& contact) {
   with("contact_pressure", last.pressure), with("contact_friction", last.friction);
   with("contact_distance", last.distance);
   ContactDoubts& doubts = contact.doubts;
-  with("slid", doubts.slid), with("eased", doubts.eased), with("damped_steps", doubts.damped_steps);
+  with("slid", doubts.slid), with("eased", doubts.eased), with("euler_steps", doubts.euler_steps);
 }
 
 /// Lists what a step depends on over saver and restorer alike.
@@ -91,6 +91,8 @@ class SolidSystem {
   std::size_t unknowns() const { return solids.mesh.x.size(); }
   /// y = M v, the consistent mass matrix for each direction.
   void multiply_mass(std::span<const double> v, std::span<double> y) const;
+  /// Adds `factor` times this matrix to one of the pattern.
+  void add_mass(double factor, SparseMatrix& matrix) const;
   /// Forces that do not depend on the shape at a time: loads that keep their direction, and gravity [force].
   void external_forces(double time, std::span<double> f) const;
   /// Adds `factor` times those of pressures at a time between the shapes q0 and q1, where `at` says [force].

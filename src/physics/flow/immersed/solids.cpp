@@ -91,7 +91,7 @@ void ImmersedSolids::start(FlowState& state, double dt) {
   q0_ = q1_ = state.q;
   state.drift = state.w;
   if (!contact_) return;
-  contact_->begin(state.q, 0, false);
+  contact_->begin(state.q, 0);
   state.contact.last = contact_->numbers(state.q);
 }
 
@@ -118,7 +118,7 @@ void ImmersedSolids::begin(const FlowState& state, const ImmersedMoment& moment)
   system_.external_forces(loads_at, outer_);
   system_.add_pressures(loads_at, StressAt::end, middle_, middle_, outer_);
   for (double& force : outer_) force *= part;
-  if (contact_) contact_->begin(q0_, moment.sudden ? 0 : dt, false);
+  if (contact_) contact_->begin(q0_, moment.sudden ? 0 : dt);
   std::fill(change_.begin(), change_.end(), 0.0);
   system_.elements->predict_stress(StressAt::end, q0_, q0_, change_, stresses_);
   corrected_ = q0_;
