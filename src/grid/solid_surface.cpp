@@ -111,4 +111,18 @@ std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<cons
   return volumes;
 }
 
+std::vector<double> swept_volumes(const SolidSurface& surface, std::span<const double> middle,
+                                  std::span<const double> q0, std::span<const double> q1) {
+  std::vector<double> volumes(static_cast<std::size_t>(surface.sheets), 0.0);
+  for (std::size_t s = 0; s < surface.side_count(); ++s) {
+    const Vec<3> area = area_of_side(surface, s, middle);
+    for (const int node : surface.side(s)) {
+      const Vec<3> from = place_of(q0, node, surface.dim), to = place_of(q1, node, surface.dim);
+      for (std::size_t i = 0; i < 3; ++i)
+        volumes[static_cast<std::size_t>(surface.sheet[s])] += (to[i] - from[i]) * area[i] / surface.dim;
+    }
+  }
+  return volumes;
+}
+
 }  // namespace tether

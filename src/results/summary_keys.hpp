@@ -133,6 +133,8 @@ inline constexpr auto summary_rows = [] {
       SummaryRow{"contact_unsettled", boxes, number, "steps in which 60 such did not settle it"},
       SummaryRow{"cfl_largest", boxes, number, "most cells that the fluid crossed in a step"},
       SummaryRow{"thin_cells", boxes, number, "most cells that a body is too thin for", "mode='cut-cell'"},
+      SummaryRow{"volume_unswept", boxes, number,
+                 "volume of bodies that steps' sweeps left out, over the whole; of boxes with openings"},
       SummaryRow{"bodies_left", boxes, number, "bodies that were found wholly beyond a side of the box"},
       SummaryRow{"bodies_slip", boxes, number, "bodies along which a viscous fluid slips"},
       SummaryRow{"interface_mismatch", boxes, number, "worst mismatch of the power across the interface"},

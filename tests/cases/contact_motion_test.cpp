@@ -156,6 +156,21 @@ TEST(Contact, KeepsTurningBlocksInABox) {
   }
 }
 
+/// An obstacle much narrower than the sides of the body that falls on it, and than the gap, between two of its nodes.
+TEST(Contact, StopsABodyAtANeedle) {
+  for (const double width : {1e-4, 1e-3, 1e-2}) {
+    SCOPED_TRACE(width);
+    const DeckRun run = run_text(
+        "needle", frame(0.1, 0.005) +
+                      fmt::format("$reg nreg=1,nvi=4,xvi(1,1)=0.,.5,.5,0.,yvi(1,1)=.02,.02,.32,.32,densir(1)=1000.,"
+                                  "matr(1,1)=1e6,.3,vry(1)=-1. $\n$mesh element='q2',cells(1,1)=4,3 $\n"
+                                  "$fem law(1)='neo-hookean' $\n$contact obstacle(1,1)={:.6g},{:.6g},-.4,.01 $\n",
+                                  0.23 - width / 2, 0.23 + width / 2));
+    EXPECT_GT(run.last("body_vy_1"), 0.6);
+    EXPECT_LT(energy_off(run), 1e-9);
+  }
+}
+
 /// Two soft bodies, of which one is squeezed so that no step that keeps the energy leads on: backward Euler takes some
 /// steps, which are booked, and elements with next to no volume swell again.
 TEST(Contact, GoesOnByBackwardEulerWhereNothingElseLeadsOn) {

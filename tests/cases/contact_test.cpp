@@ -189,5 +189,28 @@ TEST(Contact, ExchangesTheVelocitiesOfBars) {
   EXPECT_NEAR(run.last("angular_momentum_z") / run.first("angular_momentum_z"), 1, 1e-10);
 }
 
+/// A cantilever that meets nothing bends as it does without contact, and supported blocks that go to meet each other
+/// carry nothing until they do.
+TEST(Contact, LeavesEquilibriaAloneThatMeetNothing) {
+  const std::string bar =
+      "$reg nreg=1,nvi=4,xvi(1,1)=0.,2.,2.,0.,yvi(1,1)=.55,.55,.65,.65,densir(1)=1000.,matr(1,1)=1e6,.3 $\n"
+      "$mesh element='q2',cells(1,1)=9,1 $\n$fem static=.true.,law(1)='neo-hookean',fix_on(1)='1.left',"
+      "fix(1:2,1)=0.,0.,load_on(1)='1.top',load(2,1)=-200. $\n";
+  const DeckRun free = run_text("free", frame(1, 0.1) + bar),
+                alone = run_text("alone", frame(1, 0.1) + bar + "$contact $\n");
+  EXPECT_LT(free.last("body_y_1"), 0.5);
+  EXPECT_NEAR(alone.last("body_y_1"), free.last("body_y_1"), 1e-9);
+  const DeckRun dies = run_text(
+      "dies", frame(1, 0.1) +
+                  "$reg nreg=2,nvi=4,4,xvi(1,1)=0.,1.,1.,0.,yvi(1,1)=.55,.55,1.05,1.05,xvi(1,2)=-.2,1.25,1.25,-.2,"
+                  "yvi(1,2)=0.,0.,.5,.5,densir=2*1000.,matr(1,1)=1e5,.3,matr(1,2)=4e5,.3 $\n"
+                  "$mesh cells(1,1)=3,2,cells(1,2)=5,3 $\n$fem static=.true.,law=2*'neo-hookean',"
+                  "fix_on(1)='2.bottom','1.top',fix(1:2,1)=0.,0.,fix(1:2,2)=0.,-.1 $\n$contact $\n");
+  const auto force = dies.history.column("contact_force");
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(force[k], 0) << k;
+  EXPECT_GT(force.back(), 1000);
+  EXPECT_LT(dies.summary.at("equilibrium_residual"), 1e-9);
+}
+
 }  // namespace
 }  // namespace tether::cases

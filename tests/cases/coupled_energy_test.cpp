@@ -70,6 +70,26 @@ TEST(CoupledEnergy, IsTakenWhereItIsNeeded) {
   EXPECT_TRUE(std::any_of(linear.messages.begin(), linear.messages.end(), says));
 }
 
+/// A soft block as heavy as the water, in a tank that is open above: what its surface sweeps is its volume to the
+/// second order, so that gravity does on the water what Archimedes says, and nothing feeds ripples.
+TEST(CoupledEnergy, SoftBodiesUnderAnOpenTopGetNoEnergyOfGravity) {
+  constexpr double gravity = 9.4, density = 1000;
+  const DeckRun run = run_text(
+      "soft-block",
+      "a soft block\n$in nx=24,ny=18,xleft=0.,xright=1.51,ybot=0.,ytop=1.13,tmax=3.,tstep=.02,gravc=-9.4,iout(33)=1,"
+      "tiout(33)=.02 $\n$reg nreg=1,nvi=4,xvi(1,1)=.5607,1.1133,1.0393,.4867,yvi(1,1)=.2907,.5243,.6993,.4657,"
+      "densir(1)=1000.,matr(1,1)=4.e5,.35 $\n$mesh element='q2',cells(1,1)=6,3 $\n$fem law='neo-hookean' $\n"
+      "$coupled density=1000.,side(4)='void',step='energy' $\n");
+  const double risen =
+      run.last("body_volume_1") * run.last("body_y_1") - run.first("body_volume_1") * run.first("body_y_1");
+  const double work = run.last("energy_gravity");
+  EXPECT_LT(risen, -1e-4);
+  EXPECT_NEAR(work / (density * gravity * risen), 1, 0.15);
+  EXPECT_LT(run.last("energy_kinetic"), 2);
+  EXPECT_LT(run.last("energy_strain"), 7);
+  EXPECT_LT(std::abs(run.summary.at("volume_unswept")), 1e-3);
+}
+
 /// In space, by factors and by GMRES.
 TEST(CoupledEnergy, InSpace) {
   const std::vector<std::string> space{

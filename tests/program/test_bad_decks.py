@@ -80,6 +80,7 @@ REQUIRED = {
     "contact_in_splitting", "contact_obstacle_half_given", "coupled_energy_by_splitting",
     "contact_obstacle_in_depth", "contact_obstacle_inverted", "contact_of_bodies_that_cross",
     "contact_of_bodies_that_overlap", "contact_of_nothing", "contact_on_an_inner_region", "contact_on_no_region",
+    "contact_obstacle_through", "contact_obstacle_within", "contact_in_a_box_overlap",
     "contact_on_no_side", "contact_plane_half_given", "contact_plane_in_space", "contact_plane_without_normal",
     "contact_pushed_by_friction", "contact_stick_backwards", "contact_unknown_step", "contact_unknown_wall",
     "contact_with_a_rigid_body", "contact_without_a_mesh", "contact_without_gap",

@@ -167,16 +167,21 @@ void Builder::add_guards() {
     surface_.guard_edges.push_back({{guard_place(ends[0]), guard_place(ends[1]), -1}, side});
 }
 
-/// The box's corners are fixed; its facets press and guard alike.
+/// The box's corners are fixed; its facets press and guard alike. Corners stand for as much area as the least of the
+/// bodies' nodes does: what is narrower than the bodies' sides is to stop them, too.
 void Builder::add_obstacle(const Box<3>& box) {
   const int dim = surface_.dim(), count = 1 << dim;
+  double least = 0;
+  for (const ContactPoint& guard : surface_.guards) {
+    if (guard.side >= 0 && (least == 0 || guard.area < least)) least = guard.area;
+  }
   std::vector<int> corners;
   std::vector<int> names;
   for (int c = 0; c < count; ++c) {
     Vec<3> place{};
     for (std::size_t i = 0; i < at(dim); ++i) place[i] = (c >> i & 1) == 1 ? box.high[i] : box.low[i];
     corners.push_back(surface_.places.add_fixed(place)), names.push_back(--own_);
-    surface_.guards.push_back({corners.back(), -1, 0});
+    surface_.guards.push_back({corners.back(), -1, least});
   }
   const auto add = [&](const std::vector<int>& of) {
     std::vector<int> places, called;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct Regions {
   std::vector<std::uint8_t> compliant;  ///< a velocity of the solids that is free changes its volume
   std::vector<double> source;           ///< flux out of each cell that brings the region's volume back [volume/time]
   std::vector<std::size_t> cells;       ///< how many it has
+
+  /// Returns whether fluid can get in or out of one.
+  bool has_openings() const { return std::ranges::count(closed, 0) > 0; }
 };
 
 /// Says of each region whether it is closed: no open face joins it with a side or a void.

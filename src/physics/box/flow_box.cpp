@@ -241,7 +241,7 @@ void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain) {
   find_regions(domain);
 }
 
-Placement Placer::at(std::span<const double> q) const {
+Placement Placer::at(std::span<const double> q, std::span<const double> middle) const {
   Placement at;
   const bool cut = scene_.coupling.cuts_faces;
   Cuts cuts{cut_surface(surface_, q, scene_.grid, cut ? 2 : 1), find_crossings(surface_, q, scene_.grid), {}};
@@ -250,6 +250,8 @@ Placement Placer::at(std::span<const double> q) const {
     cuts.cells = cut_cells(cuts.pieces, cuts.crossings, at.domain);
     at.domain = box_.around(cuts.crossings, cuts.cells);
   }
+  for (std::size_t s = 0; s < surface_.side_count() && !middle.empty(); ++s)
+    cuts.pieces.area[s] = area_of_side(surface_, s, middle);
   map(q, cuts, at);
   const std::vector<std::uint8_t> pockets = find_pockets(at.domain, at.map);
   if (std::find(pockets.begin(), pockets.end(), 1) != pockets.end()) {

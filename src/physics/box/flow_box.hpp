@@ -66,8 +66,9 @@ class Placer {
   Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside, Team& team)
       : team_(team), scene_(scene), surface_(surface), box_(box), outside_(outside) {}
 
-  /// Places the solids with their nodes at q.
-  Placement at(std::span<const double> q) const;
+  /// Places the solids with their nodes at q. Where `middle` is given, the map has the normals and areas of their sides
+  /// with the nodes there.
+  Placement at(std::span<const double> q, std::span<const double> middle = {}) const;
 
  private:
   /// How the surface lies in the grid.

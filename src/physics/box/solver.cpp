@@ -147,6 +147,7 @@ Summary CoupledSolver::more_summary() const {
                   line_of("contact_solutions", state_.contact_solutions),
                   line_of("contact_unsettled", state_.contact_unsettled),
                   line_of("thin_cells", state_.thin_cells),
+                  line_of("volume_unswept", state_.unswept),
                   line_of("cfl_largest", state_.cfl_largest),
                   line_of("nodes_inside", state_.overlap.most),
                   line_of("bodies_left", std::count(state_.left.begin(), state_.left.end(), 1)),

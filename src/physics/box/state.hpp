@@ -75,6 +75,7 @@ struct CoupledState : StepClock {
   fem::ContactState contact;                 ///< of steps that keep the energy
   long long newton_steps = 0, halvings = 0;  ///< of these
   double linear_gain = 0;           ///< most that a linear step gave turning bodies, over their energy of motion
+  double unswept = 0;               ///< volume that steps' sweeps left out so far, over that of the bodies
   long long contact_solutions = 0;  ///< solutions found again because of contact
   long long unmeasured = 0;         ///< 1 once it was reported that a closed volume is not held
   long long heated_up = 0;          ///< 1 once it was reported that friction has given more energy than it took
@@ -108,7 +109,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("cfl", state.last.cfl), with("cfl_largest", state.cfl_largest);
   with("work", state.work), with("contact_solutions", state.contact_solutions),
       with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
-  with("linear_gain", state.linear_gain), with("newton_steps", state.newton_steps), with("halvings", state.halvings);
+  with("linear_gain", state.linear_gain), with("unswept", state.unswept), with("newton_steps", state.newton_steps),
+      with("halvings", state.halvings);
   fem::exchange(with, state.contact), fem::exchange(with, state.overlap);
   with("left", state.left);
   with("unmeasured", state.unmeasured), with("heated_up", state.heated_up);

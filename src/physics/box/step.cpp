@@ -76,6 +76,7 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
     book_solids(q0, u0, solution, state, h);
     note_turning(state, h);
   }
+  note_unswept(q0, solution, state);
   state.last.cfl = cells_crossed(at_.domain, state.v, h);
   state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
   carry_smoke_along(state, h);

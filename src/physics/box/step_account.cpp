@@ -210,6 +210,27 @@ void CoupledStep::note_turning(CoupledState& state, double h) {
   state.linear_gain = std::max(state.linear_gain, gain);
 }
 
+/// A warning once: what surfaces sweep lacks what is of higher order in their way. In closed regions the volume term
+/// brings it back; where there is an opening, fluid comes in or goes out for it.
+void CoupledStep::note_unswept(std::span<const double> q0, const Solution& solution, CoupledState& state) {
+  constexpr double much = 0.05;
+  if (!solution.regions.has_openings()) return;
+  const std::vector<double> before = enclosed_volumes(surface_, q0), after = enclosed_volumes(surface_, state.q);
+  const std::span<const double> normals_at = solution.middle.empty() ? q0 : std::span<const double>(solution.middle);
+  const std::vector<double> swept = swept_volumes(surface_, normals_at, q0, state.q);
+  double lacking = 0, whole = 0;
+  for (std::size_t s = 0; s < swept.size(); ++s)
+    lacking += after[s] - before[s] - swept[s], whole += std::abs(first_volumes_[s]);
+  if (whole == 0) return;
+  const double last = std::abs(state.unswept), now = std::abs(state.unswept += lacking / whole);
+  if (last > much || now <= much) return;
+  messages_.push_back(fmt::format(
+      "t = {:.6g}, step {}: bodies turn or ripple so far in single steps that {:.2g} of their volume went through "
+      "openings of the box for it, and with it energy of gravity: step='energy' of $coupled, or shorter steps, with "
+      "whose length it falls (volume_unswept of summary.txt has the sum)",
+      state.time, state.steps + 1, now));
+}
+
 /// A warning once, where the cells are first too wide for the bodies.
 void CoupledStep::note_thin_bodies(double time, CoupledState& state) {
   if (!coupled_.coupling.cuts_faces) return;

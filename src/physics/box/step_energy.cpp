@@ -30,9 +30,28 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bo
   around_.begin(fluid_of(state, h, solution), state.q, solution.p);
   fem::SolidState moved = solids_of(state);
   fem::NewtonReport report = by_euler ? solid_step_->advance_by_euler(moved, h) : solid_step_->advance(moved, h);
+  if (report.converged && solution.regions.has_openings())
+    report = sweep_by_middle(state, h, by_euler, moved, solution);
   state.newton_steps += moved.newton_steps;
   state.iterations += system_.cost().iterations - before.iterations;
   if (report.converged) take_moved(moved, state, h, solution);
+  return report;
+}
+
+/// Takes the step again with the normals and areas that the surface has in the middle of the way that was found. With
+/// those of the start it sweeps its way to the first order only: what is lacking, of one sign where bodies turn or
+/// ripple, would come in through the box's openings and be gone with the next cells, and its energy of gravity with it
+/// would feed the ripples.
+fem::NewtonReport CoupledStep::sweep_by_middle(const CoupledState& state, double h, bool by_euler,
+                                               fem::SolidState& moved, Solution& solution) {
+  solution.middle.resize(state.q.size());
+  for (std::size_t k = 0; k < state.q.size(); ++k) solution.middle[k] = 0.5 * (state.q[k] + moved.q[k]);
+  at_ = placer_.at(state.q, solution.middle);
+  around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
+  fem::SolidState again = solids_of(state);
+  again.newton_steps = moved.newton_steps;
+  fem::NewtonReport report = by_euler ? solid_step_->advance_by_euler(again, h) : solid_step_->advance_again(again, h);
+  moved = std::move(again);
   return report;
 }
 

@@ -73,6 +73,11 @@ void BodyContact::begin_at_end(std::span<const double> q0, double dt, bool conve
   rule_.damped = false, rule_.at_end = true, convex_ = convex;
 }
 
+bool BodyContact::presses(std::span<const double> q1) {
+  place(q1);
+  return !active_.empty();
+}
+
 double BodyContact::modulus(int side) const {
   return side < 0 ? INFINITY : modulus_[tether::at(surface_.side_region[tether::at(side)])];
 }

@@ -40,6 +40,8 @@ class BodyContact {
   /// Returns the part of a correction from q before they stop it, 0.4 of their distance left; it goes no farther along
   /// an axis than the guess did or a side is long: all that farther ways pass would have to be looked at.
   double part_of_correction(std::span<const double> q, std::span<const double> change);
+  /// Returns whether anything presses at q1, or did at the start.
+  bool presses(std::span<const double> q1);
   /// Adds what surfaces do against the forces from outside: the derivative of their energy, and friction.
   void add_forces(std::span<const double> q1, std::span<double> f);
   /// Returns K with `factor` times the derivative of these by q1. Its pattern grows from the step's beginning on by all

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algebra/krylov.hpp"
 
@@ -72,6 +73,11 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   return report;
 }
 
+NewtonReport SolidStep::advance_again(SolidState& state, double dt) {
+  again_ = true;
+  return advance(state, dt);
+}
+
 void SolidStep::begin(const SolidState& state, double dt) {
   find_dead_forces(state.time, dt);
   if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
@@ -81,6 +87,7 @@ void SolidStep::begin(const SolidState& state, double dt) {
 /// the smaller residual.
 void SolidStep::guess(const SolidState& state, double dt) {
   if (surroundings_) surroundings_->go_back();
+  if (std::exchange(again_, false)) return;  // where the last step ended
   if (!rule_.dynamic) {
     q1_ = state.q;
     return system_.place_supports(state.time + dt, q1_);

@@ -65,6 +65,8 @@ class SolidStep {
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
+  /// Does the same from the places on that it ended at the last time, for surroundings that have changed a little.
+  NewtonReport advance_again(SolidState& state, double dt);
   /// Does the same by backward Euler, which takes energy: what is left for bodies that meet where steps that keep the
   /// energy are halved as often as they may be.
   NewtonReport advance_by_euler(SolidState& state, double dt);
@@ -90,6 +92,7 @@ class SolidStep {
   NewtonReport settle_by(SolidState& state, double part);
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
   NewtonReport meet(SolidState& state, double dt);
+  NewtonReport go_by_itself(SolidState& state, double dt);
   NewtonReport meet_by_easing(SolidState& state, double dt);
   void approach(const SolidState& state);
   void begin(const SolidState& state, double dt);
@@ -106,6 +109,8 @@ class SolidStep {
   static bool stagnates(const std::vector<double>& residuals);
   bool leads_nowhere() const;
   bool is_rounding() const;
+  double known_places() const;
+  bool nothing_acts() const;
   void note_stiffness(const SparseMatrix& K);
   bool correct(const SolidState& state, double dt);
   bool solve(SparseMatrix& K);
@@ -136,6 +141,7 @@ class SolidStep {
   SparseSolver solver_;
   std::optional<contact::BodyContact> contact_;
   bool meets_ = false;   // whether the forces of contact are asked
+  bool again_ = false;   // whether the last step's places are the first guess
   SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
   // Places at the step's end; forces: inner ones at the start (trapezoidal rule), inner, outer, of these the ones that
   // the shape does not change, inertia, damping; their sum, the residual; the correction; and what is in between.

@@ -9,6 +9,10 @@ namespace tether::fem {
 
 NewtonReport SolidStep::meet(SolidState& state, double dt) {
   meets_ = false;
+  if (!rule_.dynamic) {
+    NewtonReport report = go_by_itself(state, dt);
+    if (report.converged) return report;
+  }
   guess(state, dt);
   rule_.at == StressAt::end ? contact_->begin_at_end(state.q, dt, rule_.euler) : contact_->begin(state.q, dt);
   meets_ = true;
@@ -18,6 +22,26 @@ NewtonReport SolidStep::meet(SolidState& state, double dt) {
   if (!report.converged && contact_->rubs()) report = meet_by_easing(state, dt);
   meets_ = false;
   if (report.converged) accept(state, dt);
+  return report;
+}
+
+/// The next equilibrium where nothing meets anything, neither before nor after, nor on the straight way: slender bodies
+/// find theirs through larger residuals than contact bears.
+NewtonReport SolidStep::go_by_itself(SolidState& state, double dt) {
+  contact_->begin_at_end(state.q, dt);
+  if (contact_->presses(state.q)) return {};
+  NewtonReport report;
+  for (const NewtonRule& rule : newton_rules) {
+    guess(state, dt);
+    report = newton(state, dt, rule);
+    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
+    if (report.converged) break;
+  }
+  if (!report.converged) return report;
+  for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - state.q[k];
+  if (contact_->part_of_guess(state.q, change_) < 1 || contact_->presses(q1_)) return {};
+  std::fill(touching_.begin(), touching_.end(), 0.0);
+  accept(state, dt);
   return report;
 }
 

@@ -14,6 +14,8 @@ namespace tether::fem {
 namespace {
 
 constexpr int most_backsteps = 10;
+/// Times the tolerance that does where corrections of bodies that meet gain no more.
+constexpr double where_it_ends = 100;
 
 double largest(const std::vector<double>& f) {
   double size = 0;
@@ -56,13 +58,13 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
   sizes_.assign(1, left_over(report.residuals.back()));
   cost_.assembly += seconds_now() - from;
   for (int k = 0; k < rule.most_iterations; ++k) {
-    report.converged = report.residuals.back() <= system_.solids.tolerance && is_whole();
-    if (report.converged || leads_nowhere() || !correct(state, dt)) return report;
+    const bool ends = leads_nowhere();
+    report.converged = report.residuals.back() <= (ends ? where_it_ends : 1) * system_.solids.tolerance && is_whole();
+    if (report.converged || ends || !correct(state, dt)) return report;
     report.residuals.push_back(residual_after_correction(state, dt, rule.most_shortenings, sizes_.back()));
     sizes_.push_back(left_over(report.residuals.back()));
-    // However stiff the barrier is where bodies meet, a body that nothing holds is in no equilibrium.
-    report.converged = stagnates(report.residuals) && is_rounding() && is_whole() &&
-                       (!meets_ || rule_.dynamic || report.residuals.back() <= most_unbalanced);
+    report.converged = stagnates(report.residuals) && is_rounding() && is_whole();
+    if (report.converged && nothing_acts()) report.residuals.back() = 0;
     if (report.converged) return report;
   }
   return report;
@@ -95,8 +97,7 @@ bool SolidStep::stagnates(const std::vector<double>& residuals) {
 /// nearly cancel answer it with the tangent's largest number; each unknown with that of its own row, as a stiff contact
 /// says nothing of a soft body's inside.
 bool SolidStep::is_rounding() const {
-  const double epsilon = std::numeric_limits<double>::epsilon(), n = static_cast<double>(q1_.size());
-  const double known = epsilon * std::sqrt(n) * largest(q1_);
+  const double known = known_places();
   double square = 0, stiffest = 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     stiffest = std::max(stiffest, stiffness_[k]);
@@ -105,6 +106,17 @@ bool SolidStep::is_rounding() const {
     square += residual_[k] * residual_[k];
   }
   return std::sqrt(square) <= known * stiffest;
+}
+
+/// To what places are known, in sums over all of them [length].
+double SolidStep::known_places() const {
+  return std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(q1_.size())) * largest(q1_);
+}
+
+/// Returns whether all forces are no more than rounding: bodies that move as rigid ones, and that nothing loads.
+bool SolidStep::nothing_acts() const {
+  constexpr double few = 10;
+  return scale_ <= few * known_places() * largest(stiffness_);
 }
 
 void SolidStep::note_stiffness(const SparseMatrix& K) {

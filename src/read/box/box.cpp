@@ -79,6 +79,7 @@ void add_bodies(const Deck& deck, Scene& scene, Coupled& coupled, Diagnostics& d
     solids->integrator = Integrator::energy;
     solids->contact = contact_in_box(deck, scene, coupled, *solids, diagnostics);
   }
+  check_overlaps(deck, *solids, diagnostics);
   set_solids(scene.physics, std::move(solids));
 }
 

@@ -189,7 +189,7 @@ void check_overlaps(const Deck& deck, const Solids& solids, Diagnostics& diagnos
       found.nodes == 0 ? text.of(crossed) : text.of(found, finder.depth(found, mesh.x)),
       stopped ? "$contact stops bodies that start apart from one another: place them apart"
               : "nothing stops bodies at one another: what they do where they overlap is wrong; place them apart, and "
-                "$contact of elastic bodies without a fluid keeps them so"));
+                "$contact keeps elastic ones so"));
 }
 
 namespace {

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "base/numbers.hpp"
 #include "grid/contact/apart.hpp"
+#include "grid/winding.hpp"
 #include "read/values.hpp"
 
 namespace tether {
@@ -48,6 +51,48 @@ void warn_of_laws(const Deck& deck, const Solids& solids, Diagnostics& diagnosti
                     "out: bodies that meet hard come to grief",
                     number),
         fmt::format("law({})='neo-hookean' resists; small strains agree", number)));
+    return;
+  }
+}
+
+namespace {
+
+/// A place of a box's edges that lies in a body, of places no farther apart than `spacing`; a box that touches a body
+/// has none.
+std::optional<Vec<3>> place_in_bodies(const SolidSurface& surface, std::span<const double> x, Box<3> box,
+                                      double spacing) {
+  constexpr int most = 400;  // places of an edge
+  constexpr double within = 1e-6;
+  for (std::size_t i = 0; i < at(surface.dim); ++i) box.low[i] += within * spacing, box.high[i] -= within * spacing;
+  for (int corner = 0; corner < 1 << surface.dim; ++corner) {
+    for (int axis = 0; axis < surface.dim; ++axis) {
+      if ((corner >> axis & 1) != 0) continue;  // the edge belongs to its lower corner
+      const double length = box.high[at(axis)] - box.low[at(axis)];
+      const int parts = static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0, double{most}));
+      for (int k = 0; k <= parts; ++k) {
+        Vec<3> place{};
+        for (int i = 0; i < surface.dim; ++i) place[at(i)] = (corner >> i & 1) != 0 ? box.high[at(i)] : box.low[at(i)];
+        place[at(axis)] += length * k / parts;
+        if (winding(surface, x, place) > 0.5) return place;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_obstacles(const Deck& deck, const Solids& solids, const Contact& contact, Diagnostics& diagnostics) {
+  const SolidSurface surface = surface_of(solids.mesh);
+  const double spacing = 0.5 * contact_surface(solids.mesh, contact.nodes, {}).shortest;
+  for (const Box<3>& box : contact.obstacles) {
+    const auto place = place_in_bodies(surface, solids.mesh.x, box, spacing);
+    if (!place) continue;
+    diagnostics.add(deck.remark_on_group(
+        Severity::error, "contact",
+        fmt::format("an obstacle reaches into a body at the start, at ({:.6g}, {:.6g}{})", (*place)[0], (*place)[1],
+                    surface.dim == 3 ? fmt::format(", {:.6g}", (*place)[2]) : ""),
+        "bodies start out of obstacles"));
     return;
   }
 }

@@ -159,7 +159,7 @@ void add_solids_on(std::optional<Mesh> mesh, const Deck& deck, Scene& scene, Dia
   add_loads(deck, solids, diagnostics);
   track_places(deck, solids, diagnostics);
   solids.contact = contact_of(deck, scene, solids, diagnostics);
-  check_overlaps(deck, solids, diagnostics);
+  if (scene.path() != Path::coupled) check_overlaps(deck, solids, diagnostics);
   if (scene.rigid()) {
     check_rigid_places(deck, *scene.rigid(), solids.mesh, diagnostics);
     check_rigid_walls(deck, scene, solids.mesh, diagnostics);
