@@ -62,6 +62,13 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
   }
   begin(state, dt);
   if (contact_) return meet(state, dt);
+  NewtonReport report = find_end(state, dt);
+  if (report.converged) accept(state, dt);
+  return report;
+}
+
+/// Finds the places at the step's end where nothing meets.
+NewtonReport SolidStep::find_end(SolidState& state, double dt) {
   NewtonReport report;
   for (const NewtonRule& rule : newton_rules) {
     guess(state, dt);
@@ -69,7 +76,6 @@ NewtonReport SolidStep::advance(SolidState& state, double dt) {
     state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
     if (report.converged) break;
   }
-  if (report.converged) accept(state, dt);
   return report;
 }
 

@@ -91,6 +91,7 @@ class SolidStep {
  private:
   NewtonReport settle_by(SolidState& state, double part);
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
+  NewtonReport find_end(SolidState& state, double dt);
   NewtonReport meet(SolidState& state, double dt);
   NewtonReport go_by_itself(SolidState& state, double dt);
   NewtonReport meet_by_easing(SolidState& state, double dt);
@@ -128,6 +129,8 @@ class SolidStep {
   void note_hold(SolidState& state) const;
   /// The velocity at the end of a step of which the mean is w, from v0 at its start: w = (v0 + v1)/2 (17), or w = v1.
   double velocity_at_end(double w, double v0) const { return rule_.euler ? w : 2 * w - v0; }
+  /// Its derivative by w.
+  double end_per_mean() const { return rule_.euler ? 1 : 2; }
   double lost_by_euler(const SolidState& state, double dt) const;
   double along_correction() const;
   void add_damping(double dt, std::span<const double> q0);

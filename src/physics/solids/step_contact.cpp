@@ -30,13 +30,7 @@ NewtonReport SolidStep::meet(SolidState& state, double dt) {
 NewtonReport SolidStep::go_by_itself(SolidState& state, double dt) {
   contact_->begin_at_end(state.q, dt);
   if (contact_->presses(state.q)) return {};
-  NewtonReport report;
-  for (const NewtonRule& rule : newton_rules) {
-    guess(state, dt);
-    report = newton(state, dt, rule);
-    state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
-    if (report.converged) break;
-  }
+  NewtonReport report = find_end(state, dt);
   if (!report.converged) return report;
   for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - state.q[k];
   if (contact_->part_of_guess(state.q, change_) < 1 || contact_->presses(q1_)) return {};

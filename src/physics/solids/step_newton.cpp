@@ -34,9 +34,8 @@ double SolidStep::find_residual(const SolidState& state, double dt) {
   if (rule_.dynamic) {
     add_damping(dt, state.q);
     for (std::size_t k = 0; k < q1_.size(); ++k) {
-      const double twice = rule_.euler ? 1 : 2;
-      scratch_[k] =
-          system_.held[k] ? (moved_[k] - state.v[k]) / dt : twice / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
+      scratch_[k] = system_.held[k] ? (moved_[k] - state.v[k]) / dt
+                                    : end_per_mean() / dt * ((q1_[k] - state.q[k]) / dt - state.v[k]);
     }
     system_.multiply_mass(scratch_, inertia_);
   }
@@ -157,8 +156,8 @@ double SolidStep::next_correction() {
 bool SolidStep::correct(const SolidState& state, double dt) {
   const Seconds from = seconds_now();
   const Solids& solids = system_.solids;
-  const double share = rule_.mean ? 0.5 : 1, twice = rule_.euler ? 1 : 2;
-  const double inertia = rule_.dynamic ? twice / (dt * dt) + solids.alpha / dt : 0;
+  const double share = rule_.mean ? 0.5 : 1;
+  const double inertia = rule_.dynamic ? end_per_mean() / (dt * dt) + solids.alpha / dt : 0;
   K_.set_zero();
   if (rule_.euler) {
     system_.elements->add_stiffness(q1_, true, system_.pattern, K_);
