@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "algebra/convex.hpp"
+
 namespace tether {
 
 Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) { return A.partialPivLu().solve(b); }
@@ -20,6 +22,11 @@ Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& A, const Eigen::VectorX
 }
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A) { return A.completeOrthogonalDecomposition().pseudoInverse(); }
+
+Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A) {
+  const Eigen::MatrixXd symmetric = 0.5 * (A + A.transpose());
+  return nearest_convex(symmetric);
+}
 
 Eigen::Index rank(const Eigen::MatrixXd& A, double threshold) {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);

@@ -23,6 +23,9 @@ Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& A, const Eigen::VectorX
 /// The matrix that gives smallest_solution() for any b.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A);
 
+/// The positive semi-definite matrix nearest to the symmetric part of A.
+Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A);
+
 /// Columns that are independent: of a QR with columns exchanged, those whose pivot is above `threshold` of the largest.
 Eigen::Index rank(const Eigen::MatrixXd& A, double threshold);
 

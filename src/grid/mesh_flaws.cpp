@@ -89,11 +89,15 @@ int region_with(const Mesh& mesh, const std::vector<int>& nodes) {
 
 }  // namespace
 
+std::string place_text(const Vec<3>& x, int dim) {
+  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", x[0], x[1])
+                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
+}
+
 std::string place_text(const Mesh& mesh, int node) {
   const auto dim = static_cast<std::size_t>(mesh.dim());
   const double* at = &mesh.x[static_cast<std::size_t>(node) * dim];
-  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", at[0], at[1])
-                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
+  return place_text({at[0], at[1], dim == 3 ? at[2] : 0}, mesh.dim());
 }
 
 std::vector<std::size_t> inverted_elements(const Mesh& mesh) {

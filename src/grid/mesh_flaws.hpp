@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "grid/mesh.hpp"
 
 namespace tether {
@@ -17,7 +18,8 @@ struct MeshFlaw {
   std::string hint = {};  ///< what would be right
 };
 
-/// "(x, y)" or "(x, y, z)" of a node.
+/// "(x, y)" or "(x, y, z)" of a place, and of a node.
+std::string place_text(const Vec<3>& x, int dim);
 std::string place_text(const Mesh& mesh, int node);
 
 /// Elements whose Jacobian is not positive at a point of quadrature, in ascending order.

@@ -230,6 +230,16 @@ Overlap OverlapFinder::find(std::span<const double> q) {
   return found;
 }
 
+std::optional<Vec<3>> OverlapFinder::find_held(std::span<const Vec<3>> places, std::span<const double> q) {
+  find_boxes(q);
+  for (const Part& part : parts_) {
+    sort_facets(part, q);
+    const auto held = std::ranges::find_if(places, [&](const Vec<3>& x) { return is_deep_in(part, q, x, false); });
+    if (held != places.end()) return *held;
+  }
+  return std::nullopt;
+}
+
 double OverlapFinder::depth(const Overlap& overlap, std::span<const double> q) const {
   const std::span<const int> facets = parts_[at(overlap.other)].facets;
   const std::size_t d = at(dim_);

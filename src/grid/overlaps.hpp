@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,8 @@ class OverlapFinder {
   /// The first two bodies whose sides cross by more than touching, whether or not a node is inside: coarse bodies that
   /// lie across each other have none there.
   CrossedSides find_crossed(std::span<const double> q);
+  /// The first of some places that lies inside a body by more than touching.
+  std::optional<Vec<3>> find_held(std::span<const Vec<3>> places, std::span<const double> q);
   /// Returns how far the node of an overlap with another body is from the nearest side of that one [length].
   double depth(const Overlap& overlap, std::span<const double> q) const;
 

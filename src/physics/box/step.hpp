@@ -84,8 +84,7 @@ class CoupledStep {
   Solution begin_solution(const CoupledState& state, double h) const;
   FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
   fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool by_euler, Solution& solution);
-  fem::NewtonReport sweep_by_middle(const CoupledState& state, double h, bool by_euler, fem::SolidState& moved,
-                                    Solution& solution);
+  void begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution);
   void take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution);
   void book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state);
   void look_at_contact(CoupledState& state);

@@ -29,30 +29,33 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bo
   const SystemCost before = system_.cost();
   around_.begin(fluid_of(state, h, solution), state.q, solution.p);
   fem::SolidState moved = solids_of(state);
-  fem::NewtonReport report = by_euler ? solid_step_->advance_by_euler(moved, h) : solid_step_->advance(moved, h);
-  if (report.converged && solution.regions.has_openings())
-    report = sweep_by_middle(state, h, by_euler, moved, solution);
+  const auto advance = [&](fem::SolidState& solids) {
+    return by_euler ? solid_step_->advance_by_euler(solids, h) : solid_step_->advance(solids, h);
+  };
+  fem::NewtonReport report = advance(moved);
+  if (report.converged && solution.regions.has_openings()) {
+    begin_by_middle(state, moved.q, h, solution);
+    const long long newton_steps = moved.newton_steps;
+    moved = solids_of(state);
+    moved.newton_steps = newton_steps;
+    report = advance(moved);
+  }
   state.newton_steps += moved.newton_steps;
   state.iterations += system_.cost().iterations - before.iterations;
   if (report.converged) take_moved(moved, state, h, solution);
   return report;
 }
 
-/// Takes the step again with the normals and areas that the surface has in the middle of the way that was found. With
-/// those of the start it sweeps its way to the first order only: what is lacking, of one sign where bodies turn or
-/// ripple, would come in through the box's openings and be gone with the next cells, and its energy of gravity with it
-/// would feed the ripples.
-fem::NewtonReport CoupledStep::sweep_by_middle(const CoupledState& state, double h, bool by_euler,
-                                               fem::SolidState& moved, Solution& solution) {
-  solution.middle.resize(state.q.size());
-  for (std::size_t k = 0; k < state.q.size(); ++k) solution.middle[k] = 0.5 * (state.q[k] + moved.q[k]);
+/// Begins the step again with the normals and areas that the surface has in the middle of the way to q1. With those of
+/// the start it sweeps its way to the first order only: what is lacking, of one sign where bodies turn or ripple, would
+/// come in through the box's openings and be gone with the next cells, and its energy of gravity would feed the
+/// ripples.
+void CoupledStep::begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution) {
+  solution.middle.resize(q1.size());
+  for (std::size_t k = 0; k < q1.size(); ++k) solution.middle[k] = 0.5 * (state.q[k] + q1[k]);
   at_ = placer_.at(state.q, solution.middle);
   around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
-  fem::SolidState again = solids_of(state);
-  again.newton_steps = moved.newton_steps;
-  fem::NewtonReport report = by_euler ? solid_step_->advance_by_euler(again, h) : solid_step_->advance_again(again, h);
-  moved = std::move(again);
-  return report;
+  solid_step_->start_where_it_ended();
 }
 
 /// Takes over what was found. Held nodes, too, sweep what takes them to where they are led.

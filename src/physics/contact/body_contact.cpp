@@ -31,14 +31,14 @@ double slow_speed(const Solids& solids, double gravity) {
   return fastest > 0 ? part * fastest : part_of_waves * waves;
 }
 
-/// How near surfaces may come in one correction that are `away` from each other: what presses them is then of the size
-/// that it has to be, or grows by some times.
 double farthest_of(std::span<const double> change) {
   double farthest = 0;
   for (const double way : change) farthest = std::max(farthest, std::abs(way));
   return farthest;
 }
 
+/// How near surfaces may come in one correction that are `away` from each other: what presses them is then of the size
+/// that it has to be, or grows by some times.
 double nearest_after(double away, double gap, double left) { return std::min(left * away, 0.7 * gap); }
 
 }  // namespace

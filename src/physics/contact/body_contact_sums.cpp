@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/convex.hpp"
+#include "algebra/dense.hpp"
 #include "base/numbers.hpp"
 #include "loops/elements.hpp"
 #include "physics/contact/body_contact.hpp"
@@ -63,8 +63,7 @@ class SideMatrix {
   void make_convex() {
     const auto rows = dim * static_cast<Eigen::Index>(nodes_.size());
     auto used = matrix_.topLeftCorner(rows, rows);
-    const Eigen::MatrixXd symmetric = 0.5 * (used + used.transpose());
-    used = nearest_convex(symmetric);
+    used = convex_part(used);
   }
   void grow() {
     const Eigen::MatrixXd before = matrix_;

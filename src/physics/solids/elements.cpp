@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "algebra/convex.hpp"
+#include "algebra/dense.hpp"
 
 namespace tether::fem {
 namespace {
@@ -177,8 +178,7 @@ GradientModulus<dim> convex(const GradientModulus<dim>& H) {
 
 void make_convex(int n, std::span<double> matrix) {
   Eigen::Map<Eigen::MatrixXd> K(matrix.data(), n, n);
-  const Eigen::MatrixXd symmetric = 0.5 * (K + K.transpose());
-  K = nearest_convex(symmetric);
+  K = convex_part(K);
 }
 
 template PointStress<2> point_stress<2, true>(StressAt, const ElasticLaw&, const Square<2>&, const Square<2>&, double,

@@ -79,12 +79,8 @@ NewtonReport SolidStep::find_end(SolidState& state, double dt) {
   return report;
 }
 
-NewtonReport SolidStep::advance_again(SolidState& state, double dt) {
-  again_ = true;
-  return advance(state, dt);
-}
-
 void SolidStep::begin(const SolidState& state, double dt) {
+  if (!std::exchange(again_, false)) ended_.clear();
   find_dead_forces(state.time, dt);
   if (rule_.dynamic) system_.move_supports(state.time + dt, slope_width * dt, moved_);
 }
@@ -93,7 +89,10 @@ void SolidStep::begin(const SolidState& state, double dt) {
 /// the smaller residual.
 void SolidStep::guess(const SolidState& state, double dt) {
   if (surroundings_) surroundings_->go_back();
-  if (std::exchange(again_, false)) return;  // where the last step ended
+  if (!ended_.empty()) {
+    q1_ = ended_;
+    return;
+  }
   if (!rule_.dynamic) {
     q1_ = state.q;
     return system_.place_supports(state.time + dt, q1_);

@@ -65,8 +65,9 @@ class SolidStep {
 
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
-  /// Does the same from the places on that it ended at the last time, for surroundings that have changed a little.
-  NewtonReport advance_again(SolidState& state, double dt);
+  /// Lets the next step begin its search where the last one ended: the same step again, in surroundings that have
+  /// changed a little.
+  void start_where_it_ended() { again_ = true, ended_ = q1_; }
   /// Does the same by backward Euler, which takes energy: what is left for bodies that meet where steps that keep the
   /// energy are halved as often as they may be.
   NewtonReport advance_by_euler(SolidState& state, double dt);
@@ -93,7 +94,7 @@ class SolidStep {
   NewtonReport newton(const SolidState& state, double dt, const NewtonRule& rule);
   NewtonReport find_end(SolidState& state, double dt);
   NewtonReport meet(SolidState& state, double dt);
-  NewtonReport go_by_itself(SolidState& state, double dt);
+  bool goes_free(const SolidState& state);
   NewtonReport meet_by_easing(SolidState& state, double dt);
   void approach(const SolidState& state);
   void begin(const SolidState& state, double dt);
@@ -143,9 +144,10 @@ class SolidStep {
   RigidGuess rigid_guess_;
   SparseSolver solver_;
   std::optional<contact::BodyContact> contact_;
-  bool meets_ = false;   // whether the forces of contact are asked
-  bool again_ = false;   // whether the last step's places are the first guess
-  SparseMatrix K_, K0_;  // the tangent, and that of the reference shape, for damping
+  bool meets_ = false;         // whether the forces of contact are asked
+  bool again_ = false;         // whether the next step is to start where the last one ended
+  std::vector<double> ended_;  // where that was, in such a step; else empty [length]
+  SparseMatrix K_, K0_;        // the tangent, and that of the reference shape, for damping
   // Places at the step's end; forces: inner ones at the start (trapezoidal rule), inner, outer, of these the ones that
   // the shape does not change, inertia, damping; their sum, the residual; the correction; and what is in between.
   std::vector<double> q1_, start_, inner_, outer_, dead_, inertia_, damping_, residual_, change_, scratch_;

@@ -9,15 +9,21 @@ namespace tether::fem {
 
 NewtonReport SolidStep::meet(SolidState& state, double dt) {
   meets_ = false;
-  if (!rule_.dynamic) {
-    NewtonReport report = go_by_itself(state, dt);
-    if (report.converged) return report;
-  }
-  guess(state, dt);
   rule_.at == StressAt::end ? contact_->begin_at_end(state.q, dt, rule_.euler) : contact_->begin(state.q, dt);
+  guess(state, dt);
+  NewtonReport report;
+  if (goes_free(state)) {
+    report = find_end(state, dt);
+    if (report.converged && goes_free(state)) {
+      std::fill(touching_.begin(), touching_.end(), 0.0);
+      accept(state, dt);
+      return report;
+    }
+    guess(state, dt);
+  }
   meets_ = true;
   approach(state);
-  NewtonReport report = newton(state, dt, rule_.euler ? euler_rule : meeting_rule);
+  report = newton(state, dt, rule_.euler ? euler_rule : meeting_rule);
   state.newton_steps += static_cast<long long>(report.residuals.size()) - 1;
   if (!report.converged && contact_->rubs()) report = meet_by_easing(state, dt);
   meets_ = false;
@@ -25,18 +31,12 @@ NewtonReport SolidStep::meet(SolidState& state, double dt) {
   return report;
 }
 
-/// The next equilibrium where nothing meets anything, neither before nor after, nor on the straight way: slender bodies
-/// find theirs through larger residuals than contact bears.
-NewtonReport SolidStep::go_by_itself(SolidState& state, double dt) {
-  contact_->begin_at_end(state.q, dt);
-  if (contact_->presses(state.q)) return {};
-  NewtonReport report = find_end(state, dt);
-  if (!report.converged) return report;
+/// Returns whether nothing meets anything, neither before nor at q1, nor on the straight way: slender bodies find their
+/// places through larger residuals than contact bears.
+bool SolidStep::goes_free(const SolidState& state) {
+  if (contact_->presses(state.q) || !(system_.elements->shape(q1_).least_seen > 0)) return false;
   for (std::size_t k = 0; k < q1_.size(); ++k) change_[k] = q1_[k] - state.q[k];
-  if (contact_->part_of_guess(state.q, change_) < 1 || contact_->presses(q1_)) return {};
-  std::fill(touching_.begin(), touching_.end(), 0.0);
-  accept(state, dt);
-  return report;
+  return contact_->part_of_guess(state.q, change_) == 1 && !contact_->presses(q1_);
 }
 
 /// Lets friction come up over ways that are longer at first, from each solution to the next. Where the last ones lead

@@ -74,9 +74,7 @@ std::optional<Contact> contact_in_box(const Deck& deck, const Scene& scene, cons
   if (coupled.contact)
     contact.obstacles.insert(contact.obstacles.end(), coupled.obstacles.begin(), coupled.obstacles.end());
   leave_roots(solids, rounding * coupled.grid.d[0], contact);
-  warn_of_laws(deck, solids, diagnostics);
-  if (!diagnostics.has_errors()) check_obstacles(deck, solids, contact, diagnostics);
-  if (!diagnostics.has_errors()) find_gap(deck, solids, contact, diagnostics);
+  check_contact(deck, solids, contact, diagnostics);
   return contact;
 }
 

@@ -289,9 +289,7 @@ std::optional<Contact> contact_of(const Deck& deck, const Scene& scene, const So
       std::holds_alternative<ElasticBodies>(scene.physics) || std::holds_alternative<MeshFlow>(scene.physics);
   if (!deck.has_group("contact") || !meets) return std::nullopt;
   Contact contact = read_contact(deck, scene, solids, {}, diagnostics);
-  warn_of_laws(deck, solids, diagnostics);
-  if (!diagnostics.has_errors()) check_obstacles(deck, solids, contact, diagnostics);
-  if (!diagnostics.has_errors()) find_gap(deck, solids, contact, diagnostics);
+  check_contact(deck, solids, contact, diagnostics);
   return contact;
 }
 

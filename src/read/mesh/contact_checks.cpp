@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "grid/contact/apart.hpp"
-#include "grid/winding.hpp"
+#include "grid/mesh_flaws.hpp"
+#include "grid/overlaps.hpp"
 #include "read/values.hpp"
 
 namespace tether {
@@ -23,9 +24,7 @@ constexpr double pressed_a_lot = 0.95;  // of a gap of the deck: nearer surfaces
 std::string meeting_text(const ContactSurface& surface, const Solids& solids, const Apart& apart) {
   const auto region = [&](int side) { return solids.regions[at(surface.side_region[at(side)])].name; };
   const int first = apart.side < 0 ? apart.other : apart.side, second = apart.side < 0 ? -1 : apart.other;
-  const std::string where =
-      surface.dim() == 3 ? fmt::format("({:.6g}, {:.6g}, {:.6g})", apart.place[0], apart.place[1], apart.place[2])
-                         : fmt::format("({:.6g}, {:.6g})", apart.place[0], apart.place[1]);
+  const std::string where = place_text(apart.place, surface.dim());
   return fmt::format("{} and {} at {}", region(first), second < 0 ? "a wall, plane or obstacle" : region(second),
                      where);
 }
@@ -39,8 +38,7 @@ double apart_by_shape(const Solids& solids, const Contact& contact, double usual
   return nearest_surfaces(bodies, {.bodies = false, .itself = contact.itself}, {}, solids.mesh.x, usual, team).away;
 }
 
-}  // namespace
-
+/// Warns of the first region whose law fails where it is squeezed.
 void warn_of_laws(const Deck& deck, const Solids& solids, Diagnostics& diagnostics) {
   for (std::size_t r = 0; r < solids.regions.size(); ++r) {
     if (!std::holds_alternative<StVenantKirchhoff>(solids.regions[r].law)) continue;
@@ -55,48 +53,45 @@ void warn_of_laws(const Deck& deck, const Solids& solids, Diagnostics& diagnosti
   }
 }
 
-namespace {
-
-/// A place of a box's edges that lies in a body, of places no farther apart than `spacing`; a box that touches a body
-/// has none.
-std::optional<Vec<3>> place_in_bodies(const SolidSurface& surface, std::span<const double> x, Box<3> box,
-                                      double spacing) {
-  constexpr int most = 400;  // places of an edge
-  constexpr double within = 1e-6;
-  for (std::size_t i = 0; i < at(surface.dim); ++i) box.low[i] += within * spacing, box.high[i] -= within * spacing;
-  for (int corner = 0; corner < 1 << surface.dim; ++corner) {
-    for (int axis = 0; axis < surface.dim; ++axis) {
+/// Places on a box's edges that are no farther apart than `spacing`.
+std::vector<Vec<3>> places_on_edges(const Box<3>& box, int dim, double spacing) {
+  constexpr double most = 400;  // parts of an edge
+  std::vector<Vec<3>> places;
+  for (int corner = 0; corner < 1 << dim; ++corner) {
+    for (int axis = 0; axis < dim; ++axis) {
       if ((corner >> axis & 1) != 0) continue;  // the edge belongs to its lower corner
-      const double length = box.high[at(axis)] - box.low[at(axis)];
-      const int parts = static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0, double{most}));
+      const double length = box.high[at(axis)] - box.low[at(axis)], parts = std::min(most, std::ceil(length / spacing));
       for (int k = 0; k <= parts; ++k) {
         Vec<3> place{};
-        for (int i = 0; i < surface.dim; ++i) place[at(i)] = (corner >> i & 1) != 0 ? box.high[at(i)] : box.low[at(i)];
+        for (int i = 0; i < dim; ++i) place[at(i)] = (corner >> i & 1) != 0 ? box.high[at(i)] : box.low[at(i)];
         place[at(axis)] += length * k / parts;
-        if (winding(surface, x, place) > 0.5) return place;
+        places.push_back(place);
       }
     }
   }
-  return std::nullopt;
+  return places;
 }
 
-}  // namespace
-
+/// Reports the first obstacle of $contact, or of $coupled, of which an edge reaches into a body at the start.
 void check_obstacles(const Deck& deck, const Solids& solids, const Contact& contact, Diagnostics& diagnostics) {
-  const SolidSurface surface = surface_of(solids.mesh);
+  const int dim = solids.mesh.dim();
   const double spacing = 0.5 * contact_surface(solids.mesh, contact.nodes, {}).shortest;
+  OverlapFinder finder(solids.mesh);
   for (const Box<3>& box : contact.obstacles) {
-    const auto place = place_in_bodies(surface, solids.mesh.x, box, spacing);
-    if (!place) continue;
-    diagnostics.add(deck.remark_on_group(
-        Severity::error, "contact",
-        fmt::format("an obstacle reaches into a body at the start, at ({:.6g}, {:.6g}{})", (*place)[0], (*place)[1],
-                    surface.dim == 3 ? fmt::format(", {:.6g}", (*place)[2]) : ""),
-        "bodies start out of obstacles"));
+    const auto held = finder.find_held(places_on_edges(box, dim, spacing), solids.mesh.x);
+    if (!held) continue;
+    diagnostics.add(
+        deck.remark_on_group(Severity::error, "contact",
+                             fmt::format("an obstacle reaches into a body at the start, at {}", place_text(*held, dim)),
+                             "bodies start out of obstacles"));
     return;
   }
 }
 
+/// Sets the gap of a contact that the deck gives none: a tenth of the shortest side of the surface, or what surfaces
+/// that meet are apart at the start where that is less and the bodies move (of an equilibrium: only where a body is so
+/// near to itself by its shape). Reports surfaces that touch at the start, between which no barrier can stand, and a
+/// gap of the deck that presses bodies at the start.
 void find_gap(const Deck& deck, const Solids& solids, Contact& contact, Diagnostics& diagnostics) {
   Team team;
   const ContactSurface surface = contact_surface(solids.mesh, contact.nodes, contact.obstacles);
@@ -123,6 +118,14 @@ void find_gap(const Deck& deck, const Solids& solids, Contact& contact, Diagnost
                                             meeting_text(surface, solids, apart), apart.away),
                                 "leave gap away, and it is what bodies are apart where that is little"));
   }
+}
+
+}  // namespace
+
+void check_contact(const Deck& deck, const Solids& solids, Contact& contact, Diagnostics& diagnostics) {
+  warn_of_laws(deck, solids, diagnostics);
+  if (!diagnostics.has_errors()) check_obstacles(deck, solids, contact, diagnostics);
+  if (!diagnostics.has_errors()) find_gap(deck, solids, contact, diagnostics);
 }
 
 }  // namespace tether

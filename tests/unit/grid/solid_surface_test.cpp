@@ -2,10 +2,11 @@
 #include "grid/solid_surface.hpp"
 
 #include <gtest/gtest.h>
+#include <array>
 #include <cmath>
 
 #include "grid/block_mesh.hpp"
-#include "grid/winding.hpp"
+#include "grid/overlaps.hpp"
 
 namespace tether {
 namespace {
@@ -45,15 +46,15 @@ TEST(SolidSurface, SweepsAsItTurns) {
   }
 }
 
-TEST(SolidSurface, GoesRoundWhatIsInside) {
+/// Places inside, outside and on a body that has turned.
+TEST(OverlapFinder, FindsAPlaceThatABodyHolds) {
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::tri6, ElementKind::hex8, ElementKind::tet10}) {
     const Mesh mesh = block(kind);
-    const SolidSurface surface = surface_of(mesh);
     const std::vector<double> q = turned(mesh, 0.7);
-    EXPECT_NEAR(winding(surface, q, {0, 0, 0}), 1, 1e-12);
-    EXPECT_NEAR(winding(surface, q, {0.99 * std::cos(0.7), 0.99 * std::sin(0.7), 0.1}), 1, 1e-12);
-    EXPECT_NEAR(winding(surface, q, {1.01 * std::cos(0.7), 1.01 * std::sin(0.7), 0.1}), 0, 1e-12);
-    EXPECT_NEAR(winding(surface, q, {-3, 5, 0.2}), 0, 1e-12);
+    const auto along = [](double x) { return Vec<3>{x * std::cos(0.7), x * std::sin(0.7), 0}; };
+    OverlapFinder finder(mesh);
+    EXPECT_FALSE(finder.find_held(std::array{along(1), along(1.01), Vec<3>{-3, 5, 0.2}}, q));
+    EXPECT_EQ(finder.find_held(std::array{along(1.01), along(0.99), along(0)}, q), along(0.99));
   }
 }
 
