@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -11,7 +12,9 @@
 #include "base/vec.hpp"
 #include "base/words.hpp"
 #include "grid/boxes.hpp"
+#include "grid/figures.hpp"
 #include "model/flow.hpp"
+#include "model/liquid.hpp"
 #include "model/solids.hpp"
 
 namespace tether {
@@ -126,6 +129,12 @@ struct Jet {
   int number = 0;          ///< of the deck's jet, from 1
 };
 
+/// A figure at rest that cuts the cells at its surface.
+struct Obstacle {
+  Figure figure;
+  int number = 0;  ///< of the deck's obstacle, from 1
+};
+
 /// Smoke that a box holds at the start; where boxes overlap their smoke adds up, and a cell that lies in one in part
 /// has that part of it.
 struct SmokeBox {
@@ -159,9 +168,11 @@ struct Coupled {
   std::vector<Opening> openings;
   std::vector<Jet> jets;
   std::vector<Box<3>> obstacles;  ///< at rest, that fluid and solids do not enter
+  std::vector<Obstacle> shaped;   ///< likewise, which cut cells
   std::vector<Box<3>> voids;      ///< whose cells hold no fluid: pressure zero
   bool cavities_only = false;     ///< fluid only where solids enclose it, void around them
   Vec<3> start{};                 ///< velocity of the fluid at the start
+  std::optional<Liquid> liquid;   ///< where the fluid has a surface
   bool smoke = false;             ///< whether density and temperature of smoke are carried along
   std::vector<SmokeBox> smoke_boxes;
   double smoke_weight = 0;  ///< acceleration downwards by a density of 1 [acceleration]

@@ -43,6 +43,11 @@ struct MeshOfGrid {
   const Mesh* operator()(const BoxFlow&) const { return nullptr; }
 };
 
+/// Returns whether points come and go while the scene runs.
+bool points_change(const Scene& scene) {
+  return scene.edges.any() || (scene.coupled() != nullptr && scene.coupled()->liquid.has_value());
+}
+
 }  // namespace
 
 RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver& solver)
@@ -50,7 +55,7 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       request_(request),
       solver_(solver),
       folder_(request.folder, solver.history_layout(), request.provenance,
-              {plan.scene.outputs.vtk, earlier_snapshots(request), plan.scene.edges.any()}),
+              {plan.scene.outputs.vtk, earlier_snapshots(request), points_change(plan.scene)}),
       history_{solver.history_layout(), {}},
       history_due_(plan.scene.outputs.history),
       points_due_(plan.scene.outputs.points),
@@ -115,7 +120,7 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   const Snapshot points = solver_.points();
   const std::string run = sha256(checkpoint.deck_effective);
   if (!points.fields.empty())
-    take_over("particles.nc", {points, checkpoint.point_snapshots, run, plan_.scene.edges.any()},
+    take_over("particles.nc", {points, checkpoint.point_snapshots, run, points_change(plan_.scene)},
               [this](const Snapshot& snapshot) { write_points(snapshot); });
   take_over("mesh.nc", {solver_.grid(), checkpoint.grid_snapshots, run},
             [this](const Snapshot& snapshot) { write_grid(snapshot); });

@@ -85,10 +85,41 @@ inline constexpr std::array coupled_rows{
     Variable{"coupled", "obstacle", real, 2, 6, nl, "length", -none, none, "", "",
              "Obstacle k at rest, which neither fluid nor solids enter: its lowest and highest x, y and, in space, z. "
              "For the fluid it is made of the cells whose middles lie in it; solids stop at the box as it is given."},
+    Variable{"coupled", "obstacle_ellipse", real, 2, 6, nl, "length", -none, none, "", "",
+             "Obstacle k as an ellipse or ellipsoid along the axes, by the box about it, given likewise. As those that "
+             "follow it cuts the cells at its surface."},
+    Variable{"coupled", "obstacle_polygon", real, 2, 2 * nt, nl, "length", -none, none, "", "",
+             "Obstacle k as a polygon: x and y of its corners in turn; in space a prism along all of z."},
+    Variable{"coupled", "obstacle_plane", real, 2, 6, nl, "", -none, none, "", "",
+             "Obstacle k as all on one side of a line or plane: a place on it, and the direction from there into the "
+             "fluid; x and y of each in the plane, x, y and z in space."},
     Variable{"coupled", "void", real, 2, 6, nl, "length", -none, none, "", "",
              "Box k without fluid, of pressure zero, given and made likewise."},
     Variable{"coupled", "fluid_in", text, 0, 1, 1, "", -none, none, choices<FluidIn>, "'box'",
              "Where the fluid is: in all of the box, or only where solids enclose it, with nothing around them."},
+    Variable{"coupled", "liquid", logical, 0, 1, 1, "", -none, none, "", ".false.",
+             "Whether the fluid is a liquid with a surface: it fills the regions given for it at the start and what "
+             "jets bring, and air has the rest of the box."},
+    Variable{"coupled", "liquid_box", real, 2, 6, nl, "length", -none, none, "", "",
+             "Region k of liquid at the start as a box: its lowest and highest x, y and, in space, z. Of regions that "
+             "overlap the first has a place; bodies and obstacles have it before them."},
+    Variable{"coupled", "liquid_ellipse", real, 2, 6, nl, "length", -none, none, "", "",
+             "Region k as an ellipse or ellipsoid along the axes, by the box about it, given likewise."},
+    Variable{"coupled", "liquid_polygon", real, 2, 2 * nt, nl, "length", -none, none, "", "",
+             "Region k as a polygon: x and y of its corners in turn; in space a prism along all of z."},
+    Variable{"coupled", "liquid_below", text, 1, nl, 1, "", -none, none, "", "",
+             "Region k as all that lies below a height: an expression in x and, in space, z."},
+    Variable{"coupled", "liquid_velocity", real, 2, 3, nl, "velocity", -none, none, "", "0.0",
+             "Velocity of region k at the start, along x, y and z, in place of u0, v0 and w0."},
+    Variable{"coupled", "liquid_particles", integer, 0, 1, 1, "", 2, 6, "", "",
+             "Particles along each axis of a cell that liquid fills; 3 in the plane and 2 in space where it is not "
+             "given."},
+    Variable{
+        "coupled", "liquid_jitter", real, 0, 1, 1, "", 0, 1, "", "0.0",
+        "How far particles stand off their lattice at the start: at 1 each is anywhere in its own part of a cell."},
+    Variable{"coupled", "air", text, 0, 1, 1, "", -none, none, choices<Air>, "'void'",
+             "What air is to the liquid: nothing, at a pressure of zero, so that bubbles collapse; or a volume that "
+             "stays wherever liquid, bodies and walls close it in."},
     Variable{"coupled", "u0", real, 0, 1, 1, "velocity", -none, none, "", "0.0",
              "Velocity of the fluid in x at the start."},
     Variable{"coupled", "v0", real, 0, 1, 1, "velocity", -none, none, "", "0.0", "The same in y."},

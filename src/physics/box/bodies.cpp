@@ -100,7 +100,8 @@ std::string thin_text(const Scene& scene) {
   const FlowBox box(*scene.coupled());
   const Outside outside(*scene.coupled(), scene.gravity);
   Team alone;
-  const Placement placed = Placer(*scene.coupled(), surface, box, outside, alone).at(scene.solids()->mesh.x);
+  const Placement placed =
+      Placer(*scene.coupled(), surface, scene.solids()->mesh.x.size(), box, outside, alone).at(scene.solids()->mesh.x);
   return thin_text(thin_bodies(placed, surface), scene.coupled()->grid.dim);
 }
 

@@ -9,7 +9,7 @@
 #include "grid/solid_surface.hpp"
 #include "model/coupled.hpp"
 #include "model/scene.hpp"
-#include "physics/box/flow_box.hpp"
+#include "physics/box/placer.hpp"
 
 namespace tether::coupled {
 

@@ -21,7 +21,9 @@ Group fluid_columns() {
   return {{{"energy_fluid", D::energy, "kinetic energy of the fluid, part of energy_kinetic", &CoupledSums::fluid},
            {"mass", D::mass, "mass of fluid and solids", &CoupledSums::mass},
            Row("momentum_", D::momentum, "momentum of fluid and solids", momentum).vector(),
-           {"fluid_volume", D::volume, "volume of the fluid, by its cells; by cut-cell also by parts of them",
+           {"fluid_volume", D::volume,
+            "volume of the fluid, by its cells; by cut-cell also by parts of them; of a liquid what its surface, walls "
+            "and bodies enclose",
             &CoupledSums::fluid_volume},
            {"interface_power", D::power, "power that the solids took from the fluid in the last step",
             [](const CoupledSums& s) { return s.state.last.interface_power; }},
@@ -94,6 +96,24 @@ Group smoke_columns() {
            {"smoke_largest", D::number, "largest density of smoke", &CoupledSums::smoke_largest}}};
 }
 
+Group liquid_columns() {
+  const auto place = [](const CoupledSums& s, std::size_t axis, std::size_t) { return s.liquid.middle[axis]; };
+  const auto velocity = [](const CoupledSums& s, std::size_t axis, std::size_t) { return s.liquid.velocity[axis]; };
+  return {{"with a liquid", [](const CoupledSetting& s) { return s.with_liquid; }},
+          {{"liquid_particles", D::number, "particles of the liquid",
+            [](const CoupledSums& s) { return static_cast<double>(s.liquid.particles); }},
+           {"liquid_volume", D::volume, "volume of the liquid: that of its particles, none of which is lost",
+            [](const CoupledSums& s) { return s.liquid.volume; }},
+           {"liquid_in", D::volume, "volume that jets have brought in",
+            [](const CoupledSums& s) { return s.state.liquid_flow.in; }},
+           {"liquid_out", D::volume, "volume that has left through openings and jets",
+            [](const CoupledSums& s) { return s.state.liquid_flow.out; }},
+           {"surface_area", D::area, "area of the liquid's surface to the air",
+            [](const CoupledSums& s) { return s.liquid.area; }},
+           Row("liquid_", D::length, "middle of the liquid", place).vector(),
+           Row("liquid_v", D::velocity, "mean velocity of the liquid", velocity).vector()}};
+}
+
 Group sheet_columns() {
   const auto meaning = [](const CoupledSetting& s, std::size_t k) {
     return s.first_volumes[k] < 0 ? "volume of a cavity in the solids"
@@ -119,7 +139,7 @@ Group force_columns() {
 const ColumnTable<CoupledSetting, CoupledSums>& coupled_table() {
   const auto of_solids = [](const Group& group) { return given<CoupledSetting, CoupledSums>(with_solids(), group); };
   static const ColumnTable<CoupledSetting, CoupledSums> table(
-      {energy_columns(), fluid_columns(), book_columns(), step_columns(), smoke_columns(),
+      {energy_columns(), fluid_columns(), book_columns(), step_columns(), smoke_columns(), liquid_columns(),
        of_solids(fem::shape_columns()), of_solids(fem::overlap_columns()), fem::contact_columns(), sheet_columns(),
        force_columns(), of_solids(body_columns()), tracked_columns()});
   return table;

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "model/coupled.hpp"
+#include "physics/box/liquid/sums.hpp"
 #include "physics/box/state.hpp"
 #include "physics/solids/fields.hpp"
 
 namespace tether::coupled {
 
 struct CoupledSetting : fem::MeshSetting {
-  bool with_solids = false, with_smoke = false;
+  bool with_solids = false, with_smoke = false, with_liquid = false;
   std::vector<double> first_volumes;  ///< that the surface's sheets enclose at the start, negative of cavities [volume]
 };
 
@@ -22,6 +23,7 @@ struct CoupledSums : fem::MeshSums {
   double pressure_energy = 0;
   double regions = 0;  ///< of the fluid
   double smoke_mass = 0, smoke_largest = 0;
+  liquid::LiquidSums liquid = {};
   std::vector<double> sheets = {};  ///< volumes that the surface's sheets enclose [volume]
   std::vector<Components> force = {},
                           hold = {};  ///< on each body: of the fluid; of supports, walls and obstacles [force]

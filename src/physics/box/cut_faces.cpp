@@ -133,20 +133,24 @@ class Lattice {
 
 }  // namespace
 
+void extend_known(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, int layers,
+                  std::vector<double>& values) {
+  Lattice lattice(dim, size, std::move(known), values);
+  for (int layer = 0; layer < layers && lattice.extend(); ++layer) continue;
+}
+
 void extend_velocity(const FlowDomain& domain, FaceValues& v, int layers) {
   for (int axis = 0; axis < domain.grid.dim; ++axis) {
     std::vector<std::uint8_t> known;
-    for (const FaceKind kind : domain.face[static_cast<std::size_t>(axis)]) known.push_back(kind != FaceKind::closed);
-    Lattice lattice(domain.grid.dim, domain.grid.faces(axis), std::move(known), v[static_cast<std::size_t>(axis)]);
-    for (int layer = 0; layer < layers && lattice.extend(); ++layer) continue;
+    for (const FaceKind kind : domain.face[at(axis)]) known.push_back(kind != FaceKind::closed);
+    extend_known(domain.grid.dim, domain.grid.faces(axis), std::move(known), layers, v[at(axis)]);
   }
 }
 
 void extend_pressure(const FlowDomain& domain, std::vector<double>& p, int layers) {
   std::vector<std::uint8_t> known;
   for (const CellKind kind : domain.kind) known.push_back(kind == CellKind::fluid || kind == CellKind::empty);
-  Lattice lattice(domain.grid.dim, domain.grid.n, std::move(known), p);
-  for (int layer = 0; layer < layers && lattice.extend(); ++layer) continue;
+  extend_known(domain.grid.dim, domain.grid.n, std::move(known), layers, p);
 }
 
 }  // namespace tether::coupled

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "physics/box/outside.hpp"
@@ -26,5 +28,9 @@ void extend_velocity(const FlowDomain& domain, FaceValues& v, int layers);
 /// Does the same for pressures, a number a cell: cells of solids and obstacles get those of the fluid around, so that a
 /// cell that fluid comes into has one.
 void extend_pressure(const FlowDomain& domain, std::vector<double>& p, int layers);
+
+/// Does the same for the values of any lattice of a grid, some of which are known.
+void extend_known(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, int layers,
+                  std::vector<double>& values);
 
 }  // namespace tether::coupled

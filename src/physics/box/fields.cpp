@@ -48,6 +48,7 @@ CoupledSetting setting_of(const Scene& scene, const CoupledStep& step, std::size
   CoupledSetting setting{{{box.grid.dim, {}, {}}},
                          scene.solids() != nullptr,
                          box.smoke,
+                         box.liquid.has_value(),
                          enclosed_volumes(step.surface(), step.solids().system.solids.mesh.x)};
   if (!scene.solids()) return setting;
   std::vector<std::string> names;
@@ -141,30 +142,55 @@ CoupledSums CoupledFields::sums_of(const CoupledState& state) const {
   const FlowDomain& domain = step_.domain();
   CoupledSums s{{}, state};
   s.time = state.time, s.dt = state.dt_last;
-  std::vector<double> momenta(state.u.size());
-  solids.system.multiply_mass(state.u, momenta);
-  double kinetic = 0;
-  for (std::size_t k = 0; k < momenta.size(); ++k) kinetic += 0.5 * momenta[k] * state.u[k];
-  for (std::size_t k = 0; k < momenta.size(); ++k) s.momentum[k % at(coupled.grid.dim)] += momenta[k];
-  for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) {
-    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
-      if (domain.face[axis][f] == FaceKind::open)
-        s.momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
-    }
-  }
-  s.fluid = kinetic_energy(domain, state.v, state.v, coupled.density), s.kinetic = kinetic + s.fluid;
+  add_motion_of_solids(state, s);
+  coupled.liquid ? add_liquid(state, s) : add_fluid(state, s);
   s.strain = solids.system.elements->strain_energy(state.q) + solids.spring_energy(state.q);
-  s.potential = solids.system.gravity_energy(state.q);
+  s.potential += solids.system.gravity_energy(state.q);
   s.contact = state.contact;
   s.total = s.kinetic + s.strain + s.potential + s.contact.last.energy;
-  s.fluid_volume = fluid_volume(domain, coupled.coupling.cuts_faces);
-  s.mass = coupled.density * s.fluid_volume + sum_of(solids.system.weights);
+  s.mass += sum_of(solids.system.weights);
   s.pressure_energy = pressure_energy(state), s.regions = static_cast<double>(domain.regions);
   s.smoke_mass = sum_of(state.smoke.smoke);
   for (std::size_t cell = 0; cell < state.smoke.smoke.size(); ++cell)
     s.smoke_largest = std::max(s.smoke_largest, state.smoke.density(cell));
   if (scene_.solids()) add_bodies(state, s);
   return s;
+}
+
+void CoupledFields::add_motion_of_solids(const CoupledState& state, CoupledSums& sums) const {
+  std::vector<double> momenta(state.u.size());
+  step_.solids().system.multiply_mass(state.u, momenta);
+  for (std::size_t k = 0; k < momenta.size(); ++k) {
+    sums.kinetic += 0.5 * momenta[k] * state.u[k];
+    sums.momentum[k % at(scene_.coupled()->grid.dim)] += momenta[k];
+  }
+}
+
+/// What fills the room: mass, momentum and energy are those of the faces.
+void CoupledFields::add_fluid(const CoupledState& state, CoupledSums& sums) const {
+  const Coupled& coupled = *scene_.coupled();
+  const FlowDomain& domain = step_.domain();
+  for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) {
+    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
+      if (domain.face[axis][f] == FaceKind::open)
+        sums.momentum[axis] += coupled.density * domain.volume[axis][f] * state.v[axis][f];
+    }
+  }
+  sums.fluid = kinetic_energy(domain, state.v, state.v, coupled.density), sums.kinetic += sums.fluid;
+  sums.fluid_volume = fluid_volume(domain, coupled.coupling.cuts_faces);
+  sums.mass += coupled.density * sums.fluid_volume;
+}
+
+/// A liquid's are those of its particles.
+void CoupledFields::add_liquid(const CoupledState& state, CoupledSums& sums) const {
+  const Coupled& coupled = *scene_.coupled();
+  liquid::LiquidSums& of = sums.liquid;
+  of = liquid::sums_of(state.particles, coupled.grid.dim, coupled.density, {0, scene_.gravity, 0});
+  liquid::add_surface(*step_.surface_of_liquid(), of);
+  const double mass = coupled.density * of.volume;
+  for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) sums.momentum[axis] += mass * of.velocity[axis];
+  sums.fluid = of.kinetic, sums.kinetic += of.kinetic, sums.potential += of.gravity;
+  sums.fluid_volume = of.enclosed, sums.mass += mass;
 }
 
 /// Sums the forces on the nodes of each part.
@@ -194,6 +220,31 @@ Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
   const CellSetting setting{{box.grid.dim, {}, {}}, box.smoke};
   return Columns<CellSource>(cell_table(), setting)
       .snapshot(state.time, box.grid.cell_count(), {box.grid, step_.domain(), state});
+}
+
+namespace {
+
+const ColumnTable<ColumnSetting, liquid::Particles>& particle_table() {
+  using P = liquid::Particles;
+  using Row = Column<ColumnSetting, P>;
+  using D = Dimension;
+  const auto place = [](const P& p, std::size_t axis, std::size_t k) { return p.x[axis][k]; };
+  const auto velocity = [](const P& p, std::size_t axis, std::size_t k) { return p.v[axis][k]; };
+  static const ColumnTable<ColumnSetting, P> table({{{
+      Row("", D::length, "place of a particle of liquid", place).vector(),
+      Row("v", D::velocity, "its velocity", velocity).vector(),
+      {"volume", D::volume, "volume that it stands for", [](const P& p, std::size_t k) { return p.volume[k]; }},
+  }}});
+  return table;
+}
+
+}  // namespace
+
+Snapshot CoupledFields::particle_fields(const CoupledState& state) const {
+  const Coupled& box = *scene_.coupled();
+  if (state.particles.size() == 0) return {state.time, {}};
+  return Columns<liquid::Particles>(particle_table(), {box.grid.dim, {}, {}})
+      .snapshot(state.time, state.particles.size(), state.particles);
 }
 
 Snapshot CoupledFields::solid_fields(const CoupledState& state) const {

@@ -20,10 +20,15 @@ class CoupledFields {
   Snapshot cell_fields(const CoupledState& state) const;
   /// At the solids' nodes; nothing without solids.
   Snapshot solid_fields(const CoupledState& state) const;
+  /// Returns those of a liquid's particles.
+  Snapshot particle_fields(const CoupledState& state) const;
 
  private:
   CoupledSums sums_of(const CoupledState& state) const;
   double pressure_energy(const CoupledState& state) const;
+  void add_motion_of_solids(const CoupledState& state, CoupledSums& sums) const;
+  void add_fluid(const CoupledState& state, CoupledSums& sums) const;
+  void add_liquid(const CoupledState& state, CoupledSums& sums) const;
   void add_bodies(const CoupledState& state, CoupledSums& sums) const;
   std::vector<Components> forces_of_parts(std::span<const double> forces) const;
 

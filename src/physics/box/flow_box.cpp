@@ -241,35 +241,4 @@ void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain) {
   find_regions(domain);
 }
 
-Placement Placer::at(std::span<const double> q, std::span<const double> middle) const {
-  Placement at;
-  const bool cut = scene_.coupling.cuts_faces;
-  Cuts cuts{cut_surface(surface_, q, scene_.grid, cut ? 2 : 1), find_crossings(surface_, q, scene_.grid), {}};
-  at.domain = box_.around(cuts.crossings);
-  if (cut) {
-    cuts.cells = cut_cells(cuts.pieces, cuts.crossings, at.domain);
-    at.domain = box_.around(cuts.crossings, cuts.cells);
-  }
-  for (std::size_t s = 0; s < surface_.side_count() && !middle.empty(); ++s)
-    cuts.pieces.area[s] = area_of_side(surface_, s, middle);
-  map(q, cuts, at);
-  const std::vector<std::uint8_t> pockets = find_pockets(at.domain, at.map);
-  if (std::find(pockets.begin(), pockets.end(), 1) != pockets.end()) {
-    drop_regions(pockets, at.domain);
-    map(q, cuts, at);
-  }
-  if (sticks_to_bodies(scene_)) at.beside = surface_beside_faces(surface_, q, scene_.grid);
-  at.pieces = std::move(cuts.pieces.pieces), at.thin = std::move(cuts.cells.thin);
-  return at;
-}
-
-void Placer::map(std::span<const double> q, const Cuts& cuts, Placement& at) const {
-  const CutCells* cut = scene_.coupling.cuts_faces ? &cuts.cells : nullptr;
-  at.numbers = number_pressures(at.domain);
-  const PressureSampler sampler(surface_, q, cuts.pieces, at.domain);
-  const CoupledSurface of{surface_, cuts.pieces, at.domain, at.numbers, &outside_};
-  at.map = map_by_pressures(team_, of, sampler, cut, q.size());
-  if (scene_.coupling.two_maps) at.crossing_map = map_by_crossings(team_, of, cuts.crossings, q.size());
-}
-
 }  // namespace tether::coupled

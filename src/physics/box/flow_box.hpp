@@ -26,6 +26,8 @@ class FlowBox {
   FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
   /// Sets the velocities of prescribed faces in a step of length h: jets have their mean speeds [velocity].
   void prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const;
+  /// The mean speeds of jets in a step of length h, into the box [velocity].
+  std::vector<double> jet_speeds(double time, double h) const;
   /// Returns what jets bring in through the faces that they have in a step, by their shares of what comes in there.
   std::vector<SmokeJet> smoke_of_jets(double time, double h) const;
 
@@ -33,7 +35,6 @@ class FlowBox {
   void open_faces(const Crossings& crossings, FlowDomain& domain) const;
   void fill_cut_cells(const CutCells& cut, FlowDomain& domain) const;
   void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;
-  std::vector<double> jet_speeds(double time, double h) const;
   /// How much of a face is open: less than 1 of faces in the box's sides alone.
   double open_part(int axis, std::size_t face, FaceKind kind) const;
   FaceKind kind_between(const FlowDomain& domain, int axis, std::size_t face) const;
@@ -48,42 +49,5 @@ class FlowBox {
 void find_regions(FlowDomain& domain);
 /// Takes the fluid out of the marked regions, and numbers the others anew.
 void drop_regions(std::span<const std::uint8_t> regions, FlowDomain& domain);
-
-/// Where the solids are and what that makes of the fluid: what a step begins with.
-struct Placement {
-  std::vector<SurfacePiece> pieces;  ///< of the surface
-  std::vector<std::uint8_t> thin;    ///< cells where a solid is thinner than a cell, of modes that cut faces
-  FlowDomain domain;
-  PressureNumbers numbers;
-  CouplingMap map;
-  CouplingMatrix crossing_map;  ///< of the paper's own mode
-  SurfaceBesideFaces beside;    ///< where the fluid sticks to bodies
-};
-
-/// Places solids in the box. All of its arguments must outlive it.
-class Placer {
- public:
-  Placer(const Coupled& scene, const SolidSurface& surface, const FlowBox& box, const Outside& outside, Team& team)
-      : team_(team), scene_(scene), surface_(surface), box_(box), outside_(outside) {}
-
-  /// Places the solids with their nodes at q. Where `middle` is given, the map has the normals and areas of their sides
-  /// with the nodes there.
-  Placement at(std::span<const double> q, std::span<const double> middle = {}) const;
-
- private:
-  /// How the surface lies in the grid.
-  struct Cuts {
-    SurfacePieces pieces;
-    Crossings crossings;
-    CutCells cells;
-  };
-  void map(std::span<const double> q, const Cuts& cuts, Placement& at) const;
-
-  Team& team_;
-  const Coupled& scene_;
-  const SolidSurface& surface_;
-  const FlowBox& box_;
-  const Outside& outside_;
-};
 
 }  // namespace tether::coupled

@@ -17,6 +17,7 @@ CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& of, const Cros
         if (row < 0) continue;
         const int nearest = end == 0 ? crossings.lowest[at(axis)][f] : crossings.highest[at(axis)][f];
         const Crossing& crossing = crossings.all[at(nearest)];
+        if (at(crossing.side) >= of.surface.side_count()) continue;  // an obstacle's, which rests
         const double out = end == 0 ? grid.area(axis) : -grid.area(axis);
         const CarrierShares share = of.surface.carried(at(crossing.side), crossing.share);
         entries.begin(crossing.side);

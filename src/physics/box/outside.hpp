@@ -65,8 +65,8 @@ class Outside {
 
   /// Returns the pressure of the fluid outside at a height [stress].
   double pressure(double y) const;
-  /// Returns whether there is fluid beyond a side of the box.
-  bool presses(int side) const { return has_fluid_beyond(scene_, side) && !scene_.cavities_only; }
+  /// Returns whether there is fluid beyond a side of the box: beyond that of a liquid with a surface is air.
+  bool presses(int side) const { return has_fluid_beyond(scene_, side) && !scene_.cavities_only && !scene_.liquid; }
   /// The pressure beyond a side of the box at a height: zero where the side is no open one, or has nothing beyond.
   double pressure_beyond(int side, double y) const;
   /// Smoke and warmth of the layer at a row of cells.

@@ -16,7 +16,7 @@
 namespace tether::coupled {
 namespace {
 
-constexpr int most_iterations = 500;
+constexpr int most_powers = 500;
 constexpr double settled = 1e-9;  // change of the ratio in an iteration
 
 /// y = M_a x by factors of L.
@@ -69,7 +69,7 @@ std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const 
   if (!added.exists() || !resistance.factorise(R)) return std::nullopt;
   std::vector<double> x = outwards(at, q.size()), y(q.size()), resisted(q.size());
   double ratio = 0;
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < most_powers; ++i) {
     for (std::size_t k = 0; k < x.size(); ++k) x[k] = solids.held[k] != 0 ? 0 : x[k];
     added.apply(x, y);
     R.multiply(x, resisted);

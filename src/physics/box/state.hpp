@@ -6,6 +6,8 @@
 
 #include "model/coupled.hpp"
 #include "physics/box/contact.hpp"
+#include "physics/box/liquid/exits.hpp"
+#include "physics/box/liquid/particles.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/smoke.hpp"
 #include "physics/solids/body_doubts.hpp"
@@ -50,6 +52,7 @@ struct StepAccount {
   double mismatch = 0;  ///< by the fluid's equations less that, over the sum of the nodes' powers' sizes, at least
                         ///< 1e-3 of the powers in the fluid
   double cfl = 0;       ///< cells that the fluid crosses along an axis where it is fastest
+  double gave = 0;      ///< that the fluid gave the solids by pressure and friction [energy]
 };
 
 /// All that changes in a run.
@@ -62,6 +65,8 @@ struct CoupledState : StepClock {
   std::vector<Touch> touches;        ///< of the nodes, a number a velocity
   std::vector<double> fluid_force,
       wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
+  liquid::Particles particles;  ///< of a liquid with a surface
+  liquid::LiquidFlow liquid_flow;
   Smoke smoke;
   SmokeFlow smoke_flow;  ///< since the start
   StepAccount last;
@@ -96,6 +101,10 @@ void exchange(Exchange& with, CoupledState& state) {
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   if (!state.smoke.volume.empty())
     with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
+  each_particle_list(state.particles,
+                     [&](const std::string& name, std::vector<double>& list) { with.list(name.c_str(), list); });
+  with("liquid_in", state.liquid_flow.in), with("liquid_out", state.liquid_flow.out);
+  with("liquid_owed", state.liquid_flow.owed);
   with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);
   with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
   with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);

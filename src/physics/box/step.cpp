@@ -46,23 +46,25 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
       solids_(coupled_, solids, scene.gravity, team),
       box_(coupled_),
       outside_(coupled_, scene.gravity),
-      placer_(coupled_, surface_, box_, outside_, team),
+      placer_(coupled_, surface_, solids.mesh.x.size(), box_, outside_, team),
       contact_(coupled_, surface_),
       system_(coupled_, team),
       around_(solids_, system_),
       drag_(solids_.system.unknowns(), 0.0),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {
+  if (coupled_.liquid) liquid_.emplace(coupled_, scene_.gravity, team_);
   if (tether::keeps_energy(coupled_, solids, scene.clock.tstep)) solid_step_.emplace(solids_.system, &around_);
 }
 
-void CoupledStep::resume(const CoupledState& state) {
-  at_ = placer_.at(state.q);
+void CoupledStep::resume(CoupledState& state) {
+  place(state);
   system_.keep_orders(state.orders);
 }
 
 /// One step of the paper, 3.1 to 3.3, or one whose solids keep their energy.
 StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
   const std::vector<double> q0 = state.q, u0 = state.u;
+  const LiquidBooks before = liquid_ ? books_of_liquid(state) : LiquidBooks{};
   StepEnd end{false, {true, {}}};
   if (!move_fluid_freely(state, h)) return {true, {}};  // (1) without pressure: v*
   Solution solution = begin_solution(state, h);
@@ -82,36 +84,52 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
   carry_smoke_along(state, h);
   const double found = energy_of(state.v);
   const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
-  end_velocity(h, state.v);
+  end_velocity(h, state.last.cfl, state.v);
+  if (liquid_) move_particles(state, h);
   if (coupled_.viscosity > 0) keep_drive(given, h, state);
   if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
   check(state);
   note_friction_that_gives(state);
   place_solids(state.time + h, state);
-  state.books.remeshed += found - energy_of(state.v);
+  liquid_ ? book_liquid(before, state) : book_remeshed(found, state);
   return end;
 }
 
 /// Leaves what the next step is to find, in cut faces and in the solids.
-void CoupledStep::end_velocity(double h, FaceValues& v) const {
+void CoupledStep::end_velocity(double h, double cells_crossed, FaceValues& v) const {
+  if (liquid_) return liquid_->extend(at_, cells_crossed, v);
   if (coupled_.coupling.cuts_faces) blend_cut_faces(at_.domain, h, v);
   extend_velocity(at_.domain, v, layers_around_fluid);
+}
+
+void CoupledStep::book_remeshed(double before, CoupledState& state) const {
+  state.books.remeshed += before - energy_of(state.v);
+}
+
+/// Finds what a step begins with.
+void CoupledStep::place(CoupledState& state) {
+  if (liquid_) liquid_->look(state.particles);
+  at_ = placer_.at(state.q, {}, liquid_ ? liquid_->filled() : std::span<const double>());
 }
 
 /// The fluid's cells change with them, and smoke goes where there is fluid.
 void CoupledStep::place_solids(double time, CoupledState& state) {
   const FlowDomain before = std::move(at_.domain);
   at_ = {};  // it takes as much room as the new one
-  at_ = placer_.at(state.q);
+  liquid_ ? place_liquid(state) : place(state);
   if (coupled_.smoke) follow_domain(before, at_.domain, state.smoke);
   note_thin_bodies(time, state);
   note_bodies_that_left(time, state);
 }
 
 bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
-  box_.prescribe(at_.domain, state.time, h, state.v);
-  extend_velocity(at_.domain, state.v, layers_around_fluid);
-  carry_along(state, h);
+  if (liquid_) {
+    take_from_particles(state, h);
+  } else {
+    box_.prescribe(at_.domain, state.time, h, state.v);
+    extend_velocity(at_.domain, state.v, layers_around_fluid);
+    carry_along(state, h);
+  }
   if (coupled_.viscosity > 0 && !add_friction(state, h)) return false;
   unforced_ = state.v;
   add_forces(state.smoke, h, state.v);
@@ -131,7 +149,7 @@ void CoupledStep::carry_along(CoupledState& state, double h) {
 /// viscosity, which walls feel, would leave no such sum.
 void CoupledStep::add_forces(const Smoke& smoke, double h, FaceValues& v) const {
   for (std::size_t f = 0; f < v[1].size(); ++f) {
-    if (at_.domain.face[1][f] == FaceKind::open) v[1][f] += h * scene_.gravity;
+    if (at_.room().face[1][f] == FaceKind::open) v[1][f] += h * scene_.gravity;
   }
   if (coupled_.smoke) add_buoyancy(at_.domain, smoke, coupled_.smoke_lift, coupled_.smoke_weight, h, v);
   outside_.press(at_.domain, h, v);

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "physics/box/contact.hpp"
-#include "physics/box/flow_box.hpp"
 #include "physics/box/fluid_around.hpp"
+#include "physics/box/liquid/liquid.hpp"
 #include "physics/box/outside.hpp"
+#include "physics/box/placer.hpp"
 #include "physics/box/solid_equations.hpp"
 #include "physics/box/state.hpp"
 #include "physics/box/system.hpp"
@@ -40,7 +41,7 @@ class CoupledStep {
   bool keeps_energy() const { return solid_step_.has_value(); }
   bool can_take_euler() const { return solid_step_ && solid_step_->can_take_euler(); }
   /// Goes back to a state that it had, after a step that did not end well.
-  void go_back(const CoupledState& state) { at_ = placer_.at(state.q); }
+  void go_back(CoupledState& state) { place(state); }
   /// Sets what a step with much viscosity asks meanwhile: whether it is to stop.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
   bool may_stop(double h) const;
@@ -52,10 +53,12 @@ class CoupledStep {
   Placement placed(std::span<const double> q) const { return placer_.at(q); }
   /// The fluid about the solids as the last step left them.
   const FlowDomain& domain() const { return at_.domain; }
+  /// The surface of a liquid; null where the fluid has none.
+  const liquid::Surface* surface_of_liquid() const { return at_.surface ? &*at_.surface : nullptr; }
   /// Returns what later steps depend on beside the state: the orders of elimination that have been found.
   std::vector<double> orders() const { return system_.orders(); }
   /// Goes on from a state that was saved with its orders.
-  void resume(const CoupledState& state);
+  void resume(CoupledState& state);
   std::vector<std::string> take_messages();
 
  private:
@@ -93,6 +96,13 @@ class CoupledStep {
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
   void solve_once(const FluidOfStep& fluid, CoupledState& state, Solution& solution);
   void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h);
+  /// A liquid's energy, and what of all that is booked is its own.
+  struct LiquidBooks {
+    double energy = 0, booked = 0;  ///< [energy]
+  };
+  LiquidBooks books_of_liquid(const CoupledState& state) const;
+  void book_liquid(const LiquidBooks& before, CoupledState& state) const;
+  void book_remeshed(double before, CoupledState& state) const;
   void book_fluid(const Solution& solution, double moving, double let_in, double sources, CoupledState& state,
                   double h);
   void book_solids(std::span<const double> q0, std::span<const double> u0, const Solution& solution,
@@ -107,10 +117,17 @@ class CoupledStep {
   void check(const CoupledState& state) const;
   void tell_of_unsettled_contact(CoupledState& state);
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
-  void end_velocity(double h, FaceValues& v) const;
+  void end_velocity(double h, double cells_crossed, FaceValues& v) const;
   void keep_drive(const FaceValues& given, double h, CoupledState& state) const;
   void keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h, CoupledState& state) const;
+  void place(CoupledState& state);
   void place_solids(double time, CoupledState& state);
+  void place_liquid(CoupledState& state);
+  void fill_with_liquid(CoupledState& state);
+  void take_from_particles(CoupledState& state, double h);
+  void move_particles(CoupledState& state, double h);
+  void settle_particles(const Room& room, CoupledState& state);
+  void put_out_of_solids(const Room& room, CoupledState& state);
   void note_bodies_that_left(double time, CoupledState& state);
   void note_friction_that_gives(CoupledState& state);
   void note_turning(CoupledState& state, double h);
@@ -128,7 +145,8 @@ class CoupledStep {
   Contact contact_;
   CoupledSystem system_;
   FluidAround around_;
-  std::optional<fem::SolidStep> solid_step_;  // of steps that keep the energy
+  std::optional<liquid::LiquidOfStep> liquid_;  // of one with a surface
+  std::optional<fem::SolidStep> solid_step_;    // of steps that keep the energy
   std::vector<std::string> messages_;
   std::function<bool()> stop_;
   Placement at_;                       // of the solids now

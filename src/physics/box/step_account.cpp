@@ -74,7 +74,7 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
     for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] = state.v[axis][f] - change[axis][f];
   }
   books.projected += energy_of(change);
-  books.gravity += h * coupled_.density * scene_.gravity * along_y;
+  if (!liquid_) books.gravity += h * coupled_.density * scene_.gravity * along_y;  // a liquid's own energy has it
   if (coupled_.smoke)
     books.buoyancy += h * buoyancy_power(at_.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight,
                                          coupled_.density, state.v);
@@ -88,6 +88,7 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
     given = dot(solution.p, displaced);
   }
   books.coupling += h * given;
+  state.last.gave = h * given;
 }
 
 /// The equations (4), multiplied by the way h (u0 + u1)/2: what each force does on it. Supports move as the deck says;
@@ -106,7 +107,7 @@ void CoupledStep::book_solids(std::span<const double> q0, std::span<const double
   const SolidEquations::Taken taken = solids_.taken(u0, state.u, solution.lifts, h);
   books.contact -= dot(way, solution.friction);
   books.viscous -= dot(way, drag_);  // of what it took of the fluid the solids have this
-  state.work += dot(way, drag_);
+  state.work += dot(way, drag_), state.last.gave += dot(way, drag_);
   books.open_sides += dot(way, at_.map.outside);
   books.gravity += dot(way, at_.map.film_weight);
   books.loads += dot(way, solids_.external) + solids_.system.gravity_energy(way);

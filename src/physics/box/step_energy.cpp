@@ -53,7 +53,7 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bo
 void CoupledStep::begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution) {
   solution.middle.resize(q1.size());
   for (std::size_t k = 0; k < q1.size(); ++k) solution.middle[k] = 0.5 * (state.q[k] + q1[k]);
-  at_ = placer_.at(state.q, solution.middle);
+  at_ = placer_.at(state.q, solution.middle, liquid_ ? liquid_->filled() : std::span<const double>());
   around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
   solid_step_->start_where_it_ended();
 }
@@ -87,7 +87,7 @@ void CoupledStep::book_moved(const fem::SolidState& moved, const Solution& solut
                springs = solids_.spring_energy(state.q) - solids_.spring_energy(moved.q);
   books.coupling -= by_fluid;
   books.open_sides += outside, books.gravity += weight;
-  books.viscous -= rubbed, state.work += rubbed;
+  books.viscous -= rubbed, state.work += rubbed, state.last.gave += rubbed;
   books.loads += moved.of_loads + moved.of_supports - by_fluid - outside - weight - rubbed - springs;
   books.damped += moved.damped;
 }

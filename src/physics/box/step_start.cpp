@@ -23,7 +23,7 @@ CoupledState CoupledStep::start() {
   state.driven_nodes.assign(sticks_to_bodies(coupled_) ? state.u.size() : 0, 0.0);
   state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
   state.p.assign(coupled_.grid.cell_count(), 0.0);
-  at_ = placer_.at(state.q);
+  liquid_ ? fill_with_liquid(state) : place(state);
   project_start(state);
   if (coupled_.smoke) state.smoke = smoke_at_start();
   if (solid_step_) look_at_contact(state);
@@ -43,7 +43,9 @@ void CoupledStep::project_start(CoupledState& state) {
                        solids_.held, at_.numbers.cell, at_.domain.kind.size(), region, regions.closed, regions.closed},
                       0, state.u, p);
   add_pressure(at_.domain, at_.numbers, p, 1, state.v);
-  end_velocity(scene_.clock.tstep, state.v);
+  constexpr double cells_crossed = 1;
+  end_velocity(scene_.clock.tstep, cells_crossed, state.v);
+  if (liquid_) move_particles(state, 0);
 }
 
 }  // namespace tether::coupled

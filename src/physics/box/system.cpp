@@ -203,11 +203,26 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
   const Stopwatch watch(cost_.solve);
   std::vector<double> right(equations.r.begin(), equations.r.end());
   add_product(equations.flux, 1, u, right);
-  const std::vector<std::uint8_t> pinned = first_pressures(equations, equations.loose);
   std::vector<double> weight(p.size(), 1.0);
   if (scene_.area_repair) weight = areas_seen(equations.B);
   balance(equations, weight, right);
-  for (std::size_t k = 0; k < p.size(); ++k) right[k] = pinned[k] != 0 ? 0 : -right[k];
+  for (double& value : right) value = -value;
+  solve_pressures(equations, time, scene_.tolerance, first_pressures(equations, equations.loose), right, p);
+}
+
+void CoupledSystem::solve_sources(const CoupledEquations& equations, double time, double tolerance,
+                                  std::span<double> p) {
+  const Stopwatch watch(cost_.solve);
+  std::vector<double> right(equations.r.begin(), equations.r.end());
+  balance(equations, std::vector<double>(p.size(), 1.0), right);
+  solve_pressures(equations, time, tolerance, first_pressures(equations, equations.loose), right, p);
+}
+
+/// L p = right, 0 where pressures are pinned.
+void CoupledSystem::solve_pressures(const CoupledEquations& equations, double time, double tolerance,
+                                    std::span<const std::uint8_t> pinned, std::span<double> right,
+                                    std::span<double> p) {
+  for (std::size_t k = 0; k < p.size(); ++k) right[k] = pinned[k] != 0 ? 0 : right[k];
   if (direct_) {
     if (!equations.same_matrices && !parts_->fluid.factorise(pressures_by_cells(equations, pinned)))
       refuse(time, "the pressures' matrix is singular: likely cause, values that ran away");
@@ -218,7 +233,7 @@ void CoupledSystem::solve_fluid(const CoupledEquations& equations, double time, 
     cost_.factor_nonzeros += parts_->fluid.factor_nonzeros();
     return;
   }
-  const KrylovResult result = parts_->schur.solve_pressures(equations, pinned, right, scene_.tolerance, p);
+  const KrylovResult result = parts_->schur.solve_pressures(equations, pinned, right, tolerance, p);
   cost_.iterations += result.iterations;
   if (!result.converged)
     refuse(time, "conjugate gradients do not converge for the pressures", Failure::does_not_converge);

@@ -42,6 +42,9 @@ class CoupledSystem {
   /// The fluid alone, -L p = r + flux u with all velocities given.
   void solve_fluid(const CoupledEquations& equations, double time, std::span<const double> u, std::span<double> p);
 
+  /// The pressures alone, L p = r, less the means of r in loose regions, to `tolerance` where it is by iterations.
+  void solve_sources(const CoupledEquations& equations, double time, double tolerance, std::span<double> p);
+
   /// Lets go of what only solutions with the same matrices would need: no more of them follow.
   void let_go();
   /// "bicgstab", "direct" or "krylov".
@@ -62,6 +65,8 @@ class CoupledSystem {
                    std::span<double> x);
   bool correct_directly(const CoupledEquations& equations, const ReducedEquations& with, std::span<double> u,
                         std::span<double> p);
+  void solve_pressures(const CoupledEquations& equations, double time, double tolerance,
+                       std::span<const std::uint8_t> pinned, std::span<double> right, std::span<double> p);
   void check_pivots(std::int64_t expected, double time);
 
   const Coupled& scene_;

@@ -94,6 +94,8 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   add_openings(deck, *coupled, diagnostics);
   add_jets(deck, *coupled, diagnostics);
   add_boxes(deck, *coupled, diagnostics);
+  add_shaped_obstacles(deck, *coupled, diagnostics);
+  add_liquid(deck, *coupled, diagnostics);
   if (deck.has_group("mesh")) add_solids(deck, scene, diagnostics);
   if (scene.solids()) add_bodies(deck, scene, *coupled, diagnostics);
   const bool energy = scene.solids() && keeps_energy(*coupled, *scene.solids(), scene.clock.tstep);

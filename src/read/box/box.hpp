@@ -24,6 +24,12 @@ void add_openings(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
 /// Obstacles and voids.
 void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
 
+/// Obstacles that are no boxes.
+void add_shaped_obstacles(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
+
+/// Adds what the deck says of a liquid with a surface.
+void add_liquid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics);
+
 /// Returns how solids meet in steps that keep the energy: the box's walls and obstacles, where its contact is not
 /// switched off, and what $contact says; nothing without either. Sides with nodes that supports hold at walls meet
 /// nothing. Reports mistakes at their places, and bodies that touch at the start.

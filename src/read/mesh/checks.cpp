@@ -43,7 +43,7 @@ void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
 }
 
 void warn_of_point_outputs(const Deck& deck, Diagnostics& diagnostics) {
-  if (deck.given("flow.tracers", 1)) return;  // which are written as points
+  if (deck.given("flow.tracers", 1) || deck.logical("coupled.liquid")) return;  // which are written as points
   const bool box = deck.has_group("coupled");
   for (const int k : {13, 32, 35, 36, 40}) {
     if (deck.integer("in.iout", k) != 1) continue;

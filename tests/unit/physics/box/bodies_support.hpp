@@ -13,6 +13,7 @@
 #include "model/solids.hpp"
 #include "physics/box/coupling_map.hpp"
 #include "physics/box/flow_box.hpp"
+#include "physics/box/placer.hpp"
 #include "unit/alone.hpp"
 
 // Solids in a box of fluid for the tests of the coupled path, and what the path makes of where they are.

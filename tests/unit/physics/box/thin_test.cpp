@@ -18,7 +18,7 @@ ThinBodies found(int dim, const Mesh& mesh, CouplingMode mode = CouplingMode::cu
   const SolidSurface surface = surface_of(mesh);
   const FlowBox box(coupled);
   const Outside outside(coupled, 0);
-  return thin_bodies(Placer(coupled, surface, box, outside, alone()).at(mesh.x), surface);
+  return thin_bodies(Placer(coupled, surface, mesh.x.size(), box, outside, alone()).at(mesh.x), surface);
 }
 
 /// A plate .5 long (and, in space, wide) about the middle of the box, turned.

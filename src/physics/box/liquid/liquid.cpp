@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/liquid/liquid.hpp"
+
+#include <cmath>
+
+#include "physics/box/cut_faces.hpp"
+#include "physics/box/liquid/extend.hpp"
+#include "physics/box/liquid/move.hpp"
+#include "physics/box/liquid/sums.hpp"
+#include "physics/box/liquid/transfer.hpp"
+
+namespace tether::liquid {
+
+void LiquidOfStep::look(Particles& particles) {
+  cells_ = sort_by_cells(team_, scene_.grid, particles);
+  filled_ = filling(team_, scene_.grid, particles, cells_);
+}
+
+/// Faces that no particle reaches take the mean of those next to them: the liquid's cells may have such.
+void LiquidOfStep::give_to_faces(const coupled::FlowDomain& room, const Particles& particles, coupled::FaceValues& v) {
+  constexpr int layers = 2;
+  reached_ = to_faces(team_, room.grid, particles, cells_, v);
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(room.grid.dim); ++axis) {
+    std::vector<std::uint8_t> known;
+    for (const double volume : reached_[axis]) known.push_back(volume > 0 ? 1 : 0);
+    coupled::extend_known(room.grid.dim, room.grid.faces(static_cast<int>(axis)), std::move(known), layers, v[axis]);
+  }
+}
+
+void LiquidOfStep::extend(const coupled::Placement& at, double cells_crossed, coupled::FaceValues& v) const {
+  const int layers = 2 + static_cast<int>(std::ceil(cells_crossed));
+  extend_about_liquid(at.room(), at.domain, at.surface->distance, reached_, layers, v);
+}
+
+double LiquidOfStep::energy(const Particles& particles) const {
+  const LiquidSums sums = sums_of(particles, scene_.grid.dim, scene_.density, {0, gravity_, 0});
+  return sums.kinetic + sums.gravity;
+}
+
+CarriedEnergy LiquidOfStep::carry(const coupled::Placement& at, const coupled::FaceValues& v, double more,
+                                  std::span<const double> jet_speeds, double h, Particles& particles,
+                                  LiquidFlow& flow) const {
+  from_faces(team_, scene_.grid, v, particles);
+  limit_thin_pieces(team_, scene_.grid, at.surface->distance, fastest_, more, particles);
+  const std::vector<std::uint8_t> left = carry_particles(team_, at.room(), v, Exits(at.room(), v), h, particles);
+  const double whole = energy(particles), out = remove_marked(scene_.grid.dim, left, particles);
+  const double kept = out > 0 ? energy(particles) : whole, in = inflow_.blow_in(jet_speeds, h, flow.owed, particles);
+  flow.out += out, flow.in += in;
+  return {in > 0 ? energy(particles) - kept : 0, whole - kept};
+}
+
+}  // namespace tether::liquid

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/liquid/near_solids.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "grid/contact/pair_distance.hpp"
+#include "physics/box/liquid/particles.hpp"
+
+namespace tether::liquid {
+
+/// Calls f(cell) for the cells that a side's box reaches into, and those about them.
+template <class Function>
+void NearSolids::each_cell_about(std::size_t side, const Function& f) const {
+  std::array<int, 3> low{}, high{}, cell{};
+  for (std::size_t a = 0; a < at(grid_.dim); ++a) {
+    double least = INFINITY, most = -INFINITY;
+    for (const int node : surface_.side(side)) {
+      const double x = tether::place_of(q_, node, surface_.dim)[a];
+      least = std::min(least, x), most = std::max(most, x);
+    }
+    const double first = std::floor((least - grid_.low[a]) / grid_.d[a]) - 1,
+                 last = std::floor((most - grid_.low[a]) / grid_.d[a]) + 1;
+    if (last < 0 || first >= grid_.n[a]) return;
+    low[a] = static_cast<int>(std::max(first, 0.0)), high[a] = static_cast<int>(std::min(last, grid_.n[a] - 1.0));
+  }
+  for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) {
+    for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1]) {
+      for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) f(grid_.cell(cell));
+    }
+  }
+}
+
+NearSolids::NearSolids(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid,
+                       const Crossings& crossings)
+    : surface_(surface), q_(q), grid_(grid), crossings_(crossings), first_(grid.cell_count() + 1, 0) {
+  for (std::size_t s = 0; s < surface.side_count(); ++s) each_cell_about(s, [&](std::size_t c) { ++first_[c + 1]; });
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c + 1] += first_[c];
+  sides_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t s = 0; s < surface.side_count(); ++s)
+    each_cell_about(s, [&](std::size_t c) { sides_[next[c]++] = static_cast<int>(s); });
+}
+
+namespace {
+
+/// The shares of a triangle's corners in its place nearest to another: r has the ways from the first corner to that
+/// place and to the other corners.
+Vec<3> shares_on_triangle(const PairVectors<3, 3>& r) {
+  const Nearest<3> nearest = nearest_on_triangle(products_of<3, 3>(r));
+  const PairVectors<3, 3> used = r * nearest.sums.transpose();
+  Eigen::RowVector3d way = nearest.sums.row(0);
+  if (nearest.used == 2) {
+    way -= used.col(0).dot(used.col(1)) / used.col(1).squaredNorm() * nearest.sums.row(1);
+  } else if (nearest.used == 3) {
+    const double a = used.col(1).squaredNorm(), b = used.col(1).dot(used.col(2)), c = used.col(2).squaredNorm(),
+                 p = used.col(0).dot(used.col(1)), q = used.col(0).dot(used.col(2)), det = a * c - b * b;
+    way -= (c * p - b * q) / det * nearest.sums.row(1) + (a * q - b * p) / det * nearest.sums.row(2);
+  }
+  return {1 + way[1] + way[2], -way[1], -way[2]};
+}
+
+double sixfold_volume(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) { return dot(a, cross(b, c)); }
+
+}  // namespace
+
+/// Of the ends of a way, and of a side's, each lies on one side of the other: what is exactly on it counts as above.
+bool NearSolids::crosses(int side, const Vec<3>& from, const Vec<3>& to) const {
+  const auto nodes = surface_.side(at(side));
+  const Vec<3> a = minus(tether::place_of(q_, nodes[0], surface_.dim), from),
+               b = minus(tether::place_of(q_, nodes[1], surface_.dim), from), way = minus(to, from);
+  if (surface_.dim == 2) {
+    const bool a_left = cross(way, a)[2] > 0, b_left = cross(way, b)[2] > 0;
+    if (a_left == b_left) return false;
+    const Vec<3> edge = minus(b, a);
+    return (cross(edge, minus(Vec<3>{}, a))[2] > 0) != (cross(edge, minus(way, a))[2] > 0);
+  }
+  const Vec<3> c = minus(tether::place_of(q_, nodes[2], 3), from);
+  const bool ab = sixfold_volume(way, a, b) > 0, bc = sixfold_volume(way, b, c) > 0, ca = sixfold_volume(way, c, a) > 0;
+  if (ab != bc || bc != ca) return false;
+  const Vec<3> normal = cross(minus(b, a), minus(c, a));
+  return (dot(normal, a) > 0) != (dot(normal, minus(a, way)) > 0);
+}
+
+bool NearSolids::hold(const Vec<3>& x) const {
+  const auto place = cell_of(grid_, x);
+  const std::size_t cell = grid_.cell(place);
+  bool inside = crossings_.inside[cell] != 0;
+  const Vec<3> middle = grid_.middle(place);
+  for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
+    if (crosses(sides_[k], x, middle)) inside = !inside;
+  }
+  return inside;
+}
+
+NearestSurface NearSolids::nearest_of_side(int side, const Vec<3>& x) const {
+  const auto nodes = surface_.side(at(side));
+  std::array<Vec<3>, 3> corner{};
+  for (std::size_t a = 0; a < nodes.size(); ++a) corner[a] = tether::place_of(q_, nodes[a], surface_.dim);
+  NearestSurface near{side, {}, {1, 0, 0}, 0};
+  const Vec<3> to = minus(x, corner[0]), e = minus(corner[1], corner[0]);
+  if (surface_.dim == 2) {
+    const double t = std::clamp(dot(to, e) / dot(e, e), 0.0, 1.0);
+    near.share = {1 - t, t, 0};
+  } else {
+    PairVectors<3, 3> r;
+    const Vec<3> f = minus(corner[2], corner[0]);
+    for (int i = 0; i < 3; ++i) r(i, 0) = to[at(i)], r(i, 1) = e[at(i)], r(i, 2) = f[at(i)];
+    near.share = shares_on_triangle(r);
+  }
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    for (std::size_t i = 0; i < 3; ++i) near.place[i] += near.share[a] * corner[a][i];
+  }
+  const Vec<3> off = minus(x, near.place);
+  near.distance = std::sqrt(dot(off, off));
+  return near;
+}
+
+Vec<3> NearSolids::velocity(const NearestSurface& near, std::span<const double> u) const {
+  Vec<3> velocity{};
+  const auto nodes = surface_.side(at(near.side));
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const std::size_t first = at(nodes[a]) * at(surface_.dim);
+    for (std::size_t i = 0; i < at(surface_.dim) && first < u.size(); ++i) velocity[i] += near.share[a] * u[first + i];
+  }
+  return velocity;
+}
+
+std::optional<NearestSurface> NearSolids::nearest(const Vec<3>& x) const {
+  const std::size_t cell = grid_.cell(cell_of(grid_, x));
+  std::optional<NearestSurface> found;
+  for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
+    const NearestSurface near = nearest_of_side(sides_[k], x);
+    if (!found || near.distance < found->distance) found = near;
+  }
+  return found;
+}
+
+}  // namespace tether::liquid

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/liquid/transfer.hpp"
+
+#include "base/blocks.hpp"
+#include "physics/box/liquid/hats.hpp"
+
+namespace tether::liquid {
+namespace {
+
+constexpr double no_volume = 1e-12;  // of a cell
+
+template <std::size_t dim>
+std::array<double, dim> place(const Particles& particles, std::size_t k) {
+  std::array<double, dim> x;
+  for (std::size_t b = 0; b < dim; ++b) x[b] = particles.x[b][k];
+  return x;
+}
+
+/// Adds a particle's volume and momentum to the faces across one axis about it.
+template <std::size_t dim>
+void add_to_faces(const StaggeredGrid& grid, const Lattice<dim>& faces, const Particles& particles, std::size_t axis,
+                  std::size_t k, std::vector<double>& volume, std::vector<double>& momentum) {
+  const LatticePlace<dim> at = faces.locate(place<dim>(particles, k));
+  for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
+    std::array<int, dim> point = at.low;
+    double v = particles.v[axis][k];
+    bool within = true;
+    for (std::size_t b = 0; b < dim; ++b) {
+      const int up = corner >> b & 1;
+      point[b] += up;
+      within = within && point[b] >= 0 && point[b] < faces.size[b];
+      v += particles.slope[axis][b][k] * (up - at.part[b]) * grid.d[b];
+    }
+    if (!within) continue;
+    const double w = particles.volume[k] * Lattice<dim>::weight(at, corner);
+    const auto f = static_cast<std::size_t>(faces.number(point));
+    volume[f] += w, momentum[f] += w * v;
+  }
+}
+
+template <std::size_t dim>
+coupled::FaceValues to_faces_in(Team& team, const StaggeredGrid& grid, const Particles& particles,
+                                const CellParticles& cells, coupled::FaceValues& v) {
+  coupled::FaceValues volume = coupled::face_values(grid);
+  v = coupled::face_values(grid);
+  for (std::size_t axis = 0; axis < dim; ++axis) {
+    const Lattice<dim> faces(grid, static_cast<int>(axis));
+    each_slab(team, grid, cells, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        add_to_faces<dim>(grid, faces, particles, axis, k, volume[axis], v[axis]);
+    });
+    for (std::size_t f = 0; f < v[axis].size(); ++f) {
+      if (volume[axis][f] <= no_volume * grid.volume()) volume[axis][f] = 0;
+      v[axis][f] = volume[axis][f] > 0 ? v[axis][f] / volume[axis][f] : 0;
+    }
+  }
+  return volume;
+}
+
+/// The velocity that the faces across an axis have at a place, and its slopes.
+template <std::size_t dim>
+double take(const StaggeredGrid& grid, const Lattice<dim>& faces, const std::vector<double>& v,
+            const std::array<double, dim>& x, std::array<double, dim>& slope) {
+  const LatticePlace<dim> at = faces.locate_within(x);
+  const double* first = v.data() + faces.number(at.low);
+  double sum = 0;
+  slope.fill(0);
+  for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
+    const double value = first[faces.step(corner)];
+    sum += Lattice<dim>::weight(at, corner) * value;
+    for (std::size_t b = 0; b < dim; ++b) {
+      LatticePlace<dim> edge = at;  // the slope along b has the weights of the other axes
+      edge.part[b] = (corner >> b & 1) != 0 ? 1 : 0;
+      slope[b] += Lattice<dim>::weight(edge, corner) * ((corner >> b & 1) != 0 ? value : -value) / grid.d[b];
+    }
+  }
+  return sum;
+}
+
+template <std::size_t dim>
+void from_faces_in(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, Particles& particles) {
+  for (std::size_t axis = 0; axis < dim; ++axis) {
+    const Lattice<dim> faces(grid, static_cast<int>(axis));
+    each_block(team, particles.size(), [&](std::size_t begin, std::size_t end) {
+      std::array<double, dim> slope;
+      for (std::size_t k = begin; k < end; ++k) {
+        particles.v[axis][k] = take<dim>(grid, faces, v[axis], place<dim>(particles, k), slope);
+        for (std::size_t b = 0; b < dim; ++b) particles.slope[axis][b][k] = slope[b];
+      }
+    });
+  }
+}
+
+template <std::size_t dim>
+std::vector<double> filling_in(Team& team, const StaggeredGrid& grid, const Particles& particles,
+                               const CellParticles& cells) {
+  std::vector<double> filled(grid.cell_count(), 0.0);
+  const Lattice<dim> middles(grid, -1);
+  const double per_volume = 1 / grid.volume();
+  each_slab(team, grid, cells, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const LatticePlace<dim> at = middles.locate(place<dim>(particles, k));
+      for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
+        std::array<int, dim> point = at.low;
+        for (std::size_t b = 0; b < dim; ++b)
+          point[b] = std::clamp(point[b] + static_cast<int>(corner >> b & 1), 0, middles.size[b] - 1);
+        filled[static_cast<std::size_t>(middles.number(point))] +=
+            particles.volume[k] * per_volume * Lattice<dim>::weight(at, corner);
+      }
+    }
+  });
+  return filled;
+}
+
+}  // namespace
+
+coupled::FaceValues to_faces(Team& team, const StaggeredGrid& grid, const Particles& particles,
+                             const CellParticles& cells, coupled::FaceValues& v) {
+  return grid.dim == 2 ? to_faces_in<2>(team, grid, particles, cells, v)
+                       : to_faces_in<3>(team, grid, particles, cells, v);
+}
+
+void from_faces(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, Particles& particles) {
+  grid.dim == 2 ? from_faces_in<2>(team, grid, v, particles) : from_faces_in<3>(team, grid, v, particles);
+}
+
+std::vector<double> filling(Team& team, const StaggeredGrid& grid, const Particles& particles,
+                            const CellParticles& cells) {
+  return grid.dim == 2 ? filling_in<2>(team, grid, particles, cells) : filling_in<3>(team, grid, particles, cells);
+}
+
+}  // namespace tether::liquid

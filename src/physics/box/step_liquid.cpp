@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "physics/box/liquid/extend.hpp"
+#include "physics/box/liquid/move.hpp"
+#include "physics/box/liquid/seed.hpp"
+#include "physics/box/liquid/settle.hpp"
+#include "physics/box/matrix.hpp"
+#include "physics/box/projection.hpp"
+#include "physics/box/step.hpp"
+
+namespace tether::coupled {
+
+// What a step does with the particles of a liquid.
+
+void CoupledStep::fill_with_liquid(CoupledState& state) {
+  Room room = placer_.room_at(state.q);
+  const liquid::NearSolids solids(placer_.whole().surface(), room.places, coupled_.grid, room.crossings);
+  state.particles = liquid::seed(coupled_, room.domain, solids);
+  state.liquid_flow = liquid_->no_flow();
+  liquid_->look(state.particles);
+  at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
+  liquid_->give_to_faces(at_.room(), state.particles, state.v);
+  liquid_->note_speeds(state.v);
+}
+
+/// The particles have carried the velocity along; the faces get it back from them.
+void CoupledStep::take_from_particles(CoupledState& state, double h) {
+  liquid_->give_to_faces(at_.room(), state.particles, state.v);
+  box_.prescribe(at_.domain, state.time, h, state.v);
+  liquid_->note_speeds(state.v);
+}
+
+void CoupledStep::move_particles(CoupledState& state, double h) {
+  double fastest = 0;  // of the bodies' nodes, along an axis
+  for (const double u : state.u) fastest = std::max(fastest, std::abs(u));
+  const liquid::CarriedEnergy carried =
+      liquid_->carry(at_, state.v, 2 * fastest + h * std::abs(scene_.gravity), box_.jet_speeds(state.time, h), h,
+                     state.particles, state.liquid_flow);
+  state.books.jets += carried.in, state.books.open_sides -= carried.out;
+}
+
+CoupledStep::LiquidBooks CoupledStep::books_of_liquid(const CoupledState& state) const {
+  const EnergyBooks& books = state.books;
+  return {liquid_->energy(state.particles),
+          books.jets + books.open_sides - books.viscous - books.projected - books.sources};
+}
+
+/// What is neither exchanged nor booked elsewhere the method lost, by carrying particles along and spreading them.
+void CoupledStep::book_liquid(const LiquidBooks& before, CoupledState& state) const {
+  const LiquidBooks now = books_of_liquid(state);
+  state.books.advected += before.energy - now.energy + now.booked - before.booked - state.last.gave;
+}
+
+/// The solids have moved, too: what they came over is put out of them, and what crowds is spread before the surface is
+/// found.
+void CoupledStep::place_liquid(CoupledState& state) {
+  Room room = placer_.room_at(state.q);
+  put_out_of_solids(room, state);
+  settle_particles(room, state);
+  put_out_of_solids(room, state);
+  liquid_->look(state.particles);
+  at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
+}
+
+void CoupledStep::put_out_of_solids(const Room& room, CoupledState& state) {
+  const SolidSurface& surface = placer_.whole().surface();
+  if (surface.side_count() == 0) return;
+  const liquid::NearSolids solids(surface, room.places, coupled_.grid, room.crossings);
+  liquid::put_out_of_solids(team_, coupled_.grid, solids, state.u, state.particles);
+}
+
+/// Moves particles, not velocities, by the ways w of a field whose divergence takes off what is too much in a cell, and
+/// which ends at the surface as pressures do.
+void CoupledStep::settle_particles(const Room& room, CoupledState& state) {
+  constexpr double tolerance = 1e-3, most = 0.3;  // of its solution; cells
+  liquid_->look(state.particles);
+  const liquid::Surface surface = liquid::surface_in(room.domain, room.all_pieces(), liquid_->filled());
+  const FlowDomain domain = liquid::liquid_in(surface.room, surface.distance, coupled_.liquid->air);
+  const PressureNumbers numbers = number_pressures(domain);
+  const std::vector<double> out = liquid::crowding(domain, surface, numbers, liquid_->filled());
+  const CouplingMatrix none(static_cast<std::int64_t>(out.size()), static_cast<std::int64_t>(state.u.size()));
+  const std::vector<int> region = of_cells(numbers, domain.region);
+  const std::vector<std::uint8_t> closed = closed_regions(domain);
+  std::vector<double> p(out.size(), 0.0);
+  system_.solve_sources({solids_.A, solids_.b, none, none, pressure_matrix(domain, numbers, 1), out, solids_.held,
+                         numbers.cell, domain.kind.size(), region, closed, closed},
+                        state.time, tolerance, p);
+  FaceValues ways = face_values(domain.grid);
+  add_pressure(domain, numbers, p, 1, ways);
+  liquid::extend_about_liquid(surface.room, domain, surface.distance, face_values(domain.grid), 2, ways);
+  liquid::shift_particles(team_, surface.room, ways, most, state.particles);
+}
+
+}  // namespace tether::coupled
