@@ -4,7 +4,7 @@ import numpy
 from matplotlib import colors, patches
 
 import style
-from scene import box_in_space, elements, in_space, quantities
+from scene import box_in_space, elements, in_space, liquid, quantities
 from scene.box_in_space import FLUID, OBSTACLE, STONE
 
 MOST = 98.0  # per cent of the bodies' energy densities of the run: those beyond are drawn as that one
@@ -67,8 +67,11 @@ class BoxScene:
         cells = self.fluid.at(record)
         kind, values = cells["kind"], quantities.value_of(cells, name)
         x, y = self.box.edges["x"], self.box.edges["y"]
-        axes.pcolormesh(x, y, numpy.ma.masked_where((kind != FLUID) | ~numpy.isfinite(values), values), cmap=scale.colours,
-                        norm=scale.norm, zorder=1)
+        if "surface" in cells:
+            liquid.draw_plane(axes, x, y, cells, values, scale)
+        else:
+            axes.pcolormesh(x, y, numpy.ma.masked_where((kind != FLUID) | ~numpy.isfinite(values), values),
+                            cmap=scale.colours, norm=scale.norm, zorder=1)
         axes.pcolormesh(x, y, numpy.ma.masked_where(kind != OBSTACLE, kind), cmap=colors.ListedColormap([STONE]), zorder=1.5)
         if self.bodies:
             bodies = elements.Elements(self.bodies, "energy density")
@@ -103,6 +106,8 @@ def field_that_matters(run):
     fluid, values = run.fields("mesh"), run.deck_values
     if has_smoke(fluid):
         return "smoke"
+    if "surface" in fluid.names:
+        return "speed"
     if values.get("coupled.fluid_in") == "cavities":
         return "speed"
     opened = any(values.get(f"coupled.side({side})") == "open" for side in range(1, 7))

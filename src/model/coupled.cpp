@@ -7,6 +7,7 @@
 
 #include "base/vec.hpp"
 #include "grid/solid_surface.hpp"
+#include "model/scene.hpp"
 
 namespace tether {
 namespace {
@@ -43,6 +44,8 @@ Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid) {
   }
   return cells;
 }
+
+Vec<3> gravity_of(const Scene& scene) { return {scene.coupled()->gravity_x, scene.gravity, 0}; }
 
 bool has_fluid_beyond(const Coupled& coupled, int side) {
   const BoxSide kind = coupled.sides[static_cast<std::size_t>(side)];

@@ -164,7 +164,8 @@ struct Coupled {
   double viscosity = 0;      ///< mu [stress time]
   bool bodies_slip = true;   ///< whether a viscous fluid slips along bodies
   std::array<BoxSide, 6> sides{};
-  double level = 0;  ///< height at which the fluid beyond open sides has no pressure [length]
+  double gravity_x = 0;  ///< acceleration along x, of fluid and solids; that along y is the scene's
+  double level = 0;      ///< height at which the fluid beyond open sides has no pressure [length]
   std::vector<Opening> openings;
   std::vector<Jet> jets;
   std::vector<Box<3>> obstacles;  ///< at rest, that fluid and solids do not enter
@@ -184,6 +185,10 @@ struct Coupled {
   bool convex = true;       ///< whether K' is made positive semi-definite
   std::vector<Spring> springs;
 };
+
+struct Scene;
+/// Returns the acceleration of fluid and solids of a scene that is coupled [acceleration].
+Vec<3> gravity_of(const Scene& scene);
 
 /// Returns whether the fluid rubs at bodies.
 inline bool sticks_to_bodies(const Coupled& coupled) { return coupled.viscosity > 0 && !coupled.bodies_slip; }

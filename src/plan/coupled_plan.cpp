@@ -73,6 +73,10 @@ Term term(const char* name, bool on, const std::string& yes, const std::string& 
   return {name, on, on ? yes : no};
 }
 
+std::string gravity_text(double along_y, double along_x) {
+  return fmt::format("gravc = {:.6g} in y{}", along_y, along_x == 0 ? "" : fmt::format(", {:.6g} in x", along_x));
+}
+
 Term cfl_term(const Scene& scene) {
   const CflNumber cfl = cfl_number(scene);
   return term("CFL number", cfl.number > 0,
@@ -91,7 +95,7 @@ std::vector<Term> fluid_terms(const Scene& scene) {
            fmt::format("mu {:.4g}: walls and obstacles hold the fluid{}", c.viscosity,
                        scene.solids() ? (c.bodies_slip ? ", bodies do not" : ", and so do bodies") : ""),
            "mu = 0: the fluid slips along walls"),
-      term("gravity", scene.gravity != 0, fmt::format("gravc = {:.6g} in y", scene.gravity), "gravc = 0"),
+      term("gravity", scene.gravity != 0 || c.gravity_x != 0, gravity_text(scene.gravity, c.gravity_x), "gravc = 0"),
       term("smoke", c.smoke, fmt::format("weight {:.4g}, lift {:.4g}", c.smoke_weight, c.smoke_lift),
            "no jet brings smoke or temperature"),
       term("jets", !c.jets.empty(), jets_text(c), "none given"),

@@ -98,7 +98,7 @@ std::string thin_text(const Scene& scene) {
   if (!scene.coupled() || !scene.solids() || !scene.coupled()->coupling.cuts_faces) return "";
   const SolidSurface surface = surface_of(scene.solids()->mesh);
   const FlowBox box(*scene.coupled());
-  const Outside outside(*scene.coupled(), scene.gravity);
+  const Outside outside(*scene.coupled(), gravity_of(scene));
   Team alone;
   const Placement placed =
       Placer(*scene.coupled(), surface, scene.solids()->mesh.x.size(), box, outside, alone).at(scene.solids()->mesh.x);

@@ -142,7 +142,7 @@ class MapByPressures {
   void add_film_weight(const SurfacePiece& piece, const FilmPressures& films, std::size_t number,
                        const std::vector<std::pair<std::size_t, double>>& pressure, MapPart& to) const {
     if (of_.outside == nullptr) return;
-    const auto at_rest = [&](const Vec<3>& x) { return of_.outside->pressure(x[1]); };
+    const auto at_rest = [&](const Vec<3>& x) { return of_.outside->at_rest(x); };
     double whole = films.outside_on(number, [](std::size_t) { return 1.0; });  // parts of rims, and these at rest
     double rims = films.outside_on(number, [&](std::size_t rim) { return at_rest(of_.pieces.pieces[rim].middle); });
     for (const auto& [cell, weight] : pressure) {

@@ -62,8 +62,16 @@ struct CellSource {
   const StaggeredGrid& grid;
   const FlowDomain& domain;
   const CoupledState& state;
+  const liquid::Surface* surface = nullptr;  ///< of a liquid
+  const WholeSurface& whole;                 ///< of bodies and obstacles
 
-  bool fluid(std::size_t cell) const { return domain.kind[cell] == CellKind::fluid; }
+  /// What the cell holds: sealed air is air, and what obstacles that cut cells have is theirs.
+  CellKind kind(std::size_t cell) const {
+    const CellKind kind = domain.kind[cell];
+    if (kind == CellKind::solid && whole.in_obstacle(cell)) return CellKind::wall;
+    return surface != nullptr && kind == CellKind::fluid && surface->distance[cell] >= 0 ? CellKind::empty : kind;
+  }
+  bool fluid(std::size_t cell) const { return kind(cell) == CellKind::fluid; }
   /// The mean of its two faces.
   double velocity(int axis, std::size_t cell) const {
     auto face = grid.place_of_cell(cell);
@@ -74,7 +82,7 @@ struct CellSource {
 };
 
 struct CellSetting : ColumnSetting {
-  bool with_smoke = false;
+  bool with_smoke = false, with_liquid = false;
 };
 
 const ColumnTable<CellSetting, CellSource>& cell_table() {
@@ -84,6 +92,7 @@ const ColumnTable<CellSetting, CellSource>& cell_table() {
   const auto velocity = [](const S& s, std::size_t axis, std::size_t c) {
     return s.fluid(c) ? s.velocity(static_cast<int>(axis), c) : 0;
   };
+  const When<CellSetting> liquid("with a liquid", [](const CellSetting& s) { return s.with_liquid; });
   const When<CellSetting> smoke("with smoke", [](const CellSetting& s) { return s.with_smoke; });
   static const ColumnTable<CellSetting, S> table({{{
       Row("v", D::velocity, "velocity, zero where there is no fluid", velocity).vector(),
@@ -91,8 +100,8 @@ const ColumnTable<CellSetting, CellSource>& cell_table() {
        [](const S& s, std::size_t c) { return !s.fluid(c)           ? 0
                                               : s.state.dt_last > 0 ? s.state.p[c]
                                                                     : no_number; }},
-      {"kind", D::whole, "fluid 0, solid 1, obstacle 2, void 3",
-       [](const S& s, std::size_t c) { return static_cast<double>(s.domain.kind[c]); }},
+      {"kind", D::whole, "fluid 0, solid 1, obstacle 2, void or air 3",
+       [](const S& s, std::size_t c) { return static_cast<double>(s.kind(c)); }},
       {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
        [](const S& s, std::size_t c) { return s.domain.region[c] + 1.0; }},
       Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.state.smoke.density(c); })
@@ -100,6 +109,9 @@ const ColumnTable<CellSetting, CellSource>& cell_table() {
       Row("temperature", D::number, "above that of the surroundings",
           [](const S& s, std::size_t c) { return s.state.smoke.temperature(c); })
           .when(smoke),
+      Row("surface", D::number, "distance from the liquid's surface in cells, below 0 in the liquid",
+          [](const S& s, std::size_t c) { return s.surface->distance[c]; })
+          .when(liquid),
   }}});
   return table;
 }
@@ -127,7 +139,8 @@ double CoupledFields::pressure_energy(const CoupledState& state) const {
   double sum = 0;
   for (std::size_t c = 0; c < domain.kind.size(); ++c) {
     if (domain.kind[c] != CellKind::fluid) continue;
-    double pull = std::abs(scene_.gravity);
+    const Vec<3> gravity = gravity_of(scene_);
+    double pull = std::sqrt(dot(gravity, gravity));
     if (coupled.smoke)
       pull += std::abs(coupled.smoke_lift * state.smoke.temperature(c)) +
               std::abs(coupled.smoke_weight * state.smoke.density(c));
@@ -185,7 +198,7 @@ void CoupledFields::add_fluid(const CoupledState& state, CoupledSums& sums) cons
 void CoupledFields::add_liquid(const CoupledState& state, CoupledSums& sums) const {
   const Coupled& coupled = *scene_.coupled();
   liquid::LiquidSums& of = sums.liquid;
-  of = liquid::sums_of(state.particles, coupled.grid.dim, coupled.density, {0, scene_.gravity, 0});
+  of = liquid::sums_of(state.particles, coupled.grid.dim, coupled.density, gravity_of(scene_));
   liquid::add_surface(*step_.surface_of_liquid(), of);
   const double mass = coupled.density * of.volume;
   for (std::size_t axis = 0; axis < at(coupled.grid.dim); ++axis) sums.momentum[axis] += mass * of.velocity[axis];
@@ -217,9 +230,9 @@ void CoupledFields::add_bodies(const CoupledState& state, CoupledSums& sums) con
 
 Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
   const Coupled& box = *scene_.coupled();
-  const CellSetting setting{{box.grid.dim, {}, {}}, box.smoke};
+  const CellSetting setting{{box.grid.dim, {}, {}}, box.smoke, box.liquid.has_value()};
   return Columns<CellSource>(cell_table(), setting)
-      .snapshot(state.time, box.grid.cell_count(), {box.grid, step_.domain(), state});
+      .snapshot(state.time, box.grid.cell_count(), {box.grid, step_.domain(), state, step_.surface_of_liquid(), step_.whole_surface()});
 }
 
 namespace {

@@ -81,7 +81,7 @@ FirstSmoke first_smoke(const Coupled& scene) {
   return first;
 }
 
-Outside::Outside(const Coupled& scene, double gravity) : scene_(scene), gravity_(gravity) {
+Outside::Outside(const Coupled& scene, const Vec<3>& gravity) : scene_(scene), gravity_(gravity) {
   const StaggeredGrid& grid = scene.grid;
   const FirstSmoke first = first_smoke(scene);
   const std::vector<std::uint8_t> fluid = cells_for_fluid(scene);
@@ -108,8 +108,10 @@ double Outside::lifted(double y) const {
 }
 
 double Outside::pressure(double y) const {
-  return scene_.density * (gravity_ * (y - scene_.level) + lifted(y) - lifted(scene_.level));
+  return scene_.density * (gravity_[1] * (y - scene_.level) + lifted(y) - lifted(scene_.level));
 }
+
+double Outside::at_rest(const Vec<3>& x) const { return pressure(x[1]) + scene_.density * gravity_[0] * x[0]; }
 
 double Outside::pressure_beyond(int side, double y) const { return presses(side) ? pressure(y) : 0; }
 

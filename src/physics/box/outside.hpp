@@ -60,11 +60,14 @@ FirstSmoke first_smoke(const Coupled& scene);
 /// there is nothing and no pressure.
 class Outside {
  public:
-  /// The scene must outlive it; `gravity` acts along y [acceleration].
-  Outside(const Coupled& scene, double gravity);
+  /// The scene must outlive it. Along y `gravity` makes the pressure outside; across it there is none [acceleration].
+  Outside(const Coupled& scene, const Vec<3>& gravity);
+  Outside(const Coupled& scene, double gravity) : Outside(scene, Vec<3>{0, gravity, 0}) {}
 
   /// Returns the pressure of the fluid outside at a height [stress].
   double pressure(double y) const;
+  /// Returns what fluid at rest has at a place, but for a constant [stress].
+  double at_rest(const Vec<3>& x) const;
   /// Returns whether there is fluid beyond a side of the box: beyond that of a liquid with a surface is air.
   bool presses(int side) const { return has_fluid_beyond(scene_, side) && !scene_.cavities_only && !scene_.liquid; }
   /// The pressure beyond a side of the box at a height: zero where the side is no open one, or has nothing beyond.
@@ -86,7 +89,7 @@ class Outside {
   double lifted(double y) const;
 
   const Coupled& scene_;
-  double gravity_;
+  Vec<3> gravity_;
   std::vector<double> density_, temperature_;  // of each row of cells
   std::vector<double> place_, lifted_;         // heights, and the integral of what smoke does up to them
 };

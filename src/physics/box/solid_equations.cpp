@@ -26,7 +26,7 @@ std::vector<double> spring_stiffness(const Coupled& scene, const fem::SolidSyste
 
 }  // namespace
 
-SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, double gravity, Team& team)
+SolidEquations::SolidEquations(const Coupled& scene, const Solids& solids, const Vec<3>& gravity, Team& team)
     : system(solids, gravity, team),
       A(system.pattern.matrix()),
       b(system.unknowns()),

@@ -14,7 +14,7 @@ namespace tether::coupled {
 class SolidEquations {
  public:
   /// Both must outlive the equations.
-  SolidEquations(const Coupled& scene, const Solids& solids, double gravity, Team& team);
+  SolidEquations(const Coupled& scene, const Solids& solids, const Vec<3>& gravity, Team& team);
 
   /// Makes A and b of the step of length h from places q and velocities u at `time`.
   void assemble(std::span<const double> q, std::span<const double> u, double time, double h);

@@ -42,17 +42,18 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
     : team_(team),
       scene_(scene),
       coupled_(*scene.coupled()),
+      gravity_(gravity_of(scene)),
       surface_(surface_of(solids.mesh)),
-      solids_(coupled_, solids, scene.gravity, team),
+      solids_(coupled_, solids, gravity_, team),
       box_(coupled_),
-      outside_(coupled_, scene.gravity),
+      outside_(coupled_, gravity_),
       placer_(coupled_, surface_, solids.mesh.x.size(), box_, outside_, team),
       contact_(coupled_, surface_),
       system_(coupled_, team),
       around_(solids_, system_),
       drag_(solids_.system.unknowns(), 0.0),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {
-  if (coupled_.liquid) liquid_.emplace(coupled_, scene_.gravity, team_);
+  if (coupled_.liquid) liquid_.emplace(coupled_, gravity_, team_);
   if (tether::keeps_energy(coupled_, solids, scene.clock.tstep)) solid_step_.emplace(solids_.system, &around_);
 }
 
@@ -148,8 +149,10 @@ void CoupledStep::carry_along(CoupledState& state, double h) {
 /// Gravity, smoke and the pressure outside come last: at rest they are to the last digit what pressures balance, and
 /// viscosity, which walls feel, would leave no such sum.
 void CoupledStep::add_forces(const Smoke& smoke, double h, FaceValues& v) const {
-  for (std::size_t f = 0; f < v[1].size(); ++f) {
-    if (at_.room().face[1][f] == FaceKind::open) v[1][f] += h * scene_.gravity;
+  for (std::size_t axis = 0; axis < at(coupled_.grid.dim); ++axis) {
+    for (std::size_t f = 0; f < v[axis].size() && gravity_[axis] != 0; ++f) {
+      if (at_.room().face[axis][f] == FaceKind::open) v[axis][f] += h * gravity_[axis];
+    }
   }
   if (coupled_.smoke) add_buoyancy(at_.domain, smoke, coupled_.smoke_lift, coupled_.smoke_weight, h, v);
   outside_.press(at_.domain, h, v);

@@ -48,6 +48,8 @@ class CoupledStep {
 
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
+  /// The same with obstacles that cut cells.
+  const WholeSurface& whole_surface() const { return placer_.whole(); }
   const CoupledSystem& system() const { return system_; }
   /// Solids at q and the fluid about them.
   Placement placed(std::span<const double> q) const { return placer_.at(q); }
@@ -137,6 +139,7 @@ class CoupledStep {
   Team& team_;
   const Scene& scene_;
   const Coupled& coupled_;
+  Vec<3> gravity_;  // [acceleration]
   SolidSurface surface_;
   SolidEquations solids_;
   FlowBox box_;

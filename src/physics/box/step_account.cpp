@@ -66,15 +66,19 @@ void CoupledStep::book_fluid(const Solution& solution, double moving, double let
                              CoupledState& state, double h) {
   EnergyBooks& books = state.books;
   FaceValues& change = unforced_;
-  double along_y = 0;  // volume times velocity
-  for (std::size_t f = 0; f < state.v[1].size(); ++f) {
-    if (at_.domain.face[1][f] == FaceKind::open) along_y += at_.domain.volume[1][f] * state.v[1][f];
+  double falling = 0;  // volume times velocity times gravity
+  for (std::size_t axis = 0; axis < at(coupled_.grid.dim); ++axis) {
+    double along = 0;
+    for (std::size_t f = 0; f < state.v[axis].size() && gravity_[axis] != 0; ++f) {
+      if (at_.domain.face[axis][f] == FaceKind::open) along += at_.domain.volume[axis][f] * state.v[axis][f];
+    }
+    falling += gravity_[axis] * along;
   }
   for (std::size_t axis = 0; axis < change.size(); ++axis) {
     for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] = state.v[axis][f] - change[axis][f];
   }
   books.projected += energy_of(change);
-  if (!liquid_) books.gravity += h * coupled_.density * scene_.gravity * along_y;  // a liquid's own energy has it
+  if (!liquid_) books.gravity += h * coupled_.density * falling;  // a liquid's own energy has it
   if (coupled_.smoke)
     books.buoyancy += h * buoyancy_power(at_.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight,
                                          coupled_.density, state.v);

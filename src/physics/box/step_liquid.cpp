@@ -37,7 +37,7 @@ void CoupledStep::move_particles(CoupledState& state, double h) {
   double fastest = 0;  // of the bodies' nodes, along an axis
   for (const double u : state.u) fastest = std::max(fastest, std::abs(u));
   const liquid::CarriedEnergy carried =
-      liquid_->carry(at_, state.v, 2 * fastest + h * std::abs(scene_.gravity), box_.jet_speeds(state.time, h), h,
+      liquid_->carry(at_, state.v, 2 * fastest + h * std::sqrt(dot(gravity_, gravity_)), box_.jet_speeds(state.time, h), h,
                      state.particles, state.liquid_flow);
   state.books.jets += carried.in, state.books.open_sides -= carried.out;
 }

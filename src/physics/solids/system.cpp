@@ -23,7 +23,7 @@ std::vector<std::vector<double>> masses_of_regions(const SolidSystem& system) {
 
 }  // namespace
 
-SolidSystem::SolidSystem(const Solids& of, double gravity, Team& team)
+SolidSystem::SolidSystem(const Solids& of, const Vec<3>& gravity, Team& team)
     : solids(of),
       elements(make_elements(of, team)),
       pattern(of.mesh.dim(), of.mesh.node_count(), of.mesh.nodes, node_count_of(of.mesh.kind)),
@@ -84,7 +84,7 @@ void SolidSystem::add_mass(double factor, SparseMatrix& matrix) const {
 void SolidSystem::external_forces(double time, std::span<double> f) const {
   const auto d = static_cast<std::size_t>(dim());
   for (std::size_t a = 0; a < weights.size(); ++a) {
-    for (std::size_t i = 0; i < d; ++i) f[a * d + i] = i == 1 ? gravity_ * weights[a] : 0;
+    for (std::size_t i = 0; i < d; ++i) f[a * d + i] = gravity_[i] * weights[a];
   }
   for (const NodalLoad& load : loads_) {
     const double factor = load.load->amplitude.at(time);
@@ -106,10 +106,14 @@ void SolidSystem::add_pressure_tangent(double time, StressAt at, std::span<const
     load.of.add_tangent(at, q0, q1, factor * load.load->amplitude.at(time) * load.load->pressure, pattern, K);
 }
 
+double SolidSystem::gravity() const { return std::sqrt(dot(gravity_, gravity_)); }
+
 double SolidSystem::gravity_energy(std::span<const double> q) const {
   const auto d = static_cast<std::size_t>(dim());
   double energy = 0;
-  for (std::size_t a = 0; a < weights.size(); ++a) energy -= gravity_ * weights[a] * q[a * d + 1];
+  for (std::size_t a = 0; a < weights.size(); ++a) {
+    for (std::size_t i = 0; i < d; ++i) energy -= gravity_[i] * weights[a] * q[a * d + i];
+  }
   return energy;
 }
 

@@ -84,8 +84,11 @@ void exchange(Exchange& with, SolidState& state) {
 /// What the equations of elastic bodies are made of, that no step changes. Vectors have dim numbers a node.
 class SolidSystem {
  public:
-  /// `gravity` acts along y [length/time2]. The solids must outlive the system, and the team that shares its loops.
-  SolidSystem(const Solids& solids, double gravity, Team& team);
+  /// `gravity` is an acceleration [length/time2]. The solids must outlive the system, and the team that shares its
+  /// loops.
+  SolidSystem(const Solids& solids, const Vec<3>& gravity, Team& team);
+  /// One whose gravity acts along y.
+  SolidSystem(const Solids& solids, double gravity, Team& team) : SolidSystem(solids, Vec<3>{0, gravity, 0}, team) {}
 
   int dim() const { return solids.mesh.dim(); }
   std::size_t unknowns() const { return solids.mesh.x.size(); }
@@ -103,8 +106,9 @@ class SolidSystem {
                             double factor, SparseMatrix& K) const;
   bool has_pressures() const { return !pressures_.empty(); }
   Team& team() const { return team_; }
-  double gravity() const { return gravity_; }
-  /// Potential energy of gravity, zero at y = 0 [energy].
+  /// Size of gravity's acceleration [length/time2].
+  double gravity() const;
+  /// Potential energy of gravity, zero at the origin [energy].
   double gravity_energy(std::span<const double> q) const;
   /// Sets the places of supported nodes to where they are at a time.
   void place_supports(double time, std::span<double> q) const;
@@ -135,7 +139,7 @@ class SolidSystem {
     const Load* load;
   };
   Team& team_;
-  double gravity_;
+  Vec<3> gravity_;
   std::vector<NodalLoad> loads_;
   std::vector<FollowingLoad> pressures_;
 };

@@ -53,6 +53,7 @@ void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   for (int side = 0; side < 6; ++side)
     coupled.sides[static_cast<std::size_t>(side)] = word<BoxSide>(deck, "coupled.side", side + 1);
   coupled.level = deck.given("coupled.level") ? deck.real("coupled.level") : coupled.grid.high(1);
+  coupled.gravity_x = deck.real("coupled.gravity_x");
   coupled.smoke_weight = deck.real("coupled.smoke_weight");
   coupled.smoke_lift = deck.real("coupled.smoke_lift");
 }
@@ -100,6 +101,7 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   if (scene.solids()) add_bodies(deck, scene, *coupled, diagnostics);
   const bool energy = scene.solids() && keeps_energy(*coupled, *scene.solids(), scene.clock.tstep);
   check_coupled_deck(deck, *coupled, energy, diagnostics);
+  check_liquid(deck, scene, *coupled, diagnostics);
   if (!diagnostics.has_errors()) {
     check_coupled_places(deck, scene, *coupled, diagnostics);
     check_coupled_regions(deck, scene, *coupled, diagnostics);

@@ -129,6 +129,9 @@ class CoupledChecks {
   void level() {
     const bool open =
         std::count(coupled_.sides.begin(), coupled_.sides.end(), BoxSide::open) > 0 || !coupled_.openings.empty();
+    if (open && coupled_.gravity_x != 0 && !coupled_.liquid)
+      error("coupled.gravity_x", {1, 1}, "fluid at rest beyond open sides has no pressure that falls along x",
+            "close the sides, or leave gravity_x away");
     const bool given = deck_.given("coupled.level");
     if (given && !open) unused("coupled.level", "no side is open: side(k)='open' is");
     if (given || !open || coupled_.voids.empty() || deck_.real("in.gravc") == 0) return;

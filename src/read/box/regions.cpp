@@ -170,6 +170,7 @@ void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& 
                                   "write fluid_in='box', or use more nodes"));
     return;
   }
+  if (coupled.liquid && coupled.liquid->air == Air::empty) return;  // which a liquid takes the place of
   for (int region = 0; region < regions.count(); ++region) {
     if (regions.closed(region)) check_region(deck, scene.clock, coupled, regions, region, diagnostics);
   }

@@ -33,7 +33,7 @@ void LiquidOfStep::extend(const coupled::Placement& at, double cells_crossed, co
 }
 
 double LiquidOfStep::energy(const Particles& particles) const {
-  const LiquidSums sums = sums_of(particles, scene_.grid.dim, scene_.density, {0, gravity_, 0});
+  const LiquidSums sums = sums_of(particles, scene_.grid.dim, scene_.density, gravity_);
   return sums.kinetic + sums.gravity;
 }
 

@@ -20,8 +20,7 @@ struct CarriedEnergy {
 /// outlive it.
 class LiquidOfStep {
  public:
-  /// `gravity` acts along y [acceleration].
-  LiquidOfStep(const Coupled& scene, double gravity, Team& team)
+  LiquidOfStep(const Coupled& scene, const Vec<3>& gravity, Team& team)
       : scene_(scene), gravity_(gravity), team_(team), inflow_(scene) {}
 
   /// Kinetic energy and energy of gravity of all particles [energy].
@@ -47,7 +46,7 @@ class LiquidOfStep {
 
  private:
   const Coupled& scene_;
-  double gravity_;
+  Vec<3> gravity_;  // [acceleration]
   Team& team_;
   Inflow inflow_;
   CellParticles cells_;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/numbers.hpp"
+#include "grid/crossings.hpp"
+#include "grid/solid_surface.hpp"
+#include "model/solids.hpp"
+#include "read/box/checks.hpp"
+#include "read/values.hpp"
+
+namespace tether {
+namespace {
+
+/// Reports what a liquid with a surface cannot be beside.
+class LiquidChecks {
+ public:
+  LiquidChecks(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics)
+      : deck_(deck), scene_(scene), coupled_(coupled), grid_(coupled.grid), diagnostics_(diagnostics) {}
+
+  /// Says what has no effect without a liquid.
+  void without() {
+    for (const AnyVariable name :
+         Variables{"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon", "coupled.liquid_below",
+                   "coupled.liquid_velocity", "coupled.liquid_particles", "coupled.liquid_jitter", "coupled.air"}) {
+      const auto given = deck_.given_elements(name);
+      if (given.empty()) continue;
+      error(name, given[0], fmt::format("{} has no effect: the fluid fills the box", name.name()),
+            "liquid=.true. of $coupled makes it a liquid with a surface");
+    }
+  }
+
+  void others() {
+    if (coupled_.smoke)
+      error("coupled.liquid", {1, 1}, "a liquid with a surface carries no smoke", "leave the smoke away");
+    if (!coupled_.voids.empty())
+      error("coupled.void", {1, deck_.given_elements("coupled.void")[0][1]}, "a liquid has air wherever it is not",
+            "leave void away, and give the regions of liquid: liquid_box, liquid_ellipse, liquid_polygon, liquid_below");
+    if (coupled_.cavities_only)
+      error("coupled.fluid_in", {1, 1}, "a liquid has air wherever it is not", "leave fluid_in away");
+    if (!coupled_.coupling.simultaneous || coupled_.coupling.two_maps)
+      error("coupled.mode", {1, 1},
+            fmt::format("a liquid with a surface is not solved by mode='{}'", word_of(coupled_.coupling.mode)),
+            "write mode='cut-cell' or 'symmetric'");
+    for (int side = 1; side <= 2 * grid_.dim; ++side) {
+      if (coupled_.sides[at(side - 1)] != BoxSide::open) continue;
+      error("coupled.side", {side, 1},
+            fmt::format("the {} is open to fluid at rest, but a liquid has air beyond", box_side_names[at(side - 1)]),
+            "side(k)='void' lets it out; a jet brings some in");
+    }
+    for (const AnyVariable name : Variables{"coupled.advection", "coupled.level", "coupled.u0", "coupled.v0", "coupled.w0"})
+      if (deck_.given(name) && !is_start_of_a_region(name)) warn(name, "particles carry a liquid along");
+  }
+
+  /// Regions whose every place bodies and obstacles have, or that lie beyond the box.
+  void regions() {
+    const Liquid& liquid = *coupled_.liquid;
+    if (liquid.regions.empty() && coupled_.jets.empty())
+      error("coupled.liquid", {1, 1}, "there is no liquid: no region holds some at the start, and no jet brings any",
+            "give liquid_box, liquid_ellipse, liquid_polygon or liquid_below, or a jet");
+    for (const LiquidRegion& region : liquid.regions) region_has_room(region);
+    if (liquid.air == Air::sealed && !liquid.regions.empty() && !has_air_)
+      error("coupled.air", {1, 1}, "there is no air to be sealed: the liquid fills the box", "leave air away");
+  }
+
+  /// A jet with nowhere to bring its liquid; and more than the box takes.
+  void jets() {
+    for (const Jet& jet : coupled_.jets) {
+      const auto in_obstacle = [&](const Obstacle& obstacle) { return contains(obstacle.figure, middle_of(jet)); };
+      if (std::ranges::any_of(coupled_.shaped, in_obstacle))
+        error("coupled.jet_on", {jet.number, 1}, fmt::format("jet {} comes in through an obstacle", jet.number),
+              "a jet comes in where the cell behind the side holds no obstacle");
+    }
+  }
+
+  /// Waves of two cells, which gravity makes go by sqrt(g d / pi), are not followed by long steps.
+  void step() {
+    const double cell = *std::min_element(grid_.d.begin(), grid_.d.begin() + grid_.dim),
+                 pull = std::hypot(scene_.gravity, coupled_.gravity_x), limit = most_of_a_wave * std::sqrt(cell / pull);
+    if (pull == 0 || scene_.clock.tstep <= limit) return;
+    diagnostics_.add(deck_.remark(
+        Severity::warning, "in.tstep", {1, 1},
+        fmt::format("steps of {:.4g} are longer than {:.4g}, {} sqrt(cell / gravc): short waves of the surface may grow",
+                    scene_.clock.tstep, limit, most_of_a_wave),
+        "a quarter of sqrt(cell / gravc) follows waves well"));
+  }
+
+ private:
+  static constexpr double most_of_a_wave = 0.5;
+
+  void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
+  }
+  void warn(AnyVariable name, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::warning, name, {1, 1},
+                                  fmt::format("{} of ${} has no effect on a liquid", name.name(), name.group()), hint));
+  }
+  /// The velocity at the start is that of regions that have none of their own.
+  bool is_start_of_a_region(AnyVariable name) const {
+    return name == AnyVariable("coupled.u0") || name == AnyVariable("coupled.v0") || name == AnyVariable("coupled.w0");
+  }
+  static Vec<3> middle_of(const Jet& jet) {
+    Vec<3> x{};
+    for (std::size_t a = 0; a < 3; ++a) x[a] = 0.5 * (jet.patch.low[a] + jet.patch.high[a]);
+    return x;
+  }
+  static AnyVariable name_of(const Deck& deck, int k) {
+    for (const AnyVariable name : Variables{"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon"}) {
+      for (const Subscript at : deck.given_elements(name)) {
+        if (at[1] == k) return name;
+      }
+    }
+    return "coupled.liquid_below";
+  }
+  bool has_body(const Vec<3>& x) const {
+    if (!scene_.solids()) return false;
+    if (!surface_) surface_ = surface_of(scene_.solids()->mesh);
+    return turns_about(*surface_, scene_.solids()->mesh.x, x, -1) > 0.5;
+  }
+  bool has_obstacle(const Vec<3>& x) const {
+    return std::ranges::any_of(coupled_.obstacles, [&](const Box<3>& box) { return box.contains(x); }) ||
+           std::ranges::any_of(coupled_.shaped, [&](const Obstacle& of) { return contains(of.figure, x); });
+  }
+
+  /// Looks at so many places of each cell; small regions may lie between them.
+  void region_has_room(const LiquidRegion& region) {
+    constexpr int places = 4;
+    bool any = false, free = false;
+    std::array<int, 3> n{1, 1, 1}, i{};
+    for (std::size_t a = 0; a < at(grid_.dim); ++a) n[a] = places * grid_.n[a];
+    for (i[2] = 0; i[2] < n[2]; ++i[2]) {
+      for (i[1] = 0; i[1] < n[1]; ++i[1]) {
+        for (i[0] = 0; i[0] < n[0]; ++i[0]) {
+          if (free && has_air_) return;
+          Vec<3> x{};
+          for (std::size_t a = 0; a < at(grid_.dim); ++a) x[a] = grid_.low[a] + (i[a] + 0.5) / places * grid_.d[a];
+          const bool in = contains(region, x);
+          has_air_ = has_air_ || !in;
+          any = any || in;
+          free = free || (in && !has_obstacle(x) && !has_body(x));
+        }
+      }
+    }
+    if (!any || free) return;
+    const AnyVariable name = name_of(deck_, region.number);
+    const Subscript at = name.row().rank == 1 ? Subscript{region.number, 1} : Subscript{1, region.number};
+    error(name, at, fmt::format("region {} of liquid lies in bodies and obstacles: there is no room for it", region.number),
+          "bodies and obstacles have their places before liquid");
+  }
+
+  const Deck& deck_;
+  const Scene& scene_;
+  const Coupled& coupled_;
+  const StaggeredGrid& grid_;
+  Diagnostics& diagnostics_;
+  mutable std::optional<SolidSurface> surface_;  // of bodies, once it was asked for
+  bool has_air_ = false;
+};
+
+}  // namespace
+
+void check_liquid(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics) {
+  LiquidChecks checks(deck, scene, coupled, diagnostics);
+  if (!coupled.liquid) return checks.without();
+  checks.others();
+  checks.regions();
+  checks.jets();
+  checks.step();
+}
+
+}  // namespace tether
