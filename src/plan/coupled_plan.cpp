@@ -73,6 +73,14 @@ Term term(const char* name, bool on, const std::string& yes, const std::string& 
   return {name, on, on ? yes : no};
 }
 
+std::string liquid_text(const Coupled& coupled) {
+  if (!coupled.liquid) return {};
+  const Liquid& liquid = *coupled.liquid;
+  return fmt::format("{} region{} at the start, {} particles a cell; air is {}", liquid.regions.size(),
+                     liquid.regions.size() == 1 ? "" : "s", std::pow(liquid.per_axis, coupled.grid.dim),
+                     liquid.air == Air::empty ? "nothing" : "sealed where it is shut in");
+}
+
 std::string gravity_text(double along_y, double along_x) {
   return fmt::format("gravc = {:.6g} in y{}", along_y, along_x == 0 ? "" : fmt::format(", {:.6g} in x", along_x));
 }
@@ -90,7 +98,10 @@ std::vector<Term> fluid_terms(const Scene& scene) {
   const std::string open = sides_text(c, scene.gravity);
   return {
       {"advection", true,
-       c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2" : "semi-Lagrangian: of order 1"},
+       c.liquid                                ? "by particles, which carry velocities and their slopes"
+       : c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2"
+                                               : "semi-Lagrangian: of order 1"},
+      term("liquid surface", c.liquid.has_value(), liquid_text(c), "the fluid fills the box"),
       term("viscosity", c.viscosity > 0,
            fmt::format("mu {:.4g}: walls and obstacles hold the fluid{}", c.viscosity,
                        scene.solids() ? (c.bodies_slip ? ", bodies do not" : ", and so do bodies") : ""),
@@ -100,10 +111,13 @@ std::vector<Term> fluid_terms(const Scene& scene) {
            "no jet brings smoke or temperature"),
       term("jets", !c.jets.empty(), jets_text(c), "none given"),
       term("open sides", !open.empty(), open, "walls all round"),
-      term("obstacles", !c.obstacles.empty(), fmt::format("{}", c.obstacles.size()), "none given"),
+      term("obstacles", !c.obstacles.empty() || !c.shaped.empty(),
+           c.shaped.empty() ? fmt::format("{}", c.obstacles.size())
+                            : fmt::format("{} of whole cells, {} that cut cells", c.obstacles.size(), c.shaped.size()),
+           "none given"),
       term("void", !c.voids.empty() || c.cavities_only,
            c.cavities_only ? "everywhere but in cavities of bodies" : fmt::format("{} boxes", c.voids.size()),
-           "fluid everywhere"),
+           c.liquid ? "air where no liquid is" : "fluid everywhere"),
       {"linear systems", true, systems_text(c)},
       cfl_term(scene),
   };
@@ -181,7 +195,7 @@ std::vector<Term> coupled_terms(const Scene& scene) {
 /// each cell in space, all else 1.
 Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 2e-8, seconds_by_krylov = 5e-6,
-                   seconds_per_cell = 1e-6;
+                   seconds_per_cell = 1e-6, bytes_per_particle = 200, seconds_per_particle = 4e-7;
   const Coupled& coupled = *scene.coupled();
   const double cells = static_cast<double>(coupled.grid.cell_count());
   const double unknowns = cells + static_cast<double>(scene.solids() ? scene.solids()->mesh.x.size() : 0);
@@ -191,12 +205,15 @@ Cost coupled_cost(const Scene& scene, const StepRule& rule) {
                                                   : 12 * std::pow(unknowns, 4.0 / 3);
   // A step that keeps the energy takes several corrections of Newton's method, each by factors of a full matrix.
   const double solutions = scene.solids() && keeps_energy(coupled, *scene.solids(), scene.clock.tstep) ? 5 : 1;
+  // Of a liquid, half of the box.
+  const double particles = coupled.liquid ? 0.5 * cells * std::pow(coupled.liquid->per_axis, coupled.grid.dim) : 0;
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.deck_step * (1 - 1e-9));
   cost.point_steps = cost.steps * cells;
-  cost.megabytes = 1e-6 * (bytes_per_cell * unknowns + bytes_per_nonzero * nonzeros);
-  cost.seconds = cost.steps * (seconds_per_cell * cells + solutions * (seconds_per_nonzero * nonzeros +
-                                                                       (direct ? 0 : seconds_by_krylov * unknowns)));
+  cost.megabytes = 1e-6 * (bytes_per_cell * unknowns + bytes_per_nonzero * nonzeros + bytes_per_particle * particles);
+  cost.seconds =
+      cost.steps * (seconds_per_cell * cells + seconds_per_particle * particles +
+                    solutions * (seconds_per_nonzero * nonzeros + (direct ? 0 : seconds_by_krylov * unknowns)));
   return cost;
 }
 

@@ -67,6 +67,7 @@ struct CoupledState : StepClock {
       wall_force;  ///< on the nodes in the last step, by the fluid, by supports and contact with its friction
   liquid::Particles particles;  ///< of a liquid with a surface
   liquid::LiquidFlow liquid_flow;
+  long long full = 1;  ///< 0 once a cell of the room has been empty
   Smoke smoke;
   SmokeFlow smoke_flow;  ///< since the start
   StepAccount last;
@@ -104,7 +105,7 @@ void exchange(Exchange& with, CoupledState& state) {
   each_particle_list(state.particles,
                      [&](const std::string& name, std::vector<double>& list) { with.list(name.c_str(), list); });
   with("liquid_in", state.liquid_flow.in), with("liquid_out", state.liquid_flow.out);
-  with("liquid_owed", state.liquid_flow.owed);
+  with("liquid_owed", state.liquid_flow.owed), with("full", state.full);
   with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);
   with("heat_in", state.smoke_flow.heat_in), with("heat_out", state.smoke_flow.heat_out);
   with("interface_power", state.last.interface_power), with("mismatch", state.last.mismatch);

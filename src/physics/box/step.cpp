@@ -214,7 +214,7 @@ void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution&
   Regions& regions = solution.regions;
   regions = regions_of(at_.domain, at_.map, at_.numbers, enclosed_volumes(surface_, state.q), first_volumes_,
                        solution.held, h);
-  const bool any = coupled_.volume_term && coupled_.coupling.simultaneous;
+  const bool any = coupled_.volume_term && coupled_.coupling.simultaneous && (!liquid_ || state.full != 0);
   for (std::size_t k = 0; k < regions.source.size(); ++k) {
     if (!any || regions.compliant[k] == 0) regions.source[k] = 0;
   }

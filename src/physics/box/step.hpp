@@ -126,6 +126,7 @@ class CoupledStep {
   void place_solids(double time, CoupledState& state);
   void place_liquid(CoupledState& state);
   void fill_with_liquid(CoupledState& state);
+  void note_air(CoupledState& state) const;
   void take_from_particles(CoupledState& state, double h);
   void move_particles(CoupledState& state, double h);
   void settle_particles(const Room& room, CoupledState& state);

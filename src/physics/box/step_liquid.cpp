@@ -20,10 +20,19 @@ void CoupledStep::fill_with_liquid(CoupledState& state) {
   const liquid::NearSolids solids(placer_.whole().surface(), room.places, coupled_.grid, room.crossings);
   state.particles = liquid::seed(coupled_, room.domain, solids);
   state.liquid_flow = liquid_->no_flow();
+  state.full = 1;
   liquid_->look(state.particles);
   at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
   liquid_->give_to_faces(at_.room(), state.particles, state.v);
   liquid_->note_speeds(state.v);
+  note_air(state);
+}
+
+/// The volumes of closed regions are those of the start only while liquid fills all of the room.
+void CoupledStep::note_air(CoupledState& state) const {
+  const auto& distance = at_.surface->distance;
+  for (std::size_t c = 0; c < distance.size() && state.full != 0; ++c)
+    state.full = at_.room().kind[c] == CellKind::fluid && distance[c] >= 0 ? 0 : 1;
 }
 
 /// The particles have carried the velocity along; the faces get it back from them.
@@ -63,6 +72,7 @@ void CoupledStep::place_liquid(CoupledState& state) {
   put_out_of_solids(room, state);
   liquid_->look(state.particles);
   at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
+  note_air(state);
 }
 
 void CoupledStep::put_out_of_solids(const Room& room, CoupledState& state) {

@@ -62,10 +62,15 @@ class Lattice {
   /// Interpolates linearly along each axis.
   double between(const double* values, const std::array<double, dim>& x) const {
     const LatticePlace<dim> place = locate_within(x);
-    const double* v = values + number(place.low);
-    double sum = 0;
-    for (std::size_t corner = 0; corner < corners; ++corner) sum += weight(place, corner) * v[step(corner)];
-    return sum;
+    const double* first = values + number(place.low);
+    std::array<double, corners> value;
+    for (std::size_t corner = 0; corner < corners; ++corner) value[corner] = first[step(corner)];
+    std::size_t left = corners / 2;
+    for (std::size_t b = 0; b < dim; ++b, left /= 2) {
+      for (std::size_t k = 0; k < left; ++k)
+        value[k] = value[2 * k] + place.part[b] * (value[2 * k + 1] - value[2 * k]);
+    }
+    return value[0];
   }
   /// The hat's weight of a corner, bit b of whose number says whether it is the upper one along axis b.
   static double weight(const LatticePlace<dim>& place, std::size_t corner) {

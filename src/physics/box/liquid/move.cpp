@@ -25,13 +25,15 @@ class Mover {
 
   /// Returns whether it left the box.
   bool carry(Particles& particles, std::size_t k, double h, const Exits& exits) const {
-    const std::array<double, dim> x = place(particles, k);
-    const int parts = std::max(1, static_cast<int>(std::ceil(cells(velocity(x), h))));
-    FlowPlace at = flow_place(x);
+    std::array<double, dim> u;
+    for (std::size_t b = 0; b < dim; ++b) u[b] = particles.v[b][k];
+    const int parts = std::max(1, static_cast<int>(std::ceil(cells(u, h))));
+    FlowPlace at = flow_place(place(particles, k));
     for (int part = 0; part < parts; ++part) {
       const double time = h / parts;
       FlowPlace half = at;
-      paths_.follow(half, way(velocity(place(at)), 0.5 * time));
+      if (part > 0) u = velocity(place(at));
+      paths_.follow(half, way(u, 0.5 * time));
       paths_.follow(at, way(velocity(place(half)), time));
       if (leaves(at, exits)) return true;
     }

@@ -27,11 +27,12 @@ LiquidSums sums_of(const Particles& particles, int dim, double density, const Ve
 }
 
 void add_surface(const Surface& surface, LiquidSums& sums) {
-  each_simplex(surface, [&](const Simplex& simplex) {
-    const Cut cut = cut_of(simplex, surface.room.grid.dim);
+  const int dim = surface.room.grid.dim;
+  const auto add_whole = [&](double volume, double open) { sums.enclosed += volume * open; };
+  SurfaceLattice(surface).each(add_whole, [&](const Simplex& simplex) {
+    const Cut cut = cut_of(simplex, dim);
     sums.enclosed += cut.volume * simplex.open;
-    for (std::size_t k = 0; k < cut.facets; ++k)
-      sums.area += area_of(cut.facet[k], surface.room.grid.dim) * simplex.open;
+    for (std::size_t k = 0; k < cut.facets; ++k) sums.area += area_of(cut.facet[k], dim) * simplex.open;
   });
 }
 

@@ -57,24 +57,29 @@ coupled::FaceValues to_faces_in(Team& team, const StaggeredGrid& grid, const Par
   return volume;
 }
 
-/// The velocity that the faces across an axis have at a place, and its slopes.
+/// The velocity that the faces across an axis have at a place, and its slopes: axis by axis, lines between two values
+/// halve their number.
 template <std::size_t dim>
 double take(const StaggeredGrid& grid, const Lattice<dim>& faces, const std::vector<double>& v,
             const std::array<double, dim>& x, std::array<double, dim>& slope) {
+  constexpr std::size_t corners = Lattice<dim>::corners;
   const LatticePlace<dim> at = faces.locate_within(x);
   const double* first = v.data() + faces.number(at.low);
-  double sum = 0;
-  slope.fill(0);
-  for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
-    const double value = first[faces.step(corner)];
-    sum += Lattice<dim>::weight(at, corner) * value;
-    for (std::size_t b = 0; b < dim; ++b) {
-      LatticePlace<dim> edge = at;  // the slope along b has the weights of the other axes
-      edge.part[b] = (corner >> b & 1) != 0 ? 1 : 0;
-      slope[b] += Lattice<dim>::weight(edge, corner) * ((corner >> b & 1) != 0 ? value : -value) / grid.d[b];
+  std::array<double, corners> value;
+  std::array<std::array<double, corners / 2>, dim> slopes;
+  for (std::size_t corner = 0; corner < corners; ++corner) value[corner] = first[faces.step(corner)];
+  std::size_t left = corners / 2;
+  for (std::size_t b = 0; b < dim; ++b, left /= 2) {
+    for (std::size_t k = 0; k < left; ++k) {
+      const double change = value[2 * k + 1] - value[2 * k];
+      slopes[b][k] = change;
+      value[k] = value[2 * k] + at.part[b] * change;
+      for (std::size_t a = 0; a < b; ++a)
+        slopes[a][k] = slopes[a][2 * k] + at.part[b] * (slopes[a][2 * k + 1] - slopes[a][2 * k]);
     }
   }
-  return sum;
+  for (std::size_t b = 0; b < dim; ++b) slope[b] = slopes[b][0] / grid.d[b];
+  return value[0];
 }
 
 template <std::size_t dim>
