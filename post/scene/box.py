@@ -19,6 +19,7 @@ class BoxScene:
         self.units = self.fluid.units | self.box.units
         self.shape, self.dim = self.box.shape, self.box.dimension
         self.bodies = run.fields("solids") if run.has("solids") else None
+        self.surface = run.fields("surface") if run.has("surface") else None
         self.faces = elements.topology.outer_faces(self.bodies.elements) if self.dim == 3 and self.bodies else None
         self.in_space = box_in_space.BoxInSpace(self.box) if self.dim == 3 else None
         self.energy = quantities.Scale("energy density", self.bodies.units["energy_density"] if self.bodies else "1")
@@ -82,6 +83,10 @@ class BoxScene:
         """The picture of a box in space."""
         cells = self.fluid.at(record)
         share = numpy.nan_to_num(quantities.value_of(cells, name)) / max(scale.high, -scale.low)
+        if self.surface:
+            wet = liquid.surfaces(self.surface.at(self.surface.record(float(self.times[record]))), cells,
+                                  quantities.value_of(cells, name), self.box, scale)
+            return self.in_space.draw(cells["kind"], 0 * share, wet + self.surfaces(record), scale, False)
         return self.in_space.draw(cells["kind"], share, self.surfaces(record), scale, name == "speed")
 
     def surfaces(self, record):
@@ -131,7 +136,7 @@ class BoxLayer:
     def fit(self, records):
         samples = [self.scene.in_fluid(self.name, record) for record in records]
         self.scale.fit([*samples, numpy.zeros(1)], 0.0 if self.name == "smoke" else 0.1)
-        if self.scene.dim == 3:
+        if self.scene.dim == 3 and not self.scene.surface:
             self.scale.bar = box_in_space.bar_of(self.scale)
         self.scene.fit_bodies([record for record in records if self.scene.bodies])
 

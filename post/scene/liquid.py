@@ -2,6 +2,9 @@
 """A liquid with a surface in a box of cells."""
 import numpy
 
+from render import blocks
+from render.picture import Surface
+
 FINER = 4  # points of the picture along each side of a cell
 
 
@@ -41,3 +44,44 @@ def draw_plane(axes, x, y, cells, values, scale):
     middles = [0.5 * (edge[1:] + edge[:-1]) for edge in edges]
     if distance.min() < 0 < distance.max():
         axes.contour(*middles, distance, levels=[0.0], colors="0.25", linewidths=0.7, zorder=1.2)
+
+
+def at_places(places, values, wet, box):
+    """What the nearest cell with liquid has at places, of those beside a place's own cell."""
+    edges = [numpy.asarray(box.edges[name], dtype=float) for name in "xyz"]
+    cell = [numpy.clip(numpy.searchsorted(edge, places[:, k]) - 1, 0, len(edge) - 2) for k, edge in enumerate(edges)]
+    spread, counts = numpy.where(wet, values, 0.0), wet.astype(float)
+    for axis in range(3):
+        for field in (spread, counts):
+            field += numpy.roll(field, 1, axis) + numpy.roll(field, -1, axis)
+    mean = spread / numpy.maximum(counts, 1)
+    return mean[cell[2], cell[1], cell[0]]
+
+
+def surfaces(corners, cells, values, box, scale):
+    """A liquid's surface in space as triangles in the field's colours, and what of the box's sides it wets."""
+    wet = (cells["kind"] == 0) & numpy.isfinite(values)
+    found = []
+    places = numpy.stack([numpy.asarray(corners[name]) for name in "xyz"], axis=1)
+    places = places[numpy.isfinite(places).all(axis=1)]
+    if len(places):
+        colours = scale.rgba(at_places(places, values, wet, box))[:, :3]
+        found.append(Surface(places.reshape(-1, 3, 3), colours.reshape(-1, 3, 3)))
+    return found + on_sides(cells["surface"], values, wet, box, scale)
+
+
+def on_sides(distance, values, wet, box, scale):
+    """What the liquid wets of the box's sides, each in the colour of its mean."""
+    edges = [numpy.asarray(box.edges[name], dtype=float) for name in "xyz"]
+    low, sizes = numpy.array([edge[0] for edge in edges]), numpy.array([edge[1] - edge[0] for edge in edges])
+    found = []
+    for axis in range(3):  # of the array: z, y, x
+        fine = numpy.where(numpy.arange(3) == 2 - axis, sizes, sizes / FINER)
+        for end, place in ((0, 0), (-1, wet.shape[axis])):
+            layer = numpy.take(wet, end, axis)
+            if not layer.any():
+                continue
+            colour = tuple(scale.rgba(numpy.array([numpy.take(values, end, axis)[layer].mean()]))[0, :3])
+            below = finer(numpy.take(distance, end, axis)) < 0
+            found += [blocks.face(axis, place, span, low, fine, colour) for span in blocks.rectangles(below)]
+    return found

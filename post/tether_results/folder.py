@@ -10,7 +10,8 @@ from .fields import Fields
 from .history import History
 
 SWITCHES = {"particles": "iout(13)=1 and tiout(13)", "mesh": "iout(39)=1 and tiout(39)",
-            "solids": "iout(39)=1 and tiout(39) of a run with bodies in a fluid"}
+            "solids": "iout(39)=1 and tiout(39) of a run with bodies in a fluid",
+            "surface": "iout(39)=1 and tiout(39) of a run with a liquid"}
 
 
 def read_exact(path):

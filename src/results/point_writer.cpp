@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/point_writer.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <stdexcept>
 
@@ -18,20 +19,24 @@ void check_points(const FieldsInTurn& first) {
 
 }  // namespace
 
-PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, VtkFiles vtk, bool changing)
+PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, VtkFiles vtk, bool changing,
+                         const PointKind& kind)
     : folder_(std::move(folder)),
       provenance_(std::move(provenance)),
       changing_(changing),
-      vtk_(folder_, "particles", "vtp", vtk) {}
+      kind_(kind),
+      vtk_(folder_, kind.file, "vtp", vtk) {}
 
 void PointWriter::append(const FieldsInTurn& snapshot) {
   if (!file_) {
     check_points(snapshot);
-    const std::vector<Axis> axes{{"point", snapshot.count(), {}, changing_}};
-    file_.emplace(folder_ / "particles.nc", axes, snapshot, provenance_);
+    const std::vector<Axis> axes{{kind_.axis, snapshot.count(), {}, changing_}};
+    file_.emplace(folder_ / fmt::format("{}.nc", kind_.file), axes, snapshot, provenance_);
   }
   vtk_.append(
-      *file_, [&] { return vtk_of_points(snapshot.count()); }, snapshot);
+      *file_,
+      [&] { return kind_.corners == 1 ? vtk_of_points(snapshot.count()) : vtk_of_facets(snapshot.count(), kind_.corners); },
+      snapshot);
 }
 
 void PointWriter::close() {

@@ -11,15 +11,23 @@
 
 namespace tether {
 
-/// Writes particles.nc, fields over (time, point), and where they are wanted VTK files beside it. Nothing is created
-/// before the first snapshot; each one is with the system before append() returns.
+/// What the points of a file are: each for itself, or so many in turn the corners of a facet.
+struct PointKind {
+  const char* file = "particles";  ///< its name without an ending
+  const char* axis = "point";
+  int corners = 1;  ///< of a facet; 1: there are none
+};
+inline constexpr PointKind particles_file{}, edges_file{"surface", "corner", 2}, triangles_file{"surface", "corner", 3};
+
+/// Writes particles.nc or surface.nc, fields over (time, point), and where they are wanted VTK files beside it. Nothing
+/// is created before the first snapshot; each one is with the system before append() returns.
 /// While the run goes on its NetCDF-4 files are locked by HDF5; who wants to read them then sets
 /// HDF5_USE_FILE_LOCKING=FALSE.
 class PointWriter {
  public:
   /// `changing`: how many points there are.
   PointWriter(std::filesystem::path folder, Provenance provenance, VtkFiles vtk = VtkFiles::automatic,
-              bool changing = false);
+              bool changing = false, const PointKind& kind = particles_file);
   /// The snapshot has the fields `x` and `y`, and the same fields every time, and, unless their number changes, the
   /// same points; else a record with fewer than another has no numbers at its end. Throws FileError.
   void append(const FieldsInTurn& snapshot);
@@ -29,6 +37,7 @@ class PointWriter {
   std::filesystem::path folder_;
   Provenance provenance_;
   bool changing_;
+  PointKind kind_;
   VtkSeries vtk_;
   std::optional<SnapshotFile> file_;
 };

@@ -16,9 +16,9 @@ namespace {
 constexpr std::array owned{"history.nc",    "history.txt",    "particles.nc",       "particles.pvd",     "mesh.nc",
                            "mesh.pvd",      "solids.nc",      "solids.pvd",         "reference.txt",     "summary.txt",
                            "messages.txt",  "deck.effective", "deck.effective.msh", "particles.pvd.new", "mesh.pvd.new",
-                           "solids.pvd.new"};
+                           "solids.pvd.new", "surface.nc", "surface.pvd", "surface.pvd.new"};
 
-constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc"};
+constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc", "surface.nc"};
 
 std::filesystem::path aside(const std::filesystem::path& folder, const std::string& name) {
   return folder / (name + ".earlier");
@@ -47,7 +47,7 @@ void remove_vtk_files(const std::filesystem::path& folder) {
   if (reason) return;  // there is none
   for (const auto& file : files) {
     const std::string name = file.path().filename().string();
-    for (const char* series : {"particles-", "mesh-", "solids-"}) {
+    for (const char* series : {"particles-", "mesh-", "solids-", "surface-"}) {
       if (name.starts_with(series)) remove_earlier(file.path());
     }
   }
@@ -78,6 +78,7 @@ ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLay
       grid_(folder_, provenance, use.vtk),
       mesh_(folder_, "mesh", provenance, use.vtk),
       solids_(folder_, "solids", provenance, use.vtk),
+      surface_(folder_, provenance, use.vtk, true, use.dim == 2 ? edges_file : triangles_file),
       messages_(folder_ / "messages.txt") {}
 
 std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::path& folder, const std::string& name) {
@@ -103,6 +104,8 @@ void ResultFolder::mesh(const Mesh& mesh, const Snapshot& snapshot) { mesh_.appe
 
 void ResultFolder::solids(const Mesh& mesh, const Snapshot& snapshot) { solids_.append(mesh, snapshot); }
 
+void ResultFolder::surface(const Snapshot& snapshot) { surface_.append(snapshot); }
+
 void ResultFolder::message(const std::string& text) {
   const bool ended = !text.empty() && text.back() == '\n';
   messages_.append(ended ? text : text + '\n');
@@ -120,6 +123,7 @@ void ResultFolder::finish(const Summary& summary) {
   grid_.close();
   mesh_.close();
   solids_.close();
+  surface_.close();
   write_summary(folder_ / "summary.txt", summary,
                 {fmt::format("tether {} {}", program_version(), git_hash()), command_});
 }

@@ -24,6 +24,7 @@ struct FolderUse {
   VtkFiles vtk = VtkFiles::automatic;
   EarlierSnapshots earlier = EarlierSnapshots::removed;
   bool points_change = false;  ///< whether their number does
+  int dim = 2;                 ///< of a surface's space
 };
 
 /// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
@@ -34,8 +35,8 @@ class ResultFolder {
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
                const FolderUse& use = {});
-  /// Returns where the snapshots of an earlier run stand, those of particles.nc, mesh.nc or solids.nc: set aside or
-  /// not.
+  /// Returns where the snapshots of an earlier run stand, those of particles.nc, mesh.nc, solids.nc or
+  /// surface.nc: set aside or not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
   /// Ends the setting aside of one of these.
   void remove_what_was_set_aside(const std::string& name);
@@ -48,6 +49,7 @@ class ResultFolder {
   void grid(const RegularGrid& grid, const Snapshot& snapshot);  ///< mesh.nc
   void mesh(const Mesh& mesh, const Snapshot& snapshot);         ///< the same, of finite elements
   void solids(const Mesh& mesh, const Snapshot& snapshot);       ///< solids.nc, beside mesh.nc
+  void surface(const Snapshot& snapshot);                        ///< surface.nc, beside mesh.nc
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
   /// A file that deck.effective names, under a name that begins with its.
@@ -65,6 +67,7 @@ class ResultFolder {
   PointWriter points_;
   GridWriter grid_;
   MeshWriter mesh_, solids_;
+  PointWriter surface_;
   TextFile messages_;
 };
 

@@ -117,7 +117,7 @@ std::string VtkFile::head(const VtkShape& shape) const {
       "<{} {}>\n<Piece {}>\n",
       shape.type, std::endian::native == std::endian::little ? "Little" : "Big", shape.type, shape.attributes,
       shape.piece);
-  for (const char* section : {"PointData", "CellData", "Points", "Verts", "Cells"}) {
+  for (const char* section : {"PointData", "CellData", "Points", "Verts", "Lines", "Polys", "Cells"}) {
     std::string arrays;
     for (const Array& array : arrays_) {
       if (array.section != section) continue;

@@ -13,7 +13,7 @@ namespace tether {
 
 /// Whole numbers of a VTK file that say which points its cells have.
 struct VtkNumbers {
-  std::string section;  ///< element of the file that they stand in: "Cells", "Verts", "CellData"
+  std::string section;  ///< element of the file that they stand in: "Cells", "Verts", "Polys"
   std::string name;
   std::variant<std::vector<std::int32_t>, std::vector<std::uint8_t>> values;
 };

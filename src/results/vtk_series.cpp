@@ -61,6 +61,15 @@ VtkShape vtk_of_points(std::size_t count) {
           {{"Verts", "connectivity", counted(count, 0, 1)}, {"Verts", "offsets", counted(count, 1, 1)}}};
 }
 
+VtkShape vtk_of_facets(std::size_t count, int corners) {
+  const char* section = corners == 2 ? "Lines" : "Polys";
+  const std::size_t facets = count / static_cast<std::size_t>(corners);
+  return {"PolyData",
+          "",
+          fmt::format("NumberOfPoints=\"{}\" NumberOf{}=\"{}\"", count, section, facets),
+          {{section, "connectivity", counted(count, 0, 1)}, {section, "offsets", counted(facets, corners, corners)}}};
+}
+
 VtkShape vtk_of_mesh(const Mesh& mesh) {
   const std::size_t elements = mesh.element_count(), nodes = vtk_order(mesh.kind).size();
   const auto per_element = static_cast<std::int32_t>(nodes);

@@ -26,6 +26,9 @@ std::vector<std::int32_t> nodes_in_vtk_order(const Mesh& mesh, std::size_t count
 /// Points as they are, each a cell of its own.
 VtkShape vtk_of_points(std::size_t count);
 
+/// Points of which so many in turn are the corners of an edge or a polygon.
+VtkShape vtk_of_facets(std::size_t count, int corners);
+
 /// A mesh of finite elements, with the region of each.
 VtkShape vtk_of_mesh(const Mesh& mesh);
 

@@ -43,6 +43,9 @@ struct MeshOfGrid {
   const Mesh* operator()(const BoxFlow&) const { return nullptr; }
 };
 
+/// Of the space that a surface lies in.
+int dim_of(const Scene& scene) { return scene.coupled() == nullptr ? 2 : scene.coupled()->grid.dim; }
+
 /// Returns whether points come and go while the scene runs.
 bool points_change(const Scene& scene) {
   return scene.edges.any() || (scene.coupled() != nullptr && scene.coupled()->liquid.has_value());
@@ -55,7 +58,7 @@ RunOutputs::RunOutputs(const Plan& plan, const RunRequest& request, const Solver
       request_(request),
       solver_(solver),
       folder_(request.folder, solver.history_layout(), request.provenance,
-              {plan.scene.outputs.vtk, earlier_snapshots(request), points_change(plan.scene)}),
+              {plan.scene.outputs.vtk, earlier_snapshots(request), points_change(plan.scene), dim_of(plan.scene)}),
       history_{solver.history_layout(), {}},
       history_due_(plan.scene.outputs.history),
       points_due_(plan.scene.outputs.points),
@@ -127,6 +130,9 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   if (const Snapshot solids = solver_.solids(); !solids.fields.empty())
     take_over("solids.nc", {solids, checkpoint.grid_snapshots, run},
               [this](const Snapshot& snapshot) { folder_.solids(plan_.scene.solids()->mesh, snapshot); });
+  if (const Snapshot surface = solver_.surface(); !surface.fields.empty())
+    take_over("surface.nc", {surface, checkpoint.grid_snapshots, run, true},
+              [this](const Snapshot& snapshot) { folder_.surface(snapshot); });
 }
 
 /// From beside the checkpoint, else from the run's own folder.
@@ -172,10 +178,14 @@ void RunOutputs::write_points(const FieldsInTurn& snapshot) {
 void RunOutputs::write_grid() {
   if (plan_.scene.outputs.grid == 0) return;
   write_grid(solver_.grid());
-  Snapshot solids = solver_.solids();
-  if (solids.fields.empty()) return;
-  const std::size_t bytes = bytes_of(solids);
-  queue_.give([this, solids = std::move(solids)] { folder_.solids(plan_.scene.solids()->mesh, solids); }, bytes);
+  if (Snapshot solids = solver_.solids(); !solids.fields.empty()) {
+    const std::size_t bytes = bytes_of(solids);
+    queue_.give([this, solids = std::move(solids)] { folder_.solids(plan_.scene.solids()->mesh, solids); }, bytes);
+  }
+  if (Snapshot surface = solver_.surface(); !surface.fields.empty()) {
+    const std::size_t bytes = bytes_of(surface);
+    queue_.give([this, surface = std::move(surface)] { folder_.surface(surface); }, bytes);
+  }
 }
 
 void RunOutputs::write_grid(Snapshot snapshot) {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/numbers.hpp"
+#include "physics/box/liquid/facets.hpp"
 #include "physics/box/projection.hpp"
 
 namespace tether::coupled {
@@ -258,6 +259,21 @@ Snapshot CoupledFields::particle_fields(const CoupledState& state) const {
   if (state.particles.size() == 0) return {state.time, {}};
   return Columns<liquid::Particles>(particle_table(), {box.grid.dim, {}, {}})
       .snapshot(state.time, state.particles.size(), state.particles);
+}
+
+/// Where there is no surface, one facet stands for it whose places are no numbers.
+Snapshot CoupledFields::surface_fields(const CoupledState& state) const {
+  if (step_.surface_of_liquid() == nullptr) return {state.time, {}};
+  const int dim = scene_.coupled()->grid.dim;
+  std::vector<liquid::Facet> facets = liquid::facets_of(*step_.surface_of_liquid());
+  if (facets.empty()) facets.push_back(liquid::Facet{Vec<3>{no_number, no_number, no_number}});
+  const auto place = [dim](const std::vector<liquid::Facet>& of, std::size_t axis, std::size_t corner) {
+    return of[corner / at(dim)][corner % at(dim)][axis];
+  };
+  const ColumnTable<ColumnSetting, std::vector<liquid::Facet>> table(
+      {{{Column<ColumnSetting, std::vector<liquid::Facet>>("", Dimension::length, "place of a corner of the surface", place)
+             .vector()}}});
+  return Columns<std::vector<liquid::Facet>>(table, {dim, {}, {}}).snapshot(state.time, facets.size() * at(dim), facets);
 }
 
 Snapshot CoupledFields::solid_fields(const CoupledState& state) const {

@@ -20,6 +20,8 @@ class CoupledFields {
   Snapshot cell_fields(const CoupledState& state) const;
   /// At the solids' nodes; nothing without solids.
   Snapshot solid_fields(const CoupledState& state) const;
+  /// Returns the corners of the facets of a liquid's surface, one after the other.
+  Snapshot surface_fields(const CoupledState& state) const;
   /// Returns those of a liquid's particles.
   Snapshot particle_fields(const CoupledState& state) const;
 

@@ -31,6 +31,7 @@ class CoupledSolver final : public Solver {
   Snapshot points() const override { return fields_.particle_fields(state_); }
   Snapshot grid() const override { return fields_.cell_fields(state_); }
   Snapshot solids() const override { return fields_.solid_fields(state_); }
+  Snapshot surface() const override { return fields_.surface_fields(state_); }
   std::vector<std::string> take_messages() override;
   SavedState save() const override;
   void restore(const SavedState& saved) override;

@@ -71,4 +71,16 @@ Cut cut_of(const Simplex& simplex, int dim) {
   return cut;
 }
 
+std::vector<Facet> facets_of(const Surface& surface) {
+  constexpr double least_open = 0.25;
+  std::vector<Facet> facets;
+  const auto skip = [](double, double) {};
+  SurfaceLattice(surface).each(skip, [&](const Simplex& simplex) {
+    if (simplex.open < least_open) return;
+    const Cut cut = cut_of(simplex, surface.room.grid.dim);
+    facets.insert(facets.end(), cut.facet.begin(), cut.facet.begin() + static_cast<std::ptrdiff_t>(cut.facets));
+  });
+  return facets;
+}
+
 }  // namespace tether::liquid

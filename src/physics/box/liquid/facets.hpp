@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "base/vec.hpp"
 #include "physics/box/liquid/surface.hpp"
@@ -28,6 +29,9 @@ struct Cut {
   std::size_t facets = 0;
 };
 Cut cut_of(const Simplex& simplex, int dim);
+
+/// Returns the facets of a surface but for those within solids.
+std::vector<Facet> facets_of(const Surface& surface);
 
 /// Area of a facet, per unit depth in the plane.
 double area_of(const Facet& facet, int dim);
