@@ -22,9 +22,14 @@ struct Below {
   std::shared_ptr<const Expression> height;
 };
 
+/// All places at which an expression in x, y and z is not 0.
+struct Where {
+  std::shared_ptr<const Expression> holds;
+};
+
 /// A part of the box that holds liquid at the start.
 struct LiquidRegion {
-  std::variant<Figure, Below> shape;
+  std::variant<Figure, Below, Where> shape;
   Vec<3> velocity{};
   int number = 0;  ///< of the deck's region, from 1
 };

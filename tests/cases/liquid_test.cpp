@@ -202,6 +202,21 @@ TEST(Liquid, SealedAirStays) {
   EXPECT_NEAR(sealed.last("fluid_volume"), sealed.first("fluid_volume"), 0.003);
 }
 
+/// The facets of surface.nc are the surface: as long in all as the column says, and where the liquid ends.
+TEST(Liquid, SurfaceFiles) {
+  const DeckRun run = run_text("surface", box(32, 32, 1.0 / 32, 0.01, 0.2) + "$in iout(39)=1, tiout(39)=.1 $\n" +
+                                              liquid("liquid_below(1)='.5+.05*cos(2*pi*x)'"));
+  const auto x = read_variable(run.folder + "/surface.nc", "x"), y = read_variable(run.folder + "/surface.nc", "y");
+  double length = 0;
+  const std::size_t corners = x.size() / 3;  // of each of three records, the longest
+  for (std::size_t k = 0; k + 1 < corners && std::isfinite(x[k]); k += 2) {
+    length += std::hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
+    EXPECT_NEAR(y[k], 0.5 + 0.05 * std::cos(2 * pi * x[k]), 0.2 / 32);
+  }
+  EXPECT_NEAR(length, run.first("surface_area"), 1e-9);
+  EXPECT_GT(length, 1.02);
+}
+
 /// What a jet brings is its own, whatever the grid, and what leaves by a hole is gone.
 TEST(Liquid, JetsPourAndHolesDrain) {
   const DeckRun run = run_text(

@@ -18,7 +18,7 @@ from matplotlib import collections
 
 import tether_results
 from render import blocks
-from scene import choose, quantities, topology
+from scene import choose, liquid, quantities, topology
 from scene.box import OBSTACLE, BoxScene
 from scene.flow import FlowMesh
 from small_runs import DeckTest
@@ -103,7 +103,7 @@ class Boxes(DeckTest):
 
     def test_what_matters_in_a_box(self):
         for deck, values, field in (("coupled-bar", BAR, "smoke"), ("coupled-archimedes", {"in.tmax": 0.05}, "p"),
-                                    ("coupled-balloon", {"in.tmax": 0.1}, "speed")):
+                                    ("coupled-balloon", {"in.tmax": 0.1}, "speed"), ("liquid-drop", {"in.tmax": 0.1}, "speed")):
             self.assertEqual(choose.scene_of(self.run_of(deck, values)).layers[0].name, field)
 
     def test_bodies_in_space_are_drawn_where_they_are(self):
@@ -114,6 +114,26 @@ class Boxes(DeckTest):
         for point, seen in (((0.8, 0.25, 0.5), True), ((0.75, 0.5, 0.5), True), ((1.6, 0.45, 0.5), False)):
             across, down = camera.project(numpy.array(point))[0].astype(int)
             self.assertEqual(abs(with_bar - bare)[down, across].max() > 0.05, seen, point)
+
+    def test_a_liquid_is_drawn_up_to_its_surface(self):
+        scene = choose.scene_of(self.run_of("liquid-drop", {"in.tmax": 0.1}))
+        axes = scene.figure([0]).axes[0]
+        mesh = next(mesh for mesh in axes.collections if isinstance(mesh, collections.QuadMesh))
+        drawn = ~numpy.ma.getmaskarray(mesh.get_array()).reshape(256, 256)
+        area = 0.3 + numpy.pi * 0.12**2
+        self.assertAlmostEqual(drawn.mean(), area, delta=0.01 * area)
+
+    def test_a_liquid_in_space_is_closed_by_the_sides_of_the_box(self):
+        scene = BoxScene(self.run_of("liquid-bowl-3d", {"in.tmax": 0.02, "in.nx": 17, "in.ny": 17, "coupled.nz": 17,
+                                                        "in.tiout(39)": 0.01}))
+        cells = scene.fluid.at(0)
+        scale = quantities.Scale("speed", "1")
+        surfaces = liquid.surfaces(scene.surface.at(0), cells, quantities.value_of(cells, "speed"), scene.box, scale)
+        floor = [surface.triangles for surface in surfaces if (surface.triangles[..., 1] == 0).all()]
+        sides = numpy.concatenate(floor)[:, 1:] - numpy.concatenate(floor)[:, :1]
+        self.assertAlmostEqual(numpy.linalg.norm(numpy.cross(sides[:, 0], sides[:, 1]), axis=-1).sum() / 2, 1.0)
+        top = surfaces[0].triangles  # of the surface itself: that of the pool, and of the water in the bowl
+        self.assertTrue((abs(top[..., 1] - 0.15) < 0.03).any() and (abs(top[..., 1] - 0.55) < 0.05).any())
 
     def test_obstacles_have_few_faces_that_cover_what_is_seen(self):
         marked = numpy.zeros((3, 4, 5), dtype=bool)

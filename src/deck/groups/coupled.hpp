@@ -112,6 +112,8 @@ inline constexpr std::array coupled_rows{
              "Region k as a polygon: x and y of its corners in turn; in space a prism along all of z."},
     Variable{"coupled", "liquid_below", text, 1, nl, 1, "", -none, none, "", "",
              "Region k as all that lies below a height: an expression in x and, in space, z."},
+    Variable{"coupled", "liquid_where", text, 1, nl, 1, "", -none, none, "", "",
+             "Region k as all places where an expression in x, y and, in space, z holds: 'x^2+y^2<1 && y<0.5'."},
     Variable{"coupled", "liquid_velocity", real, 2, 3, nl, "velocity", -none, none, "", "0.0",
              "Velocity of region k at the start, along x, y and z, in place of u0, v0 and w0."},
     Variable{"coupled", "liquid_particles", integer, 0, 1, 1, "", 2, 6, "", "",

@@ -11,7 +11,7 @@
 namespace tether {
 namespace {
 
-using RegionShape = std::variant<Figure, Below>;
+using RegionShape = std::variant<Figure, Below, Where>;
 
 std::optional<RegionShape> shape_of(const Deck& deck, AnyVariable name, int k, FigureReader& read,
                                     Diagnostics& diagnostics) {
@@ -21,6 +21,10 @@ std::optional<RegionShape> shape_of(const Deck& deck, AnyVariable name, int k, F
   if (name == AnyVariable("coupled.liquid_box")) return of_figure(read.box("coupled.liquid_box", k));
   if (name == AnyVariable("coupled.liquid_ellipse")) return of_figure(read.ellipse("coupled.liquid_ellipse", k));
   if (name == AnyVariable("coupled.liquid_polygon")) return of_figure(read.polygon("coupled.liquid_polygon", k));
+  if (name == AnyVariable("coupled.liquid_where")) {
+    auto holds = expression_of(deck, "coupled.liquid_where", k, {"x", "y", "z"}, diagnostics);
+    return holds ? std::optional<RegionShape>(Where{std::move(holds)}) : std::nullopt;
+  }
   auto height = expression_of(deck, "coupled.liquid_below", k, {"x", "z"}, diagnostics);
   return height ? std::optional<RegionShape>(Below{std::move(height)}) : std::nullopt;
 }
@@ -39,8 +43,9 @@ void add_liquid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
   if (!deck.logical("coupled.liquid")) return;
   Liquid liquid;
   FigureReader read(deck, coupled.grid, diagnostics);
-  for (const auto& [k, name] : read.given("region of liquid", {"coupled.liquid_box", "coupled.liquid_ellipse",
-                                                               "coupled.liquid_polygon", "coupled.liquid_below"})) {
+  for (const auto& [k, name] :
+       read.given("region of liquid", {"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon",
+                                       "coupled.liquid_below", "coupled.liquid_where"})) {
     const auto shape = shape_of(deck, name, k, read, diagnostics);
     if (shape) liquid.regions.push_back({*shape, velocity_of(deck, coupled, k), k});
   }

@@ -22,9 +22,9 @@ class LiquidChecks {
 
   /// Says what has no effect without a liquid.
   void without() {
-    for (const AnyVariable name :
-         Variables{"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon", "coupled.liquid_below",
-                   "coupled.liquid_velocity", "coupled.liquid_particles", "coupled.liquid_jitter", "coupled.air"}) {
+    for (const AnyVariable name : Variables{"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon",
+                                            "coupled.liquid_below", "coupled.liquid_where", "coupled.liquid_velocity",
+                                            "coupled.liquid_particles", "coupled.liquid_jitter", "coupled.air"}) {
       const auto given = deck_.given_elements(name);
       if (given.empty()) continue;
       error(name, given[0], fmt::format("{} has no effect: the fluid fills the box", name.name()),
@@ -36,8 +36,9 @@ class LiquidChecks {
     if (coupled_.smoke)
       error("coupled.liquid", {1, 1}, "a liquid with a surface carries no smoke", "leave the smoke away");
     if (!coupled_.voids.empty())
-      error("coupled.void", {1, deck_.given_elements("coupled.void")[0][1]}, "a liquid has air wherever it is not",
-            "leave void away, and give the regions of liquid: liquid_box, liquid_ellipse, liquid_polygon, liquid_below");
+      error(
+          "coupled.void", {1, deck_.given_elements("coupled.void")[0][1]}, "a liquid has air wherever it is not",
+          "leave void away, and give the regions of liquid: liquid_box, liquid_ellipse, liquid_polygon, liquid_below");
     if (coupled_.cavities_only)
       error("coupled.fluid_in", {1, 1}, "a liquid has air wherever it is not", "leave fluid_in away");
     if (!coupled_.coupling.simultaneous || coupled_.coupling.two_maps)
@@ -50,7 +51,8 @@ class LiquidChecks {
             fmt::format("the {} is open to fluid at rest, but a liquid has air beyond", box_side_names[at(side - 1)]),
             "side(k)='void' lets it out; a jet brings some in");
     }
-    for (const AnyVariable name : Variables{"coupled.advection", "coupled.level", "coupled.u0", "coupled.v0", "coupled.w0"})
+    for (const AnyVariable name :
+         Variables{"coupled.advection", "coupled.level", "coupled.u0", "coupled.v0", "coupled.w0"})
       if (deck_.given(name) && !is_start_of_a_region(name)) warn(name, "particles carry a liquid along");
   }
 
@@ -82,8 +84,9 @@ class LiquidChecks {
     if (pull == 0 || scene_.clock.tstep <= limit) return;
     diagnostics_.add(deck_.remark(
         Severity::warning, "in.tstep", {1, 1},
-        fmt::format("steps of {:.4g} are longer than {:.4g}, {} sqrt(cell / gravc): short waves of the surface may grow",
-                    scene_.clock.tstep, limit, most_of_a_wave),
+        fmt::format(
+            "steps of {:.4g} are longer than {:.4g}, {} sqrt(cell / gravc): short waves of the surface may grow",
+            scene_.clock.tstep, limit, most_of_a_wave),
         "a quarter of sqrt(cell / gravc) follows waves well"));
   }
 
@@ -112,7 +115,8 @@ class LiquidChecks {
         if (at[1] == k) return name;
       }
     }
-    return "coupled.liquid_below";
+    const AnyVariable below = "coupled.liquid_below", where = "coupled.liquid_where";
+    return deck.given(below, k) ? below : where;
   }
   bool has_body(const Vec<3>& x) const {
     if (!scene_.solids()) return false;
@@ -146,7 +150,8 @@ class LiquidChecks {
     if (!any || free) return;
     const AnyVariable name = name_of(deck_, region.number);
     const Subscript at = name.row().rank == 1 ? Subscript{region.number, 1} : Subscript{1, region.number};
-    error(name, at, fmt::format("region {} of liquid lies in bodies and obstacles: there is no room for it", region.number),
+    error(name, at,
+          fmt::format("region {} of liquid lies in bodies and obstacles: there is no room for it", region.number),
           "bodies and obstacles have their places before liquid");
   }
 
