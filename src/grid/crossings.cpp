@@ -76,7 +76,7 @@ class Sweep {
         int solid = 0, outer = 0;
         for (int i = 0; i < grid_.n[0]; ++i) {
           solid += turns_[grid_.face(0, i, j, k)], outer += outer_turns_[grid_.face(0, i, j, k)];
-          out_.inside[grid_.cell(i, j, k)] = solid > 0 ? 1 : 0;
+          out_.inside[grid_.cell(i, j, k)] = static_cast<std::uint8_t>(std::clamp(solid, 0, 255));
           out_.in_cavity[grid_.cell(i, j, k)] = outer > 0 && solid <= 0 ? 1 : 0;
         }
       }

@@ -26,7 +26,7 @@ struct Crossing {
 struct Crossings {
   std::vector<Crossing> all;
   std::array<std::vector<int>, 3> lowest, highest;  ///< crossing of each face, by number in `all`; -1: none
-  std::vector<std::uint8_t> inside;                 ///< of each cell, whether its middle lies in a solid
+  std::vector<std::uint8_t> inside;                 ///< of each cell, in how many solids its middle lies
   std::vector<std::uint8_t> in_cavity;              ///< of each cell, whether it lies in a cavity of a solid
 };
 

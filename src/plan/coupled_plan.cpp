@@ -98,9 +98,9 @@ std::vector<Term> fluid_terms(const Scene& scene) {
   const std::string open = sides_text(c, scene.gravity);
   return {
       {"advection", true,
-       c.liquid                                ? "by particles, which carry velocities and their slopes"
+       c.liquid                               ? "by particles, which carry velocities and their slopes"
        : c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2"
-                                               : "semi-Lagrangian: of order 1"},
+                                              : "semi-Lagrangian: of order 1"},
       term("liquid surface", c.liquid.has_value(), liquid_text(c), "the fluid fills the box"),
       term("viscosity", c.viscosity > 0,
            fmt::format("mu {:.4g}: walls and obstacles hold the fluid{}", c.viscosity,

@@ -35,7 +35,9 @@ void PointWriter::append(const FieldsInTurn& snapshot) {
   }
   vtk_.append(
       *file_,
-      [&] { return kind_.corners == 1 ? vtk_of_points(snapshot.count()) : vtk_of_facets(snapshot.count(), kind_.corners); },
+      [&] {
+        return kind_.corners == 1 ? vtk_of_points(snapshot.count()) : vtk_of_facets(snapshot.count(), kind_.corners);
+      },
       snapshot);
 }
 

@@ -13,10 +13,11 @@
 namespace tether {
 namespace {
 
-constexpr std::array owned{"history.nc",    "history.txt",    "particles.nc",       "particles.pvd",     "mesh.nc",
-                           "mesh.pvd",      "solids.nc",      "solids.pvd",         "reference.txt",     "summary.txt",
-                           "messages.txt",  "deck.effective", "deck.effective.msh", "particles.pvd.new", "mesh.pvd.new",
-                           "solids.pvd.new", "surface.nc", "surface.pvd", "surface.pvd.new"};
+constexpr std::array owned{
+    "history.nc",     "history.txt",    "particles.nc",       "particles.pvd",     "mesh.nc",
+    "mesh.pvd",       "solids.nc",      "solids.pvd",         "reference.txt",     "summary.txt",
+    "messages.txt",   "deck.effective", "deck.effective.msh", "particles.pvd.new", "mesh.pvd.new",
+    "solids.pvd.new", "surface.nc",     "surface.pvd",        "surface.pvd.new"};
 
 constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc", "surface.nc"};
 

@@ -60,7 +60,9 @@ Around around(const FlowDomain& domain, int axis, std::size_t f, const std::vect
 
 }  // namespace
 
-void blend_cut_faces(const FlowDomain& domain, double h, FaceValues& v) {
+void blend_cut_faces(const FlowDomain& domain, double h, FaceValues& v) { blend_cut_faces(domain, domain, h, v); }
+
+void blend_cut_faces(const FlowDomain& domain, const FlowDomain& room, double h, FaceValues& v) {
   const StaggeredGrid& grid = domain.grid;
   for (int axis = 0; axis < grid.dim; ++axis) {
     const std::vector<double> before = v[at(axis)];
@@ -68,7 +70,7 @@ void blend_cut_faces(const FlowDomain& domain, double h, FaceValues& v) {
       if (domain.face[at(axis)][f] != FaceKind::open) continue;
       const int i = grid.place_of_face(axis, f)[at(axis)];
       const double whole = grid.volume() * (i == 0 || i == grid.n[at(axis)] ? 0.5 : 1),
-                   lacks = 1 - domain.volume[at(axis)][f] / whole;
+                   lacks = 1 - room.volume[at(axis)][f] / whole;
       if (lacks < no_part) continue;
       const Around about = around(domain, axis, f, before);
       const double taken = lacks * -std::expm1(-h * about.fastest / grid.d[at(axis)]);

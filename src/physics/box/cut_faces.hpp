@@ -19,6 +19,8 @@ namespace tether::coupled {
 /// sqrt(dp/rho), at steps of any length. Whole faces keep their velocities, and none leaves the bounds of those that
 /// were.
 void blend_cut_faces(const FlowDomain& domain, double h, FaceValues& v);
+/// Does the same where `room` has how solids cut the faces, and `domain` what of it flows.
+void blend_cut_faces(const FlowDomain& domain, const FlowDomain& room, double h, FaceValues& v);
 
 /// Gives the faces that solids close velocities of the fluid around, so that a face that opens has one: layer after
 /// layer, the mean of the neighbours, on the lattice of the same axis, that have one already. Open and prescribed faces

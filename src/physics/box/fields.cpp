@@ -233,7 +233,8 @@ Snapshot CoupledFields::cell_fields(const CoupledState& state) const {
   const Coupled& box = *scene_.coupled();
   const CellSetting setting{{box.grid.dim, {}, {}}, box.smoke, box.liquid.has_value()};
   return Columns<CellSource>(cell_table(), setting)
-      .snapshot(state.time, box.grid.cell_count(), {box.grid, step_.domain(), state, step_.surface_of_liquid(), step_.whole_surface()});
+      .snapshot(state.time, box.grid.cell_count(),
+                {box.grid, step_.domain(), state, step_.surface_of_liquid(), step_.whole_surface()});
 }
 
 namespace {
@@ -271,9 +272,11 @@ Snapshot CoupledFields::surface_fields(const CoupledState& state) const {
     return of[corner / at(dim)][corner % at(dim)][axis];
   };
   const ColumnTable<ColumnSetting, std::vector<liquid::Facet>> table(
-      {{{Column<ColumnSetting, std::vector<liquid::Facet>>("", Dimension::length, "place of a corner of the surface", place)
+      {{{Column<ColumnSetting, std::vector<liquid::Facet>>("", Dimension::length, "place of a corner of the surface",
+                                                           place)
              .vector()}}});
-  return Columns<std::vector<liquid::Facet>>(table, {dim, {}, {}}).snapshot(state.time, facets.size() * at(dim), facets);
+  return Columns<std::vector<liquid::Facet>>(table, {dim, {}, {}})
+      .snapshot(state.time, facets.size() * at(dim), facets);
 }
 
 Snapshot CoupledFields::solid_fields(const CoupledState& state) const {

@@ -173,16 +173,19 @@ std::vector<double> FlowBox::jet_speeds(double time, double h) const {
   return speeds;
 }
 
-/// A face that a jet has but a part of takes that part of its speed: the flux is the jet's.
+/// A face that a jet has but a part of takes that part of its speed: the flux is the jet's. A liquid's particles are
+/// only in the jet's part, and go as fast as it.
 void FlowBox::prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const {
   const std::vector<double> speeds = jet_speeds(time, h);
   for (int axis = 0; axis < scene_.grid.dim; ++axis) {
     for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
       if (domain.face[at(axis)][f] != FaceKind::prescribed) continue;
-      double speed = 0;
-      for (const JetShare& share : side_faces_->jets(axis, f))
+      double speed = 0, parts = 0;
+      for (const JetShare& share : side_faces_->jets(axis, f)) {
         speed += (is_low_side(scene_.jets[at(share.jet)].side) ? 1 : -1) * share.part * speeds[at(share.jet)];
-      v[at(axis)][f] = speed;
+        parts += share.part;
+      }
+      v[at(axis)][f] = scene_.liquid && parts > 0 ? speed / parts : speed;
     }
   }
 }

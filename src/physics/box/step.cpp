@@ -98,7 +98,10 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
 
 /// Leaves what the next step is to find, in cut faces and in the solids.
 void CoupledStep::end_velocity(double h, double cells_crossed, FaceValues& v) const {
-  if (liquid_) return liquid_->extend(at_, cells_crossed, v);
+  if (liquid_) {
+    if (coupled_.coupling.cuts_faces) blend_cut_faces(at_.domain, at_.room(), h, v);
+    return liquid_->extend(at_, cells_crossed, v);
+  }
   if (coupled_.coupling.cuts_faces) blend_cut_faces(at_.domain, h, v);
   extend_velocity(at_.domain, v, layers_around_fluid);
 }
@@ -109,7 +112,7 @@ void CoupledStep::book_remeshed(double before, CoupledState& state) const {
 
 /// Finds what a step begins with.
 void CoupledStep::place(CoupledState& state) {
-  if (liquid_) liquid_->look(state.particles);
+  if (liquid_) liquid_->look(state.liquid_flow, state.particles);
   at_ = placer_.at(state.q, {}, liquid_ ? liquid_->filled() : std::span<const double>());
 }
 

@@ -48,7 +48,7 @@ class CoupledStep {
 
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
-  /// The same with obstacles that cut cells.
+  /// Returns the same with obstacles that cut cells.
   const WholeSurface& whole_surface() const { return placer_.whole(); }
   const CoupledSystem& system() const { return system_; }
   /// Solids at q and the fluid about them.

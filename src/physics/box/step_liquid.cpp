@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -18,10 +19,13 @@ namespace tether::coupled {
 void CoupledStep::fill_with_liquid(CoupledState& state) {
   Room room = placer_.room_at(state.q);
   const liquid::NearSolids solids(placer_.whole().surface(), room.places, coupled_.grid, room.crossings);
-  state.particles = liquid::seed(coupled_, room.domain, solids);
+  std::vector<int> without;
+  state.particles = liquid::seed(coupled_, room.domain, solids, &without);
+  for (const int number : without)
+    messages_.push_back(fmt::format("region {} of liquid is too thin for the cells: it has no particle", number));
   state.liquid_flow = liquid_->no_flow();
   state.full = 1;
-  liquid_->look(state.particles);
+  liquid_->look(state.liquid_flow, state.particles);
   at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
   liquid_->give_to_faces(at_.room(), state.particles, state.v);
   liquid_->note_speeds(state.v);
@@ -46,8 +50,8 @@ void CoupledStep::move_particles(CoupledState& state, double h) {
   double fastest = 0;  // of the bodies' nodes, along an axis
   for (const double u : state.u) fastest = std::max(fastest, std::abs(u));
   const liquid::CarriedEnergy carried =
-      liquid_->carry(at_, state.v, 2 * fastest + h * std::sqrt(dot(gravity_, gravity_)), box_.jet_speeds(state.time, h), h,
-                     state.particles, state.liquid_flow);
+      liquid_->carry(at_, state.v, 2 * fastest + h * std::sqrt(dot(gravity_, gravity_)), box_.jet_speeds(state.time, h),
+                     h, state.particles, state.liquid_flow);
   state.books.jets += carried.in, state.books.open_sides -= carried.out;
 }
 
@@ -70,7 +74,7 @@ void CoupledStep::place_liquid(CoupledState& state) {
   put_out_of_solids(room, state);
   settle_particles(room, state);
   put_out_of_solids(room, state);
-  liquid_->look(state.particles);
+  liquid_->look(state.liquid_flow, state.particles);
   at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
   note_air(state);
 }
@@ -86,7 +90,7 @@ void CoupledStep::put_out_of_solids(const Room& room, CoupledState& state) {
 /// which ends at the surface as pressures do.
 void CoupledStep::settle_particles(const Room& room, CoupledState& state) {
   constexpr double tolerance = 1e-3, most = 0.3;  // of its solution; cells
-  liquid_->look(state.particles);
+  liquid_->look(state.liquid_flow, state.particles);
   const liquid::Surface surface = liquid::surface_in(room.domain, room.all_pieces(), liquid_->filled());
   const FlowDomain domain = liquid::liquid_in(surface.room, surface.distance, coupled_.liquid->air);
   const PressureNumbers numbers = number_pressures(domain);

@@ -27,7 +27,7 @@ ReducedEquations balanced(const CoupledEquations& equations, double time, std::s
   if (with.unbalanced >= 0)
     refuse(time,
            fmt::format("{:.4g} flows out of closed region {} of the fluid, whose walls do not yield: likely cause, "
-                       "jets or moved supports whose flux does not cancel",
+                       "jets or moved supports whose flux does not cancel, or a liquid that fills all that there is",
                        with.flux, with.unbalanced + 1));
   return with;
 }

@@ -51,9 +51,36 @@ class LiquidChecks {
             fmt::format("the {} is open to fluid at rest, but a liquid has air beyond", box_side_names[at(side - 1)]),
             "side(k)='void' lets it out; a jet brings some in");
     }
+    if (deck_.given("coupled.advection")) warn("coupled.advection", "particles carry a liquid along");
+  }
+
+  /// Friction within a liquid is that of a fluid that fills the box; at its surface it is not free of stress.
+  void viscosity() {
+    if (coupled_.viscosity == 0) return;
+    if (scene_.solids() && !coupled_.bodies_slip)
+      error("coupled.bodies_slip", {1, 1}, "a liquid with a surface does not stick to bodies",
+            "leave bodies_slip away: the liquid slips along bodies, and sticks to walls");
+    diagnostics_.add(deck_.remark(
+        Severity::warning, "coupled.viscosity", {1, 1},
+        "viscosity does not see that the liquid's surface is free of stress: films and channels are right, waves lose "
+        "about a third of what they should, and drops that turn are slowed down",
+        "energy_viscous says what it took"));
+  }
+
+  /// Bodies stop at boxes of whole cells alone.
+  void obstacles() {
+    if (coupled_.shaped.empty() || !scene_.solids()) return;
+    const int k = coupled_.shaped[0].number;
     for (const AnyVariable name :
-         Variables{"coupled.advection", "coupled.level", "coupled.u0", "coupled.v0", "coupled.w0"})
-      if (deck_.given(name) && !is_start_of_a_region(name)) warn(name, "particles carry a liquid along");
+         Variables{"coupled.obstacle_plane", "coupled.obstacle_ellipse", "coupled.obstacle_polygon"}) {
+      for (const Subscript at : deck_.given_elements(name)) {
+        if (at[1] != k) continue;
+        diagnostics_.add(deck_.remark(Severity::warning, name, at,
+                                      fmt::format("bodies do not stop at {} {}: they go through it", name.name(), k),
+                                      "obstacle(1:6,k) stops them, and so do bodies that supports hold"));
+        return;
+      }
+    }
   }
 
   /// Regions whose every place bodies and obstacles have, or that lie beyond the box.
@@ -62,7 +89,9 @@ class LiquidChecks {
     if (liquid.regions.empty() && coupled_.jets.empty())
       error("coupled.liquid", {1, 1}, "there is no liquid: no region holds some at the start, and no jet brings any",
             "give liquid_box, liquid_ellipse, liquid_polygon or liquid_below, or a jet");
-    for (const LiquidRegion& region : liquid.regions) region_has_room(region);
+    for (const LiquidRegion& region : liquid.regions) {
+      if (has_numbers(region)) region_has_room(region);
+    }
     if (liquid.air == Air::sealed && !liquid.regions.empty() && !has_air_)
       error("coupled.air", {1, 1}, "there is no air to be sealed: the liquid fills the box", "leave air away");
   }
@@ -77,7 +106,7 @@ class LiquidChecks {
     }
   }
 
-  /// Waves of two cells, which gravity makes go by sqrt(g d / pi), are not followed by long steps.
+  /// Warns of steps too long for waves of two cells, whose speed is sqrt(g d / pi).
   void step() {
     const double cell = *std::min_element(grid_.d.begin(), grid_.d.begin() + grid_.dim),
                  pull = std::hypot(scene_.gravity, coupled_.gravity_x), limit = most_of_a_wave * std::sqrt(cell / pull);
@@ -99,10 +128,6 @@ class LiquidChecks {
   void warn(AnyVariable name, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::warning, name, {1, 1},
                                   fmt::format("{} of ${} has no effect on a liquid", name.name(), name.group()), hint));
-  }
-  /// The velocity at the start is that of regions that have none of their own.
-  bool is_start_of_a_region(AnyVariable name) const {
-    return name == AnyVariable("coupled.u0") || name == AnyVariable("coupled.v0") || name == AnyVariable("coupled.w0");
   }
   static Vec<3> middle_of(const Jet& jet) {
     Vec<3> x{};
@@ -126,6 +151,24 @@ class LiquidChecks {
   bool has_obstacle(const Vec<3>& x) const {
     return std::ranges::any_of(coupled_.obstacles, [&](const Box<3>& box) { return box.contains(x); }) ||
            std::ranges::any_of(coupled_.shaped, [&](const Obstacle& of) { return contains(of.figure, x); });
+  }
+
+  /// Reports an expression that has no finite value somewhere.
+  bool has_numbers(const LiquidRegion& region) {
+    const Below* below = std::get_if<Below>(&region.shape);
+    if (below == nullptr) return true;
+    for (int k = 0; k <= grid_.n[2]; ++k) {
+      for (int i = 0; i <= grid_.n[0]; ++i) {
+        const double x = grid_.face_place(0, i), z = grid_.dim == 3 ? grid_.face_place(2, k) : 0;
+        const double height = (*below->height)(std::array{x, z});
+        if (std::isfinite(height)) continue;
+        error("coupled.liquid_below", {region.number, 1},
+              fmt::format("'{}' gives {} at x = {:.6g}, z = {:.6g}", below->height->text(), height, x, z),
+              "it must have a finite value all over the box");
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Looks at so many places of each cell; small regions may lie between them.
@@ -168,8 +211,10 @@ class LiquidChecks {
 
 void check_liquid(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics) {
   LiquidChecks checks(deck, scene, coupled, diagnostics);
+  checks.obstacles();
   if (!coupled.liquid) return checks.without();
   checks.others();
+  checks.viscosity();
   checks.regions();
   checks.jets();
   checks.step();

@@ -48,9 +48,8 @@ const char* wrong_place(const Coupled& coupled, const Box<3>& box, const Vec<3>&
   if (!deep_in(box, place, -rounding)) return "outside the box";
   const bool blocked = std::any_of(coupled.obstacles.begin(), coupled.obstacles.end(),
                                    [&](const Box<3>& obstacle) { return deep_in(obstacle, place, rounding); }) ||
-                       std::any_of(coupled.shaped.begin(), coupled.shaped.end(), [&](const Obstacle& obstacle) {
-                         return contains(obstacle.figure, place);
-                       });
+                       std::any_of(coupled.shaped.begin(), coupled.shaped.end(),
+                                   [&](const Obstacle& obstacle) { return contains(obstacle.figure, place); });
   return blocked ? "in an obstacle" : nullptr;
 }
 

@@ -49,6 +49,14 @@ double Inflow::blow_in(std::span<const double> speeds, double h, std::span<doubl
   return volume;
 }
 
+Particles Inflow::not_yet_in(std::span<const double> owed) const {
+  Particles particles;
+  for (std::size_t k = 0; k < owed.size(); ++k) {
+    if (owed[k] > 0) add_layer(k, 0.5 * owed[k], owed[k], 0, particles);
+  }
+  return particles;
+}
+
 /// Returns whether no later jet has a place of a jet's.
 bool Inflow::has(std::size_t jet, const Vec<3>& x) const {
   const std::size_t across = at(axis_of_side(scene_.jets[jet].side));

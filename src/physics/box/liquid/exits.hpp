@@ -51,6 +51,8 @@ class Inflow {
   /// Adds particles before the sides, that jets have brought in at these speeds in a time h: layer after layer, as far
   /// apart as those of a cell that is filled, all over the part of the side that is the jet's. Returns their volume.
   double blow_in(std::span<const double> speeds, double h, std::span<double> owed, Particles& particles) const;
+  /// Returns what has come in and is no particle yet, as particles before the sides.
+  Particles not_yet_in(std::span<const double> owed) const;
 
  private:
   double add_layer(std::size_t jet, double depth, double thickness, double speed, Particles& particles) const;

@@ -35,6 +35,27 @@ class Faces {
     }
   }
 
+  /// Faces of walls next to a jet that blows in take its velocity: particles at its edge are not to see the wall's.
+  void spread_jets() {
+    std::vector<std::pair<std::size_t, double>> found;
+    for (std::size_t f = 0; f < v_.size(); ++f) {
+      if (state_[f] != wall || v_[f] != 0) continue;
+      const auto place = grid_.place_of_face(axis_, f);
+      if (place[at(axis_)] != 0 && place[at(axis_)] != grid_.n[at(axis_)]) continue;
+      const double inwards = place[at(axis_)] == 0 ? 1 : -1;
+      double most = 0;
+      for (std::size_t b = 0; b < static_cast<std::size_t>(grid_.dim); ++b) {
+        for (const int way : {-1, 1}) {
+          if (static_cast<int>(b) == axis_ || place[b] + way < 0 || place[b] + way >= size_[b]) continue;
+          const auto next = f + static_cast<std::size_t>(way * stride_[b]);
+          if (state_[next] == wall) most = std::max(most, inwards * v_[next]);
+        }
+      }
+      if (most > 0) found.emplace_back(f, inwards * most);
+    }
+    for (const auto& [f, value] : found) v_[f] = value;
+  }
+
   /// Faces that are open to particles, and that these reached, keep their velocity.
   void keep_reached(const FlowDomain& room, const std::vector<double>& reached, const std::vector<double>& before) {
     const auto keeps = [&](std::size_t f) {
@@ -105,6 +126,7 @@ void extend_about_liquid(const FlowDomain& room, const FlowDomain& liquid, std::
   for (int axis = 0; axis < room.grid.dim; ++axis) {
     const std::vector<double> before = v[at(axis)];
     Faces faces(room, liquid, distance, axis, v[at(axis)]);
+    faces.spread_jets();
     for (int layer = 0; layer < linear_layers; ++layer) faces.extend(true);
     faces.keep_reached(room, reached[at(axis)], before);
     for (int layer = 0; layer < layers; ++layer) faces.extend(false);

@@ -11,9 +11,14 @@
 
 namespace tether::liquid {
 
-void LiquidOfStep::look(Particles& particles) {
+void LiquidOfStep::look(const LiquidFlow& flow, Particles& particles) {
   cells_ = sort_by_cells(team_, scene_.grid, particles);
   filled_ = filling(team_, scene_.grid, particles, cells_);
+  Particles more = inflow_.not_yet_in(flow.owed);
+  if (more.size() == 0) return;
+  const CellParticles cells = sort_by_cells(team_, scene_.grid, more);
+  const std::vector<double> filled = filling(team_, scene_.grid, more, cells);
+  for (std::size_t c = 0; c < filled.size(); ++c) filled_[c] += filled[c];
 }
 
 /// Faces that no particle reaches take the mean of those next to them: the liquid's cells may have such.

@@ -28,8 +28,9 @@ class LiquidOfStep {
   /// Nothing has come in or left yet.
   LiquidFlow no_flow() const { return {0, 0, std::vector<double>(inflow_.jets(), 0.0)}; }
 
-  /// Sorts the particles and finds what they fill. Everything else asks this first.
-  void look(Particles& particles);
+  /// Sorts the particles and finds what they fill, with what has come in and is none yet. Everything else asks this
+  /// first.
+  void look(const LiquidFlow& flow, Particles& particles);
   /// How much of each cell is filled.
   std::span<const double> filled() const { return filled_; }
 

@@ -65,33 +65,35 @@ double sixfold_volume(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) { retur
 
 }  // namespace
 
-/// Of the ends of a way, and of a side's, each lies on one side of the other: what is exactly on it counts as above.
-bool NearSolids::crosses(int side, const Vec<3>& from, const Vec<3>& to) const {
+/// Returns 1 where a way goes into a solid through a side, -1 where it comes out of one, and 0 where it does not meet
+/// it. Of the ends of a way, and of a side's, each lies on one side of the other: what is exactly on it counts as
+/// above.
+int NearSolids::turns(int side, const Vec<3>& from, const Vec<3>& to) const {
   const auto nodes = surface_.side(at(side));
   const Vec<3> a = minus(tether::place_of(q_, nodes[0], surface_.dim), from),
                b = minus(tether::place_of(q_, nodes[1], surface_.dim), from), way = minus(to, from);
+  Vec<3> normal;
   if (surface_.dim == 2) {
-    const bool a_left = cross(way, a)[2] > 0, b_left = cross(way, b)[2] > 0;
-    if (a_left == b_left) return false;
-    const Vec<3> edge = minus(b, a);
-    return (cross(edge, minus(Vec<3>{}, a))[2] > 0) != (cross(edge, minus(way, a))[2] > 0);
+    if ((cross(way, a)[2] > 0) == (cross(way, b)[2] > 0)) return 0;
+    normal = {b[1] - a[1], a[0] - b[0], 0};
+  } else {
+    const Vec<3> c = minus(tether::place_of(q_, nodes[2], 3), from);
+    const bool ab = sixfold_volume(way, a, b) > 0, bc = sixfold_volume(way, b, c) > 0,
+               ca = sixfold_volume(way, c, a) > 0;
+    if (ab != bc || bc != ca) return 0;
+    normal = cross(minus(b, a), minus(c, a));
   }
-  const Vec<3> c = minus(tether::place_of(q_, nodes[2], 3), from);
-  const bool ab = sixfold_volume(way, a, b) > 0, bc = sixfold_volume(way, b, c) > 0, ca = sixfold_volume(way, c, a) > 0;
-  if (ab != bc || bc != ca) return false;
-  const Vec<3> normal = cross(minus(b, a), minus(c, a));
-  return (dot(normal, a) > 0) != (dot(normal, minus(a, way)) > 0);
+  const bool begins_above = dot(normal, a) <= 0, ends_above = dot(normal, minus(a, way)) <= 0;
+  return begins_above == ends_above ? 0 : begins_above ? 1 : -1;
 }
 
 bool NearSolids::hold(const Vec<3>& x) const {
   const auto place = cell_of(grid_, x);
   const std::size_t cell = grid_.cell(place);
-  bool inside = crossings_.inside[cell] != 0;
+  int solids = crossings_.inside[cell];
   const Vec<3> middle = grid_.middle(place);
-  for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
-    if (crosses(sides_[k], x, middle)) inside = !inside;
-  }
-  return inside;
+  for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) solids += turns(sides_[k], middle, x);
+  return solids > 0;
 }
 
 NearestSurface NearSolids::nearest_of_side(int side, const Vec<3>& x) const {
@@ -127,14 +129,31 @@ Vec<3> NearSolids::velocity(const NearestSurface& near, std::span<const double> 
   return velocity;
 }
 
+/// Returns whether just before a place of the surface another solid is.
+bool NearSolids::is_buried(const NearestSurface& near) const {
+  constexpr double away = 1e-3;  // of a cell
+  const auto nodes = surface_.side(at(near.side));
+  std::array<Vec<3>, 3> corner{};
+  for (std::size_t a = 0; a < nodes.size(); ++a) corner[a] = tether::place_of(q_, nodes[a], surface_.dim);
+  const Vec<3> e = minus(corner[1], corner[0]);
+  const Vec<3> normal = surface_.dim == 2 ? Vec<3>{e[1], -e[0], 0} : cross(e, minus(corner[2], corner[0]));
+  const double length = std::sqrt(dot(normal, normal));
+  Vec<3> before = near.place;
+  for (std::size_t a = 0; a < at(grid_.dim); ++a) {
+    before[a] += away * grid_.d[a] * normal[a] / length;
+    if (before[a] < grid_.low[a] || before[a] > grid_.high(static_cast<int>(a))) return true;  // outside of the box
+  }
+  return hold(before);
+}
+
 std::optional<NearestSurface> NearSolids::nearest(const Vec<3>& x) const {
   const std::size_t cell = grid_.cell(cell_of(grid_, x));
-  std::optional<NearestSurface> found;
-  for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
-    const NearestSurface near = nearest_of_side(sides_[k], x);
-    if (!found || near.distance < found->distance) found = near;
-  }
-  return found;
+  std::vector<NearestSurface> all;
+  for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) all.push_back(nearest_of_side(sides_[k], x));
+  std::ranges::sort(all, {}, &NearestSurface::distance);
+  const auto found = std::ranges::find_if(all, [&](const NearestSurface& near) { return !is_buried(near); });
+  if (found != all.end()) return *found;
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 }  // namespace tether::liquid

@@ -26,10 +26,10 @@ class NearSolids {
   NearSolids(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid,
              const Crossings& crossings);
 
-  /// Returns whether a place of the grid lies in a solid: each time that the way from there to its cell's middle meets
-  /// the surface, it goes in or out. Safe to call by several threads.
+  /// Returns whether a place of the grid lies in a solid: the way there from its cell's middle, of which that is known,
+  /// goes into one or out of one each time that it meets the surface. Safe to call by several threads.
   bool hold(const Vec<3>& x) const;
-  /// The nearest place of the surface, where any of it is about.
+  /// The nearest place of the surface that no other solid holds, where any of it is about.
   std::optional<NearestSurface> nearest(const Vec<3>& x) const;
   /// Velocity of a place of the surface, u being that of its nodes; nodes beyond these rest.
   Vec<3> velocity(const NearestSurface& at, std::span<const double> u) const;
@@ -38,7 +38,8 @@ class NearSolids {
 
  private:
   NearestSurface nearest_of_side(int side, const Vec<3>& x) const;
-  bool crosses(int side, const Vec<3>& from, const Vec<3>& to) const;
+  int turns(int side, const Vec<3>& from, const Vec<3>& to) const;
+  bool is_buried(const NearestSurface& near) const;
   template <class Function>
   void each_cell_about(std::size_t side, const Function& f) const;
 

@@ -11,6 +11,7 @@ namespace tether::liquid {
 namespace {
 
 constexpr std::array samples{400, 1000};  // of a small box that is cut, in the plane and in space
+constexpr int few_samples = 8;            // of any, so that what is thinner than one is seen
 constexpr double least_part = 0.02;       // of a small box: less is no particle, and its neighbours have it
 
 class Seeder {
@@ -18,13 +19,14 @@ class Seeder {
   Seeder(const Coupled& scene, const coupled::FlowDomain& room, const NearSolids& solids)
       : scene_(scene), grid_(scene.grid), room_(room), solids_(solids), per_axis_(scene.liquid->per_axis) {}
 
-  Particles seed() {
+  Particles seed(std::vector<int>* without) {
     const auto& regions = scene_.liquid->regions;
     for (std::size_t r = 0; r < regions.size(); ++r) {
       const std::size_t first = particles_.size();
       missed_ = kept_ = 0;
       each_small_box([&](const Vec<3>& low, const Vec<3>& d) { add(r, low, d); });
       for (std::size_t k = first; k < particles_.size(); ++k) particles_.volume[k] *= 1 + missed_ / kept_;
+      if (particles_.size() == first && without != nullptr) without->push_back(regions[r].number);
     }
     return std::move(particles_);
   }
@@ -73,9 +75,9 @@ class Seeder {
   /// Calls f(place) for places all over a small box, no two of which are at one height along any axis, so that a region
   /// that ends there is measured to one in their number: multiples of powers of 1/g, g^(dim+1) = g + 1.
   template <class Function>
-  void each_sample(const Vec<3>& low, const Vec<3>& d, const Function& f) const {
+  void each_sample(const Vec<3>& low, const Vec<3>& d, int count, const Function& f) const {
     const double g = grid_.dim == 2 ? 1.32471795724474602596 : 1.22074408460575947536;
-    for (int k = 0; k < samples[at(grid_.dim - 2)]; ++k) {
+    for (int k = 0; k < count; ++k) {
       Vec<3> x{};
       double by = 1;
       for (std::size_t a = 0; a < at(grid_.dim); ++a) {
@@ -100,10 +102,11 @@ class Seeder {
     Vec<3> first = low, size = d;
     for (std::size_t a = 0; a < at(grid_.dim); ++a) first[a] += inwards * d[a], size[a] -= 2 * inwards * d[a];
     each_corner(first, size, look);
+    each_sample(low, d, few_samples, look);
     if (in == 0) return;
     if (in < all) {
       in = all = 0, sum = {};
-      each_sample(low, d, look);
+      each_sample(low, d, samples[at(grid_.dim - 2)], look);
     }
     const double part = static_cast<double>(in) / all;
     double volume = part;
@@ -113,7 +116,7 @@ class Seeder {
       return;
     }
     kept_ += volume;
-    for (double& place : sum) place /= in;
+    for (std::size_t a = 0; a < 3; ++a) sum[a] = in < all ? sum[a] / in : low[a] + 0.5 * d[a];
     if (in == all && scene_.liquid->jitter > 0) jitter(d, sum);
     particles_.add(grid_.dim, sum, scene_.liquid->regions[region].velocity, volume);
   }
@@ -137,8 +140,9 @@ class Seeder {
 
 }  // namespace
 
-Particles seed(const Coupled& scene, const coupled::FlowDomain& room, const NearSolids& solids) {
-  return Seeder(scene, room, solids).seed();
+Particles seed(const Coupled& scene, const coupled::FlowDomain& room, const NearSolids& solids,
+               std::vector<int>* without) {
+  return Seeder(scene, room, solids).seed(without);
 }
 
 }  // namespace tether::liquid

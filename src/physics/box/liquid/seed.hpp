@@ -12,6 +12,8 @@ namespace tether::liquid {
 /// that a region of liquid has a part of, as large as this part and at its middle. So each region has its true volume,
 /// and its edge is where the deck has it. Of regions that overlap the first one has a place; solids and obstacles have
 /// it before them.
-Particles seed(const Coupled& scene, const coupled::FlowDomain& room, const NearSolids& solids);
+/// `without` gets the numbers of regions that have no particle.
+Particles seed(const Coupled& scene, const coupled::FlowDomain& room, const NearSolids& solids,
+               std::vector<int>* without = nullptr);
 
 }  // namespace tether::liquid

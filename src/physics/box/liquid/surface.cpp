@@ -99,6 +99,7 @@ std::vector<double> open_parts(const FlowDomain& room, const coupled::SurfacePie
   std::vector<double> open(room.grid.cell_count(), 1.0);
   take_solids(room.grid, pieces, open);
   take_obstacles(room, open);
+  for (double& part : open) part = std::max(part, 0.0);  // solids may overlap
   return open;
 }
 
@@ -126,6 +127,15 @@ double distance_of(double filled, double cells) {
   return cells * (part >= 0.5 ? std::sqrt(2 * (1 - part)) - 1 : 1 - std::sqrt(2 * part));
 }
 
+/// The distance by a hat of one cell, which sees no farther than that: towards its end that by a hat of two, if it is
+/// farther on the same side.
+double with_range_of(double by_two, double by_one) {
+  constexpr double sure = 0.5;  // cells
+  const double doubt = std::clamp((std::abs(by_one) - sure) / (1 - sure), 0.0, 1.0);
+  const double farther = std::max(std::copysign(by_two, by_one * by_two) - std::abs(by_one), 0.0);
+  return by_one + std::copysign(doubt * farther, by_one);
+}
+
 /// Layer after layer cells without a distance take the mean of those next to them that have one.
 void extend_into_solids(const StaggeredGrid& grid, std::vector<std::uint8_t> known, std::vector<double>& distance) {
   std::vector<std::size_t> left, still;
@@ -144,7 +154,11 @@ void extend_into_solids(const StaggeredGrid& grid, std::vector<std::uint8_t> kno
           auto next = place;
           next[at(axis)] += way;
           if (!grid.has_cell(next) || known[grid.cell(next)] == 0) continue;
-          sum += distance[grid.cell(next)], ++count;
+          auto second = next;
+          second[at(axis)] += way;
+          const double near = distance[grid.cell(next)];
+          const bool two = grid.has_cell(second) && known[grid.cell(second)] != 0;
+          sum += near + (two ? std::clamp(near - distance[grid.cell(second)], -1.0, 1.0) : 0), ++count;
         }
       }
       if (count > 0)
@@ -168,8 +182,9 @@ std::vector<double> surface_distances(const StaggeredGrid& grid, std::span<const
   std::vector<std::uint8_t> known(wide.size());
   for (std::size_t c = 0; c < wide.size(); ++c) {
     const double narrow = std::clamp((1 - wide_open[c]) / beside_solid, 0.0, 1.0);
-    distance[c] = (1 - narrow) * distance_of(wide[c] / std::max(wide_open[c], least_divisor), 2) +
-                  narrow * distance_of(filled[c] / std::max(open[c], least_divisor), 1);
+    const double by_two = distance_of(wide[c] / std::max(wide_open[c], least_divisor), 2),
+                 by_one = distance_of(filled[c] / std::max(open[c], least_divisor), 1);
+    distance[c] = (1 - narrow) * by_two + narrow * with_range_of(by_two, by_one);
     known[c] = open[c] >= least_open ? 1 : 0;
   }
   extend_into_solids(grid, std::move(known), distance);

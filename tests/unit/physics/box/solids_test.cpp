@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Coupled, Step, testing::Values(2, 3));
 TEST_P(Step, IsTheEquationOfMotion) {
   for (const bool paper : {true, false}) {
     const Body body(GetParam(), paper ? CoupledIntegrator::paper : CoupledIntegrator::trapezoid);
-    SolidEquations equations(body.coupled, body.solids, -9.81, alone());
+    SolidEquations equations(body.coupled, body.solids, {0, -9.81, 0}, alone());
     const std::size_t n = equations.b.size();
     const double h = 0.05, t = 0.4;
     const Values X = body.solids.mesh.x, q = sum(X, 0.02, random_numbers(n, 1)), u0 = random_numbers(n, 2),
@@ -107,7 +107,7 @@ std::array<double, 2> swing(CoupledIntegrator integrator, double omega, double h
   for (int n = 0; n < 9; ++n) spring.nodes.push_back(n);
   spring.stiffness = {omega * omega * 0.32, 0, 0};
   coupled.springs.push_back(spring);
-  SolidEquations equations(coupled, solids, 0, alone());
+  SolidEquations equations(coupled, solids, {}, alone());
   Values q = solids.mesh.x, u(q.size(), 0.0);
   for (std::size_t k = 0; k < q.size(); k += 2) q[k] += 0.01;
   for (int k = 0; k < steps; ++k) {
@@ -149,7 +149,7 @@ TEST(SwingOfTheStep, ByTheTrapezoidalRuleIsNotDamped) {
 
 TEST(Springs, StoreTheirEnergy) {
   const Body body(2, CoupledIntegrator::paper);
-  const SolidEquations equations(body.coupled, body.solids, 0, alone());
+  const SolidEquations equations(body.coupled, body.solids, {}, alone());
   Values q = body.solids.mesh.x;
   EXPECT_EQ(equations.spring_energy(q), 0);
   for (std::size_t k = 0; k < q.size(); k += 2) q[k] += 0.1, q[k + 1] -= 0.2;

@@ -38,7 +38,7 @@ struct Problem {
     });
     solids = elastic(together(hollow_block(dim, 1, {0.42, 0.48, 0.51}, 0.6, 0.3), plate), 20, poisson, 1.5);
     about = std::make_unique<Surroundings>(coupled, solids.mesh);
-    equations = std::make_unique<SolidEquations>(coupled, solids, -1, alone());
+    equations = std::make_unique<SolidEquations>(coupled, solids, Vec<3>{0, -1, 0}, alone());
     const std::size_t n = solids.mesh.x.size();
     equations->assemble(solids.mesh.x, random_numbers(n, 1), 0, 0.05);
     held.assign(n, hold_all ? 1 : 0), known = random_numbers(n, 2);
