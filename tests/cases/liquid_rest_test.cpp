@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "cases/liquid_support.hpp"
 #include "cases/run_deck.hpp"
 
 // Liquids with a surface that are at rest. Density and gravity are 1.
 
 namespace tether::cases {
 namespace {
-
-std::string box(int nx, int ny, double cell, double step, double tmax) {
-  return fmt::format(
-      "$in nx={}, ny={}, xleft=0., xright={:.17g}, ybot=0., ytop={:.17g}, tstep={:.17g}, tmax={:.17g}, gravc=-1., "
-      "iout(33)=1, tiout(33)={:.17g} $\n",
-      nx + 1, ny + 1, nx * cell, ny * cell, step, tmax, step);
-}
-
-std::string liquid(const std::string& more) { return "$coupled density=1., liquid=.true., " + more + " $\n"; }
 
 /// Water in a box of which a wall at 30 degrees cuts off a corner.
 DeckRun still(int cells, const std::string& more) {

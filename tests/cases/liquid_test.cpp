@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/liquid_support.hpp"
 #include "cases/run_deck.hpp"
 
 // Liquids with a surface, against exact solutions and against themselves on finer grids. Density and gravity are 1.
@@ -14,15 +15,6 @@ namespace tether::cases {
 namespace {
 
 using std::numbers::pi;
-
-std::string box(int nx, int ny, double cell, double step, double tmax) {
-  return fmt::format(
-      "$in nx={}, ny={}, xleft=0., xright={:.17g}, ybot=0., ytop={:.17g}, tstep={:.17g}, tmax={:.17g}, gravc=-1., "
-      "iout(33)=1, tiout(33)={:.17g} $\n",
-      nx + 1, ny + 1, nx * cell, ny * cell, step, tmax, step);
-}
-
-std::string liquid(const std::string& more) { return "$coupled density=1., liquid=.true., " + more + " $\n"; }
 
 /// Half a wave in the box, as deep as half a wave.
 struct Wave {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/numbers.hpp"
+#include "deck/spelling.hpp"
 #include "grid/crossings.hpp"
 #include "grid/solid_surface.hpp"
 #include "model/solids.hpp"
@@ -26,8 +27,9 @@ class LiquidChecks {
                                             "coupled.liquid_below", "coupled.liquid_where", "coupled.liquid_velocity",
                                             "coupled.liquid_particles", "coupled.liquid_jitter", "coupled.air"}) {
       const auto given = deck_.given_elements(name);
-      if (given.empty()) continue;
-      error(name, given[0], fmt::format("{} has no effect: the fluid fills the box", name.name()),
+      const auto first = std::ranges::find_if(given, [&](const Subscript& at) { return !is_default(name, at); });
+      if (first == given.end()) continue;
+      error(name, *first, fmt::format("{} has no effect: the fluid fills the box", name.name()),
             "liquid=.true. of $coupled makes it a liquid with a surface");
     }
   }
@@ -51,7 +53,8 @@ class LiquidChecks {
             fmt::format("the {} is open to fluid at rest, but a liquid has air beyond", box_side_names[at(side - 1)]),
             "side(k)='void' lets it out; a jet brings some in");
     }
-    if (deck_.given("coupled.advection")) warn("coupled.advection", "particles carry a liquid along");
+    if (deck_.given("coupled.advection") && !is_default("coupled.advection", {1, 1}))
+      warn("coupled.advection", "particles carry a liquid along");
   }
 
   /// Friction within a liquid is that of a fluid that fills the box; at its surface it is not free of stress.
@@ -124,6 +127,9 @@ class LiquidChecks {
 
   void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
+  }
+  bool is_default(AnyVariable name, Subscript at) const {
+    return value_text(deck_.value(name, at[0], at[1])) == name.row().fallback;
   }
   void warn(AnyVariable name, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::warning, name, {1, 1},

@@ -125,16 +125,23 @@ TEST_P(Liquids, SortingKeepsAll) {
   EXPECT_EQ(cells.first.back(), particles.size());
 }
 
-/// The scene's room with figures as obstacles.
-Room room_of(const Coupled& scene) {
-  Mesh none;
-  none.kind = scene.grid.dim == 2 ? ElementKind::tri3 : ElementKind::tet4;
-  static std::vector<SolidSurface> kept;
-  kept.push_back(surface_of(none));
-  const FlowBox box(scene);
-  const coupled::Outside outside(scene, 0);
-  return Placer(scene, kept.back(), 0, box, outside, alone()).room_at({});
-}
+/// The scene's room with figures as obstacles, and where these are.
+struct WithObstacles {
+  explicit WithObstacles(const Coupled& of)
+      : scene(of),
+        none{.dim = of.grid.dim, .sides = {}, .sheet = {}, .cavity = {}, .part = {}, .whole_sides = {}, .parting = {}},
+        whole(of, none, 0) {
+    const FlowBox box(of);
+    const coupled::Outside outside(of, 0);
+    room = Placer(of, none, 0, box, outside, alone()).room_at({});
+  }
+  NearSolids solids() const { return {whole.surface(), room.places, scene.grid, room.crossings}; }
+
+  const Coupled& scene;
+  SolidSurface none;  // of bodies
+  coupled::WholeSurface whole;
+  Room room;
+};
 
 /// What a wall leaves of a hat, against sums over many places.
 TEST_P(Liquids, OpenPartsOfHats) {
@@ -143,7 +150,8 @@ TEST_P(Liquids, OpenPartsOfHats) {
   const double n = std::sqrt(dim == 2 ? 0.8 : 1.0);
   const HalfSpace wall{{0.4, 0.3, 0.5}, {-0.4 / n, 0.8 / n, dim == 2 ? 0 : 0.4472135954999579 / n}};
   scene.shaped.push_back({wall, 1});
-  const Room room = room_of(scene);
+  const WithObstacles with(scene);
+  const Room& room = with.room;
   const std::vector<double> open = open_parts(room.domain, room.all_pieces());
   const StaggeredGrid& grid = scene.grid;
   constexpr int samples = 40;
@@ -177,9 +185,9 @@ TEST_P(Liquids, LevelSurfaces) {
   for (const double height : {0.31, 0.5, 0.583, 0.7499}) {
     Coupled scene = scene_of(dim, 12);
     scene.liquid->regions.push_back({Figure(Box<3>{{0, 0, 0}, {1, height, 1}}), {}, 1});
-    const Room room = room_of(scene);
-    const NearSolids none(surface_of(Mesh{}), {}, scene.grid, room.crossings);
-    Particles particles = seed(scene, room.domain, none);
+    const WithObstacles with(scene);
+    const Room& room = with.room;
+    Particles particles = seed(scene, room.domain, with.solids());
     const CellParticles cells = sort_by_cells(alone(), scene.grid, particles);
     const Surface surface = surface_in(room.domain, room.all_pieces(), filling(alone(), scene.grid, particles, cells));
     LiquidSums sums = sums_of(particles, dim, 1, {});
@@ -202,12 +210,9 @@ TEST_P(Liquids, SeedsHaveTheTrueVolume) {
   const Ellipsoid ball{{0.5, 0.5, dim == 3 ? 0.5 : 0}, {0.3, 0.3, dim == 3 ? 0.3 : 0}};
   scene.liquid->regions.push_back({Figure(ball), {1, 2, 3}, 1});
   scene.shaped.push_back({HalfSpace{{0.5, 0.5, 0.5}, {0.6, 0.8, 0}}, 1});
-  const Room room = room_of(scene);
-  SolidSurface bodies;
-  bodies.dim = dim;
-  const coupled::WholeSurface whole(scene, bodies, 0);
-  const std::vector<double> places = whole.places({});
-  const NearSolids solids(whole.surface(), places, scene.grid, room.crossings);
+  const WithObstacles with(scene);
+  const Room& room = with.room;
+  const NearSolids solids = with.solids();
   const Particles particles = seed(scene, room.domain, solids);
   const LiquidSums sums = sums_of(particles, dim, 1, {});
   const double half = dim == 2 ? std::numbers::pi * 0.09 / 2 : 2 * std::numbers::pi * 0.027 / 3;
@@ -224,12 +229,8 @@ TEST_P(Liquids, NothingStaysInSolids) {
   Coupled scene = scene_of(dim, 8);
   const Ellipsoid ball{{0.5, 0.5, dim == 3 ? 0.5 : 0}, {0.31, 0.31, dim == 3 ? 0.31 : 0}};
   scene.shaped.push_back({ball, 1});
-  const Room room = room_of(scene);
-  SolidSurface bodies;
-  bodies.dim = dim;
-  const coupled::WholeSurface whole(scene, bodies, 0);
-  const std::vector<double> places = whole.places({});
-  const NearSolids solids(whole.surface(), places, scene.grid, room.crossings);
+  const WithObstacles with(scene);
+  const NearSolids solids = with.solids();
   Particles particles = anywhere(scene.grid, 2000, 0);
   std::size_t inside = 0;
   const auto radius = [&](std::size_t k) {
