@@ -47,7 +47,7 @@ def draw_plane(axes, x, y, cells, values, scale):
 
 
 def at_places(places, values, wet, box):
-    """What the nearest cell with liquid has at places, of those beside a place's own cell."""
+    """What the cells with liquid next to a place's own cell have there, as a mean."""
     edges = [numpy.asarray(box.edges[name], dtype=float) for name in "xyz"]
     cell = [numpy.clip(numpy.searchsorted(edge, places[:, k]) - 1, 0, len(edge) - 2) for k, edge in enumerate(edges)]
     spread, counts = numpy.where(wet, values, 0.0), wet.astype(float)

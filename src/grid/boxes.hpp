@@ -105,6 +105,7 @@ struct StaggeredGrid {
   bool operator==(const StaggeredGrid&) const = default;
 
   double high(int axis) const { return low[at(axis)] + n[at(axis)] * d[at(axis)]; }
+  Box<3> box() const { return {low, {high(0), high(1), high(2)}}; }
   double volume() const { return d[0] * d[1] * d[2]; }            ///< of a cell
   double area(int axis) const { return volume() / d[at(axis)]; }  ///< of a face across the axis
   double middle(int axis, int i) const { return low[at(axis)] + (i + 0.5) * d[at(axis)]; }
@@ -117,6 +118,8 @@ struct StaggeredGrid {
   std::size_t cell_count() const { return at(n[0]) * at(n[1]) * at(n[2]); }
   std::size_t cell(int i, int j, int k) const { return at(i) + at(n[0]) * (at(j) + at(n[1]) * at(k)); }
   std::size_t cell(const std::array<int, 3>& c) const { return cell(c[0], c[1], c[2]); }
+  /// How far the next cell along an axis is in number.
+  std::size_t stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? at(n[0]) : at(n[0]) * at(n[1]); }
   std::array<int, 3> place_of_cell(std::size_t c) const {
     const std::size_t row = c / at(n[0]);
     return {int(c % at(n[0])), int(row % at(n[1])), int(row / at(n[1]))};

@@ -22,16 +22,7 @@ bool has(const Ellipsoid& ellipsoid, const Vec<3>& x) {
   return sum <= 1;
 }
 
-/// By how often a line to the right meets its edges.
-bool has(const Prism& prism, const Vec<3>& x) {
-  bool inside = false;
-  for (std::size_t k = 0; k < prism.corners.size(); ++k) {
-    const Vec<2>&a = prism.corners[k], &b = prism.corners[(k + 1) % prism.corners.size()];
-    if ((a[1] > x[1]) == (b[1] > x[1])) continue;
-    if (x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
-  }
-  return inside;
-}
+bool has(const Prism& prism, const Vec<3>& x) { return prism.base.contains(x[0], x[1]); }
 
 bool has(const HalfSpace& half, const Vec<3>& x) { return dot(minus(x, half.place), half.normal) <= 0; }
 
@@ -88,22 +79,20 @@ class Builder {
   FigureSurface surface_;
 };
 
-double signed_area(const std::vector<Vec<2>>& corners) {
+double signed_area(const Polygon& polygon) {
   double twice = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
-    twice += a[0] * b[1] - a[1] * b[0];
-  }
+  for (std::size_t k = 0, before = polygon.x.size() - 1; k < polygon.x.size(); before = k++)
+    twice += polygon.x[before] * polygon.y[k] - polygon.x[k] * polygon.y[before];
   return 0.5 * twice;
 }
 
 FigureSurface surface(const Prism& prism, int dim, const Box<3>& box, double cell) {
-  std::vector<Vec<2>> corners = prism.corners;
-  if (signed_area(corners) < 0) std::reverse(corners.begin(), corners.end());
   std::vector<Vec<3>> low, high;
-  for (const Vec<2>& x : corners) {
-    low.push_back({x[0], x[1], box.low[2] - beyond * cell}), high.push_back({x[0], x[1], box.high[2] + beyond * cell});
+  for (std::size_t k = 0; k < prism.base.x.size(); ++k) {
+    low.push_back({prism.base.x[k], prism.base.y[k], box.low[2] - beyond * cell});
+    high.push_back({prism.base.x[k], prism.base.y[k], box.high[2] + beyond * cell});
   }
+  if (signed_area(prism.base) < 0) std::reverse(low.begin(), low.end()), std::reverse(high.begin(), high.end());
   Builder builder(dim);
   dim == 2 ? builder.polygon(low) : builder.prism(low, high);
   return builder.take();

@@ -6,6 +6,7 @@
 
 #include "base/vec.hpp"
 #include "grid/mesh.hpp"
+#include "grid/polygon.hpp"
 
 namespace tether {
 
@@ -18,7 +19,7 @@ struct Ellipsoid {
 
 /// A polygon in x and y, in space a prism along all of z.
 struct Prism {
-  std::vector<Vec<2>> corners;  ///< [length]
+  Polygon base;
 };
 
 /// All that lies on one side of a line, in space of a plane.

@@ -45,6 +45,11 @@ Box<3> cells_of(const Box<3>& box, const StaggeredGrid& grid) {
   return cells;
 }
 
+bool in_obstacle(const Coupled& coupled, const Vec<3>& x) {
+  return std::ranges::any_of(coupled.obstacles, [&](const Box<3>& box) { return box.contains(x); }) ||
+         std::ranges::any_of(coupled.shaped, [&](const Obstacle& of) { return contains(of.figure, x); });
+}
+
 Vec<3> gravity_of(const Scene& scene) { return {scene.coupled()->gravity_x, scene.gravity, 0}; }
 
 bool has_fluid_beyond(const Coupled& coupled, int side) {

@@ -186,6 +186,9 @@ struct Coupled {
   std::vector<Spring> springs;
 };
 
+/// Returns whether an obstacle of any kind has a place.
+bool in_obstacle(const Coupled& coupled, const Vec<3>& x);
+
 struct Scene;
 /// Returns the acceleration of fluid and solids of a scene that is coupled [acceleration].
 Vec<3> gravity_of(const Scene& scene);

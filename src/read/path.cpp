@@ -84,9 +84,8 @@ bool is_of(Path path, bool mesh, const Variable& variable) {
 /// Returns whether a deck says more of a variable than what stands there by itself.
 bool says(const Deck& deck, AnyVariable variable) {
   const auto elements = deck.given_elements(variable);
-  return std::any_of(elements.begin(), elements.end(), [&](const Subscript& at) {
-    return value_text(deck.value(variable, at[0], at[1])) != variable.row().fallback;
-  });
+  return std::any_of(elements.begin(), elements.end(),
+                     [&](const Subscript& at) { return !is_default(deck, variable, at); });
 }
 
 /// Remarks on what is left out of a group.

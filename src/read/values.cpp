@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "deck/spelling.hpp"
 #include "deck/words.hpp"
 
 namespace tether {
@@ -42,6 +43,10 @@ std::vector<int> regions_of(const Deck& deck, bool fluid) {
 void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
             Diagnostics& diagnostics) {
   diagnostics.add(deck.remark(Severity::error, name, at, message, hint));
+}
+
+bool is_default(const Deck& deck, AnyVariable name, Subscript at) {
+  return value_text(deck.value(name, at[0], at[1])) == name.row().fallback;
 }
 
 bool has_flow(const Deck& deck) { return deck.has_group("flow") || !regions_of(deck, true).empty(); }

@@ -39,6 +39,9 @@ std::shared_ptr<const Expression> expression_of(const Deck& deck, TextVariable n
 void refuse(const Deck& deck, AnyVariable name, Subscript at, const std::string& message, const std::string& hint,
             Diagnostics& diagnostics);
 
+/// Returns whether an element of a variable has the value that it has where the deck does not give it.
+bool is_default(const Deck& deck, AnyVariable name, Subscript at);
+
 /// Returns whether the deck has a fluid on a mesh: $flow, or a region of the law 'fluid'.
 bool has_flow(const Deck& deck);
 /// Returns whether the path that the deck names has region r: `paths` of $reg may leave it to others.

@@ -19,7 +19,7 @@ struct PointKind {
 };
 inline constexpr PointKind particles_file{}, edges_file{"surface", "corner", 2}, triangles_file{"surface", "corner", 3};
 
-/// Writes particles.nc or surface.nc, fields over (time, point), and where they are wanted VTK files beside it. Nothing
+/// Writes particles.nc or surface.nc, fields over (time, point), and where they are wanted VTK files as well. Nothing
 /// is created before the first snapshot; each one is with the system before append() returns.
 /// While the run goes on its NetCDF-4 files are locked by HDF5; who wants to read them then sets
 /// HDF5_USE_FILE_LOCKING=FALSE.

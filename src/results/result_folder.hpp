@@ -49,7 +49,7 @@ class ResultFolder {
   void grid(const RegularGrid& grid, const Snapshot& snapshot);  ///< mesh.nc
   void mesh(const Mesh& mesh, const Snapshot& snapshot);         ///< the same, of finite elements
   void solids(const Mesh& mesh, const Snapshot& snapshot);       ///< solids.nc, beside mesh.nc
-  void surface(const Snapshot& snapshot);                        ///< surface.nc, beside mesh.nc
+  void surface(const Snapshot& snapshot);                        ///< surface.nc, with each mesh.nc record
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
   /// A file that deck.effective names, under a name that begins with its.

@@ -97,9 +97,10 @@ inline constexpr std::array coupled_rows{
              "Box k without fluid, of pressure zero, given and made likewise."},
     Variable{"coupled", "fluid_in", text, 0, 1, 1, "", -none, none, choices<FluidIn>, "'box'",
              "Where the fluid is: in all of the box, or only where solids enclose it, with nothing around them."},
-    Variable{"coupled", "gravity_x", real, 0, 1, 1, "acceleration", -none, none, "", "0.0",
-             "Acceleration along x of fluid and bodies, beside gravc of $in along y: of a box that leans. Sides that "
-             "are open to fluid at rest have none."},
+    Variable{
+        "coupled", "gravity_x", real, 0, 1, 1, "acceleration", -none, none, "", "0.0",
+        "Acceleration along x of fluid and bodies, together with gravc of $in along y: of a box that leans. Sides that "
+        "are open to fluid at rest have none."},
     Variable{"coupled", "liquid", logical, 0, 1, 1, "", -none, none, "", ".false.",
              "Whether the fluid is a liquid with a surface: it fills the regions given for it at the start and what "
              "jets bring, and air has the rest of the box."},

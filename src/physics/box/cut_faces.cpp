@@ -84,12 +84,15 @@ namespace {
 // Values of a lattice, of faces across an axis or of cells, some of which are known.
 class Lattice {
  public:
-  Lattice(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, std::vector<double>& v)
-      : dim_(dim), size_(size), v_(v), known_(std::move(known)) {
+  Lattice(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, double most_change,
+          std::vector<double>& v)
+      : dim_(dim), size_(size), most_change_(most_change), v_(v), known_(std::move(known)) {
     for (std::size_t f = 0; f < v.size(); ++f) {
       if (known_[f] == 0) v[f] = 0, left_.push_back(f);
     }
   }
+
+  std::vector<std::uint8_t> take_known() { return std::move(known_); }
 
   // A further layer; false where there was none.
   bool extend() {
@@ -117,16 +120,23 @@ class Lattice {
     std::size_t stride = 1, rest = f;
     for (int b = 0; b < dim_; ++b) {
       const auto n = static_cast<std::size_t>(size_[static_cast<std::size_t>(b)]), i = rest % n;
-      if (i > 0 && known_[f - stride]) sum += v_[f - stride], ++count;
-      if (i + 1 < n && known_[f + stride]) sum += v_[f + stride], ++count;
+      if (i > 0 && known_[f - stride]) sum += said_by(f - stride, i > 1 ? f - 2 * stride : f), ++count;
+      if (i + 1 < n && known_[f + stride]) sum += said_by(f + stride, i + 2 < n ? f + 2 * stride : f), ++count;
       rest /= n, stride *= n;
     }
     if (count > 0) mean = sum / count;
     return count > 0;
   }
 
+  // What a known value says of the place next to it, away from a second one, if there is one.
+  double said_by(std::size_t near, std::size_t second) const {
+    if (most_change_ == 0 || known_[second] == 0) return v_[near];
+    return v_[near] + std::clamp(v_[near] - v_[second], -most_change_, most_change_);
+  }
+
   int dim_;
   std::array<int, 3> size_;
+  double most_change_;
   std::vector<double>& v_;
   std::vector<std::uint8_t> known_;
   std::vector<std::size_t> left_;  // those that have none yet
@@ -135,10 +145,11 @@ class Lattice {
 
 }  // namespace
 
-void extend_known(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, int layers,
-                  std::vector<double>& values) {
-  Lattice lattice(dim, size, std::move(known), values);
+std::vector<std::uint8_t> extend_known(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known,
+                                       int layers, std::vector<double>& values, double most_change) {
+  Lattice lattice(dim, size, std::move(known), most_change, values);
   for (int layer = 0; layer < layers && lattice.extend(); ++layer) continue;
+  return lattice.take_known();
 }
 
 void extend_velocity(const FlowDomain& domain, FaceValues& v, int layers) {

@@ -31,8 +31,9 @@ void extend_velocity(const FlowDomain& domain, FaceValues& v, int layers);
 /// cell that fluid comes into has one.
 void extend_pressure(const FlowDomain& domain, std::vector<double>& p, int layers);
 
-/// Does the same for the values of any lattice of a grid, some of which are known.
-void extend_known(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known, int layers,
-                  std::vector<double>& values);
+/// Does the same for the values of any lattice of a grid, some of which are known. Where two known ones are in a row,
+/// their line goes on beyond them, but by no more than `most_change`. Returns which are known then.
+std::vector<std::uint8_t> extend_known(int dim, const std::array<int, 3>& size, std::vector<std::uint8_t> known,
+                                       int layers, std::vector<double>& values, double most_change = 0);
 
 }  // namespace tether::coupled

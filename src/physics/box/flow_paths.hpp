@@ -56,6 +56,8 @@ class FlowPaths {
     }
   }
 
+  const CellJoins& joins() const { return joins_; }
+
   /// The middle of a face, as a place of its upper cell, or of the last one in the box.
   FlowPlace middle_of_face(int axis, const std::array<int, 3>& face) const {
     const auto a = static_cast<std::size_t>(axis);

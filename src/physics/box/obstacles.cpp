@@ -9,17 +9,12 @@
 namespace tether::coupled {
 namespace {
 
-Box<3> box_of(const StaggeredGrid& grid) {
-  Box<3> box;
-  for (int axis = 0; axis < 3; ++axis) box.low[at(axis)] = grid.low[at(axis)], box.high[at(axis)] = grid.high(axis);
-  return box;
-}
-
-/// Adds a figure as a sheet and a part of its own.
-void add(const FigureSurface& figure, std::vector<double>& places, SolidSurface& surface) {
-  const int first = static_cast<int>(places.size()) / surface.dim;
-  places.insert(places.end(), figure.x.begin(), figure.x.end());
-  for (const int node : figure.sides) surface.sides.push_back(first + node);
+/// Adds a figure to a surface as a sheet and a part of its own, and its nodes to `x`, where `first` numbers are before
+/// these.
+void add(const FigureSurface& figure, std::size_t first, std::vector<double>& x, SolidSurface& surface) {
+  const int node = static_cast<int>((first + x.size()) / at(surface.dim));
+  x.insert(x.end(), figure.x.begin(), figure.x.end());
+  for (const int of_figure : figure.sides) surface.sides.push_back(node + of_figure);
   surface.sheet.resize(surface.sides.size() / at(surface.dim), surface.sheets++);
   surface.part.resize(surface.sheet.size(), surface.parts++);
   surface.cavity.push_back(0);
@@ -33,13 +28,14 @@ WholeSurface::WholeSurface(const Coupled& scene, const SolidSurface& bodies, std
   const double cell = *std::min_element(grid.d.begin(), grid.d.begin() + grid.dim);
   SolidSurface alone;
   alone.dim = grid.dim;
-  for (const Obstacle& obstacle : scene.shaped)
-    add(surface_of(obstacle.figure, grid.dim, box_of(grid), cell), fixed_, alone);
+  std::vector<double> same;
+  for (const Obstacle& obstacle : scene.shaped) {
+    const FigureSurface figure = surface_of(obstacle.figure, grid.dim, grid.box(), cell);
+    add(figure, 0, fixed_, alone);
+    add(figure, places, same, surface_);
+  }
   pieces_ = cut_surface(alone, fixed_, grid, 2);
   inside_ = find_crossings(alone, fixed_, grid).inside;
-  std::vector<double> all(places, 0.0);
-  for (const Obstacle& obstacle : scene.shaped)
-    add(surface_of(obstacle.figure, grid.dim, box_of(grid), cell), all, surface_);
 }
 
 std::vector<double> WholeSurface::places(std::span<const double> q) const {

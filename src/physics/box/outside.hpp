@@ -62,7 +62,6 @@ class Outside {
  public:
   /// The scene must outlive it. Along y `gravity` makes the pressure outside; across it there is none [acceleration].
   Outside(const Coupled& scene, const Vec<3>& gravity);
-  Outside(const Coupled& scene, double gravity) : Outside(scene, Vec<3>{0, gravity, 0}) {}
 
   /// Returns the pressure of the fluid outside at a height [stress].
   double pressure(double y) const;

@@ -20,6 +20,7 @@ Room Placer::room_at(std::span<const double> q) const {
     room.cells = cut_cells(room.all_pieces(), room.crossings, room.domain);
     room.domain = box_.around(room.crossings, room.cells);
   }
+  if (scene_.liquid) room.open = liquid::open_parts(room.domain, room.all_pieces());
   return room;
 }
 
@@ -29,7 +30,8 @@ Placement Placer::in(Room room, std::span<const double> q, std::span<const doubl
   if (filled.empty()) {
     at.domain = std::move(room.domain);
   } else {
-    at.surface = liquid::surface_in(std::move(room.domain), room.all_pieces(), filled);
+    std::vector<double> distance = liquid::surface_distances(scene_.grid, filled, room.open);
+    at.surface = {std::move(room.domain), std::move(room.open), std::move(distance)};
     at.domain = liquid::liquid_in(at.surface->room, at.surface->distance, scene_.liquid->air);
   }
   for (std::size_t s = 0; s < surface_.side_count() && !middle.empty(); ++s)

@@ -25,6 +25,7 @@ struct Room {
   Crossings crossings;
   CutCells cells;  ///< of modes that cut faces
   FlowDomain domain;
+  std::vector<double> open;  ///< of each cell, for a liquid: liquid::open_parts()
 
   const SurfacePieces& all_pieces() const { return all.area.empty() ? pieces : all; }
 };

@@ -102,8 +102,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   if (!state.smoke.volume.empty())
     with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
-  each_particle_list(state.particles,
-                     [&](const std::string& name, std::vector<double>& list) { with.list(name.c_str(), list); });
+  each_list(state.particles,
+            [&](const std::string& name, std::vector<double>& list) { with.list(name.c_str(), list); });
   with("liquid_in", state.liquid_flow.in), with("liquid_out", state.liquid_flow.out);
   with("liquid_owed", state.liquid_flow.owed), with("full", state.full);
   with("smoke_in", state.smoke_flow.smoke_in), with("smoke_out", state.smoke_flow.smoke_out);

@@ -9,6 +9,7 @@
 #include "physics/box/contact.hpp"
 #include "physics/box/fluid_around.hpp"
 #include "physics/box/liquid/liquid.hpp"
+#include "physics/box/liquid/near_solids.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/placer.hpp"
 #include "physics/box/solid_equations.hpp"
@@ -130,7 +131,7 @@ class CoupledStep {
   void take_from_particles(CoupledState& state, double h);
   void move_particles(CoupledState& state, double h);
   void settle_particles(const Room& room, CoupledState& state);
-  void put_out_of_solids(const Room& room, CoupledState& state);
+  liquid::NearSolids near_solids(const Room& room) const;
   void note_bodies_that_left(double time, CoupledState& state);
   void note_friction_that_gives(CoupledState& state);
   void note_turning(CoupledState& state, double h);

@@ -18,9 +18,8 @@ namespace tether::coupled {
 
 void CoupledStep::fill_with_liquid(CoupledState& state) {
   Room room = placer_.room_at(state.q);
-  const liquid::NearSolids solids(placer_.whole().surface(), room.places, coupled_.grid, room.crossings);
   std::vector<int> without;
-  state.particles = liquid::seed(coupled_, room.domain, solids, &without);
+  state.particles = liquid::seed(coupled_, room.domain, near_solids(room), &without);
   for (const int number : without)
     messages_.push_back(fmt::format("region {} of liquid is too thin for the cells: it has no particle", number));
   state.liquid_flow = liquid_->no_flow();
@@ -71,19 +70,17 @@ void CoupledStep::book_liquid(const LiquidBooks& before, CoupledState& state) co
 /// found.
 void CoupledStep::place_liquid(CoupledState& state) {
   Room room = placer_.room_at(state.q);
-  put_out_of_solids(room, state);
+  const liquid::NearSolids solids = near_solids(room);
+  liquid::put_out_of_solids(team_, coupled_.grid, solids, state.u, state.particles);
   settle_particles(room, state);
-  put_out_of_solids(room, state);
+  liquid::put_out_of_solids(team_, coupled_.grid, solids, state.u, state.particles);
   liquid_->look(state.liquid_flow, state.particles);
   at_ = placer_.in(std::move(room), state.q, {}, liquid_->filled());
   note_air(state);
 }
 
-void CoupledStep::put_out_of_solids(const Room& room, CoupledState& state) {
-  const SolidSurface& surface = placer_.whole().surface();
-  if (surface.side_count() == 0) return;
-  const liquid::NearSolids solids(surface, room.places, coupled_.grid, room.crossings);
-  liquid::put_out_of_solids(team_, coupled_.grid, solids, state.u, state.particles);
+liquid::NearSolids CoupledStep::near_solids(const Room& room) const {
+  return {placer_.whole().surface(), room.places, coupled_.grid, room.crossings};
 }
 
 /// Moves particles, not velocities, by the ways w of a field whose divergence takes off what is too much in a cell, and
@@ -91,10 +88,10 @@ void CoupledStep::put_out_of_solids(const Room& room, CoupledState& state) {
 void CoupledStep::settle_particles(const Room& room, CoupledState& state) {
   constexpr double tolerance = 1e-3, most = 0.3;  // of its solution; cells
   liquid_->look(state.liquid_flow, state.particles);
-  const liquid::Surface surface = liquid::surface_in(room.domain, room.all_pieces(), liquid_->filled());
-  const FlowDomain domain = liquid::liquid_in(surface.room, surface.distance, coupled_.liquid->air);
+  const std::vector<double> distance = liquid::surface_distances(coupled_.grid, liquid_->filled(), room.open);
+  const FlowDomain domain = liquid::liquid_in(room.domain, distance, coupled_.liquid->air);
   const PressureNumbers numbers = number_pressures(domain);
-  const std::vector<double> out = liquid::crowding(domain, surface, numbers, liquid_->filled());
+  const std::vector<double> out = liquid::crowding(coupled_.grid, distance, room.open, numbers, liquid_->filled());
   const CouplingMatrix none(static_cast<std::int64_t>(out.size()), static_cast<std::int64_t>(state.u.size()));
   const std::vector<int> region = of_cells(numbers, domain.region);
   const std::vector<std::uint8_t> closed = closed_regions(domain);
@@ -104,8 +101,8 @@ void CoupledStep::settle_particles(const Room& room, CoupledState& state) {
                         state.time, tolerance, p);
   FaceValues ways = face_values(domain.grid);
   add_pressure(domain, numbers, p, 1, ways);
-  liquid::extend_about_liquid(surface.room, domain, surface.distance, face_values(domain.grid), 2, ways);
-  liquid::shift_particles(team_, surface.room, ways, most, state.particles);
+  liquid::extend_about_liquid(room.domain, domain, distance, face_values(domain.grid), 2, ways);
+  liquid::shift_particles(team_, room.domain, ways, most, state.particles);
 }
 
 }  // namespace tether::coupled

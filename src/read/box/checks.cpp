@@ -148,17 +148,14 @@ class CoupledChecks {
   void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
-  bool is_default(const Variable& variable, Subscript at) const {
-    return value_text(deck_.value(AnyVariable(variable), at[0], at[1])) == variable.fallback;
-  }
   void unused(AnyVariable name, const std::string& hint) {
-    if (!deck_.given(name) || is_default(name.row(), {1, 1})) return;
+    if (!deck_.given(name) || is_default(deck_, name, {1, 1})) return;
     diagnostics_.add(deck_.remark(Severity::warning, name, {1, 1},
                                   fmt::format("{} of ${} has no effect", name, name.group()), hint));
   }
   void unused_in_fluid(const Variable& variable) {
     for (const Subscript at : deck_.given_elements(AnyVariable(variable))) {
-      if (is_default(variable, at)) continue;
+      if (is_default(deck_, AnyVariable(variable), at)) continue;
       diagnostics_.add(
           deck_.remark(Severity::warning, AnyVariable(variable), at,
                        fmt::format("{} of ${} has no effect: there is no body", variable.name, variable.group),

@@ -26,9 +26,9 @@ void check_coupled_places(const Deck& deck, const Scene& scene, const Coupled& c
 /// obstacles close, into which jets bring more than out of them, bodies left aside.
 void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
-/// Reports what a liquid with a surface cannot be beside, regions of it that bodies and obstacles have all of, jets
-/// that come in through obstacles, and what the deck says of a liquid that it has none of. Warns of steps too long for
-/// waves of its surface, of friction at it, and of bodies beside obstacles that cut cells.
+/// Reports what a liquid with a surface cannot have in its box, regions of it that bodies and obstacles have all of,
+/// jets that come in through obstacles, and what the deck says of a liquid that it has none of. Warns of steps too long
+/// for waves of its surface, of friction at it, and of bodies in a box with obstacles that cut cells.
 void check_liquid(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
 /// Returns whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the

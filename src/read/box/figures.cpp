@@ -53,11 +53,11 @@ std::optional<Box<3>> FigureReader::box(RealVariable name, int k) {
       if (deck_.given(name, end, k)) continue;
       error(name, {deck_.given(name, first, k) ? first : 1, k},
             fmt::format("{} {}: {}({},{}) is not given", name, k, name, end, k),
-            "it has a lowest and a highest place along each axis");
+            "a box has a lowest and a highest place along each axis");
       return std::nullopt;
     }
     box.low[a] = deck_.real(name, first, k), box.high[a] = deck_.real(name, first + 1, k);
-    if (box.high[a] <= box.low[a]) {
+    if (!(box.high[a] > box.low[a])) {
       error(name, {first + 1, k}, fmt::format("{} {}: {:.6g} is not above {:.6g}", name, k, box.high[a], box.low[a]),
             "the lowest place first, along x, y, z");
       return std::nullopt;
@@ -83,42 +83,22 @@ std::optional<Figure> FigureReader::ellipse(RealVariable name, int k) {
   return ellipsoid;
 }
 
-namespace {
-
-double cross(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/// The first two edges that go through each other; the edges' numbers from 1.
-std::optional<std::array<std::size_t, 2>> crossing(const std::vector<Vec<2>>& x) {
-  const std::size_t n = x.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const Vec<2>&a = x[i], &b = x[(i + 1) % n], &c = x[j], &d = x[(j + 1) % n];
-      if (cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0) return std::array{i + 1, j + 1};
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 std::optional<Figure> FigureReader::polygon(RealVariable name, int k) {
   Prism prism;
   const int numbers = count(name, k);
   for (int i = 1; i < numbers; i += 2) {
     if (deck_.given(name, i, k) && deck_.given(name, i + 1, k))
-      prism.corners.push_back({deck_.real(name, i, k), deck_.real(name, i + 1, k)});
+      prism.base.x.push_back(deck_.real(name, i, k)), prism.base.y.push_back(deck_.real(name, i + 1, k));
   }
   const Subscript first = first_given(name, k);
-  if (numbers < 6 || numbers % 2 != 0 || 2 * prism.corners.size() != at(numbers)) {
+  if (numbers < 6 || numbers % 2 != 0 || 2 * prism.base.x.size() != at(numbers)) {
     error(name, first, fmt::format("{} {} has {} numbers, which are no corners of a polygon", name, k, numbers),
           fmt::format("it takes x and y of three corners or more, one after the other from {}(1,{}) on", name, k));
     return std::nullopt;
   }
-  if (const auto edges = crossing(prism.corners)) {
+  if (const auto edges = prism.base.crossing()) {
     error(name, first,
-          fmt::format("{} {} goes through itself: edges {} and {} cross", name, k, (*edges)[0], (*edges)[1]),
+          fmt::format("{} {} goes through itself: edges {} and {} cross", name, k, edges->first + 1, edges->second + 1),
           "give its corners in turn");
     return std::nullopt;
   }

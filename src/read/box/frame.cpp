@@ -8,6 +8,7 @@
 #include "base/vec.hpp"
 #include "read/box/box.hpp"
 #include "read/box/checks.hpp"
+#include "read/box/figures.hpp"
 #include "read/limits.hpp"
 #include "read/points/geometry.hpp"
 #include "read/values.hpp"
@@ -110,39 +111,17 @@ enum class HeldBy { middles_of_cells, parts_of_cells };
 /// Reads box k of obstacle, void or smoke_box, or reports why there is none.
 std::optional<Box<3>> box_of(const Deck& deck, RealVariable name, int k, const StaggeredGrid& grid, HeldBy by,
                              Diagnostics& diagnostics) {
-  const auto refuse = [&](int i, const std::string& message, const std::string& hint) {
-    diagnostics.add(deck.remark(Severity::error, name, {i, k}, message, hint));
-    return std::nullopt;
-  };
-  Box<3> box;
-  for (int axis = 0; axis < 3; ++axis) {
+  const auto box = FigureReader(deck, grid, diagnostics).box(name, k);
+  for (int axis = 0; box && by == HeldBy::middles_of_cells && axis < grid.dim; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    const int first = 2 * axis + 1;
-    box.low[i] = grid.low[i], box.high[i] = grid.high(axis);
-    if (axis >= grid.dim) continue;
-    for (const int end : {first, first + 1}) {
-      if (!deck.given(name, end, k))
-        return refuse(deck.given(name, first, k) ? first : 1,
-                      fmt::format("{} {}: {}({},{}) is not given", name, k, name, end, k),
-                      "a box has a lowest and a highest place along each axis");
-    }
-    const double low = deck.real(name, first, k), high = deck.real(name, first + 1, k);
-    if (!(high > low))
-      return refuse(first + 1, fmt::format("{} {}: {:.6g} is not above {:.6g}", name, k, high, low),
-                    "the lowest place first, along x, y, z");
-    if (high <= box.low[i] || low >= box.high[i])
-      return refuse(first,
-                    fmt::format("{} {} from {:.6g} to {:.6g} lies outside the box, {:.6g} to {:.6g} in {}", name, k,
-                                low, high, box.low[i], box.high[i], "xyz"[i]),
-                    "what reaches beyond the box is left away, but a part must lie in it");
-    box.low[i] = low, box.high[i] = high;
-    if (by == HeldBy::parts_of_cells) continue;
+    const double low = box->low[i], high = box->high[i];
     const int next = static_cast<int>(std::ceil(std::max((low - grid.low[i]) / grid.d[i] - 0.5, 0.0)));  // middle
-    if (next >= grid.n[i] || grid.middle(axis, next) > high)
-      return refuse(first,
-                    fmt::format("{} {} from {:.6g} to {:.6g} holds no cell: it is thinner than one in {}", name, k, low,
-                                high, "xyz"[i]),
-                    "it is made of the cells whose middles lie in it: widen it, or use more nodes");
+    if (next < grid.n[i] && grid.middle(axis, next) <= high) continue;
+    diagnostics.add(deck.remark(Severity::error, name, {2 * axis + 1, k},
+                                fmt::format("{} {} from {:.6g} to {:.6g} holds no cell: it is thinner than one in {}",
+                                            name, k, low, high, "xyz"[i]),
+                                "it is made of the cells whose middles lie in it: widen it, or use more nodes"));
+    return std::nullopt;
   }
   return box;
 }

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/numbers.hpp"
-#include "deck/spelling.hpp"
 #include "grid/crossings.hpp"
 #include "grid/solid_surface.hpp"
 #include "model/solids.hpp"
@@ -15,7 +14,7 @@
 namespace tether {
 namespace {
 
-/// Reports what a liquid with a surface cannot be beside.
+/// Reports what a liquid with a surface cannot have in its box.
 class LiquidChecks {
  public:
   LiquidChecks(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics)
@@ -27,7 +26,7 @@ class LiquidChecks {
                                             "coupled.liquid_below", "coupled.liquid_where", "coupled.liquid_velocity",
                                             "coupled.liquid_particles", "coupled.liquid_jitter", "coupled.air"}) {
       const auto given = deck_.given_elements(name);
-      const auto first = std::ranges::find_if(given, [&](const Subscript& at) { return !is_default(name, at); });
+      const auto first = std::ranges::find_if(given, [&](const Subscript& at) { return !is_default(deck_, name, at); });
       if (first == given.end()) continue;
       error(name, *first, fmt::format("{} has no effect: the fluid fills the box", name.name()),
             "liquid=.true. of $coupled makes it a liquid with a surface");
@@ -53,7 +52,7 @@ class LiquidChecks {
             fmt::format("the {} is open to fluid at rest, but a liquid has air beyond", box_side_names[at(side - 1)]),
             "side(k)='void' lets it out; a jet brings some in");
     }
-    if (deck_.given("coupled.advection") && !is_default("coupled.advection", {1, 1}))
+    if (deck_.given("coupled.advection") && !is_default(deck_, "coupled.advection", {1, 1}))
       warn("coupled.advection", "particles carry a liquid along");
   }
 
@@ -86,7 +85,7 @@ class LiquidChecks {
     }
   }
 
-  /// Regions whose every place bodies and obstacles have, or that lie beyond the box.
+  /// Regions that bodies and obstacles have all of.
   void regions() {
     const Liquid& liquid = *coupled_.liquid;
     if (liquid.regions.empty() && coupled_.jets.empty())
@@ -97,16 +96,6 @@ class LiquidChecks {
     }
     if (liquid.air == Air::sealed && !liquid.regions.empty() && !has_air_)
       error("coupled.air", {1, 1}, "there is no air to be sealed: the liquid fills the box", "leave air away");
-  }
-
-  /// A jet with nowhere to bring its liquid; and more than the box takes.
-  void jets() {
-    for (const Jet& jet : coupled_.jets) {
-      const auto in_obstacle = [&](const Obstacle& obstacle) { return contains(obstacle.figure, middle_of(jet)); };
-      if (std::ranges::any_of(coupled_.shaped, in_obstacle))
-        error("coupled.jet_on", {jet.number, 1}, fmt::format("jet {} comes in through an obstacle", jet.number),
-              "a jet comes in where the cell behind the side holds no obstacle");
-    }
   }
 
   /// Warns of steps too long for waves of two cells, whose speed is sqrt(g d / pi).
@@ -128,37 +117,25 @@ class LiquidChecks {
   void error(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, name, at, message, hint));
   }
-  bool is_default(AnyVariable name, Subscript at) const {
-    return value_text(deck_.value(name, at[0], at[1])) == name.row().fallback;
-  }
   void warn(AnyVariable name, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::warning, name, {1, 1},
                                   fmt::format("{} of ${} has no effect on a liquid", name.name(), name.group()), hint));
   }
-  static Vec<3> middle_of(const Jet& jet) {
-    Vec<3> x{};
-    for (std::size_t a = 0; a < 3; ++a) x[a] = 0.5 * (jet.patch.low[a] + jet.patch.high[a]);
-    return x;
-  }
-  static AnyVariable name_of(const Deck& deck, int k) {
-    for (const AnyVariable name : Variables{"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon"}) {
-      for (const Subscript at : deck.given_elements(name)) {
-        if (at[1] == k) return name;
-      }
+  /// The variable that gives a region.
+  AnyVariable name_of(int region) const {
+    for (const AnyVariable name :
+         Variables{"coupled.liquid_box", "coupled.liquid_ellipse", "coupled.liquid_polygon", "coupled.liquid_below"}) {
+      const auto given = deck_.given_elements(name);
+      const auto number = [&](const Subscript& at) { return name.row().rank == 1 ? at[0] : at[1]; };
+      if (std::ranges::any_of(given, [&](const Subscript& at) { return number(at) == region; })) return name;
     }
-    const AnyVariable below = "coupled.liquid_below", where = "coupled.liquid_where";
-    return deck.given(below, k) ? below : where;
+    return "coupled.liquid_where";
   }
   bool has_body(const Vec<3>& x) const {
     if (!scene_.solids()) return false;
     if (!surface_) surface_ = surface_of(scene_.solids()->mesh);
     return turns_about(*surface_, scene_.solids()->mesh.x, x, -1) > 0.5;
   }
-  bool has_obstacle(const Vec<3>& x) const {
-    return std::ranges::any_of(coupled_.obstacles, [&](const Box<3>& box) { return box.contains(x); }) ||
-           std::ranges::any_of(coupled_.shaped, [&](const Obstacle& of) { return contains(of.figure, x); });
-  }
-
   /// Reports an expression that has no finite value somewhere.
   bool has_numbers(const LiquidRegion& region) {
     const Below* below = std::get_if<Below>(&region.shape);
@@ -192,12 +169,12 @@ class LiquidChecks {
           const bool in = contains(region, x);
           has_air_ = has_air_ || !in;
           any = any || in;
-          free = free || (in && !has_obstacle(x) && !has_body(x));
+          free = free || (in && !in_obstacle(coupled_, x) && !has_body(x));
         }
       }
     }
     if (!any || free) return;
-    const AnyVariable name = name_of(deck_, region.number);
+    const AnyVariable name = name_of(region.number);
     const Subscript at = name.row().rank == 1 ? Subscript{region.number, 1} : Subscript{1, region.number};
     error(name, at,
           fmt::format("region {} of liquid lies in bodies and obstacles: there is no room for it", region.number),
@@ -222,7 +199,6 @@ void check_liquid(const Deck& deck, const Scene& scene, const Coupled& coupled, 
   checks.others();
   checks.viscosity();
   checks.regions();
-  checks.jets();
   checks.step();
 }
 

@@ -33,15 +33,6 @@ bool deep_in(const Box<3>& box, const Vec<3>& place, double part) {
   return true;
 }
 
-Box<3> box_of(const StaggeredGrid& grid) {
-  Box<3> box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    box.low[i] = grid.low[i], box.high[i] = grid.high(axis);
-  }
-  return box;
-}
-
 /// Says where a node of a body cannot be, or nothing.
 const char* wrong_place(const Coupled& coupled, const Box<3>& box, const Vec<3>& place) {
   constexpr double rounding = 1e-9;
@@ -55,7 +46,7 @@ const char* wrong_place(const Coupled& coupled, const Box<3>& box, const Vec<3>&
 
 void check_bodies(const Deck& deck, const Mesh& mesh, const Coupled& coupled, Diagnostics& diagnostics) {
   const std::vector<int> regions = regions_of(deck, false);
-  const Box<3> box = box_of(coupled.grid);
+  const Box<3> box = coupled.grid.box();
   std::set<int> told;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int a = 0; a < node_count_of(mesh.kind); ++a) {
@@ -125,11 +116,9 @@ void check_jet(const Deck& deck, const Jet& jet, const Mesh* mesh, const Coupled
     diagnostics.add(deck.remark(Severity::error, "coupled.jet_on", {jet.number, 1}, message, hint));
   };
   const std::vector<Vec<3>> places = places_of(jet, coupled.grid);
-  for (std::size_t k = 0; k < coupled.obstacles.size(); ++k) {
-    if (std::any_of(places.begin(), places.end(), [&](const Vec<3>& p) { return coupled.obstacles[k].contains(p); }))
-      return refuse(fmt::format("jet {} comes in through an obstacle", jet.number),
-                    "a jet comes in where the cell behind the side holds fluid");
-  }
+  if (std::any_of(places.begin(), places.end(), [&](const Vec<3>& place) { return in_obstacle(coupled, place); }))
+    return refuse(fmt::format("jet {} comes in through an obstacle", jet.number),
+                  "a jet comes in where the cell behind the side holds fluid");
   const double lost = area_before_obstacles(jet, coupled);
   if (lost > 0)
     diagnostics.add(

@@ -51,7 +51,7 @@ class FlowChecks {
               "leave it away; steady of $flow looks for a steady flow");
     }
     if (word<FlowIntegrator>(deck_, "flow.integrator") == FlowIntegrator::euler &&
-        !is_default("fem.integrator", {1, 1}))
+        !is_default(deck_, "fem.integrator", {1, 1}))
       warn("fem.integrator", {1, 1}, "integrator of $fem has no effect: the fluid uses backward Euler",
            "solids' stress is then that of each step's end; it matters beside integrator='midpoint' of $flow");
     if (!deck_.logical("flow.steady")) return;
@@ -89,7 +89,7 @@ class FlowChecks {
   /// Scalars of $fem that mean nothing beside a fluid.
   void solver() {
     for (const AnyVariable name : Variables{"fem.alpha", "fem.beta", "fem.cfl", "fem.tolerance"}) {
-      if (!deck_.given(name) || is_default(name, {1, 1})) continue;
+      if (!deck_.given(name) || is_default(deck_, name, {1, 1})) continue;
       warn(name, {1, 1}, fmt::format("{} of $fem has no effect beside a fluid", name),
            name == "fem.tolerance" ? "tolerance of $flow counts" : "");
     }
@@ -112,7 +112,7 @@ class FlowChecks {
       open |= (deck_.given("flow.boundary", at[0]) && word<Boundary>(deck_, "flow.boundary", at[0]) == Boundary::open);
     const bool acts = open && deck_.real("in.gravc") != 0;
     for (const AnyVariable name : Variables{"flow.outside", "flow.level"}) {
-      const bool same = !deck_.given(name) || is_default(name, {1, 1});
+      const bool same = !deck_.given(name) || is_default(deck_, name, {1, 1});
       const bool of_nothing = name == "flow.level" && word<FlowOutside>(deck_, "flow.outside") == FlowOutside::nothing;
       if (!same && (!acts || of_nothing))
         warn(name, {1, 1}, fmt::format("{} of $flow has no effect", name),
@@ -148,11 +148,8 @@ class FlowChecks {
   void warn(AnyVariable name, Subscript at, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::warning, name, at, message, hint));
   }
-  bool is_default(AnyVariable name, Subscript at) const {
-    return value_text(deck_.value(name, at[0], at[1])) == name.row().fallback;
-  }
   void check_unused(AnyVariable name, Subscript at) {
-    if (!deck_.given(name, at[0], at[1]) || is_default(name, at)) return;
+    if (!deck_.given(name, at[0], at[1]) || is_default(deck_, name, at)) return;
     const Variable& variable = name.row();
     warn(name, at,
          fmt::format("{} has no effect: region {} is a fluid", element_name(variable, at),
@@ -160,7 +157,7 @@ class FlowChecks {
          "");
   }
   void start_of_body(AnyVariable name, Subscript at, int r) {
-    if (!deck_.given(name, at[0], at[1]) || is_default(name, at)) return;
+    if (!deck_.given(name, at[0], at[1]) || is_default(deck_, name, at)) return;
     warn(name, at,
          fmt::format("{} has no effect: region {} starts with the fluid's velocity", element_name(name.row(), at), r),
          "u0 and v0 of $flow are the fluid's velocity at the start, and so the body's");

@@ -30,7 +30,7 @@ void warn_of_points(const Deck& deck, Diagnostics& diagnostics) {
   for (const Variable& variable : variables()) {
     if (is_of_meshes(variable)) continue;
     for (const Subscript at : deck.given_elements(AnyVariable(variable))) {
-      if (value_text(deck.value(AnyVariable(variable), at[0], at[1])) == variable.fallback) continue;
+      if (is_default(deck, AnyVariable(variable), at)) continue;
       warn(deck, variable, at,
            fmt::format("{} of ${} has no effect {}", variable.name, variable.group,
                        box ? "beside $coupled" : "on a mesh"),

@@ -92,7 +92,7 @@ void warn_of_the_other_method(const Deck& deck, Diagnostics& diagnostics) {
   for (const Variable& variable : variables()) {
     const AnyVariable name(variable);
     if (variable.group != "mpm" || !deck.given(name)) continue;
-    if (value_text(deck.value(name)) == variable.fallback) continue;
+    if (is_default(deck, name, {1, 1})) continue;
     diagnostics.add(
         deck.remark(severity, name, {1, 1}, fmt::format("{} of $mpm has no effect on the fem path", variable.name)));
   }

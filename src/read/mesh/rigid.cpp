@@ -185,7 +185,7 @@ class RigidChecks {
   }
   void warn_of_what_has_no_effect() {
     for (const AnyVariable name : Variables{"fem.tolerance", "fem.cfl"}) {
-      const bool plain = value_text(deck_.value(name)) == name.row().fallback;
+      const bool plain = is_default(deck_, name, {1, 1});
       if (plain || !deck_.given(name)) continue;
       diagnostics_.add(
           deck_.remark(Severity::warning, name, {1, 1}, fmt::format("{} of $fem has no effect on a rigid body", name)));

@@ -121,7 +121,7 @@ void check_equilibria(const Deck& deck, Diagnostics& diagnostics) {
                          "fem.alpha", "fem.beta", "fem.integrator", "fem.cfl"};
   for (const AnyVariable name : moving) {
     for (const Subscript at : deck.given_elements(name)) {
-      if (value_text(deck.value(name, at[0], at[1])) == name.row().fallback) continue;
+      if (is_default(deck, name, at)) continue;
       diagnostics.add(
           deck.remark(Severity::warning, name, at,
                       fmt::format("{} of ${} has no effect: static=.true. looks for equilibria, which have no motion",

@@ -22,11 +22,12 @@ Exits::Exits(const coupled::FlowDomain& room, const coupled::FaceValues& v) : gr
   }
 }
 
-double remove_marked(int dim, std::span<const std::uint8_t> marked, Particles& particles) {
+double remove_marked(std::span<const std::uint8_t> marked, Particles& particles) {
   double volume = 0;
   for (std::size_t k = 0; k < marked.size(); ++k) volume += marked[k] != 0 ? particles.volume[k] : 0;
   if (volume == 0) return 0;
-  each_list(dim, particles, [&](std::vector<double>& list) {
+  each_list(particles, [&](const std::string&, std::vector<double>& list) {
+    if (list.empty()) return;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < marked.size(); ++k) {
       if (marked[k] == 0) list[kept++] = list[k];

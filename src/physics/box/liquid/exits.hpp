@@ -39,7 +39,7 @@ class Exits {
 };
 
 /// Takes the marked particles away, and returns their volume.
-double remove_marked(int dim, std::span<const std::uint8_t> marked, Particles& particles);
+double remove_marked(std::span<const std::uint8_t> marked, Particles& particles);
 
 /// Brings in what jets blow in.
 class Inflow {

@@ -37,7 +37,7 @@ std::vector<Facet> facets_of(const Surface& surface);
 double area_of(const Facet& facet, int dim);
 
 /// The points between which simplices lie: the middles of cells, and their feet on the box's sides, where the distance
-/// is that of the cell beside.
+/// is that of the last cell.
 class SurfaceLattice {
  public:
   explicit SurfaceLattice(const Surface& surface) : surface_(surface), grid_(surface.room.grid) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/box/liquid/liquid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/box/cut_faces.hpp"
@@ -48,10 +49,12 @@ CarriedEnergy LiquidOfStep::carry(const coupled::Placement& at, const coupled::F
   from_faces(team_, scene_.grid, v, particles);
   limit_thin_pieces(team_, scene_.grid, at.surface->distance, fastest_, more, particles);
   const std::vector<std::uint8_t> left = carry_particles(team_, at.room(), v, Exits(at.room(), v), h, particles);
-  const double whole = energy(particles), out = remove_marked(scene_.grid.dim, left, particles);
-  const double kept = out > 0 ? energy(particles) : whole, in = inflow_.blow_in(jet_speeds, h, flow.owed, particles);
-  flow.out += out, flow.in += in;
-  return {in > 0 ? energy(particles) - kept : 0, whole - kept};
+  if (inflow_.jets() == 0 && std::ranges::find(left, 1) == left.end()) return {};
+  const double whole = energy(particles);
+  flow.out += remove_marked(left, particles);
+  const double kept = energy(particles);
+  flow.in += inflow_.blow_in(jet_speeds, h, flow.owed, particles);
+  return {energy(particles) - kept, whole - kept};
 }
 
 }  // namespace tether::liquid

@@ -21,14 +21,14 @@ template <std::size_t dim>
 class Mover {
  public:
   Mover(const FlowDomain& room, const coupled::FaceValues& v)
-      : grid_(room.grid), v_(v), paths_(room), joins_(room), faces_(faces_of(grid_, std::make_index_sequence<dim>())) {}
+      : grid_(room.grid), v_(v), paths_(room), faces_(faces_of(grid_, std::make_index_sequence<dim>())) {}
 
   /// Returns whether it left the box.
   bool carry(Particles& particles, std::size_t k, double h, const Exits& exits) const {
     std::array<double, dim> u;
     for (std::size_t b = 0; b < dim; ++b) u[b] = particles.v[b][k];
     const int parts = std::max(1, static_cast<int>(std::ceil(cells(u, h))));
-    FlowPlace at = flow_place(place(particles, k));
+    FlowPlace at = flow_place(place_of<dim>(particles, k));
     for (int part = 0; part < parts; ++part) {
       const double time = h / parts;
       FlowPlace half = at;
@@ -42,7 +42,7 @@ class Mover {
   }
 
   void shift(Particles& particles, std::size_t k, double most) const {
-    const std::array<double, dim> x = place(particles, k), ways = velocity(x);
+    const std::array<double, dim> x = place_of<dim>(particles, k), ways = velocity(x);
     FlowPlace at = flow_place(x);
     Vec<dim> cells;
     for (std::size_t b = 0; b < dim; ++b) cells[b] = std::clamp(ways[b] / grid_.d[b], -most, most);
@@ -54,11 +54,6 @@ class Mover {
   template <std::size_t... axis>
   static std::array<Lattice<dim>, dim> faces_of(const StaggeredGrid& grid, std::index_sequence<axis...>) {
     return {Lattice<dim>(grid, static_cast<int>(axis))...};
-  }
-  static std::array<double, dim> place(const Particles& particles, std::size_t k) {
-    std::array<double, dim> x;
-    for (std::size_t b = 0; b < dim; ++b) x[b] = particles.x[b][k];
-    return x;
   }
   std::array<double, dim> place(const FlowPlace& at) const {
     std::array<double, dim> x;
@@ -102,8 +97,8 @@ class Mover {
   void put(FlowPlace at, Particles& particles, std::size_t k) const {
     const std::size_t cell = grid_.cell(at.cell);
     for (std::size_t b = 0; b < dim; ++b) {
-      if (!joins_.joined(cell, static_cast<int>(2 * b))) at.at[b] = std::max(at.at[b], from_walls);
-      if (!joins_.joined(cell, static_cast<int>(2 * b + 1))) at.at[b] = std::min(at.at[b], 1 - from_walls);
+      if (!paths_.joins().joined(cell, static_cast<int>(2 * b))) at.at[b] = std::max(at.at[b], from_walls);
+      if (!paths_.joins().joined(cell, static_cast<int>(2 * b + 1))) at.at[b] = std::min(at.at[b], 1 - from_walls);
     }
     const std::array<double, dim> x = place(at);
     for (std::size_t b = 0; b < dim; ++b) particles.x[b][k] = x[b];
@@ -112,7 +107,6 @@ class Mover {
   const StaggeredGrid& grid_;
   const coupled::FaceValues& v_;
   coupled::FlowPaths<dim> paths_;
-  coupled::CellJoins joins_;
   std::array<Lattice<dim>, dim> faces_;
 };
 
@@ -159,22 +153,19 @@ void put_before(const NearestSurface& near, const Vec<3>& velocity, const Stagge
 
 }  // namespace
 
-std::size_t put_out_of_solids(Team& team, const StaggeredGrid& grid, const NearSolids& solids,
-                              std::span<const double> u, Particles& particles) {
+void put_out_of_solids(Team& team, const StaggeredGrid& grid, const NearSolids& solids, std::span<const double> u,
+                       Particles& particles) {
+  if (solids.none()) return;
   const double size = *std::min_element(grid.d.begin(), grid.d.begin() + grid.dim);
-  const double put = sum_of_blocks(team, particles.size(), [&](std::size_t begin, std::size_t end) {
-    double count = 0;
+  each_block(team, particles.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Vec<3> x = place_of(particles, grid.dim, k);
       if (!solids.hold(x)) continue;
       const auto near = solids.nearest(x);
       if (!near || near->distance == 0) continue;
       put_before(*near, solids.velocity(*near, u), grid, from_walls * size, particles, k);
-      ++count;
     }
-    return count;
   });
-  return static_cast<std::size_t>(put);
 }
 
 }  // namespace tether::liquid

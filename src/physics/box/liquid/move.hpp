@@ -23,8 +23,8 @@ void shift_particles(Team& team, const coupled::FlowDomain& room, const coupled:
                      Particles& particles);
 
 /// Takes out of the solids what came into them: to just before the nearest place of the surface, whose nodes have the
-/// velocities u (those beyond rest). What they had towards the solid they lose. Returns how many.
-std::size_t put_out_of_solids(Team& team, const StaggeredGrid& grid, const NearSolids& solids,
-                              std::span<const double> u, Particles& particles);
+/// velocities u (those beyond rest). What they had towards the solid they lose.
+void put_out_of_solids(Team& team, const StaggeredGrid& grid, const NearSolids& solids, std::span<const double> u,
+                       Particles& particles);
 
 }  // namespace tether::liquid

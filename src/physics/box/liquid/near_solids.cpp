@@ -48,17 +48,9 @@ namespace {
 /// The shares of a triangle's corners in its place nearest to another: r has the ways from the first corner to that
 /// place and to the other corners.
 Vec<3> shares_on_triangle(const PairVectors<3, 3>& r) {
-  const Nearest<3> nearest = nearest_on_triangle(products_of<3, 3>(r));
-  const PairVectors<3, 3> used = r * nearest.sums.transpose();
-  Eigen::RowVector3d way = nearest.sums.row(0);
-  if (nearest.used == 2) {
-    way -= used.col(0).dot(used.col(1)) / used.col(1).squaredNorm() * nearest.sums.row(1);
-  } else if (nearest.used == 3) {
-    const double a = used.col(1).squaredNorm(), b = used.col(1).dot(used.col(2)), c = used.col(2).squaredNorm(),
-                 p = used.col(0).dot(used.col(1)), q = used.col(0).dot(used.col(2)), det = a * c - b * b;
-    way -= (c * p - b * q) / det * nearest.sums.row(1) + (a * q - b * p) / det * nearest.sums.row(2);
-  }
-  return {1 + way[1] + way[2], -way[1], -way[2]};
+  const Products<3> products = products_of<3, 3>(r);
+  const Eigen::Vector3d parts = nearest_way(products, nearest_on_triangle(products)).parts;
+  return {1 + parts[1] + parts[2], -parts[1], -parts[2]};
 }
 
 double sixfold_volume(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) { return dot(a, cross(b, c)); }
@@ -72,17 +64,15 @@ int NearSolids::turns(int side, const Vec<3>& from, const Vec<3>& to) const {
   const auto nodes = surface_.side(at(side));
   const Vec<3> a = minus(tether::place_of(q_, nodes[0], surface_.dim), from),
                b = minus(tether::place_of(q_, nodes[1], surface_.dim), from), way = minus(to, from);
-  Vec<3> normal;
   if (surface_.dim == 2) {
     if ((cross(way, a)[2] > 0) == (cross(way, b)[2] > 0)) return 0;
-    normal = {b[1] - a[1], a[0] - b[0], 0};
   } else {
     const Vec<3> c = minus(tether::place_of(q_, nodes[2], 3), from);
     const bool ab = sixfold_volume(way, a, b) > 0, bc = sixfold_volume(way, b, c) > 0,
                ca = sixfold_volume(way, c, a) > 0;
     if (ab != bc || bc != ca) return 0;
-    normal = cross(minus(b, a), minus(c, a));
   }
+  const Vec<3> normal = area_of_side(surface_, at(side), q_);
   const bool begins_above = dot(normal, a) <= 0, ends_above = dot(normal, minus(a, way)) <= 0;
   return begins_above == ends_above ? 0 : begins_above ? 1 : -1;
 }
@@ -132,11 +122,7 @@ Vec<3> NearSolids::velocity(const NearestSurface& near, std::span<const double> 
 /// Returns whether just before a place of the surface another solid is.
 bool NearSolids::is_buried(const NearestSurface& near) const {
   constexpr double away = 1e-3;  // of a cell
-  const auto nodes = surface_.side(at(near.side));
-  std::array<Vec<3>, 3> corner{};
-  for (std::size_t a = 0; a < nodes.size(); ++a) corner[a] = tether::place_of(q_, nodes[a], surface_.dim);
-  const Vec<3> e = minus(corner[1], corner[0]);
-  const Vec<3> normal = surface_.dim == 2 ? Vec<3>{e[1], -e[0], 0} : cross(e, minus(corner[2], corner[0]));
+  const Vec<3> normal = area_of_side(surface_, at(near.side), q_);
   const double length = std::sqrt(dot(normal, normal));
   Vec<3> before = near.place;
   for (std::size_t a = 0; a < at(grid_.dim); ++a) {

@@ -33,8 +33,7 @@ class NearSolids {
   std::optional<NearestSurface> nearest(const Vec<3>& x) const;
   /// Velocity of a place of the surface, u being that of its nodes; nodes beyond these rest.
   Vec<3> velocity(const NearestSurface& at, std::span<const double> u) const;
-  /// Returns whether a cell has sides near.
-  bool near(std::size_t cell) const { return first_[cell + 1] > first_[cell]; }
+  bool none() const { return sides_.empty(); }
 
  private:
   NearestSurface nearest_of_side(int side, const Vec<3>& x) const;

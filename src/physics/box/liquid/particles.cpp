@@ -27,7 +27,9 @@ CellParticles sort_by_cells(Team& team, const StaggeredGrid& grid, Particles& pa
   std::vector<std::size_t> next(cells.first.begin(), cells.first.end() - 1);
   for (std::size_t k = 0; k < cell.size(); ++k) from[next[cell[k]]++] = static_cast<std::uint32_t>(k);
   std::vector<std::vector<double>*> lists;
-  each_list(grid.dim, particles, [&](std::vector<double>& list) { lists.push_back(&list); });
+  each_list(particles, [&](const std::string&, std::vector<double>& list) {
+    if (!list.empty()) lists.push_back(&list);
+  });
   team.each(0, lists.size(), [&](std::size_t l) {
     std::vector<double> sorted(from.size());
     for (std::size_t k = 0; k < from.size(); ++k) sorted[k] = (*lists[l])[from[k]];

@@ -24,19 +24,9 @@ struct Particles {
   void add(int dim, const Vec<3>& place, const Vec<3>& velocity, double of_volume);
 };
 
-/// Calls f(list) for the lists of so many dimensions, volumes last.
+/// Calls f(name, list) for all lists. In the plane those along z are empty.
 template <class Function>
-void each_list(int dim, Particles& particles, const Function& f) {
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dim); ++a) {
-    f(particles.x[a]), f(particles.v[a]);
-    for (std::size_t b = 0; b < static_cast<std::size_t>(dim); ++b) f(particles.slope[a][b]);
-  }
-  f(particles.volume);
-}
-
-/// Calls f(name, list) for all lists, of what dimensions ever: those of others are empty.
-template <class Function>
-void each_particle_list(Particles& particles, const Function& f) {
+void each_list(Particles& particles, const Function& f) {
   constexpr std::array axes{"x", "y", "z"};
   for (std::size_t a = 0; a < 3; ++a) {
     f(std::string("particle_") + axes[a], particles.x[a]), f(std::string("particle_v_") + axes[a], particles.v[a]);
@@ -58,11 +48,17 @@ inline Vec<3> place_of(const Particles& particles, int dim, std::size_t k) {
   return {particles.x[0][k], particles.x[1][k], dim == 3 ? particles.x[2][k] : 0};
 }
 
+/// Returns the same in so many dimensions.
+template <std::size_t dim>
+std::array<double, dim> place_of(const Particles& particles, std::size_t k) {
+  std::array<double, dim> x;
+  for (std::size_t b = 0; b < dim; ++b) x[b] = particles.x[b][k];
+  return x;
+}
+
 /// Which particles each cell has, once they are sorted: from first[c] to before first[c + 1].
 struct CellParticles {
   std::vector<std::size_t> first;
-
-  std::size_t count(std::size_t cell) const { return first[cell + 1] - first[cell]; }
 };
 
 /// Sorts the particles by their cells; in a cell they keep their order.

@@ -25,17 +25,17 @@ bool within_liquid(const StaggeredGrid& grid, std::span<const double> distance, 
 
 }  // namespace
 
-std::vector<double> crowding(const coupled::FlowDomain& liquid, const Surface& surface,
+std::vector<double> crowding(const StaggeredGrid& grid, std::span<const double> distance, std::span<const double> open,
                              const coupled::PressureNumbers& numbers, std::span<const double> filled) {
   constexpr double least_open = 0.3;  // of a hat: with less nothing is known
   constexpr double most = 0.5, gain = 0.25;
   std::vector<double> out(numbers.cell.size(), 0.0);
   for (std::size_t p = 0; p < out.size(); ++p) {
     const std::size_t c = numbers.cell[p];
-    if (surface.distance[c] >= 0 || surface.open[c] < least_open) continue;
-    double excess = filled[c] / surface.open[c] - 1;
-    if (!within_liquid(liquid.grid, surface.distance, c)) excess = std::max(excess, 0.0);
-    out[p] = gain * std::clamp(excess, -most, most) * liquid.grid.volume();
+    if (distance[c] >= 0 || open[c] < least_open) continue;
+    double excess = filled[c] / open[c] - 1;
+    if (!within_liquid(grid, distance, c)) excess = std::max(excess, 0.0);
+    out[p] = gain * std::clamp(excess, -most, most) * grid.volume();
   }
   return out;
 }

@@ -13,7 +13,7 @@ namespace {
 void take_largest_about(const StaggeredGrid& grid, std::vector<double>& values) {
   for (int axis = 0; axis < grid.dim; ++axis) {
     const std::vector<double> before = values;
-    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? at(grid.n[0]) : at(grid.n[0]) * at(grid.n[1]);
+    const std::size_t stride = grid.stride(axis);
     for (std::size_t c = 0; c < values.size(); ++c) {
       const int i = static_cast<int>(c / stride % at(grid.n[at(axis)]));
       if (i > 0) values[c] = std::max(values[c], before[c - stride]);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "physics/box/cut_faces.hpp"
 #include "physics/box/flow_box.hpp"
 
 namespace tether::liquid {
@@ -15,11 +16,11 @@ using coupled::CellKind;
 using coupled::FaceKind;
 using coupled::FlowDomain;
 
-constexpr double least_open = 0.5;   // of a hat: with less a cell takes the surface from those next to it
-constexpr int layers_in_solids = 3;  // of cells that do
-constexpr double least_liquid =
-    1e-3;                        // of a face's box between liquid and air; density of sealed air over the liquid's
-constexpr double far_off = 0.5;  // cells from the surface, of cells that nothing reaches
+constexpr double least_open = 0.5;     // of a hat: with less a cell takes the surface from those next to it
+constexpr int layers_in_solids = 3;    // of cells that do
+constexpr double least_liquid = 1e-3;  // of a face's box between liquid and air
+constexpr double light_air = 1e-3;     // density of sealed air over the liquid's
+constexpr double far_off = 0.5;        // cells from the surface, of cells that nothing reaches
 
 /// The numbers of a row of cells along an axis with those beyond its ends, which walls mirror onto the last ones.
 int mirrored(int i, int n) { return std::clamp(i, 0, n - 1); }
@@ -111,7 +112,7 @@ std::vector<double> widened(const StaggeredGrid& grid, std::span<const double> h
   for (int axis = 0; axis < grid.dim; ++axis) {
     before = wide;
     const int n = grid.n[at(axis)];
-    const std::size_t stride = axis == 0 ? 1 : grid.cell(axis == 1 ? 0 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    const std::size_t stride = grid.stride(axis);
     for (std::size_t c = 0; c < wide.size(); ++c) {
       const int i = grid.place_of_cell(c)[at(axis)];
       const double low = before[i == 0 ? c : c - stride], high = before[i == n - 1 ? c : c + stride];
@@ -136,66 +137,24 @@ double with_range_of(double by_two, double by_one) {
   return by_one + std::copysign(doubt * farther, by_one);
 }
 
-/// Layer after layer cells without a distance take the mean of those next to them that have one.
-void extend_into_solids(const StaggeredGrid& grid, std::vector<std::uint8_t> known, std::vector<double>& distance) {
-  std::vector<std::size_t> left, still;
-  for (std::size_t c = 0; c < known.size(); ++c) {
-    if (known[c] == 0) left.push_back(c);
-  }
-  for (int layer = 0; layer < layers_in_solids && !left.empty(); ++layer) {
-    std::vector<std::pair<std::size_t, double>> found;
-    still.clear();
-    for (const std::size_t c : left) {
-      const auto place = grid.place_of_cell(c);
-      double sum = 0;
-      int count = 0;
-      for (int axis = 0; axis < grid.dim; ++axis) {
-        for (const int way : {-1, 1}) {
-          auto next = place;
-          next[at(axis)] += way;
-          if (!grid.has_cell(next) || known[grid.cell(next)] == 0) continue;
-          auto second = next;
-          second[at(axis)] += way;
-          const double near = distance[grid.cell(next)];
-          const bool two = grid.has_cell(second) && known[grid.cell(second)] != 0;
-          sum += near + (two ? std::clamp(near - distance[grid.cell(second)], -1.0, 1.0) : 0), ++count;
-        }
-      }
-      if (count > 0)
-        found.emplace_back(c, sum / count);
-      else
-        still.push_back(c);
-    }
-    for (const auto& [c, value] : found) distance[c] = value, known[c] = 1;
-    left.swap(still);
-  }
-  for (const std::size_t c : left) distance[c] = far_off;
-}
-
 }  // namespace
 
 std::vector<double> surface_distances(const StaggeredGrid& grid, std::span<const double> filled,
                                       std::span<const double> open) {
-  constexpr double least_divisor = 0.1, beside_solid = 0.125;  // what a solid a cell away takes of a hat of two cells
+  constexpr double least_divisor = 0.1, next_to_solid = 0.125;  // what a solid a cell away takes of a hat of two cells
   const std::vector<double> wide = widened(grid, filled), wide_open = widened(grid, open);
   std::vector<double> distance(wide.size());
   std::vector<std::uint8_t> known(wide.size());
   for (std::size_t c = 0; c < wide.size(); ++c) {
-    const double narrow = std::clamp((1 - wide_open[c]) / beside_solid, 0.0, 1.0);
+    const double narrow = std::clamp((1 - wide_open[c]) / next_to_solid, 0.0, 1.0);
     const double by_two = distance_of(wide[c] / std::max(wide_open[c], least_divisor), 2),
                  by_one = distance_of(filled[c] / std::max(open[c], least_divisor), 1);
     distance[c] = (1 - narrow) * by_two + narrow * with_range_of(by_two, by_one);
     known[c] = open[c] >= least_open ? 1 : 0;
   }
-  extend_into_solids(grid, std::move(known), distance);
+  known = coupled::extend_known(grid.dim, grid.n, std::move(known), layers_in_solids, distance, 1);
+  for (std::size_t c = 0; c < known.size(); ++c) distance[c] = known[c] != 0 ? distance[c] : far_off;
   return distance;
-}
-
-Surface surface_in(FlowDomain room, const coupled::SurfacePieces& pieces, std::span<const double> filled) {
-  Surface surface{std::move(room), {}, {}};
-  surface.open = open_parts(surface.room, pieces);
-  surface.distance = surface_distances(surface.room.grid, filled, surface.open);
-  return surface;
 }
 
 namespace {
@@ -228,11 +187,11 @@ std::vector<std::uint8_t> sealed_cells(const FlowDomain& room, const std::vector
   return mark;
 }
 
-/// The part of a face's box between two cells that liquid has.
-double liquid_part(double a, double b) {
+/// What a face between two cells at these distances moves, over a box full of liquid.
+double moved_part(double a, double b) {
   if (a < 0 && b < 0) return 1;
-  if (a >= 0 && b >= 0) return 0;
-  return std::min(a, b) / (std::min(a, b) - std::max(a, b));
+  if (a >= 0 && b >= 0) return light_air;
+  return std::max(std::min(a, b) / (std::min(a, b) - std::max(a, b)), least_liquid);
 }
 
 }  // namespace
@@ -265,8 +224,7 @@ FlowDomain liquid_in(const FlowDomain& room, std::span<const double> distance, A
         domain.area[at(axis)][f] = domain.volume[at(axis)][f] = 0;
         continue;
       }
-      const double part = liquid_part(distance[at(low < 0 ? high : low)], distance[at(high < 0 ? low : high)]);
-      domain.volume[at(axis)][f] *= std::max(part, least_liquid);
+      domain.volume[at(axis)][f] *= moved_part(distance[at(low < 0 ? high : low)], distance[at(high < 0 ? low : high)]);
     }
   }
   find_regions(domain);

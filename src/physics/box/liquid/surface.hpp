@@ -29,7 +29,6 @@ struct Surface {
   std::vector<double> open;      ///< of each cell: open_parts()
   std::vector<double> distance;  ///< of each cell: surface_distances() [cells]
 };
-Surface surface_in(coupled::FlowDomain room, const coupled::SurfacePieces& pieces, std::span<const double> filled);
 
 /// Returns what of a room, the domain that solids leave, is liquid: cells on its side of the surface. The rest is
 /// empty. Faces between the two move the liquid up to the surface, where the pressure is that of the air (F. Gibou et

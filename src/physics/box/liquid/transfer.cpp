@@ -9,18 +9,11 @@ namespace {
 
 constexpr double no_volume = 1e-12;  // of a cell
 
-template <std::size_t dim>
-std::array<double, dim> place(const Particles& particles, std::size_t k) {
-  std::array<double, dim> x;
-  for (std::size_t b = 0; b < dim; ++b) x[b] = particles.x[b][k];
-  return x;
-}
-
 /// Adds a particle's volume and momentum to the faces across one axis about it.
 template <std::size_t dim>
 void add_to_faces(const StaggeredGrid& grid, const Lattice<dim>& faces, const Particles& particles, std::size_t axis,
                   std::size_t k, std::vector<double>& volume, std::vector<double>& momentum) {
-  const LatticePlace<dim> at = faces.locate(place<dim>(particles, k));
+  const LatticePlace<dim> at = faces.locate(place_of<dim>(particles, k));
   for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
     std::array<int, dim> point = at.low;
     double v = particles.v[axis][k];
@@ -89,7 +82,7 @@ void from_faces_in(Team& team, const StaggeredGrid& grid, const coupled::FaceVal
     each_block(team, particles.size(), [&](std::size_t begin, std::size_t end) {
       std::array<double, dim> slope;
       for (std::size_t k = begin; k < end; ++k) {
-        particles.v[axis][k] = take<dim>(grid, faces, v[axis], place<dim>(particles, k), slope);
+        particles.v[axis][k] = take<dim>(grid, faces, v[axis], place_of<dim>(particles, k), slope);
         for (std::size_t b = 0; b < dim; ++b) particles.slope[axis][b][k] = slope[b];
       }
     });
@@ -104,7 +97,7 @@ std::vector<double> filling_in(Team& team, const StaggeredGrid& grid, const Part
   const double per_volume = 1 / grid.volume();
   each_slab(team, grid, cells, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const LatticePlace<dim> at = middles.locate(place<dim>(particles, k));
+      const LatticePlace<dim> at = middles.locate(place_of<dim>(particles, k));
       for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
         std::array<int, dim> point = at.low;
         for (std::size_t b = 0; b < dim; ++b)

@@ -53,7 +53,7 @@ TEST_P(Facets, FiguresEncloseTheirVolume) {
   EXPECT_NEAR(enclosed(Ellipsoid{{0.5, 0.5, 0.5}, {r, 2 * r, dim == 3 ? r : 0}}),
               dim == 2 ? 2 * std::numbers::pi * r * r : 8 * std::numbers::pi * r * r * r / 3, 1e-12);
   const double depth = dim == 3 ? 1.4 : 1;  // two cells beyond the box on both sides
-  EXPECT_NEAR(enclosed(Prism{{{0, 0}, {0, 1}, {0.5, 0.5}, {1, 1}, {1, 0}}}), 0.75 * depth, 1e-12);
+  EXPECT_NEAR(enclosed(Prism{{.x = {0, 0, 0.5, 1, 1}, .y = {0, 1, 0.5, 1, 0}}}), 0.75 * depth, 1e-12);
   EXPECT_GT(enclosed(HalfSpace{{0.5, 0.5, 0.5}, {0.6, 0.8, 0}}), 1);
 }
 

@@ -132,7 +132,7 @@ struct WithObstacles {
         none{.dim = of.grid.dim, .sides = {}, .sheet = {}, .cavity = {}, .part = {}, .whole_sides = {}, .parting = {}},
         whole(of, none, 0) {
     const FlowBox box(of);
-    const coupled::Outside outside(of, 0);
+    const coupled::Outside outside(of, {});
     room = Placer(of, none, 0, box, outside, alone()).room_at({});
   }
   NearSolids solids() const { return {whole.surface(), room.places, scene.grid, room.crossings}; }
@@ -189,7 +189,8 @@ TEST_P(Liquids, LevelSurfaces) {
     const Room& room = with.room;
     Particles particles = seed(scene, room.domain, with.solids());
     const CellParticles cells = sort_by_cells(alone(), scene.grid, particles);
-    const Surface surface = surface_in(room.domain, room.all_pieces(), filling(alone(), scene.grid, particles, cells));
+    const Surface surface{room.domain, room.open,
+                          surface_distances(scene.grid, filling(alone(), scene.grid, particles, cells), room.open)};
     LiquidSums sums = sums_of(particles, dim, 1, {});
     add_surface(surface, sums);
     EXPECT_NEAR(sums.volume, height, 3e-3 / 12);

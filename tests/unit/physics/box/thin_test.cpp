@@ -17,7 +17,7 @@ ThinBodies found(int dim, const Mesh& mesh, CouplingMode mode = CouplingMode::cu
   coupled.coupling = coupling_of(mode);
   const SolidSurface surface = surface_of(mesh);
   const FlowBox box(coupled);
-  const Outside outside(coupled, 0);
+  const Outside outside(coupled, {});
   return thin_bodies(Placer(coupled, surface, mesh.x.size(), box, outside, alone()).at(mesh.x), surface);
 }
 
