@@ -36,9 +36,6 @@ class Solver {
   virtual void expect_reading(double) {}
   /// Returns whether it is there now.
   virtual bool readable() const { return true; }
-  /// Sets what a step that takes seconds asks meanwhile: whether to stop. advance() then returns without it, as it was
-  /// before.
-  virtual void stop_when(std::function<bool()>) {}
   virtual RunCounts counts() const = 0;
   /// Cells that hold points or fluid, or elements.
   virtual std::size_t cells_active() const { return 0; }

@@ -64,7 +64,6 @@ class Runner {
   }
 
   RunOutcome to_the_end() {
-    solver_->stop_when([this] { return is_asked_to_stop(); });
     if (request_.threads > 1) outputs_.write_meanwhile();
     while (!at_end()) {
       const double next = std::min(plan_.scene.clock.tmax, outputs_.next());

@@ -16,40 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Half a wave in the box, as deep as half a wave.
-struct Wave {
-  double frequency = 0;  ///< over the exact one, less 1
-  double damping = 0;    ///< of the amplitude in a period
-};
-
-Wave wave(int cells, double amplitude, int dim, int periods) {
-  const double k = 2 * pi, depth = 0.5, cell = 1.0 / cells;
-  const double steep = k * amplitude, w0 = std::sqrt(k * std::tanh(k * depth)), O = std::sqrt(std::tanh(k * depth));
-  const double shift = (9 * std::pow(O, -7) - 12 * std::pow(O, -3) - 3 * O - 2 * std::pow(O, 5)) / 32;
-  const double w = w0 * (1 + 0.5 * steep * steep * shift / O);  // I. Tadjbakhsh, J. Keller, J. Fluid Mech. 8 (1960) 442
-  const double period = 2 * pi / w;
-  const std::string space = dim == 3 ? fmt::format("nz=5, zback=0., zfront={:.17g}, ", 4 * cell) : "";
-  const DeckRun run = run_text(
-      "wave", box(cells / 2, static_cast<int>(0.65 * cells), cell, 0.25 * std::sqrt(cell), (periods + 0.3) * period) +
-                  liquid(fmt::format("{}liquid_below(1)='.5+{}*cos(2*pi*x)'", space, amplitude)));
-  const auto t = run.history.column("time"), x = run.history.column("liquid_x");
-  std::vector<double> zeros, peaks;
-  double peak = 0;
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    const double before = 0.25 - x[i - 1], now = 0.25 - x[i];
-    if (before * now < 0) {
-      zeros.push_back(t[i - 1] + (t[i] - t[i - 1]) * before / (before - now));
-      if (peak > 0) peaks.push_back(peak);
-      peak = 0;
-    }
-    peak = std::max(peak, std::abs(now));
-  }
-  const std::size_t count = std::min(zeros.size(), static_cast<std::size_t>(2 * periods)),
-                    last = std::min(count, peaks.size()) - 1;
-  return {static_cast<double>(count - 1) * pi / (zeros[count - 1] - zeros[0]) / w - 1,
-          1 - std::pow(peaks[last] / peaks[1], 2.0 / static_cast<double>(last - 1))};
-}
-
 TEST(Liquid, StandingWaves) {
   const Wave coarse = wave(32, 0.01, 2, 10), small = wave(64, 0.01, 2, 10), large = wave(64, 0.05, 2, 10);
   EXPECT_LT(std::abs(small.frequency), 0.005);

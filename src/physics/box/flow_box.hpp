@@ -7,7 +7,6 @@
 #include "model/coupled.hpp"
 #include "physics/box/closed_regions.hpp"
 #include "physics/box/cut_cells.hpp"
-#include "physics/box/drag.hpp"
 #include "physics/box/outside.hpp"
 #include "physics/box/smoke.hpp"
 

@@ -9,8 +9,8 @@
 #include "model/coupled.hpp"
 #include "physics/box/coupling_map.hpp"
 #include "physics/box/cut_cells.hpp"
-#include "physics/box/drag.hpp"
 #include "physics/box/flow_box.hpp"
+#include "physics/box/friction/near_surface.hpp"
 #include "physics/box/liquid/surface.hpp"
 #include "physics/box/obstacles.hpp"
 #include "physics/box/outside.hpp"
@@ -39,7 +39,7 @@ struct Placement {
   PressureNumbers numbers;
   CouplingMap map;
   CouplingMatrix crossing_map;  ///< of the paper's own mode
-  SurfaceBesideFaces beside;    ///< where the fluid sticks to bodies
+  SurfaceBesideFaces beside;    ///< of a fluid that rubs
 
   /// Returns what solids leave, liquid or not.
   const FlowDomain& room() const { return surface ? surface->room : domain; }

@@ -48,41 +48,30 @@ void CoupledSolver::advance(double until, long long most) {
   const double tmax = plan_.scene.clock.tmax;
   while (state_.time < until && state_.time < tmax && most-- > 0) {
     const double h = step_before_end(plan_.step.deck_step, state_.time, tmax);
-    const CoupledState before = step_.may_stop(h) ? state_ : CoupledState{};
-    bool stopped = false;
     fem::clock_step(
-        state_, h, tmax, [&](double part) { return advanced(part, stopped); },
+        state_, h, tmax, [this](double part) { return advanced(part); },
         [this](double part, const fem::NewtonReport& report) { refuse_step(part, report); }, messages_);
-    if (stopped) {
-      state_ = before;
-      return step_.go_back(state_);
-    }
     look_for_overlaps();
   }
 }
 
 /// A step that keeps the energy may not be found: the state then is as before. One that cannot be halved again takes
-/// backward Euler. A step that was stopped, and what follows of its parts, counts as found until all are given up.
-fem::NewtonReport CoupledSolver::advanced(double h, bool& stopped) {
-  if (stopped) return {true, {}};
+/// backward Euler.
+fem::NewtonReport CoupledSolver::advanced(double h) {
   const CoupledState before = step_.keeps_energy() ? state_ : CoupledState{};
-  StepEnd end = step_.advance(state_, h);
-  const auto failed = [&] { return !end.stopped && !end.newton.converged; };
+  fem::NewtonReport end = step_.advance(state_, h);
   const auto go_back = [&] {
     const long long newton_steps = state_.newton_steps;
     state_ = before;
     state_.newton_steps = newton_steps;
   };
-  if (failed()) go_back();
-  if (failed() && step_.can_take_euler() && h <= fem::shortest_halved * plan_.step.deck_step) {
+  if (!end.converged) go_back();
+  if (!end.converged && step_.can_take_euler() && h <= fem::shortest_halved * plan_.step.deck_step) {
     end = step_.advance(state_, h, true);
-    if (failed()) go_back();
+    if (!end.converged) go_back();
   }
-  stopped = end.stopped;
-  if (stopped) return {true, {}};
-  if (end.newton.converged)
-    fem::report_contact(before.contact.doubts, state_.contact.doubts, state_.time + h, messages_);
-  return end.newton;
+  if (end.converged) fem::report_contact(before.contact.doubts, state_.contact.doubts, state_.time + h, messages_);
+  return end;
 }
 
 void CoupledSolver::refuse_step(double h, const fem::NewtonReport& report) const {

@@ -23,7 +23,6 @@ class CoupledSolver final : public Solver {
   double time() const override { return state_.time; }
   using Solver::advance;
   void advance(double until, long long most) override;
-  void stop_when(std::function<bool()> stop) override { step_.stop_when(std::move(stop)); }
   RunCounts counts() const override;
   std::size_t cells_active() const override;
   HistoryLayout history_layout() const override { return fields_.history_layout(); }
@@ -41,7 +40,7 @@ class CoupledSolver final : public Solver {
   std::string worst_element() const override;
 
  private:
-  fem::NewtonReport advanced(double h, bool& stopped);
+  fem::NewtonReport advanced(double h);
   [[noreturn]] void refuse_step(double h, const fem::NewtonReport& report) const;
   void look_for_overlaps();
 

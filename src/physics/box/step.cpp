@@ -63,15 +63,15 @@ void CoupledStep::resume(CoupledState& state) {
 }
 
 /// One step of the paper, 3.1 to 3.3, or one whose solids keep their energy.
-StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
+fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
   const std::vector<double> q0 = state.q, u0 = state.u;
   const LiquidBooks before = liquid_ ? books_of_liquid(state) : LiquidBooks{};
-  StepEnd end{false, {true, {}}};
-  if (!move_fluid_freely(state, h)) return {true, {}};  // (1) without pressure: v*
+  fem::NewtonReport end{true, {}};
+  move_fluid_freely(state, h);  // (1) without pressure: v*
   Solution solution = begin_solution(state, h);
   if (solid_step_) {
-    end.newton = solve_by_energy(state, h, by_euler, solution);
-    if (!end.newton.converged) return end;
+    end = solve_by_energy(state, h, by_euler, solution);
+    if (!end.converged) return end;
   } else {
     solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
     solve(state, h, solution);                          // (7), (8)
@@ -86,8 +86,9 @@ StepEnd CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
   const double found = energy_of(state.v);
   const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
   end_velocity(h, state.last.cfl, state.v);
-  if (liquid_) move_particles(state, h);
   if (coupled_.viscosity > 0) keep_drive(given, h, state);
+  if (liquid_ && coupled_.viscosity > 0) keep_rubbed_faces(given, h, state);
+  if (liquid_) move_particles(state, h);
   if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
   check(state);
   note_friction_that_gives(state);
@@ -126,7 +127,7 @@ void CoupledStep::place_solids(double time, CoupledState& state) {
   note_bodies_that_left(time, state);
 }
 
-bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
+void CoupledStep::move_fluid_freely(CoupledState& state, double h) {
   if (liquid_) {
     take_from_particles(state, h);
   } else {
@@ -134,10 +135,9 @@ bool CoupledStep::move_fluid_freely(CoupledState& state, double h) {
     extend_velocity(at_.domain, state.v, layers_around_fluid);
     carry_along(state, h);
   }
-  if (coupled_.viscosity > 0 && !add_friction(state, h)) return false;
+  if (coupled_.viscosity > 0) add_friction(state, h);
   unforced_ = state.v;
   add_forces(state.smoke, h, state.v);
-  return true;
 }
 
 void CoupledStep::carry_along(CoupledState& state, double h) {

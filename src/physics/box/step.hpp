@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "physics/box/contact.hpp"
 #include "physics/box/fluid_around.hpp"
+#include "physics/box/friction/viscosity.hpp"
 #include "physics/box/liquid/liquid.hpp"
 #include "physics/box/liquid/near_solids.hpp"
 #include "physics/box/outside.hpp"
@@ -23,12 +23,6 @@ namespace tether::coupled {
 /// After these solutions of a step what touches stays as it is.
 constexpr int most_contact_solutions = 60;
 
-/// How a step ended.
-struct StepEnd {
-  bool stopped = false;      ///< in the middle: the state is neither that before nor that after
-  fem::NewtonReport newton;  ///< of one that keeps the energy; where it has not converged the state is as after a stop
-};
-
 /// A step of fluid and solids together. The scene must outlive it, and the team that shares its loops.
 class CoupledStep {
  public:
@@ -37,15 +31,11 @@ class CoupledStep {
   /// At rest or moving as the scene says, the fluid's velocity made divergence-free beside the solids'.
   CoupledState start();
   /// `by_euler`: the solids as fem::SolidStep::advance_by_euler() has them.
-  StepEnd advance(CoupledState& state, double h, bool by_euler = false);
+  /// Where it has not converged, the state is neither that before nor that after.
+  fem::NewtonReport advance(CoupledState& state, double h, bool by_euler = false);
   /// Returns whether steps keep the energy of the solids: they may need halves then, or backward Euler.
   bool keeps_energy() const { return solid_step_.has_value(); }
   bool can_take_euler() const { return solid_step_ && solid_step_->can_take_euler(); }
-  /// Goes back to a state that it had, after a step that did not end well.
-  void go_back(CoupledState& state) { place(state); }
-  /// Sets what a step with much viscosity asks meanwhile: whether it is to stop.
-  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
-  bool may_stop(double h) const;
 
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
@@ -82,9 +72,10 @@ class CoupledStep {
   };
 
   void project_start(CoupledState& state);
-  bool move_fluid_freely(CoupledState& state, double h);
-  bool add_friction(CoupledState& state, double h);
-  StickingBodies sticking(const CoupledState& state) const;
+  void move_fluid_freely(CoupledState& state, double h);
+  void add_friction(CoupledState& state, double h);
+  Beyond beyond_open_sides() const;
+  RubbedNodes rubbed_nodes(const CoupledState& state) const;
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
   void solve(CoupledState& state, double h, Solution& solution);
   Solution begin_solution(const CoupledState& state, double h) const;
@@ -122,6 +113,7 @@ class CoupledStep {
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, double cells_crossed, FaceValues& v) const;
   void keep_drive(const FaceValues& given, double h, CoupledState& state) const;
+  void keep_rubbed_faces(const FaceValues& given, double h, CoupledState& state) const;
   void keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h, CoupledState& state) const;
   void place(CoupledState& state);
   void place_solids(double time, CoupledState& state);
@@ -153,9 +145,9 @@ class CoupledStep {
   std::optional<liquid::LiquidOfStep> liquid_;  // of one with a surface
   std::optional<fem::SolidStep> solid_step_;    // of steps that keep the energy
   std::vector<std::string> messages_;
-  std::function<bool()> stop_;
   Placement at_;                       // of the solids now
   FaceValues unforced_;                // velocities before forces and pressures act; then what these change
+  CellParts parts_;                    // of a viscous liquid
   std::vector<double> drag_;           // of the fluid's friction on the nodes in this step [force]
   std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };

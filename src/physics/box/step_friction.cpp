@@ -2,8 +2,9 @@
 #include <optional>
 
 #include "base/numbers.hpp"
+#include "physics/box/liquid/extend.hpp"
+#include "physics/box/liquid/parts.hpp"
 #include "physics/box/step.hpp"
-#include "physics/box/viscosity.hpp"
 
 namespace tether::coupled {
 
@@ -17,36 +18,37 @@ double mobility_of(int dim, double lumped) { return (dim + 2) / lumped; }
 
 }  // namespace
 
-bool CoupledStep::may_stop(double h) const {
-  return stop_ != nullptr && h * coupled_.viscosity > 0 &&
-         viscous_steps(coupled_.grid, coupled_.viscosity / coupled_.density, h) > steps_between_questions;
+/// A flow goes on through open sides as it comes; what has a surface ends there, as at the surface.
+Beyond CoupledStep::beyond_open_sides() const {
+  return liquid_ || !coupled_.voids.empty() ? Beyond::nothing : Beyond::fluid;
 }
 
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
-bool CoupledStep::add_friction(CoupledState& state, double h) {
-  const double before = energy_of(state.v), nu = coupled_.viscosity / coupled_.density;
-  const auto stop = may_stop(h) ? stop_ : nullptr;
-  std::optional<StickingBodies> bodies;
-  if (sticks_to_bodies(coupled_)) bodies.emplace(sticking(state));
-  if (add_viscosity(at_.domain, state.v, nu, h, true, &state.driven, stop, bodies ? &*bodies : nullptr) < 0)
-    return false;
-  for (std::size_t k = 0; bodies && k < drag_.size(); ++k) drag_[k] = bodies->impulse[k] / h;
-  state.books.viscous += before - energy_of(state.v);
-  return true;
+void CoupledStep::add_friction(CoupledState& state, double h) {
+  const bool sticks = sticks_to_bodies(coupled_);
+  const SolidsBeside solids{placer_.whole().surface(), at_.beside, state.u.size(), sticks};
+  const bool any = solids.surface.side_count() > 0;
+  if (liquid_) parts_ = liquid::liquid_parts(coupled_.grid, at_.surface->distance);
+  const RubbingFluid fluid{at_.room(), coupled_.density,    coupled_.viscosity,
+                           parts_,     beyond_open_sides(), any ? &solids : nullptr};
+  const Rubbed rubbed = add_viscosity(team_, fluid, sticks ? rubbed_nodes(state) : RubbedNodes{}, h, coupled_.tolerance,
+                                      state.driven, state.v);
+  for (std::size_t k = 0; sticks && k < drag_.size(); ++k) drag_[k] = rubbed.impulse[k] / h;
+  state.books.viscous += rubbed.taken;
 }
 
-StickingBodies CoupledStep::sticking(const CoupledState& state) const {
-  StickingBodies bodies{surface_, at_.beside, {}, state.u, state.driven_nodes, coupled_.density};
+RubbedNodes CoupledStep::rubbed_nodes(const CoupledState& state) const {
+  RubbedNodes nodes{{}, state.u, state.driven_nodes};
   const auto dim = at(surface_.dim);
   for (std::size_t k = 0; k < state.u.size(); ++k)
-    bodies.mobility.push_back(solids_.held[k] != 0 ? 0 : mobility_of(surface_.dim, solids_.system.lumped[k / dim]));
-  return bodies;
+    nodes.mobility.push_back(solids_.held[k] != 0 ? 0 : mobility_of(surface_.dim, solids_.system.lumped[k / dim]));
+  return nodes;
 }
 
-/// Keeps what all else than the fluid's friction gave each node, as `sticking` takes its answer to a force; none where
-/// it was held, as there that is what friction asks for. A body that sinks at its last speed then has in each step the
-/// drag of that speed, whatever h. That drag never gives energy asks for answers no smaller than the true ones, by
-/// springs of any stiffness and both rules of the solids' step.
+/// Keeps what all else than the fluid's friction gave each node, as `rubbed_nodes` takes its answer to a force; none
+/// where it was held, as there that is what friction asks for. A body that sinks at its last speed then has in each
+/// step the drag of that speed, whatever h. That drag never gives energy asks for answers no smaller than the true
+/// ones, by springs of any stiffness and both rules of the solids' step.
 void CoupledStep::keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h,
                                        CoupledState& state) const {
   const auto dim = at(surface_.dim);
@@ -57,12 +59,29 @@ void CoupledStep::keep_drive_of_bodies(std::span<const double> u0, const Solutio
 }
 
 /// Keeps what pressures and forces gave each open face in this step, and the end of the step after them: the viscosity
-/// of the next one sees it. `unforced_` holds what these changed.
+/// of the next one sees it. `unforced_` holds what these changed. About a liquid faces get it from those in it, as they
+/// get their velocities: they may be in it by then.
 void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& state) const {
   for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
     for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
       const double change = unforced_[axis][f] + (state.v[axis][f] - given[axis][f]);
       state.driven[axis][f] = at_.domain.face[axis][f] == FaceKind::open ? change / h : 0;
+    }
+  }
+  if (!liquid_) return;
+  constexpr int layers = 2;
+  liquid::extend_about_liquid(at_.room(), at_.domain, at_.surface->distance, face_values(coupled_.grid), layers,
+                              state.driven);
+}
+
+/// Faces that no pressure moves but that have liquid keep what friction made of their velocity, with the acceleration
+/// of those in the liquid: on, not along a line through these, whose slope is that of the stress below the surface.
+void CoupledStep::keep_rubbed_faces(const FaceValues& given, double h, CoupledState& state) const {
+  for (int axis = 0; axis < coupled_.grid.dim; ++axis) {
+    for (std::size_t f = 0; f < state.v[at(axis)].size(); ++f) {
+      if (at_.room().face[at(axis)][f] != FaceKind::open || at_.domain.face[at(axis)][f] == FaceKind::open) continue;
+      if (part_of_face(parts_, coupled_.grid, axis, coupled_.grid.place_of_face(axis, f)) == 0) continue;
+      state.v[at(axis)][f] = given[at(axis)][f] - unforced_[at(axis)][f] + h * state.driven[at(axis)][f];
     }
   }
 }

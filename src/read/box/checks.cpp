@@ -81,19 +81,6 @@ class CoupledChecks {
     unused("coupled.integrator", "it is of linear steps: these keep the energy, to order 2");
     unused("coupled.convex", "it is of linear steps");
   }
-  /// Viscosity uses explicit steps of its own, such that a face's velocity changes by no more than it differs from
-  /// those around it.
-  void viscous_steps() {
-    constexpr double most = 1e6;
-    double around = 0;
-    for (int axis = 0; axis < coupled_.grid.dim; ++axis)
-      around += 2 / (coupled_.grid.d[at(axis)] * coupled_.grid.d[at(axis)]);
-    const double steps = deck_.real("in.tstep") * coupled_.viscosity / coupled_.density * around;
-    if (steps > most)
-      error("coupled.viscosity", {1, 1},
-            fmt::format("viscosity takes {:.3g} steps of its own in each step, more than {:.0e}", steps, most),
-            "shorter steps, larger cells or less viscosity");
-  }
   /// Walls and obstacles hold a viscous fluid; bodies do where the deck says so.
   void friction_of_bodies() {
     if (coupled_.viscosity == 0 || !coupled_.bodies_slip || !deck_.has_group("mesh")) return;
@@ -187,7 +174,6 @@ void check_coupled_deck(const Deck& deck, const Coupled& coupled, bool energy, D
   checks.plane();
   checks.method();
   checks.step();
-  checks.viscous_steps();
   checks.friction_of_bodies();
   checks.no_bodies();
 }

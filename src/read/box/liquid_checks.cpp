@@ -56,19 +56,6 @@ class LiquidChecks {
       warn("coupled.advection", "particles carry a liquid along");
   }
 
-  /// Friction within a liquid is that of a fluid that fills the box; at its surface it is not free of stress.
-  void viscosity() {
-    if (coupled_.viscosity == 0) return;
-    if (scene_.solids() && !coupled_.bodies_slip)
-      error("coupled.bodies_slip", {1, 1}, "a liquid with a surface does not stick to bodies",
-            "leave bodies_slip away: the liquid slips along bodies, and sticks to walls");
-    diagnostics_.add(deck_.remark(
-        Severity::warning, "coupled.viscosity", {1, 1},
-        "viscosity does not see that the liquid's surface is free of stress: films and channels are right, waves lose "
-        "about a third of what they should, and drops that turn are slowed down",
-        "energy_viscous says what it took"));
-  }
-
   /// Bodies stop at boxes of whole cells alone.
   void obstacles() {
     if (coupled_.shaped.empty() || !scene_.solids()) return;
@@ -197,7 +184,6 @@ void check_liquid(const Deck& deck, const Scene& scene, const Coupled& coupled, 
   checks.obstacles();
   if (!coupled.liquid) return checks.without();
   checks.others();
-  checks.viscosity();
   checks.regions();
   checks.step();
 }

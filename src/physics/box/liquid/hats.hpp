@@ -18,6 +18,9 @@ struct LatticePlace {
   std::array<double, dim> part;
 };
 
+/// Which sides of the box hold what flows along them: left, right, bottom, top, back and front.
+using HeldSides = std::array<bool, 6>;
+
 /// A lattice of the grid: middles of the faces across an axis, or middles of cells.
 template <std::size_t dim>
 class Lattice {
@@ -53,6 +56,21 @@ class Lattice {
       place.part[b] = at - place.low[b];
     }
     return place;
+  }
+  /// How far a place is beyond the last points along an axis, below 0 before the first one [cells].
+  double beyond(const std::array<double, dim>& x, std::size_t b) const {
+    const double at = (x[b] - low_[b]) * per_d_[b];
+    return at - std::clamp(at, 0.0, size[b] - 1.0);
+  }
+  /// The part of the last points' velocity that is left at a place beyond them: none at sides that hold it, half a cell
+  /// away.
+  double left_by_walls(const std::array<double, dim>& x, const HeldSides& held) const {
+    double part = 1;
+    for (std::size_t b = 0; b < dim; ++b) {
+      const double cells = beyond(x, b);
+      if (held[2 * b + (cells > 0 ? 1 : 0)]) part *= 1 - 2 * std::abs(cells);
+    }
+    return part;
   }
   std::ptrdiff_t number(const std::array<int, dim>& point) const {
     std::ptrdiff_t n = 0;

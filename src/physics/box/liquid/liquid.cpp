@@ -46,9 +46,9 @@ double LiquidOfStep::energy(const Particles& particles) const {
 CarriedEnergy LiquidOfStep::carry(const coupled::Placement& at, const coupled::FaceValues& v, double more,
                                   std::span<const double> jet_speeds, double h, Particles& particles,
                                   LiquidFlow& flow) const {
-  from_faces(team_, scene_.grid, v, particles);
+  from_faces(team_, scene_.grid, v, held_, particles);
   limit_thin_pieces(team_, scene_.grid, at.surface->distance, fastest_, more, particles);
-  const std::vector<std::uint8_t> left = carry_particles(team_, at.room(), v, Exits(at.room(), v), h, particles);
+  const std::vector<std::uint8_t> left = carry_particles(team_, at.room(), v, held_, Exits(at.room(), v), h, particles);
   if (inflow_.jets() == 0 && std::ranges::find(left, 1) == left.end()) return {};
   const double whole = energy(particles);
   flow.out += remove_marked(left, particles);

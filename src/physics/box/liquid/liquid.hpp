@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/box/liquid/exits.hpp"
+#include "physics/box/liquid/hats.hpp"
 #include "physics/box/liquid/particles.hpp"
 #include "physics/box/liquid/speed_limit.hpp"
 #include "physics/box/placer.hpp"
@@ -21,7 +22,10 @@ struct CarriedEnergy {
 class LiquidOfStep {
  public:
   LiquidOfStep(const Coupled& scene, const Vec<3>& gravity, Team& team)
-      : scene_(scene), gravity_(gravity), team_(team), inflow_(scene) {}
+      : scene_(scene), gravity_(gravity), team_(team), inflow_(scene) {
+    for (std::size_t side = 0; side < held_.size(); ++side)
+      held_[side] = scene.viscosity > 0 && scene.sides[side] == BoxSide::wall;
+  }
 
   /// Kinetic energy and energy of gravity of all particles [energy].
   double energy(const Particles& particles) const;
@@ -50,6 +54,7 @@ class LiquidOfStep {
   Vec<3> gravity_;  // [acceleration]
   Team& team_;
   Inflow inflow_;
+  HeldSides held_{};
   CellParticles cells_;
   std::vector<double> filled_, fastest_;
   coupled::FaceValues reached_;  // volume of the particles about each face

@@ -20,8 +20,8 @@ using coupled::FlowPlace;
 template <std::size_t dim>
 class Mover {
  public:
-  Mover(const FlowDomain& room, const coupled::FaceValues& v)
-      : grid_(room.grid), v_(v), paths_(room), faces_(faces_of(grid_, std::make_index_sequence<dim>())) {}
+  Mover(const FlowDomain& room, const coupled::FaceValues& v, const HeldSides& held)
+      : grid_(room.grid), v_(v), held_(held), paths_(room), faces_(faces_of(grid_, std::make_index_sequence<dim>())) {}
 
   /// Returns whether it left the box.
   bool carry(Particles& particles, std::size_t k, double h, const Exits& exits) const {
@@ -71,7 +71,7 @@ class Mover {
   }
   std::array<double, dim> velocity(const std::array<double, dim>& x) const {
     std::array<double, dim> u;
-    for (std::size_t a = 0; a < dim; ++a) u[a] = faces_[a].between(v_[a].data(), x);
+    for (std::size_t a = 0; a < dim; ++a) u[a] = faces_[a].between(v_[a].data(), x) * faces_[a].left_by_walls(x, held_);
     return u;
   }
   Vec<dim> way(const std::array<double, dim>& u, double time) const {
@@ -106,34 +106,37 @@ class Mover {
 
   const StaggeredGrid& grid_;
   const coupled::FaceValues& v_;
+  HeldSides held_;
   coupled::FlowPaths<dim> paths_;
   std::array<Lattice<dim>, dim> faces_;
 };
 
 /// Calls f(mover, particle) for all particles.
 template <class Function>
-void each(Team& team, const FlowDomain& room, const coupled::FaceValues& v, std::size_t count, const Function& f) {
+void each(Team& team, const FlowDomain& room, const coupled::FaceValues& v, const HeldSides& held, std::size_t count,
+          const Function& f) {
   const auto loop = [&](const auto& mover) {
     each_block(team, count, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) f(mover, k);
     });
   };
-  room.grid.dim == 2 ? loop(Mover<2>(room, v)) : loop(Mover<3>(room, v));
+  room.grid.dim == 2 ? loop(Mover<2>(room, v, held)) : loop(Mover<3>(room, v, held));
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> carry_particles(Team& team, const FlowDomain& room, const coupled::FaceValues& v,
-                                          const Exits& exits, double h, Particles& particles) {
+                                          const HeldSides& held, const Exits& exits, double h, Particles& particles) {
   std::vector<std::uint8_t> left(particles.size(), 0);
-  each(team, room, v, particles.size(),
+  each(team, room, v, held, particles.size(),
        [&](const auto& mover, std::size_t k) { left[k] = mover.carry(particles, k, h, exits) ? 1 : 0; });
   return left;
 }
 
 void shift_particles(Team& team, const FlowDomain& room, const coupled::FaceValues& ways, double most,
                      Particles& particles) {
-  each(team, room, ways, particles.size(), [&](const auto& mover, std::size_t k) { mover.shift(particles, k, most); });
+  each(team, room, ways, {}, particles.size(),
+       [&](const auto& mover, std::size_t k) { mover.shift(particles, k, most); });
 }
 
 namespace {

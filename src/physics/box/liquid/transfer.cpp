@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/box/liquid/transfer.hpp"
 
+#include <cmath>
+
 #include "base/blocks.hpp"
-#include "physics/box/liquid/hats.hpp"
 
 namespace tether::liquid {
 namespace {
@@ -54,7 +55,7 @@ coupled::FaceValues to_faces_in(Team& team, const StaggeredGrid& grid, const Par
 /// halve their number.
 template <std::size_t dim>
 double take(const StaggeredGrid& grid, const Lattice<dim>& faces, const std::vector<double>& v,
-            const std::array<double, dim>& x, std::array<double, dim>& slope) {
+            const std::array<double, dim>& x, const HeldSides& held, std::array<double, dim>& slope) {
   constexpr std::size_t corners = Lattice<dim>::corners;
   const LatticePlace<dim> at = faces.locate_within(x);
   const double* first = v.data() + faces.number(at.low);
@@ -71,18 +72,24 @@ double take(const StaggeredGrid& grid, const Lattice<dim>& faces, const std::vec
         slopes[a][k] = slopes[a][2 * k] + at.part[b] * (slopes[a][2 * k + 1] - slopes[a][2 * k]);
     }
   }
-  for (std::size_t b = 0; b < dim; ++b) slope[b] = slopes[b][0] / grid.d[b];
-  return value[0];
+  for (std::size_t b = 0; b < dim; ++b) {
+    const double beyond = faces.beyond(x, b);
+    slope[b] = slopes[b][0] / grid.d[b];
+    if (beyond != 0)
+      slope[b] = held[2 * b + (beyond > 0 ? 1 : 0)] ? std::copysign(2 / grid.d[b], -beyond) * value[0] : 0;
+  }
+  return value[0] * faces.left_by_walls(x, held);
 }
 
 template <std::size_t dim>
-void from_faces_in(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, Particles& particles) {
+void from_faces_in(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, const HeldSides& held,
+                   Particles& particles) {
   for (std::size_t axis = 0; axis < dim; ++axis) {
     const Lattice<dim> faces(grid, static_cast<int>(axis));
     each_block(team, particles.size(), [&](std::size_t begin, std::size_t end) {
       std::array<double, dim> slope;
       for (std::size_t k = begin; k < end; ++k) {
-        particles.v[axis][k] = take<dim>(grid, faces, v[axis], place_of<dim>(particles, k), slope);
+        particles.v[axis][k] = take<dim>(grid, faces, v[axis], place_of<dim>(particles, k), held, slope);
         for (std::size_t b = 0; b < dim; ++b) particles.slope[axis][b][k] = slope[b];
       }
     });
@@ -118,8 +125,9 @@ coupled::FaceValues to_faces(Team& team, const StaggeredGrid& grid, const Partic
                        : to_faces_in<3>(team, grid, particles, cells, v);
 }
 
-void from_faces(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, Particles& particles) {
-  grid.dim == 2 ? from_faces_in<2>(team, grid, v, particles) : from_faces_in<3>(team, grid, v, particles);
+void from_faces(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, const HeldSides& held,
+                Particles& particles) {
+  grid.dim == 2 ? from_faces_in<2>(team, grid, v, held, particles) : from_faces_in<3>(team, grid, v, held, particles);
 }
 
 std::vector<double> filling(Team& team, const StaggeredGrid& grid, const Particles& particles,

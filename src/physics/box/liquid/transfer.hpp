@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "physics/box/liquid/hats.hpp"
 #include "physics/box/liquid/particles.hpp"
 #include "physics/box/outside.hpp"
 
@@ -16,8 +17,10 @@ coupled::FaceValues to_faces(Team& team, const StaggeredGrid& grid, const Partic
                              const CellParticles& cells, coupled::FaceValues& v);
 
 /// Gives particles the velocities of the faces about them, and the slopes of these. All faces about a particle must
-/// have a velocity.
-void from_faces(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, Particles& particles);
+/// have a velocity. Between the last faces and a side of the box the velocity is theirs, or goes to 0 where the side
+/// holds it; either way these faces get their own velocity back.
+void from_faces(Team& team, const StaggeredGrid& grid, const coupled::FaceValues& v, const HeldSides& held,
+                Particles& particles);
 
 /// Returns how much of each cell particles fill, by hats of one cell about its middle that walls of the box mirror:
 /// 1 where as much volume is as the cell has.

@@ -71,7 +71,7 @@ TEST_P(Liquids, LinearVelocitiesStay) {
   FaceValues v;
   to_faces(alone(), grid, particles, cells, v);
   Particles back = particles;
-  from_faces(alone(), grid, v, back);
+  from_faces(alone(), grid, v, {}, back);
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const auto cell = cell_of(grid, place_of(particles, dim, k));
     for (std::size_t a = 0; a < at(dim); ++a) {
@@ -93,7 +93,7 @@ TEST_P(Liquids, MomentumIsKept) {
   FaceValues v;
   const FaceValues volume = to_faces(alone(), grid, particles, cells, v);
   Particles back = particles;
-  from_faces(alone(), grid, v, back);
+  from_faces(alone(), grid, v, {}, back);
   for (std::size_t a = 0; a < at(dim); ++a) {
     double before = 0, on_faces = 0, after = 0;
     for (std::size_t k = 0; k < particles.size(); ++k) {
