@@ -10,6 +10,8 @@ import pathlib
 
 import numpy
 
+import gmsh_file
+
 
 def disk(rings):
     """Nodes of a disk by (radius from 0 to 1, angle), ring after ring, and its triangles, counter-clockwise."""
@@ -41,28 +43,7 @@ def shell(centre, inner, outer, rings, layers):
         low = sorted(node + layer * len(flat) for node in triangle)  # so that prisms part their sides alike
         high = [node + len(flat) for node in low]
         tetrahedra += [(low[0], low[1], low[2], high[2]), (low[0], low[1], high[1], high[2]), (low[0], high[0], high[1], high[2])]
-    return places, [turned(places, tet) for tet in tetrahedra]
-
-
-def turned(places, tet):
-    """The same with a volume above 0."""
-    a, b, c, d = (places[node] for node in tet)
-    return tet if numpy.dot(numpy.cross(b - a, c - a), d - a) > 0 else (tet[1], tet[0], tet[2], tet[3])
-
-
-def with_middles(places, tetrahedra):
-    """Nodes in the middles of edges, in the order of Gmsh's element 11."""
-    middles, places, found = {}, list(places), []
-    for tet in tetrahedra:
-        nodes = list(tet)
-        for i, j in ((0, 1), (1, 2), (2, 0), (3, 0), (2, 3), (1, 3)):
-            edge = tuple(sorted((tet[i], tet[j])))
-            if edge not in middles:
-                middles[edge] = len(places)
-                places.append((places[edge[0]] + places[edge[1]]) / 2)
-            nodes.append(middles[edge])
-        found.append(nodes)
-    return places, found
+    return places, [gmsh_file.turned(places, tet) for tet in tetrahedra]
 
 
 def main():
@@ -75,12 +56,7 @@ def main():
     options.add_argument("--layers", type=int, default=2, help="elements across the wall")
     given = options.parse_args()
     centre = numpy.array([float(number) for number in given.centre.split(",")])
-    places, elements = with_middles(*shell(centre, given.inner, given.outer, given.rings, given.layers))
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(places))]
-    lines += [f"{k + 1} {x:.9g} {y:.9g} {z:.9g}" for k, (x, y, z) in enumerate(places)]
-    lines += ["$EndNodes", "$Elements", str(len(elements))]
-    lines += [f"{k + 1} 11 2 1 1 " + " ".join(str(node + 1) for node in nodes) for k, nodes in enumerate(elements)]
-    given.file.write_text("\n".join(lines + ["$EndElements", ""]))
+    gmsh_file.write(given.file, *shell(centre, given.inner, given.outer, given.rings, given.layers))
 
 
 if __name__ == "__main__":

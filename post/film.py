@@ -32,7 +32,7 @@ def arguments(words):
     parser.add_argument("folder", type=Path, metavar="DIR", help="folder of the run")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the film (default: DIR/film.mp4)")
     parser.add_argument("--gif", action="store_true", help="a .gif even where ffmpeg is at hand")
-    parser.add_argument("--field", metavar="NAME", help="what colours the scene, in place of what matters most")
+    parser.add_argument("--field", metavar="NAME", help="what colours the scene, in place of what matters most; of a liquid also one colour")
     parser.add_argument("--frames", type=int, metavar="N", help="the first N pictures alone")
     return parser.parse_args(words)
 

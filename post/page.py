@@ -22,7 +22,7 @@ def arguments(words):
     parser = argparse.ArgumentParser(description="Makes the HTML page of a run.")
     parser.add_argument("folder", type=Path, metavar="DIR", help="folder of the run")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default: DIR/page.html)")
-    parser.add_argument("--field", metavar="NAME", help="what colours the fields, in place of what matters most")
+    parser.add_argument("--field", metavar="NAME", help="what colours the fields, in place of what matters most; of a liquid also one colour")
     return parser.parse_args(words)
 
 

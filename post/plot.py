@@ -33,7 +33,7 @@ def arguments(words):
     parser.add_argument("--out", type=Path, metavar="FOLDER", help="folder for the pictures (default: DIR)")
     parser.add_argument("--time", type=float, action="append", default=[], metavar="T",
                         help="time of a panel of the scene, repeated for each")
-    parser.add_argument("--field", metavar="NAME", help="what colours the scene, in place of what matters most")
+    parser.add_argument("--field", metavar="NAME", help="what colours the scene, in place of what matters most; of a liquid also one colour")
     table.add_columns(parser.add_argument_group("of a sweep"))
     return parser.parse_args(words)
 

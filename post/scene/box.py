@@ -119,15 +119,26 @@ def field_that_matters(run):
     return "p" if opened or values.get("in.gravc") else "speed"
 
 
+def is_painted(fields, name):
+    """Whether a name is a colour for a liquid, not that of a field."""
+    return "surface" in fields.names and name not in fields.names and colors.is_color_like(name)
+
+
 class BoxLayer:
-    """A layer of a box: a field of the fluid, obstacles, and bodies coloured by their energy density."""
+    """A layer of a box: a field of the fluid, obstacles, and bodies coloured by their energy density. A liquid may have
+    one colour instead, whose name then is given."""
 
     def __init__(self, run, name=None):
         self.scene = BoxScene(run)
         self.fields, self.times = self.scene.fluid, self.scene.times
-        self.name = name or field_that_matters(run)
+        painted = name is not None and is_painted(self.fields, name)
+        self.name = field_that_matters(run) if painted else name or field_that_matters(run)
         self.scale = quantities.Scale(self.name, quantities.unit(self.fields, self.name))
-        self.scales = [self.scale] + ([self.scene.energy] if self.scene.bodies else [])
+        if painted:
+            self.scale.own = colors.ListedColormap([name])
+        elif self.name == "speed" and "surface" in self.fields.names:
+            self.scale.own = liquid.WATER
+        self.scales = ([] if painted else [self.scale]) + ([self.scene.energy] if self.scene.bodies else [])
         self.axes_names = ("x", "y") if self.scene.dim == 2 else None
 
     def limits(self, records):

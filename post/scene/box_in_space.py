@@ -17,11 +17,11 @@ OF_BAR = 0.25  # of the box's depth: the bar shows what so much smoke leaves of 
 
 def tints_of(scale):
     """The colours of a field's smoke in full light, of numbers below 0 and above."""
-    if scale.colours.startswith("gray"):
+    if str(scale.colours).startswith("gray"):
         return GREY, GREY
     if scale.low < 0:
-        return tuple(colormaps[scale.colours](place)[:3] for place in (0.2, 0.8))
-    return 2 * (colormaps[scale.colours](0.5)[:3],)
+        return tuple(colormaps.get_cmap(scale.colours)(place)[:3] for place in (0.2, 0.8))
+    return 2 * (colormaps.get_cmap(scale.colours)(0.5)[:3],)
 
 
 def bar_of(scale):

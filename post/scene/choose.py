@@ -7,7 +7,7 @@ import tether_results
 import titles
 from scene import histories, last_values, moments, quantities
 from scene.bars import Bars
-from scene.box import BoxLayer
+from scene.box import BoxLayer, is_painted
 from scene.elements import Elements
 from scene.flow import Flow
 from scene.frame import Scene
@@ -77,12 +77,12 @@ def known_fields(fields):
 
 
 def scene_of(run, name=None):
-    """The scene of a run, coloured by what matters or by the field of this name; None where it wrote no snapshots."""
+    """The scene of a run, coloured by what matters or by the field of this name, or a liquid in this colour; None where it wrote no snapshots."""
     kind = kind_of(run)
     if not run.has(kind.fields):
         return None
     known = known_fields(run.fields(kind.fields))
-    if name and name not in known:
+    if name and name not in known and not is_painted(run.fields(kind.fields), name):
         raise command.Refused(f"{run.folder}: no field {name}; there are {', '.join(known)}")
     layers = [layer for make in kind.layers if (layer := make(run, name)) is not None]
     return Scene(layers, title_of(run), kind.note)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A liquid with a surface in a box of cells."""
 import numpy
+from matplotlib import colormaps, colors
 
 from render import blocks
 from render.picture import Surface
 
+WATER = colors.LinearSegmentedColormap.from_list("water", colormaps["Blues"](numpy.linspace(0.35, 1, 256)))  # still water is blue
 FINER = 4  # points of the picture along each side of a cell
 
 

@@ -61,9 +61,12 @@ class Scale:
     high: float = 1.0
     extend: str = "neither"
     bar: colors.Colormap | None = None  # where its bar has others
+    own: colors.Colormap | None = None  # in place of those of its name
 
     @property
     def colours(self):
+        if self.own is not None:
+            return self.own
         about_zero = BOTH_SIGNS if self.low == -self.high else ONE_SIGN
         return COLOURS.get(self.words, about_zero)
 
