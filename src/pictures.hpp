@@ -28,7 +28,8 @@ struct Pictures {
     option(film, "--frames", "how many pictures the film has, from the start on (default: all snapshots)");
     page = add(app, "page", "one HTML page of a run, with a slider over time", "the page's file");
     for (auto* of_fields : {plot, film, page})
-      option(of_fields, "--field", "the field that colours show (default: what the scene is about), or of a liquid one colour, as 'crimson'");
+      option(of_fields, "--field",
+             "the field that colours show (default: what the scene is about), or of a liquid one colour, as 'crimson'");
     compare =
         add(app, "compare", "two runs, or a run and a table of numbers, as figure and table", "folder for both", 2);
     option(compare, "--column", "a column of the histories, repeated for each (default: all)");

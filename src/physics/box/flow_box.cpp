@@ -22,22 +22,6 @@ void for_neighbours(const StaggeredGrid& grid, std::size_t cell, const Function&
   }
 }
 
-/// Gives all cells that hang together with `seed` by faces that let pass(cell, axis, face) the mark.
-template <class Mark, class Pass>
-void flood(const StaggeredGrid& grid, std::size_t seed, const Mark& mark, const Pass& pass) {
-  std::vector<std::size_t> waiting{seed};
-  mark(seed);
-  while (!waiting.empty()) {
-    const std::size_t cell = waiting.back();
-    waiting.pop_back();
-    for_neighbours(grid, cell, [&](std::size_t other, int axis, std::size_t face) {
-      if (!pass(other, axis, face)) return;
-      mark(other);
-      waiting.push_back(other);
-    });
-  }
-}
-
 }  // namespace
 
 FlowBox::FlowBox(const Coupled& scene)
@@ -95,7 +79,7 @@ void FlowBox::open_faces(const Crossings& crossings, FlowDomain& domain) const {
   }
 }
 
-FlowDomain FlowBox::around(const Crossings& crossings) const {
+FlowDomain FlowBox::without_regions(const Crossings& crossings) const {
   FlowDomain domain{scene_.grid, kind_, {}, face_values(scene_.grid), face_values(scene_.grid), {}, 0, {}, side_faces_};
   for (std::size_t side = 0; side < domain.slips.size(); ++side)
     domain.slips[side] = scene_.sides[side] == BoxSide::slip;
@@ -107,6 +91,11 @@ FlowDomain FlowBox::around(const Crossings& crossings) const {
       domain.kind[cell] = CellKind::empty;
   }
   open_faces(crossings, domain);
+  return domain;
+}
+
+FlowDomain FlowBox::around(const Crossings& crossings) const {
+  FlowDomain domain = without_regions(crossings);
   find_regions(domain);
   return domain;
 }
@@ -154,7 +143,7 @@ void FlowBox::open_cut_cells(const Crossings& crossings, const CutCells& cut, Fl
 }
 
 FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) const {
-  FlowDomain domain = around(crossings);
+  FlowDomain domain = without_regions(crossings);
   open_cut_cells(crossings, cut, domain);
   find_regions(domain);
   return domain;
@@ -211,18 +200,31 @@ std::vector<SmokeJet> FlowBox::smoke_of_jets(double time, double h) const {
   return jets;
 }
 
+/// Each cell has the number of another one that it is joined with, before it, or its own if it is the first one.
 void find_regions(FlowDomain& domain) {
-  domain.region.assign(domain.kind.size(), -1);
+  const StaggeredGrid& grid = domain.grid;
+  std::vector<int>& first = domain.region;
+  first.assign(domain.kind.size(), -1);
+  const auto first_of = [&](int cell) {
+    while (first[at(cell)] != cell) cell = first[at(cell)] = first[at(first[at(cell)])];
+    return cell;
+  };
+  for (std::size_t cell = 0; cell < first.size(); ++cell)
+    first[cell] = domain.kind[cell] == CellKind::fluid ? static_cast<int>(cell) : -1;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    const auto& faces = domain.face[at(axis)];
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (faces[f] != FaceKind::open) continue;
+      const auto [low, high] = cells_beside(grid, axis, f);
+      if (low < 0 || high < 0 || first[at(low)] < 0 || first[at(high)] < 0) continue;
+      const int a = first_of(low), b = first_of(high);
+      first[at(std::max(a, b))] = std::min(a, b);
+    }
+  }
   domain.regions = 0;
-  for (std::size_t seed = 0; seed < domain.kind.size(); ++seed) {
-    if (domain.kind[seed] != CellKind::fluid || domain.region[seed] >= 0) continue;
-    const int number = domain.regions++;
-    flood(
-        domain.grid, seed, [&](std::size_t cell) { domain.region[cell] = number; },
-        [&](std::size_t cell, int axis, std::size_t face) {
-          return domain.kind[cell] == CellKind::fluid && domain.region[cell] < 0 &&
-                 domain.face[at(axis)][face] == FaceKind::open;
-        });
+  for (std::size_t cell = 0; cell < first.size(); ++cell) {  // those before it have their regions' numbers already
+    if (first[cell] < 0) continue;
+    first[cell] = first[cell] == static_cast<int>(cell) ? domain.regions++ : first[at(first[cell])];
   }
 }
 

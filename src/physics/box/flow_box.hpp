@@ -31,6 +31,7 @@ class FlowBox {
   std::vector<SmokeJet> smoke_of_jets(double time, double h) const;
 
  private:
+  FlowDomain without_regions(const Crossings& crossings) const;
   void open_faces(const Crossings& crossings, FlowDomain& domain) const;
   void fill_cut_cells(const CutCells& cut, FlowDomain& domain) const;
   void open_cut_cells(const Crossings& crossings, const CutCells& cut, FlowDomain& domain) const;

@@ -16,15 +16,6 @@ FaceValues face_values(const StaggeredGrid& grid, double value) {
   return values;
 }
 
-std::array<int, 2> cells_beside(const StaggeredGrid& grid, int axis, std::size_t face) {
-  auto upper = grid.place_of_face(axis, face), lower = upper;
-  --lower[static_cast<std::size_t>(axis)];
-  const auto number = [&](const std::array<int, 3>& c) {
-    return grid.has_cell(c) ? static_cast<int>(grid.cell(c)) : -1;
-  };
-  return {number(lower), number(upper)};
-}
-
 namespace {
 
 /// Cells that obstacles and voids leave to the fluid.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "grid/boxes.hpp"
 #include "model/coupled.hpp"
 
@@ -41,7 +42,12 @@ struct FlowDomain {
 };
 
 /// Cells on the two sides of a face across the axis, lower first; -1 outside the box.
-std::array<int, 2> cells_beside(const StaggeredGrid& grid, int axis, std::size_t face);
+inline std::array<int, 2> cells_beside(const StaggeredGrid& grid, int axis, std::size_t face) {
+  const std::size_t stride = grid.stride(axis), faces = at(grid.n[at(axis)] + 1), row = face / stride;
+  const std::size_t layer = row / faces, i = row - layer * faces;  // faces have one place more along the axis
+  const int upper = static_cast<int>(face - layer * stride);
+  return {i == 0 ? -1 : upper - static_cast<int>(stride), i + 1 == faces ? -1 : upper};
+}
 
 }  // namespace tether::coupled
 

@@ -72,6 +72,14 @@ void add_pressure(const FlowDomain& domain, const PressureNumbers& numbers, std:
   });
 }
 
+void add_pressure_within(const FlowDomain& domain, const PressureNumbers& numbers, std::span<const double> p, double by,
+                         FaceValues& v) {
+  for_faces(domain, numbers, FaceKind::open, [&](std::size_t axis, std::size_t face, int low, int high) {
+    if (low >= 0 && high >= 0)
+      v[axis][face] += by * domain.area[axis][face] * (p[at(low)] - p[at(high)]) / domain.volume[axis][face];
+  });
+}
+
 double kinetic_energy(const FlowDomain& domain, const FaceValues& v, const FaceValues& w, double density) {
   double energy = 0;
   for (std::size_t axis = 0; axis < at(domain.grid.dim); ++axis) {

@@ -20,6 +20,9 @@ std::vector<double> net_flux(const FlowDomain& domain, const PressureNumbers& nu
 /// v += (h/rho) M^-1 D^T p at open faces.
 void add_pressure(const FlowDomain& domain, const PressureNumbers& numbers, std::span<const double> p, double by,
                   FaceValues& v);
+/// Does the same at faces between two pressures alone.
+void add_pressure_within(const FlowDomain& domain, const PressureNumbers& numbers, std::span<const double> p, double by,
+                         FaceValues& v);
 /// Sum of rho M v w / 2 over open faces [energy].
 double kinetic_energy(const FlowDomain& domain, const FaceValues& v, const FaceValues& w, double density);
 /// Sum over prescribed faces of p times the flux out of the fluid: the power that the fluid does there [power].

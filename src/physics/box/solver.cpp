@@ -142,6 +142,10 @@ Summary CoupledSolver::more_summary() const {
                   line_of("bodies_left", std::count(state_.left.begin(), state_.left.end(), 1)),
                   line_of("bodies_slip", scene.viscosity > 0 && scene.bodies_slip ? state_.left.size() : 0),
                   line_of("interface_mismatch", state_.worst_mismatch)};
+  if (scene.viscosity > 0) {
+    summary.push_back(line_of("friction_passes", state_.passes));
+    summary.push_back(line_of("friction_unsettled", state_.unsettled_friction));
+  }
   if (!step_.keeps_energy()) summary.push_back(line_of("linear_gain", state_.linear_gain));
   if (step_.keeps_energy()) {
     summary.push_back(line_of("newton_iterations", state_.newton_steps));

@@ -59,6 +59,7 @@ struct StepAccount {
 struct CoupledState : StepClock {
   FaceValues v;       ///< of the fluid, extended into the solids [velocity]
   FaceValues driven;  ///< of a viscous one's open faces, by pressures and forces in the last step [acceleration]
+  FaceValues ended;   ///< what of that the end of the last step was, after pressures [acceleration]
   std::vector<double> driven_nodes;  ///< of nodes that a viscous one sticks to, likewise by all but its friction
   std::vector<double> p;             ///< of each cell, extended into the solids [stress]
   std::vector<double> q, u;          ///< places and velocities of the solids' nodes, dim numbers a node
@@ -80,15 +81,16 @@ struct CoupledState : StepClock {
   std::vector<double> orders;                ///< of elimination, when the state was saved
   fem::ContactState contact;                 ///< of steps that keep the energy
   long long newton_steps = 0, halvings = 0;  ///< of these
-  double linear_gain = 0;           ///< most that a linear step gave turning bodies, over their energy of motion
-  double unswept = 0;               ///< volume that steps' sweeps left out so far, over that of the bodies
-  long long contact_solutions = 0;  ///< solutions found again because of contact
-  long long unmeasured = 0;         ///< 1 once it was reported that a closed volume is not held
-  long long heated_up = 0;          ///< 1 once it was reported that friction has given more energy than it took
-  fem::OverlapCount overlap;        ///< of the solids
-  std::vector<int> left;            ///< of each body, 1 once it was found to be wholly beyond a side of the box
-  long long contact_unsettled = 0;  ///< steps in which the last of them would have been found again, too
-  long long thin_cells = 0;         ///< most in any step at which bodies are thinner than a cell, by cut-cell
+  double linear_gain = 0;            ///< most that a linear step gave turning bodies, over their energy of motion
+  double unswept = 0;                ///< volume that steps' sweeps left out so far, over that of the bodies
+  long long contact_solutions = 0;   ///< solutions found again because of contact
+  long long passes = 0;              ///< over friction and pressures, of viscous fluids
+  long long unsettled_friction = 0;  ///< steps in which they did not settle
+  long long unmeasured = 0;          ///< 1 once it was reported that a closed volume is not held
+  fem::OverlapCount overlap;         ///< of the solids
+  std::vector<int> left;             ///< of each body, 1 once it was found to be wholly beyond a side of the box
+  long long contact_unsettled = 0;   ///< steps in which the last of them would have been found again, too
+  long long thin_cells = 0;          ///< most in any step at which bodies are thinner than a cell, by cut-cell
 };
 
 /// The parts of a state for saving and restoring; cells and faces do not change in number.
@@ -97,6 +99,7 @@ void exchange(Exchange& with, CoupledState& state) {
   exchange_clock(with, state);
   with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
   with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
+  with("ended_u", state.ended[0]), with("ended_v", state.ended[1]), with("ended_w", state.ended[2]);
   with("driven_nodes", state.driven_nodes);
   with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
@@ -122,8 +125,8 @@ void exchange(Exchange& with, CoupledState& state) {
   with("linear_gain", state.linear_gain), with("unswept", state.unswept), with("newton_steps", state.newton_steps),
       with("halvings", state.halvings);
   fem::exchange(with, state.contact), fem::exchange(with, state.overlap);
-  with("left", state.left);
-  with("unmeasured", state.unmeasured), with("heated_up", state.heated_up);
+  with("left", state.left), with("passes", state.passes), with("unsettled_friction", state.unsettled_friction);
+  with("unmeasured", state.unmeasured);
   with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);
   with.list("orders", state.orders);
 }

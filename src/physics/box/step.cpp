@@ -64,21 +64,13 @@ void CoupledStep::resume(CoupledState& state) {
 
 /// One step of the paper, 3.1 to 3.3, or one whose solids keep their energy.
 fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_euler) {
-  const std::vector<double> q0 = state.q, u0 = state.u;
+  const std::vector<double> q0 = state.q;
   const LiquidBooks before = liquid_ ? books_of_liquid(state) : LiquidBooks{};
-  fem::NewtonReport end{true, {}};
+  Solution solution;
   move_fluid_freely(state, h);  // (1) without pressure: v*
-  Solution solution = begin_solution(state, h);
-  if (solid_step_) {
-    end = solve_by_energy(state, h, by_euler, solution);
-    if (!end.converged) return end;
-  } else {
-    solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
-    solve(state, h, solution);                          // (7), (8)
-    move_solids(state, u0, h);                          // (5)
-    book_solids(q0, u0, solution, state, h);
-    note_turning(state, h);
-  }
+  const fem::NewtonReport end = coupled_.viscosity > 0 ? find_with_friction(state, h, by_euler, solution)
+                                                       : find_step(state, h, by_euler, solution);
+  if (!end.converged) return end;
   note_unswept(q0, solution, state);
   state.last.cfl = cells_crossed(at_.domain, state.v, h);
   state.cfl_largest = std::max(state.cfl_largest, state.last.cfl);
@@ -86,15 +78,27 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
   const double found = energy_of(state.v);
   const FaceValues given = coupled_.viscosity > 0 ? state.v : FaceValues{};
   end_velocity(h, state.last.cfl, state.v);
-  if (coupled_.viscosity > 0) keep_drive(given, h, state);
-  if (liquid_ && coupled_.viscosity > 0) keep_rubbed_faces(given, h, state);
+  if (coupled_.viscosity > 0) keep_end(given, h, state);
   if (liquid_) move_particles(state, h);
-  if (sticks_to_bodies(coupled_)) keep_drive_of_bodies(u0, solution, h, state);
   check(state);
-  note_friction_that_gives(state);
   place_solids(state.time + h, state);
   liquid_ ? book_liquid(before, state) : book_remeshed(found, state);
   return end;
+}
+
+/// Finds velocities and pressures, and moves the solids.
+fem::NewtonReport CoupledStep::find_step(CoupledState& state, double h, bool by_euler, Solution& solution) {
+  unforced_ = state.v;
+  add_forces(state.smoke, h, state.v);
+  solution = begin_solution(state, h);
+  if (solid_step_) return solve_by_energy(state, h, by_euler, solution);
+  const std::vector<double> q0 = state.q, u0 = state.u;
+  solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
+  solve(state, h, solution);                          // (7), (8)
+  move_solids(state, u0, h);                          // (5)
+  book_solids(q0, u0, solution, state, h);
+  note_turning(state, h);
+  return {true, {}};
 }
 
 /// Leaves what the next step is to find, in cut faces and in the solids.
@@ -135,9 +139,6 @@ void CoupledStep::move_fluid_freely(CoupledState& state, double h) {
     extend_velocity(at_.domain, state.v, layers_around_fluid);
     carry_along(state, h);
   }
-  if (coupled_.viscosity > 0) add_friction(state, h);
-  unforced_ = state.v;
-  add_forces(state.smoke, h, state.v);
 }
 
 void CoupledStep::carry_along(CoupledState& state, double h) {

@@ -73,9 +73,22 @@ class CoupledStep {
 
   void project_start(CoupledState& state);
   void move_fluid_freely(CoupledState& state, double h);
+  fem::NewtonReport find_step(CoupledState& state, double h, bool by_euler, Solution& solution);
+  fem::NewtonReport find_with_friction(CoupledState& state, double h, bool by_euler, Solution& solution);
+  void drive_by(std::span<const double> drive, CoupledState& state) const;
+  std::vector<double> drive_of(const CoupledState& state) const;
+  std::vector<double> weights_of_drive(const CoupledState& state) const;
+  fem::NewtonReport pass(CoupledState& state, double h, bool by_euler, Solution& solution);
+  double miss_of(std::span<const double> missed, std::span<const double> weights, double h,
+                 const CoupledState& state) const;
+  void note_unsettled_friction(double miss, CoupledState& state);
+  std::vector<double> missed_drive(std::span<const double> drive, std::span<const double> u0, double h,
+                                   CoupledState& state) const;
+  void begin_friction(const CoupledState& state, double h, Beyond beyond);
   void add_friction(CoupledState& state, double h);
   Beyond beyond_open_sides() const;
-  RubbedNodes rubbed_nodes(const CoupledState& state) const;
+  void add_viscous_pressure(double h, std::span<double> missed) const;
+  double mobility_of(std::size_t k) const;
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
   void solve(CoupledState& state, double h, Solution& solution);
   Solution begin_solution(const CoupledState& state, double h) const;
@@ -112,9 +125,10 @@ class CoupledStep {
   void tell_of_unsettled_contact(CoupledState& state);
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void end_velocity(double h, double cells_crossed, FaceValues& v) const;
-  void keep_drive(const FaceValues& given, double h, CoupledState& state) const;
+  void take_drive(double h, CoupledState& state) const;
+  void extend_drive(CoupledState& state) const;
+  void keep_end(const FaceValues& given, double h, CoupledState& state) const;
   void keep_rubbed_faces(const FaceValues& given, double h, CoupledState& state) const;
-  void keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h, CoupledState& state) const;
   void place(CoupledState& state);
   void place_solids(double time, CoupledState& state);
   void place_liquid(CoupledState& state);
@@ -125,7 +139,6 @@ class CoupledStep {
   void settle_particles(const Room& room, CoupledState& state);
   liquid::NearSolids near_solids(const Room& room) const;
   void note_bodies_that_left(double time, CoupledState& state);
-  void note_friction_that_gives(CoupledState& state);
   void note_turning(CoupledState& state, double h);
   void note_unswept(std::span<const double> q0, const Solution& solution, CoupledState& state);
   void note_thin_bodies(double time, CoupledState& state);
@@ -145,11 +158,13 @@ class CoupledStep {
   std::optional<liquid::LiquidOfStep> liquid_;  // of one with a surface
   std::optional<fem::SolidStep> solid_step_;    // of steps that keep the energy
   std::vector<std::string> messages_;
-  Placement at_;                       // of the solids now
-  FaceValues unforced_;                // velocities before forces and pressures act; then what these change
-  CellParts parts_;                    // of a viscous liquid
-  std::vector<double> drag_;           // of the fluid's friction on the nodes in this step [force]
-  std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
+  Placement at_;                        // of the solids now
+  FaceValues unforced_;                 // velocities before forces and pressures act; then what these change
+  CellParts parts_;                     // of a viscous liquid
+  std::optional<SolidsBeside> beside_;  // of a viscous fluid
+  std::optional<Friction> friction_;    // likewise, of this step
+  std::vector<double> drag_;            // of the fluid's friction on the nodes in this step [force]
+  std::vector<double> first_volumes_;   // that the surface's sheets enclose at the start
 };
 
 }  // namespace tether::coupled

@@ -110,7 +110,7 @@ void CoupledStep::book_solids(std::span<const double> q0, std::span<const double
   }
   const SolidEquations::Taken taken = solids_.taken(u0, state.u, solution.lifts, h);
   books.contact -= dot(way, solution.friction);
-  books.viscous -= dot(way, drag_);  // of what it took of the fluid the solids have this
+  books.projected -= dot(way, drag_);  // of what friction took of the fluid the solids have this
   state.work += dot(way, drag_), state.last.gave += dot(way, drag_);
   books.open_sides += dot(way, at_.map.outside);
   books.gravity += dot(way, at_.map.film_weight);
@@ -187,19 +187,6 @@ void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState
                   "jets fill or empty "
                   "it: volume_term does not hold its volume, which may drift from what the jets bring",
                   state.time, x[0], x[1], coupled_.grid.dim == 3 ? fmt::format(", {:.6g}", x[2]) : ""));
-}
-
-/// Friction takes energy. Where it sticks to bodies much lighter than the fluid, and steps are short against what it
-/// spreads over in them, it may give them some, more and more: a warning once, when it has given what is in motion.
-void CoupledStep::note_friction_that_gives(CoupledState& state) {
-  if (!sticks_to_bodies(coupled_) || state.heated_up != 0 || !(state.books.viscous < 0)) return;
-  if (-state.books.viscous < energy_of(state.v)) return;
-  state.heated_up = 1;
-  messages_.push_back(fmt::format(
-      "t = {:.6g}, step {}: the fluid's friction at bodies has given more energy than it took, and what moves is its "
-      "doing: bodies too light for bodies_slip=.false. at such steps; longer steps, heavier bodies or "
-      "bodies_slip=.true. hold",
-      state.time, state.steps + 1));
 }
 
 /// A warning once: a linear step stretches what turns in it.

@@ -87,7 +87,7 @@ void CoupledStep::book_moved(const fem::SolidState& moved, const Solution& solut
                springs = solids_.spring_energy(state.q) - solids_.spring_energy(moved.q);
   books.coupling -= by_fluid;
   books.open_sides += outside, books.gravity += weight;
-  books.viscous -= rubbed, state.work += rubbed, state.last.gave += rubbed;
+  books.projected -= rubbed, state.work += rubbed, state.last.gave += rubbed;
   books.loads += moved.of_loads + moved.of_supports - by_fluid - outside - weight - rubbed - springs;
   books.damped += moved.damped;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
+#include <fmt/format.h>
+#include <algorithm>
 
+#include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/liquid/extend.hpp"
 #include "physics/box/liquid/parts.hpp"
@@ -10,64 +12,76 @@ namespace tether::coupled {
 
 // What the fluid's friction does in a step, to itself and to bodies that it sticks to.
 
-namespace {
-
-/// The most that a node's velocity can change by an impulse on it: the consistent mass of linear triangles and
-/// tetrahedra is nowhere less than 1 / (dim + 2) of the lumped one.
-double mobility_of(int dim, double lumped) { return (dim + 2) / lumped; }
-
-}  // namespace
-
 /// A flow goes on through open sides as it comes; what has a surface ends there, as at the surface.
 Beyond CoupledStep::beyond_open_sides() const {
   return liquid_ || !coupled_.voids.empty() ? Beyond::nothing : Beyond::fluid;
 }
 
+/// What rubs in a step: the same in all of its passes.
+void CoupledStep::begin_friction(const CoupledState& state, double h, Beyond beyond) {
+  if (liquid_) parts_ = liquid::liquid_parts(coupled_.grid, at_.surface->distance);
+  const WholeSurface& whole = placer_.whole();
+  beside_.emplace(SolidsBeside{whole.surface(), at_.beside, state.u.size(), sticks_to_bodies(coupled_)});
+  std::vector<double> mobility;
+  for (std::size_t k = 0; sticks_to_bodies(coupled_) && k < state.u.size(); ++k) mobility.push_back(mobility_of(k));
+  friction_.emplace(RubbingFluid{at_.room(), coupled_.density, coupled_.viscosity, parts_, beyond,
+                                 whole.surface().side_count() > 0 ? &*beside_ : nullptr},
+                    mobility, h);
+}
+
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
 void CoupledStep::add_friction(CoupledState& state, double h) {
-  const bool sticks = sticks_to_bodies(coupled_);
-  const SolidsBeside solids{placer_.whole().surface(), at_.beside, state.u.size(), sticks};
-  const bool any = solids.surface.side_count() > 0;
-  if (liquid_) parts_ = liquid::liquid_parts(coupled_.grid, at_.surface->distance);
-  const RubbingFluid fluid{at_.room(), coupled_.density,    coupled_.viscosity,
-                           parts_,     beyond_open_sides(), any ? &solids : nullptr};
-  const Rubbed rubbed = add_viscosity(team_, fluid, sticks ? rubbed_nodes(state) : RubbedNodes{}, h, coupled_.tolerance,
-                                      state.driven, state.v);
-  for (std::size_t k = 0; sticks && k < drag_.size(); ++k) drag_[k] = rubbed.impulse[k] / h;
-  state.books.viscous += rubbed.taken;
-}
-
-RubbedNodes CoupledStep::rubbed_nodes(const CoupledState& state) const {
-  RubbedNodes nodes{{}, state.u, state.driven_nodes};
-  const auto dim = at(surface_.dim);
-  for (std::size_t k = 0; k < state.u.size(); ++k)
-    nodes.mobility.push_back(solids_.held[k] != 0 ? 0 : mobility_of(surface_.dim, solids_.system.lumped[k / dim]));
-  return nodes;
-}
-
-/// Keeps what all else than the fluid's friction gave each node, as `rubbed_nodes` takes its answer to a force; none
-/// where it was held, as there that is what friction asks for. A body that sinks at its last speed then has in each
-/// step the drag of that speed, whatever h. That drag never gives energy asks for answers no smaller than the true
-/// ones, by springs of any stiffness and both rules of the solids' step.
-void CoupledStep::keep_drive_of_bodies(std::span<const double> u0, const Solution& solution, double h,
-                                       CoupledState& state) const {
-  const auto dim = at(surface_.dim);
-  for (std::size_t k = 0; k < u0.size(); ++k) {
-    const double by_friction = drag_[k] * mobility_of(surface_.dim, solids_.system.lumped[k / dim]);
-    state.driven_nodes[k] = solution.held[k] != 0 ? 0 : (state.u[k] - u0[k]) / h - by_friction;
+  const double tolerance = std::max(coupled_.tolerance, 1e-10);
+  const std::span<const double> u =
+      sticks_to_bodies(coupled_) ? std::span<const double>(state.u) : std::span<const double>();
+  Rubbed rubbed = friction_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
+  if (rubbed.iterations < 0) {  // solids at open sides may take the sign of its power
+    begin_friction(state, h, Beyond::nothing);
+    rubbed = friction_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
   }
+  if (rubbed.iterations < 0)
+    throw RunError(
+        fmt::format("t = {:.9g}: conjugate gradients do not converge for the fluid's friction: likely cause, "
+                    "values that ran away",
+                    state.time),
+        Failure::does_not_converge);
+  for (std::size_t k = 0; k < rubbed.impulse.size(); ++k) drag_[k] = rubbed.impulse[k] / h;
+  state.books.viscous += rubbed.heat;
+  state.books.projected += rubbed.taken - rubbed.heat;
 }
 
-/// Keeps what pressures and forces gave each open face in this step, and the end of the step after them: the viscosity
-/// of the next one sees it. `unforced_` holds what these changed. About a liquid faces get it from those in it, as they
-/// get their velocities: they may be in it by then.
-void CoupledStep::keep_drive(const FaceValues& given, double h, CoupledState& state) const {
+/// The most that a node's velocity can change by an impulse on it: the consistent mass of linear triangles and
+/// tetrahedra is nowhere less than 1 / (dim + 2) of the lumped one. So a node is dragged along at once and no further.
+double CoupledStep::mobility_of(std::size_t k) const {
+  return solids_.held[k] != 0 ? 0 : (surface_.dim + 2) / solids_.system.lumped[k / at(surface_.dim)];
+}
+
+/// Keeps what pressures and forces gave each open face, which `unforced_` holds, and what the end of the step before
+/// gave: a flow that is steady from step to step then is one for friction, too.
+void CoupledStep::take_drive(double h, CoupledState& state) const {
   for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
     for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
-      const double change = unforced_[axis][f] + (state.v[axis][f] - given[axis][f]);
-      state.driven[axis][f] = at_.domain.face[axis][f] == FaceKind::open ? change / h : 0;
+      const bool open = at_.domain.face[axis][f] == FaceKind::open;
+      state.driven[axis][f] = open ? unforced_[axis][f] / h + state.ended[axis][f] : 0;
     }
   }
+}
+
+/// Keeps what the end of this step makes of the velocities that it was given.
+void CoupledStep::keep_end(const FaceValues& given, double h, CoupledState& state) const {
+  for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
+    for (std::size_t f = 0; f < state.v[axis].size(); ++f) {
+      const bool open = at_.domain.face[axis][f] == FaceKind::open;
+      state.ended[axis][f] = open ? (state.v[axis][f] - given[axis][f]) / h : 0;
+    }
+  }
+  take_drive(h, state);
+  extend_drive(state);
+  if (liquid_) keep_rubbed_faces(given, h, state);
+}
+
+/// About a liquid faces get it from those in it, as they get their velocities: they may be in it by then.
+void CoupledStep::extend_drive(CoupledState& state) const {
   if (!liquid_) return;
   constexpr int layers = 2;
   liquid::extend_about_liquid(at_.room(), at_.domain, at_.surface->distance, face_values(coupled_.grid), layers,

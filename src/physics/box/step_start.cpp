@@ -19,7 +19,7 @@ CoupledState CoupledStep::start() {
   state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(coupled_.grid.dim); ++axis)
     state.v[axis].assign(coupled_.grid.face_count(static_cast<int>(axis)), coupled_.start[axis]);
-  if (coupled_.viscosity > 0) state.driven = face_values(coupled_.grid);
+  if (coupled_.viscosity > 0) state.driven = state.ended = face_values(coupled_.grid);
   state.driven_nodes.assign(sticks_to_bodies(coupled_) ? state.u.size() : 0, 0.0);
   state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
   state.p.assign(coupled_.grid.cell_count(), 0.0);

@@ -47,7 +47,10 @@ bool Slopes::is_attached(int axis, const std::array<int, 3>& face, Combination* 
   if (solids_ == nullptr || !near_[at(axis)].holds(grid_.face(axis, face))) return false;
   const auto near = near_[at(axis)].nearest(face);
   if (!near || !sticks(*near)) return false;
-  if (rate != nullptr) add_velocity(axis, *near, 1, *rate);
+  if (rate == nullptr) return true;
+  const double by = 1 / (nearest * *std::min_element(grid_.d.begin(), grid_.d.begin() + grid_.dim));
+  rate->add(unknowns_.face(axis, face), -by);
+  add_velocity(axis, *near, by, *rate);
   return true;
 }
 

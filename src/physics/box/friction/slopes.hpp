@@ -38,8 +38,8 @@ class Slopes {
  public:
   Slopes(const FlowDomain& domain, const FrictionUnknowns& unknowns, const SolidsBeside* solids);
 
-  /// Returns whether a face moves along with a solid that its middle lies in: however little fluid it has sticks to it.
-  /// `rate` gets the solid's velocity there.
+  /// Returns whether a face's middle lies in a solid that the fluid sticks to: what fluid the face has is at its
+  /// surface. `rate` gets how fast it slips, over the least distance that counts.
   bool is_attached(int axis, const std::array<int, 3>& face, Combination* rate = nullptr) const;
   /// Returns whether a face has a velocity of its own, unknown or prescribed.
   bool has_fluid(int axis, const std::array<int, 3>& face) const;

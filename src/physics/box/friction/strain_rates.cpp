@@ -61,6 +61,7 @@ StrainRates::StrainRates(const FlowDomain& domain, const FrictionUnknowns& unkno
       a == b ? add_cells(a) : add_edges(a, b);
     }
   }
+  find_blocks();
 }
 
 bool StrainRates::is_fluid(const std::array<int, 3>& cell) const {
@@ -203,15 +204,44 @@ void StrainRates::add_stresses(std::size_t a, std::size_t begin, std::size_t end
   }
 }
 
+/// Finds the blocks that a liquid leaves rates in, and those next to them.
+void StrainRates::find_blocks() {
+  const std::size_t size = numbers_of_a_block, blocks = (unknowns_.places + size - 1) / size;
+  std::vector<std::uint8_t> rates(blocks, 0), forces(blocks, 0);
+  const std::size_t reach = (unknowns_.margin + size - 1) / size;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t begin = unknowns_.margin + b * size,
+                      end = unknowns_.margin + std::min(unknowns_.places, (b + 1) * size);
+    for (const auto& of_axis : weight_) {
+      for (const std::vector<double>& weight : of_axis) {
+        for (std::size_t p = begin; !weight.empty() && p < end && rates[b] == 0; ++p) rates[b] = weight[p] != 0 ? 1 : 0;
+      }
+    }
+    for (std::size_t c = b - std::min(b, reach); rates[b] != 0 && c < std::min(blocks, b + reach + 1); ++c)
+      forces[c] = 1;
+  }
+  for (std::size_t b = 0; b < blocks; ++b) {
+    if (rates[b] != 0) with_rates_.push_back(b);
+    if (forces[b] != 0) with_forces_.push_back(b);
+  }
+}
+
 void StrainRates::add_forces(Team& team, std::span<const double> x, std::span<double> y) {
-  const std::size_t dim = at(unknowns_.grid.dim), margin = unknowns_.margin;
-  each_block(team, unknowns_.places, [&](std::size_t begin, std::size_t end) {
+  const std::size_t dim = at(unknowns_.grid.dim);
+  const auto each = [&](const std::vector<std::size_t>& blocks, const auto& f) {
+    team.each(0, blocks.size(), [&](std::size_t k) {
+      const std::size_t begin = blocks[k] * numbers_of_a_block,
+                        end = std::min(unknowns_.places, begin + numbers_of_a_block);
+      f(begin + unknowns_.margin, end + unknowns_.margin);
+    });
+  };
+  each(with_rates_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = 0; a < dim; ++a) {
-      for (std::size_t b = a; b < dim; ++b) find_stresses(a, b, x, begin + margin, end + margin);
+      for (std::size_t b = a; b < dim; ++b) find_stresses(a, b, x, begin, end);
     }
   });
-  each_block(team, unknowns_.places, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t a = 0; a < dim; ++a) add_stresses(a, begin + margin, end + margin, y);
+  each(with_forces_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = 0; a < dim; ++a) add_stresses(a, begin, end, y);
   });
   for (std::size_t s = 0; s + 1 < first_.size(); ++s) {
     double rate = 0;

@@ -55,6 +55,7 @@ class StrainRates {
   bool is_fluid(const std::array<int, 3>& cell) const;
   double liquid_of(const std::array<int, 3>& cell, const std::array<int, 3>& half) const;
   void find_stresses(std::size_t a, std::size_t b, std::span<const double> x, std::size_t begin, std::size_t end);
+  void find_blocks();
   void add_stresses(std::size_t a, std::size_t begin, std::size_t end, std::span<double> y) const;
 
   const FrictionUnknowns& unknowns_;
@@ -64,6 +65,7 @@ class StrainRates {
   Beyond beyond_;
   double mu_;
   std::array<std::array<std::vector<double>, 3>, 3> weight_, stress_;  // of each place, for axes a <= b
+  std::vector<std::size_t> with_rates_, with_forces_;                  // blocks of places
   std::vector<std::size_t> first_{0};                                  // of each square in the list
   std::vector<std::size_t> unknown_;
   std::vector<double> factor_, square_weight_;

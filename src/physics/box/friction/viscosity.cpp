@@ -13,139 +13,106 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double least_mass = 1e-6;  // of a whole face's: of faces at a liquid's surface that have friction alone
+constexpr double nearest_part = 1e-2;  // of a face's box, as thick as the least distance from a surface
+constexpr double least_mass = 1e-6;    // of a whole face's: of faces at a liquid's surface that have friction alone
 
-// One step of the friction: the unknowns, what is known of them, and their equations (M + h K) e = -h K x.
-class FrictionStep {
- public:
-  FrictionStep(const RubbingFluid& fluid, const RubbedNodes& nodes, double h)
-      : fluid_(fluid),
-        grid_(fluid.domain.grid),
-        unknowns_(grid_, nodes.u.size()),
-        slopes_(fluid.domain, unknowns_, fluid.solids),
-        rates_(fluid.domain, unknowns_, slopes_, fluid.parts, fluid.beyond, h * fluid.mu),
-        mass_(unknowns_.count(), 0.0),
-        x_(unknowns_.count(), 0.0) {
-    for (std::size_t k = 0; k < nodes.u.size(); ++k) {
-      x_[unknowns_.node(k)] = nodes.u[k] + (nodes.driven.empty() ? 0 : h * nodes.driven[k]);
-      mass_[unknowns_.node(k)] = nodes.mobility[k] > 0 ? 1 / nodes.mobility[k] : 0;
-    }
-  }
+}  // namespace
 
-  /// Takes up a face with its velocity, which is known where it is prescribed, or that of the solid it lies in.
-  void take(int axis, std::size_t f, double velocity) {
-    const auto place = grid_.place_of_face(axis, f);
-    const FaceKind kind = fluid_.domain.face[at(axis)][f];
-    if (kind == FaceKind::closed) return;
-    const std::size_t number = unknowns_.face(axis, place);
-    x_[number] = velocity;
-    if (kind == FaceKind::prescribed) return;
-    const double mass = fluid_.density * fluid_.domain.volume[at(axis)][f] * liquid_of(axis, place);
+Friction::Friction(const RubbingFluid& fluid, std::span<const double> mobility, double h)
+    : fluid_(fluid),
+      unknowns_(fluid.domain.grid, mobility.size()),
+      slopes_(fluid.domain, unknowns_, fluid.solids),
+      rates_(fluid.domain, unknowns_, slopes_, fluid.parts, fluid.beyond, h * fluid.mu),
+      h_(h),
+      mass_(unknowns_.count(), 0.0),
+      x_(unknowns_.count(), 0.0) {
+  for (std::size_t k = 0; k < mobility.size(); ++k) mass_[unknowns_.node(k)] = mobility[k] > 0 ? 1 / mobility[k] : 0;
+  const double whole = fluid.domain.grid.volume();
+  each_open_face([&](int axis, std::size_t f, std::size_t number) {
+    mass_[number] = std::max(mass(axis, f), least_mass * fluid.density * whole);
     Combination slip;
-    if (slopes_.is_attached(axis, place, &slip)) {
-      slip.add(number, -1);
-      rates_.add_square(slip, mass);
-    } else {
-      mass_[number] = std::max(mass, least_mass * fluid_.density * grid_.volume());
-    }
+    if (slopes_.is_attached(axis, fluid.domain.grid.place_of_face(axis, f), &slip))
+      rates_.add_square(slip, nearest_part * h * fluid.mu * whole);
+  });
+  std::vector<double> stiffness(unknowns_.count(), 0.0);
+  rates_.add_diagonal(stiffness);
+  for (std::size_t k = 0; k < mass_.size(); ++k) {
+    if (mass_[k] > 0 && stiffness[k] > 0) free_.push_back(k), diagonal_.push_back(mass_[k] + stiffness[k]);
   }
-
-  /// Returns how many iterations it took; -1: they did not converge.
-  int solve(Team& team, double tolerance) {
-    std::vector<double> right(x_.size(), 0.0), inverse = mass_, e(x_.size(), 0.0);
-    rates_.add_forces(team, x_, right);
-    rates_.add_diagonal(inverse);
-    double terms = 0;
-    for (std::size_t k = 0; k < x_.size(); ++k) {
-      right[k] = mass_[k] > 0 ? -right[k] : 0;
-      inverse[k] = mass_[k] > 0 ? 1 / inverse[k] : 0;
-      terms += mass_[k] * mass_[k] * x_[k] * x_[k];
-    }
-    const double residual = norm(team, right), enough = tolerance * std::max(std::sqrt(terms), residual);
-    if (!(residual > enough)) return std::isfinite(residual) ? 0 : -1;
-    const auto each = [&](const auto& set) {
-      each_block(team, x_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) set(k);
-      });
-    };
-    const auto multiply = [&](std::span<const double> p, std::span<double> y) {
-      each([&](std::size_t k) { y[k] = mass_[k] * p[k]; });
-      rates_.add_forces(team, p, y);
-      each([&](std::size_t k) { y[k] = mass_[k] > 0 ? y[k] : 0; });
-    };
-    const auto precondition = [&](std::span<const double> r, std::span<double> z) {
-      each([&](std::size_t k) { z[k] = inverse[k] * r[k]; });
-    };
-    constexpr int most = 20000;
-    const KrylovResult result = pcg(team, multiply, precondition, right, e, enough / residual, most);
-    for (std::size_t k = 0; k < x_.size(); ++k) x_[k] += e[k];
-    return result.converged ? result.iterations : -1;
-  }
-
-  double velocity(int axis, std::size_t f) const {
-    const auto place = grid_.place_of_face(axis, f);
-    Combination solid;
-    if (!slopes_.is_attached(axis, place, &solid)) return x_[unknowns_.face(axis, place)];
-    double velocity = 0;
-    for (std::size_t k = 0; k < solid.size; ++k) velocity += solid.factor[k] * x_[solid.unknown[k]];
-    return velocity;
-  }
-  double mass(int axis, std::size_t f) const {
-    return fluid_.density * fluid_.domain.volume[at(axis)][f] * liquid_of(axis, grid_.place_of_face(axis, f));
-  }
-  /// What the nodes got, those whose velocity is held too: less the derivative of what friction takes.
-  void take_impulse(Team& team, std::vector<double>& impulse) {
-    if (impulse.empty()) return;
-    std::vector<double> forces(x_.size(), 0.0);
-    rates_.add_forces(team, x_, forces);
-    for (std::size_t k = 0; k < impulse.size(); ++k) impulse[k] = -forces[unknowns_.node(k)];
-  }
-
- private:
-  double liquid_of(int axis, const std::array<int, 3>& place) const {
-    return part_of_face(fluid_.parts, grid_, axis, place);
-  }
-
-  const RubbingFluid& fluid_;
-  const StaggeredGrid& grid_;
-  FrictionUnknowns unknowns_;
-  Slopes slopes_;
-  StrainRates rates_;
-  std::vector<double> mass_, x_;  // of each unknown; no mass: it is known
-};
+}
 
 template <class Function>
-void each_open_face(const FlowDomain& domain, const Function& f) {
-  for (int axis = 0; axis < domain.grid.dim; ++axis) {
-    for (std::size_t face = 0; face < domain.face[at(axis)].size(); ++face) {
-      if (domain.face[at(axis)][face] == FaceKind::open) f(axis, face);
+void Friction::each_open_face(const Function& f) const {
+  const StaggeredGrid& grid = fluid_.domain.grid;
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t face = 0; face < fluid_.domain.face[at(axis)].size(); ++face) {
+      if (fluid_.domain.face[at(axis)][face] == FaceKind::open)
+        f(axis, face, unknowns_.face(axis, grid.place_of_face(axis, face)));
     }
   }
 }
 
-}  // namespace
+double Friction::mass(int axis, std::size_t f) const {
+  return fluid_.density * fluid_.domain.volume[at(axis)][f] *
+         part_of_face(fluid_.parts, fluid_.domain.grid, axis, fluid_.domain.grid.place_of_face(axis, f));
+}
 
-Rubbed add_viscosity(Team& team, const RubbingFluid& fluid, const RubbedNodes& nodes, double h, double tolerance,
+/// (M + h K) e = M (x* - x) - h K x, from the velocities x that were found last.
+int Friction::solve(Team& team, std::span<const double> driven_to, double tolerance) {
+  std::vector<double> all(x_.size(), 0.0), forces(x_.size(), 0.0), right(free_.size()), e(free_.size(), 0.0);
+  std::vector<double> begin(driven_to.begin(), driven_to.end());
+  for (std::size_t i = 0; begun_ && i < free_.size(); ++i) begin[free_[i]] = x_[free_[i]];
+  x_ = std::move(begin), begun_ = true;
+  rates_.add_forces(team, x_, forces);
+  double terms = 0;
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const std::size_t k = free_[i];
+    right[i] = mass_[k] * (driven_to[k] - x_[k]) - forces[k];
+    terms += mass_[k] * mass_[k] * driven_to[k] * driven_to[k];
+  }
+  const double residual = norm(team, right), enough = tolerance * std::max(std::sqrt(terms), residual);
+  if (!(residual > enough)) return std::isfinite(residual) ? 0 : -1;
+  const auto multiply = [&](std::span<const double> p, std::span<double> y) {
+    for (std::size_t i = 0; i < p.size(); ++i) all[free_[i]] = p[i];
+    std::fill(forces.begin(), forces.end(), 0.0);
+    rates_.add_forces(team, all, forces);
+    for (std::size_t i = 0; i < p.size(); ++i) y[i] = mass_[free_[i]] * p[i] + forces[free_[i]];
+  };
+  const auto precondition = [&](std::span<const double> r, std::span<double> z) {
+    for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / diagonal_[i];
+  };
+  constexpr int most = 20000;
+  const KrylovResult result = pcg(team, multiply, precondition, right, e, enough / residual, most);
+  for (std::size_t i = 0; i < e.size(); ++i) x_[free_[i]] += e[i];
+  return result.converged ? result.iterations : -1;
+}
+
+Rubbed Friction::act(Team& team, std::span<const double> u, std::span<const double> driven_nodes, double tolerance,
                      const FaceValues& driven, FaceValues& v) {
   Rubbed result;
-  result.impulse.assign(nodes.u.size(), 0.0);
-  if (h * fluid.mu == 0) return result;
-  FrictionStep step(fluid, nodes, h);
-  for (int axis = 0; axis < fluid.domain.grid.dim; ++axis) {
-    for (std::size_t f = 0; f < v[at(axis)].size(); ++f)
-      step.take(axis, f, v[at(axis)][f] + (driven[at(axis)].empty() ? 0 : h * driven[at(axis)][f]));
+  const StaggeredGrid& grid = fluid_.domain.grid;
+  const auto drive = [&](int axis, std::size_t f) { return driven[at(axis)].empty() ? 0 : h_ * driven[at(axis)][f]; };
+  std::vector<double> driven_to(x_.size(), 0.0);
+  for (int axis = 0; axis < grid.dim; ++axis) {
+    for (std::size_t f = 0; f < v[at(axis)].size(); ++f) {
+      if (fluid_.domain.face[at(axis)][f] != FaceKind::closed)
+        driven_to[unknowns_.face(axis, grid.place_of_face(axis, f))] = v[at(axis)][f] + drive(axis, f);
+    }
   }
-  result.iterations = step.solve(team, tolerance);
-  if (result.iterations < 0)
-    throw RunError("conjugate gradients do not converge for the fluid's friction: likely cause, values that ran away",
-                   Failure::does_not_converge);
-  each_open_face(fluid.domain, [&](int axis, std::size_t f) {
+  for (std::size_t k = 0; k < u.size(); ++k)
+    driven_to[unknowns_.node(k)] = u[k] + (driven_nodes.empty() ? 0 : h_ * driven_nodes[k]);
+  result.iterations = solve(team, driven_to, tolerance);
+  if (result.iterations < 0) return result;
+  each_open_face([&](int axis, std::size_t f, std::size_t number) {
     double& now = v[at(axis)][f];
-    const double after = step.velocity(axis, f) - (driven[at(axis)].empty() ? 0 : h * driven[at(axis)][f]);
-    result.taken += 0.5 * step.mass(axis, f) * (now * now - after * after);
+    const double after = x_[number] - drive(axis, f);
+    result.taken += 0.5 * mass(axis, f) * (now * now - after * after);
     now = after;
   });
-  step.take_impulse(team, result.impulse);
+  std::vector<double> forces(x_.size(), 0.0);
+  rates_.add_forces(team, x_, forces);
+  for (std::size_t k = 0; k < u.size(); ++k) result.impulse.push_back(-forces[unknowns_.node(k)]);
+  result.heat = dot(team, x_, forces);
   return result;
 }
 

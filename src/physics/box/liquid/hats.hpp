@@ -96,6 +96,16 @@ class Lattice {
     for (std::size_t b = 0; b < dim; ++b) w *= (corner >> b & 1) != 0 ? place.part[b] : 1 - place.part[b];
     return w;
   }
+  /// Returns whether the lattice has a corner of the box about a place, or all of them.
+  bool has(const LatticePlace<dim>& place, std::size_t corner) const {
+    bool within = true;
+    for (std::size_t b = 0; b < dim; ++b) {
+      const int i = place.low[b] + static_cast<int>(corner >> b & 1);
+      within = within && i >= 0 && i < size[b];
+    }
+    return within;
+  }
+  bool has_all_about(const LatticePlace<dim>& place) const { return has(place, 0) && has(place, corners - 1); }
   std::ptrdiff_t step(std::size_t corner) const {
     std::ptrdiff_t n = 0;
     for (std::size_t b = 0; b < dim; ++b) n += (corner >> b & 1) != 0 ? stride[b] : 0;

@@ -21,7 +21,12 @@ template <std::size_t dim>
 class Mover {
  public:
   Mover(const FlowDomain& room, const coupled::FaceValues& v, const HeldSides& held)
-      : grid_(room.grid), v_(v), held_(held), paths_(room), faces_(faces_of(grid_, std::make_index_sequence<dim>())) {}
+      : grid_(room.grid),
+        v_(v),
+        held_(held),
+        any_held_(held != HeldSides{}),
+        paths_(room),
+        faces_(faces_of(grid_, std::make_index_sequence<dim>())) {}
 
   /// Returns whether it left the box.
   bool carry(Particles& particles, std::size_t k, double h, const Exits& exits) const {
@@ -71,7 +76,10 @@ class Mover {
   }
   std::array<double, dim> velocity(const std::array<double, dim>& x) const {
     std::array<double, dim> u;
-    for (std::size_t a = 0; a < dim; ++a) u[a] = faces_[a].between(v_[a].data(), x) * faces_[a].left_by_walls(x, held_);
+    for (std::size_t a = 0; a < dim; ++a) {
+      u[a] = faces_[a].between(v_[a].data(), x);
+      if (any_held_) u[a] *= faces_[a].left_by_walls(x, held_);
+    }
     return u;
   }
   Vec<dim> way(const std::array<double, dim>& u, double time) const {
@@ -107,6 +115,7 @@ class Mover {
   const StaggeredGrid& grid_;
   const coupled::FaceValues& v_;
   HeldSides held_;
+  bool any_held_;
   coupled::FlowPaths<dim> paths_;
   std::array<Lattice<dim>, dim> faces_;
 };

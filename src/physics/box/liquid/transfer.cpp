@@ -14,21 +14,23 @@ constexpr double no_volume = 1e-12;  // of a cell
 template <std::size_t dim>
 void add_to_faces(const StaggeredGrid& grid, const Lattice<dim>& faces, const Particles& particles, std::size_t axis,
                   std::size_t k, std::vector<double>& volume, std::vector<double>& momentum) {
+  constexpr std::size_t corners = Lattice<dim>::corners;
   const LatticePlace<dim> at = faces.locate(place_of<dim>(particles, k));
-  for (std::size_t corner = 0; corner < Lattice<dim>::corners; ++corner) {
-    std::array<int, dim> point = at.low;
-    double v = particles.v[axis][k];
-    bool within = true;
-    for (std::size_t b = 0; b < dim; ++b) {
-      const int up = corner >> b & 1;
-      point[b] += up;
-      within = within && point[b] >= 0 && point[b] < faces.size[b];
-      v += particles.slope[axis][b][k] * (up - at.part[b]) * grid.d[b];
+  std::array<double, corners> weight, v;
+  weight[0] = particles.volume[k], v[0] = particles.v[axis][k];
+  for (std::size_t b = 0, count = 1; b < dim; ++b, count *= 2) {
+    const double rise = particles.slope[axis][b][k] * grid.d[b];
+    for (std::size_t corner = 0; corner < count; ++corner) {
+      weight[corner + count] = at.part[b] * weight[corner], weight[corner] *= 1 - at.part[b];
+      v[corner + count] = v[corner] + (1 - at.part[b]) * rise, v[corner] -= at.part[b] * rise;
     }
-    if (!within) continue;
-    const double w = particles.volume[k] * Lattice<dim>::weight(at, corner);
-    const auto f = static_cast<std::size_t>(faces.number(point));
-    volume[f] += w, momentum[f] += w * v;
+  }
+  const std::ptrdiff_t first = faces.number(at.low);
+  const bool inside = faces.has_all_about(at);
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    if (!inside && !faces.has(at, corner)) continue;
+    const auto f = static_cast<std::size_t>(first + faces.step(corner));
+    volume[f] += weight[corner], momentum[f] += weight[corner] * v[corner];
   }
 }
 

@@ -38,7 +38,7 @@ class FluidAboutABody {
   Rubbed rub(double nu, double h) {
     const SolidsBeside solids{surface_, beside_, u.size(), true};
     const RubbingFluid fluid{domain_, density, density * nu, all_liquid, Beyond::nothing, &solids};
-    Rubbed rubbed = add_viscosity(alone(), fluid, {mobility_, u, {}}, h, 1e-13, {}, v);
+    Rubbed rubbed = Friction(fluid, mobility_, h).act(alone(), u, {}, 1e-13, {}, v);
     for (std::size_t k = 0; k < u.size(); ++k) u[k] += mobility_[k] * rubbed.impulse[k];
     return rubbed;
   }
@@ -169,7 +169,7 @@ Torque torque(int n) {
   const RubbingFluid fluid{domain, 1, nu, all_liquid, Beyond::nothing, &solids};
   FaceValues v = face_values(grid);
   const std::vector<double> mobility(u.size(), 1 / heavy);
-  const Rubbed rubbed = add_viscosity(alone(), fluid, {mobility, u, {}}, h, 1e-13, {}, v);
+  const Rubbed rubbed = Friction(fluid, mobility, h).act(alone(), u, {}, 1e-13, {}, v);
   Torque result;
   for (std::size_t k = 0; k < turning; k += 2)
     result.part -= ((mesh.x[k] - 0.5) * rubbed.impulse[k + 1] - (mesh.x[k + 1] - 0.5) * rubbed.impulse[k]) / h;

@@ -22,7 +22,7 @@ constexpr double tolerance = 1e-13;
 int rub(const FlowDomain& domain, FaceValues& v, double nu, double h, const FaceValues& driven = {},
         Beyond beyond = Beyond::fluid) {
   const RubbingFluid fluid{domain, 1, nu, all_liquid, beyond, nullptr};
-  return add_viscosity(alone(), fluid, {}, h, tolerance, driven, v).iterations;
+  return Friction(fluid, {}, h).act(alone(), {}, {}, tolerance, driven, v).iterations;
 }
 
 // A box with walls on all sides but those across x.

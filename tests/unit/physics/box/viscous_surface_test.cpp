@@ -35,7 +35,7 @@ class Liquid {
 
   Rubbed rub(double nu, double h, const FaceValues& driven = {}) {
     const RubbingFluid fluid{domain_, 1, nu, parts, Beyond::nothing, nullptr};
-    return add_viscosity(alone(), fluid, {}, h, 1e-13, driven, v);
+    return Friction(fluid, {}, h).act(alone(), {}, {}, 1e-13, driven, v);
   }
   /// Of the halves of the cells about it, as friction counts it.
   double mass(int axis, std::size_t f) const {
@@ -162,7 +162,7 @@ TEST(ViscousLayer, BeginsToFlowToSecondOrderInTheCells) {
 /// A film on a plane at 30 degrees that cuts the cells, when it has all but come to Nusselt's profile: the mean speed
 /// of its cells in the middle over the exact one.
 double speed_of_film(int cells_deep, double nu) {
-  const double cell = 1. / 128, depth = cells_deep * cell, time = 2 * depth * depth / nu;
+  const double cell = 1. / 128, depth = cells_deep * cell, time = 4 * depth * depth / nu;
   const double c = std::cos(std::numbers::pi / 6), s = 0.5;
   const auto place = [&](double a, double b) { return fmt::format("{}, {}", a * c - b * s, 0.1 + a * s + b * c); };
   const std::string deck = fmt::format(
@@ -170,7 +170,7 @@ double speed_of_film(int cells_deep, double nu) {
       "$coupled density=1., liquid=.true., viscosity={}, obstacle_plane(1,1)=0., .1, {}, {}, liquid_polygon(1,1)={}, "
       "{}, "
       "{}, {} $\n",
-      115 * cell, time / 16, time, nu, -s, c, place(0.05, -0.02), place(1.3, -0.02), place(1.3, depth),
+      115 * cell, time / 32, time, nu, -s, c, place(0.05, -0.02), place(1.3, -0.02), place(1.3, depth),
       place(0.05, depth));
   const Plan plan = plan_of(deck);
   CoupledSolver solver(plan);
