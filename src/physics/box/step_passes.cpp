@@ -20,7 +20,7 @@ namespace tether::coupled {
 namespace {
 
 constexpr int most_passes = 40;
-constexpr int kept_passes = 40;
+constexpr double most_kept = 8e6;  // numbers of a list of passes that are kept
 constexpr double settled = 2e-3;   // what velocities may miss those of the end by, over their size
 constexpr double bearable = 0.03;  // what they may where passes do not settle
 
@@ -62,9 +62,8 @@ std::vector<double> CoupledStep::missed_drive(std::span<const double> drive, std
                                               CoupledState& state) const {
   take_drive(h, state);
   extend_drive(state);
-  for (std::size_t k = 0; k < state.driven_nodes.size(); ++k) {
+  for (std::size_t k = 0; k < state.driven_nodes.size(); ++k)
     state.driven_nodes[k] = (state.u[k] - u0[k]) / h - drag_[k] * mobility_of(k);
-  }
   std::vector<double> missed = drive_of(state);
   for (std::size_t k = 0; k < missed.size(); ++k) missed[k] -= drive[k];
   return missed;
@@ -90,7 +89,8 @@ double CoupledStep::miss_of(std::span<const double> missed, std::span<const doub
 
 /// Where friction acted on a flow that was not free of divergence, a pressure of chi mu times the divergence was
 /// lacking: the projection does not see it, but it is most of what very viscous fluids lack (J. Cahouet, J.-P. Chabard,
-/// Int. J. Numer. Meth. Fluids 8 (1988) 869-895).
+/// Int. J. Numer. Meth. Fluids 8 (1988) 869-895). Bodies that are free to move answer the pressure, which it knows
+/// nothing of: with them passes do without.
 void CoupledStep::add_viscous_pressure(double h, std::span<double> missed) const {
   constexpr double chi = 1;
   if (std::ranges::count(solids_.held, 0) > 0) return;
@@ -124,7 +124,8 @@ fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h,
   const std::size_t said = messages_.size();
   const std::vector<double> weights = weights_of_drive(state);
   std::vector<double> drive = drive_of(state), best;
-  AndersonMixing mixing(weights, kept_passes);
+  AndersonMixing mixing(weights,
+                        static_cast<int>(std::clamp(most_kept / static_cast<double>(drive.size()), 5.0, 40.0)));
   double least = std::numeric_limits<double>::infinity();
   const auto go_back = [&] {
     CoupledState begin = before;
@@ -166,7 +167,7 @@ void CoupledStep::note_unsettled_friction(double miss, CoupledState& state) {
       "t = {:.6g}, step {}: friction and pressures are not found together in {} passes: velocities that friction acts "
       "on differ from those of the step's end by {:.2g} of them{}; friction_unsettled of summary.txt counts such "
       "steps, "
-      "shorter ones help",
+      "and shorter ones help",
       state.time, state.steps + 1, most_passes, miss,
       miss < bearable ? "" : ", and this step has friction first and pressures after it, which slows down what moves"));
 }
