@@ -24,6 +24,12 @@ constexpr double most_kept = 8e6;  // numbers of a list of passes that are kept
 constexpr double settled = 2e-3;   // what velocities may miss those of the end by, over their size
 constexpr double bearable = 0.03;  // what they may where passes do not settle
 
+/// How much they may miss after so many passes: where these settle slowly, the last digits are not worth their time.
+double enough_after(int passes) {
+  constexpr int quick = 12;
+  return passes <= quick ? settled : 5 * settled;
+}
+
 }  // namespace
 
 /// The accelerations of open faces, axis by axis, and of the nodes that the fluid sticks to.
@@ -140,7 +146,7 @@ fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h,
   for (int number = 1; report.converged; ++number) {
     std::vector<double> missed = missed_drive(drive, before.u, h, state);
     const double miss = miss_of(missed, weights, h, state);
-    if (miss <= settled) break;
+    if (miss <= enough_after(number)) break;
     if (miss < least) least = miss, best = drive;
     if (number == most_passes) {
       go_back();
