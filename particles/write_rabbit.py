@@ -111,12 +111,12 @@ def fitted(places, simplices, rounds=40):
             sides[side] = sides.get(side, 0) + 1
     edge = {node for side, count in sides.items() if count == 1 for node in side}
     about = [numpy.flatnonzero((simplices == node).any(axis=1)) for node in range(len(places))]
-    beside = [numpy.setdiff1d(simplices[own], node) for node, own in enumerate(about)]
+    around = [numpy.setdiff1d(simplices[own], node) for node, own in enumerate(about)]
     floor = places[:, 1] < 1e-9
-    outer = [numpy.array([n for n in nodes if n in edge], int) for nodes in beside]
+    outer = [numpy.array([n for n in nodes if n in edge], int) for nodes in around]
     for _ in range(rounds):
         for node in range(len(places)):
-            target = places[(outer if node in edge else beside)[node]].mean(axis=0)
+            target = places[(outer if node in edge else around)[node]].mean(axis=0)
             target = places[node] + (0.3 if node in edge else 0.5) * (target - places[node])
             if node in edge:
                 target = onto_surface(target)

@@ -29,9 +29,9 @@ double whole_box(const StaggeredGrid& grid, int axis, std::size_t face) {
 
 SurfaceBesideFaces surface_beside_faces(const SolidSurface& surface, std::span<const double> q,
                                         const StaggeredGrid& grid) {
-  SurfaceBesideFaces beside;
-  for (int axis = 0; axis < grid.dim; ++axis) beside[at(axis)] = find_crossings(surface, q, grid_of_faces(grid, axis));
-  return beside;
+  SurfaceBesideFaces found;
+  for (int axis = 0; axis < grid.dim; ++axis) found[at(axis)] = find_crossings(surface, q, grid_of_faces(grid, axis));
+  return found;
 }
 
 /// The first crossing that the way from a face's middle to the next one meets.

@@ -37,7 +37,7 @@ class NearSurface {
   /// Between a face's middle and the next one along axis b, or the box's side where there is none.
   std::optional<SurfaceNear> between(const std::array<int, 3>& face, std::size_t b, bool up) const;
   /// The surface that closes the next face along axis b, where none is between: it lies between that face's middle and
-  /// one of the two middles of cells beside it.
+  /// one of the two middles of cells next to it.
   std::optional<SurfaceNear> closing(const std::array<int, 3>& face, std::size_t b, bool up) const;
   /// The nearer one of those before and after a face's middle along axis b.
   std::optional<SurfaceNear> along(const std::array<int, 3>& face, std::size_t b) const;

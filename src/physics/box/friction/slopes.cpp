@@ -6,19 +6,14 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double nearest = 1e-2;  // cells: a surface that is nearer counts as so far
-
-std::array<int, 3> next(std::array<int, 3> place, int axis, bool up) {
-  place[at(axis)] += up ? 1 : -1;
-  return place;
-}
+std::array<int, 3> next(const std::array<int, 3>& place, int axis, bool up) { return moved(place, axis, up ? 1 : -1); }
 
 }  // namespace
 
 Slopes::Slopes(const FlowDomain& domain, const FrictionUnknowns& unknowns, const SolidsBeside* solids)
     : domain_(domain), grid_(domain.grid), unknowns_(unknowns), solids_(solids) {
   for (int axis = 0; solids != nullptr && axis < grid_.dim; ++axis)
-    near_.emplace_back(grid_, axis, solids->beside[at(axis)]);
+    near_.emplace_back(grid_, axis, solids->crossings[at(axis)]);
 }
 
 bool Slopes::is_face(int axis, const std::array<int, 3>& face) const {
@@ -48,7 +43,7 @@ bool Slopes::is_attached(int axis, const std::array<int, 3>& face, Combination* 
   const auto near = near_[at(axis)].nearest(face);
   if (!near || !sticks(*near)) return false;
   if (rate == nullptr) return true;
-  const double by = 1 / (nearest * *std::min_element(grid_.d.begin(), grid_.d.begin() + grid_.dim));
+  const double by = 1 / (nearest_surface * *std::min_element(grid_.d.begin(), grid_.d.begin() + grid_.dim));
   rate->add(unknowns_.face(axis, face), -by);
   add_velocity(axis, *near, by, *rate);
   return true;
@@ -66,7 +61,7 @@ double Slopes::part(int axis, const std::array<int, 3>& face) const {
 
 Slope Slopes::to_surface(int a, const std::array<int, 3>& face, int b, bool up, const SurfaceNear& near) const {
   if (!sticks(near)) return {};
-  const double cells = std::max(near.cells, nearest), by = (up ? 1 : -1) / (cells * grid_.d[at(b)]);
+  const double cells = std::max(near.cells, nearest_surface), by = (up ? 1 : -1) / (cells * grid_.d[at(b)]);
   Slope slope{Slope::Kind::fluid, cells, {}};
   slope.rate.add(unknowns_.face(a, face), -by);
   add_velocity(a, near, by, slope.rate);
@@ -82,7 +77,7 @@ Slope Slopes::to_next(int a, const std::array<int, 3>& face, int b, bool up) con
   return slope;
 }
 
-Slope Slopes::beside(int a, const std::array<int, 3>& face, int b, bool up, const std::array<int, 3>& way) const {
+Slope Slopes::across(int a, const std::array<int, 3>& face, int b, bool up, const std::array<int, 3>& way) const {
   constexpr double wall_away = 0.5;  // cells
   if (!has_fluid(a, face)) return within_solid(a, face, b, up, way);
   const auto other = next(face, b, up);
@@ -116,9 +111,9 @@ Slope Slopes::within_solid(int a, const std::array<int, 3>& face, int b, bool up
   Slope slope{Slope::Kind::solid, 0, {}};
   if (!is_face(a, other)) return slope;
   if (has_fluid(a, other)) {
-    const Slope across = beside(a, other, b, !up, way);
-    if (across.kind == Slope::Kind::free) return {};
-    slope.rate = across.rate;
+    const Slope other_way = across(a, other, b, !up, way);
+    if (other_way.kind == Slope::Kind::free) return {};
+    slope.rate = other_way.rate;
     return slope;
   }
   const auto here = surface_at(a, face), there = surface_at(a, other);

@@ -13,10 +13,13 @@ namespace tether::coupled {
 /// The solids about a fluid that rubs: bodies, and obstacles that cut cells.
 struct SolidsBeside {
   const SolidSurface& surface;  ///< of both; nodes of obstacles come after those of bodies
-  const SurfaceBesideFaces& beside;
+  const SurfaceBesideFaces& crossings;
   std::size_t moving = 0;     ///< numbers of the bodies' nodes
   bool bodies_stick = false;  ///< whether the fluid sticks to bodies; to obstacles it does
 };
+
+/// A surface that is nearer than that counts as so far [cells].
+constexpr double nearest_surface = 1e-2;
 
 /// The slope of a velocity along an axis, in a quarter of what lies about an edge of the cells.
 struct Slope {
@@ -46,7 +49,7 @@ class Slopes {
 
   /// Slope along b of the velocity across a, from a face towards the next one, as the way through `way` leads, a face
   /// across b.
-  Slope beside(int a, const std::array<int, 3>& face, int b, bool up, const std::array<int, 3>& way) const;
+  Slope across(int a, const std::array<int, 3>& face, int b, bool up, const std::array<int, 3>& way) const;
   /// Slopes along a of the velocity across a in a cell: one, or one on each side of a solid in between. Their parts are
   /// those of the cell.
   std::array<Slope, 2> ahead(int a, const std::array<int, 3>& cell) const;

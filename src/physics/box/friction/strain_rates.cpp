@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::array<int, 3> all_of_it{-1, -1, -1};
 
-std::array<int, 3> moved(std::array<int, 3> place, int axis, int by) {
-  place[at(axis)] += by;
-  return place;
-}
-
 template <class Function>
 void each_place(const std::array<int, 3>& size, const Function& f) {
   for (int k = 0; k < size[2]; ++k) {
@@ -140,8 +135,8 @@ void StrainRates::add_quarter(int a, int b, const std::array<int, 3>& corner, bo
   const double mu = 0.25 * mu_ * unknowns_.grid.volume() * liquid_of(cell, half);
   if (mu == 0) return;
   const auto face_a = moved(cell, a, upper_a ? 0 : 1), face_b = moved(cell, b, upper_b ? 0 : 1);
-  Slope along_b = slopes_->beside(a, face_a, b, !upper_b, face_b);
-  const Slope along_a = slopes_->beside(b, face_b, a, !upper_a, face_a);
+  Slope along_b = slopes_->across(a, face_a, b, !upper_b, face_b);
+  const Slope along_a = slopes_->across(b, face_b, a, !upper_a, face_a);
   using Kind = Slope::Kind;
   if (along_a.kind == Kind::outside && along_b.kind == Kind::fluid && beyond_ == Beyond::fluid)
     return add_open_side(a, face_b, b, along_b, !upper_a, mu);
@@ -180,13 +175,13 @@ void StrainRates::find_stresses(std::size_t a, std::size_t b, std::span<const do
   const double* v = x.data() + b * unknowns_.lattice();
   const double* weight = weight_[a][b].data();
   double* stress = stress_[a][b].data();
-  const std::size_t ahead = unknowns_.stride[a], beside = unknowns_.stride[b];
+  const std::size_t stride_a = unknowns_.stride[a], stride_b = unknowns_.stride[b];
   const double per_a = 1 / unknowns_.grid.d[a], per_b = 1 / unknowns_.grid.d[b];
   if (a == b) {
-    for (std::size_t p = begin; p < end; ++p) stress[p] = weight[p] * per_a * (u[p + ahead] - u[p]);
+    for (std::size_t p = begin; p < end; ++p) stress[p] = weight[p] * per_a * (u[p + stride_a] - u[p]);
   } else {
     for (std::size_t p = begin; p < end; ++p)
-      stress[p] = weight[p] * (per_b * (u[p] - u[p - beside]) + per_a * (v[p] - v[p - ahead]));
+      stress[p] = weight[p] * (per_b * (u[p] - u[p - stride_b]) + per_a * (v[p] - v[p - stride_a]));
   }
 }
 

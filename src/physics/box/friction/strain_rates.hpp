@@ -29,8 +29,8 @@ double part_of_face(const CellParts& parts, const StaggeredGrid& grid, int axis,
 /// The rates of strain of a fluid by the velocities of faces and of the nodes that it sticks to, and how much fluid has
 /// each: (8) and (9) of C. Batty, R. Bridson, Proc. SCA (2008) 219-228. Their squares times mu are the power that
 /// friction takes; its derivative is the force. In the middle of each cell are the rates along the axes, at each edge
-/// those across. Most are differences of four faces at most, and stand on the lattice of the places; those beside walls
-/// and solids stand in a list.
+/// those across. Most are differences of four faces at most, and stand on the lattice of the places; those next to
+/// walls and solids stand in a list.
 class StrainRates {
  public:
   /// The arguments need not outlive it but for the unknowns. `mu` is that of all, times a time [stress time^2].

@@ -38,6 +38,12 @@ struct FrictionUnknowns {
   std::size_t margin = 0, places = 0, nodes = 0;
 };
 
+/// The place so many farther along an axis.
+inline std::array<int, 3> moved(std::array<int, 3> place, int axis, int by) {
+  place[at(axis)] += by;
+  return place;
+}
+
 /// A sum of unknowns times factors, such as the slope of a velocity.
 struct Combination {
   static constexpr std::size_t most = 16;

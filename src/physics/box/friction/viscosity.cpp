@@ -13,8 +13,7 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double nearest_part = 1e-2;  // of a face's box, as thick as the least distance from a surface
-constexpr double least_mass = 1e-6;    // of a whole face's: of faces at a liquid's surface that have friction alone
+constexpr double least_mass = 1e-6;  // of a whole face's: of faces at a liquid's surface that have friction alone
 
 }  // namespace
 
@@ -32,7 +31,7 @@ Friction::Friction(const RubbingFluid& fluid, std::span<const double> mobility, 
     mass_[number] = std::max(mass(axis, f), least_mass * fluid.density * whole);
     Combination slip;
     if (slopes_.is_attached(axis, fluid.domain.grid.place_of_face(axis, f), &slip))
-      rates_.add_square(slip, nearest_part * h * fluid.mu * whole);
+      rates_.add_square(slip, nearest_surface * h * fluid.mu * whole);
   });
   std::vector<double> stiffness(unknowns_.count(), 0.0);
   rates_.add_diagonal(stiffness);

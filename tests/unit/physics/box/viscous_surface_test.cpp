@@ -39,14 +39,7 @@ class Liquid {
   }
   /// Of the halves of the cells about it, as friction counts it.
   double mass(int axis, std::size_t f) const {
-    double sum = 0;
-    for (const int lower : {1, 0}) {
-      auto cell = domain_.grid.place_of_face(axis, f);
-      std::array<int, 3> half{-1, -1, -1};
-      cell[at(axis)] -= lower, half[at(axis)] = lower;
-      if (domain_.grid.has_cell(cell)) sum += mean_part(parts, domain_.grid.dim, domain_.grid.cell(cell), half);
-    }
-    return 0.5 * sum * domain_.grid.volume();
+    return part_of_face(parts, domain_.grid, axis, domain_.grid.place_of_face(axis, f)) * domain_.volume[at(axis)][f];
   }
   template <class Function>
   double sum(const Function& f) const {
