@@ -61,20 +61,23 @@ std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingM
   return pocket;
 }
 
-Regions regions_of(const FlowDomain& domain, const CouplingMap& map, const PressureNumbers& numbers,
-                   std::span<const double> volumes, std::span<const double> first, std::span<const std::uint8_t> held,
-                   double h) {
-  const std::size_t count = at(domain.regions);
-  Regions regions{closed_regions(domain), std::vector<std::uint8_t>(count, 0), std::vector<double>(count, 0.0),
+FlowRegions regions_of(const FlowDomain& domain, const PressureNumbers& numbers) {
+  return {of_cells(numbers, domain.region), domain.regions, closed_regions(domain)};
+}
+
+Regions regions_of(const FlowRegions& of, const CouplingMap& map, std::span<const double> volumes,
+                   std::span<const double> first, std::span<const std::uint8_t> held, double h) {
+  const std::size_t count = at(of.count);
+  Regions regions{of.closed, std::vector<std::uint8_t>(count, 0), std::vector<double>(count, 0.0),
                   std::vector<std::size_t>(count, 0)};
   for (std::int64_t row = 0; row < map.B.outerSize(); ++row) {
-    const auto region = at(domain.region[numbers.cell[static_cast<std::size_t>(row)]]);
+    const auto region = at(of.of[static_cast<std::size_t>(row)]);
     ++regions.cells[region];
     for (CouplingMatrix::InnerIterator entry(map.B, row); entry; ++entry) {
       if (held[static_cast<std::size_t>(entry.col())] == 0) regions.compliant[region] = 1;
     }
   }
-  const std::vector<int> group = groups_by_sheets(map, domain.regions, volumes.size());
+  const std::vector<int> group = groups_by_sheets(map, of.count, volumes.size());
   std::vector<double> lost(count, 0.0);
   std::vector<std::size_t> cells(count, 0);
   std::vector<std::uint8_t> closed(count, 1);
@@ -96,10 +99,8 @@ Regions regions_of(const FlowDomain& domain, const CouplingMap& map, const Press
   return regions;
 }
 
-int unmeasured_region(const FlowDomain& domain, const CouplingMap& map, const Regions& regions,
-                      std::span<const std::uint8_t> cavity, const FaceValues& v) {
-  const std::size_t count = at(domain.regions);
-  std::vector<std::uint8_t> by_jets(count, 0), shared(count, 0), in_cavity(count, 0);
+std::vector<std::uint8_t> regions_of_jets(const FlowDomain& domain, const FaceValues& v) {
+  std::vector<std::uint8_t> by_jets(at(domain.regions), 0);
   for (int axis = 0; axis < domain.grid.dim; ++axis) {
     for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
       if (domain.face[at(axis)][f] != FaceKind::prescribed || v[at(axis)][f] == 0) continue;
@@ -108,6 +109,13 @@ int unmeasured_region(const FlowDomain& domain, const CouplingMap& map, const Re
       }
     }
   }
+  return by_jets;
+}
+
+int unmeasured_region(std::span<const std::uint8_t> by_jets, const CouplingMap& map, const Regions& regions,
+                      std::span<const std::uint8_t> cavity) {
+  const std::size_t count = by_jets.size();
+  std::vector<std::uint8_t> shared(count, 0), in_cavity(count, 0);
   for (std::size_t s = 0; s < cavity.size(); ++s) {
     const auto sees = [&](std::size_t r) { return map.area_seen[s * count + r] > 0; };
     std::size_t seen = 0;

@@ -16,21 +16,12 @@ class CoupledFields {
 
   HistoryLayout history_layout() const { return columns_.layout(); }
   Record record(const CoupledState& state) const { return columns_.record(sums_of(state)); }
-  /// At the cells' middles: the scene's cell mesh has a node there.
-  Snapshot cell_fields(const CoupledState& state) const;
   /// At the solids' nodes; nothing without solids.
   Snapshot solid_fields(const CoupledState& state) const;
-  /// Returns the corners of the facets of a liquid's surface, one after the other.
-  Snapshot surface_fields(const CoupledState& state) const;
-  /// Returns those of a liquid's particles.
-  Snapshot particle_fields(const CoupledState& state) const;
 
  private:
   CoupledSums sums_of(const CoupledState& state) const;
-  double pressure_energy(const CoupledState& state) const;
   void add_motion_of_solids(const CoupledState& state, CoupledSums& sums) const;
-  void add_fluid(const CoupledState& state, CoupledSums& sums) const;
-  void add_liquid(const CoupledState& state, CoupledSums& sums) const;
   void add_bodies(const CoupledState& state, CoupledSums& sums) const;
   std::vector<Components> forces_of_parts(std::span<const double> forces) const;
 

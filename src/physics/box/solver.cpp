@@ -92,10 +92,7 @@ RunCounts CoupledSolver::counts() const {
   return counts;
 }
 
-std::size_t CoupledSolver::cells_active() const {
-  const auto& kind = step_.domain().kind;
-  return static_cast<std::size_t>(std::count(kind.begin(), kind.end(), CellKind::fluid));
-}
+std::size_t CoupledSolver::cells_active() const { return step_.flow().fluid_cells(); }
 
 std::vector<std::string> CoupledSolver::take_messages() {
   std::vector<std::string> messages = std::exchange(messages_, {});
@@ -152,13 +149,7 @@ Summary CoupledSolver::more_summary() const {
     summary.push_back(line_of("halvings", state_.halvings));
     fem::add_contact_summary(step_.solids().system.solids, state_.contact.doubts, summary);
   }
-  const auto volume_of = [&](CellKind kind) {
-    const auto& kinds = step_.domain().kind;
-    return static_cast<double>(std::count(kinds.begin(), kinds.end(), kind)) * scene.grid.volume();
-  };
-  if (!scene.obstacles.empty()) summary.push_back(line_of("obstacle_volume", volume_of(CellKind::wall)));
-  if (!scene.voids.empty() && !scene.cavities_only)
-    summary.push_back(line_of("void_volume", volume_of(CellKind::empty)));
+  step_.flow().add_summary(summary);
   if (ratio_) summary.push_back(line_of("added_mass_ratio", *ratio_));
   return summary;
 }

@@ -27,10 +27,10 @@ class CoupledSolver final : public Solver {
   std::size_t cells_active() const override;
   HistoryLayout history_layout() const override { return fields_.history_layout(); }
   Record record() const override { return fields_.record(state_); }
-  Snapshot points() const override { return fields_.particle_fields(state_); }
-  Snapshot grid() const override { return fields_.cell_fields(state_); }
+  Snapshot points() const override { return step_.flow().particle_fields(state_); }
+  Snapshot grid() const override { return step_.flow().cell_fields(state_); }
   Snapshot solids() const override { return fields_.solid_fields(state_); }
-  Snapshot surface() const override { return fields_.surface_fields(state_); }
+  Snapshot surface() const override { return step_.flow().surface_fields(state_); }
   std::vector<std::string> take_messages() override;
   SavedState save() const override;
   void restore(const SavedState& saved) override;

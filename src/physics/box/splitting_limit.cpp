@@ -9,8 +9,8 @@
 
 #include "algebra/krylov.hpp"
 #include "algebra/quasidefinite_solver.hpp"
+#include "base/numbers.hpp"
 #include "physics/box/matrix.hpp"
-#include "physics/box/projection.hpp"
 #include "plan/added_mass.hpp"
 
 namespace tether::coupled {
@@ -22,8 +22,8 @@ constexpr double settled = 1e-9;  // change of the ratio in an iteration
 /// y = M_a x by factors of L.
 class AddedMass {
  public:
-  AddedMass(const Placement& at, double density) : B_(at.map.B), flux_(at.numbers.cell.size()) {
-    exists_ = L_.factorise(pressure_matrix(at.domain, at.numbers, 1 / density));
+  explicit AddedMass(const Flow::Equations& at) : B_(at.B), flux_(at.regions.of.size()) {
+    exists_ = L_.factorise(at.L);
   }
   bool exists() const { return exists_; }
   void apply(std::span<const double> x, std::span<double> y) {
@@ -42,28 +42,26 @@ class AddedMass {
 };
 
 /// The motion of all nodes along the outward surface, as one pressure pushes them.
-std::vector<double> outwards(const Placement& at, std::size_t unknowns) {
-  const std::vector<double> ones(at.numbers.cell.size(), 1.0);
+std::vector<double> outwards(const Flow::Equations& at, std::size_t unknowns) {
+  const std::vector<double> ones(at.regions.of.size(), 1.0);
   std::vector<double> x(unknowns, 0.0);
-  add_transposed_product(at.map.B, 1, ones, x);
+  add_transposed_product(at.B, 1, ones, x);
   for (std::size_t k = 0; k < unknowns; ++k) x[k] += 1e-3 * std::sin(1.0 + static_cast<double>(k)) * std::abs(x[k]);
   return x;
 }
 
-bool any_closed(const Placement& at) {
-  const std::vector<std::uint8_t> closed = closed_regions(at.domain);
-  return std::any_of(at.numbers.cell.begin(), at.numbers.cell.end(),
-                     [&](std::size_t cell) { return closed[static_cast<std::size_t>(at.domain.region[cell])] != 0; });
+bool any_closed(const FlowRegions& regions) {
+  return std::ranges::any_of(regions.of, [&](int region) { return regions.closed[at(region)] != 0; });
 }
 
 }  // namespace
 
 /// Uses the power method: the motion that swells the solids drives most fluid, and is alone in that.
 std::optional<double> added_mass_ratio(const CoupledStep& step, std::span<const double> q, double density, double h) {
-  const Placement at = step.placed(q);
-  if (any_closed(at)) return std::nullopt;
+  const Flow::Equations at = step.flow().equations_at(q, 1 / density);
+  if (any_closed(at.regions)) return std::nullopt;
   const SolidEquations& solids = step.solids();
-  AddedMass added(at, density);
+  AddedMass added(at);
   QuasidefiniteSolver resistance;
   const SparseMatrix R = held_matrix(solids.resistance(q, h), solids.held);
   if (!added.exists() || !resistance.factorise(R)) return std::nullopt;

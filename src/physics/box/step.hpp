@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "physics/box/contact.hpp"
+#include "physics/box/flow.hpp"
 #include "physics/box/fluid_around.hpp"
-#include "physics/box/friction/viscosity.hpp"
-#include "physics/box/liquid/liquid.hpp"
-#include "physics/box/liquid/near_solids.hpp"
-#include "physics/box/outside.hpp"
-#include "physics/box/placer.hpp"
+#include "physics/box/friction_passes.hpp"
 #include "physics/box/solid_equations.hpp"
 #include "physics/box/state.hpp"
 #include "physics/box/system.hpp"
@@ -39,15 +37,9 @@ class CoupledStep {
 
   const SolidEquations& solids() const { return solids_; }
   const SolidSurface& surface() const { return surface_; }
-  /// Returns the same with obstacles that cut cells.
-  const WholeSurface& whole_surface() const { return placer_.whole(); }
   const CoupledSystem& system() const { return system_; }
-  /// Solids at q and the fluid about them.
-  Placement placed(std::span<const double> q) const { return placer_.at(q); }
   /// The fluid about the solids as the last step left them.
-  const FlowDomain& domain() const { return at_.domain; }
-  /// The surface of a liquid; null where the fluid has none.
-  const liquid::Surface* surface_of_liquid() const { return at_.surface ? &*at_.surface : nullptr; }
+  const Flow& flow() const { return *flow_; }
   /// Returns what later steps depend on beside the state: the orders of elimination that have been found.
   std::vector<double> orders() const { return system_.orders(); }
   /// Goes on from a state that was saved with its orders.
@@ -72,24 +64,8 @@ class CoupledStep {
   };
 
   void project_start(CoupledState& state);
-  void move_fluid_freely(CoupledState& state, double h);
   fem::NewtonReport find_step(CoupledState& state, double h, bool by_euler, Solution& solution);
   fem::NewtonReport find_with_friction(CoupledState& state, double h, bool by_euler, Solution& solution);
-  void drive_by(std::span<const double> drive, CoupledState& state) const;
-  std::vector<double> drive_of(const CoupledState& state) const;
-  std::vector<double> weights_of_drive(const CoupledState& state) const;
-  fem::NewtonReport pass(CoupledState& state, double h, bool by_euler, Solution& solution);
-  double miss_of(std::span<const double> missed, std::span<const double> weights, double h,
-                 const CoupledState& state) const;
-  void note_unsettled_friction(double miss, CoupledState& state);
-  std::vector<double> missed_drive(std::span<const double> drive, std::span<const double> u0, double h,
-                                   CoupledState& state) const;
-  void begin_friction(const CoupledState& state, double h, Beyond beyond);
-  void add_friction(CoupledState& state, double h);
-  Beyond beyond_open_sides() const;
-  void add_viscous_pressure(double h, std::span<double> missed) const;
-  double mobility_of(std::size_t k) const;
-  void add_forces(const Smoke& smoke, double h, FaceValues& v) const;
   void solve(CoupledState& state, double h, Solution& solution);
   Solution begin_solution(const CoupledState& state, double h) const;
   FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
@@ -103,68 +79,34 @@ class CoupledStep {
   void find_regions_of(const CoupledState& state, double h, Solution& solution) const;
   void solve_once(const FluidOfStep& fluid, CoupledState& state, Solution& solution);
   void account(const FaceValues& free, const Solution& solution, CoupledState& state, double h);
-  /// A liquid's energy, and what of all that is booked is its own.
-  struct LiquidBooks {
-    double energy = 0, booked = 0;  ///< [energy]
-  };
-  LiquidBooks books_of_liquid(const CoupledState& state) const;
-  void book_liquid(const LiquidBooks& before, CoupledState& state) const;
-  void book_remeshed(double before, CoupledState& state) const;
   void book_fluid(const Solution& solution, double moving, double let_in, double sources, CoupledState& state,
                   double h);
   void book_solids(std::span<const double> q0, std::span<const double> u0, const Solution& solution,
                    CoupledState& state, double h);
-  double energy_of(const FaceValues& v) const;
+  double energy_of(const FaceValues& v) const { return flow_->kinetic_energy(v, v); }
   double stored(std::span<const double> q) const;
-  std::vector<SmokeJet> smoke_sources(double time, double h) const;
-  Smoke smoke_at_start() const;
-  void carry_smoke_along(CoupledState& state, double h) const;
   void move_solids(CoupledState& state, std::span<const double> u0, double h);
-  void carry_along(CoupledState& state, double h);
   void check(const CoupledState& state) const;
   void tell_of_unsettled_contact(CoupledState& state);
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
-  void end_velocity(double h, double cells_crossed, FaceValues& v) const;
-  void take_drive(double h, CoupledState& state) const;
-  void extend_drive(CoupledState& state) const;
-  void keep_end(const FaceValues& given, double h, CoupledState& state) const;
-  void keep_rubbed_faces(const FaceValues& given, double h, CoupledState& state) const;
-  void place(CoupledState& state);
-  void place_solids(double time, CoupledState& state);
-  void place_liquid(CoupledState& state);
-  void fill_with_liquid(CoupledState& state);
-  void note_air(CoupledState& state) const;
-  void take_from_particles(CoupledState& state, double h);
-  void move_particles(CoupledState& state, double h);
-  void settle_particles(const Room& room, CoupledState& state);
-  liquid::NearSolids near_solids(const Room& room) const;
   void note_bodies_that_left(double time, CoupledState& state);
   void note_turning(CoupledState& state, double h);
   void note_unswept(std::span<const double> q0, const Solution& solution, CoupledState& state);
-  void note_thin_bodies(double time, CoupledState& state);
 
-  Team& team_;
   const Scene& scene_;
   const Coupled& coupled_;
-  Vec<3> gravity_;  // [acceleration]
   SolidSurface surface_;
   SolidEquations solids_;
-  FlowBox box_;
-  Outside outside_;
-  Placer placer_;
   Contact contact_;
   CoupledSystem system_;
+  std::unique_ptr<Flow> flow_;
   FluidAround around_;
-  std::optional<liquid::LiquidOfStep> liquid_;  // of one with a surface
-  std::optional<fem::SolidStep> solid_step_;    // of steps that keep the energy
+  std::optional<FrictionPasses> passes_;      // of a viscous fluid
+  std::optional<fem::SolidStep> solid_step_;  // of steps that keep the energy
   std::vector<std::string> messages_;
-  Placement at_;                        // of the solids now
-  FaceValues unforced_;                 // velocities before forces and pressures act; then what these change
-  CellParts parts_;                     // of a viscous liquid
-  std::optional<SolidsBeside> beside_;  // of a viscous fluid
-  std::optional<Friction> friction_;    // likewise, of this step
-  std::vector<double> drag_;            // of the fluid's friction on the nodes in this step [force]
-  std::vector<double> first_volumes_;   // that the surface's sheets enclose at the start
+  FaceValues change_;                  // velocities before forces and pressures act; then what these change
+  std::vector<double> drag_;           // of the fluid's friction on the nodes in this step [force]
+  std::vector<double> first_volumes_;  // that the surface's sheets enclose at the start
 };
 
 }  // namespace tether::coupled

@@ -8,10 +8,7 @@
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/bodies.hpp"
-#include "physics/box/closed_regions.hpp"
 #include "physics/box/matrix.hpp"
-#include "physics/box/projection.hpp"
-#include "physics/box/smoke_follow.hpp"
 #include "physics/box/step.hpp"
 #include "physics/box/turning.hpp"
 
@@ -27,9 +24,6 @@ constexpr double rounded = 1e-6, solved = 1e-3;
 
 }  // namespace
 
-/// Kinetic energy of the fluid.
-double CoupledStep::energy_of(const FaceValues& v) const { return kinetic_energy(at_.domain, v, v, coupled_.density); }
-
 /// The power that the solids take, once by their own equations, A u1 - b at velocities that are not held or what they
 /// are in a step that keeps the energy, and once by the fluid's: what its kinetic energy, the pressure's step,
 /// prescribed faces and the volume term leave.
@@ -43,11 +37,11 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
   for (std::size_t axis = 0; axis < change.size(); ++axis) {
     for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] -= free[axis][f];
   }
-  const double moving = kinetic_energy(at_.domain, state.v, change, coupled_.density) * 2 / h,
-               let_in = prescribed_power(at_.domain, at_.numbers, solution.p, state.v);
+  const double moving = flow_->kinetic_energy(state.v, change) * 2 / h,
+               let_in = flow_->prescribed_power(solution.p, state.v);
   double sources = 0;
   for (std::size_t k = 0; k < solution.p.size(); ++k)
-    sources += solution.p[k] * solution.regions.source[at(at_.domain.region[at_.numbers.cell[k]])];
+    sources += solution.p[k] * solution.regions.source[at(flow_->regions().of[k])];
   state.last.interface_power = taken;
   const double in_motion = energy_of(state.v) / h,
                passing = energy_of(change) / h + std::abs(moving) + std::abs(let_in) + std::abs(sources);
@@ -65,30 +59,18 @@ void CoupledStep::account(const FaceValues& free, const Solution& solution, Coup
 void CoupledStep::book_fluid(const Solution& solution, double moving, double let_in, double sources,
                              CoupledState& state, double h) {
   EnergyBooks& books = state.books;
-  FaceValues& change = unforced_;
-  double falling = 0;  // volume times velocity times gravity
-  for (std::size_t axis = 0; axis < at(coupled_.grid.dim); ++axis) {
-    double along = 0;
-    for (std::size_t f = 0; f < state.v[axis].size() && gravity_[axis] != 0; ++f) {
-      if (at_.domain.face[axis][f] == FaceKind::open) along += at_.domain.volume[axis][f] * state.v[axis][f];
-    }
-    falling += gravity_[axis] * along;
-  }
+  FaceValues& change = change_;
   for (std::size_t axis = 0; axis < change.size(); ++axis) {
     for (std::size_t f = 0; f < change[axis].size(); ++f) change[axis][f] = state.v[axis][f] - change[axis][f];
   }
   books.projected += energy_of(change);
-  if (!liquid_) books.gravity += h * coupled_.density * falling;  // a liquid's own energy has it
-  if (coupled_.smoke)
-    books.buoyancy += h * buoyancy_power(at_.domain, state.smoke, coupled_.smoke_lift, coupled_.smoke_weight,
-                                         coupled_.density, state.v);
-  books.open_sides += h * outside_.power(at_.domain, state.v);
+  flow_->book_forces(state, h);
   books.jets -= h * let_in;
   books.sources -= h * sources;
   double given = sources - moving - let_in;
   if (coupled_.coupling.simultaneous) {
     std::vector<double> displaced(solution.p.size(), 0.0);
-    add_product(coupled_.coupling.two_maps ? at_.crossing_map : at_.map.B, 1, solution.working, displaced);
+    add_product(flow_->flux_map(), 1, solution.working, displaced);
     given = dot(solution.p, displaced);
   }
   books.coupling += h * given;
@@ -112,8 +94,8 @@ void CoupledStep::book_solids(std::span<const double> q0, std::span<const double
   books.contact -= dot(way, solution.friction);
   books.projected -= dot(way, drag_);  // of what friction took of the fluid the solids have this
   state.work += dot(way, drag_), state.last.gave += dot(way, drag_);
-  books.open_sides += dot(way, at_.map.outside);
-  books.gravity += dot(way, at_.map.film_weight);
+  books.open_sides += dot(way, flow_->map().outside);
+  books.gravity += dot(way, flow_->map().film_weight);
   books.loads += dot(way, solids_.external) + solids_.system.gravity_energy(way);
   books.damped += taken.damping;
   books.coupling -= dot(way, solution.fluid_force);
@@ -176,12 +158,11 @@ void CoupledStep::tell_of_unsettled_contact(CoupledState& state) {
 /// Once: the volume term has nothing to act on there.
 void CoupledStep::tell_of_unmeasured_volume(const Regions& regions, CoupledState& state) {
   if (!coupled_.volume_term || !coupled_.coupling.simultaneous || state.unmeasured != 0) return;
-  const int region = unmeasured_region(at_.domain, at_.map, regions, surface_.cavity, state.v);
+  const int region = unmeasured_region(flow_->regions_of_jets(state.v), flow_->map(), regions, surface_.cavity);
   if (region < 0) return;
   state.unmeasured = 1;
-  std::size_t cell = 0;
-  while (at_.domain.region[cell] != region) ++cell;
-  const Vec<3> x = coupled_.grid.middle(coupled_.grid.place_of_cell(cell));
+  const std::vector<int>& of = flow_->regions().of;
+  const Vec<3> x = flow_->place_of_pressure(static_cast<std::size_t>(std::ranges::find(of, region) - of.begin()));
   messages_.push_back(
       fmt::format("t = {:.6g}: the fluid about ({:.6g}, {:.6g}{}) is closed in by a body and sides of the box, and "
                   "jets fill or empty "
@@ -223,15 +204,6 @@ void CoupledStep::note_unswept(std::span<const double> q0, const Solution& solut
       state.time, state.steps + 1, now));
 }
 
-/// A warning once, where the cells are first too wide for the bodies.
-void CoupledStep::note_thin_bodies(double time, CoupledState& state) {
-  if (!coupled_.coupling.cuts_faces) return;
-  const ThinBodies thin = thin_bodies(at_, surface_);
-  if (thin.cells > 0 && state.thin_cells == 0)
-    messages_.push_back(fmt::format("t = {:.6g}: {}", time, thin_text(thin, surface_.dim)));
-  state.thin_cells = std::max(state.thin_cells, static_cast<long long>(thin.cells));
-}
-
 /// A warning once for each body.
 void CoupledStep::note_bodies_that_left(double time, CoupledState& state) {
   const std::vector<int> sides = sides_left_by(surface_, state.q, coupled_.grid);
@@ -245,43 +217,9 @@ void CoupledStep::note_bodies_that_left(double time, CoupledState& state) {
 
 std::vector<std::string> CoupledStep::take_messages() {
   std::vector<std::string> messages = std::exchange(messages_, {});
+  for (std::string& message : flow_->take_messages()) messages.push_back(std::move(message));
   for (std::string& message : system_.take_messages()) messages.push_back(std::move(message));
   return messages;
-}
-
-// What a step does with smoke.
-
-/// Returns what comes in with fluid: through jets, and through open sides that layers outside lie at.
-std::vector<SmokeJet> CoupledStep::smoke_sources(double time, double h) const {
-  std::vector<SmokeJet> sources = box_.smoke_of_jets(time, h);
-  for (int side = 0; side < 2 * coupled_.grid.dim && outside_.has_smoke(); ++side) {
-    if (!has_fluid_beyond(coupled_, side)) continue;
-    const int axis = axis_of_side(side);
-    each_face_of_side(coupled_.grid, side, [&](std::size_t f) {
-      if (at_.domain.face[static_cast<std::size_t>(axis)][f] != FaceKind::open) return;
-      const int row = std::min(coupled_.grid.place_of_face(axis, f)[1], coupled_.grid.n[1] - 1);
-      sources.push_back({axis, f, outside_.density(row), outside_.temperature(row)});
-    });
-  }
-  return sources;
-}
-
-Smoke CoupledStep::smoke_at_start() const {
-  Smoke smoke = clean_smoke(at_.domain);
-  const FirstSmoke first = first_smoke(coupled_);
-  for (std::size_t c = 0; c < first.density.size(); ++c) {
-    smoke.smoke[c] = first.density[c] * smoke.volume[c];
-    smoke.heat[c] = first.temperature[c] * smoke.volume[c];
-  }
-  return smoke;
-}
-
-void CoupledStep::carry_smoke_along(CoupledState& state, double h) const {
-  if (!coupled_.smoke) return;
-  const SmokeFlow flow = carry_smoke(team_, at_.domain, state.v, h, smoke_sources(state.time, h), state.smoke);
-  settle_smoke(at_.domain, clean_smoke(at_.domain).volume, state.smoke);  // which has no finer place than cells
-  state.smoke_flow.smoke_in += flow.smoke_in, state.smoke_flow.smoke_out += flow.smoke_out;
-  state.smoke_flow.heat_in += flow.heat_in, state.smoke_flow.heat_out += flow.heat_out;
 }
 
 }  // namespace tether::coupled

@@ -53,7 +53,7 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bo
 void CoupledStep::begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution) {
   solution.middle.resize(q1.size());
   for (std::size_t k = 0; k < q1.size(); ++k) solution.middle[k] = 0.5 * (state.q[k] + q1[k]);
-  at_ = placer_.at(state.q, solution.middle, liquid_ ? liquid_->filled() : std::span<const double>());
+  flow_->map_by_middle(state.q, solution.middle);
   around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
   solid_step_->start_where_it_ended();
 }
@@ -63,7 +63,7 @@ void CoupledStep::take_moved(const fem::SolidState& moved, CoupledState& state, 
   const std::size_t count = state.q.size();
   solution.p = around_.pressures();
   solution.fluid_force.assign(count, 0.0), solution.friction.assign(count, 0.0);
-  add_transposed_product(at_.map.B, 1, solution.p, solution.fluid_force);
+  add_transposed_product(flow_->map().B, 1, solution.p, solution.fluid_force);
   const auto residual = solid_step_->residual(), touching = solid_step_->touching();
   solution.working.resize(count), solution.taken = solution.fluid_force, solution.wall_force.assign(count, 0.0);
   for (std::size_t k = 0; k < count; ++k) {
@@ -82,8 +82,8 @@ void CoupledStep::book_moved(const fem::SolidState& moved, const Solution& solut
   EnergyBooks& books = state.books;
   std::vector<double> way(moved.q);
   for (std::size_t k = 0; k < way.size(); ++k) way[k] -= state.q[k];
-  const double by_fluid = dot(way, solution.fluid_force), outside = dot(way, at_.map.outside),
-               weight = dot(way, at_.map.film_weight), rubbed = dot(way, drag_),
+  const double by_fluid = dot(way, solution.fluid_force), outside = dot(way, flow_->map().outside),
+               weight = dot(way, flow_->map().film_weight), rubbed = dot(way, drag_),
                springs = solids_.spring_energy(state.q) - solids_.spring_energy(moved.q);
   books.coupling -= by_fluid;
   books.open_sides += outside, books.gravity += weight;

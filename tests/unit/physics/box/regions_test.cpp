@@ -24,7 +24,7 @@ Values scaled(const Mesh& mesh, double factor) {
 Regions regions_at(const Coupled& coupled, const Mesh& mesh, const Values& q, double h, std::uint8_t held = 0) {
   const Surroundings about(coupled, mesh, q);
   const std::vector<std::uint8_t> all_held(q.size(), held);
-  return regions_of(about.domain, about.map, about.numbers, enclosed_volumes(about.surface, q),
+  return regions_of(regions_of(about.domain, about.numbers), about.map, enclosed_volumes(about.surface, q),
                     enclosed_volumes(about.surface, mesh.x), all_held, h);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/box/grid_flow.hpp"
 #include "physics/box/matrix.hpp"
 #include "physics/box/solver.hpp"
 #include "unit/alone.hpp"
@@ -114,7 +115,7 @@ TEST(CoupledRest, LiftsWhatIsBeyondASideToo) {
     CoupledStep step(plan.scene, *plan.scene.solids(), alone());
     CoupledState state = step.start();
     for (std::size_t n = 0; n < state.q.size(); n += 2) state.q[n] += way;
-    const Placement at = step.placed(state.q);
+    const Placement at = dynamic_cast<const GridFlow&>(step.flow()).placed(state.q);
     std::vector<double> nodes = at.map.outside, p;
     for (const std::size_t cell : at.numbers.cell)
       p.push_back(1000 * -9.81 *
@@ -148,7 +149,7 @@ TEST(CoupledRest, LiftsABlockInACorner) {
           {});
       CoupledStep step(plan.scene, *plan.scene.solids(), alone());
       const CoupledState state = step.start();
-      const Placement at = step.placed(state.q);
+      const Placement at = dynamic_cast<const GridFlow&>(step.flow()).placed(state.q);
       std::vector<double> nodes = at.map.film_weight, p;
       for (const std::size_t cell : at.numbers.cell)
         p.push_back(1000 * -9.81 * (at.domain.grid.middle(1, at.domain.grid.place_of_cell(cell)[1]) - 1));

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "deck/reader.hpp"
-#include "physics/box/projection.hpp"
 #include "physics/box/splitting_limit.hpp"
 #include "plan/make_plan.hpp"
 #include "read/build.hpp"
@@ -84,10 +83,9 @@ struct Matrices {
       for (int b = 0; b < K.rows(); ++b) M(a, b) = a % 2 == b % 2 ? mass(a / 2, b / 2) : 0;
     }
     C = scene.solids()->alpha * M + scene.solids()->beta * K;
-    const Placement at = step.placed(q);
-    const Dense B(at.map.B);
-    Ma = B.transpose() *
-         dense(pressure_matrix(at.domain, at.numbers, 1 / scene.coupled()->density)).llt().solve(B).eval();
+    const Flow::Equations at = step.flow().equations_at(q, 1 / scene.coupled()->density);
+    const Dense B(at.B);
+    Ma = B.transpose() * dense(at.L).llt().solve(B).eval();
     std::vector<int> free;
     for (int k = 0; k < K.rows(); ++k) {
       if (solids.held[std::size_t(k)] == 0) free.push_back(k);

@@ -48,7 +48,7 @@ struct Problem {
     r = random_numbers(about->numbers.cell.size(), 3, 0.01);
     for (const std::size_t cell : about->numbers.cell) region.push_back(about->domain.region[cell]);
     const Values volumes = enclosed_volumes(about->surface, solids.mesh.x);
-    regions = regions_of(about->domain, about->map, about->numbers, volumes, volumes, held, 1);
+    regions = regions_of(regions_of(about->domain, about->numbers), about->map, volumes, volumes, held, 1);
     loose = regions.closed;
     for (std::size_t k = 0; k < loose.size(); ++k) loose[k] = loose[k] != 0 && regions.compliant[k] == 0 ? 1 : 0;
     Values sums(loose.size(), 0.0);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/friction_passes.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "algebra/anderson.hpp"
+#include "base/numbers.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr int most_passes = 40;
+constexpr double most_kept = 8e6;  // numbers of a list of passes that are kept
+constexpr double settled = 2e-3;   // what velocities may miss those of the end by, over their size
+constexpr double bearable = 0.03;  // what they may where passes do not settle
+
+/// How much they may miss after so many passes: where these settle slowly, the last digits are not worth their time.
+double enough_after(int passes) {
+  constexpr int quick = 12;
+  return passes <= quick ? settled : 5 * settled;
+}
+
+/// The accelerations of velocities, axis by axis, and of the nodes that the fluid sticks to.
+std::vector<double> drive_of(const CoupledState& state) {
+  std::vector<double> drive;
+  for (const std::vector<double>& along : state.driven) drive.insert(drive.end(), along.begin(), along.end());
+  drive.insert(drive.end(), state.driven_nodes.begin(), state.driven_nodes.end());
+  return drive;
+}
+
+/// A warning once. Without a drive friction takes more than it may of what pressures keep up, but never gives energy.
+void note_unsettled(double miss, CoupledState& state, std::vector<std::string>& messages) {
+  if (state.unsettled_friction++ > 0) return;
+  messages.push_back(fmt::format(
+      "t = {:.6g}, step {}: friction and pressures are not found together in {} passes: velocities that friction acts "
+      "on differ from those of the step's end by {:.2g} of them{}; friction_unsettled of summary.txt counts such "
+      "steps, "
+      "and shorter ones help",
+      state.time, state.steps + 1, most_passes, miss,
+      miss < bearable ? "" : ", and this step has friction first and pressures after it, which slows down what moves"));
+}
+
+}  // namespace
+
+/// The most that a node's velocity can change by an impulse on it: the consistent mass of linear triangles and
+/// tetrahedra is nowhere less than 1 / (dim + 2) of the lumped one. So a node is dragged along at once and no further.
+double FrictionPasses::mobility_of(std::size_t k) const {
+  const int dim = scene_.grid.dim;
+  return solids_.held[k] != 0 ? 0 : (dim + 2) / solids_.system.lumped[k / at(dim)];
+}
+
+std::vector<double> FrictionPasses::mobilities(std::size_t numbers) const {
+  std::vector<double> mobilities;
+  for (std::size_t k = 0; k < numbers; ++k) mobilities.push_back(mobility_of(k));
+  return mobilities;
+}
+
+void FrictionPasses::drive_by(std::span<const double> drive, CoupledState& state) const {
+  for (std::vector<double>& along : state.driven) {
+    std::copy_n(drive.begin(), along.size(), along.begin());
+    drive = drive.subspan(along.size());
+  }
+  std::copy(drive.begin(), drive.end(), state.driven_nodes.begin());
+  flow_.extend_drive(state);
+}
+
+/// The roots of masses; 0 of velocities that no pressure moves.
+std::vector<double> FrictionPasses::weights(const CoupledState& state) const {
+  std::vector<double> weights = flow_.masses();
+  for (std::size_t k = 0; k < state.driven_nodes.size(); ++k)
+    weights.push_back(solids_.system.lumped[k / at(scene_.grid.dim)]);
+  for (double& weight : weights) weight = std::sqrt(weight);
+  return weights;
+}
+
+/// What the drive of this pass lacks of that which it ended with. A node's is what all but friction gave it.
+std::vector<double> FrictionPasses::missed_drive(const Step& step, std::span<const double> drive,
+                                                 std::span<const double> u0, double h, CoupledState& state) const {
+  flow_.take_drive(step.change, h, state);
+  for (std::size_t k = 0; k < state.driven_nodes.size(); ++k)
+    state.driven_nodes[k] = (state.u[k] - u0[k]) / h - step.drag[k] * mobility_of(k);
+  std::vector<double> missed = drive_of(state);
+  for (std::size_t k = 0; k < missed.size(); ++k) missed[k] -= drive[k];
+  return missed;
+}
+
+/// Over the size of the velocities; those of a fluid at rest count as what gravity makes of them in a part of the step.
+double FrictionPasses::miss_of(std::span<const double> missed, std::span<const double> weights, double h,
+                               const CoupledState& state) const {
+  constexpr double part = 1e-8;
+  double miss = 0, size = 0;
+  std::size_t k = 0;
+  const auto add = [&](double velocity, double least) {
+    miss += std::pow(weights[k] * h * missed[k], 2);
+    size += std::pow(weights[k] * (std::abs(velocity) + least), 2);
+    ++k;
+  };
+  for (std::size_t axis = 0; axis < state.v.size(); ++axis) {
+    for (const double v : state.v[axis]) add(v, part * h * std::abs(gravity_[axis]));
+  }
+  for (std::size_t i = 0; i < state.driven_nodes.size(); ++i) add(state.u[i], 0);
+  return miss > 0 ? std::sqrt(miss / size) : 0;
+}
+
+/// Where friction acted on a flow that was not free of divergence, a pressure of mu times the divergence was lacking:
+/// the projection does not see it, but it is most of what very viscous fluids lack (J. Cahouet, J.-P. Chabard, Int. J.
+/// Numer. Meth. Fluids 8 (1988) 869-895). Bodies that are free to move answer the pressure, which it knows nothing of:
+/// with them passes do without.
+void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) const {
+  if (std::ranges::count(solids_.held, 0) == 0) flow_.add_viscous_pressure(h, missed);
+}
+
+fem::NewtonReport FrictionPasses::pass(const Step& step, double h, CoupledState& state) const {
+  ++state.passes;
+  flow_.add_friction(state, h, step.drag);
+  return step.find(state);
+}
+
+fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState& state,
+                                       std::vector<std::string>& messages) const {
+  liquid::Particles particles = std::exchange(state.particles, {});  // which have no part in it
+  const CoupledState before = state;
+  const CouplingMap map = step.by_middle ? flow_.map() : CouplingMap{};
+  const std::size_t said = messages.size();
+  const std::vector<double> weights = this->weights(state);
+  std::vector<double> drive = drive_of(state), best;
+  AndersonMixing mixing(weights,
+                        static_cast<int>(std::clamp(most_kept / static_cast<double>(drive.size()), 5.0, 40.0)));
+  double least = std::numeric_limits<double>::infinity();
+  const auto go_back = [&] {
+    CoupledState begin = before;
+    begin.iterations = state.iterations, begin.lu_solutions = state.lu_solutions, begin.passes = state.passes;
+    begin.newton_steps = state.newton_steps, begin.contact_solutions = state.contact_solutions;
+    state = std::move(begin);
+    if (step.by_middle) flow_.set_map(map);
+    messages.resize(said);
+  };
+  flow_.begin_friction(state, mobilities(state.driven_nodes.size()), h);
+  fem::NewtonReport report = pass(step, h, state);
+  for (int number = 1; report.converged; ++number) {
+    std::vector<double> missed = missed_drive(step, drive, before.u, h, state);
+    const double miss = miss_of(missed, weights, h, state);
+    if (miss <= enough_after(number)) break;
+    if (miss < least) least = miss, best = drive;
+    if (number == most_passes) {
+      go_back();
+      note_unsettled(least, state, messages);
+      drive_by(least < bearable ? best : std::vector<double>(drive.size(), 0.0), state);
+      report = pass(step, h, state);
+      missed_drive(step, drive, before.u, h, state);
+      break;
+    }
+    add_viscous_pressure(h, missed);
+    mixing.next(missed, drive);
+    go_back();
+    drive_by(drive, state);
+    report = pass(step, h, state);
+  }
+  state.particles = std::move(particles);
+  return report;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/box/flow.hpp"
+#include "physics/box/solid_equations.hpp"
+#include "physics/solids/step.hpp"
+
+namespace tether::coupled {
+
+/// Friction and pressures of a viscous fluid, found together: friction acts on velocities that are driven by the
+/// pressures of the step's end, and these are found for what friction left. Passes over both go on until the velocities
+/// that friction acted on are those of the end. One pass alone, with the pressures of the step before, has bodies in a
+/// fluid of much viscosity swing to and fro.
+class FrictionPasses {
+ public:
+  /// All must outlive it.
+  FrictionPasses(const Coupled& scene, const Vec<3>& gravity, const SolidEquations& solids, Flow& flow)
+      : scene_(scene), gravity_(gravity), solids_(solids), flow_(flow) {}
+
+  /// What a pass has after friction: forces, pressures and the motion of the solids.
+  struct Step {
+    std::function<fem::NewtonReport(CoupledState&)> find;
+    const FaceValues& change;  ///< that forces and pressures made of the velocities in it [velocity]
+    std::span<double> drag;    ///< of the fluid's friction on the nodes, which it takes [force]
+    bool by_middle = false;    ///< it makes the map anew
+  };
+
+  /// Finds a step of length h from a state, whose particles have no part in it. Where passes do not settle there is a
+  /// warning once.
+  fem::NewtonReport find(const Step& step, double h, CoupledState& state, std::vector<std::string>& messages) const;
+
+ private:
+  fem::NewtonReport pass(const Step& step, double h, CoupledState& state) const;
+  std::vector<double> weights(const CoupledState& state) const;
+  std::vector<double> missed_drive(const Step& step, std::span<const double> drive, std::span<const double> u0,
+                                   double h, CoupledState& state) const;
+  void drive_by(std::span<const double> drive, CoupledState& state) const;
+  double miss_of(std::span<const double> missed, std::span<const double> weights, double h,
+                 const CoupledState& state) const;
+  void add_viscous_pressure(double h, std::span<double> missed) const;
+  double mobility_of(std::size_t k) const;
+  std::vector<double> mobilities(std::size_t numbers) const;
+
+  const Coupled& scene_;
+  Vec<3> gravity_;  // [acceleration]
+  const SolidEquations& solids_;
+  Flow& flow_;
+};
+
+}  // namespace tether::coupled
