@@ -65,7 +65,6 @@ class Flow {
 
   virtual std::size_t pressures() const = 0;
   virtual const CouplingMap& map() const = 0;
-  virtual void set_map(CouplingMap map) = 0;
   /// The map of the flux that the solids cause: B but for the paper's own mode.
   virtual const CouplingMatrix& flux_map() const = 0;
   virtual const FlowRegions& regions() const = 0;
@@ -109,7 +108,7 @@ class Flow {
   /// Gives velocities about the fluid the accelerations of those in it.
   virtual void extend_drive(CoupledState& state) const = 0;
   /// Adds to accelerations that lack `missed` (axis after axis, then of the nodes) those of the pressure
-  /// mu h div(missed), within the fluid.
+  /// 2 mu h div(missed), within the fluid.
   virtual void add_viscous_pressure(double h, std::span<double> missed) const = 0;
 
   // What it shows.

@@ -106,10 +106,10 @@ double FrictionPasses::miss_of(std::span<const double> missed, std::span<const d
   return miss > 0 ? std::sqrt(miss / size) : 0;
 }
 
-/// Where friction acted on a flow that was not free of divergence, a pressure of mu times the divergence was lacking:
-/// the projection does not see it, but it is most of what very viscous fluids lack (J. Cahouet, J.-P. Chabard, Int. J.
-/// Numer. Meth. Fluids 8 (1988) 869-895). Bodies that are free to move answer the pressure, which it knows nothing of:
-/// with them passes do without.
+/// Where friction acted on a flow that was not free of divergence, a pressure of 2 mu times the divergence was lacking
+/// (2 mu D of a velocity grad phi has the force 2 mu grad div grad phi): the projection does not see it, but it is most
+/// of what very viscous fluids lack (J. Cahouet, J.-P. Chabard, Int. J. Numer. Meth. Fluids 8 (1988) 869-895). Bodies
+/// that are free to move answer the pressure, which it knows nothing of: with them passes do without.
 void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) const {
   if (std::ranges::count(solids_.held, 0) == 0) flow_.add_viscous_pressure(h, missed);
 }
@@ -124,7 +124,6 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
                                        std::vector<std::string>& messages) const {
   liquid::Particles particles = std::exchange(state.particles, {});  // which have no part in it
   const CoupledState before = state;
-  const CouplingMap map = step.by_middle ? flow_.map() : CouplingMap{};
   const std::size_t said = messages.size();
   const std::vector<double> weights = this->weights(state);
   std::vector<double> drive = drive_of(state), best;
@@ -136,7 +135,6 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     begin.iterations = state.iterations, begin.lu_solutions = state.lu_solutions, begin.passes = state.passes;
     begin.newton_steps = state.newton_steps, begin.contact_solutions = state.contact_solutions;
     state = std::move(begin);
-    if (step.by_middle) flow_.set_map(map);
     messages.resize(said);
   };
   flow_.begin_friction(state, mobilities(state.driven_nodes.size()), h);

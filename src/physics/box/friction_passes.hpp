@@ -22,12 +22,11 @@ class FrictionPasses {
   FrictionPasses(const Coupled& scene, const Vec<3>& gravity, const SolidEquations& solids, Flow& flow)
       : scene_(scene), gravity_(gravity), solids_(solids), flow_(flow) {}
 
-  /// What a pass has after friction: forces, pressures and the motion of the solids.
+  /// What a pass has after friction: forces, pressures and the motion of the solids, each time from the same start.
   struct Step {
     std::function<fem::NewtonReport(CoupledState&)> find;
     const FaceValues& change;  ///< that forces and pressures made of the velocities in it [velocity]
     std::span<double> drag;    ///< of the fluid's friction on the nodes, which it takes [force]
-    bool by_middle = false;    ///< it makes the map anew
   };
 
   /// Finds a step of length h from a state, whose particles have no part in it. Where passes do not settle there is a

@@ -41,7 +41,6 @@ class GridFlow : public Flow {
 
   std::size_t pressures() const override { return at_.numbers.cell.size(); }
   const CouplingMap& map() const override { return at_.map; }
-  void set_map(CouplingMap map) override { at_.map = std::move(map); }
   const CouplingMatrix& flux_map() const override { return scene_.coupling.two_maps ? at_.crossing_map : at_.map.B; }
   const FlowRegions& regions() const override { return regions_; }
   std::span<const std::size_t> rows() const override { return at_.numbers.cell; }

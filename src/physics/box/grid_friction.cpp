@@ -67,7 +67,7 @@ void GridFlow::add_viscous_pressure(double h, std::span<double> missed) const {
   }
   std::vector<double> p = net_flux(faces);
   if (k < missed.size()) add_product(at_.map.B, 1, missed.subspan(k), p);
-  for (double& value : p) value *= h * scene_.viscosity / scene_.grid.volume();
+  for (double& value : p) value *= 2 * h * scene_.viscosity / scene_.grid.volume();
   add_pressure_within(at_.domain, at_.numbers, p, 1 / scene_.density, more);
   k = 0;
   for (const std::vector<double>& axis : more) {

@@ -46,6 +46,7 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
   flow_->begin(state, h);  // (1) without pressure: v*
   const fem::NewtonReport end =
       passes_ ? find_with_friction(state, h, by_euler, solution) : find_step(state, h, by_euler, solution);
+  solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
   if (!end.converged) return end;
   note_unswept(q0, solution, state);
   check(state);
@@ -58,19 +59,21 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
 
 fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h, bool by_euler, Solution& solution) {
   const auto find = [&](CoupledState& of_pass) { return find_step(of_pass, h, by_euler, solution); };
-  return passes_->find({find, change_, drag_, solid_step_.has_value()}, h, state, messages_);
+  return passes_->find({find, change_, drag_}, h, state, messages_);
 }
 
-/// Finds velocities and pressures, and moves the solids.
+/// Finds velocities and pressures, and moves the solids. A solution that was found before, from the same start with
+/// other friction, is what the next one begins with: its matrices are the same.
 fem::NewtonReport CoupledStep::find_step(CoupledState& state, double h, bool by_euler, Solution& solution) {
   change_ = state.v;
   flow_->add_forces(state.smoke, h, state.v);
-  solution = begin_solution(state, h);
-  if (solid_step_) return solve_by_energy(state, h, by_euler, solution);
+  const bool again = solution.L.n > 0;
+  if (!again) solution = begin_solution(state, h);
+  if (solid_step_) return solve_by_energy(state, h, by_euler, again, solution);
   const std::vector<double> q0 = state.q, u0 = state.u;
-  solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
-  solve(state, h, solution);                          // (7), (8)
-  move_solids(state, u0, h);                          // (5)
+  if (!again) solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
+  solve(state, h, again, solution);                               // (7), (8)
+  move_solids(state, u0, h);                                      // (5)
   book_solids(q0, u0, solution, state, h);
   note_turning(state, h);
   return {true, {}};
@@ -85,7 +88,7 @@ CoupledStep::Solution CoupledStep::begin_solution(const CoupledState& state, dou
 }
 
 /// Contact decides which velocities are held; as these change, the equations are solved again.
-void CoupledStep::solve(CoupledState& state, double h, Solution& solution) {
+void CoupledStep::solve(CoupledState& state, double h, bool again, Solution& solution) {
   const std::vector<double> u0 = state.u;
   const SystemCost before = system_.cost();
   std::vector<double> change(u0.size()), inertia(u0.size());
@@ -97,7 +100,7 @@ void CoupledStep::solve(CoupledState& state, double h, Solution& solution) {
     for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = solids_.held[i] != 0 ? 0 : u0[i];
     contact_.hold(state.touches, held, state.u);
     solids_.system.move_supports(state.time + h, fem::slope_width * h, state.u);
-    solution.same_matrices = k > 0 && held == solution.held;
+    solution.same_matrices = (again || k > 0) && held == solution.held;
     solution.held = std::move(held);
     if (!solution.same_matrices) find_regions_of(state, h, solution);
     if (k == 0) tell_of_unmeasured_volume(solution.regions, state);
@@ -124,7 +127,6 @@ void CoupledStep::finish(CoupledState& state, double h, Solution& solution) {
     state.fluid_force[k] = solution.fluid_force[k] + map.outside[k] + map.film_weight[k] + drag_[k];
     state.wall_force[k] = solution.wall_force[k] + solution.friction[k];
   }
-  solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
 }
 
 /// Finds, with the volume term, what each cell of a region takes of it.

@@ -66,10 +66,10 @@ class CoupledStep {
   void project_start(CoupledState& state);
   fem::NewtonReport find_step(CoupledState& state, double h, bool by_euler, Solution& solution);
   fem::NewtonReport find_with_friction(CoupledState& state, double h, bool by_euler, Solution& solution);
-  void solve(CoupledState& state, double h, Solution& solution);
+  void solve(CoupledState& state, double h, bool again, Solution& solution);
   Solution begin_solution(const CoupledState& state, double h) const;
   FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
-  fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool by_euler, Solution& solution);
+  fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool by_euler, bool again, Solution& solution);
   void begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution);
   void take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution);
   void book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state);

@@ -22,23 +22,38 @@ fem::SolidState solids_of(const CoupledState& state) {
 
 }  // namespace
 
-fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bool by_euler, Solution& solution) {
-  solution.held = solids_.held;
-  find_regions_of(state, h, solution);
-  tell_of_unmeasured_volume(solution.regions, state);
+/// A step that was found before, with other friction, is found again from where it ended and with the map of its
+/// middle.
+fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bool by_euler, bool again,
+                                               Solution& solution) {
   const SystemCost before = system_.cost();
-  around_.begin(fluid_of(state, h, solution), state.q, solution.p);
   fem::SolidState moved = solids_of(state);
-  const auto advance = [&](fem::SolidState& solids) {
-    return by_euler ? solid_step_->advance_by_euler(solids, h) : solid_step_->advance(solids, h);
+  const auto advance = [&] {
+    return by_euler ? solid_step_->advance_by_euler(moved, h) : solid_step_->advance(moved, h);
   };
-  fem::NewtonReport report = advance(moved);
-  if (report.converged && solution.regions.has_openings()) {
-    begin_by_middle(state, moved.q, h, solution);
+  const auto start_over = [&] {
     const long long newton_steps = moved.newton_steps;
     moved = solids_of(state);
     moved.newton_steps = newton_steps;
-    report = advance(moved);
+  };
+  fem::NewtonReport report{false, {}};
+  if (again) {
+    around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
+    solid_step_->start_where_it_ended();
+    report = advance();
+    if (!report.converged) start_over();
+  }
+  if (!report.converged) {
+    solution.held = solids_.held;
+    find_regions_of(state, h, solution);
+    tell_of_unmeasured_volume(solution.regions, state);
+    around_.begin(fluid_of(state, h, solution), state.q, solution.p);
+    report = advance();
+    if (report.converged && solution.regions.has_openings()) {
+      begin_by_middle(state, moved.q, h, solution);
+      start_over();
+      report = advance();
+    }
   }
   state.newton_steps += moved.newton_steps;
   state.iterations += system_.cost().iterations - before.iterations;

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
-#include "base/blocks.hpp"
-
 namespace tether::coupled {
 namespace {
 
 constexpr std::array<int, 3> all_of_it{-1, -1, -1};
+constexpr std::size_t places_of_a_block = 512;  // of a liquid few are needed
 
 template <class Function>
 void each_place(const std::array<int, 3>& size, const Function& f) {
@@ -67,10 +66,11 @@ double StrainRates::liquid_of(const std::array<int, 3>& cell, const std::array<i
   return mean_part(*parts_, unknowns_.grid.dim, unknowns_.grid.cell(cell), half);
 }
 
-void StrainRates::add_square(const Combination& rate, double weight) {
+void StrainRates::add_square(const Combination& rate, double weight, bool of_two) {
   for (std::size_t k = 0; k < rate.size; ++k) unknown_.push_back(rate.unknown[k]), factor_.push_back(rate.factor[k]);
   first_.push_back(unknown_.size());
   square_weight_.push_back(weight);
+  of_two_.push_back(of_two ? 1 : 0);
 }
 
 /// 2 mu D_aa^2.
@@ -164,7 +164,7 @@ void StrainRates::add_open_side(int a, const std::array<int, 3>& face_b, int b, 
     sum.add(along_b.rate, unknowns_.grid.d[at(b)]);
     sum.add(unknowns_.face(b, face_b), sign);
     const double by = (upper_side ? -1 : 1) * mu * along_b.part / (length * unknowns_.grid.d[at(b)]);
-    add_square(sum, sign * 0.5 * by);
+    add_square(sum, sign * 0.5 * by, true);
   }
 }
 
@@ -201,7 +201,7 @@ void StrainRates::add_stresses(std::size_t a, std::size_t begin, std::size_t end
 
 /// Finds the blocks that a liquid leaves rates in, and those next to them.
 void StrainRates::find_blocks() {
-  const std::size_t size = numbers_of_a_block, blocks = (unknowns_.places + size - 1) / size;
+  const std::size_t size = places_of_a_block, blocks = (unknowns_.places + size - 1) / size;
   std::vector<std::uint8_t> rates(blocks, 0), forces(blocks, 0);
   const std::size_t reach = (unknowns_.margin + size - 1) / size;
   for (std::size_t b = 0; b < blocks; ++b) {
@@ -225,8 +225,8 @@ void StrainRates::add_forces(Team& team, std::span<const double> x, std::span<do
   const std::size_t dim = at(unknowns_.grid.dim);
   const auto each = [&](const std::vector<std::size_t>& blocks, const auto& f) {
     team.each(0, blocks.size(), [&](std::size_t k) {
-      const std::size_t begin = blocks[k] * numbers_of_a_block,
-                        end = std::min(unknowns_.places, begin + numbers_of_a_block);
+      const std::size_t begin = blocks[k] * places_of_a_block,
+                        end = std::min(unknowns_.places, begin + places_of_a_block);
       f(begin + unknowns_.margin, end + unknowns_.margin);
     });
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -41,9 +42,20 @@ class StrainRates {
   void add_forces(Team& team, std::span<const double> x, std::span<double> y);
   /// y += the diagonal of K.
   void add_diagonal(std::span<double> y) const;
+  /// Calls f(unknowns, factors, weight) for each square that stands in the list, but for the differences of two squares
+  /// that open sides have: weight (sum of factor times unknown)^2 is twice what it takes.
+  template <class Function>
+  void each_square(const Function& f) const {
+    for (std::size_t s = 0; s + 1 < first_.size(); ++s) {
+      const std::size_t count = first_[s + 1] - first_[s];
+      if (of_two_[s] == 0)
+        f(std::span(unknown_).subspan(first_[s], count), std::span(factor_).subspan(first_[s], count),
+          square_weight_[s]);
+    }
+  }
   /// Adds a mass that faces attached to a solid give its nodes, by the combination that is the face's velocity less
   /// that of the solid [mass].
-  void add_square(const Combination& rate, double weight);
+  void add_square(const Combination& rate, double weight, bool of_two = false);
 
  private:
   void add_cells(int a);
@@ -69,6 +81,7 @@ class StrainRates {
   std::vector<std::size_t> first_{0};                                  // of each square in the list
   std::vector<std::size_t> unknown_;
   std::vector<double> factor_, square_weight_;
+  std::vector<std::uint8_t> of_two_;  // 1 where it is one of a difference
 };
 
 }  // namespace tether::coupled

@@ -33,11 +33,12 @@ Friction::Friction(const RubbingFluid& fluid, std::span<const double> mobility, 
     if (slopes_.is_attached(axis, fluid.domain.grid.place_of_face(axis, f), &slip))
       rates_.add_square(slip, nearest_surface * h * fluid.mu * whole);
   });
-  std::vector<double> stiffness(unknowns_.count(), 0.0);
+  std::vector<double> stiffness(unknowns_.count(), 0.0), diagonal;
   rates_.add_diagonal(stiffness);
   for (std::size_t k = 0; k < mass_.size(); ++k) {
-    if (mass_[k] > 0 && stiffness[k] > 0) free_.push_back(k), diagonal_.push_back(mass_[k] + stiffness[k]);
+    if (mass_[k] > 0 && stiffness[k] > 0) free_.push_back(k), diagonal.push_back(mass_[k] + stiffness[k]);
   }
+  ties_.emplace(rates_, free_, diagonal, unknowns_.count());
 }
 
 template <class Function>
@@ -56,12 +57,18 @@ double Friction::mass(int axis, std::size_t f) const {
          part_of_face(fluid_.parts, fluid_.domain.grid, axis, fluid_.domain.grid.place_of_face(axis, f));
 }
 
-/// (M + h K) e = M (x* - x) - h K x, from the velocities x that were found last.
+/// The velocities of the act before; in the first one those without their drive, which friction leaves about as they
+/// are where that keeps them up. What friction does not change is as it is driven.
+std::vector<double> Friction::first_guess(std::span<const double> driven_to, std::span<const double> undriven) {
+  std::vector<double> guess(driven_to.begin(), driven_to.end());
+  for (const std::size_t k : free_) guess[k] = begun_ ? x_[k] : undriven[k];
+  begun_ = true;
+  return guess;
+}
+
+/// (M + h K) e = M (x* - x) - h K x, from velocities x.
 int Friction::solve(Team& team, std::span<const double> driven_to, double tolerance) {
   std::vector<double> all(x_.size(), 0.0), forces(x_.size(), 0.0), right(free_.size()), e(free_.size(), 0.0);
-  std::vector<double> begin(driven_to.begin(), driven_to.end());
-  for (std::size_t i = 0; begun_ && i < free_.size(); ++i) begin[free_[i]] = x_[free_[i]];
-  x_ = std::move(begin), begun_ = true;
   rates_.add_forces(team, x_, forces);
   double terms = 0;
   for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -77,9 +84,7 @@ int Friction::solve(Team& team, std::span<const double> driven_to, double tolera
     rates_.add_forces(team, all, forces);
     for (std::size_t i = 0; i < p.size(); ++i) y[i] = mass_[free_[i]] * p[i] + forces[free_[i]];
   };
-  const auto precondition = [&](std::span<const double> r, std::span<double> z) {
-    for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / diagonal_[i];
-  };
+  const auto precondition = [&](std::span<const double> r, std::span<double> z) { ties_->solve(r, z); };
   constexpr int most = 20000;
   const KrylovResult result = pcg(team, multiply, precondition, right, e, enough / residual, most);
   for (std::size_t i = 0; i < e.size(); ++i) x_[free_[i]] += e[i];
@@ -91,15 +96,19 @@ Rubbed Friction::act(Team& team, std::span<const double> u, std::span<const doub
   Rubbed result;
   const StaggeredGrid& grid = fluid_.domain.grid;
   const auto drive = [&](int axis, std::size_t f) { return driven[at(axis)].empty() ? 0 : h_ * driven[at(axis)][f]; };
-  std::vector<double> driven_to(x_.size(), 0.0);
+  std::vector<double> driven_to(x_.size(), 0.0), undriven(x_.size(), 0.0);
+  const auto set = [&](std::size_t number, double velocity, double by_drive) {
+    driven_to[number] = velocity + by_drive, undriven[number] = velocity;
+  };
   for (int axis = 0; axis < grid.dim; ++axis) {
     for (std::size_t f = 0; f < v[at(axis)].size(); ++f) {
       if (fluid_.domain.face[at(axis)][f] != FaceKind::closed)
-        driven_to[unknowns_.face(axis, grid.place_of_face(axis, f))] = v[at(axis)][f] + drive(axis, f);
+        set(unknowns_.face(axis, grid.place_of_face(axis, f)), v[at(axis)][f], drive(axis, f));
     }
   }
   for (std::size_t k = 0; k < u.size(); ++k)
-    driven_to[unknowns_.node(k)] = u[k] + (driven_nodes.empty() ? 0 : h_ * driven_nodes[k]);
+    set(unknowns_.node(k), u[k], driven_nodes.empty() ? 0 : h_ * driven_nodes[k]);
+  x_ = first_guess(driven_to, undriven);
   result.iterations = solve(team, driven_to, tolerance);
   if (result.iterations < 0) return result;
   each_open_face([&](int axis, std::size_t f, std::size_t number) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "physics/box/friction/strain_rates.hpp"
+#include "physics/box/friction/ties.hpp"
 
 namespace tether::coupled {
 
@@ -45,7 +47,7 @@ class Friction {
   /// Lets friction act on the velocities v of the faces and u of the nodes, to a tolerance of conjugate gradients.
   /// `driven` is the acceleration by pressures and forces. It acts meanwhile, and at the end h times it is taken back,
   /// for the pressure to find anew: what stays is what friction does to a velocity that is driven as it goes. So are
-  /// the nodes; what friction does to them is the impulse. Velocities of the act before are the first guess.
+  /// the nodes; what friction does to them is the impulse.
   Rubbed act(Team& team, std::span<const double> u, std::span<const double> driven_nodes, double tolerance,
              const FaceValues& driven, FaceValues& v);
 
@@ -53,6 +55,7 @@ class Friction {
   template <class Function>
   void each_open_face(const Function& f) const;
   double mass(int axis, std::size_t f) const;
+  std::vector<double> first_guess(std::span<const double> driven_to, std::span<const double> undriven);
   int solve(Team& team, std::span<const double> driven_to, double tolerance);
 
   RubbingFluid fluid_;
@@ -63,7 +66,7 @@ class Friction {
   bool begun_ = false;
   std::vector<double> mass_, x_;   // of each unknown; no mass: it is known
   std::vector<std::size_t> free_;  // unknowns that friction changes
-  std::vector<double> diagonal_;   // of their equations
+  std::optional<Ties> ties_;       // of their equations
 };
 
 }  // namespace tether::coupled
