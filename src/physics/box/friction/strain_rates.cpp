@@ -55,7 +55,6 @@ StrainRates::StrainRates(const FlowDomain& domain, const FrictionUnknowns& unkno
       a == b ? add_cells(a) : add_edges(a, b);
     }
   }
-  find_blocks();
 }
 
 bool StrainRates::is_fluid(const std::array<int, 3>& cell) const {
@@ -199,21 +198,30 @@ void StrainRates::add_stresses(std::size_t a, std::size_t begin, std::size_t end
   }
 }
 
-/// Finds the blocks that a liquid leaves rates in, and those next to them.
+/// Finds the blocks that a liquid leaves rates in, and those that these, or the squares of the list, give forces.
 void StrainRates::find_blocks() {
   const std::size_t size = places_of_a_block, blocks = (unknowns_.places + size - 1) / size;
   std::vector<std::uint8_t> rates(blocks, 0), forces(blocks, 0);
-  const std::size_t reach = (unknowns_.margin + size - 1) / size;
+  const auto mark = [&](std::size_t place) {  // numbers of the margins have no forces
+    if (place >= unknowns_.margin && place < unknowns_.margin + unknowns_.places)
+      forces[(place - unknowns_.margin) / size] = 1;
+  };
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t begin = unknowns_.margin + b * size,
-                      end = unknowns_.margin + std::min(unknowns_.places, (b + 1) * size);
+                      last = unknowns_.margin + std::min(unknowns_.places, (b + 1) * size) - 1;
     for (const auto& of_axis : weight_) {
       for (const std::vector<double>& weight : of_axis) {
-        for (std::size_t p = begin; !weight.empty() && p < end && rates[b] == 0; ++p) rates[b] = weight[p] != 0 ? 1 : 0;
+        for (std::size_t p = begin; !weight.empty() && p <= last && rates[b] == 0; ++p)
+          rates[b] = weight[p] != 0 ? 1 : 0;
       }
     }
-    for (std::size_t c = b - std::min(b, reach); rates[b] != 0 && c < std::min(blocks, b + reach + 1); ++c)
-      forces[c] = 1;
+    for (std::size_t a = 0; rates[b] != 0 && a < at(unknowns_.grid.dim); ++a) {
+      for (const std::size_t end : {begin, last})
+        mark(end), mark(end - unknowns_.stride[a]), mark(end + unknowns_.stride[a]);
+    }
+  }
+  for (const std::size_t number : unknown_) {
+    if (number < unknowns_.node(0)) mark(number % unknowns_.lattice());
   }
   for (std::size_t b = 0; b < blocks; ++b) {
     if (rates[b] != 0) with_rates_.push_back(b);
@@ -221,7 +229,7 @@ void StrainRates::find_blocks() {
   }
 }
 
-void StrainRates::add_forces(Team& team, std::span<const double> x, std::span<double> y) {
+void StrainRates::find_forces(Team& team, std::span<const double> x, std::span<double> y) {
   const std::size_t dim = at(unknowns_.grid.dim);
   const auto each = [&](const std::vector<std::size_t>& blocks, const auto& f) {
     team.each(0, blocks.size(), [&](std::size_t k) {
@@ -236,8 +244,12 @@ void StrainRates::add_forces(Team& team, std::span<const double> x, std::span<do
     }
   });
   each(with_forces_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t a = 0; a < dim; ++a) add_stresses(a, begin, end, y);
+    for (std::size_t a = 0; a < dim; ++a) {
+      std::ranges::fill(y.subspan(a * unknowns_.lattice() + begin, end - begin), 0.0);
+      add_stresses(a, begin, end, y);
+    }
   });
+  std::ranges::fill(y.subspan(unknowns_.node(0)), 0.0);
   for (std::size_t s = 0; s + 1 < first_.size(); ++s) {
     double rate = 0;
     for (std::size_t k = first_[s]; k < first_[s + 1]; ++k) rate += factor_[k] * x[unknown_[k]];

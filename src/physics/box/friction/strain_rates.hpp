@@ -38,8 +38,10 @@ class StrainRates {
   StrainRates(const FlowDomain& domain, const FrictionUnknowns& unknowns, const Slopes& slopes, const CellParts& parts,
               Beyond beyond, double mu);
 
-  /// y += K x, x and y of all unknowns.
-  void add_forces(Team& team, std::span<const double> x, std::span<double> y);
+  /// Finds the blocks of places that have rates and forces, once all squares are there.
+  void find_blocks();
+  /// y = K x, x and y of all unknowns, where K has any numbers: y must be 0 elsewhere.
+  void find_forces(Team& team, std::span<const double> x, std::span<double> y);
   /// y += the diagonal of K.
   void add_diagonal(std::span<double> y) const;
   /// Calls f(unknowns, factors, weight) for each square that stands in the list, but for the differences of two squares
@@ -67,7 +69,6 @@ class StrainRates {
   bool is_fluid(const std::array<int, 3>& cell) const;
   double liquid_of(const std::array<int, 3>& cell, const std::array<int, 3>& half) const;
   void find_stresses(std::size_t a, std::size_t b, std::span<const double> x, std::size_t begin, std::size_t end);
-  void find_blocks();
   void add_stresses(std::size_t a, std::size_t begin, std::size_t end, std::span<double> y) const;
 
   const FrictionUnknowns& unknowns_;

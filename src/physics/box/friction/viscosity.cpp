@@ -33,6 +33,7 @@ Friction::Friction(const RubbingFluid& fluid, std::span<const double> mobility, 
     if (slopes_.is_attached(axis, fluid.domain.grid.place_of_face(axis, f), &slip))
       rates_.add_square(slip, nearest_surface * h * fluid.mu * whole);
   });
+  rates_.find_blocks();
   std::vector<double> stiffness(unknowns_.count(), 0.0), diagonal;
   rates_.add_diagonal(stiffness);
   for (std::size_t k = 0; k < mass_.size(); ++k) {
@@ -69,7 +70,7 @@ std::vector<double> Friction::first_guess(std::span<const double> driven_to, std
 /// (M + h K) e = M (x* - x) - h K x, from velocities x.
 int Friction::solve(Team& team, std::span<const double> driven_to, double tolerance) {
   std::vector<double> all(x_.size(), 0.0), forces(x_.size(), 0.0), right(free_.size()), e(free_.size(), 0.0);
-  rates_.add_forces(team, x_, forces);
+  rates_.find_forces(team, x_, forces);
   double terms = 0;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const std::size_t k = free_[i];
@@ -80,8 +81,7 @@ int Friction::solve(Team& team, std::span<const double> driven_to, double tolera
   if (!(residual > enough)) return std::isfinite(residual) ? 0 : -1;
   const auto multiply = [&](std::span<const double> p, std::span<double> y) {
     for (std::size_t i = 0; i < p.size(); ++i) all[free_[i]] = p[i];
-    std::fill(forces.begin(), forces.end(), 0.0);
-    rates_.add_forces(team, all, forces);
+    rates_.find_forces(team, all, forces);
     for (std::size_t i = 0; i < p.size(); ++i) y[i] = mass_[free_[i]] * p[i] + forces[free_[i]];
   };
   const auto precondition = [&](std::span<const double> r, std::span<double> z) { ties_->solve(r, z); };
@@ -118,7 +118,7 @@ Rubbed Friction::act(Team& team, std::span<const double> u, std::span<const doub
     now = after;
   });
   std::vector<double> forces(x_.size(), 0.0);
-  rates_.add_forces(team, x_, forces);
+  rates_.find_forces(team, x_, forces);
   for (std::size_t k = 0; k < u.size(); ++k) result.impulse.push_back(-forces[unknowns_.node(k)]);
   result.heat = dot(team, x_, forces);
   return result;
