@@ -13,6 +13,7 @@ constexpr int none = -1;
 
 Ties::Ties(const StrainRates& rates, std::span<const std::size_t> free, std::span<const double> diagonal,
            std::size_t unknowns) {
+  for (const double value : diagonal) inverse_.push_back(1 / value);
   std::vector<int> number(unknowns, none), of_tied(free.size(), none);  // among the free ones, and among the tied ones
   for (std::size_t i = 0; i < free.size(); ++i) number[free[i]] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
@@ -33,19 +34,21 @@ Ties::Ties(const StrainRates& rates, std::span<const std::size_t> free, std::spa
     for (std::size_t k = 0; k < unknown.size(); ++k) {
       const int i = number[unknown[k]];
       if (i == none) continue;
+      const int row = tied(i);
       rest[at(i)] -= weight * factor[k] * factor[k];
       for (std::size_t l = 0; l < unknown.size(); ++l) {
-        if (number[unknown[l]] != none)
-          entries.emplace_back(tied(i), tied(number[unknown[l]]), weight * factor[k] * factor[l]);
+        if (number[unknown[l]] == none) continue;
+        const int column = tied(number[unknown[l]]);
+        entries.emplace_back(row, column, weight * factor[k] * factor[l]);
       }
     }
   });
-  for (std::size_t i = 0; i < free.size(); ++i) inverse_.push_back(1 / diagonal[i]);
+  if (tied_.empty()) return;
   const int size = static_cast<int>(tied_.size());
   for (int k = 0; k < size; ++k) entries.emplace_back(k, k, std::max(rest[tied_[at(k)]], 0.0));
   Eigen::SparseMatrix<double> P(size, size);
   P.setFromTriplets(entries.begin(), entries.end());
-  if (size > 0) factors_.compute(P);
+  factors_.compute(P);
   if (factors_.info() != Eigen::Success) tied_.clear();
   right_.resize(std::ssize(tied_)), found_.resize(std::ssize(tied_));
 }
