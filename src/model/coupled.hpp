@@ -90,6 +90,18 @@ template <>
 inline constexpr std::array<Word<Advection>, 2> words<Advection>{
     {{Advection::semi_lagrangian, "semi-lagrangian"}, {Advection::maccormack, "maccormack"}}};
 
+/// What the fluid's cells are: those of the grid, or triangles that fit the solids and move with them.
+enum class FlowCells { grid, mesh };
+template <>
+inline constexpr std::array<Word<FlowCells>, 2> words<FlowCells>{
+    {{FlowCells::grid, "grid"}, {FlowCells::mesh, "mesh"}}};
+
+/// How long the edges of a fluid's triangles are.
+struct MeshSizes {
+  double size = 1;      ///< far from solids and obstacles [length]
+  double growth = 0.3;  ///< by how much they may grow from the surface on, over the way
+};
+
 /// What a side of the box is: a wall, which a viscous fluid sticks to; a wall that any fluid slips along; open to fluid
 /// at rest, whose pressure grows with the depth; or open with nothing beyond, where the pressure is zero.
 enum class BoxSide { wall, slip, open, empty };
@@ -173,6 +185,7 @@ struct Coupled {
   std::vector<Box<3>> voids;      ///< whose cells hold no fluid: pressure zero
   bool cavities_only = false;     ///< fluid only where solids enclose it, void around them
   Vec<3> start{};                 ///< velocity of the fluid at the start
+  std::optional<MeshSizes> mesh;  ///< where the fluid's cells are triangles
   std::optional<Liquid> liquid;   ///< where the fluid has a surface
   bool smoke = false;             ///< whether density and temperature of smoke are carried along
   std::vector<SmokeBox> smoke_boxes;

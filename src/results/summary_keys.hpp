@@ -134,6 +134,8 @@ inline constexpr auto summary_rows = [] {
       SummaryRow{"friction_passes", boxes, number, "times that steps' friction and pressures were found together",
                  "viscosity > 0"},
       SummaryRow{"friction_unsettled", boxes, number, "steps in which 40 such did not settle them", "viscosity > 0"},
+      SummaryRow{"mesh_cells", boxes, number, "triangles of the fluid at the end", "flow='mesh'"},
+      SummaryRow{"mesh_pressures", boxes, number, "pressures that its last step found", "flow='mesh'"},
       SummaryRow{"cfl_largest", boxes, number, "most cells that the fluid crossed in a step"},
       SummaryRow{"thin_cells", boxes, number, "most cells that a body is too thin for", "mode='cut-cell'"},
       SummaryRow{"volume_unswept", boxes, number,

@@ -22,6 +22,14 @@ inline constexpr std::array coupled_rows{
              "How fluid and solids are solved: simultaneously by one map and its transpose, with the open parts of "
              "faces; the same with cells that are wholly fluid or solid; one after the other; or simultaneously by two "
              "maps as in the paper."},
+    Variable{"coupled", "flow", text, 0, 1, 1, "", -none, none, choices<FlowCells>, "'grid'",
+             "What the fluid's cells are: those of the grid; or triangles that fit bodies and obstacles and are made "
+             "anew as bodies move, in the plane."},
+    Variable{"coupled", "size", real, 0, 1, 1, "length", above_zero, none, "", "",
+             "Edges of the triangles of flow='mesh' far from bodies and obstacles; the shorter of a cell's sides where "
+             "it is not given. At a surface they are as long as its own sides."},
+    Variable{"coupled", "growth", real, 0, 1, 1, "", 0.05, 1, "", "0.3",
+             "By how much edges of flow='mesh' may grow from the surface on, over the way."},
     Variable{"coupled", "step", text, 0, 1, 1, "", -none, none, choices<SolidsStep>, "'auto'",
              "How a step finds where solids go: by one linear solution, as the paper's; by Newton's method with forces "
              "that keep the energy, which bodies that meet by $contact need, and stiff ones that turn; or auto: linear "

@@ -95,7 +95,7 @@ std::string thin_text(const ThinBodies& thin, int dim) {
 }
 
 std::string thin_text(const Scene& scene) {
-  if (!scene.coupled() || !scene.solids() || !scene.coupled()->coupling.cuts_faces) return "";
+  if (!scene.coupled() || !scene.solids() || !scene.coupled()->coupling.cuts_faces || scene.coupled()->mesh) return "";
   const SolidSurface surface = surface_of(scene.solids()->mesh);
   const FlowBox box(*scene.coupled());
   const Outside outside(*scene.coupled(), gravity_of(scene));

@@ -15,6 +15,29 @@ namespace tether::coupled {
 
 struct CoupledSums;
 
+/// What a flow does with the friction of a viscous fluid.
+class FlowFriction {
+ public:
+  FlowFriction() = default;
+  FlowFriction(const FlowFriction&) = delete;
+  FlowFriction& operator=(const FlowFriction&) = delete;
+  virtual ~FlowFriction() = default;
+
+  /// Finds what rubs in a step of length h, the same in all of its passes. `mobility` is 1 / mass of each number of the
+  /// nodes that the fluid sticks to, 0 where its velocity is held [1/mass].
+  virtual void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) = 0;
+  /// Lets friction act; the nodes get `drag` [force].
+  virtual void add_friction(CoupledState& state, double h, std::span<double> drag) = 0;
+  /// Keeps the accelerations by `change`, what forces and pressures made of the velocities, and by the end of the step
+  /// before: a flow that is steady from step to step then is one for friction, too.
+  virtual void take_drive(const FaceValues& change, double h, CoupledState& state) const = 0;
+  /// Gives velocities about the fluid the accelerations of those in it.
+  virtual void extend_drive(CoupledState& state) const = 0;
+  /// Adds to accelerations that lack `missed` (axis after axis, then of the nodes) those of the pressure
+  /// 2 mu h div(missed), within the fluid.
+  virtual void add_viscous_pressure(double h, std::span<double> missed) const = 0;
+};
+
 /// A fluid about solids: all that a step of both sees of it. With D the flux out of what each pressure stands for and M
 /// the volume that a velocity moves, a flow makes L, net fluxes and what pressures do to velocities, and the map B
 /// between pressures and the solids' nodes. What its velocities are it alone knows: by axis, with those that no
@@ -95,21 +118,8 @@ class Flow {
   /// How many cells the fluid crosses along an axis in a time h where it is fastest.
   virtual double cells_crossed(const FaceValues& v, double h) const = 0;
 
-  // Friction, of a viscous fluid.
-
-  /// Finds what rubs in a step of length h, the same in all of its passes. `mobility` is 1 / mass of each number of the
-  /// nodes that the fluid sticks to, 0 where its velocity is held [1/mass].
-  virtual void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) = 0;
-  /// Lets friction act; the nodes get `drag` [force].
-  virtual void add_friction(CoupledState& state, double h, std::span<double> drag) = 0;
-  /// Keeps the accelerations by `change`, what forces and pressures made of the velocities, and by the end of the step
-  /// before: a flow that is steady from step to step then is one for friction, too.
-  virtual void take_drive(const FaceValues& change, double h, CoupledState& state) const = 0;
-  /// Gives velocities about the fluid the accelerations of those in it.
-  virtual void extend_drive(CoupledState& state) const = 0;
-  /// Adds to accelerations that lack `missed` (axis after axis, then of the nodes) those of the pressure
-  /// 2 mu h div(missed), within the fluid.
-  virtual void add_viscous_pressure(double h, std::span<double> missed) const = 0;
+  /// Returns what it does with friction; null where it has none.
+  virtual FlowFriction* friction() = 0;
 
   // What it shows.
 

@@ -151,10 +151,10 @@ FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) cons
 
 /// Returns the jets' mean speeds in a step of length h, by three points of Gauss: exact to t^5, and for a jet that is
 /// switched on within the step about its part.
-std::vector<double> FlowBox::jet_speeds(double time, double h) const {
+std::vector<double> jet_speeds(const Coupled& scene, double time, double h) {
   constexpr double away = 0.38729833462074168852;  // sqrt(3/5)/2, of the step from its middle
   std::vector<double> speeds;
-  for (const Jet& jet : scene_.jets) {
+  for (const Jet& jet : scene.jets) {
     const auto at = [&](double part) { return jet.amplitude.at(time + part * h); };
     const double mean = h == 0 ? at(0) : (5 * (at(0.5 - away) + at(0.5 + away)) + 8 * at(0.5)) / 18;
     speeds.push_back(jet.speed * mean);
@@ -165,7 +165,7 @@ std::vector<double> FlowBox::jet_speeds(double time, double h) const {
 /// A face that a jet has but a part of takes that part of its speed: the flux is the jet's. A liquid's particles are
 /// only in the jet's part, and go as fast as it.
 void FlowBox::prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const {
-  const std::vector<double> speeds = jet_speeds(time, h);
+  const std::vector<double> speeds = jet_speeds(scene_, time, h);
   for (int axis = 0; axis < scene_.grid.dim; ++axis) {
     for (std::size_t f = 0; f < domain.face[at(axis)].size(); ++f) {
       if (domain.face[at(axis)][f] != FaceKind::prescribed) continue;
@@ -182,7 +182,7 @@ void FlowBox::prescribe(const FlowDomain& domain, double time, double h, FaceVal
 /// Lists the smoke of jets. Of several jets in a face those that blow in count, each by its part of the face's flux, so
 /// that what they bring is theirs, whatever others take out there.
 std::vector<SmokeJet> FlowBox::smoke_of_jets(double time, double h) const {
-  const std::vector<double> speeds = jet_speeds(time, h);
+  const std::vector<double> speeds = jet_speeds(scene_, time, h);
   std::vector<SmokeJet> jets;
   for (int axis = 0; axis < scene_.grid.dim; ++axis) {
     for (std::size_t f = 0; f < scene_.grid.face_count(axis); ++f) {

@@ -12,6 +12,9 @@
 
 namespace tether::coupled {
 
+/// The mean speeds of jets in a step of length h, into the box [velocity].
+std::vector<double> jet_speeds(const Coupled& scene, double time, double h);
+
 /// The box without solids: obstacles, voids, walls, jets and open sides.
 class FlowBox {
  public:
@@ -25,8 +28,6 @@ class FlowBox {
   FlowDomain around(const Crossings& crossings, const CutCells& cut) const;
   /// Sets the velocities of prescribed faces in a step of length h: jets have their mean speeds [velocity].
   void prescribe(const FlowDomain& domain, double time, double h, FaceValues& v) const;
-  /// The mean speeds of jets in a step of length h, into the box [velocity].
-  std::vector<double> jet_speeds(double time, double h) const;
   /// Returns what jets bring in through the faces that they have in a step, by their shares of what comes in there.
   std::vector<SmokeJet> smoke_of_jets(double time, double h) const;
 

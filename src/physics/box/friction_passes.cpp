@@ -65,7 +65,7 @@ void FrictionPasses::drive_by(std::span<const double> drive, CoupledState& state
     drive = drive.subspan(along.size());
   }
   std::copy(drive.begin(), drive.end(), state.driven_nodes.begin());
-  flow_.extend_drive(state);
+  friction_.extend_drive(state);
 }
 
 /// The roots of masses; 0 of velocities that no pressure moves.
@@ -80,7 +80,7 @@ std::vector<double> FrictionPasses::weights(const CoupledState& state) const {
 /// What the drive of this pass lacks of that which it ended with. A node's is what all but friction gave it.
 std::vector<double> FrictionPasses::missed_drive(const Step& step, std::span<const double> drive,
                                                  std::span<const double> u0, double h, CoupledState& state) const {
-  flow_.take_drive(step.change, h, state);
+  friction_.take_drive(step.change, h, state);
   for (std::size_t k = 0; k < state.driven_nodes.size(); ++k)
     state.driven_nodes[k] = (state.u[k] - u0[k]) / h - step.drag[k] * mobility_of(k);
   std::vector<double> missed = drive_of(state);
@@ -111,12 +111,12 @@ double FrictionPasses::miss_of(std::span<const double> missed, std::span<const d
 /// of what very viscous fluids lack (J. Cahouet, J.-P. Chabard, Int. J. Numer. Meth. Fluids 8 (1988) 869-895). Bodies
 /// that are free to move answer the pressure, which it knows nothing of: with them passes do without.
 void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) const {
-  if (std::ranges::count(solids_.held, 0) == 0) flow_.add_viscous_pressure(h, missed);
+  if (std::ranges::count(solids_.held, 0) == 0) friction_.add_viscous_pressure(h, missed);
 }
 
 fem::NewtonReport FrictionPasses::pass(const Step& step, double h, CoupledState& state) const {
   ++state.passes;
-  flow_.add_friction(state, h, step.drag);
+  friction_.add_friction(state, h, step.drag);
   return step.find(state);
 }
 
@@ -137,7 +137,7 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     state = std::move(begin);
     messages.resize(said);
   };
-  flow_.begin_friction(state, mobilities(state.driven_nodes.size()), h);
+  friction_.begin_friction(state, mobilities(state.driven_nodes.size()), h);
   fem::NewtonReport report = pass(step, h, state);
   for (int number = 1; report.converged; ++number) {
     std::vector<double> missed = missed_drive(step, drive, before.u, h, state);

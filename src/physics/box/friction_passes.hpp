@@ -19,8 +19,9 @@ namespace tether::coupled {
 class FrictionPasses {
  public:
   /// All must outlive it.
-  FrictionPasses(const Coupled& scene, const Vec<3>& gravity, const SolidEquations& solids, Flow& flow)
-      : scene_(scene), gravity_(gravity), solids_(solids), flow_(flow) {}
+  FrictionPasses(const Coupled& scene, const Vec<3>& gravity, const SolidEquations& solids, const Flow& flow,
+                 FlowFriction& friction)
+      : scene_(scene), gravity_(gravity), solids_(solids), flow_(flow), friction_(friction) {}
 
   /// What a pass has after friction: forces, pressures and the motion of the solids, each time from the same start.
   struct Step {
@@ -48,7 +49,8 @@ class FrictionPasses {
   const Coupled& scene_;
   Vec<3> gravity_;  // [acceleration]
   const SolidEquations& solids_;
-  Flow& flow_;
+  const Flow& flow_;
+  FlowFriction& friction_;
 };
 
 }  // namespace tether::coupled

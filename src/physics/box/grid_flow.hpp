@@ -16,7 +16,7 @@ namespace tether::coupled {
 
 /// A fluid on the regular grid, all over the room that solids leave: pressures of cells, velocities of faces across
 /// them.
-class GridFlow : public Flow {
+class GridFlow : public Flow, public FlowFriction {
  public:
   /// All must outlive it.
   GridFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, const SolidEquations& solids,
@@ -61,6 +61,7 @@ class GridFlow : public Flow {
   std::vector<double> masses() const override;
   double cells_crossed(const FaceValues& v, double h) const override;
 
+  FlowFriction* friction() override { return this; }
   void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) override;
   void add_friction(CoupledState& state, double h, std::span<double> drag) override;
   void take_drive(const FaceValues& change, double h, CoupledState& state) const override;
@@ -119,7 +120,7 @@ class GridFlow : public Flow {
   FlowRegions regions_;
   std::vector<double> mobility_;        // of the step's friction
   std::optional<SolidsBeside> beside_;  // likewise
-  std::optional<Friction> friction_;    // likewise
+  std::optional<Friction> rubbing_;     // likewise
 };
 
 }  // namespace tether::coupled

@@ -22,9 +22,9 @@ void GridFlow::begin_friction(const CoupledState& state, std::vector<double> mob
 void GridFlow::begin_friction(Beyond beyond, double h, std::size_t numbers) {
   const SolidSurface& whole = placer_.whole().surface();
   beside_.emplace(SolidsBeside{whole, at_.beside, numbers, sticks_to_bodies(scene_)});
-  friction_.emplace(RubbingFluid{at_.room(), scene_.density, scene_.viscosity, parts_, beyond,
-                                 whole.side_count() > 0 ? &*beside_ : nullptr},
-                    mobility_, h);
+  rubbing_.emplace(RubbingFluid{at_.room(), scene_.density, scene_.viscosity, parts_, beyond,
+                                whole.side_count() > 0 ? &*beside_ : nullptr},
+                   mobility_, h);
 }
 
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
@@ -32,10 +32,10 @@ void GridFlow::add_friction(CoupledState& state, double h, std::span<double> dra
   const double tolerance = std::max(scene_.tolerance, 1e-10);
   const std::span<const double> u =
       sticks_to_bodies(scene_) ? std::span<const double>(state.u) : std::span<const double>();
-  Rubbed rubbed = friction_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
+  Rubbed rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
   if (rubbed.iterations < 0) {  // solids at open sides may take the sign of its power
     begin_friction(Beyond::nothing, h, state.u.size());
-    rubbed = friction_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
+    rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
   }
   if (rubbed.iterations < 0)
     throw RunError(

@@ -73,8 +73,8 @@ void LiquidFlow::move_particles(CoupledState& state, double h) {
   double fastest = 0;  // of the bodies' nodes, along an axis
   for (const double u : state.u) fastest = std::max(fastest, std::abs(u));
   const liquid::CarriedEnergy carried =
-      liquid_.carry(at_, state.v, 2 * fastest + h * std::sqrt(dot(gravity_, gravity_)), box_.jet_speeds(state.time, h),
-                    h, state.particles, state.liquid_flow);
+      liquid_.carry(at_, state.v, 2 * fastest + h * std::sqrt(dot(gravity_, gravity_)),
+                    jet_speeds(scene_, state.time, h), h, state.particles, state.liquid_flow);
   state.books.jets += carried.in, state.books.open_sides -= carried.out;
 }
 

@@ -62,6 +62,7 @@ struct CoupledState : StepClock {
   FaceValues ended;   ///< what of that the end of the last step was, after pressures [acceleration]
   std::vector<double> driven_nodes;  ///< of nodes that a viscous one sticks to, likewise by all but its friction
   std::vector<double> p;             ///< of each cell, extended into the solids [stress]
+  std::vector<double> flow_q;        ///< places of the nodes that the mesh of v and p fits; empty on a grid
   std::vector<double> q, u;          ///< places and velocities of the solids' nodes, dim numbers a node
   std::vector<Touch> touches;        ///< of the nodes, a number a velocity
   std::vector<double> fluid_force,
@@ -93,15 +94,16 @@ struct CoupledState : StepClock {
   long long thin_cells = 0;          ///< most in any step at which bodies are thinner than a cell, by cut-cell
 };
 
-/// The parts of a state for saving and restoring; cells and faces do not change in number.
+/// The parts of a state for saving and restoring.
 template <class Exchange>
 void exchange(Exchange& with, CoupledState& state) {
   exchange_clock(with, state);
-  with("fluid_u", state.v[0]), with("fluid_v", state.v[1]), with("fluid_w", state.v[2]);
+  with.list("fluid_u", state.v[0]), with.list("fluid_v", state.v[1]), with.list("fluid_w", state.v[2]);
   with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
   with("ended_u", state.ended[0]), with("ended_v", state.ended[1]), with("ended_w", state.ended[2]);
   with("driven_nodes", state.driven_nodes);
-  with("p", state.p), with("q", state.q), with("u", state.u), with("touches", state.touches);
+  with.list("p", state.p), with.list("flow_q", state.flow_q), with("q", state.q), with("u", state.u),
+      with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   if (!state.smoke.volume.empty())
     with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);

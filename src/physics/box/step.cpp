@@ -7,12 +7,14 @@
 
 #include "base/numbers.hpp"
 #include "physics/box/liquid_flow.hpp"
+#include "physics/box/mesh/mesh_flow.hpp"
 
 namespace tether::coupled {
 namespace {
 
 std::unique_ptr<Flow> flow_of(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface,
                               const SolidEquations& solids, CoupledSystem& system, Team& team) {
+  if (scene.mesh) return std::make_unique<MeshFlow>(scene, gravity, surface, solids.system.unknowns());
   if (scene.liquid) return std::make_unique<LiquidFlow>(scene, gravity, surface, solids, system, team);
   return std::make_unique<GridFlow>(scene, gravity, surface, solids, team);
 }
@@ -30,7 +32,7 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
       around_(solids_, system_),
       drag_(solids_.system.unknowns(), 0.0),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {
-  if (coupled_.viscosity > 0) passes_.emplace(coupled_, gravity_of(scene), solids_, *flow_);
+  if (coupled_.viscosity > 0) passes_.emplace(coupled_, gravity_of(scene), solids_, *flow_, *flow_->friction());
   if (tether::keeps_energy(coupled_, solids, scene.clock.tstep)) solid_step_.emplace(solids_.system, &around_);
 }
 

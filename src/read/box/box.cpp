@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "deck/words.hpp"
 #include "read/box/checks.hpp"
 #include "read/mesh/solids.hpp"
@@ -38,6 +40,13 @@ void read_method(const Deck& deck, Coupled& coupled) {
   coupled.volume_term = deck.logical("coupled.volume_term");
   coupled.area_repair = deck.logical("coupled.area_repair");
   coupled.convex = deck.logical("coupled.convex");
+}
+
+void read_mesh(const Deck& deck, Coupled& coupled) {
+  if (word<FlowCells>(deck, "coupled.flow") == FlowCells::grid) return;
+  const double cell = std::min(coupled.grid.d[0], coupled.grid.d[1]);
+  coupled.mesh = {.size = deck.given("coupled.size") ? deck.real("coupled.size") : cell,
+                  .growth = deck.real("coupled.growth")};
 }
 
 void read_fluid(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
@@ -92,6 +101,7 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   coupled->grid = grid_of(deck, scene.grid);
   read_method(deck, *coupled);
   read_fluid(deck, *coupled, diagnostics);
+  read_mesh(deck, *coupled);
   add_openings(deck, *coupled, diagnostics);
   add_jets(deck, *coupled, diagnostics);
   add_boxes(deck, *coupled, diagnostics);
@@ -102,6 +112,7 @@ void add_coupled(const Deck& deck, Scene& scene, Diagnostics& diagnostics) {
   const bool energy = scene.solids() && keeps_energy(*coupled, *scene.solids(), scene.clock.tstep);
   check_coupled_deck(deck, *coupled, energy, diagnostics);
   check_liquid(deck, scene, *coupled, diagnostics);
+  check_flow_mesh(deck, *coupled, diagnostics);
   if (!diagnostics.has_errors()) {
     check_coupled_places(deck, scene, *coupled, diagnostics);
     check_coupled_regions(deck, scene, *coupled, diagnostics);

@@ -31,6 +31,9 @@ void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& 
 /// for waves of its surface, of friction at it, and of bodies in a box with obstacles that cut cells.
 void check_liquid(const Deck& deck, const Scene& scene, const Coupled& coupled, Diagnostics& diagnostics);
 
+/// Reports what a flow on a mesh cannot have in its box, and what the deck says of a mesh that there is none of.
+void check_flow_mesh(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics);
+
 /// Returns whether bodies of triangles or tetrahedra, with or without obstacles, part cells of fluid from those at the
 /// box's sides: a step from a cell's middle to the next one's does not go through a body.
 bool encloses_cells(const Coupled& coupled, const Mesh& mesh);

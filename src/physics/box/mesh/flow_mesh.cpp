@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/flow_mesh.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/numbers.hpp"
+
+namespace tether::coupled {
+namespace {
+
+Vec<3> mean_place(const FlowMesh& mesh, std::span<const int> nodes) {
+  Vec<3> sum{};
+  for (const int n : nodes) {
+    for (std::size_t a = 0; a < 3; ++a) sum[a] += mesh.x[at(n)][a];
+  }
+  for (double& value : sum) value /= static_cast<double>(nodes.size());
+  return sum;
+}
+
+/// Twice or six times the volume of a cell.
+double parallelepiped(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>* d) {
+  const Vec<3> u = minus(b, a), v = minus(c, a);
+  return d == nullptr ? u[0] * v[1] - u[1] * v[0] : dot(cross(u, v), minus(*d, a));
+}
+
+double volume_of(const FlowMesh& mesh, const std::array<Vec<3>, 4>& corner) {
+  return mesh.dim == 2 ? 0.5 * parallelepiped(corner[0], corner[1], corner[2], nullptr)
+                       : parallelepiped(corner[0], corner[1], corner[2], &corner[3]) / 6;
+}
+
+std::array<Vec<3>, 4> corners_of(const FlowMesh& mesh, std::size_t cell) {
+  std::array<Vec<3>, 4> corner{};
+  const auto nodes = mesh.nodes_of(cell);
+  for (std::size_t k = 0; k < nodes.size(); ++k) corner[k] = mesh.x[at(nodes[k])];
+  return corner;
+}
+
+/// The nodes of a cell's face that is opposite to node k, in an order that makes its normal point out of the cell.
+std::array<int, 3> nodes_opposite(std::span<const int> nodes, std::size_t k) {
+  if (nodes.size() == 3) return {nodes[(k + 1) % 3], nodes[(k + 2) % 3], -1};
+  constexpr std::array<std::array<std::size_t, 3>, 4> opposite{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+  return {nodes[opposite[k][0]], nodes[opposite[k][1]], nodes[opposite[k][2]]};
+}
+
+Vec<3> area_of(const FlowMesh& mesh, const std::array<int, 3>& nodes) {
+  const Vec<3>&a = mesh.x[at(nodes[0])], &b = mesh.x[at(nodes[1])];
+  const Vec<3> along = minus(b, a);
+  if (mesh.dim == 2) return {along[1], -along[0], 0};
+  Vec<3> area = cross(along, minus(mesh.x[at(nodes[2])], a));
+  for (double& value : area) value *= 0.5;
+  return area;
+}
+
+}  // namespace
+
+Vec<3> FlowMesh::out_of(std::size_t cell, std::size_t f) const {
+  const double sign = at(beside[f][0]) == cell ? 1 : -1;
+  return {sign * area[f][0], sign * area[f][1], sign * area[f][2]};
+}
+
+Vec<3> FlowMesh::middle(std::size_t cell) const { return mean_place(*this, nodes_of(cell)); }
+
+Vec<3> FlowMesh::middle_of_face(std::size_t f) const { return mean_place(*this, face_nodes(f)); }
+
+std::array<double, 4> FlowMesh::shares(std::size_t cell, const Vec<3>& place) const {
+  std::array<double, 4> shares{};
+  const std::array<Vec<3>, 4> corner = corners_of(*this, cell);
+  for (std::size_t k = 0; k < corners(); ++k) {
+    std::array<Vec<3>, 4> moved = corner;
+    moved[k] = place;
+    shares[k] = volume_of(*this, moved) / volume[cell];
+  }
+  return shares;
+}
+
+void FlowMesh::find_faces() {
+  const std::size_t per_cell = corners(), per_face = at(dim);
+  struct Half {
+    std::array<int, 3> key;
+    std::size_t cell, corner;
+  };
+  std::vector<Half> halves;
+  volume.clear(), beside.clear(), nodes_of_face.clear(), area.clear();
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    volume.push_back(volume_of(*this, corners_of(*this, cell)));
+    for (std::size_t k = 0; k < per_cell; ++k) {
+      std::array<int, 3> key = nodes_opposite(nodes_of(cell), k);
+      std::sort(key.begin(), key.end());
+      halves.push_back({key, cell, k});
+    }
+  }
+  std::ranges::stable_sort(halves, {}, &Half::key);
+  face.assign(nodes.size(), -1);
+  for (std::size_t h = 0; h < halves.size(); ++h) {
+    const Half& half = halves[h];
+    const bool second = h > 0 && halves[h - 1].key == half.key;
+    if (!second) {
+      const std::array<int, 3> of = nodes_opposite(nodes_of(half.cell), half.corner);
+      nodes_of_face.insert(nodes_of_face.end(), of.begin(), of.begin() + static_cast<std::ptrdiff_t>(per_face));
+      area.push_back(area_of(*this, of));
+      beside.push_back({static_cast<int>(half.cell), -1});
+    } else {
+      beside.back()[1] = static_cast<int>(half.cell);
+    }
+    face[half.cell * per_cell + half.corner] = static_cast<int>(beside.size()) - 1;
+  }
+  boundary.assign(beside.size(), {});
+  find_regions();
+}
+
+void FlowMesh::find_regions() {
+  region.assign(cells(), -1), regions = 0;
+  std::vector<std::size_t> next;
+  for (std::size_t first = 0; first < cells(); ++first) {
+    if (region[first] >= 0) continue;
+    region[first] = regions, next.push_back(first);
+    while (!next.empty()) {
+      const std::size_t cell = next.back();
+      next.pop_back();
+      for (const int f : faces_of(cell)) {
+        for (const int other : beside[at(f)]) {
+          if (other >= 0 && region[at(other)] < 0) region[at(other)] = regions, next.push_back(at(other));
+        }
+      }
+    }
+    ++regions;
+  }
+}
+
+}  // namespace tether::coupled

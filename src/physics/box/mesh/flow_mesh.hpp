@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace tether::coupled {
+
+/// What a face at the fluid's boundary lies on.
+enum class BoundaryKind { none, box_side, solid, obstacle };
+
+/// That, and which side of the box or of the solids' surface.
+struct Boundary {
+  BoundaryKind kind = BoundaryKind::none;
+  int number = -1;
+};
+
+/// A fluid's triangles or tetrahedra, and the faces between them. In the plane volumes and areas are per unit depth.
+struct FlowMesh {
+  int dim = 2;
+  std::vector<Vec<3>> x;   ///< of each node [length]
+  std::vector<int> nodes;  ///< dim + 1 of each cell, of positive volume
+
+  // What find_faces() makes of these.
+  std::vector<int> face;                   ///< dim + 1 of each cell, each opposite to its node
+  std::vector<int> nodes_of_face;          ///< dim of each face
+  std::vector<std::array<int, 2>> beside;  ///< cells of each face; the second one -1 at the boundary
+  std::vector<Vec<3>> area;                ///< of each face, times its normal out of the first cell [area]
+  std::vector<double> volume;              ///< of each cell [volume]
+  std::vector<Boundary> boundary;          ///< of each face, for the mesher to set
+  std::vector<int> region;                 ///< of each cell, from 0: cells that faces join
+  int regions = 0;
+
+  std::size_t cells() const { return nodes.size() / corners(); }
+  std::size_t faces() const { return beside.size(); }
+  std::size_t corners() const { return static_cast<std::size_t>(dim) + 1; }
+  std::span<const int> nodes_of(std::size_t cell) const {
+    return std::span(nodes).subspan(cell * corners(), corners());
+  }
+  std::span<const int> faces_of(std::size_t cell) const { return std::span(face).subspan(cell * corners(), corners()); }
+  std::span<const int> face_nodes(std::size_t f) const {
+    return std::span(nodes_of_face).subspan(f * static_cast<std::size_t>(dim), static_cast<std::size_t>(dim));
+  }
+  /// The area of a face of a cell, out of the cell [area].
+  Vec<3> out_of(std::size_t cell, std::size_t f) const;
+  Vec<3> middle(std::size_t cell) const;
+  Vec<3> middle_of_face(std::size_t f) const;
+  /// The shares of a cell's nodes at a place, which sum to 1; below 0 beyond the face opposite to a node.
+  std::array<double, 4> shares(std::size_t cell, const Vec<3>& place) const;
+
+  /// Finds faces, volumes and regions from nodes.
+  void find_faces();
+
+ private:
+  void find_regions();
+};
+
+}  // namespace tether::coupled

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/lattice_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/numbers.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr double apart = 0.6;  // of the size, from the outline and from points of other lattices
+constexpr int most_levels = 12;
+
+/// Points in square bins.
+class Bins {
+ public:
+  Bins(const Vec<3>& low, const Vec<3>& high, double width) : low_(low), width_(width) {
+    for (std::size_t a = 0; a < 2; ++a)
+      n_[a] = std::max(1, static_cast<int>(std::ceil((high[a] - low[a]) / width)) + 1);
+    first_.resize(at(n_[0]) * at(n_[1]));
+  }
+  void add(const Vec<3>& x, double size) { first_[at(bin(x, 0)) + at(n_[0]) * at(bin(x, 1))].push_back({x, size}); }
+
+  struct Point {
+    Vec<3> x;
+    double size;
+  };
+  /// Calls f(point) for those in the bins within a reach of a place.
+  template <class Function>
+  void each_within(const Vec<3>& x, double reach, const Function& f) const {
+    const auto from = [&](std::size_t a) { return bin({x[0] - reach, x[1] - reach, 0}, a); };
+    const auto to = [&](std::size_t a) { return bin({x[0] + reach, x[1] + reach, 0}, a); };
+    for (int j = from(1); j <= to(1); ++j) {
+      for (int i = from(0); i <= to(0); ++i) {
+        for (const Point& point : first_[at(i) + at(n_[0]) * at(j)]) f(point);
+      }
+    }
+  }
+
+ private:
+  int bin(const Vec<3>& x, std::size_t a) const {
+    return std::clamp(static_cast<int>((x[a] - low_[a]) / width_), 0, n_[a] - 1);
+  }
+
+  Vec<3> low_;
+  double width_;
+  std::array<int, 2> n_{};
+  std::vector<std::vector<Point>> first_;
+};
+
+double distance(const Vec<3>& a, const Vec<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+}  // namespace
+
+std::vector<Vec<3>> lattice_points(const PlaneOutline& outline, const MeshSizes& sizes) {
+  constexpr double far = std::numeric_limits<double>::max();
+  Vec<3> low{far, far, 0}, high{-far, -far, 0};
+  for (const Vec<3>& x : outline.places) {
+    for (std::size_t a = 0; a < 2; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+  }
+  Bins along(low, high, sizes.size);  // places along the segments, with their lengths as sizes
+  double least = sizes.size;
+  for (const PlaneOutline::Segment& segment : outline.segments) {
+    const Vec<3>&a = outline.places[segment.ends[0]], &b = outline.places[segment.ends[1]];
+    const double length = distance(a, b), size = std::min(length, sizes.size);
+    if (length == 0) continue;
+    least = std::min(least, size);
+    const int parts = std::max(1, static_cast<int>(std::ceil(4 * length / size)));
+    for (int k = 0; k < parts; ++k) {
+      const double s = (k + 0.5) / parts;
+      along.add({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), 0}, size);
+    }
+  }
+  const double reach = sizes.size / sizes.growth;
+  // The size that the mesh is to have at a place; 0 where that is too near to the outline.
+  const auto size_at = [&](const Vec<3>& x) {
+    double size = sizes.size, nearest = far;
+    along.each_within(x, reach, [&](const Bins::Point& point) {
+      const double way = distance(x, point.x);
+      size = std::min(size, point.size + sizes.growth * way), nearest = std::min(nearest, way);
+    });
+    return nearest < apart * size ? 0 : size;
+  };
+  const int levels = std::min(most_levels, static_cast<int>(std::ceil(std::log2(sizes.size / least) - 0.5)));
+  Bins taken(low, high, sizes.size);
+  std::vector<Vec<3>> points;
+  for (int level = 0; level <= levels; ++level) {
+    const double step = sizes.size * std::pow(0.5, level);
+    const int rows = std::max(1, static_cast<int>(std::round((high[1] - low[1]) / (step * std::sqrt(0.75)))));
+    const int columns = static_cast<int>(std::ceil((high[0] - low[0]) / step));
+    for (int j = 0; j <= rows; ++j) {
+      for (int i = 0; i <= columns; ++i) {
+        const Vec<3> x{low[0] + (i + (j % 2 == 0 ? 0 : 0.5)) * step, low[1] + (high[1] - low[1]) * j / rows, 0};
+        const double size = size_at(x);
+        const bool coarser = size > step * std::sqrt(2.0) && level > 0, finer = size <= step * std::sqrt(0.5);
+        if (size == 0 || x[0] > high[0] || coarser || (finer && level < levels)) continue;
+        bool free = true;
+        taken.each_within(x, apart * size, [&](const Bins::Point& point) {
+          free = free && (point.size == step || distance(x, point.x) >= apart * size);
+        });
+        if (!free) continue;
+        taken.add(x, step), points.push_back(x);
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "physics/box/columns.hpp"
+#include "physics/box/mesh/mesh_flow.hpp"
+#include "results/summary_keys.hpp"
+
+namespace tether::coupled {
+
+// What a flow on a mesh shows of itself.
+
+namespace {
+
+/// What the middles of the grid's cells show of the mesh.
+struct RasterSource {
+  std::vector<Vec<3>> v;
+  std::vector<double> p;
+  std::vector<int> region;  ///< -1: no fluid
+};
+
+const ColumnTable<ColumnSetting, RasterSource>& raster_table() {
+  using S = RasterSource;
+  using Row = Column<ColumnSetting, S>;
+  using D = Dimension;
+  static const ColumnTable<ColumnSetting, S> table({{{
+      Row("v", D::velocity, "velocity, zero where there is no fluid",
+          [](const S& s, std::size_t axis, std::size_t c) { return s.v[c][axis]; })
+          .vector(),
+      {"p", D::stress, "pressure, of the last step, before the first one not a number; zero where there is no fluid",
+       [](const S& s, std::size_t c) { return s.p[c]; }},
+      {"kind", D::whole, "fluid 0, solid or obstacle 1",
+       [](const S& s, std::size_t c) { return s.region[c] < 0 ? 1.0 : 0.0; }},
+      {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
+       [](const S& s, std::size_t c) { return s.region[c] + 1.0; }},
+  }}});
+  return table;
+}
+
+}  // namespace
+
+void MeshFlow::add_sums(const CoupledState& state, CoupledSums& sums) const {
+  const auto of_velocity = mesh_of(state.flow_q);
+  const FlowMesh& mesh = *of_velocity;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    sums.fluid_volume += mesh.volume[cell];
+    for (std::size_t a = 0; a < at(mesh.dim); ++a)
+      sums.momentum[a] += scene_.density * mesh.volume[cell] * state.v[a][cell];
+  }
+  sums.fluid = energy_on(mesh, state.v), sums.kinetic += sums.fluid;
+  sums.mass += scene_.density * sums.fluid_volume;
+}
+
+double MeshFlow::pressure_energy(const CoupledState& /*state*/) const {
+  const FlowMesh& mesh = *at_.mesh;
+  double sum = 0;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+    sum += mesh.volume[cell] * std::abs(mesh.middle(cell)[1] - scene_.level);
+  return scene_.density * std::sqrt(dot(gravity_, gravity_)) * sum;
+}
+
+void MeshFlow::add_summary(Summary& summary) const {
+  summary.push_back(line_of("mesh_cells", at_.mesh->cells()));
+  summary.push_back(line_of("mesh_pressures", at_.face_of.size()));
+}
+
+Snapshot MeshFlow::cell_fields(const CoupledState& state) const {
+  const StaggeredGrid& grid = scene_.grid;
+  const auto of_velocity = mesh_of(state.flow_q);
+  const FlowMesh& mesh = *of_velocity;
+  const MeshVelocity velocity(mesh, state.v);
+  RasterSource source;
+  for (std::size_t c = 0; c < grid.cell_count(); ++c) {
+    Vec<3> x = grid.middle(grid.place_of_cell(c));
+    if (grid.dim == 2) x[2] = 0;
+    const Vec<3> asked = x;
+    const std::size_t cell = velocity.finder().cell_at(x);
+    const bool fluid = x == asked;
+    source.v.push_back(fluid ? velocity.velocity(cell, x) : Vec<3>{});
+    source.p.push_back(!fluid ? 0 : state.dt_last > 0 ? pressure_in(mesh, state.p, cell, x) : no_number);
+    source.region.push_back(fluid ? mesh.region[cell] : -1);
+  }
+  return Columns<RasterSource>(raster_table(), {grid.dim, {}, {}}).snapshot(state.time, grid.cell_count(), source);
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/mesh_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "physics/box/mesh/plane_mesher.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr double least_gap = 1e-3;  // of the cells' size, between solids and the sides of the box
+
+bool lies_in(const Box<3>& patch, int side, const Vec<3>& x, int dim) {
+  bool inside = true;
+  for (std::size_t a = 0; a < at(dim); ++a) {
+    if (static_cast<int>(a) != axis_of_side(side)) inside = inside && x[a] > patch.low[a] && x[a] < patch.high[a];
+  }
+  return inside;
+}
+
+/// The last jet that has a place of a side; -1: none.
+int jet_at(const Coupled& scene, int side, const Vec<3>& x) {
+  for (std::size_t k = scene.jets.size(); k-- > 0;) {
+    if (scene.jets[k].side == side && lies_in(scene.jets[k].patch, side, x, scene.grid.dim)) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+}  // namespace
+
+double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t cell, const Vec<3>& x) {
+  const auto shares = mesh.shares(cell, x);
+  const auto faces = mesh.faces_of(cell);
+  double sum = 0;
+  for (std::size_t k = 0; k < faces.size(); ++k) sum += (1 - mesh.dim * shares[k]) * p[at(faces[k])];
+  return sum;
+}
+
+MeshFlow::MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers)
+    : scene_(scene), gravity_(gravity), surface_(surface), numbers_(numbers), away_(least_gap * scene.mesh->size) {}
+
+// Where the fluid is.
+
+bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
+  const Boundary& of = mesh.boundary[face];
+  if (of.kind != BoundaryKind::box_side || !has_fluid_beyond(scene_, of.number)) return false;
+  const Vec<3> x = mesh.middle_of_face(face);
+  if (jet_at(scene_, of.number, x) >= 0) return false;
+  if (!is_wall(scene_.sides[at(of.number)])) return true;
+  return std::ranges::any_of(scene_.openings, [&](const Opening& opening) {
+    return opening.side == of.number && lies_in(opening.patch, of.number, x, scene_.grid.dim);
+  });
+}
+
+/// That of a fluid at rest, or none where there is nothing.
+double MeshFlow::pressure_outside(const FlowMesh& mesh, std::size_t face) const {
+  if (scene_.sides[at(mesh.boundary[face].number)] == BoxSide::empty) return 0;
+  return scene_.density * gravity_[1] * (mesh.middle_of_face(face)[1] - scene_.level);
+}
+
+std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) const {
+  return std::make_shared<FlowMesh>(
+      plane_mesh(plane_outline(scene_, surface_, q, scene_.mesh->size, away_), *scene_.mesh));
+}
+
+/// Of places that are not those of this step or the one before, it is made.
+std::shared_ptr<const FlowMesh> MeshFlow::mesh_of(const std::vector<double>& q) const {
+  if (at_.mesh && q == at_.q) return at_.mesh;
+  return kept_ && q == kept_q_ ? kept_ : mesh_at(q);
+}
+
+MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
+  Placed at_q;
+  at_q.q.assign(q.begin(), q.end());
+  at_q.mesh = mesh_at(q);
+  const FlowMesh& mesh = *at_q.mesh;
+  at_q.regions.count = mesh.regions, at_q.regions.closed.assign(at(mesh.regions), 1);
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    const int region = mesh.region[at(mesh.beside[f][0])];
+    const bool open = is_open(mesh, f);
+    at_q.pressure_of.push_back(open ? -1 : static_cast<int>(at_q.face_of.size()));
+    if (open) {
+      at_q.regions.closed[at(region)] = 0;
+      continue;
+    }
+    at_q.rows.push_back(at_q.face_of.size());
+    at_q.face_of.push_back(f), at_q.regions.of.push_back(region);
+  }
+  make_map(q, {}, at_q);
+  return at_q;
+}
+
+/// Each face at a solid has its part of the area that the solid's facet has with its nodes at `middle`.
+void MeshFlow::make_map(std::span<const double> q, std::span<const double> middle, Placed& at_q) const {
+  const FlowMesh& mesh = *at_q.mesh;
+  const std::size_t dim = at(mesh.dim), count = at(mesh.regions);
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  at_q.map.outside.assign(q.size(), 0.0), at_q.map.film_weight.assign(q.size(), 0.0);
+  at_q.map.area_seen.assign(at(surface_.sheets) * count, 0.0);
+  std::vector<double> whole(surface_.side_count(), 0.0);  // of each facet, by the mesh
+  const auto each_face = [&](const auto& f) {
+    for (std::size_t face = 0; face < mesh.faces(); ++face) {
+      if (mesh.boundary[face].kind == BoundaryKind::solid) f(face, at(mesh.boundary[face].number));
+    }
+  };
+  each_face(
+      [&](std::size_t face, std::size_t side) { whole[side] += std::sqrt(dot(mesh.area[face], mesh.area[face])); });
+  each_face([&](std::size_t face, std::size_t side) {
+    const double part = std::sqrt(dot(mesh.area[face], mesh.area[face])) / whole[side];
+    const Vec<3> area = area_of_side(surface_, side, middle.empty() ? q : middle);  // out of the solid
+    const auto ends = surface_.side(side);
+    const Vec<3> a = place_of(q, ends[0], 2), along = minus(place_of(q, ends[1], 2), a);
+    const double s = std::clamp(dot(minus(mesh.middle_of_face(face), a), along) / dot(along, along), 0.0, 1.0);
+    const CarrierShares shares = surface_.carried(side, {1 - s, s, 0});
+    const auto carriers = surface_.carriers(side);
+    for (std::size_t c = 0; c < carriers.size(); ++c) {
+      for (std::size_t i = 0; i < dim; ++i)
+        entries.emplace_back(at_q.pressure_of[face], at(carriers[c]) * dim + i, -part * shares[c] * area[i]);
+    }
+    at_q.map.area_seen[at(surface_.sheet[side]) * count + at(mesh.region[at(mesh.beside[face][0])])] +=
+        part * std::sqrt(dot(area, area));
+  });
+  at_q.map.B = CouplingMatrix(static_cast<Eigen::Index>(at_q.face_of.size()), static_cast<Eigen::Index>(numbers_));
+  at_q.map.B.setFromTriplets(entries.begin(), entries.end());
+}
+
+void MeshFlow::map_by_middle(std::span<const double> q, std::span<const double> middle) { make_map(q, middle, at_); }
+
+Flow::Equations MeshFlow::equations_at(std::span<const double> q, double by) const {
+  Placed at_q = placed(q);
+  return {pressure_matrix(at_q, by), std::move(at_q.map.B), std::move(at_q.regions)};
+}
+
+void MeshFlow::place(CoupledState& state) {
+  at_ = placed(state.q);
+  kept_q_ = state.flow_q, kept_ = mesh_of(state.flow_q);
+}
+
+// A step.
+
+void MeshFlow::start(CoupledState& state) {
+  state.flow_q = state.q;
+  place(state);
+  const std::size_t cells = at_.mesh->cells();
+  for (std::size_t a = 0; a < at(at_.mesh->dim); ++a) state.v[a].assign(cells, scene_.start[a]);
+  state.v[0].resize(cells + at_.mesh->faces(), 0.0);  // and what goes out through faces of sides [volume/time]
+  state.p.assign(at_.mesh->faces(), 0.0);
+}
+
+void MeshFlow::prescribe(double time, double h, FaceValues& v) const {
+  const FlowMesh& mesh = *at_.mesh;
+  const std::vector<double> speeds = jet_speeds(scene_, time, h);
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    if (mesh.boundary[f].kind != BoundaryKind::box_side) continue;
+    const int jet = jet_at(scene_, mesh.boundary[f].number, mesh.middle_of_face(f));
+    v[0][mesh.cells() + f] = jet < 0 ? 0 : -speeds[at(jet)] * std::sqrt(dot(mesh.area[f], mesh.area[f]));
+  }
+}
+
+void MeshFlow::begin(CoupledState& state, double h) {
+  kept_ = mesh_of(state.flow_q), kept_q_ = state.flow_q;
+  const FlowMesh& old = *kept_;
+  const FlowMesh& mesh = *at_.mesh;
+  const double before = energy_on(old, state.v);
+  FaceValues carried;
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) carried[a].assign(mesh.cells(), 0.0);
+  carried[0].resize(mesh.cells() + mesh.faces(), 0.0);
+  prescribe(state.time, h, carried);
+  const MeshVelocity velocity(old, state.v);
+  carry(velocity, old, state.time, h, carried);
+  std::vector<double> p(mesh.faces());
+  for (std::size_t f = 0; f < p.size(); ++f) {
+    Vec<3> x = mesh.middle_of_face(f);
+    const std::size_t cell = velocity.finder().cell_at(x);
+    p[f] = pressure_in(old, state.p, cell, x);
+  }
+  state.p = std::move(p), state.v = std::move(carried);
+  state.flow_q = state.q;
+  double jets = 0, open = 0;  // kinetic energy that goes in
+  const auto energy_in = [&](std::size_t face, double out) {
+    const std::size_t cell = at(mesh.beside[face][0]);
+    const double area = std::sqrt(dot(mesh.area[face], mesh.area[face]));
+    double square = std::pow(out / area, 2);
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) square += out > 0 ? std::pow(state.v[a][cell], 2) : 0;
+    return -0.5 * scene_.density * h * out * (out > 0 ? square - std::pow(out / area, 2) : square);
+  };
+  each_prescribed(state.v, [&](std::size_t face, double out) { jets += energy_in(face, out); });
+  each_open_side([&](std::size_t face, std::size_t cell, double) {
+    double out = 0;
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) out += mesh.area[face][a] * state.v[a][cell];
+    open += energy_in(face, out);
+  });
+  state.books.jets += jets, state.books.open_sides += open;
+  state.books.advected += before + jets + open - energy_of(state.v);
+}
+
+/// Each cell has the mean of what comes to three or four places within it, by a rule that is exact for squares. Places
+/// on faces would not do: a cell at the end of a film has the film's velocity there, which is that of next to nothing.
+void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, double time, double h, FaceValues& to) const {
+  const FlowMesh& mesh = *at_.mesh;
+  const double near = mesh.dim == 2 ? 2.0 / 3 : 0.58541019662496845446, far = (1 - near) / mesh.dim;
+  const std::vector<double> speeds = jet_speeds(scene_, time, h);
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    const auto nodes = mesh.nodes_of(cell);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      Vec<3> x{};
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        for (std::size_t a = 0; a < 3; ++a) x[a] += (n == k ? near : far) * mesh.x[at(nodes[n])][a];
+      }
+      const MeshVelocity::Origin origin = from.before(x, h);
+      Vec<3> v = from.velocity(origin.cell, origin.x);
+      const Boundary met = origin.face < 0 ? Boundary{} : old.boundary[at(origin.face)];
+      const int jet = met.kind == BoundaryKind::box_side ? jet_at(scene_, met.number, origin.x) : -1;
+      if (jet >= 0 && speeds[at(jet)] > 0) {
+        v = {};
+        v[at(axis_of_side(met.number))] = (is_low_side(met.number) ? 1 : -1) * speeds[at(jet)];
+      }
+      for (std::size_t a = 0; a < at(mesh.dim); ++a) to[a][cell] += v[a] / static_cast<double>(nodes.size());
+    }
+  }
+}
+
+void MeshFlow::add_forces(const Smoke& /*smoke*/, double h, FaceValues& v) const {
+  const FlowMesh& mesh = *at_.mesh;
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) v[a][cell] += h * gravity_[a];
+  }
+  each_open_side([&](std::size_t face, std::size_t cell, double p) {
+    for (std::size_t a = 0; a < at(mesh.dim); ++a)
+      v[a][cell] -= h / scene_.density * p * mesh.area[face][a] / mesh.volume[cell];
+  });
+}
+
+void MeshFlow::book_forces(CoupledState& state, double h) const {
+  const FlowMesh& mesh = *at_.mesh;
+  double falling = 0, power = 0;
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+      falling += gravity_[a] * mesh.volume[cell] * state.v[a][cell];
+  }
+  each_open_side([&](std::size_t face, std::size_t cell, double p) {
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) power -= p * mesh.area[face][a] * state.v[a][cell];
+  });
+  state.books.gravity += h * scene_.density * falling;
+  state.books.open_sides += h * power;
+}
+
+void MeshFlow::end(const FaceValues& /*change*/, CoupledState& state, double /*h*/) {
+  if (state.q != at_.q) at_ = placed(state.q);
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "physics/box/flow.hpp"
+#include "physics/box/flow_box.hpp"
+#include "physics/box/mesh/mesh_velocity.hpp"
+
+namespace tether::coupled {
+
+/// Interpolates pressures of faces within a cell.
+double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t cell, const Vec<3>& x);
+
+/// A fluid on triangles that fit the solids, made anew as these move: one velocity a cell, and pressures in the middles
+/// of the faces, by which the flux through each face is the same on both sides (hybrid mixed elements of the lowest
+/// order, P. A. Raviart, J. M. Thomas 1977; D. N. Arnold, F. Brezzi 1985). A face of the fluid at a solid is a face of
+/// that, or a part of it: so B has its area over its nodes, and is exact.
+///
+/// A state's velocity is that on the mesh of the step that found it; the next step carries it over to its own.
+class MeshFlow final : public Flow {
+ public:
+  /// All must outlive it.
+  MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers);
+
+  /// The triangles about the solids as they were placed last.
+  const FlowMesh& mesh() const { return *at_.mesh; }
+  Equations equations_at(std::span<const double> q, double by) const override;
+  void start(CoupledState& state) override;
+  void prescribe(double time, double h, FaceValues& v) const override;
+  void finish_start(double /*h*/, CoupledState& /*state*/) override {}
+  void place(CoupledState& state) override;
+
+  void begin(CoupledState& state, double h) override;
+  void add_forces(const Smoke& smoke, double h, FaceValues& v) const override;
+  void book_forces(CoupledState& state, double h) const override;
+  void end(const FaceValues& change, CoupledState& state, double h) override;
+  void map_by_middle(std::span<const double> q, std::span<const double> middle) override;
+
+  std::size_t pressures() const override { return at_.face_of.size(); }
+  const CouplingMap& map() const override { return at_.map; }
+  const CouplingMatrix& flux_map() const override { return at_.map.B; }
+  const FlowRegions& regions() const override { return at_.regions; }
+  std::span<const std::size_t> rows() const override { return at_.rows; }
+  std::size_t row_count() const override { return at_.rows.size(); }
+  bool keeps_volume(const CoupledState& /*state*/) const override { return true; }
+  std::vector<std::uint8_t> regions_of_jets(const FaceValues& v) const override;
+  Vec<3> place_of_pressure(std::size_t k) const override { return at_.mesh->middle_of_face(at_.face_of[k]); }
+  std::vector<double> guess_of(const CoupledState& state) const override;
+  void keep_pressures(std::span<const double> p, CoupledState& state) const override;
+
+  SparseMatrix pressure_matrix(double by) const override { return pressure_matrix(at_, by); }
+  std::vector<double> net_flux(const FaceValues& v) const override;
+  void add_pressure(std::span<const double> p, double by, FaceValues& v) const override;
+  double kinetic_energy(const FaceValues& v, const FaceValues& w) const override;
+  double prescribed_power(std::span<const double> p, const FaceValues& v) const override;
+  std::vector<double> masses() const override;
+  double cells_crossed(const FaceValues& v, double h) const override;
+
+  FlowFriction* friction() override { return nullptr; }
+
+  std::size_t fluid_cells() const override { return at_.mesh->cells(); }
+  void add_sums(const CoupledState& state, CoupledSums& sums) const override;
+  double pressure_energy(const CoupledState& state) const override;
+  void add_summary(Summary& summary) const override;
+  Snapshot cell_fields(const CoupledState& state) const override;
+  Snapshot surface_fields(const CoupledState& state) const override { return {state.time, {}}; }
+  Snapshot particle_fields(const CoupledState& state) const override { return {state.time, {}}; }
+  std::vector<std::string> take_messages() override { return {}; }
+
+ private:
+  /// The fluid about solids at some places.
+  struct Placed {
+    std::vector<double> q;  ///< these places
+    std::shared_ptr<const FlowMesh> mesh;
+    std::vector<int> pressure_of;      ///< of each face, -1 where it is known: at open sides
+    std::vector<std::size_t> face_of;  ///< of each pressure
+    std::vector<std::size_t> rows;     ///< 0, 1, ...
+    FlowRegions regions;
+    CouplingMap map;
+  };
+  Placed placed(std::span<const double> q) const;
+  std::shared_ptr<const FlowMesh> mesh_at(std::span<const double> q) const;
+  std::shared_ptr<const FlowMesh> mesh_of(const std::vector<double>& q) const;
+  void make_map(std::span<const double> q, std::span<const double> middle, Placed& at) const;
+  SparseMatrix pressure_matrix(const Placed& at, double by) const;
+  bool is_open(const FlowMesh& mesh, std::size_t face) const;
+  double pressure_outside(const FlowMesh& mesh, std::size_t face) const;
+  /// Calls f(face, cell, pressure outside) for faces of open sides.
+  template <class Function>
+  void each_open_side(const Function& f) const {
+    for (std::size_t face = 0; face < at_.mesh->faces(); ++face) {
+      if (at_.pressure_of[face] < 0)
+        f(face, static_cast<std::size_t>(at_.mesh->beside[face][0]), pressure_outside(*at_.mesh, face));
+    }
+  }
+  /// Calls f(face, flux out) for faces that jets blow through or take in.
+  template <class Function>
+  void each_prescribed(const FaceValues& v, const Function& f) const {
+    const FlowMesh& mesh = *at_.mesh;
+    for (std::size_t face = 0; face < mesh.faces(); ++face) {
+      if (mesh.boundary[face].kind == BoundaryKind::box_side && v[0][mesh.cells() + face] != 0)
+        f(face, v[0][mesh.cells() + face]);
+    }
+  }
+  void carry(const MeshVelocity& from, const FlowMesh& old, double time, double h, FaceValues& to) const;
+  double energy_on(const FlowMesh& mesh, const FaceValues& v) const;
+  double energy_of(const FaceValues& v) const { return energy_on(*at_.mesh, v); }
+
+  const Coupled& scene_;
+  Vec<3> gravity_;  // [acceleration]
+  const SolidSurface& surface_;
+  std::size_t numbers_;  // of the solids' nodes
+  double away_;          // of solids from sides [length]
+  Placed at_;
+  std::vector<double> kept_q_;  // places that the mesh before fits: a step that is not found begins anew
+  std::shared_ptr<const FlowMesh> kept_;
+};
+
+}  // namespace tether::coupled

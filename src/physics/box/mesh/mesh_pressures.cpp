@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/eigen_sparse.hpp"
+#include "base/numbers.hpp"
+#include "physics/box/mesh/mesh_flow.hpp"
+
+namespace tether::coupled {
+
+// Pressures on a mesh, and what they do.
+
+namespace {
+
+SparseMatrix sparse_of(std::size_t n, const std::vector<Eigen::Triplet<double, std::int64_t>>& entries) {
+  EigenSparse made(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  made.setFromTriplets(entries.begin(), entries.end());
+  SparseMatrix A;
+  A.n = static_cast<std::int64_t>(n);
+  A.start.assign(made.outerIndexPtr(), made.outerIndexPtr() + made.outerSize() + 1);
+  A.row.assign(made.innerIndexPtr(), made.innerIndexPtr() + made.nonZeros());
+  A.value.assign(made.valuePtr(), made.valuePtr() + made.nonZeros());
+  return A;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> MeshFlow::regions_of_jets(const FaceValues& v) const {
+  std::vector<std::uint8_t> by_jets(at(at_.regions.count), 0);
+  each_prescribed(v,
+                  [&](std::size_t face, double) { by_jets[at(at_.mesh->region[at(at_.mesh->beside[face][0])])] = 1; });
+  return by_jets;
+}
+
+std::vector<double> MeshFlow::guess_of(const CoupledState& state) const {
+  std::vector<double> p;
+  for (const std::size_t f : at_.face_of) p.push_back(state.p[f]);
+  return p;
+}
+
+void MeshFlow::keep_pressures(std::span<const double> p, CoupledState& state) const {
+  for (std::size_t f = 0; f < state.p.size(); ++f)
+    state.p[f] = at_.pressure_of[f] < 0 ? pressure_outside(*at_.mesh, f) : p[at(at_.pressure_of[f])];
+}
+
+SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
+  const FlowMesh& mesh = *at_q.mesh;
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const int f : mesh.faces_of(cell)) {
+      for (const int g : mesh.faces_of(cell)) {
+        if (at_q.pressure_of[at(f)] < 0 || at_q.pressure_of[at(g)] < 0) continue;
+        entries.emplace_back(at_q.pressure_of[at(f)], at_q.pressure_of[at(g)],
+                             by * dot(mesh.out_of(cell, at(f)), mesh.out_of(cell, at(g))) / mesh.volume[cell]);
+      }
+    }
+  }
+  return sparse_of(at_q.face_of.size(), entries);
+}
+
+/// Through each face what comes out of the cells on both sides is to be nothing.
+std::vector<double> MeshFlow::net_flux(const FaceValues& v) const {
+  const FlowMesh& mesh = *at_.mesh;
+  std::vector<double> r(at_.face_of.size(), 0.0);
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const int f : mesh.faces_of(cell)) {
+      if (at_.pressure_of[at(f)] < 0) continue;
+      const Vec<3> out = mesh.out_of(cell, at(f));
+      for (std::size_t a = 0; a < at(mesh.dim); ++a) r[at(at_.pressure_of[at(f)])] -= out[a] * v[a][cell];
+    }
+  }
+  each_prescribed(v, [&](std::size_t face, double out) { r[at(at_.pressure_of[face])] += out; });
+  return r;
+}
+
+void MeshFlow::add_pressure(std::span<const double> p, double by, FaceValues& v) const {
+  const FlowMesh& mesh = *at_.mesh;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const int f : mesh.faces_of(cell)) {
+      if (at_.pressure_of[at(f)] < 0) continue;
+      const Vec<3> out = mesh.out_of(cell, at(f));
+      for (std::size_t a = 0; a < at(mesh.dim); ++a)
+        v[a][cell] -= by * out[a] * p[at(at_.pressure_of[at(f)])] / mesh.volume[cell];
+    }
+  }
+}
+
+double MeshFlow::energy_on(const FlowMesh& mesh, const FaceValues& v) const {
+  double sum = 0;
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) sum += mesh.volume[cell] * v[a][cell] * v[a][cell];
+  }
+  return 0.5 * scene_.density * sum;
+}
+
+double MeshFlow::kinetic_energy(const FaceValues& v, const FaceValues& w) const {
+  const FlowMesh& mesh = *at_.mesh;
+  double sum = 0;
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) sum += mesh.volume[cell] * v[a][cell] * w[a][cell];
+  }
+  return 0.5 * scene_.density * sum;
+}
+
+double MeshFlow::prescribed_power(std::span<const double> p, const FaceValues& v) const {
+  double power = 0;
+  each_prescribed(v, [&](std::size_t face, double out) { power += p[at(at_.pressure_of[face])] * out; });
+  return power;
+}
+
+std::vector<double> MeshFlow::masses() const {
+  const FlowMesh& mesh = *at_.mesh;
+  std::vector<double> masses;
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) masses.push_back(scene_.density * mesh.volume[cell]);
+    if (a == 0) masses.resize(mesh.cells() + mesh.faces(), 0.0);
+  }
+  return masses;
+}
+
+double MeshFlow::cells_crossed(const FaceValues& v, double h) const {
+  const FlowMesh& mesh = *at_.mesh;
+  double most = 0;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const int f : mesh.faces_of(cell)) {
+      double flux = 0;
+      for (std::size_t a = 0; a < at(mesh.dim); ++a) flux += mesh.area[at(f)][a] * v[a][cell];
+      most = std::max(most, std::abs(flux) * h / (mesh.dim * mesh.volume[cell]));
+    }
+  }
+  return most;
+}
+
+}  // namespace tether::coupled

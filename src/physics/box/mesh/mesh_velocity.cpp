@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/mesh_velocity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/numbers.hpp"
+
+namespace tether::coupled {
+namespace {
+
+constexpr double rounding = 1e-12;  // of a cell
+constexpr double cells_of_a_bin = 2;
+
+/// The place in a cell whose shares are these where they are not below 0, which are made so.
+Vec<3> place_within(const FlowMesh& mesh, std::size_t cell, std::array<double, 4> shares) {
+  double sum = 0;
+  for (double& share : shares) share = std::max(share, 0.0), sum += share;
+  Vec<3> x{};
+  const auto nodes = mesh.nodes_of(cell);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    for (std::size_t a = 0; a < 3; ++a) x[a] += shares[k] / sum * mesh.x[at(nodes[k])][a];
+  }
+  return x;
+}
+
+double least_of(const std::array<double, 4>& shares, std::size_t count) {
+  return *std::min_element(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+}  // namespace
+
+CellFinder::CellFinder(const FlowMesh& mesh) : mesh_(mesh) {
+  constexpr double far = std::numeric_limits<double>::max();
+  Vec<3> low{far, far, far}, high{-far, -far, -far};
+  double all = 0;
+  for (const Vec<3>& x : mesh.x) {
+    for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+  }
+  for (const double volume : mesh.volume) all += volume;
+  low_ = low;
+  width_ = std::pow(cells_of_a_bin * all / static_cast<double>(mesh.cells()), 1.0 / mesh.dim);
+  for (std::size_t a = 0; a < at(mesh.dim); ++a)
+    n_[a] = std::max(1, static_cast<int>(std::ceil((high[a] - low[a]) / width_)));
+  std::vector<std::vector<std::size_t>> lists(at(n_[0]) * at(n_[1]) * at(n_[2]));
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    Vec<3> from{far, far, far}, to{-far, -far, -far};
+    for (const int n : mesh.nodes_of(cell)) {
+      for (std::size_t a = 0; a < 3; ++a)
+        from[a] = std::min(from[a], mesh.x[at(n)][a]), to[a] = std::max(to[a], mesh.x[at(n)][a]);
+    }
+    const auto first = bin_of(from), last = bin_of(to);
+    for (int k = first[2]; k <= last[2]; ++k) {
+      for (int j = first[1]; j <= last[1]; ++j) {
+        for (int i = first[0]; i <= last[0]; ++i) lists[number({i, j, k})].push_back(cell);
+      }
+    }
+  }
+  first_.push_back(0);
+  for (const auto& list : lists) {
+    cell_.insert(cell_.end(), list.begin(), list.end());
+    first_.push_back(cell_.size());
+  }
+}
+
+std::array<int, 3> CellFinder::bin_of(const Vec<3>& x) const {
+  std::array<int, 3> bin{};
+  for (std::size_t a = 0; a < 3; ++a)
+    bin[a] = std::clamp(static_cast<int>(std::floor((x[a] - low_[a]) / width_)), 0, n_[a] - 1);
+  return bin;
+}
+
+std::size_t CellFinder::number(const std::array<int, 3>& bin) const {
+  return at(bin[0]) + at(n_[0]) * (at(bin[1]) + at(n_[1]) * at(bin[2]));
+}
+
+std::size_t CellFinder::cell_at(Vec<3>& x) const {
+  const std::array<int, 3> middle = bin_of(x);
+  std::size_t best = 0;
+  double nearest = std::numeric_limits<double>::max();
+  Vec<3> place = x;
+  const int most = std::max({n_[0], n_[1], n_[2]});
+  for (int reach = 0, rings = 0; reach <= most && rings < 2; ++reach) {
+    for (int k = std::max(0, middle[2] - reach); k <= std::min(n_[2] - 1, middle[2] + reach); ++k) {
+      for (int j = std::max(0, middle[1] - reach); j <= std::min(n_[1] - 1, middle[1] + reach); ++j) {
+        for (int i = std::max(0, middle[0] - reach); i <= std::min(n_[0] - 1, middle[0] + reach); ++i) {
+          if (std::max({std::abs(i - middle[0]), std::abs(j - middle[1]), std::abs(k - middle[2])}) != reach) continue;
+          const std::size_t bin = number({i, j, k});
+          for (std::size_t c = first_[bin]; c < first_[bin + 1]; ++c) {
+            const auto shares = mesh_.shares(cell_[c], x);
+            if (least_of(shares, mesh_.corners()) >= -rounding) return cell_[c];
+            const Vec<3> within = place_within(mesh_, cell_[c], shares), way = minus(within, x);
+            const double far = dot(way, way);
+            if (far < nearest) nearest = far, best = cell_[c], place = within;
+          }
+        }
+      }
+    }
+    if (nearest < std::numeric_limits<double>::max()) ++rings;  // the next bins may have a nearer one
+  }
+  x = place;
+  return best;
+}
+
+std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
+  face = -1;
+  constexpr int most = 100000;
+  for (int step = 0; step < most; ++step) {
+    const auto shares = mesh_.shares(cell, x);
+    std::size_t out = mesh_.corners();
+    double least = -rounding;
+    int end = -1;
+    for (std::size_t k = 0; k < mesh_.corners(); ++k) {
+      if (shares[k] >= -rounding) continue;
+      const int f = mesh_.faces_of(cell)[k];
+      if (mesh_.beside[at(f)][1] < 0) {
+        end = f;
+      } else if (shares[k] < least) {
+        least = shares[k], out = k;
+      }
+    }
+    if (out == mesh_.corners()) {
+      face = end;
+      if (end >= 0) x = place_within(mesh_, cell, shares);
+      return cell;
+    }
+    const auto& beside = mesh_.beside[at(mesh_.faces_of(cell)[out])];
+    cell = at(at(beside[0]) == cell ? beside[1] : beside[0]);
+  }
+  return cell;
+}
+
+MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), v_(v), finder_(mesh) {
+  const std::size_t dim = at(mesh.dim);
+  std::vector<double> weight(mesh.x.size(), 0.0);
+  std::array<std::vector<double>, 3> mean;
+  for (std::size_t a = 0; a < dim; ++a) mean[a].assign(mesh.x.size(), 0.0);
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const int n : mesh.nodes_of(cell)) {
+      weight[at(n)] += mesh.volume[cell];
+      for (std::size_t a = 0; a < dim; ++a) mean[a][at(n)] += mesh.volume[cell] * v[a][cell];
+    }
+  }
+  for (std::size_t a = 0; a < dim; ++a) {
+    for (std::size_t n = 0; n < weight.size(); ++n) mean[a][n] /= weight[n];
+    for (std::size_t b = 0; b < dim; ++b) slope_[a][b].assign(mesh.cells(), 0.0);
+  }
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (std::size_t k = 0; k < mesh.corners(); ++k) {
+      const Vec<3> out = mesh.out_of(cell, at(mesh.faces_of(cell)[k]));  // the node's share falls towards its face
+      const auto n = at(mesh.nodes_of(cell)[k]);
+      for (std::size_t a = 0; a < dim; ++a) {
+        for (std::size_t b = 0; b < dim; ++b)
+          slope_[a][b][cell] -= mean[a][n] * out[b] / (static_cast<double>(mesh.dim) * mesh.volume[cell]);
+      }
+    }
+  }
+}
+
+Vec<3> MeshVelocity::velocity(std::size_t cell, const Vec<3>& x) const {
+  const Vec<3> from = minus(x, mesh_.middle(cell));
+  Vec<3> v{};
+  for (std::size_t a = 0; a < at(mesh_.dim); ++a) {
+    v[a] = v_[a][cell];
+    for (std::size_t b = 0; b < at(mesh_.dim); ++b) v[a] += slope_[a][b][cell] * from[b];
+  }
+  return v;
+}
+
+MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
+  Vec<3> half = x;
+  const std::size_t cell = finder_.cell_at(half);
+  const auto back = [&](const Vec<3>& v, double time) {
+    return Vec<3>{x[0] - time * v[0], x[1] - time * v[1], x[2] - time * v[2]};
+  };
+  const Vec<3> v = velocity(cell, half);
+  half = back(v, 0.5 * h);
+  int met = -1;
+  const std::size_t at_half = finder_.walk(cell, half, met);
+  Origin origin{back(velocity(at_half, half), h)};
+  origin.cell = finder_.walk(cell, origin.x, origin.face);
+  return origin;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "read/box/checks.hpp"
+#include "read/values.hpp"
+
+namespace tether {
+namespace {
+
+/// Reports what a flow on a mesh cannot have in its box.
+class FlowMeshChecks {
+ public:
+  FlowMeshChecks(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics)
+      : deck_(deck), coupled_(coupled), diagnostics_(diagnostics) {}
+
+  /// Says what has no effect on a grid.
+  void without() {
+    for (const AnyVariable name : Variables{"coupled.size", "coupled.growth"}) {
+      if (deck_.given(name) && !is_default(deck_, name, {1, 1}))
+        error(name, fmt::format("{} has no effect: the fluid's cells are the grid's", name.name()),
+              "flow='mesh' makes them triangles; nx and ny of $in are those of the grid");
+    }
+  }
+
+  void all() {
+    if (coupled_.grid.dim == 3)
+      error("coupled.flow", "a mesh of the fluid is of triangles, in the plane", "leave nz, zback and zfront away");
+    if (coupled_.liquid)
+      error("coupled.flow", "the surface of a liquid is found on the grid: its particles and hats need square cells",
+            "leave flow away");
+    if (coupled_.viscosity > 0)
+      error("coupled.viscosity", "a fluid on a mesh has no friction", "leave viscosity away, or flow");
+    if (coupled_.smoke) error("coupled.flow", "a fluid on a mesh carries no smoke", "leave the smoke away, or flow");
+    if (!coupled_.voids.empty() || coupled_.cavities_only)
+      error("coupled.flow", "a mesh of the fluid leaves no room empty", "leave void and fluid_in away, or flow");
+    if (!coupled_.shaped.empty())
+      error("coupled.flow", "obstacles of a fluid on a mesh are boxes", "write obstacle(1:6,k), or leave flow away");
+    if (coupled_.coupling.mode != CouplingMode::cut_cell)
+      error("coupled.mode",
+            fmt::format("mode='{}' is of the grid: faces of a mesh fit the bodies", word_of(coupled_.coupling.mode)),
+            "leave mode away, or flow");
+    if (coupled_.systems == Systems::krylov)
+      error("coupled.solver", "the pressures of a mesh are solved by factors", "leave solver away");
+  }
+
+ private:
+  void error(const AnyVariable& name, const std::string& message, const std::string& hint) {
+    diagnostics_.add(deck_.remark(Severity::error, name, {1, 1}, message, hint));
+  }
+
+  const Deck& deck_;
+  const Coupled& coupled_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_flow_mesh(const Deck& deck, const Coupled& coupled, Diagnostics& diagnostics) {
+  FlowMeshChecks checks(deck, coupled, diagnostics);
+  coupled.mesh ? checks.all() : checks.without();
+}
+
+}  // namespace tether

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/mesh_flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "algebra/eigen_sparse.hpp"
+#include "base/diagnostics.hpp"
+#include "unit/physics/box/bodies_support.hpp"
+
+// A fluid on triangles about bodies, in the unit square.
+
+namespace tether::coupled {
+namespace {
+
+using std::numbers::pi;
+using Values = std::vector<double>;
+
+/// A disc with so many sides that has the area of one with this radius.
+Mesh disc(const Vec<3>& middle, double radius, int sides) {
+  Mesh mesh;
+  mesh.kind = ElementKind::tri3;
+  mesh.x = {middle[0], middle[1]};
+  const double r = radius * std::sqrt(2 * pi / sides / std::sin(2 * pi / sides));
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 0.1 + 2 * pi * k / sides;
+    mesh.x.push_back(middle[0] + r * std::cos(angle)), mesh.x.push_back(middle[1] + r * std::sin(angle));
+    mesh.nodes.insert(mesh.nodes.end(), {0, 1 + k, 1 + (k + 1) % sides});
+    mesh.region.push_back(0);
+  }
+  return mesh;
+}
+
+/// What lies between two radii, with so many sides within.
+Mesh shell(const Vec<3>& middle, double inner, double outer, int sides) {
+  Mesh mesh;
+  mesh.kind = ElementKind::tri3;
+  const double r = inner * std::sqrt(2 * pi / sides / std::sin(2 * pi / sides));
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * pi * k / sides;
+    for (const double radius : {r, outer})
+      mesh.x.push_back(middle[0] + radius * std::cos(angle)), mesh.x.push_back(middle[1] + radius * std::sin(angle));
+    const int a = 2 * k, b = 2 * ((k + 1) % sides);
+    mesh.nodes.insert(mesh.nodes.end(), {a, a + 1, b + 1, a, b + 1, b});
+    mesh.region.insert(mesh.region.end(), {0, 0});
+  }
+  return mesh;
+}
+
+Coupled box_of(double size) {
+  Coupled box = support::fluid_in_box(2, 16);
+  box.coupling = coupling_of(CouplingMode::cut_cell);
+  box.mesh = {.size = size};
+  return box;
+}
+
+/// A flow about bodies at its start.
+struct Flowing {
+  Coupled scene;
+  SolidSurface surface;
+  MeshFlow flow;
+  CoupledState state;
+
+  Flowing(const Coupled& box, const Mesh& mesh, const Vec<3>& gravity = {})
+      : scene(box), surface(surface_of(mesh)), flow(scene, gravity, surface, mesh.x.size()) {
+    state.q = mesh.x;
+    flow.start(state);
+  }
+
+  /// L^-1 r, 0 in the first pressure of each closed region.
+  Values solved(const Values& r) const {
+    const SparseMatrix L = flow.pressure_matrix(1);
+    EigenSparse A = eigen_of(L);
+    std::vector<std::uint8_t> met(static_cast<std::size_t>(flow.regions().count), 0);
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      const auto region = static_cast<std::size_t>(flow.regions().of[k]);
+      if (met[region] == 0 && flow.regions().closed[region] != 0)
+        A.coeffRef(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) *= 2;
+      met[region] = 1;
+    }
+    const Eigen::SimplicialLDLT<EigenSparse> factors(A);
+    const Eigen::VectorXd p = factors.solve(Eigen::Map<const Eigen::VectorXd>(r.data(), std::ssize(r)));
+    return {p.begin(), p.end()};
+  }
+  /// Makes the velocity free of divergence beside bodies at rest; returns the pressures.
+  Values project() {
+    Values r = flow.net_flux(state.v);
+    for (double& value : r) value = -value;
+    const Values p = solved(r);
+    flow.add_pressure(p, 1, state.v);
+    return p;
+  }
+  const FlowMesh& mesh() const { return flow.mesh(); }
+  double error(const auto& exact) const {
+    double sum = 0;
+    for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
+      const auto v = exact(mesh().middle(cell));
+      for (std::size_t a = 0; a < 2; ++a) sum += mesh().volume[cell] * std::pow(state.v[a][cell] - v[a], 2);
+    }
+    return std::sqrt(sum);
+  }
+  /// Gives each cell the mean over the middles of its faces.
+  void set(const auto& velocity) {
+    for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
+      for (std::size_t a = 0; a < 2; ++a) state.v[a][cell] = 0;
+      for (const int f : mesh().faces_of(cell)) {
+        const auto v = velocity(mesh().middle_of_face(static_cast<std::size_t>(f)));
+        for (std::size_t a = 0; a < 2; ++a) state.v[a][cell] += v[a] / 3;
+      }
+    }
+  }
+};
+
+TEST(MeshFlow, TrianglesFillWhatBodiesLeave) {
+  for (const double angle : {0.0, 0.4, 1.1}) {
+    const Mesh body = support::hollow_block(2, 2, {0.52, 0.47, 0}, 0.45, angle);
+    const Flowing at(box_of(0.07), body);
+    double volume = 0;
+    for (const double of_cell : at.mesh().volume) {
+      volume += of_cell;
+      EXPECT_GT(of_cell, 0);
+    }
+    EXPECT_NEAR(volume, 1 - 0.45 * 0.45 * 8 / 9, 1e-12);
+    EXPECT_EQ(at.flow.regions().count, 2);
+    std::vector<int> seen(at.surface.side_count(), 0);
+    for (std::size_t f = 0; f < at.mesh().faces(); ++f) {
+      EXPECT_EQ(at.mesh().beside[f][1] < 0, at.mesh().boundary[f].kind != BoundaryKind::none);
+      if (at.mesh().boundary[f].kind == BoundaryKind::solid)
+        ++seen[static_cast<std::size_t>(at.mesh().boundary[f].number)];
+    }
+    for (const int times : seen) EXPECT_EQ(times, 1);
+  }
+}
+
+/// At rest pressures balance gravity to the last digits, and hold a body by the weight of the fluid that it displaces.
+TEST(MeshFlow, RestsAndFloats) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const Values at = support::random_numbers(4, seed);
+    const Mesh body =
+        support::solid_block(2, 3, {0.5 + 0.2 * at[0], 0.5 + 0.2 * at[1], 0}, 0.2 + 0.05 * at[2], 2 * at[3]);
+    const Vec<3> gravity{0.3, -0.8, 0};
+    Flowing flowing(box_of(0.11), body, gravity);
+    flowing.flow.add_forces({}, 1, flowing.state.v);
+    const Values p = flowing.project();
+    EXPECT_LT(flowing.error([](const Vec<3>&) { return Vec<3>{}; }), 1e-11) << seed;
+    const Values force = support::transposed_product(flowing.flow.map().B, p);
+    const double volume = enclosed_volumes(flowing.surface, body.x)[0];
+    for (std::size_t a = 0; a < 2; ++a) {
+      double sum = 0;
+      for (std::size_t k = a; k < force.size(); k += 2) sum += force[k];
+      EXPECT_NEAR(sum, -volume * gravity[a], 1e-11) << seed;
+    }
+  }
+}
+
+TEST(MeshFlow, FindsAFlowThatGradientsCover) {
+  const auto flow = [](const Vec<3>& x) {
+    return Vec<3>{pi * std::pow(std::sin(pi * x[0]), 2) * std::sin(2 * pi * x[1]),
+                  -pi * std::pow(std::sin(pi * x[1]), 2) * std::sin(2 * pi * x[0]), 0};
+  };
+  const auto gradient = [](const Vec<3>& x) {
+    return Vec<3>{4 * std::cos(4 * x[0]) * std::cos(5 * x[1]), -5 * std::sin(4 * x[0]) * std::sin(5 * x[1]), 0};
+  };
+  std::vector<double> of_both, of_gradient;
+  for (const double size : {1.0 / 16, 1.0 / 32, 1.0 / 64}) {
+    Flowing both(box_of(size), {}), alone(box_of(size), {});
+    both.set([&](const Vec<3>& x) {
+      const Vec<3> v = flow(x), w = gradient(x);
+      return Vec<3>{v[0] + w[0], v[1] + w[1], 0};
+    });
+    alone.set(gradient);
+    both.project(), alone.project();
+    double error = 0;  // as a field that is constant in each cell
+    for (std::size_t cell = 0; cell < both.mesh().cells(); ++cell) {
+      for (const int f : both.mesh().faces_of(cell)) {
+        const Vec<3> v = flow(both.mesh().middle_of_face(static_cast<std::size_t>(f)));
+        for (std::size_t a = 0; a < 2; ++a)
+          error += both.mesh().volume[cell] / 3 * std::pow(both.state.v[a][cell] - v[a], 2);
+      }
+    }
+    of_both.push_back(std::sqrt(error));
+    of_gradient.push_back(alone.error([](const Vec<3>&) { return Vec<3>{}; }));
+  }
+  EXPECT_GT(std::log2(of_both[1] / of_both[2]), 0.95);
+  EXPECT_GT(std::log2(of_gradient[1] / of_gradient[2]), 2.8);
+}
+
+/// The added mass of a disc in a shell, over the mass that it displaces, is (b^2 + a^2) / (b^2 - a^2).
+TEST(MeshFlow, AddedMassOfADiscInAShell) {
+  std::vector<double> error;
+  for (const int sides : {32, 64}) {
+    const Mesh inner = disc({0.5, 0.5, 0}, 0.1, sides);
+    const Mesh all = support::together(inner, shell({0.5, 0.5, 0}, 0.3, 0.4, 3 * sides));
+    const Flowing flowing(box_of(2 * pi * 0.1 / sides), all);
+    Values u(all.x.size(), 0.0);
+    for (std::size_t k = 0; k < inner.x.size(); k += 2) u[k] = 1;
+    const Values flux = support::product(flowing.flow.map().B, u), p = flowing.solved(flux);
+    double twice = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) twice += p[k] * flux[k];
+    error.push_back(std::abs(twice / (pi * 0.01) - 1.25));
+  }
+  EXPECT_LT(error[0], 0.025);
+  EXPECT_LT(error[1], 0.006);
+  EXPECT_GT(std::log2(error[0] / error[1]), 1.7);
+}
+
+/// A sheet of a hundredth of the triangles' size lets nothing through: what flows on its two sides has nothing to do
+/// with each other.
+TEST(MeshFlow, ThinSheetsAreTight) {
+  const Mesh sheet = support::lattice(2, {1, 24, 1}, support::all, [](const Vec<3>& s) {
+    return Vec<3>{0.5 + 0.0006 * (s[0] - 0.5), s[1] < 0.5 ? 1e-12 : s[1] > 0.99 ? 1 - 1e-12 : s[1], 0};
+  });
+  Flowing flowing(box_of(0.06), sheet);
+  flowing.set([](const Vec<3>&) { return Vec<3>{1, 0, 0}; });
+  flowing.project();
+  EXPECT_LT(flowing.error([](const Vec<3>&) { return Vec<3>{}; }), 1e-10);
+}
+
+TEST(MeshFlow, BodiesThatCrossAreNamed) {
+  const Mesh two = support::together(support::solid_block(2, 2, {0.4, 0.5, 0}, 0.3, 0),
+                                     support::solid_block(2, 2, {0.6, 0.5, 0}, 0.3, 0.3));
+  try {
+    const Flowing flowing(box_of(0.1), two);
+    FAIL() << "it has a mesh";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("crosses"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace tether::coupled
