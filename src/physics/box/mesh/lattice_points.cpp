@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/numbers.hpp"
 
@@ -53,38 +54,55 @@ class Bins {
 
 double distance(const Vec<3>& a, const Vec<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-}  // namespace
+/// The size that a mesh is to have about an outline.
+class SizesAbout {
+ public:
+  double least;      ///< of the segments
+  Vec<3> low, high;  ///< the outline's extent
 
-std::vector<Vec<3>> lattice_points(const PlaneOutline& outline, const MeshSizes& sizes) {
-  constexpr double far = std::numeric_limits<double>::max();
-  Vec<3> low{far, far, 0}, high{-far, -far, 0};
-  for (const Vec<3>& x : outline.places) {
-    for (std::size_t a = 0; a < 2; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+  SizesAbout(const PlaneOutline& outline, const MeshSizes& sizes) : least(sizes.size), sizes_(sizes) {
+    constexpr double far = std::numeric_limits<double>::max();
+    low = {far, far, 0}, high = {-far, -far, 0};
+    for (const Vec<3>& x : outline.places) {
+      for (std::size_t a = 0; a < 2; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+    }
+    along_.emplace(low, high, sizes.size);
+    for (const PlaneOutline::Segment& segment : outline.segments)
+      add(outline.places[segment.ends[0]], outline.places[segment.ends[1]]);
   }
-  Bins along(low, high, sizes.size);  // places along the segments, with their lengths as sizes
-  double least = sizes.size;
-  for (const PlaneOutline::Segment& segment : outline.segments) {
-    const Vec<3>&a = outline.places[segment.ends[0]], &b = outline.places[segment.ends[1]];
-    const double length = distance(a, b), size = std::min(length, sizes.size);
-    if (length == 0) continue;
+
+  /// 0 where a place is too near to the outline.
+  double at(const Vec<3>& x) const {
+    double size = sizes_.size, nearest = std::numeric_limits<double>::max();
+    along_->each_within(x, sizes_.size / sizes_.growth, [&](const Bins::Point& point) {
+      const double way = distance(x, point.x);
+      size = std::min(size, point.size + sizes_.growth * way), nearest = std::min(nearest, way);
+    });
+    return nearest < apart * size ? 0 : size;
+  }
+
+ private:
+  void add(const Vec<3>& a, const Vec<3>& b) {
+    const double length = distance(a, b), size = std::min(length, sizes_.size);
+    if (length == 0) return;
     least = std::min(least, size);
     const int parts = std::max(1, static_cast<int>(std::ceil(4 * length / size)));
     for (int k = 0; k < parts; ++k) {
       const double s = (k + 0.5) / parts;
-      along.add({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), 0}, size);
+      along_->add({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), 0}, size);
     }
   }
-  const double reach = sizes.size / sizes.growth;
-  // The size that the mesh is to have at a place; 0 where that is too near to the outline.
-  const auto size_at = [&](const Vec<3>& x) {
-    double size = sizes.size, nearest = far;
-    along.each_within(x, reach, [&](const Bins::Point& point) {
-      const double way = distance(x, point.x);
-      size = std::min(size, point.size + sizes.growth * way), nearest = std::min(nearest, way);
-    });
-    return nearest < apart * size ? 0 : size;
-  };
-  const int levels = std::min(most_levels, static_cast<int>(std::ceil(std::log2(sizes.size / least) - 0.5)));
+
+  const MeshSizes& sizes_;
+  std::optional<Bins> along_;  // places along the segments, with their lengths as sizes
+};
+
+}  // namespace
+
+std::vector<Vec<3>> lattice_points(const PlaneOutline& outline, const MeshSizes& sizes) {
+  const SizesAbout about(outline, sizes);
+  const Vec<3>&low = about.low, &high = about.high;
+  const int levels = std::min(most_levels, static_cast<int>(std::ceil(std::log2(sizes.size / about.least) - 0.5)));
   Bins taken(low, high, sizes.size);
   std::vector<Vec<3>> points;
   for (int level = 0; level <= levels; ++level) {
@@ -94,7 +112,7 @@ std::vector<Vec<3>> lattice_points(const PlaneOutline& outline, const MeshSizes&
     for (int j = 0; j <= rows; ++j) {
       for (int i = 0; i <= columns; ++i) {
         const Vec<3> x{low[0] + (i + (j % 2 == 0 ? 0 : 0.5)) * step, low[1] + (high[1] - low[1]) * j / rows, 0};
-        const double size = size_at(x);
+        const double size = about.at(x);
         const bool coarser = size > step * std::sqrt(2.0) && level > 0, finer = size <= step * std::sqrt(0.5);
         if (size == 0 || x[0] > high[0] || coarser || (finer && level < levels)) continue;
         bool free = true;
