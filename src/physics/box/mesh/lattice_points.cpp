@@ -29,6 +29,8 @@ class Bins {
     Vec<3> x;
     double size;
   };
+  std::array<int, 2> count() const { return n_; }
+  Vec<3> corner(int i, int j) const { return {low_[0] + i * width_, low_[1] + j * width_, 0}; }
   /// Calls f(point) for those in the bins within a reach of a place.
   template <class Function>
   void each_within(const Vec<3>& x, double reach, const Function& f) const {
@@ -52,7 +54,9 @@ class Bins {
   std::vector<std::vector<Point>> first_;
 };
 
-double distance(const Vec<3>& a, const Vec<3>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const Vec<3>& a, const Vec<3>& b) {
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+}
 
 /// The size that a mesh is to have about an outline.
 class SizesAbout {
@@ -71,8 +75,21 @@ class SizesAbout {
       add(outline.places[segment.ends[0]], outline.places[segment.ends[1]]);
   }
 
-  /// 0 where a place is too near to the outline.
-  double at(const Vec<3>& x) const {
+  const Bins& bins() const { return *along_; }
+  /// Returns a size that none in a bin is below.
+  double least_in(int i, int j) const {
+    const Vec<3> low_corner = along_->corner(i, j);
+    const double half = 0.5 * sizes_.size;
+    const Vec<3> middle{low_corner[0] + half, low_corner[1] + half, 0};
+    double size = sizes_.size;
+    along_->each_within(middle, half + sizes_.size / sizes_.growth, [&](const Bins::Point& point) {
+      const double way = std::max(0.0, distance(middle, point.x) - std::sqrt(2.0) * half);
+      size = std::min(size, point.size + sizes_.growth * way);
+    });
+    return size;
+  }
+  /// Returns the size at a place; 0 where that is too near to the outline.
+  double size_at(const Vec<3>& x) const {
     double size = sizes_.size, nearest = std::numeric_limits<double>::max();
     along_->each_within(x, sizes_.size / sizes_.growth, [&](const Bins::Point& point) {
       const double way = distance(x, point.x);
@@ -105,22 +122,34 @@ std::vector<Vec<3>> lattice_points(const PlaneOutline& outline, const MeshSizes&
   const int levels = std::min(most_levels, static_cast<int>(std::ceil(std::log2(sizes.size / about.least) - 0.5)));
   Bins taken(low, high, sizes.size);
   std::vector<Vec<3>> points;
+  std::vector<double> least;  // of each bin
+  const std::array<int, 2> bins = about.bins().count();
+  for (int j = 0; j < bins[1]; ++j) {
+    for (int i = 0; i < bins[0]; ++i) least.push_back(about.least_in(i, j));
+  }
   for (int level = 0; level <= levels; ++level) {
     const double step = sizes.size * std::pow(0.5, level);
     const int rows = std::max(1, static_cast<int>(std::round((high[1] - low[1]) / (step * std::sqrt(0.75)))));
-    const int columns = static_cast<int>(std::ceil((high[0] - low[0]) / step));
-    for (int j = 0; j <= rows; ++j) {
-      for (int i = 0; i <= columns; ++i) {
-        const Vec<3> x{low[0] + (i + (j % 2 == 0 ? 0 : 0.5)) * step, low[1] + (high[1] - low[1]) * j / rows, 0};
-        const double size = about.at(x);
-        const bool coarser = size > step * std::sqrt(2.0) && level > 0, finer = size <= step * std::sqrt(0.5);
-        if (size == 0 || x[0] > high[0] || coarser || (finer && level < levels)) continue;
-        bool free = true;
-        taken.each_within(x, apart * size, [&](const Bins::Point& point) {
-          free = free && (point.size == step || distance(x, point.x) >= apart * size);
-        });
-        if (!free) continue;
-        taken.add(x, step), points.push_back(x);
+    const double apart_rows = (high[1] - low[1]) / rows;
+    const auto take = [&](int i, int j) {
+      const Vec<3> x{low[0] + (i + (j % 2 == 0 ? 0 : 0.5)) * step, low[1] + apart_rows * j, 0};
+      const double size = about.size_at(x);
+      const bool coarser = size > step * std::sqrt(2.0) && level > 0, finer = size <= step * std::sqrt(0.5);
+      if (size == 0 || x[0] > high[0] || coarser || (finer && level < levels)) return;
+      bool free = true;
+      taken.each_within(x, apart * size, [&](const Bins::Point& point) {
+        free = free && (point.size == step || distance(x, point.x) >= apart * size);
+      });
+      if (free) taken.add(x, step), points.push_back(x);
+    };
+    for (std::size_t bin = 0; bin < least.size(); ++bin) {
+      if (level > 0 && least[bin] > step * std::sqrt(2.0)) continue;
+      const int column = static_cast<int>(bin) % bins[0], row = static_cast<int>(bin) / bins[0];
+      const auto range = [&](int k, double spacing) {  // of lattice points from the bin's lower end on
+        return static_cast<int>(std::ceil(k * sizes.size / spacing));
+      };
+      for (int j = range(row, apart_rows); j < std::min(range(row + 1, apart_rows), rows + 1); ++j) {
+        for (int i = range(column, step); i < range(column + 1, step); ++i) take(i, j);
       }
     }
   }

@@ -92,7 +92,8 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
   return at_q;
 }
 
-/// Each face at a solid has its part of the area that the solid's facet has with its nodes at `middle`.
+/// A face at a solid has its own area, and its part of what that of the solid's facet changes by with the nodes at
+/// `middle`.
 void MeshFlow::make_map(std::span<const double> q, std::span<const double> middle, Placed& at_q) const {
   const FlowMesh& mesh = *at_q.mesh;
   const std::size_t dim = at(mesh.dim), count = at(mesh.regions);
@@ -109,7 +110,11 @@ void MeshFlow::make_map(std::span<const double> q, std::span<const double> middl
       [&](std::size_t face, std::size_t side) { whole[side] += std::sqrt(dot(mesh.area[face], mesh.area[face])); });
   each_face([&](std::size_t face, std::size_t side) {
     const double part = std::sqrt(dot(mesh.area[face], mesh.area[face])) / whole[side];
-    const Vec<3> area = area_of_side(surface_, side, middle.empty() ? q : middle);  // out of the solid
+    Vec<3> area = mesh.area[face];  // into the solid
+    if (!middle.empty()) {
+      const Vec<3> change = minus(area_of_side(surface_, side, middle), area_of_side(surface_, side, q));
+      for (std::size_t a = 0; a < dim; ++a) area[a] -= part * change[a];
+    }
     const auto ends = surface_.side(side);
     const Vec<3> a = place_of(q, ends[0], 2), along = minus(place_of(q, ends[1], 2), a);
     const double s = std::clamp(dot(minus(mesh.middle_of_face(face), a), along) / dot(along, along), 0.0, 1.0);
@@ -117,10 +122,10 @@ void MeshFlow::make_map(std::span<const double> q, std::span<const double> middl
     const auto carriers = surface_.carriers(side);
     for (std::size_t c = 0; c < carriers.size(); ++c) {
       for (std::size_t i = 0; i < dim; ++i)
-        entries.emplace_back(at_q.pressure_of[face], at(carriers[c]) * dim + i, -part * shares[c] * area[i]);
+        entries.emplace_back(at_q.pressure_of[face], at(carriers[c]) * dim + i, shares[c] * area[i]);
     }
     at_q.map.area_seen[at(surface_.sheet[side]) * count + at(mesh.region[at(mesh.beside[face][0])])] +=
-        part * std::sqrt(dot(area, area));
+        std::sqrt(dot(area, area));
   });
   at_q.map.B = CouplingMatrix(static_cast<Eigen::Index>(at_q.face_of.size()), static_cast<Eigen::Index>(numbers_));
   at_q.map.B.setFromTriplets(entries.begin(), entries.end());
@@ -169,7 +174,7 @@ void MeshFlow::begin(CoupledState& state, double h) {
   carried[0].resize(mesh.cells() + mesh.faces(), 0.0);
   prescribe(state.time, h, carried);
   const MeshVelocity velocity(old, state.v);
-  carry(velocity, old, state.time, h, carried);
+  carry(velocity, old, state, h, carried);
   std::vector<double> p(mesh.faces());
   for (std::size_t f = 0; f < p.size(); ++f) {
     Vec<3> x = mesh.middle_of_face(f);
@@ -196,12 +201,30 @@ void MeshFlow::begin(CoupledState& state, double h) {
   state.books.advected += before + jets + open - energy_of(state.v);
 }
 
+/// The velocity of the solid that a cell lies at; that of the fluid where it lies at none. Where a solid has made room
+/// the fluid follows it: what was next to it, in a film that was thin, may be far too fast for all of that room.
+Vec<3> MeshFlow::velocity_of_solid(const FlowMesh& old, std::size_t cell, std::span<const double> u,
+                                   const Vec<3>& fluid) const {
+  for (const int f : old.faces_of(cell)) {
+    if (old.boundary[at(f)].kind != BoundaryKind::solid) continue;
+    Vec<3> v{};
+    const auto nodes = surface_.side(at(old.boundary[at(f)].number));
+    for (const int n : nodes) {
+      for (std::size_t a = 0; a < at(old.dim); ++a)
+        v[a] += u[at(n) * at(old.dim) + a] / static_cast<double>(nodes.size());
+    }
+    return v;
+  }
+  return fluid;
+}
+
 /// Each cell has the mean of what comes to three or four places within it, by a rule that is exact for squares. Places
 /// on faces would not do: a cell at the end of a film has the film's velocity there, which is that of next to nothing.
-void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, double time, double h, FaceValues& to) const {
+void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, const CoupledState& state, double h,
+                     FaceValues& to) const {
   const FlowMesh& mesh = *at_.mesh;
   const double near = mesh.dim == 2 ? 2.0 / 3 : 0.58541019662496845446, far = (1 - near) / mesh.dim;
-  const std::vector<double> speeds = jet_speeds(scene_, time, h);
+  const std::vector<double> speeds = jet_speeds(scene_, state.time, h);
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     const auto nodes = mesh.nodes_of(cell);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -211,6 +234,7 @@ void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, double time,
       }
       const MeshVelocity::Origin origin = from.before(x, h);
       Vec<3> v = from.velocity(origin.cell, origin.x);
+      if (origin.opened) v = velocity_of_solid(old, from.finder().cell_at(x), state.u, v);
       const Boundary met = origin.face < 0 ? Boundary{} : old.boundary[at(origin.face)];
       const int jet = met.kind == BoundaryKind::box_side ? jet_at(scene_, met.number, origin.x) : -1;
       if (jet >= 0 && speeds[at(jet)] > 0) {

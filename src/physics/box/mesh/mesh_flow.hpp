@@ -108,7 +108,8 @@ class MeshFlow final : public Flow {
         f(face, v[0][mesh.cells() + face]);
     }
   }
-  void carry(const MeshVelocity& from, const FlowMesh& old, double time, double h, FaceValues& to) const;
+  void carry(const MeshVelocity& from, const FlowMesh& old, const CoupledState& state, double h, FaceValues& to) const;
+  Vec<3> velocity_of_solid(const FlowMesh& old, std::size_t cell, std::span<const double> u, const Vec<3>& fluid) const;
   double energy_on(const FlowMesh& mesh, const FaceValues& v) const;
   double energy_of(const FaceValues& v) const { return energy_on(*at_.mesh, v); }
 

@@ -134,16 +134,15 @@ std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
 MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), v_(v), finder_(mesh) {
   const std::size_t dim = at(mesh.dim);
   std::vector<double> weight(mesh.x.size(), 0.0);
-  std::array<std::vector<double>, 3> mean;
-  for (std::size_t a = 0; a < dim; ++a) mean[a].assign(mesh.x.size(), 0.0);
+  for (std::size_t a = 0; a < dim; ++a) mean_[a].assign(mesh.x.size(), 0.0);
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     for (const int n : mesh.nodes_of(cell)) {
       weight[at(n)] += mesh.volume[cell];
-      for (std::size_t a = 0; a < dim; ++a) mean[a][at(n)] += mesh.volume[cell] * v[a][cell];
+      for (std::size_t a = 0; a < dim; ++a) mean_[a][at(n)] += mesh.volume[cell] * v[a][cell];
     }
   }
   for (std::size_t a = 0; a < dim; ++a) {
-    for (std::size_t n = 0; n < weight.size(); ++n) mean[a][n] /= weight[n];
+    for (std::size_t n = 0; n < weight.size(); ++n) mean_[a][n] /= weight[n];
     for (std::size_t b = 0; b < dim; ++b) slope_[a][b].assign(mesh.cells(), 0.0);
   }
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
@@ -152,18 +151,25 @@ MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(me
       const auto n = at(mesh.nodes_of(cell)[k]);
       for (std::size_t a = 0; a < dim; ++a) {
         for (std::size_t b = 0; b < dim; ++b)
-          slope_[a][b][cell] -= mean[a][n] * out[b] / (static_cast<double>(mesh.dim) * mesh.volume[cell]);
+          slope_[a][b][cell] -= mean_[a][n] * out[b] / (static_cast<double>(mesh.dim) * mesh.volume[cell]);
       }
     }
   }
 }
 
 Vec<3> MeshVelocity::velocity(std::size_t cell, const Vec<3>& x) const {
+  const bool at_boundary = std::ranges::any_of(mesh_.faces_of(cell), [&](int f) { return mesh_.beside[at(f)][1] < 0; });
   const Vec<3> from = minus(x, mesh_.middle(cell));
   Vec<3> v{};
   for (std::size_t a = 0; a < at(mesh_.dim); ++a) {
     v[a] = v_[a][cell];
     for (std::size_t b = 0; b < at(mesh_.dim); ++b) v[a] += slope_[a][b][cell] * from[b];
+    if (!at_boundary) continue;
+    double low = v_[a][cell], high = low;
+    for (const int n : mesh_.nodes_of(cell)) {
+      low = std::min(low, mean_[a][at(n)]), high = std::max(high, mean_[a][at(n)]);
+    }
+    v[a] = std::clamp(v[a], low, high);
   }
   return v;
 }
@@ -174,11 +180,11 @@ MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
   const auto back = [&](const Vec<3>& v, double time) {
     return Vec<3>{x[0] - time * v[0], x[1] - time * v[1], x[2] - time * v[2]};
   };
-  const Vec<3> v = velocity(cell, half);
+  const Vec<3> found = half, v = velocity(cell, half);
   half = back(v, 0.5 * h);
   int met = -1;
   const std::size_t at_half = finder_.walk(cell, half, met);
-  Origin origin{back(velocity(at_half, half), h)};
+  Origin origin{.x = back(velocity(at_half, half), h), .opened = found != x};
   origin.cell = finder_.walk(cell, origin.x, origin.face);
   return origin;
 }

@@ -35,7 +35,7 @@ class CellFinder {
 };
 
 /// The velocity of a fluid on a mesh at any place: that of each cell, with the gradient that the means about its nodes
-/// have.
+/// have. Cells at a boundary stay within the extrema of both: they may be those of a film.
 class MeshVelocity {
  public:
   /// `v` has, along each axis, a number for each cell. Both must outlive it.
@@ -46,7 +46,8 @@ class MeshVelocity {
   struct Origin {
     Vec<3> x;
     std::size_t cell = 0;
-    int face = -1;  ///< of the boundary that it came in through
+    int face = -1;        ///< of the boundary that it came in through
+    bool opened = false;  ///< the place was in no cell: a solid was there
   };
   /// Finds it by the mid-point rule.
   Origin before(const Vec<3>& x, double h) const;
@@ -56,6 +57,7 @@ class MeshVelocity {
   const FlowMesh& mesh_;
   const FaceValues& v_;
   CellFinder finder_;
+  std::array<std::vector<double>, 3> mean_;                  // about each node, by axis [velocity]
   std::array<std::array<std::vector<double>, 3>, 3> slope_;  // [a][b]: of v_a along b, of each cell [1/time]
 };
 

@@ -23,8 +23,8 @@ struct PlaneOutline {
 };
 
 /// The sides of the box, in parts no longer than `size` that end where jets and openings do, obstacles, and the solids'
-/// surface with its nodes at q. Places that solids share with a side of the box, and those beyond it, lie `away` from
-/// it: there a film of fluid is left [length].
+/// surface with its nodes at q as far as it lies in the box. Places that solids share with a wall, and those beyond it,
+/// lie `away` from it: there a film of fluid is left [length].
 PlaneOutline plane_outline(const Coupled& scene, const SolidSurface& surface, std::span<const double> q, double size,
                            double away);
 

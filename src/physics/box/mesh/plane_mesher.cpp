@@ -66,7 +66,8 @@ class PlaneMesher {
                     x[0], x[1]));
   }
 
-  /// Walks along a segment, from vertex to vertex that it passes, and calls f(triangle to its right, from, to).
+  /// Walks along a segment, from vertex to vertex that it passes, and calls f(triangle to its right, the edge in it,
+  /// from, to).
   template <class Function>
   void each_edge(const PlaneOutline::Segment& segment, const Function& f) const {
     auto from = vertices_[segment.ends[0]];
@@ -76,30 +77,34 @@ class PlaneMesher {
       Triangulation::Face_handle right;
       int index = 0;
       if (!triangulation_.includes_edge(from, to, next, right, index)) refuse(segment);
-      f(right, from, next);
+      f(right, index, from, next);
       from = next;
     }
   }
 
-  /// The fluid is to the right of segments, and goes on from there through edges that are none.
+  /// What is to the left of segments is no fluid, whatever else it is to the right of: solids and obstacles that touch
+  /// have no fluid between them. What is to the right of one then is. Both go on through edges that are no segments.
   void mark_fluid() {
     for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end(); ++face)
       face->info() = unknown;
-    std::vector<Triangulation::Face_handle> next;
-    for (const PlaneOutline::Segment& segment : outline_.segments) {
-      if (vertices_[segment.ends[0]] == vertices_[segment.ends[1]]) continue;
-      each_edge(segment, [&](Triangulation::Face_handle right, auto, auto) {
-        if (triangulation_.is_infinite(right) || right->info() == 1) return;
-        right->info() = 1, next.push_back(right);
-      });
-    }
-    while (!next.empty()) {
-      const Triangulation::Face_handle face = next.back();
-      next.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const Triangulation::Face_handle other = face->neighbor(k);
-        if (face->is_constrained(k) || triangulation_.is_infinite(other) || other->info() == 1) continue;
-        other->info() = 1, next.push_back(other);
+    for (const int mark : {0, 1}) {
+      std::vector<Triangulation::Face_handle> next;
+      const auto reach = [&](Triangulation::Face_handle face) {
+        if (triangulation_.is_infinite(face) || face->info() != unknown) return;
+        face->info() = mark, next.push_back(face);
+      };
+      for (const PlaneOutline::Segment& segment : outline_.segments) {
+        if (vertices_[segment.ends[0]] == vertices_[segment.ends[1]]) continue;
+        each_edge(segment, [&](Triangulation::Face_handle right, int index, auto, auto) {
+          reach(mark == 1 ? right : right->neighbor(index));
+        });
+      }
+      while (!next.empty()) {
+        const Triangulation::Face_handle face = next.back();
+        next.pop_back();
+        for (int k = 0; k < 3; ++k) {
+          if (!face->is_constrained(k)) reach(face->neighbor(k));
+        }
       }
     }
   }
@@ -132,7 +137,7 @@ class PlaneMesher {
     }
     for (const PlaneOutline::Segment& segment : outline_.segments) {
       if (vertices_[segment.ends[0]] == vertices_[segment.ends[1]]) continue;
-      each_edge(segment, [&](Triangulation::Face_handle, auto from, auto to) {
+      each_edge(segment, [&](Triangulation::Face_handle, int, auto from, auto to) {
         const auto found = face_of.find(key(from->info(), to->info()));
         if (found != face_of.end()) mesh.boundary[found->second] = segment.boundary;
       });
