@@ -101,6 +101,7 @@ std::vector<Term> fluid_terms(const Scene& scene) {
   return {
       {"advection", true,
        c.liquid                               ? "by particles, which carry velocities and their slopes"
+       : c.mesh                               ? "from the mesh before, by cells' values and gradients: of order 1"
        : c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2"
                                               : "semi-Lagrangian: of order 1"},
       term("liquid surface", c.liquid.has_value(), liquid_text(c), "the fluid fills the box"),

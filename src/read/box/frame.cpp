@@ -149,14 +149,18 @@ void tell_rounding(const Deck& deck, AnyVariable name, int k, const Box<3>& box,
                   "place its edges at faces of the grid, or use more nodes"));
 }
 
-std::vector<Box<3>> boxes_of(const Deck& deck, RealVariable name, const StaggeredGrid& grid, Diagnostics& diagnostics) {
+/// Reads boxes that cells make; on a mesh of the fluid they are as the deck has them.
+std::vector<Box<3>> boxes_of(const Deck& deck, RealVariable name, const Coupled& coupled, Diagnostics& diagnostics) {
+  const StaggeredGrid& grid = coupled.grid;
+  const bool by_cells = !coupled.mesh;
   std::set<int> numbers;
   for (const Subscript at : deck.given_elements(name)) numbers.insert(at[1]);
   std::vector<Box<3>> boxes;
   for (const int k : numbers) {
-    const auto box = box_of(deck, name, k, grid, HeldBy::middles_of_cells, diagnostics);
+    const auto box =
+        box_of(deck, name, k, grid, by_cells ? HeldBy::middles_of_cells : HeldBy::parts_of_cells, diagnostics);
     if (!box) continue;
-    tell_rounding(deck, name, k, *box, grid, diagnostics);
+    if (by_cells) tell_rounding(deck, name, k, *box, grid, diagnostics);
     boxes.push_back(*box);
   }
   return boxes;
@@ -189,8 +193,8 @@ void add_smoke_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostic
 }  // namespace
 
 void add_boxes(const Deck& deck, Coupled& coupled, Diagnostics& diagnostics) {
-  coupled.obstacles = boxes_of(deck, "coupled.obstacle", coupled.grid, diagnostics);
-  coupled.voids = boxes_of(deck, "coupled.void", coupled.grid, diagnostics);
+  coupled.obstacles = boxes_of(deck, "coupled.obstacle", coupled, diagnostics);
+  coupled.voids = boxes_of(deck, "coupled.void", coupled, diagnostics);
   add_smoke_boxes(deck, coupled, diagnostics);
 }
 

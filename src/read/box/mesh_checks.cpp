@@ -39,6 +39,9 @@ class FlowMeshChecks {
       error("coupled.mode",
             fmt::format("mode='{}' is of the grid: faces of a mesh fit the bodies", word_of(coupled_.coupling.mode)),
             "leave mode away, or flow");
+    if (deck_.given("coupled.advection") && !is_default(deck_, "coupled.advection", {1, 1}))
+      error("coupled.advection", "a mesh carries the velocity over from the one before, in its own way",
+            "leave advection away, or flow");
     if (coupled_.systems == Systems::krylov)
       error("coupled.solver", "the pressures of a mesh are solved by factors", "leave solver away");
   }
