@@ -140,7 +140,7 @@ Flow::Equations MeshFlow::equations_at(std::span<const double> q, double by) con
 
 void MeshFlow::place(CoupledState& state) {
   at_ = placed(state.q);
-  kept_q_ = state.flow_q, kept_ = mesh_of(state.flow_q);
+  kept_ = mesh_of(state.flow_q), kept_q_ = state.flow_q;
 }
 
 // A step.
