@@ -18,4 +18,12 @@ inline Eigen::Map<const EigenSparse> eigen_of(const SparseMatrix& A) {
   return {A.n, A.n, static_cast<Eigen::Index>(A.value.size()), A.start.data(), A.row.data(), A.value.data()};
 }
 
+/// Takes over the numbers of a square one, whose columns are compressed.
+inline SparseMatrix sparse_of(const EigenSparse& A) {
+  return {A.rows(),
+          {A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize() + 1},
+          {A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros()},
+          {A.valuePtr(), A.valuePtr() + A.nonZeros()}};
+}
+
 }  // namespace tether

@@ -151,6 +151,21 @@ FlowDomain FlowBox::around(const Crossings& crossings, const CutCells& cut) cons
 
 /// Returns the jets' mean speeds in a step of length h, by three points of Gauss: exact to t^5, and for a jet that is
 /// switched on within the step about its part.
+bool lies_in(const Box<3>& patch, int side, const Vec<3>& x, int dim) {
+  bool inside = true;
+  for (std::size_t a = 0; a < at(dim); ++a) {
+    if (static_cast<int>(a) != axis_of_side(side)) inside = inside && x[a] > patch.low[a] && x[a] < patch.high[a];
+  }
+  return inside;
+}
+
+int jet_at(const Coupled& scene, int side, const Vec<3>& x) {
+  for (std::size_t k = scene.jets.size(); k-- > 0;) {
+    if (scene.jets[k].side == side && lies_in(scene.jets[k].patch, side, x, scene.grid.dim)) return static_cast<int>(k);
+  }
+  return -1;
+}
+
 std::vector<double> jet_speeds(const Coupled& scene, double time, double h) {
   constexpr double away = 0.38729833462074168852;  // sqrt(3/5)/2, of the step from its middle
   std::vector<double> speeds;

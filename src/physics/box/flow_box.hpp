@@ -12,6 +12,10 @@
 
 namespace tether::coupled {
 
+/// Returns whether a place of a side lies in a patch of it, not at the patch's edge.
+bool lies_in(const Box<3>& patch, int side, const Vec<3>& x, int dim);
+/// Returns the last jet that has a place of a side; -1: none.
+int jet_at(const Coupled& scene, int side, const Vec<3>& x);
 /// The mean speeds of jets in a step of length h, into the box [velocity].
 std::vector<double> jet_speeds(const Coupled& scene, double time, double h);
 

@@ -91,7 +91,7 @@ void GridFlow::book_forces(CoupledState& state, double h) const {
     }
     falling += gravity_[axis] * along;
   }
-  if (!scene_.liquid) state.books.gravity += h * scene_.density * falling;  // a liquid's own energy has it
+  state.books.gravity += h * scene_.density * falling;
   if (scene_.smoke)
     state.books.buoyancy +=
         h * buoyancy_power(at_.domain, state.smoke, scene_.smoke_lift, scene_.smoke_weight, scene_.density, state.v);

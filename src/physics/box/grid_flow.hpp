@@ -39,7 +39,6 @@ class GridFlow : public Flow, public FlowFriction {
     take(placer_.at(q, middle));
   }
 
-  std::size_t pressures() const override { return at_.numbers.cell.size(); }
   const CouplingMap& map() const override { return at_.map; }
   const CouplingMatrix& flux_map() const override { return scene_.coupling.two_maps ? at_.crossing_map : at_.map.B; }
   const FlowRegions& regions() const override { return regions_; }
@@ -96,6 +95,8 @@ class GridFlow : public Flow, public FlowFriction {
   virtual void place_after_step(CoupledState& state) { place(state); }
   /// Finds the parts of cells that rub.
   virtual void find_parts() {}
+  /// Says what a fluid that rubs meets at open sides: itself, going on as it comes, unless a void lets it end.
+  virtual Beyond beyond_open_sides() const { return scene_.voids.empty() ? Beyond::fluid : Beyond::nothing; }
 
   Team& team_;
   const Coupled& scene_;
@@ -118,9 +119,9 @@ class GridFlow : public Flow, public FlowFriction {
   void note_thin_bodies(double time, CoupledState& state);
 
   FlowRegions regions_;
-  std::vector<double> mobility_;        // of the step's friction
-  std::optional<SolidsBeside> beside_;  // likewise
-  std::optional<Friction> rubbing_;     // likewise
+  std::vector<double> mobility_;                // of the step's friction
+  std::optional<SolidsNearFaces> near_solids_;  // likewise
+  std::optional<Friction> rubbing_;             // likewise
 };
 
 }  // namespace tether::coupled

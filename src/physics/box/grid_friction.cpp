@@ -15,15 +15,14 @@ namespace tether::coupled {
 void GridFlow::begin_friction(const CoupledState& state, std::vector<double> mobility, double h) {
   find_parts();
   mobility_ = std::move(mobility);
-  // A flow goes on through open sides as it comes; what has a surface ends there, as at the surface.
-  begin_friction(scene_.liquid || !scene_.voids.empty() ? Beyond::nothing : Beyond::fluid, h, state.u.size());
+  begin_friction(beyond_open_sides(), h, state.u.size());
 }
 
 void GridFlow::begin_friction(Beyond beyond, double h, std::size_t numbers) {
   const SolidSurface& whole = placer_.whole().surface();
-  beside_.emplace(SolidsBeside{whole, at_.beside, numbers, sticks_to_bodies(scene_)});
+  near_solids_.emplace(SolidsNearFaces{whole, at_.near_faces, numbers, sticks_to_bodies(scene_)});
   rubbing_.emplace(RubbingFluid{at_.room(), scene_.density, scene_.viscosity, parts_, beyond,
-                                whole.side_count() > 0 ? &*beside_ : nullptr},
+                                whole.side_count() > 0 ? &*near_solids_ : nullptr},
                    mobility_, h);
 }
 

@@ -21,6 +21,8 @@ class LiquidFlow final : public GridFlow {
   void finish_start(double h, CoupledState& state) override;
 
   void begin(CoupledState& state, double h) override;
+  /// A liquid's own energy has that of gravity, and air beyond open sides does not press.
+  void book_forces(CoupledState& /*state*/, double /*h*/) const override {}
   void end(const FaceValues& change, CoupledState& state, double h) override;
   void map_by_middle(std::span<const double> q, std::span<const double> middle) override {
     take(placer_.at(q, middle, liquid_.filled()));
@@ -39,6 +41,7 @@ class LiquidFlow final : public GridFlow {
                          CoupledState& state) const override;
   void place_after_step(CoupledState& state) override;
   void find_parts() override;
+  Beyond beyond_open_sides() const override { return Beyond::nothing; }  // as at its surface
 
  private:
   /// A liquid's energy, and what of all that is booked is its own.

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "algebra/eigen_sparse.hpp"
+
 namespace tether::coupled {
 namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-using ByColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
 /// Puts a matrix together column by column.
 class Builder {
@@ -81,10 +81,10 @@ void add_pressure_column(const SparseMatrix& L, std::size_t slot, const Slots& s
 SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pinned, const Slots& slots, bool lower) {
   const std::int64_t solids = of.A.n;
   Builder K(solids + static_cast<std::int64_t>(slots.row.size()));
-  const ByColumns flux = of.flux;
+  const EigenSparse flux = of.flux;
   for (std::int64_t u = 0; u < solids; ++u) {
     add_column(of.A, u, lower, of.held, K);
-    for (ByColumns::InnerIterator entry(flux, u); of.held[at(u)] == 0 && entry; ++entry) {
+    for (EigenSparse::InnerIterator entry(flux, u); of.held[at(u)] == 0 && entry; ++entry) {
       if (pinned[at(entry.row())] == 0) K.add(solids + slots.of_row[at(entry.row())], -entry.value());
     }
     K.next_column();
@@ -121,15 +121,8 @@ void add_to_diagonal(SparseMatrix& A, std::int64_t column, double value) {
 }
 
 SparseMatrix with_symmetric_pattern(const SparseMatrix& K) {
-  const Eigen::Map<const ByColumns> view(K.n, K.n, static_cast<std::int64_t>(K.value.size()), K.start.data(),
-                                         K.row.data(), K.value.data());
-  const ByColumns sum = view + 0.0 * ByColumns(view.transpose());
-  SparseMatrix out;
-  out.n = K.n;
-  out.start.assign(sum.outerIndexPtr(), sum.outerIndexPtr() + K.n + 1);
-  out.row.assign(sum.innerIndexPtr(), sum.innerIndexPtr() + sum.nonZeros());
-  out.value.assign(sum.valuePtr(), sum.valuePtr() + sum.nonZeros());
-  return out;
+  const auto view = eigen_of(K);
+  return sparse_of(view + 0.0 * EigenSparse(view.transpose()));
 }
 
 std::vector<double> scales_of(const SparseMatrix& K) {

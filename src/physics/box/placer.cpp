@@ -42,7 +42,7 @@ Placement Placer::in(Room room, std::span<const double> q, std::span<const doubl
     drop_regions(pockets, at.domain);
     map(q, room, at);
   }
-  if (scene_.viscosity > 0) at.beside = surface_beside_faces(whole_.surface(), room.places, scene_.grid);
+  if (scene_.viscosity > 0) at.near_faces = surface_near_faces(whole_.surface(), room.places, scene_.grid);
   at.pieces = std::move(room.pieces.pieces), at.thin = std::move(room.cells.thin);
   return at;
 }

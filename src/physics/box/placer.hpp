@@ -39,7 +39,7 @@ struct Placement {
   PressureNumbers numbers;
   CouplingMap map;
   CouplingMatrix crossing_map;  ///< of the paper's own mode
-  SurfaceBesideFaces beside;    ///< of a fluid that rubs
+  SurfaceNearFaces near_faces;  ///< of a fluid that rubs
 
   /// Returns what solids leave, liquid or not.
   const FlowDomain& room() const { return surface ? surface->room : domain; }

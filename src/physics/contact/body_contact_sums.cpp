@@ -75,14 +75,6 @@ class SideMatrix {
   Eigen::MatrixXd matrix_ = Eigen::MatrixXd::Zero(16 * dim, 16 * dim);
 };
 
-SparseMatrix matrix_of(const EigenSparse& sum) {
-  SparseMatrix matrix{sum.rows(), {}, {}, {}};
-  matrix.start.assign(sum.outerIndexPtr(), sum.outerIndexPtr() + sum.rows() + 1);
-  matrix.row.assign(sum.innerIndexPtr(), sum.innerIndexPtr() + sum.nonZeros());
-  matrix.value.assign(sum.valuePtr(), sum.valuePtr() + sum.nonZeros());
-  return matrix;
-}
-
 }  // namespace
 
 template <int dim>
@@ -181,7 +173,7 @@ SparseMatrix BodyContact::with_slopes(const SparseMatrix& K, std::span<const dou
   sum.setFromTriplets(numbers.begin(), numbers.end());
   if (met_.rows() == K.n) sum += met_;
   met_ = sum, met_.coeffs().setZero();
-  return matrix_of(eigen_of(K) + sum);
+  return sparse_of(eigen_of(K) + sum);
 }
 
 ContactNumbers BodyContact::numbers(std::span<const double> q1) {

@@ -27,9 +27,8 @@ double whole_box(const StaggeredGrid& grid, int axis, std::size_t face) {
   return grid.volume() * (i == 0 || i == grid.n[at(axis)] ? 0.5 : 1);
 }
 
-SurfaceBesideFaces surface_beside_faces(const SolidSurface& surface, std::span<const double> q,
-                                        const StaggeredGrid& grid) {
-  SurfaceBesideFaces found;
+SurfaceNearFaces surface_near_faces(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid) {
+  SurfaceNearFaces found;
   for (int axis = 0; axis < grid.dim; ++axis) found[at(axis)] = find_crossings(surface, q, grid_of_faces(grid, axis));
   return found;
 }

@@ -12,9 +12,8 @@ namespace tether::coupled {
 
 /// Of each axis, where the surface passes between the middles of faces: these are the middles of a grid's cells that
 /// lies half a cell lower, and have the same numbers.
-using SurfaceBesideFaces = std::array<Crossings, 3>;
-SurfaceBesideFaces surface_beside_faces(const SolidSurface& surface, std::span<const double> q,
-                                        const StaggeredGrid& grid);
+using SurfaceNearFaces = std::array<Crossings, 3>;
+SurfaceNearFaces surface_near_faces(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid);
 
 /// The surface that is next to a face's middle on one side.
 struct SurfaceNear {

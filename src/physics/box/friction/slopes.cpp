@@ -10,7 +10,7 @@ std::array<int, 3> next(const std::array<int, 3>& place, int axis, bool up) { re
 
 }  // namespace
 
-Slopes::Slopes(const FlowDomain& domain, const FrictionUnknowns& unknowns, const SolidsBeside* solids)
+Slopes::Slopes(const FlowDomain& domain, const FrictionUnknowns& unknowns, const SolidsNearFaces* solids)
     : domain_(domain), grid_(domain.grid), unknowns_(unknowns), solids_(solids) {
   for (int axis = 0; solids != nullptr && axis < grid_.dim; ++axis)
     near_.emplace_back(grid_, axis, solids->crossings[at(axis)]);

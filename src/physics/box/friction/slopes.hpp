@@ -11,9 +11,9 @@
 namespace tether::coupled {
 
 /// The solids about a fluid that rubs: bodies, and obstacles that cut cells.
-struct SolidsBeside {
+struct SolidsNearFaces {
   const SolidSurface& surface;  ///< of both; nodes of obstacles come after those of bodies
-  const SurfaceBesideFaces& crossings;
+  const SurfaceNearFaces& crossings;
   std::size_t moving = 0;     ///< numbers of the bodies' nodes
   bool bodies_stick = false;  ///< whether the fluid sticks to bodies; to obstacles it does
 };
@@ -39,7 +39,7 @@ struct Slope {
 /// 205-227, hold a value at such a place alike: of order 2 in the velocity). All arguments must outlive it.
 class Slopes {
  public:
-  Slopes(const FlowDomain& domain, const FrictionUnknowns& unknowns, const SolidsBeside* solids);
+  Slopes(const FlowDomain& domain, const FrictionUnknowns& unknowns, const SolidsNearFaces* solids);
 
   /// Returns whether a face's middle lies in a solid that the fluid sticks to: what fluid the face has is at its
   /// surface. `rate` gets how fast it slips, over the least distance that counts.
@@ -73,7 +73,7 @@ class Slopes {
   const FlowDomain& domain_;
   const StaggeredGrid& grid_;
   const FrictionUnknowns& unknowns_;
-  const SolidsBeside* solids_;
+  const SolidsNearFaces* solids_;
   std::vector<NearSurface> near_;  // of each axis, where there are solids
 };
 

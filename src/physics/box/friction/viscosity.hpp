@@ -16,7 +16,7 @@ struct RubbingFluid {
   double density = 1, mu = 0;  ///< [mass/volume], [stress time]
   const CellParts& parts;      ///< of the cells that are fluid: those of a liquid with a surface
   Beyond beyond = Beyond::fluid;
-  const SolidsBeside* solids = nullptr;  ///< null: none cuts the cells
+  const SolidsNearFaces* solids = nullptr;  ///< null: none cuts the cells
 };
 
 /// What friction did.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "physics/box/flow_box.hpp"
 
 namespace tether::liquid {
 
@@ -58,19 +59,6 @@ Particles Inflow::not_yet_in(std::span<const double> owed) const {
   return particles;
 }
 
-/// Returns whether no later jet has a place of a jet's.
-bool Inflow::has(std::size_t jet, const Vec<3>& x) const {
-  const std::size_t across = at(axis_of_side(scene_.jets[jet].side));
-  for (std::size_t k = jet + 1; k < scene_.jets.size(); ++k) {
-    if (scene_.jets[k].side != scene_.jets[jet].side) continue;
-    bool inside = true;
-    for (std::size_t a = 0; a < at(scene_.grid.dim); ++a)
-      inside = inside && (a == across || (x[a] > scene_.jets[k].patch.low[a] && x[a] < scene_.jets[k].patch.high[a]));
-    if (inside) return false;
-  }
-  return true;
-}
-
 double Inflow::add_layer(std::size_t jet, double depth, double thickness, double speed, Particles& particles) const {
   const StaggeredGrid& grid = scene_.grid;
   const Jet& of = scene_.jets[jet];
@@ -93,7 +81,7 @@ double Inflow::add_layer(std::size_t jet, double depth, double thickness, double
         for (std::size_t a = 0; a < at(grid.dim); ++a) x[a] = of.patch.low[a] + (i[a] + 0.5) * apart[a];
         x[across] = std::clamp(side + inwards * depth, grid.low[across], grid.high(static_cast<int>(across)));
         velocity[across] = inwards * speed;
-        if (!has(jet, x)) continue;
+        if (coupled::jet_at(scene_, of.side, x) != static_cast<int>(jet)) continue;
         particles.add(grid.dim, x, velocity, apart[0] * apart[1] * apart[2]);
         volume += apart[0] * apart[1] * apart[2];
       }

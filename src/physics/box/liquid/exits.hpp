@@ -56,7 +56,6 @@ class Inflow {
 
  private:
   double add_layer(std::size_t jet, double depth, double thickness, double speed, Particles& particles) const;
-  bool has(std::size_t jet, const Vec<3>& x) const;
 
   const Coupled& scene_;
 };

@@ -55,7 +55,7 @@ Vec<3> area_of(const FlowMesh& mesh, const std::array<int, 3>& nodes) {
 }  // namespace
 
 Vec<3> FlowMesh::out_of(std::size_t cell, std::size_t f) const {
-  const double sign = at(beside[f][0]) == cell ? 1 : -1;
+  const double sign = at(cells_of_face[f][0]) == cell ? 1 : -1;
   return {sign * area[f][0], sign * area[f][1], sign * area[f][2]};
 }
 
@@ -81,7 +81,7 @@ void FlowMesh::find_faces() {
     std::size_t cell, corner;
   };
   std::vector<Half> halves;
-  volume.clear(), beside.clear(), nodes_of_face.clear(), area.clear();
+  volume.clear(), cells_of_face.clear(), nodes_of_face.clear(), area.clear();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     volume.push_back(volume_of(*this, corners_of(*this, cell)));
     for (std::size_t k = 0; k < per_cell; ++k) {
@@ -99,13 +99,13 @@ void FlowMesh::find_faces() {
       const std::array<int, 3> of = nodes_opposite(nodes_of(half.cell), half.corner);
       nodes_of_face.insert(nodes_of_face.end(), of.begin(), of.begin() + static_cast<std::ptrdiff_t>(per_face));
       area.push_back(area_of(*this, of));
-      beside.push_back({static_cast<int>(half.cell), -1});
+      cells_of_face.push_back({static_cast<int>(half.cell), -1});
     } else {
-      beside.back()[1] = static_cast<int>(half.cell);
+      cells_of_face.back()[1] = static_cast<int>(half.cell);
     }
-    face[half.cell * per_cell + half.corner] = static_cast<int>(beside.size()) - 1;
+    face[half.cell * per_cell + half.corner] = static_cast<int>(cells_of_face.size()) - 1;
   }
-  boundary.assign(beside.size(), {});
+  boundary.assign(cells_of_face.size(), {});
   find_regions();
 }
 
@@ -119,7 +119,7 @@ void FlowMesh::find_regions() {
       const std::size_t cell = next.back();
       next.pop_back();
       for (const int f : faces_of(cell)) {
-        for (const int other : beside[at(f)]) {
+        for (const int other : cells_of_face[at(f)]) {
           if (other >= 0 && region[at(other)] < 0) region[at(other)] = regions, next.push_back(at(other));
         }
       }

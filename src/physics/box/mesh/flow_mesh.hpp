@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -26,17 +27,17 @@ struct FlowMesh {
   std::vector<int> nodes;  ///< dim + 1 of each cell, of positive volume
 
   // What find_faces() makes of these.
-  std::vector<int> face;                   ///< dim + 1 of each cell, each opposite to its node
-  std::vector<int> nodes_of_face;          ///< dim of each face
-  std::vector<std::array<int, 2>> beside;  ///< cells of each face; the second one -1 at the boundary
-  std::vector<Vec<3>> area;                ///< of each face, times its normal out of the first cell [area]
-  std::vector<double> volume;              ///< of each cell [volume]
-  std::vector<Boundary> boundary;          ///< of each face, for the mesher to set
-  std::vector<int> region;                 ///< of each cell, from 0: cells that faces join
+  std::vector<int> face;                          ///< dim + 1 of each cell, each opposite to its node
+  std::vector<int> nodes_of_face;                 ///< dim of each face
+  std::vector<std::array<int, 2>> cells_of_face;  ///< cells of each face; the second one -1 at the boundary
+  std::vector<Vec<3>> area;                       ///< of each face, times its normal out of the first cell [area]
+  std::vector<double> volume;                     ///< of each cell [volume]
+  std::vector<Boundary> boundary;                 ///< of each face, for the mesher to set
+  std::vector<int> region;                        ///< of each cell, from 0: cells that faces join
   int regions = 0;
 
   std::size_t cells() const { return nodes.size() / corners(); }
-  std::size_t faces() const { return beside.size(); }
+  std::size_t faces() const { return cells_of_face.size(); }
   std::size_t corners() const { return static_cast<std::size_t>(dim) + 1; }
   std::span<const int> nodes_of(std::size_t cell) const {
     return std::span(nodes).subspan(cell * corners(), corners());
@@ -45,6 +46,10 @@ struct FlowMesh {
   std::span<const int> face_nodes(std::size_t f) const {
     return std::span(nodes_of_face).subspan(f * static_cast<std::size_t>(dim), static_cast<std::size_t>(dim));
   }
+  bool is_at_boundary(std::size_t f) const { return cells_of_face[f][1] < 0; }
+  /// The cell of a face, the first one where it has two.
+  std::size_t cell_of(std::size_t f) const { return static_cast<std::size_t>(cells_of_face[f][0]); }
+  double size_of(std::size_t f) const { return std::sqrt(dot(area[f], area[f])); }
   /// The area of a face of a cell, out of the cell [area].
   Vec<3> out_of(std::size_t cell, std::size_t f) const;
   Vec<3> middle(std::size_t cell) const;

@@ -47,7 +47,7 @@ void MeshFlow::add_sums(const CoupledState& state, CoupledSums& sums) const {
     for (std::size_t a = 0; a < at(mesh.dim); ++a)
       sums.momentum[a] += scene_.density * mesh.volume[cell] * state.v[a][cell];
   }
-  sums.fluid = energy_on(mesh, state.v), sums.kinetic += sums.fluid;
+  sums.fluid = kinetic_energy_on(mesh, state.v, state.v), sums.kinetic += sums.fluid;
   sums.mass += scene_.density * sums.fluid_volume;
 }
 

@@ -12,22 +12,6 @@ namespace {
 
 constexpr double least_gap = 1e-3;  // of the cells' size, between solids and the sides of the box
 
-bool lies_in(const Box<3>& patch, int side, const Vec<3>& x, int dim) {
-  bool inside = true;
-  for (std::size_t a = 0; a < at(dim); ++a) {
-    if (static_cast<int>(a) != axis_of_side(side)) inside = inside && x[a] > patch.low[a] && x[a] < patch.high[a];
-  }
-  return inside;
-}
-
-/// The last jet that has a place of a side; -1: none.
-int jet_at(const Coupled& scene, int side, const Vec<3>& x) {
-  for (std::size_t k = scene.jets.size(); k-- > 0;) {
-    if (scene.jets[k].side == side && lies_in(scene.jets[k].patch, side, x, scene.grid.dim)) return static_cast<int>(k);
-  }
-  return -1;
-}
-
 }  // namespace
 
 double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t cell, const Vec<3>& x) {
@@ -39,25 +23,25 @@ double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t 
 }
 
 MeshFlow::MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers)
-    : scene_(scene), gravity_(gravity), surface_(surface), numbers_(numbers), away_(least_gap * scene.mesh->size) {}
+    : scene_(scene),
+      gravity_(gravity),
+      surface_(surface),
+      numbers_(numbers),
+      outside_(scene, gravity),
+      away_(least_gap * scene.mesh->size) {}
 
 // Where the fluid is.
 
+/// Sides that are open to fluid or to nothing, and openings in walls; but not where jets are.
 bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
   const Boundary& of = mesh.boundary[face];
-  if (of.kind != BoundaryKind::box_side || !has_fluid_beyond(scene_, of.number)) return false;
+  if (of.kind != BoundaryKind::box_side) return false;
   const Vec<3> x = mesh.middle_of_face(face);
   if (jet_at(scene_, of.number, x) >= 0) return false;
   if (!is_wall(scene_.sides[at(of.number)])) return true;
   return std::ranges::any_of(scene_.openings, [&](const Opening& opening) {
     return opening.side == of.number && lies_in(opening.patch, of.number, x, scene_.grid.dim);
   });
-}
-
-/// That of a fluid at rest, or none where there is nothing.
-double MeshFlow::pressure_outside(const FlowMesh& mesh, std::size_t face) const {
-  if (scene_.sides[at(mesh.boundary[face].number)] == BoxSide::empty) return 0;
-  return scene_.density * gravity_[1] * (mesh.middle_of_face(face)[1] - scene_.level);
 }
 
 std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) const {
@@ -78,7 +62,7 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
   const FlowMesh& mesh = *at_q.mesh;
   at_q.regions.count = mesh.regions, at_q.regions.closed.assign(at(mesh.regions), 1);
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
-    const int region = mesh.region[at(mesh.beside[f][0])];
+    const int region = mesh.region[mesh.cell_of(f)];
     const bool open = is_open(mesh, f);
     at_q.pressure_of.push_back(open ? -1 : static_cast<int>(at_q.face_of.size()));
     if (open) {
@@ -106,10 +90,9 @@ void MeshFlow::make_map(std::span<const double> q, std::span<const double> middl
       if (mesh.boundary[face].kind == BoundaryKind::solid) f(face, at(mesh.boundary[face].number));
     }
   };
-  each_face(
-      [&](std::size_t face, std::size_t side) { whole[side] += std::sqrt(dot(mesh.area[face], mesh.area[face])); });
+  each_face([&](std::size_t face, std::size_t side) { whole[side] += mesh.size_of(face); });
   each_face([&](std::size_t face, std::size_t side) {
-    const double part = std::sqrt(dot(mesh.area[face], mesh.area[face])) / whole[side];
+    const double part = mesh.size_of(face) / whole[side];
     Vec<3> area = mesh.area[face];  // into the solid
     if (!middle.empty()) {
       const Vec<3> change = minus(area_of_side(surface_, side, middle), area_of_side(surface_, side, q));
@@ -124,7 +107,7 @@ void MeshFlow::make_map(std::span<const double> q, std::span<const double> middl
       for (std::size_t i = 0; i < dim; ++i)
         entries.emplace_back(at_q.pressure_of[face], at(carriers[c]) * dim + i, shares[c] * area[i]);
     }
-    at_q.map.area_seen[at(surface_.sheet[side]) * count + at(mesh.region[at(mesh.beside[face][0])])] +=
+    at_q.map.area_seen[at(surface_.sheet[side]) * count + at(mesh.region[mesh.cell_of(face)])] +=
         std::sqrt(dot(area, area));
   });
   at_q.map.B = CouplingMatrix(static_cast<Eigen::Index>(at_q.face_of.size()), static_cast<Eigen::Index>(numbers_));
@@ -160,7 +143,7 @@ void MeshFlow::prescribe(double time, double h, FaceValues& v) const {
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     if (mesh.boundary[f].kind != BoundaryKind::box_side) continue;
     const int jet = jet_at(scene_, mesh.boundary[f].number, mesh.middle_of_face(f));
-    v[0][mesh.cells() + f] = jet < 0 ? 0 : -speeds[at(jet)] * std::sqrt(dot(mesh.area[f], mesh.area[f]));
+    v[0][mesh.cells() + f] = jet < 0 ? 0 : -speeds[at(jet)] * mesh.size_of(f);
   }
 }
 
@@ -168,37 +151,48 @@ void MeshFlow::begin(CoupledState& state, double h) {
   kept_ = mesh_of(state.flow_q), kept_q_ = state.flow_q;
   const FlowMesh& old = *kept_;
   const FlowMesh& mesh = *at_.mesh;
-  const double before = energy_on(old, state.v);
+  const double before = kinetic_energy_on(old, state.v, state.v);
   FaceValues carried;
   for (std::size_t a = 0; a < at(mesh.dim); ++a) carried[a].assign(mesh.cells(), 0.0);
   carried[0].resize(mesh.cells() + mesh.faces(), 0.0);
   prescribe(state.time, h, carried);
   const MeshVelocity velocity(old, state.v);
   carry(velocity, old, state, h, carried);
-  std::vector<double> p(mesh.faces());
-  for (std::size_t f = 0; f < p.size(); ++f) {
-    Vec<3> x = mesh.middle_of_face(f);
-    const std::size_t cell = velocity.finder().cell_at(x);
-    p[f] = pressure_in(old, state.p, cell, x);
+  state.p = pressures_on_faces(velocity.finder(), old, state.p);
+  state.v = std::move(carried), state.flow_q = state.q;
+  const CarriedIn in = carried_in_by(state.v, h);
+  state.books.jets += in.jets, state.books.open_sides += in.open_sides;
+  state.books.advected += before + in.jets + in.open_sides - kinetic_energy(state.v, state.v);
+}
+
+/// First guesses of this mesh's pressures from those of the one before.
+std::vector<double> MeshFlow::pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
+                                                 std::span<const double> p) const {
+  std::vector<double> found;
+  for (std::size_t f = 0; f < at_.mesh->faces(); ++f) {
+    Vec<3> x = at_.mesh->middle_of_face(f);
+    const std::size_t cell = finder.cell_at(x);
+    found.push_back(pressure_in(old, p, cell, x));
   }
-  state.p = std::move(p), state.v = std::move(carried);
-  state.flow_q = state.q;
-  double jets = 0, open = 0;  // kinetic energy that goes in
-  const auto energy_in = [&](std::size_t face, double out) {
-    const std::size_t cell = at(mesh.beside[face][0]);
-    const double area = std::sqrt(dot(mesh.area[face], mesh.area[face]));
-    double square = std::pow(out / area, 2);
-    for (std::size_t a = 0; a < at(mesh.dim); ++a) square += out > 0 ? std::pow(state.v[a][cell], 2) : 0;
-    return -0.5 * scene_.density * h * out * (out > 0 ? square - std::pow(out / area, 2) : square);
+  return found;
+}
+
+/// What goes out has the velocity of its cell; what comes in has that across the face.
+CarriedIn MeshFlow::carried_in_by(const FaceValues& v, double h) const {
+  const FlowMesh& mesh = *at_.mesh;
+  const auto energy = [&](std::size_t face, double out) {
+    double square = 0;
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) square += std::pow(v[a][mesh.cell_of(face)], 2);
+    return -0.5 * scene_.density * h * out * (out > 0 ? square : std::pow(out / mesh.size_of(face), 2));
   };
-  each_prescribed(state.v, [&](std::size_t face, double out) { jets += energy_in(face, out); });
+  CarriedIn in;
+  each_prescribed(v, [&](std::size_t face, double out) { in.jets += energy(face, out); });
   each_open_side([&](std::size_t face, std::size_t cell, double) {
     double out = 0;
-    for (std::size_t a = 0; a < at(mesh.dim); ++a) out += mesh.area[face][a] * state.v[a][cell];
-    open += energy_in(face, out);
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) out += mesh.area[face][a] * v[a][cell];
+    in.open_sides += energy(face, out);
   });
-  state.books.jets += jets, state.books.open_sides += open;
-  state.books.advected += before + jets + open - energy_of(state.v);
+  return in;
 }
 
 /// The velocity of the solid that a cell lies at; that of the fluid where it lies at none. Where a solid has made room
@@ -218,6 +212,17 @@ Vec<3> MeshFlow::velocity_of_solid(const FlowMesh& old, std::size_t cell, std::s
   return fluid;
 }
 
+/// The velocity of the jet that a path began in; that of the fluid where it is none that blows in.
+Vec<3> MeshFlow::jet_velocity(const MeshVelocity::Origin& origin, const FlowMesh& old, std::span<const double> speeds,
+                              const Vec<3>& fluid) const {
+  const Boundary& met = old.boundary[at(origin.face)];
+  const int jet = met.kind == BoundaryKind::box_side ? jet_at(scene_, met.number, origin.x) : -1;
+  if (jet < 0 || speeds[at(jet)] <= 0) return fluid;
+  Vec<3> v{};
+  v[at(axis_of_side(met.number))] = (is_low_side(met.number) ? 1 : -1) * speeds[at(jet)];
+  return v;
+}
+
 /// Each cell has the mean of what comes to three or four places within it, by a rule that is exact for squares. Places
 /// on faces would not do: a cell at the end of a film has the film's velocity there, which is that of next to nothing.
 void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, const CoupledState& state, double h,
@@ -234,13 +239,8 @@ void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, const Couple
       }
       const MeshVelocity::Origin origin = from.before(x, h);
       Vec<3> v = from.velocity(origin.cell, origin.x);
-      if (origin.opened) v = velocity_of_solid(old, from.finder().cell_at(x), state.u, v);
-      const Boundary met = origin.face < 0 ? Boundary{} : old.boundary[at(origin.face)];
-      const int jet = met.kind == BoundaryKind::box_side ? jet_at(scene_, met.number, origin.x) : -1;
-      if (jet >= 0 && speeds[at(jet)] > 0) {
-        v = {};
-        v[at(axis_of_side(met.number))] = (is_low_side(met.number) ? 1 : -1) * speeds[at(jet)];
-      }
+      if (origin.opened_at >= 0) v = velocity_of_solid(old, at(origin.opened_at), state.u, v);
+      if (origin.face >= 0) v = jet_velocity(origin, old, speeds, v);
       for (std::size_t a = 0; a < at(mesh.dim); ++a) to[a][cell] += v[a] / static_cast<double>(nodes.size());
     }
   }

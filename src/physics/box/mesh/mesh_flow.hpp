@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,7 +41,6 @@ class MeshFlow final : public Flow {
   void end(const FaceValues& change, CoupledState& state, double h) override;
   void map_by_middle(std::span<const double> q, std::span<const double> middle) override;
 
-  std::size_t pressures() const override { return at_.face_of.size(); }
   const CouplingMap& map() const override { return at_.map; }
   const CouplingMatrix& flux_map() const override { return at_.map.B; }
   const FlowRegions& regions() const override { return at_.regions; }
@@ -57,7 +55,9 @@ class MeshFlow final : public Flow {
   SparseMatrix pressure_matrix(double by) const override { return pressure_matrix(at_, by); }
   std::vector<double> net_flux(const FaceValues& v) const override;
   void add_pressure(std::span<const double> p, double by, FaceValues& v) const override;
-  double kinetic_energy(const FaceValues& v, const FaceValues& w) const override;
+  double kinetic_energy(const FaceValues& v, const FaceValues& w) const override {
+    return kinetic_energy_on(*at_.mesh, v, w);
+  }
   double prescribed_power(std::span<const double> p, const FaceValues& v) const override;
   std::vector<double> masses() const override;
   double cells_crossed(const FaceValues& v, double h) const override;
@@ -90,13 +90,14 @@ class MeshFlow final : public Flow {
   void make_map(std::span<const double> q, std::span<const double> middle, Placed& at) const;
   SparseMatrix pressure_matrix(const Placed& at, double by) const;
   bool is_open(const FlowMesh& mesh, std::size_t face) const;
-  double pressure_outside(const FlowMesh& mesh, std::size_t face) const;
+  double pressure_outside(std::size_t face) const {
+    return outside_.pressure_beyond(at_.mesh->boundary[face].number, at_.mesh->middle_of_face(face)[1]);
+  }
   /// Calls f(face, cell, pressure outside) for faces of open sides.
   template <class Function>
   void each_open_side(const Function& f) const {
     for (std::size_t face = 0; face < at_.mesh->faces(); ++face) {
-      if (at_.pressure_of[face] < 0)
-        f(face, static_cast<std::size_t>(at_.mesh->beside[face][0]), pressure_outside(*at_.mesh, face));
+      if (at_.pressure_of[face] < 0) f(face, at_.mesh->cell_of(face), pressure_outside(face));
     }
   }
   /// Calls f(face, flux out) for faces that jets blow through or take in.
@@ -110,14 +111,19 @@ class MeshFlow final : public Flow {
   }
   void carry(const MeshVelocity& from, const FlowMesh& old, const CoupledState& state, double h, FaceValues& to) const;
   Vec<3> velocity_of_solid(const FlowMesh& old, std::size_t cell, std::span<const double> u, const Vec<3>& fluid) const;
-  double energy_on(const FlowMesh& mesh, const FaceValues& v) const;
-  double energy_of(const FaceValues& v) const { return energy_on(*at_.mesh, v); }
+  Vec<3> jet_velocity(const MeshVelocity::Origin& origin, const FlowMesh& old, std::span<const double> speeds,
+                      const Vec<3>& fluid) const;
+  std::vector<double> pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
+                                         std::span<const double> p) const;
+  CarriedIn carried_in_by(const FaceValues& v, double h) const;
+  double kinetic_energy_on(const FlowMesh& mesh, const FaceValues& v, const FaceValues& w) const;
 
   const Coupled& scene_;
   Vec<3> gravity_;  // [acceleration]
   const SolidSurface& surface_;
   std::size_t numbers_;  // of the solids' nodes
-  double away_;          // of solids from sides [length]
+  Outside outside_;
+  double away_;  // of solids from sides [length]
   Placed at_;
   std::vector<double> kept_q_;  // places that the mesh before fits: a step that is not found begins anew
   std::shared_ptr<const FlowMesh> kept_;

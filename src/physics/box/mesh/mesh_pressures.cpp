@@ -10,25 +10,9 @@ namespace tether::coupled {
 
 // Pressures on a mesh, and what they do.
 
-namespace {
-
-SparseMatrix sparse_of(std::size_t n, const std::vector<Eigen::Triplet<double, std::int64_t>>& entries) {
-  EigenSparse made(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-  made.setFromTriplets(entries.begin(), entries.end());
-  SparseMatrix A;
-  A.n = static_cast<std::int64_t>(n);
-  A.start.assign(made.outerIndexPtr(), made.outerIndexPtr() + made.outerSize() + 1);
-  A.row.assign(made.innerIndexPtr(), made.innerIndexPtr() + made.nonZeros());
-  A.value.assign(made.valuePtr(), made.valuePtr() + made.nonZeros());
-  return A;
-}
-
-}  // namespace
-
 std::vector<std::uint8_t> MeshFlow::regions_of_jets(const FaceValues& v) const {
   std::vector<std::uint8_t> by_jets(at(at_.regions.count), 0);
-  each_prescribed(v,
-                  [&](std::size_t face, double) { by_jets[at(at_.mesh->region[at(at_.mesh->beside[face][0])])] = 1; });
+  each_prescribed(v, [&](std::size_t face, double) { by_jets[at(at_.mesh->region[at_.mesh->cell_of(face)])] = 1; });
   return by_jets;
 }
 
@@ -40,7 +24,7 @@ std::vector<double> MeshFlow::guess_of(const CoupledState& state) const {
 
 void MeshFlow::keep_pressures(std::span<const double> p, CoupledState& state) const {
   for (std::size_t f = 0; f < state.p.size(); ++f)
-    state.p[f] = at_.pressure_of[f] < 0 ? pressure_outside(*at_.mesh, f) : p[at(at_.pressure_of[f])];
+    state.p[f] = at_.pressure_of[f] < 0 ? pressure_outside(f) : p[at(at_.pressure_of[f])];
 }
 
 SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
@@ -55,7 +39,9 @@ SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
       }
     }
   }
-  return sparse_of(at_q.face_of.size(), entries);
+  EigenSparse L(static_cast<Eigen::Index>(at_q.face_of.size()), static_cast<Eigen::Index>(at_q.face_of.size()));
+  L.setFromTriplets(entries.begin(), entries.end());
+  return sparse_of(L);
 }
 
 /// Through each face what comes out of the cells on both sides is to be nothing.
@@ -85,16 +71,7 @@ void MeshFlow::add_pressure(std::span<const double> p, double by, FaceValues& v)
   }
 }
 
-double MeshFlow::energy_on(const FlowMesh& mesh, const FaceValues& v) const {
-  double sum = 0;
-  for (std::size_t a = 0; a < at(mesh.dim); ++a) {
-    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) sum += mesh.volume[cell] * v[a][cell] * v[a][cell];
-  }
-  return 0.5 * scene_.density * sum;
-}
-
-double MeshFlow::kinetic_energy(const FaceValues& v, const FaceValues& w) const {
-  const FlowMesh& mesh = *at_.mesh;
+double MeshFlow::kinetic_energy_on(const FlowMesh& mesh, const FaceValues& v, const FaceValues& w) const {
   double sum = 0;
   for (std::size_t a = 0; a < at(mesh.dim); ++a) {
     for (std::size_t cell = 0; cell < mesh.cells(); ++cell) sum += mesh.volume[cell] * v[a][cell] * w[a][cell];

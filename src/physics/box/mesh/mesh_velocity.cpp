@@ -114,7 +114,7 @@ std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
     for (std::size_t k = 0; k < mesh_.corners(); ++k) {
       if (shares[k] >= -rounding) continue;
       const int f = mesh_.faces_of(cell)[k];
-      if (mesh_.beside[at(f)][1] < 0) {
+      if (mesh_.is_at_boundary(at(f))) {
         end = f;
       } else if (shares[k] < least) {
         least = shares[k], out = k;
@@ -125,8 +125,8 @@ std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
       if (end >= 0) x = place_within(mesh_, cell, shares);
       return cell;
     }
-    const auto& beside = mesh_.beside[at(mesh_.faces_of(cell)[out])];
-    cell = at(at(beside[0]) == cell ? beside[1] : beside[0]);
+    const auto& both = mesh_.cells_of_face[at(mesh_.faces_of(cell)[out])];
+    cell = at(at(both[0]) == cell ? both[1] : both[0]);
   }
   return cell;
 }
@@ -158,7 +158,8 @@ MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(me
 }
 
 Vec<3> MeshVelocity::velocity(std::size_t cell, const Vec<3>& x) const {
-  const bool at_boundary = std::ranges::any_of(mesh_.faces_of(cell), [&](int f) { return mesh_.beside[at(f)][1] < 0; });
+  const bool at_boundary =
+      std::ranges::any_of(mesh_.faces_of(cell), [&](int f) { return mesh_.is_at_boundary(at(f)); });
   const Vec<3> from = minus(x, mesh_.middle(cell));
   Vec<3> v{};
   for (std::size_t a = 0; a < at(mesh_.dim); ++a) {
@@ -184,7 +185,8 @@ MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
   half = back(v, 0.5 * h);
   int met = -1;
   const std::size_t at_half = finder_.walk(cell, half, met);
-  Origin origin{.x = back(velocity(at_half, half), h), .opened = found != x};
+  Origin origin{.x = back(velocity(at_half, half), h)};
+  if (found != x) origin.opened_at = static_cast<int>(cell);
   origin.cell = finder_.walk(cell, origin.x, origin.face);
   return origin;
 }

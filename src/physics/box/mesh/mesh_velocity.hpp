@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -46,8 +45,8 @@ class MeshVelocity {
   struct Origin {
     Vec<3> x;
     std::size_t cell = 0;
-    int face = -1;        ///< of the boundary that it came in through
-    bool opened = false;  ///< the place was in no cell: a solid was there
+    int face = -1;       ///< of the boundary that it came in through
+    int opened_at = -1;  ///< where a solid was at the place, which was in no cell: the nearest one
   };
   /// Finds it by the mid-point rule.
   Origin before(const Vec<3>& x, double h) const;

@@ -37,24 +37,31 @@ void add_loop(std::span<const Vec<3>> places, std::span<const Boundary> boundari
   }
 }
 
+/// Adds places from one end to the next along a line across an axis, no farther apart than `size`, but the last end.
+void add_places(std::size_t across, double level, std::span<const double> ends, double size,
+                std::vector<Vec<3>>& places) {
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(ends[k + 1] - ends[k]) / size - 1e-9)));
+    for (int i = 0; i < parts; ++i) {
+      Vec<3> place{};
+      place[across] = level, place[1 - across] = ends[k] + (ends[k + 1] - ends[k]) * i / parts;
+      places.push_back(place);
+    }
+  }
+}
+
 /// The box from its lower left corner up, so that the fluid is to the right.
 void add_box(const Coupled& scene, double size, PlaneOutline& outline) {
   std::vector<Vec<3>> places;
   std::vector<Boundary> boundaries;
   for (const int side : {int{side_left}, int{side_top}, int{side_right}, int{side_bottom}}) {
-    const std::size_t across = at(axis_of_side(side)), along = 1 - across;
+    const std::size_t across = at(axis_of_side(side));
     std::vector<double> ends = ends_on_side(scene, side);
     const bool back = side == side_right || side == side_bottom;
     if (back) std::reverse(ends.begin(), ends.end());
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(ends[k + 1] - ends[k]) / size - 1e-9)));
-      for (int i = 0; i < parts; ++i) {
-        Vec<3> place{};
-        place[across] = is_low_side(side) ? scene.grid.low[across] : scene.grid.high(static_cast<int>(across));
-        place[along] = ends[k] + (ends[k + 1] - ends[k]) * i / parts;
-        places.push_back(place), boundaries.push_back({BoundaryKind::box_side, side});
-      }
-    }
+    add_places(across, is_low_side(side) ? scene.grid.low[across] : scene.grid.high(static_cast<int>(across)), ends,
+               size, places);
+    boundaries.resize(places.size(), {BoundaryKind::box_side, side});
   }
   add_loop(places, boundaries, outline);
 }
@@ -79,18 +86,10 @@ void add_obstacle(const Coupled& scene, std::size_t number, double size, PlaneOu
   };
   std::vector<Vec<3>> places;
   for (const int side : {int{side_bottom}, int{side_right}, int{side_top}, int{side_left}}) {
-    const std::size_t across = at(axis_of_side(side)), along = 1 - across;
-    std::vector<double> ends = along == 0 ? cuts(0, x[0], x[1]) : cuts(1, y[0], y[1]);
+    const std::size_t across = at(axis_of_side(side));
+    std::vector<double> ends = across == 1 ? cuts(0, x[0], x[1]) : cuts(1, y[0], y[1]);
     if (side == side_top || side == side_left) std::reverse(ends.begin(), ends.end());
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(ends[k + 1] - ends[k]) / size - 1e-9)));
-      for (int i = 0; i < parts; ++i) {
-        Vec<3> place{};
-        place[across] = (across == 0 ? x : y)[is_low_side(side) ? 0 : 1];
-        place[along] = ends[k] + (ends[k + 1] - ends[k]) * i / parts;
-        places.push_back(place);
-      }
-    }
+    add_places(across, (across == 0 ? x : y)[is_low_side(side) ? 0 : 1], ends, size, places);
   }
   add_loop(places, std::vector<Boundary>(places.size(), {BoundaryKind::obstacle, static_cast<int>(number)}), outline);
 }

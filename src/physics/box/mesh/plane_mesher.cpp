@@ -133,7 +133,7 @@ class PlaneMesher {
       return static_cast<long long>(std::min(a, b)) * static_cast<long long>(mesh.x.size()) + std::max(a, b);
     };
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
-      if (mesh.beside[f][1] < 0) face_of[key(mesh.face_nodes(f)[0], mesh.face_nodes(f)[1])] = f;
+      if (mesh.is_at_boundary(f)) face_of[key(mesh.face_nodes(f)[0], mesh.face_nodes(f)[1])] = f;
     }
     for (const PlaneOutline::Segment& segment : outline_.segments) {
       if (vertices_[segment.ends[0]] == vertices_[segment.ends[1]]) continue;

@@ -24,7 +24,7 @@ class FluidAboutABody {
         mesh_(support::lattice(
             2, {n / 2, n / 2, 1}, [](const support::Cell&) { return true; }, map)),
         surface_(surface_of(mesh_)),
-        beside_(surface_beside_faces(surface_, mesh_.x, grid_)),
+        near_(surface_near_faces(surface_, mesh_.x, grid_)),
         domain_(support::box(grid_)),
         mobility_(mesh_.x.size(), mass > 0 ? 1 / mass : 0) {
     const Crossings crossings = find_crossings(surface_, mesh_.x, grid_);
@@ -36,7 +36,7 @@ class FluidAboutABody {
   }
 
   Rubbed rub(double nu, double h) {
-    const SolidsBeside solids{surface_, beside_, u.size(), true};
+    const SolidsNearFaces solids{surface_, near_, u.size(), true};
     const RubbingFluid fluid{domain_, density, density * nu, all_liquid, Beyond::nothing, &solids};
     Rubbed rubbed = Friction(fluid, mobility_, h).act(alone(), u, {}, 1e-13, {}, v);
     for (std::size_t k = 0; k < u.size(); ++k) u[k] += mobility_[k] * rubbed.impulse[k];
@@ -70,7 +70,7 @@ class FluidAboutABody {
   StaggeredGrid grid_;
   Mesh mesh_;
   SolidSurface surface_;
-  SurfaceBesideFaces beside_;
+  SurfaceNearFaces near_;
   FlowDomain domain_;
   std::vector<double> mobility_;
 };
@@ -157,7 +157,7 @@ Torque torque(int n) {
   for (const int node : ring.nodes) mesh.nodes.push_back(node + static_cast<int>(count));
   mesh.region.insert(mesh.region.end(), ring.region.begin(), ring.region.end());
   const SolidSurface surface = surface_of(mesh);
-  const SurfaceBesideFaces beside = surface_beside_faces(surface, mesh.x, grid);
+  const SurfaceNearFaces near = surface_near_faces(surface, mesh.x, grid);
   FlowDomain domain = support::box(grid);
   const Crossings crossings = find_crossings(surface, mesh.x, grid);
   for (std::size_t c = 0; c < crossings.inside.size(); ++c) {
@@ -165,7 +165,7 @@ Torque torque(int n) {
   }
   std::vector<double> u(mesh.x.size(), 0.0);
   for (std::size_t k = 0; k < turning; k += 2) u[k] = 0.5 - mesh.x[k + 1], u[k + 1] = mesh.x[k] - 0.5;
-  const SolidsBeside solids{surface, beside, u.size(), true};
+  const SolidsNearFaces solids{surface, near, u.size(), true};
   const RubbingFluid fluid{domain, 1, nu, all_liquid, Beyond::nothing, &solids};
   FaceValues v = face_values(grid);
   const std::vector<double> mobility(u.size(), 1 / heavy);
@@ -207,8 +207,8 @@ TEST(NearSurface, FindsTheSurfaceBesideAFace) {
         return Vec<3>{0.3 + 0.5 * x[0], 0.27 + 0.5 * x[1], 0};
       });
   const SolidSurface surface = surface_of(mesh);
-  const SurfaceBesideFaces beside = surface_beside_faces(surface, mesh.x, grid);
-  const NearSurface along_x(grid, 0, beside[0]);
+  const SurfaceNearFaces near = surface_near_faces(surface, mesh.x, grid);
+  const NearSurface along_x(grid, 0, near[0]);
   const auto below = along_x.between({4, 1, 0}, 1, true);  // at (.5, .1875), the bottom is at .27
   ASSERT_TRUE(below);
   EXPECT_NEAR(below->cells, (0.27 - 0.1875) / 0.125, 1e-12);
