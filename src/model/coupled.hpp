@@ -98,7 +98,8 @@ inline constexpr std::array<Word<FlowCells>, 2> words<FlowCells>{
 
 /// How long the edges of a fluid's triangles are.
 struct MeshSizes {
-  double size = 1;      ///< far from solids and obstacles [length]
+  double size = 1;      ///< far from solids, obstacles and jets [length]
+  double near = 1;      ///< most at these [length]
   double growth = 0.3;  ///< by how much they may grow from the surface on, over the way
 };
 

@@ -26,8 +26,11 @@ inline constexpr std::array coupled_rows{
              "What the fluid's cells are: those of the grid; or triangles that fit bodies and obstacles and are made "
              "anew as bodies move, in the plane."},
     Variable{"coupled", "size", real, 0, 1, 1, "length", above_zero, none, "", "",
-             "Edges of the triangles of flow='mesh' far from bodies and obstacles; the shorter of a cell's sides where "
-             "it is not given. At a surface they are as long as its own sides."},
+             "Edges of the triangles of flow='mesh' far from bodies, obstacles and jets; the shorter of a cell's sides "
+             "where it is not given."},
+    Variable{"coupled", "size_near", real, 0, 1, 1, "length", above_zero, none, "", "",
+             "Their most at bodies, obstacles and jets; size where it is not given. Sides of a body that are shorter "
+             "are edges as they are."},
     Variable{"coupled", "growth", real, 0, 1, 1, "", 0.05, 1, "", "0.3",
              "By how much edges of flow='mesh' may grow from the surface on, over the way."},
     Variable{"coupled", "step", text, 0, 1, 1, "", -none, none, choices<SolidsStep>, "'auto'",

@@ -7,11 +7,8 @@
 #include "grid/crossings.hpp"
 
 namespace tether::coupled {
-namespace {
 
-/// Adds a figure to a surface as a sheet and a part of its own, and its nodes to `x`, where `first` numbers are before
-/// these.
-void add(const FigureSurface& figure, std::size_t first, std::vector<double>& x, SolidSurface& surface) {
+void add_figure(const FigureSurface& figure, std::size_t first, std::vector<double>& x, SolidSurface& surface) {
   const int node = static_cast<int>((first + x.size()) / at(surface.dim));
   x.insert(x.end(), figure.x.begin(), figure.x.end());
   for (const int of_figure : figure.sides) surface.sides.push_back(node + of_figure);
@@ -19,8 +16,6 @@ void add(const FigureSurface& figure, std::size_t first, std::vector<double>& x,
   surface.part.resize(surface.sheet.size(), surface.parts++);
   surface.cavity.push_back(0);
 }
-
-}  // namespace
 
 WholeSurface::WholeSurface(const Coupled& scene, const SolidSurface& bodies, std::size_t places) : surface_(bodies) {
   if (scene.shaped.empty()) return;
@@ -31,8 +26,8 @@ WholeSurface::WholeSurface(const Coupled& scene, const SolidSurface& bodies, std
   std::vector<double> same;
   for (const Obstacle& obstacle : scene.shaped) {
     const FigureSurface figure = surface_of(obstacle.figure, grid.dim, grid.box(), cell);
-    add(figure, 0, fixed_, alone);
-    add(figure, places, same, surface_);
+    add_figure(figure, 0, fixed_, alone);
+    add_figure(figure, places, same, surface_);
   }
   pieces_ = cut_surface(alone, fixed_, grid, 2);
   inside_ = find_crossings(alone, fixed_, grid).inside;

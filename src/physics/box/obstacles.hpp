@@ -4,11 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "grid/figures.hpp"
 #include "grid/solid_surface.hpp"
 #include "model/coupled.hpp"
 #include "physics/box/surface_pieces.hpp"
 
 namespace tether::coupled {
+
+/// Adds a figure's surface to another one as a sheet and a part of its own, and its nodes to `x`, where `first` numbers
+/// are before these.
+void add_figure(const FigureSurface& figure, std::size_t first, std::vector<double>& x, SolidSurface& surface);
 
 /// The surface of bodies together with that of obstacles that cut cells: these are the last sheets and parts of it, and
 /// have nodes of their own after those of the bodies, which never move. Without such obstacles it is the bodies' alone.

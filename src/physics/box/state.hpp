@@ -106,7 +106,8 @@ void exchange(Exchange& with, CoupledState& state) {
       with("touches", state.touches);
   with("fluid_force", state.fluid_force), with("wall_force", state.wall_force);
   if (!state.smoke.volume.empty())
-    with("smoke_volume", state.smoke.volume), with("smoke", state.smoke.smoke), with("heat", state.smoke.heat);
+    with.list("smoke_volume", state.smoke.volume), with.list("smoke", state.smoke.smoke),
+        with.list("heat", state.smoke.heat);
   each_list(state.particles,
             [&](const std::string& name, std::vector<double>& list) { with.list(name.c_str(), list); });
   with("liquid_in", state.liquid_flow.in), with("liquid_out", state.liquid_flow.out);

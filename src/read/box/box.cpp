@@ -45,7 +45,9 @@ void read_method(const Deck& deck, Coupled& coupled) {
 void read_mesh(const Deck& deck, Coupled& coupled) {
   if (word<FlowCells>(deck, "coupled.flow") == FlowCells::grid) return;
   const double cell = std::min(coupled.grid.d[0], coupled.grid.d[1]);
-  coupled.mesh = {.size = deck.given("coupled.size") ? deck.real("coupled.size") : cell,
+  const double size = deck.given("coupled.size") ? deck.real("coupled.size") : cell;
+  coupled.mesh = {.size = size,
+                  .near = deck.given("coupled.size_near") ? deck.real("coupled.size_near") : size,
                   .growth = deck.real("coupled.growth")};
 }
 

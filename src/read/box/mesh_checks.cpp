@@ -7,6 +7,12 @@
 namespace tether {
 namespace {
 
+#ifdef TETHER_TETGEN
+constexpr bool makes_tetrahedra = true;
+#else
+constexpr bool makes_tetrahedra = false;
+#endif
+
 /// Reports what a flow on a mesh cannot have in its box.
 class FlowMeshChecks {
  public:
@@ -15,7 +21,7 @@ class FlowMeshChecks {
 
   /// Says what has no effect on a grid.
   void without() {
-    for (const AnyVariable name : Variables{"coupled.size", "coupled.growth"}) {
+    for (const AnyVariable name : Variables{"coupled.size", "coupled.size_near", "coupled.growth"}) {
       if (deck_.given(name) && !is_default(deck_, name, {1, 1}))
         error(name, fmt::format("{} has no effect: the fluid's cells are the grid's", name.name()),
               "flow='mesh' makes them triangles; nx and ny of $in are those of the grid");
@@ -23,18 +29,20 @@ class FlowMeshChecks {
   }
 
   void all() {
-    if (coupled_.grid.dim == 3)
-      error("coupled.flow", "a mesh of the fluid is of triangles, in the plane", "leave nz, zback and zfront away");
+    if (coupled_.grid.dim == 3 && !makes_tetrahedra)
+      error("coupled.flow", "this build makes no tetrahedra: it was made without TetGen",
+            "install libtet1.5-dev and build anew, or leave flow away");
     if (coupled_.liquid)
       error("coupled.flow", "the surface of a liquid is found on the grid: its particles and hats need square cells",
             "leave flow away");
     if (coupled_.viscosity > 0)
       error("coupled.viscosity", "a fluid on a mesh has no friction", "leave viscosity away, or flow");
-    if (coupled_.smoke) error("coupled.flow", "a fluid on a mesh carries no smoke", "leave the smoke away, or flow");
-    if (!coupled_.voids.empty() || coupled_.cavities_only)
-      error("coupled.flow", "a mesh of the fluid leaves no room empty", "leave void and fluid_in away, or flow");
-    if (!coupled_.shaped.empty())
-      error("coupled.flow", "obstacles of a fluid on a mesh are boxes", "write obstacle(1:6,k), or leave flow away");
+    if (!coupled_.voids.empty())
+      error("coupled.flow", "a mesh of the fluid leaves no boxes empty",
+            "leave void away, or flow; fluid_in='cavities' leaves all empty but cavities");
+    if (coupled_.mesh->near > coupled_.mesh->size)
+      error("coupled.size_near", fmt::format("size_near is larger than size, {:.6g}", coupled_.mesh->size),
+            "write a length of at most that");
     if (coupled_.coupling.mode != CouplingMode::cut_cell)
       error("coupled.mode",
             fmt::format("mode='{}' is of the grid: faces of a mesh fit the bodies", word_of(coupled_.coupling.mode)),
@@ -42,8 +50,8 @@ class FlowMeshChecks {
     if (deck_.given("coupled.advection") && !is_default(deck_, "coupled.advection", {1, 1}))
       error("coupled.advection", "a mesh carries the velocity over from the one before, in its own way",
             "leave advection away, or flow");
-    if (coupled_.systems == Systems::krylov)
-      error("coupled.solver", "the pressures of a mesh are solved by factors", "leave solver away");
+    if (coupled_.systems == Systems::krylov && coupled_.grid.dim == 2)
+      error("coupled.solver", "the pressures of triangles are solved by factors", "leave solver away");
   }
 
  private:

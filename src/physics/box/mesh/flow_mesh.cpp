@@ -83,7 +83,9 @@ void FlowMesh::find_faces() {
   std::vector<Half> halves;
   volume.clear(), cells_of_face.clear(), nodes_of_face.clear(), area.clear();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
-    volume.push_back(volume_of(*this, corners_of(*this, cell)));
+    double size = volume_of(*this, corners_of(*this, cell));
+    if (size < 0) std::swap(nodes[cell * per_cell], nodes[cell * per_cell + 1]), size = -size;
+    volume.push_back(size);
     for (std::size_t k = 0; k < per_cell; ++k) {
       std::array<int, 3> key = nodes_opposite(nodes_of(cell), k);
       std::sort(key.begin(), key.end());

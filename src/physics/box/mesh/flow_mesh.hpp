@@ -11,10 +11,10 @@
 
 namespace tether::coupled {
 
-/// What a face at the fluid's boundary lies on.
-enum class BoundaryKind { none, box_side, solid, obstacle };
+/// What a face at the fluid's boundary lies on; `closed` is the end of a film that is too thin to hold fluid.
+enum class BoundaryKind { none, box_side, solid, obstacle, closed };
 
-/// That, and which side of the box or of the solids' surface.
+/// That, and which side of the box or of the surface.
 struct Boundary {
   BoundaryKind kind = BoundaryKind::none;
   int number = -1;
@@ -24,7 +24,7 @@ struct Boundary {
 struct FlowMesh {
   int dim = 2;
   std::vector<Vec<3>> x;   ///< of each node [length]
-  std::vector<int> nodes;  ///< dim + 1 of each cell, of positive volume
+  std::vector<int> nodes;  ///< dim + 1 of each cell
 
   // What find_faces() makes of these.
   std::vector<int> face;                          ///< dim + 1 of each cell, each opposite to its node
@@ -57,7 +57,7 @@ struct FlowMesh {
   /// The shares of a cell's nodes at a place, which sum to 1; below 0 beyond the face opposite to a node.
   std::array<double, 4> shares(std::size_t cell, const Vec<3>& place) const;
 
-  /// Finds faces, volumes and regions from nodes.
+  /// Finds faces, volumes and regions from nodes, which it puts into an order of positive volume.
   void find_faces();
 
  private:

@@ -7,9 +7,9 @@
 
 namespace tether::coupled {
 
-/// Returns points inside an outline's extent for a mesh of these sizes: of lattices of equilateral triangles, each of
-/// half the size of the one before, those points where the mesh is to have about its size. They stay away from the
-/// outline, and from one another.
-std::vector<Vec<3>> lattice_points(const PlaneOutline& outline, const MeshSizes& sizes);
+/// Points of lattices for a mesh within an outline, each lattice of half the step of the one before, where the sizes
+/// about the outline ask for it: equilateral triangles in the plane, body-centred cubes in space. The lattices lie
+/// still while the outline moves: so does the mesh, but near to it.
+std::vector<Vec<3>> lattice_points(const Outline& outline, const MeshSizes& sizes);
 
 }  // namespace tether::coupled

@@ -16,25 +16,40 @@ namespace {
 struct RasterSource {
   std::vector<Vec<3>> v;
   std::vector<double> p;
-  std::vector<int> region;  ///< -1: no fluid
+  std::vector<int> region;            ///< -1: no fluid
+  std::vector<double> smoke, warmth;  ///< where there is smoke
 };
 
-const ColumnTable<ColumnSetting, RasterSource>& raster_table() {
+struct RasterSetting : ColumnSetting {
+  bool with_smoke = false;
+};
+
+const ColumnTable<RasterSetting, RasterSource>& raster_table() {
   using S = RasterSource;
-  using Row = Column<ColumnSetting, S>;
+  using Row = Column<RasterSetting, S>;
   using D = Dimension;
-  static const ColumnTable<ColumnSetting, S> table({{{
+  const When<RasterSetting> smoke("with smoke", [](const RasterSetting& s) { return s.with_smoke; });
+  static const ColumnTable<RasterSetting, S> table({{{
       Row("v", D::velocity, "velocity, zero where there is no fluid",
           [](const S& s, std::size_t axis, std::size_t c) { return s.v[c][axis]; })
           .vector(),
       {"p", D::stress, "pressure, of the last step, before the first one not a number; zero where there is no fluid",
        [](const S& s, std::size_t c) { return s.p[c]; }},
-      {"kind", D::whole, "fluid 0, solid or obstacle 1",
-       [](const S& s, std::size_t c) { return s.region[c] < 0 ? 1.0 : 0.0; }},
+      {"kind", D::whole, "fluid 0, else 1", [](const S& s, std::size_t c) { return s.region[c] < 0 ? 1.0 : 0.0; }},
       {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
        [](const S& s, std::size_t c) { return s.region[c] + 1.0; }},
+      Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.smoke[c]; }).when(smoke),
+      Row("temperature", D::number, "above that of the surroundings",
+          [](const S& s, std::size_t c) { return s.warmth[c]; })
+          .when(smoke),
   }}});
   return table;
+}
+
+/// Where a cell of the grid is asked; in the plane at z = 0.
+Vec<3> middle_of(const StaggeredGrid& grid, std::size_t c) {
+  const Vec<3> x = grid.middle(grid.place_of_cell(c));
+  return {x[0], x[1], grid.dim == 2 ? 0 : x[2]};
 }
 
 }  // namespace
@@ -51,18 +66,41 @@ void MeshFlow::add_sums(const CoupledState& state, CoupledSums& sums) const {
   sums.mass += scene_.density * sums.fluid_volume;
 }
 
-double MeshFlow::pressure_energy(const CoupledState& /*state*/) const {
+double MeshFlow::pressure_energy(const CoupledState& state) const {
   const FlowMesh& mesh = *at_.mesh;
   double sum = 0;
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
-    sum += mesh.volume[cell] * std::abs(mesh.middle(cell)[1] - scene_.level);
-  return scene_.density * std::sqrt(dot(gravity_, gravity_)) * sum;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    double pull = std::sqrt(dot(gravity_, gravity_));
+    if (scene_.smoke) pull += std::abs(buoyancy(state.smoke, cell));
+    sum += pull * mesh.volume[cell] * std::abs(mesh.middle(cell)[1] - scene_.level);
+  }
+  return scene_.density * sum;
 }
 
 void MeshFlow::add_summary(Summary& summary) const {
   summary.push_back(line_of("mesh_cells", at_.mesh->cells()));
-  summary.push_back(line_of("mesh_pressures", at_.face_of.size()));
+  summary.push_back(line_of("mesh_pressures", at_.pressures.face_of.size()));
 }
+
+namespace {
+
+/// Smoke at the middles of the grid's cells, on the mesh that it is on.
+void add_smoke(const StaggeredGrid& grid, const FlowMesh& mesh, const Smoke& smoke, RasterSource& source) {
+  std::vector<double> density, temperature;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+    density.push_back(smoke.density(cell)), temperature.push_back(smoke.temperature(cell));
+  const CellField smoke_field(mesh, density), warmth_field(mesh, temperature);
+  const CellFinder finder(mesh);
+  for (std::size_t c = 0; c < grid.cell_count(); ++c) {
+    Vec<3> x = middle_of(grid, c);
+    const std::size_t cell = finder.cell_at(x);
+    const bool fluid = x == middle_of(grid, c);
+    source.smoke.push_back(fluid ? smoke_field.limited_at(cell, x) : 0);
+    source.warmth.push_back(fluid ? warmth_field.limited_at(cell, x) : 0);
+  }
+}
+
+}  // namespace
 
 Snapshot MeshFlow::cell_fields(const CoupledState& state) const {
   const StaggeredGrid& grid = scene_.grid;
@@ -71,16 +109,16 @@ Snapshot MeshFlow::cell_fields(const CoupledState& state) const {
   const MeshVelocity velocity(mesh, state.v);
   RasterSource source;
   for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    Vec<3> x = grid.middle(grid.place_of_cell(c));
-    if (grid.dim == 2) x[2] = 0;
-    const Vec<3> asked = x;
+    Vec<3> x = middle_of(grid, c);
     const std::size_t cell = velocity.finder().cell_at(x);
-    const bool fluid = x == asked;
+    const bool fluid = x == middle_of(grid, c);
     source.v.push_back(fluid ? velocity.velocity(cell, x) : Vec<3>{});
     source.p.push_back(!fluid ? 0 : state.dt_last > 0 ? pressure_in(mesh, state.p, cell, x) : no_number);
     source.region.push_back(fluid ? mesh.region[cell] : -1);
   }
-  return Columns<RasterSource>(raster_table(), {grid.dim, {}, {}}).snapshot(state.time, grid.cell_count(), source);
+  if (scene_.smoke) add_smoke(grid, *at_.mesh, state.smoke, source);
+  return Columns<RasterSource>(raster_table(), {{grid.dim, {}, {}}, scene_.smoke})
+      .snapshot(state.time, grid.cell_count(), source);
 }
 
 }  // namespace tether::coupled

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/mesh/plane_mesher.hpp"
+#include "physics/box/mesh/space_mesher.hpp"
 
 namespace tether::coupled {
 namespace {
 
-constexpr double least_gap = 1e-3;  // of the cells' size, between solids and the sides of the box
+constexpr double least_gap = 1e-3;  // of the cells' size, between bodies, and to walls and obstacles
 
 }  // namespace
 
@@ -26,9 +29,9 @@ MeshFlow::MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurfa
     : scene_(scene),
       gravity_(gravity),
       surface_(surface),
+      with_obstacles_(scene, surface, numbers),
       numbers_(numbers),
-      outside_(scene, gravity),
-      away_(least_gap * scene.mesh->size) {}
+      outside_(scene, gravity) {}
 
 // Where the fluid is.
 
@@ -44,9 +47,20 @@ bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
   });
 }
 
+/// Where there is none about the solids as they are, their surface is moved back farther where it nearly touches.
 std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) const {
-  return std::make_shared<FlowMesh>(
-      plane_mesh(plane_outline(scene_, surface_, q, scene_.mesh->size, away_), *scene_.mesh));
+  constexpr int tries = 3;
+  constexpr double farther = 4;
+  double gap = least_gap * scene_.mesh->near;
+  for (int attempt = 1;; ++attempt, gap *= farther) {
+    try {
+      return std::make_shared<FlowMesh>(
+          scene_.grid.dim == 2 ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), *scene_.mesh)
+                               : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), *scene_.mesh));
+    } catch (const RunError&) {
+      if (attempt == tries) throw;
+    }
+  }
 }
 
 /// Of places that are not those of this step or the one before, it is made.
@@ -64,57 +78,25 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     const int region = mesh.region[mesh.cell_of(f)];
     const bool open = is_open(mesh, f);
-    at_q.pressure_of.push_back(open ? -1 : static_cast<int>(at_q.face_of.size()));
+    at_q.pressures.of.push_back(open ? -1 : static_cast<int>(at_q.pressures.face_of.size()));
     if (open) {
       at_q.regions.closed[at(region)] = 0;
       continue;
     }
-    at_q.rows.push_back(at_q.face_of.size());
-    at_q.face_of.push_back(f), at_q.regions.of.push_back(region);
+    at_q.rows.push_back(at_q.pressures.face_of.size());
+    at_q.pressures.face_of.push_back(f), at_q.regions.of.push_back(region);
   }
-  make_map(q, {}, at_q);
+  at_q.map = map_of(at_q, q, {});
   return at_q;
 }
 
-/// A face at a solid has its own area, and its part of what that of the solid's facet changes by with the nodes at
-/// `middle`.
-void MeshFlow::make_map(std::span<const double> q, std::span<const double> middle, Placed& at_q) const {
-  const FlowMesh& mesh = *at_q.mesh;
-  const std::size_t dim = at(mesh.dim), count = at(mesh.regions);
-  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
-  at_q.map.outside.assign(q.size(), 0.0), at_q.map.film_weight.assign(q.size(), 0.0);
-  at_q.map.area_seen.assign(at(surface_.sheets) * count, 0.0);
-  std::vector<double> whole(surface_.side_count(), 0.0);  // of each facet, by the mesh
-  const auto each_face = [&](const auto& f) {
-    for (std::size_t face = 0; face < mesh.faces(); ++face) {
-      if (mesh.boundary[face].kind == BoundaryKind::solid) f(face, at(mesh.boundary[face].number));
-    }
-  };
-  each_face([&](std::size_t face, std::size_t side) { whole[side] += mesh.size_of(face); });
-  each_face([&](std::size_t face, std::size_t side) {
-    const double part = mesh.size_of(face) / whole[side];
-    Vec<3> area = mesh.area[face];  // into the solid
-    if (!middle.empty()) {
-      const Vec<3> change = minus(area_of_side(surface_, side, middle), area_of_side(surface_, side, q));
-      for (std::size_t a = 0; a < dim; ++a) area[a] -= part * change[a];
-    }
-    const auto ends = surface_.side(side);
-    const Vec<3> a = place_of(q, ends[0], 2), along = minus(place_of(q, ends[1], 2), a);
-    const double s = std::clamp(dot(minus(mesh.middle_of_face(face), a), along) / dot(along, along), 0.0, 1.0);
-    const CarrierShares shares = surface_.carried(side, {1 - s, s, 0});
-    const auto carriers = surface_.carriers(side);
-    for (std::size_t c = 0; c < carriers.size(); ++c) {
-      for (std::size_t i = 0; i < dim; ++i)
-        entries.emplace_back(at_q.pressure_of[face], at(carriers[c]) * dim + i, shares[c] * area[i]);
-    }
-    at_q.map.area_seen[at(surface_.sheet[side]) * count + at(mesh.region[mesh.cell_of(face)])] +=
-        std::sqrt(dot(area, area));
-  });
-  at_q.map.B = CouplingMatrix(static_cast<Eigen::Index>(at_q.face_of.size()), static_cast<Eigen::Index>(numbers_));
-  at_q.map.B.setFromTriplets(entries.begin(), entries.end());
+CouplingMap MeshFlow::map_of(const Placed& at_q, std::span<const double> q, std::span<const double> middle) const {
+  return map_on_mesh(*at_q.mesh, at_q.pressures, surface_, q, middle, numbers_);
 }
 
-void MeshFlow::map_by_middle(std::span<const double> q, std::span<const double> middle) { make_map(q, middle, at_); }
+void MeshFlow::map_by_middle(std::span<const double> q, std::span<const double> middle) {
+  at_.map = map_of(at_, q, middle);
+}
 
 Flow::Equations MeshFlow::equations_at(std::span<const double> q, double by) const {
   Placed at_q = placed(q);
@@ -135,6 +117,7 @@ void MeshFlow::start(CoupledState& state) {
   for (std::size_t a = 0; a < at(at_.mesh->dim); ++a) state.v[a].assign(cells, scene_.start[a]);
   state.v[0].resize(cells + at_.mesh->faces(), 0.0);  // and what goes out through faces of sides [volume/time]
   state.p.assign(at_.mesh->faces(), 0.0);
+  if (scene_.smoke) start_smoke(state);
 }
 
 void MeshFlow::prescribe(double time, double h, FaceValues& v) const {
@@ -157,7 +140,12 @@ void MeshFlow::begin(CoupledState& state, double h) {
   carried[0].resize(mesh.cells() + mesh.faces(), 0.0);
   prescribe(state.time, h, carried);
   const MeshVelocity velocity(old, state.v);
-  carry(velocity, old, state, h, carried);
+  const std::vector<double> speeds = jet_speeds(scene_, state.time, h);
+  const auto met = [&](const MeshVelocity::Origin& origin, Vec<3> v) {
+    if (origin.opened_at >= 0) v = velocity_of_solid(old, at(origin.opened_at), state.u, v);
+    return origin.face >= 0 ? jet_velocity(origin, old, speeds, v) : v;
+  };
+  carry_to(mesh, velocity, h, met, carried);
   state.p = pressures_on_faces(velocity.finder(), old, state.p);
   state.v = std::move(carried), state.flow_q = state.q;
   const CarriedIn in = carried_in_by(state.v, h);
@@ -223,34 +211,12 @@ Vec<3> MeshFlow::jet_velocity(const MeshVelocity::Origin& origin, const FlowMesh
   return v;
 }
 
-/// Each cell has the mean of what comes to three or four places within it, by a rule that is exact for squares. Places
-/// on faces would not do: a cell at the end of a film has the film's velocity there, which is that of next to nothing.
-void MeshFlow::carry(const MeshVelocity& from, const FlowMesh& old, const CoupledState& state, double h,
-                     FaceValues& to) const {
-  const FlowMesh& mesh = *at_.mesh;
-  const double near = mesh.dim == 2 ? 2.0 / 3 : 0.58541019662496845446, far = (1 - near) / mesh.dim;
-  const std::vector<double> speeds = jet_speeds(scene_, state.time, h);
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    const auto nodes = mesh.nodes_of(cell);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      Vec<3> x{};
-      for (std::size_t n = 0; n < nodes.size(); ++n) {
-        for (std::size_t a = 0; a < 3; ++a) x[a] += (n == k ? near : far) * mesh.x[at(nodes[n])][a];
-      }
-      const MeshVelocity::Origin origin = from.before(x, h);
-      Vec<3> v = from.velocity(origin.cell, origin.x);
-      if (origin.opened_at >= 0) v = velocity_of_solid(old, at(origin.opened_at), state.u, v);
-      if (origin.face >= 0) v = jet_velocity(origin, old, speeds, v);
-      for (std::size_t a = 0; a < at(mesh.dim); ++a) to[a][cell] += v[a] / static_cast<double>(nodes.size());
-    }
-  }
-}
-
-void MeshFlow::add_forces(const Smoke& /*smoke*/, double h, FaceValues& v) const {
+void MeshFlow::add_forces(const Smoke& smoke, double h, FaceValues& v) const {
   const FlowMesh& mesh = *at_.mesh;
   for (std::size_t a = 0; a < at(mesh.dim); ++a) {
     for (std::size_t cell = 0; cell < mesh.cells(); ++cell) v[a][cell] += h * gravity_[a];
   }
+  for (std::size_t cell = 0; cell < mesh.cells() && scene_.smoke; ++cell) v[1][cell] += h * buoyancy(smoke, cell);
   each_open_side([&](std::size_t face, std::size_t cell, double p) {
     for (std::size_t a = 0; a < at(mesh.dim); ++a)
       v[a][cell] -= h / scene_.density * p * mesh.area[face][a] / mesh.volume[cell];
@@ -259,7 +225,7 @@ void MeshFlow::add_forces(const Smoke& /*smoke*/, double h, FaceValues& v) const
 
 void MeshFlow::book_forces(CoupledState& state, double h) const {
   const FlowMesh& mesh = *at_.mesh;
-  double falling = 0, power = 0;
+  double falling = 0, power = 0, rising = 0;
   for (std::size_t a = 0; a < at(mesh.dim); ++a) {
     for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
       falling += gravity_[a] * mesh.volume[cell] * state.v[a][cell];
@@ -267,12 +233,19 @@ void MeshFlow::book_forces(CoupledState& state, double h) const {
   each_open_side([&](std::size_t face, std::size_t cell, double p) {
     for (std::size_t a = 0; a < at(mesh.dim); ++a) power -= p * mesh.area[face][a] * state.v[a][cell];
   });
+  for (std::size_t cell = 0; cell < mesh.cells() && scene_.smoke; ++cell)
+    rising += buoyancy(state.smoke, cell) * mesh.volume[cell] * state.v[1][cell];
   state.books.gravity += h * scene_.density * falling;
+  state.books.buoyancy += h * scene_.density * rising;
   state.books.open_sides += h * power;
 }
 
-void MeshFlow::end(const FaceValues& /*change*/, CoupledState& state, double /*h*/) {
-  if (state.q != at_.q) at_ = placed(state.q);
+void MeshFlow::end(const FaceValues& /*change*/, CoupledState& state, double h) {
+  const bool moved = state.q != at_.q;
+  if (!moved && !scene_.smoke) return;
+  Placed next = moved ? placed(state.q) : at_;
+  if (scene_.smoke) carry_smoke_to(*next.mesh, h, state);
+  at_ = std::move(next);
 }
 
 }  // namespace tether::coupled

@@ -9,6 +9,8 @@
 
 #include "physics/box/flow.hpp"
 #include "physics/box/flow_box.hpp"
+#include "physics/box/mesh/flow_surface.hpp"
+#include "physics/box/mesh/mesh_map.hpp"
 #include "physics/box/mesh/mesh_velocity.hpp"
 
 namespace tether::coupled {
@@ -48,7 +50,7 @@ class MeshFlow final : public Flow {
   std::size_t row_count() const override { return at_.rows.size(); }
   bool keeps_volume(const CoupledState& /*state*/) const override { return true; }
   std::vector<std::uint8_t> regions_of_jets(const FaceValues& v) const override;
-  Vec<3> place_of_pressure(std::size_t k) const override { return at_.mesh->middle_of_face(at_.face_of[k]); }
+  Vec<3> place_of_pressure(std::size_t k) const override { return at_.mesh->middle_of_face(at_.pressures.face_of[k]); }
   std::vector<double> guess_of(const CoupledState& state) const override;
   void keep_pressures(std::span<const double> p, CoupledState& state) const override;
 
@@ -78,16 +80,15 @@ class MeshFlow final : public Flow {
   struct Placed {
     std::vector<double> q;  ///< these places
     std::shared_ptr<const FlowMesh> mesh;
-    std::vector<int> pressure_of;      ///< of each face, -1 where it is known: at open sides
-    std::vector<std::size_t> face_of;  ///< of each pressure
-    std::vector<std::size_t> rows;     ///< 0, 1, ...
+    FacePressures pressures;
+    std::vector<std::size_t> rows;  ///< 0, 1, ...
     FlowRegions regions;
     CouplingMap map;
   };
   Placed placed(std::span<const double> q) const;
   std::shared_ptr<const FlowMesh> mesh_at(std::span<const double> q) const;
   std::shared_ptr<const FlowMesh> mesh_of(const std::vector<double>& q) const;
-  void make_map(std::span<const double> q, std::span<const double> middle, Placed& at) const;
+  CouplingMap map_of(const Placed& at, std::span<const double> q, std::span<const double> middle) const;
   SparseMatrix pressure_matrix(const Placed& at, double by) const;
   bool is_open(const FlowMesh& mesh, std::size_t face) const;
   double pressure_outside(std::size_t face) const {
@@ -97,7 +98,7 @@ class MeshFlow final : public Flow {
   template <class Function>
   void each_open_side(const Function& f) const {
     for (std::size_t face = 0; face < at_.mesh->faces(); ++face) {
-      if (at_.pressure_of[face] < 0) f(face, at_.mesh->cell_of(face), pressure_outside(face));
+      if (at_.pressures.of[face] < 0) f(face, at_.mesh->cell_of(face), pressure_outside(face));
     }
   }
   /// Calls f(face, flux out) for faces that jets blow through or take in.
@@ -109,21 +110,26 @@ class MeshFlow final : public Flow {
         f(face, v[0][mesh.cells() + face]);
     }
   }
-  void carry(const MeshVelocity& from, const FlowMesh& old, const CoupledState& state, double h, FaceValues& to) const;
   Vec<3> velocity_of_solid(const FlowMesh& old, std::size_t cell, std::span<const double> u, const Vec<3>& fluid) const;
   Vec<3> jet_velocity(const MeshVelocity::Origin& origin, const FlowMesh& old, std::span<const double> speeds,
                       const Vec<3>& fluid) const;
   std::vector<double> pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
                                          std::span<const double> p) const;
   CarriedIn carried_in_by(const FaceValues& v, double h) const;
+  void start_smoke(CoupledState& state) const;
+  void carry_smoke_to(const FlowMesh& next, double h, CoupledState& state) const;
+  double outside_at(double y, double (Outside::*of)(int row) const) const;
+  double buoyancy(const Smoke& smoke, std::size_t cell) const {
+    return scene_.smoke_lift * smoke.temperature(cell) - scene_.smoke_weight * smoke.density(cell);
+  }
   double kinetic_energy_on(const FlowMesh& mesh, const FaceValues& v, const FaceValues& w) const;
 
   const Coupled& scene_;
   Vec<3> gravity_;  // [acceleration]
   const SolidSurface& surface_;
+  FlowSurface with_obstacles_;
   std::size_t numbers_;  // of the solids' nodes
   Outside outside_;
-  double away_;  // of solids from sides [length]
   Placed at_;
   std::vector<double> kept_q_;  // places that the mesh before fits: a step that is not found begins anew
   std::shared_ptr<const FlowMesh> kept_;

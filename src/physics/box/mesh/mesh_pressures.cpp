@@ -18,13 +18,13 @@ std::vector<std::uint8_t> MeshFlow::regions_of_jets(const FaceValues& v) const {
 
 std::vector<double> MeshFlow::guess_of(const CoupledState& state) const {
   std::vector<double> p;
-  for (const std::size_t f : at_.face_of) p.push_back(state.p[f]);
+  for (const std::size_t f : at_.pressures.face_of) p.push_back(state.p[f]);
   return p;
 }
 
 void MeshFlow::keep_pressures(std::span<const double> p, CoupledState& state) const {
   for (std::size_t f = 0; f < state.p.size(); ++f)
-    state.p[f] = at_.pressure_of[f] < 0 ? pressure_outside(f) : p[at(at_.pressure_of[f])];
+    state.p[f] = at_.pressures.of[f] < 0 ? pressure_outside(f) : p[at(at_.pressures.of[f])];
 }
 
 SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
@@ -33,13 +33,14 @@ SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     for (const int f : mesh.faces_of(cell)) {
       for (const int g : mesh.faces_of(cell)) {
-        if (at_q.pressure_of[at(f)] < 0 || at_q.pressure_of[at(g)] < 0) continue;
-        entries.emplace_back(at_q.pressure_of[at(f)], at_q.pressure_of[at(g)],
+        if (at_q.pressures.of[at(f)] < 0 || at_q.pressures.of[at(g)] < 0) continue;
+        entries.emplace_back(at_q.pressures.of[at(f)], at_q.pressures.of[at(g)],
                              by * dot(mesh.out_of(cell, at(f)), mesh.out_of(cell, at(g))) / mesh.volume[cell]);
       }
     }
   }
-  EigenSparse L(static_cast<Eigen::Index>(at_q.face_of.size()), static_cast<Eigen::Index>(at_q.face_of.size()));
+  EigenSparse L(static_cast<Eigen::Index>(at_q.pressures.face_of.size()),
+                static_cast<Eigen::Index>(at_q.pressures.face_of.size()));
   L.setFromTriplets(entries.begin(), entries.end());
   return sparse_of(L);
 }
@@ -47,15 +48,15 @@ SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
 /// Through each face what comes out of the cells on both sides is to be nothing.
 std::vector<double> MeshFlow::net_flux(const FaceValues& v) const {
   const FlowMesh& mesh = *at_.mesh;
-  std::vector<double> r(at_.face_of.size(), 0.0);
+  std::vector<double> r(at_.pressures.face_of.size(), 0.0);
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     for (const int f : mesh.faces_of(cell)) {
-      if (at_.pressure_of[at(f)] < 0) continue;
+      if (at_.pressures.of[at(f)] < 0) continue;
       const Vec<3> out = mesh.out_of(cell, at(f));
-      for (std::size_t a = 0; a < at(mesh.dim); ++a) r[at(at_.pressure_of[at(f)])] -= out[a] * v[a][cell];
+      for (std::size_t a = 0; a < at(mesh.dim); ++a) r[at(at_.pressures.of[at(f)])] -= out[a] * v[a][cell];
     }
   }
-  each_prescribed(v, [&](std::size_t face, double out) { r[at(at_.pressure_of[face])] += out; });
+  each_prescribed(v, [&](std::size_t face, double out) { r[at(at_.pressures.of[face])] += out; });
   return r;
 }
 
@@ -63,10 +64,10 @@ void MeshFlow::add_pressure(std::span<const double> p, double by, FaceValues& v)
   const FlowMesh& mesh = *at_.mesh;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     for (const int f : mesh.faces_of(cell)) {
-      if (at_.pressure_of[at(f)] < 0) continue;
+      if (at_.pressures.of[at(f)] < 0) continue;
       const Vec<3> out = mesh.out_of(cell, at(f));
       for (std::size_t a = 0; a < at(mesh.dim); ++a)
-        v[a][cell] -= by * out[a] * p[at(at_.pressure_of[at(f)])] / mesh.volume[cell];
+        v[a][cell] -= by * out[a] * p[at(at_.pressures.of[at(f)])] / mesh.volume[cell];
     }
   }
 }
@@ -81,7 +82,7 @@ double MeshFlow::kinetic_energy_on(const FlowMesh& mesh, const FaceValues& v, co
 
 double MeshFlow::prescribed_power(std::span<const double> p, const FaceValues& v) const {
   double power = 0;
-  each_prescribed(v, [&](std::size_t face, double out) { power += p[at(at_.pressure_of[face])] * out; });
+  each_prescribed(v, [&](std::size_t face, double out) { power += p[at(at_.pressures.of[face])] * out; });
   return power;
 }
 

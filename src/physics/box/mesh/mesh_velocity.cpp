@@ -131,47 +131,59 @@ std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
   return cell;
 }
 
-MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), v_(v), finder_(mesh) {
-  const std::size_t dim = at(mesh.dim);
-  std::vector<double> weight(mesh.x.size(), 0.0);
-  for (std::size_t a = 0; a < dim; ++a) mean_[a].assign(mesh.x.size(), 0.0);
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    for (const int n : mesh.nodes_of(cell)) {
-      weight[at(n)] += mesh.volume[cell];
-      for (std::size_t a = 0; a < dim; ++a) mean_[a][at(n)] += mesh.volume[cell] * v[a][cell];
-    }
-  }
-  for (std::size_t a = 0; a < dim; ++a) {
-    for (std::size_t n = 0; n < weight.size(); ++n) mean_[a][n] /= weight[n];
-    for (std::size_t b = 0; b < dim; ++b) slope_[a][b].assign(mesh.cells(), 0.0);
-  }
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    for (std::size_t k = 0; k < mesh.corners(); ++k) {
-      const Vec<3> out = mesh.out_of(cell, at(mesh.faces_of(cell)[k]));  // the node's share falls towards its face
-      const auto n = at(mesh.nodes_of(cell)[k]);
-      for (std::size_t a = 0; a < dim; ++a) {
-        for (std::size_t b = 0; b < dim; ++b)
-          slope_[a][b][cell] -= mean_[a][n] * out[b] / (static_cast<double>(mesh.dim) * mesh.volume[cell]);
+MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), finder_(mesh) {
+  if (mesh.dim == 2) at_node_ = flow_at_nodes(mesh, v);
+  for (std::size_t a = 0; a < at(mesh.dim); ++a) along_.emplace_back(mesh, std::span(v[a]).first(mesh.cells()));
+}
+
+std::vector<Vec<3>> places_in(const FlowMesh& mesh, std::size_t cell, int parts) {
+  std::vector<Vec<3>> places;
+  const auto nodes = mesh.nodes_of(cell);
+  const int last = mesh.dim == 2 ? 1 : parts;
+  for (int i = 0; i < parts; ++i) {
+    for (int j = 0; i + j < parts; ++j) {
+      for (int k = 0; k < last && i + j + k < parts; ++k) {
+        const double more = 1.0 / (mesh.dim + 1);
+        std::array<double, 4> share{(i + more) / parts, (j + more) / parts, mesh.dim == 2 ? 0 : (k + more) / parts, 0};
+        share[mesh.corners() - 1] = 0;
+        share[mesh.corners() - 1] = 1 - share[0] - share[1] - share[2];
+        Vec<3> x{};
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+          for (std::size_t a = 0; a < 3; ++a) x[a] += share[n] * mesh.x[at(nodes[n])][a];
+        }
+        places.push_back(x);
       }
     }
   }
+  return places;
+}
+
+bool MeshVelocity::is_at_boundary(std::size_t cell) const {
+  return std::ranges::any_of(mesh_.faces_of(cell), [&](int f) { return mesh_.is_at_boundary(at(f)); });
 }
 
 Vec<3> MeshVelocity::velocity(std::size_t cell, const Vec<3>& x) const {
-  const bool at_boundary =
-      std::ranges::any_of(mesh_.faces_of(cell), [&](int f) { return mesh_.is_at_boundary(at(f)); });
-  const Vec<3> from = minus(x, mesh_.middle(cell));
+  return at_node_.empty() || is_at_boundary(cell) ? by_cell(cell, x) : by_nodes(cell, x);
+}
+
+Vec<3> MeshVelocity::by_nodes(std::size_t cell, const Vec<3>& x) const {
+  const auto shares = mesh_.shares(cell, x);
+  const auto nodes = mesh_.nodes_of(cell);
   Vec<3> v{};
-  for (std::size_t a = 0; a < at(mesh_.dim); ++a) {
-    v[a] = v_[a][cell];
-    for (std::size_t b = 0; b < at(mesh_.dim); ++b) v[a] += slope_[a][b][cell] * from[b];
-    if (!at_boundary) continue;
-    double low = v_[a][cell], high = low;
-    for (const int n : mesh_.nodes_of(cell)) {
-      low = std::min(low, mean_[a][at(n)]), high = std::max(high, mean_[a][at(n)]);
-    }
-    v[a] = std::clamp(v[a], low, high);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const FlowAtNode& flow = at_node_[at(nodes[k])];
+    const Vec<3> way = minus(x, mesh_.x[at(nodes[k])]);
+    for (std::size_t a = 0; a < 2; ++a)
+      v[a] += shares[k] * (flow.v[a] + 0.5 * (flow.slope[a][0] * way[0] + flow.slope[a][1] * way[1]));
   }
+  return v;
+}
+
+Vec<3> MeshVelocity::by_cell(std::size_t cell, const Vec<3>& x) const {
+  const bool limited = is_at_boundary(cell);
+  Vec<3> v{};
+  for (std::size_t a = 0; a < along_.size(); ++a)
+    v[a] = limited ? along_[a].limited_at(cell, x) : along_[a].at_place(cell, x);
   return v;
 }
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "model/coupled.hpp"
-#include "physics/box/mesh/flow_mesh.hpp"
-#include "physics/box/outside.hpp"
+#include "base/numbers.hpp"
+#include "physics/box/mesh/cell_field.hpp"
+#include "physics/box/mesh/flow_at_nodes.hpp"
 
 namespace tether::coupled {
 
@@ -33,11 +33,13 @@ class CellFinder {
   std::vector<std::size_t> first_, cell_;  // cells that reach into each bin
 };
 
-/// The velocity of a fluid on a mesh at any place: that of each cell, with the gradient that the means about its nodes
-/// have. Cells at a boundary stay within the extrema of both: they may be those of a film.
+/// The velocity of a fluid on a mesh at any place. In the plane it is the mean of the flows at a cell's nodes by the
+/// place's shares, each followed half the way: the same from both sides of a face, and exact where it is a quadratic
+/// one. In cells at a boundary, and in space, it is that of the cell, with the gradient that the means about its nodes
+/// have: at a boundary within the extrema of both, for the cell may be one of a film.
 class MeshVelocity {
  public:
-  /// `v` has, along each axis, a number for each cell. Both must outlive it.
+  /// `v` has, along each axis, a number for each cell, and is free of divergence. Both must outlive it.
   MeshVelocity(const FlowMesh& mesh, const FaceValues& v);
 
   Vec<3> velocity(std::size_t cell, const Vec<3>& x) const;
@@ -53,11 +55,46 @@ class MeshVelocity {
   const CellFinder& finder() const { return finder_; }
 
  private:
+  bool is_at_boundary(std::size_t cell) const;
+  Vec<3> by_nodes(std::size_t cell, const Vec<3>& x) const;
+  Vec<3> by_cell(std::size_t cell, const Vec<3>& x) const;
+
   const FlowMesh& mesh_;
-  const FaceValues& v_;
   CellFinder finder_;
-  std::array<std::vector<double>, 3> mean_;                  // about each node, by axis [velocity]
-  std::array<std::array<std::vector<double>, 3>, 3> slope_;  // [a][b]: of v_a along b, of each cell [1/time]
+  std::vector<FlowAtNode> at_node_;  // in the plane
+  std::vector<CellField> along_;     // each axis [velocity]
 };
+
+/// Calls f(cell, x) for three places within each triangle, or four within each tetrahedron, whose mean is that of the
+/// cell for squares. Places on faces would not do: a cell at the end of a film has the film's velocity there, which is
+/// that of next to nothing.
+template <class Function>
+void each_place_within(const FlowMesh& mesh, const Function& f) {
+  const double near = mesh.dim == 2 ? 2.0 / 3 : 0.58541019662496845446, far = (1 - near) / mesh.dim;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    const auto nodes = mesh.nodes_of(cell);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      Vec<3> x{};
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        for (std::size_t a = 0; a < 3; ++a) x[a] += (n == k ? near : far) * mesh.x[at(nodes[n])][a];
+      }
+      f(cell, x);
+    }
+  }
+}
+
+/// Places spread over a cell, so many along each edge, whose mean is the cell's middle.
+std::vector<Vec<3>> places_in(const FlowMesh& mesh, std::size_t cell, int parts);
+
+/// Gives each cell of a mesh the mean of what comes there in a time h. `met(origin, v)` returns the velocity of what
+/// comes from there, where the fluid has v.
+template <class Met>
+void carry_to(const FlowMesh& mesh, const MeshVelocity& from, double h, const Met& met, FaceValues& to) {
+  each_place_within(mesh, [&](std::size_t cell, const Vec<3>& x) {
+    const MeshVelocity::Origin origin = from.before(x, h);
+    const Vec<3> v = met(origin, from.velocity(origin.cell, origin.x));
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) to[a][cell] += v[a] / static_cast<double>(mesh.corners());
+  });
+}
 
 }  // namespace tether::coupled

@@ -6,26 +6,31 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "grid/solid_surface.hpp"
 #include "model/coupled.hpp"
 #include "physics/box/mesh/flow_mesh.hpp"
+#include "physics/box/mesh/flow_surface.hpp"
 
 namespace tether::coupled {
 
-/// What bounds a fluid in the plane: segments from one place to another, the fluid to the right of each.
-struct PlaneOutline {
-  struct Segment {
-    std::array<std::size_t, 2> ends;  ///< among the places
+/// What bounds a fluid: segments from one place to another in the plane, triangles in space.
+struct Outline {
+  struct Facet {
+    std::array<std::size_t, 3> corners;  ///< dim of them, among the places
     Boundary boundary;
+    bool has_fluid = true;  ///< what is to the right of a segment, as far as others let it; to the left there is none
   };
+  int dim = 2;
   std::vector<Vec<3>> places;
-  std::vector<Segment> segments;
+  std::vector<Facet> facets;
+  std::vector<Vec<3>> holes;  ///< in space, a place in each part of it that facets enclose and that has no fluid
 };
 
-/// The sides of the box, in parts no longer than `size` that end where jets and openings do, obstacles, and the solids'
-/// surface with its nodes at q as far as it lies in the box. Places that solids share with a wall, and those beyond it,
-/// lie `away` from it: there a film of fluid is left [length].
-PlaneOutline plane_outline(const Coupled& scene, const SolidSurface& surface, std::span<const double> q, double size,
-                           double away);
+/// The sides of the box, in parts that end where jets and openings do, and the surface of bodies (at q) and obstacles
+/// as far as it lies in the box, all of it in parts no longer than the sizes of the mesh there. A film of so much is
+/// left between bodies, and between them and what else they touch [gap: length].
+Outline outline_in_plane(const Coupled& scene, const FlowSurface& surface, std::span<const double> q, double gap);
+/// The same in space. There sides of bodies stay as they are, and obstacles that are no boxes must not touch anything.
+/// Throws RunError where a body reaches through a side of the box.
+Outline outline_in_space(const Coupled& scene, const FlowSurface& surface, std::span<const double> q, double gap);
 
 }  // namespace tether::coupled

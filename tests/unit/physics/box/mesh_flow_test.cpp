@@ -6,10 +6,10 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "algebra/eigen_sparse.hpp"
-#include "base/diagnostics.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 
 // A fluid on triangles about bodies, in the unit square.
@@ -54,7 +54,7 @@ Mesh shell(const Vec<3>& middle, double inner, double outer, int sides) {
 Coupled box_of(double size) {
   Coupled box = support::fluid_in_box(2, 16);
   box.coupling = coupling_of(CouplingMode::cut_cell);
-  box.mesh = {.size = size};
+  box.mesh = {.size = size, .near = size};
   return box;
 }
 
@@ -95,6 +95,7 @@ struct Flowing {
     return p;
   }
   const FlowMesh& mesh() const { return flow.mesh(); }
+  double energy() const { return flow.kinetic_energy(state.v, state.v); }
   double error(const auto& exact) const {
     double sum = 0;
     for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
@@ -132,7 +133,7 @@ TEST(MeshFlow, TrianglesFillWhatBodiesLeave) {
       if (at.mesh().boundary[f].kind == BoundaryKind::solid)
         ++seen[static_cast<std::size_t>(at.mesh().boundary[f].number)];
     }
-    for (const int times : seen) EXPECT_EQ(times, 1);
+    for (const int times : seen) EXPECT_GE(times, 1);
   }
 }
 
@@ -191,7 +192,7 @@ TEST(MeshFlow, FindsAFlowThatGradientsCover) {
 
 /// The added mass of a disc in a shell, over the mass that it displaces, is (b^2 + a^2) / (b^2 - a^2).
 TEST(MeshFlow, AddedMassOfADiscInAShell) {
-  std::vector<double> error;
+  std::vector<double> error, slow;
   for (const int sides : {32, 64}) {
     const Mesh inner = disc({0.5, 0.5, 0}, 0.1, sides);
     const Mesh all = support::together(inner, shell({0.5, 0.5, 0}, 0.3, 0.4, 3 * sides));
@@ -201,11 +202,33 @@ TEST(MeshFlow, AddedMassOfADiscInAShell) {
     const Values flux = support::product(flowing.flow.map().B, u), p = flowing.solved(flux);
     double twice = 0;
     for (std::size_t k = 0; k < p.size(); ++k) twice += p[k] * flux[k];
-    error.push_back(std::abs(twice / (pi * 0.01) - 1.25));
+    const double mass = twice / (pi * 0.01);
+    error.push_back(std::abs(mass - 1.25));
+    slow.push_back(std::abs((2 + 1.25) / (2 + mass) - 1));  // what it accelerates at first, twice as heavy as the fluid
   }
+  EXPECT_LT(slow[0], 0.007);
+  EXPECT_LT(slow[1], 0.002);
   EXPECT_LT(error[0], 0.025);
   EXPECT_LT(error[1], 0.006);
   EXPECT_GT(std::log2(error[0] / error[1]), 1.7);
+}
+
+/// A plate that comes down on the floor at a speed of 1 drives the fluid out of the film below it: its energy is
+/// L^3 / (24 gap) where the film is thin, that of the fluid elsewhere is none beside it.
+TEST(MeshFlow, AThinFilmIsSqueezedOut) {
+  for (const double gap : {1e-3, 1e-4}) {
+    constexpr double length = 0.4;
+    const Mesh plate = support::lattice(2, {6, 1, 1}, support::all, [&](const Vec<3>& s) {
+      return Vec<3>{0.3 + length * s[0], gap * length + 0.06 * s[1], 0};
+    });
+    const Flowing flowing(box_of(0.08 * length), plate);
+    Values u(plate.x.size(), 0.0);
+    for (std::size_t k = 1; k < u.size(); k += 2) u[k] = -1;
+    const Values flux = support::product(flowing.flow.map().B, u), p = flowing.solved(flux);
+    double energy = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) energy += 0.5 * p[k] * flux[k];
+    EXPECT_NEAR(energy / (length * length / (24 * gap)), 1, 0.2) << gap;
+  }
 }
 
 /// A sheet of a hundredth of the triangles' size lets nothing through: what flows on its two sides has nothing to do
@@ -220,24 +243,30 @@ TEST(MeshFlow, ThinSheetsAreTight) {
   EXPECT_LT(flowing.error([](const Vec<3>&) { return Vec<3>{}; }), 1e-10);
 }
 
-/// A vortex in the unit square loses some of its energy by being carried along, and gains none.
+/// A vortex in the unit square loses some of its energy by being carried along to a new mesh in each step, and gains
+/// none.
 TEST(MeshFlow, AVortexTurns) {
   constexpr int n = 32;  // of a grid with as many velocities
-  Flowing flowing(box_of(1.316 / n), {});
-  flowing.set([](const Vec<3>& x) {
+  const auto vortex = [](const Vec<3>& x) {
     return Vec<3>{std::sin(pi * x[0]) * std::cos(pi * x[1]), -std::cos(pi * x[0]) * std::sin(pi * x[1]), 0};
-  });
-  flowing.project();
-  const double first = flowing.flow.kinetic_energy(flowing.state.v, flowing.state.v);
+  };
+  auto flowing = std::make_unique<Flowing>(box_of(1.316 / n), Mesh{});
+  flowing->set(vortex);
+  flowing->project();
+  const double first = flowing->energy();
   double before = first;
   for (int step = 0; step < 2 * n; ++step) {  // one turn of its middle
-    flowing.flow.begin(flowing.state, 1.0 / n);
-    flowing.project();
-    const double now = flowing.flow.kinetic_energy(flowing.state.v, flowing.state.v);
-    EXPECT_LT(now, before);
-    before = now;
+    auto next = std::make_unique<Flowing>(box_of(1.316 / n * (1 + 0.1 * std::sin(2.3 * (step + 1)))), Mesh{});
+    EXPECT_NE(next->mesh().x, flowing->mesh().x);
+    const auto as_it_is = [](const MeshVelocity::Origin&, const Vec<3>& v) { return v; };
+    next->set([](const Vec<3>&) { return Vec<3>{}; });
+    carry_to(next->mesh(), MeshVelocity(flowing->mesh(), flowing->state.v), 1.0 / n, as_it_is, next->state.v);
+    next->project();
+    EXPECT_LT(next->energy(), before);
+    before = next->energy();
+    flowing = std::move(next);
   }
-  EXPECT_GT(before / first, 1 - 0.35);
+  EXPECT_GT(before / first, 1 - 0.28);
 }
 
 /// A side to nothing lets fluid out: no region is closed, and the pressure there is none.
@@ -273,19 +302,33 @@ TEST(MeshFlow, WhatTouchesHasNoFluidInIt) {
     for (const Box<3>& of : box.obstacles)
       EXPECT_FALSE(x[0] > of.low[0] && x[0] < of.high[0] && x[1] > of.low[1] && x[1] < of.high[1]);
   }
-  EXPECT_NEAR(volume, 1 - filled - 0.03, 1e-12);
+  EXPECT_NEAR(volume, 1 - filled - 0.03, 3e-5);  // but for the film under the body
   EXPECT_EQ(at.flow.regions().count, 1);
 }
 
-TEST(MeshFlow, BodiesThatCrossAreNamed) {
-  const Mesh two = support::together(support::solid_block(2, 2, {0.4, 0.5, 0}, 0.3, 0),
-                                     support::solid_block(2, 2, {0.6, 0.5, 0}, 0.3, 0.3));
-  try {
-    const Flowing flowing(box_of(0.1), two);
-    FAIL() << "it has a mesh";
-  } catch (const RunError& error) {
-    EXPECT_NE(std::string(error.what()).find("crosses"), std::string::npos) << error.what();
+/// Bodies that touch, lie on a wall or cross one another have a mesh about them, with a film where they only touch.
+TEST(MeshFlow, BodiesThatTouchOrCrossHaveAMeshAboutThem) {
+  int films = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const Values at = support::random_numbers(6, seed);
+    const double angle = seed % 4 == 0 ? 0 : 2 * at[3], width = 0.15 + 0.03 * at[2];
+    const Vec<3> middle{0.5 + 0.15 * at[0], 0.5 + 0.15 * at[1], 0};
+    const Mesh first = support::solid_block(2, 3, middle, width, angle);
+    const double reach = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 1 + 0.02 * at[4] : 1 + at[4] * 1e-6;  // of touching
+    const Vec<3> other{middle[0] + reach * width * std::cos(angle), middle[1] + reach * width * std::sin(angle), 0};
+    const Mesh two = support::together(first, support::solid_block(2, seed % 2 == 0 ? 3 : 2, other, width, angle));
+    const Flowing flowing(box_of(0.07), two, {0, -1, 0});
+    double volume = 0;
+    for (const double of_cell : flowing.mesh().volume) {
+      EXPECT_GT(of_cell, 0) << seed;
+      volume += of_cell;
+    }
+    EXPECT_NEAR(volume, 1 - 2 * width * width, 0.025 * width * width) << seed;
+    for (std::size_t f = 0; f < flowing.mesh().faces(); ++f)
+      EXPECT_EQ(flowing.mesh().is_at_boundary(f), flowing.mesh().boundary[f].kind != BoundaryKind::none);
+    if (seed % 3 == 0) ++films;
   }
+  EXPECT_GT(films, 60);
 }
 
 }  // namespace

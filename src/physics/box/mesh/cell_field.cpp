@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/cell_field.hpp"
+
+#include "base/numbers.hpp"
+
+namespace tether::coupled {
+
+CellField::CellField(const FlowMesh& mesh, std::span<const double> values)
+    : mesh_(mesh), values_(values), mean_(mesh.x.size(), 0.0), slope_(mesh.cells()) {
+  std::vector<double> weight(mesh.x.size(), 0.0);
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const int n : mesh.nodes_of(cell))
+      weight[at(n)] += mesh.volume[cell], mean_[at(n)] += mesh.volume[cell] * values[cell];
+  }
+  for (std::size_t n = 0; n < weight.size(); ++n) mean_[n] /= weight[n];
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (std::size_t k = 0; k < mesh.corners(); ++k) {
+      const Vec<3> out = mesh.out_of(cell, at(mesh.faces_of(cell)[k]));  // the node's share falls towards its face
+      const double by = mean_[at(mesh.nodes_of(cell)[k])] / (static_cast<double>(mesh.dim) * mesh.volume[cell]);
+      for (std::size_t b = 0; b < at(mesh.dim); ++b) slope_[cell][b] -= by * out[b];
+    }
+  }
+}
+
+std::array<double, 2> CellField::extrema(std::size_t cell) const {
+  double low = values_[cell], high = low;
+  for (const int n : mesh_.nodes_of(cell)) low = std::min(low, mean_[at(n)]), high = std::max(high, mean_[at(n)]);
+  return {low, high};
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "physics/box/mesh/flow_mesh.hpp"
+
+namespace tether::coupled {
+
+/// A number in each cell, with the gradient that the means about the cell's nodes have.
+class CellField {
+ public:
+  /// Both must outlive it.
+  CellField(const FlowMesh& mesh, std::span<const double> values);
+
+  /// At a place in a cell.
+  double at_place(std::size_t cell, const Vec<3>& x) const {
+    const Vec<3> from = minus(x, mesh_.middle(cell));
+    return values_[cell] + dot(slope_[cell], from);
+  }
+  /// The same, within the extrema of the cell and of the means about its nodes.
+  double limited_at(std::size_t cell, const Vec<3>& x) const {
+    const auto [low, high] = extrema(cell);
+    return std::clamp(at_place(cell, x), low, high);
+  }
+  std::array<double, 2> extrema(std::size_t cell) const;
+
+ private:
+  const FlowMesh& mesh_;
+  std::span<const double> values_;
+  std::vector<double> mean_;   // about each node
+  std::vector<Vec<3>> slope_;  // of each cell, by length
+};
+
+}  // namespace tether::coupled

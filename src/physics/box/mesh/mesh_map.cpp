@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/mesh_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/eigen_sparse.hpp"
+#include "base/numbers.hpp"
+
+namespace tether::coupled {
+namespace {
+
+/// The shares of a facet's nodes at the place of it that is nearest to x, or nearly so.
+Vec<3> shares_on(const SolidSurface& surface, std::size_t side, std::span<const double> q, const Vec<3>& x) {
+  const auto nodes = surface.side(side);
+  const Vec<3> a = place_of(q, nodes[0], surface.dim), from = minus(x, a),
+               u = minus(place_of(q, nodes[1], surface.dim), a);
+  Vec<3> share{};
+  if (surface.dim == 2) {
+    share[1] = dot(from, u) / dot(u, u);
+  } else {
+    const Vec<3> v = minus(place_of(q, nodes[2], 3), a), n = cross(u, v);
+    share[1] = dot(cross(from, v), n) / dot(n, n), share[2] = dot(cross(u, from), n) / dot(n, n);
+  }
+  share[0] = 1 - share[1] - share[2];
+  double sum = 0;
+  for (double& of : share) of = std::max(of, 0.0), sum += of;
+  return {share[0] / sum, share[1] / sum, share[2] / sum};
+}
+
+}  // namespace
+
+CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
+                        std::span<const double> q, std::span<const double> middle, std::size_t numbers) {
+  const std::size_t dim = at(mesh.dim), count = at(mesh.regions);
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  CouplingMap map;
+  map.outside.assign(q.size(), 0.0), map.film_weight.assign(q.size(), 0.0);
+  map.area_seen.assign(at(surface.sheets) * count, 0.0);
+  for (std::size_t face = 0; face < mesh.faces(); ++face) {
+    if (mesh.boundary[face].kind != BoundaryKind::solid) continue;
+    const std::size_t side = at(mesh.boundary[face].number);
+    Vec<3> area = mesh.area[face];  // into the solid
+    if (!middle.empty()) {
+      const Vec<3> now = area_of_side(surface, side, q), change = minus(area_of_side(surface, side, middle), now);
+      const double part = std::min(1.0, mesh.size_of(face) / std::sqrt(dot(now, now)));
+      for (std::size_t a = 0; a < dim; ++a) area[a] -= part * change[a];
+    }
+    const CarrierShares shares = surface.carried(side, shares_on(surface, side, q, mesh.middle_of_face(face)));
+    const auto carriers = surface.carriers(side);
+    for (std::size_t c = 0; c < carriers.size(); ++c) {
+      for (std::size_t i = 0; i < dim; ++i)
+        entries.emplace_back(pressures.of[face], at(carriers[c]) * dim + i, shares[c] * area[i]);
+    }
+    map.area_seen[at(surface.sheet[side]) * count + at(mesh.region[mesh.cell_of(face)])] += std::sqrt(dot(area, area));
+  }
+  map.B = CouplingMatrix(static_cast<Eigen::Index>(pressures.face_of.size()), static_cast<Eigen::Index>(numbers));
+  map.B.setFromTriplets(entries.begin(), entries.end());
+  return map;
+}
+
+}  // namespace tether::coupled

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "grid/solid_surface.hpp"
+#include "physics/box/coupling_map.hpp"
+#include "physics/box/mesh/flow_mesh.hpp"
+
+namespace tether::coupled {
+
+/// Which faces of a mesh have pressures of their own.
+struct FacePressures {
+  std::vector<int> of;               ///< of each face, -1 where it is known: at open sides
+  std::vector<std::size_t> face_of;  ///< of each pressure
+};
+
+/// The map between pressures and solids at q (so many numbers): a face of the fluid at a solid's facet has its own
+/// area, which with the nodes at `middle` (empty: at q) changes as its part of the facet's does, and the shares of the
+/// facet's carriers in the face's middle.
+CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
+                        std::span<const double> q, std::span<const double> middle, std::size_t numbers);
+
+}  // namespace tether::coupled

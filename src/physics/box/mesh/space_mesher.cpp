@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/box/mesh/space_mesher.hpp"
+
+#include <fmt/format.h>
+
+#include "base/diagnostics.hpp"
+
+#ifdef TETHER_TETGEN
+#define TETLIBRARY
+#include <tetgen.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+
+#include "base/numbers.hpp"
+#include "physics/box/mesh/lattice_points.hpp"
+#endif
+
+namespace tether::coupled {
+
+#ifdef TETHER_TETGEN
+namespace {
+
+using Corners = std::array<int, 3>;
+
+Corners sorted(Corners corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// What TetGen is given; it lets go of the lists itself.
+void fill(const Outline& outline, const std::vector<Vec<3>>& points, tetgenio& in) {
+  in.firstnumber = 0;
+  in.numberofpoints = static_cast<int>(outline.places.size() + points.size());
+  in.pointlist = new REAL[3 * at(in.numberofpoints)];
+  std::size_t k = 0;
+  for (const auto* list : {&outline.places, &points}) {
+    for (const Vec<3>& x : *list) {
+      for (std::size_t a = 0; a < 3; ++a) in.pointlist[k++] = x[a];
+    }
+  }
+  in.numberoffacets = static_cast<int>(outline.facets.size());
+  in.facetlist = new tetgenio::facet[outline.facets.size()];
+  for (std::size_t f = 0; f < outline.facets.size(); ++f) {
+    tetgenio::facet& facet = in.facetlist[f];
+    tetgenio::init(&facet);
+    facet.numberofpolygons = 1, facet.polygonlist = new tetgenio::polygon[1];
+    tetgenio::polygon& polygon = facet.polygonlist[0];
+    tetgenio::init(&polygon);
+    polygon.numberofvertices = 3, polygon.vertexlist = new int[3];
+    for (std::size_t c = 0; c < 3; ++c) polygon.vertexlist[c] = static_cast<int>(outline.facets[f].corners[c]);
+  }
+  in.numberofholes = static_cast<int>(outline.holes.size());
+  in.holelist = new REAL[3 * outline.holes.size()];
+  for (std::size_t h = 0; h < outline.holes.size(); ++h) {
+    for (std::size_t a = 0; a < 3; ++a) in.holelist[3 * h + a] = outline.holes[h][a];
+  }
+}
+
+[[noreturn]] void refuse(const Vec<3>& x, const char* why) {
+  throw RunError(
+      fmt::format("there is no mesh of the fluid near ({:.6g}, {:.6g}, {:.6g}): {}; $contact keeps bodies "
+                  "apart, and smaller elements of theirs fit each other better",
+                  x[0], x[1], x[2], why));
+}
+
+void run(std::string switches, tetgenio& in, tetgenio& out, const Outline& outline) {
+  try {
+    tetrahedralize(switches.data(), &in, &out);
+  } catch (int error) {
+    refuse(outline.places.empty() ? Vec<3>{} : outline.places.front(),
+           error == 1 ? "it takes more memory than there is" : "TetGen failed on the surfaces there");
+  }
+}
+
+/// Facets that cross or touch would end the process in the next run.
+void check_crossings(const Outline& outline) {
+  tetgenio in, out;
+  fill(outline, {}, in);
+  run("pdQ", in, out, outline);
+  if (out.numberoftrifaces == 0) return;
+  Vec<3> x{};
+  for (std::size_t a = 0; a < 3; ++a) x[a] = out.pointlist[3 * at(out.trifacelist[0]) + a];
+  refuse(x, "the surfaces of bodies or obstacles cross or touch there");
+}
+
+void set_boundaries(const Outline& outline, FlowMesh& mesh) {
+  std::map<Corners, const Outline::Facet*> facets;
+  for (const Outline::Facet& facet : outline.facets) {
+    const auto& of = facet.corners;
+    facets[sorted({static_cast<int>(of[0]), static_cast<int>(of[1]), static_cast<int>(of[2])})] = &facet;
+  }
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    if (!mesh.is_at_boundary(f)) continue;
+    const auto nodes = mesh.face_nodes(f);
+    const auto found = facets.find(sorted({nodes[0], nodes[1], nodes[2]}));
+    if (found == facets.end()) refuse(mesh.middle_of_face(f), "TetGen parted the surface there");
+    mesh.boundary[f] = found->second->boundary;
+  }
+}
+
+}  // namespace
+
+FlowMesh space_mesh(const Outline& outline, const MeshSizes& sizes) {
+  check_crossings(outline);
+  tetgenio in, out;
+  fill(outline, lattice_points(outline, sizes), in);
+  run("pYq2.0/10Q", in, out, outline);
+  FlowMesh mesh;
+  mesh.dim = 3;
+  for (std::size_t n = 0; n < at(out.numberofpoints); ++n)
+    mesh.x.push_back({out.pointlist[3 * n], out.pointlist[3 * n + 1], out.pointlist[3 * n + 2]});
+  mesh.nodes.assign(out.tetrahedronlist, out.tetrahedronlist + 4 * at(out.numberoftetrahedra));
+  mesh.find_faces();
+  set_boundaries(outline, mesh);
+  return mesh;
+}
+
+#else
+
+FlowMesh space_mesh(const Outline& /*outline*/, const MeshSizes& /*sizes*/) {
+  throw RunError("this build makes no tetrahedra: TetGen was not there when it was made");
+}
+
+#endif
+
+}  // namespace tether::coupled
