@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra/sparse_matrix.hpp"
+#include "algebra/two_level.hpp"
 #include "physics/box/closed_regions.hpp"
 #include "physics/box/coupling_map.hpp"
 #include "physics/box/state.hpp"
@@ -104,6 +105,8 @@ class Flow {
 
   /// L = (h/rho) D M^-1 D^T, both triangles; `by` is h/rho [time volume/mass].
   virtual SparseMatrix pressure_matrix(double by) const = 0;
+  /// Coarse pressures that L is preconditioned by; null: it is one that multigrid is made for.
+  virtual const CoarseUnknowns* coarse_pressures() const { return nullptr; }
   /// D v with what prescribed velocities bring [volume/time].
   virtual std::vector<double> net_flux(const FaceValues& v) const = 0;
   /// v += (h/rho) M^-1 D^T p.

@@ -18,7 +18,9 @@ void go_from(std::span<const double> before, double part, std::span<const double
 
 CoupledEquations FluidOfStep::equations(const CouplingMatrix& caused, const SparseMatrix& A, std::span<const double> b,
                                         std::span<const double> flux_left, std::span<const std::uint8_t> held) const {
-  return {A, b, B, caused, L, flux_left, held, cell, cells, region, closed, loose};
+  CoupledEquations equations{A, b, B, caused, L, flux_left, held, cell, cells, region, closed, loose};
+  equations.coarse = coarse;
+  return equations;
 }
 
 void FluidAround::begin(FluidOfStep step, std::span<const double> q0, std::span<const double> p) {

@@ -24,6 +24,7 @@ struct FluidOfStep {
   std::vector<int> region;
   std::vector<std::uint8_t> closed, loose;
   double time = 0, h = 0;
+  const CoarseUnknowns* coarse = nullptr;  ///< of the pressures, where the flow knows them
 
   /// The equations of it and solids of A and b, whose velocities cause a flux by `caused`; its own r is that of u = 0.
   CoupledEquations equations(const CouplingMatrix& caused, const SparseMatrix& A, std::span<const double> b,

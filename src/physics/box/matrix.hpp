@@ -8,6 +8,7 @@
 
 #include "algebra/sparse_matrix.hpp"
 #include "algebra/sparse_solver.hpp"
+#include "algebra/two_level.hpp"
 #include "physics/box/coupling_map.hpp"
 
 namespace tether::coupled {
@@ -31,6 +32,7 @@ struct CoupledEquations {
   std::span<const std::uint8_t> loose;     ///< those of them that no free velocity of the solids feels either
   bool same_matrices = false;              ///< all but b, r and the values of held velocities is as it was solved last
   Definite definite = Definite::positive;  ///< what A is; else it is not symmetric either
+  const CoarseUnknowns* coarse = nullptr;  ///< of the pressures, where the flow knows them
 };
 
 /// The right sides with what held velocities bring, and the value of their own rows, which are those of a multiple of

@@ -100,7 +100,7 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   SparseMatrix A = held_matrix(equations.A, equations.held);
   std::vector<double> inverse;  // of A's diagonal
   for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / std::abs(diagonal(A, k)));
-  multigrid_ = AggregationMultigrid(team_);  // what another solution had left makes room before anything is made
+  preconditioner_.clear();  // what another solution had left makes room before anything is made
   B_ = free_part(equations, pinned);
   forces_.resize(equations.b.size()), moved_.resize(equations.b.size());
   bool has_factors = true, has_levels = true;
@@ -120,7 +120,7 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   if (!has_factors) return false;
   constants_ = ConstantPressures(equations);
   set_up_constants();
-  return has_levels && multigrid_.factorise();
+  return has_levels && preconditioner_.factorise();
 }
 
 /// Makes the levels of L + B D^-1 B^T, of which `inverse` has D^-1: D is the diagonal of A. It is not to find
@@ -131,7 +131,7 @@ bool SchurComplement::make_levels(const CoupledEquations& equations, std::span<c
   for (std::size_t k = 0; k < first.size(); ++k) {
     if (first[k] != 0) nearby.scale[k] = nearby.diagonal[k] += diagonal(*L_, static_cast<std::int64_t>(k));
   }
-  return multigrid_.make_levels(std::move(nearby));
+  return preconditioner_.make_levels(std::move(nearby), equations.coarse);
 }
 
 /// L, with what is pinned held.
@@ -183,7 +183,7 @@ void SchurComplement::precondition(std::span<const double> r, std::span<double> 
   const auto count = stiffness_.rows();
   whole_.assign(r.begin(), r.begin() + static_cast<std::ptrdiff_t>(n));
   constants_.take_means(whole_);
-  multigrid_.precondition(whole_, z.first(n));
+  preconditioner_.precondition(whole_, z.first(n));
   constants_.take_means(z.first(n));
   Eigen::Map<Eigen::VectorXd>(z.data() + n, count) =
       stiffness_ * Eigen::Map<const Eigen::VectorXd>(r.data() + n, count);
@@ -222,13 +222,17 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
   return result;
 }
 
+bool SchurComplement::set_up_pressures(const CoupledEquations& equations) {
+  return preconditioner_.make_levels(rows_of(*L_), equations.coarse) && preconditioner_.factorise();
+}
+
 KrylovResult SchurComplement::solve_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned,
                                               std::span<const double> right, double tolerance, std::span<double> p) {
   take_pressures(equations, pinned);
-  if (!equations.same_matrices && !multigrid_.set_up(*L_)) return {0, false};
+  if (!equations.same_matrices && !set_up_pressures(equations)) return {0, false};
   return pcg(
       team_, [&](std::span<const double> x, std::span<double> y) { multiply_symmetric(team_, *L_, x, y); },
-      [&](std::span<const double> r, std::span<double> z) { multigrid_.precondition(r, z); }, right, p, tolerance,
+      [&](std::span<const double> r, std::span<double> z) { preconditioner_.precondition(r, z); }, right, p, tolerance,
       most_iterations);
 }
 

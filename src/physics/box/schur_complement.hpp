@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "algebra/krylov.hpp"
-#include "algebra/multigrid.hpp"
 #include "algebra/quasidefinite_solver.hpp"
 #include "algebra/sparse_solver.hpp"
 #include "physics/box/matrix.hpp"
+#include "physics/box/pressure_preconditioner.hpp"
 
 namespace tether::coupled {
 
@@ -51,7 +51,7 @@ class RegionConstants {
 };
 
 /// The pressures by conjugate gradients, or by GMRES where A is not symmetric, with the solids taken out by factors of
-/// A: (L + B A^-1 B^T) p = -r - B A^-1 b. Multigrid of L with the solids as if their nodes moved each on its own.
+/// A: (L + B A^-1 B^T) p = -r - B A^-1 b. The preconditioner takes L with the solids as if their nodes moved each on its own.
 /// The constant pressures c of closed regions that solids feel are unknowns beside the others, p = x + W c with W the
 /// regions' cells: L does not feel them, and of those that stiff solids need, rounding of L p would leave nothing else.
 /// The equations of c are sums of those of x; x without means in these regions is the solution that is found. They are
@@ -59,7 +59,7 @@ class RegionConstants {
 class SchurComplement {
  public:
   /// The team shares its loops, and must outlive it.
-  SchurComplement(int dim, Team& team) : team_(team), solids_(dim), multigrid_(team) {}
+  SchurComplement(int dim, Team& team) : team_(team), solids_(dim), preconditioner_(team) {}
 
   /// p has the first guess; u is what the pressures make of it.
   KrylovResult solve(const CoupledEquations& equations, const ReducedEquations& with, double tolerance,
@@ -69,10 +69,11 @@ class SchurComplement {
                                std::span<const double> right, double tolerance, std::span<double> p);
 
   /// Lets go of what only solutions with the same matrices would need.
-  void let_go() { multigrid_ = AggregationMultigrid(team_), B_ = {}, held_L_ = {}; }
+  void let_go() { preconditioner_.clear(), B_ = {}, held_L_ = {}; }
 
  private:
   bool set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
+  bool set_up_pressures(const CoupledEquations& equations);
   bool make_levels(const CoupledEquations& equations, std::span<const double> inverse);
   void take_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   void set_up_constants();
@@ -87,7 +88,7 @@ class SchurComplement {
   CouplingMatrix B_;                 // less what is held or pinned, as L_
   SparseMatrix held_L_;              // of pinned pressures
   const SparseMatrix* L_ = nullptr;  // it, or that of the equations where none is pinned
-  AggregationMultigrid multigrid_;
+  PressurePreconditioner preconditioner_;
   ConstantPressures constants_;
   Eigen::MatrixXd stiffness_;  // of the solids against c, (W^T B A^-1 B^T W)^-1
   std::vector<double> whole_, forces_, moved_;

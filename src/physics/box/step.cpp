@@ -156,7 +156,8 @@ FluidOfStep CoupledStep::fluid_of(const CoupledState& state, double h, const Sol
                     .closed = solution.regions.closed,
                     .loose = solution.regions.closed,
                     .time = state.time,
-                    .h = h};
+                    .h = h,
+                    .coarse = flow_->coarse_pressures()};
   for (std::size_t k = 0; k < fluid.given.size(); ++k) fluid.given[k] += map.outside[k] + map.film_weight[k];
   for (std::size_t k = 0; k < fluid.r.size(); ++k) fluid.r[k] -= solution.regions.source[at(fluid.region[k])];
   for (std::size_t k = 0; k < fluid.loose.size(); ++k) {

@@ -32,9 +32,12 @@ void CoupledStep::project_start(CoupledState& state) {
   const CouplingMatrix& B = flow_->map().B;
   const FlowRegions& parts = flow_->regions();
   const Regions regions = regions_of(parts, flow_->map(), first_volumes_, first_volumes_, solids_.held, 1);
-  system_.solve_fluid({solids_.A, solids_.b, B, B, flow_->pressure_matrix(1), r, solids_.held, flow_->rows(),
-                       flow_->row_count(), parts.of, regions.closed, regions.closed},
-                      0, state.u, p);
+  const SparseMatrix L = flow_->pressure_matrix(1);
+  CoupledEquations equations{
+      solids_.A,      solids_.b,     B, B, L, r, solids_.held, flow_->rows(), flow_->row_count(), parts.of,
+      regions.closed, regions.closed};
+  equations.coarse = flow_->coarse_pressures();
+  system_.solve_fluid(equations, 0, state.u, p);
   flow_->add_pressure(p, 1, state.v);
   flow_->finish_start(scene_.clock.tstep, state);
 }

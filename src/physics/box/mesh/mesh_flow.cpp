@@ -87,6 +87,7 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
     at_q.pressures.face_of.push_back(f), at_q.regions.of.push_back(region);
   }
   at_q.map = map_of(at_q, q, {});
+  if (mesh.dim == 3) at_q.coarse = coarse_of(at_q);
   return at_q;
 }
 

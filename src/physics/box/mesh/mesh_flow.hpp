@@ -55,6 +55,7 @@ class MeshFlow final : public Flow {
   void keep_pressures(std::span<const double> p, CoupledState& state) const override;
 
   SparseMatrix pressure_matrix(double by) const override { return pressure_matrix(at_, by); }
+  const CoarseUnknowns* coarse_pressures() const override { return mesh().dim == 3 ? &at_.coarse : nullptr; }
   std::vector<double> net_flux(const FaceValues& v) const override;
   void add_pressure(std::span<const double> p, double by, FaceValues& v) const override;
   double kinetic_energy(const FaceValues& v, const FaceValues& w) const override {
@@ -82,6 +83,7 @@ class MeshFlow final : public Flow {
     std::shared_ptr<const FlowMesh> mesh;
     FacePressures pressures;
     std::vector<std::size_t> rows;  ///< 0, 1, ...
+    CoarseUnknowns coarse;          ///< in space
     FlowRegions regions;
     CouplingMap map;
   };
@@ -90,6 +92,7 @@ class MeshFlow final : public Flow {
   std::shared_ptr<const FlowMesh> mesh_of(const std::vector<double>& q) const;
   CouplingMap map_of(const Placed& at, std::span<const double> q, std::span<const double> middle) const;
   SparseMatrix pressure_matrix(const Placed& at, double by) const;
+  static CoarseUnknowns coarse_of(const Placed& at);
   bool is_open(const FlowMesh& mesh, std::size_t face) const;
   double pressure_outside(std::size_t face) const {
     return outside_.pressure_beyond(at_.mesh->boundary[face].number, at_.mesh->middle_of_face(face)[1]);
