@@ -15,9 +15,9 @@ CellField::CellField(const FlowMesh& mesh, std::span<const double> values)
   for (std::size_t n = 0; n < weight.size(); ++n) mean_[n] /= weight[n];
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     for (std::size_t k = 0; k < mesh.corners(); ++k) {
-      const Vec<3> out = mesh.out_of(cell, at(mesh.faces_of(cell)[k]));  // the node's share falls towards its face
-      const double by = mean_[at(mesh.nodes_of(cell)[k])] / (static_cast<double>(mesh.dim) * mesh.volume[cell]);
-      for (std::size_t b = 0; b < at(mesh.dim); ++b) slope_[cell][b] -= by * out[b];
+      const Vec<3>& of_share = mesh.share_slope[cell * mesh.corners() + k];
+      const double mean = mean_[at(mesh.nodes_of(cell)[k])];
+      for (std::size_t b = 0; b < at(mesh.dim); ++b) slope_[cell][b] += mean * of_share[b];
     }
   }
 }

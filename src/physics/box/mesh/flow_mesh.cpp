@@ -59,19 +59,19 @@ Vec<3> FlowMesh::out_of(std::size_t cell, std::size_t f) const {
   return {sign * area[f][0], sign * area[f][1], sign * area[f][2]};
 }
 
-Vec<3> FlowMesh::middle(std::size_t cell) const { return mean_place(*this, nodes_of(cell)); }
-
 Vec<3> FlowMesh::middle_of_face(std::size_t f) const { return mean_place(*this, face_nodes(f)); }
 
-std::array<double, 4> FlowMesh::shares(std::size_t cell, const Vec<3>& place) const {
-  std::array<double, 4> shares{};
-  const std::array<Vec<3>, 4> corner = corners_of(*this, cell);
-  for (std::size_t k = 0; k < corners(); ++k) {
-    std::array<Vec<3>, 4> moved = corner;
-    moved[k] = place;
-    shares[k] = volume_of(*this, moved) / volume[cell];
+/// A node's share falls from 1 to 0 on the way to the face opposite to it.
+void FlowMesh::find_shares() {
+  cell_middle.clear(), share_slope.clear();
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    cell_middle.push_back(mean_place(*this, nodes_of(cell)));
+    for (const int f : faces_of(cell)) {
+      const Vec<3> out = out_of(cell, at(f));
+      const double by = -1 / (dim * volume[cell]);
+      share_slope.push_back({by * out[0], by * out[1], by * out[2]});
+    }
   }
-  return shares;
 }
 
 void FlowMesh::find_faces() {
@@ -108,6 +108,7 @@ void FlowMesh::find_faces() {
     face[half.cell * per_cell + half.corner] = static_cast<int>(cells_of_face.size()) - 1;
   }
   boundary.assign(cells_of_face.size(), {});
+  find_shares();
   find_regions();
 }
 

@@ -32,6 +32,8 @@ struct FlowMesh {
   std::vector<std::array<int, 2>> cells_of_face;  ///< cells of each face; the second one -1 at the boundary
   std::vector<Vec<3>> area;                       ///< of each face, times its normal out of the first cell [area]
   std::vector<double> volume;                     ///< of each cell [volume]
+  std::vector<Vec<3>> cell_middle;                ///< of each cell
+  std::vector<Vec<3>> share_slope;                ///< of the share of each node of each cell, by length
   std::vector<Boundary> boundary;                 ///< of each face, for the mesher to set
   std::vector<int> region;                        ///< of each cell, from 0: cells that faces join
   int regions = 0;
@@ -52,16 +54,24 @@ struct FlowMesh {
   double size_of(std::size_t f) const { return std::sqrt(dot(area[f], area[f])); }
   /// The area of a face of a cell, out of the cell [area].
   Vec<3> out_of(std::size_t cell, std::size_t f) const;
-  Vec<3> middle(std::size_t cell) const;
+  const Vec<3>& middle(std::size_t cell) const { return cell_middle[cell]; }
   Vec<3> middle_of_face(std::size_t f) const;
   /// The shares of a cell's nodes at a place, which sum to 1; below 0 beyond the face opposite to a node.
-  std::array<double, 4> shares(std::size_t cell, const Vec<3>& place) const;
+  std::array<double, 4> shares(std::size_t cell, const Vec<3>& place) const {
+    const std::size_t count = corners();
+    const Vec<3> from = minus(place, cell_middle[cell]);
+    std::array<double, 4> shares{};
+    for (std::size_t k = 0; k < count; ++k)
+      shares[k] = 1 / static_cast<double>(count) + dot(share_slope[cell * count + k], from);
+    return shares;
+  }
 
   /// Finds faces, volumes and regions from nodes, which it puts into an order of positive volume.
   void find_faces();
 
  private:
   void find_regions();
+  void find_shares();
 };
 
 }  // namespace tether::coupled

@@ -246,6 +246,7 @@ void MeshFlow::end(const FaceValues& /*change*/, CoupledState& state, double h) 
   if (!moved && !scene_.smoke) return;
   Placed next = moved ? placed(state.q) : at_;
   if (scene_.smoke) carry_smoke_to(*next.mesh, h, state);
+  kept_ = at_.mesh, kept_q_ = at_.q;  // which the velocity stays on
   at_ = std::move(next);
 }
 

@@ -75,7 +75,20 @@ std::size_t CellFinder::number(const std::array<int, 3>& bin) const {
   return at(bin[0]) + at(n_[0]) * (at(bin[1]) + at(n_[1]) * at(bin[2]));
 }
 
+/// First along the straight way from a cell of the place's bin: where the boundary is between, from cell to cell of the
+/// bins.
 std::size_t CellFinder::cell_at(Vec<3>& x) const {
+  const std::size_t bin = number(bin_of(x));
+  if (first_[bin] < first_[bin + 1]) {
+    Vec<3> there = x;
+    int face = -1;
+    const std::size_t cell = walk(cell_[(first_[bin] + first_[bin + 1]) / 2], there, face);
+    if (face < 0) return cell;
+  }
+  return nearest_to(x);
+}
+
+std::size_t CellFinder::nearest_to(Vec<3>& x) const {
   const std::array<int, 3> middle = bin_of(x);
   std::size_t best = 0;
   double nearest = std::numeric_limits<double>::max();

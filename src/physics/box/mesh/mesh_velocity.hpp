@@ -23,6 +23,7 @@ class CellFinder {
   std::size_t walk(std::size_t cell, Vec<3>& x, int& face) const;
 
  private:
+  std::size_t nearest_to(Vec<3>& x) const;
   std::array<int, 3> bin_of(const Vec<3>& x) const;
   std::size_t number(const std::array<int, 3>& bin) const;
 

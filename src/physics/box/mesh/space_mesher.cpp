@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
+#include <span>
 #include <string>
 
 #include "base/numbers.hpp"
@@ -31,7 +33,8 @@ Corners sorted(Corners corners) {
 }
 
 /// What TetGen is given; it lets go of the lists itself.
-void fill(const Outline& outline, const std::vector<Vec<3>>& points, tetgenio& in) {
+void fill(const Outline& outline, std::span<const Outline::Facet> facets, const std::vector<Vec<3>>& points,
+          tetgenio& in) {
   in.firstnumber = 0;
   in.numberofpoints = static_cast<int>(outline.places.size() + points.size());
   in.pointlist = new REAL[3 * at(in.numberofpoints)];
@@ -41,16 +44,16 @@ void fill(const Outline& outline, const std::vector<Vec<3>>& points, tetgenio& i
       for (std::size_t a = 0; a < 3; ++a) in.pointlist[k++] = x[a];
     }
   }
-  in.numberoffacets = static_cast<int>(outline.facets.size());
-  in.facetlist = new tetgenio::facet[outline.facets.size()];
-  for (std::size_t f = 0; f < outline.facets.size(); ++f) {
+  in.numberoffacets = static_cast<int>(facets.size());
+  in.facetlist = new tetgenio::facet[facets.size()];
+  for (std::size_t f = 0; f < facets.size(); ++f) {
     tetgenio::facet& facet = in.facetlist[f];
     tetgenio::init(&facet);
     facet.numberofpolygons = 1, facet.polygonlist = new tetgenio::polygon[1];
     tetgenio::polygon& polygon = facet.polygonlist[0];
     tetgenio::init(&polygon);
     polygon.numberofvertices = 3, polygon.vertexlist = new int[3];
-    for (std::size_t c = 0; c < 3; ++c) polygon.vertexlist[c] = static_cast<int>(outline.facets[f].corners[c]);
+    for (std::size_t c = 0; c < 3; ++c) polygon.vertexlist[c] = static_cast<int>(facets[f].corners[c]);
   }
   in.numberofholes = static_cast<int>(outline.holes.size());
   in.holelist = new REAL[3 * outline.holes.size()];
@@ -75,10 +78,15 @@ void run(std::string switches, tetgenio& in, tetgenio& out, const Outline& outli
   }
 }
 
-/// Facets that cross or touch would end the process in the next run.
+/// Facets that cross or touch would end the process in the next run. Those of the box's sides touch nothing else.
 void check_crossings(const Outline& outline) {
+  std::vector<Outline::Facet> facets;
+  std::ranges::copy_if(outline.facets, std::back_inserter(facets), [](const Outline::Facet& facet) {
+    return facet.boundary.kind != BoundaryKind::box_side;
+  });
+  if (facets.empty()) return;
   tetgenio in, out;
-  fill(outline, {}, in);
+  fill(outline, facets, {}, in);
   run("pdQ", in, out, outline);
   if (out.numberoftrifaces == 0) return;
   Vec<3> x{};
@@ -106,7 +114,7 @@ void set_boundaries(const Outline& outline, FlowMesh& mesh) {
 FlowMesh space_mesh(const Outline& outline, const MeshSizes& sizes) {
   check_crossings(outline);
   tetgenio in, out;
-  fill(outline, lattice_points(outline, sizes), in);
+  fill(outline, outline.facets, lattice_points(outline, sizes), in);
   run("pYq2.0/10Q", in, out, outline);
   FlowMesh mesh;
   mesh.dim = 3;
