@@ -4,8 +4,8 @@ import numpy
 from matplotlib import colors, patches
 
 import style
-from scene import box_in_space, elements, in_space, liquid, quantities
-from scene.box_in_space import FLUID, OBSTACLE, STONE
+from scene import box_in_space, elements, in_space, liquid, quantities, triangles
+from scene.box_in_space import FLUID, OBSTACLE, STONE, VOID
 
 MOST = 98.0  # per cent of the bodies' energy densities of the run: those beyond are drawn as that one
 
@@ -20,6 +20,7 @@ class BoxScene:
         self.shape, self.dim = self.box.shape, self.box.dimension
         self.bodies = run.fields("solids") if run.has("solids") else None
         self.surface = run.fields("surface") if run.has("surface") else None
+        self.flow = run.fields("flow") if run.has("flow") else None
         self.faces = elements.topology.outer_faces(self.bodies.elements) if self.dim == 3 and self.bodies else None
         self.in_space = box_in_space.BoxInSpace(self.box) if self.dim == 3 else None
         self.energy = quantities.Scale("energy density", self.bodies.units["energy_density"] if self.bodies else "1")
@@ -70,10 +71,15 @@ class BoxScene:
         x, y = self.box.edges["x"], self.box.edges["y"]
         if "surface" in cells:
             liquid.draw_plane(axes, x, y, cells, values, scale)
+        elif self.flow:
+            if not (kind == VOID).any():
+                axes.add_patch(patches.Rectangle((x[0], y[0]), x[-1] - x[0], y[-1] - y[0], facecolor=STONE, zorder=0.5))
+            triangles.draw(axes, self.flow.at(self.flow.record(float(self.times[record]))), name, scale)
         else:
             axes.pcolormesh(x, y, numpy.ma.masked_where((kind != FLUID) | ~numpy.isfinite(values), values),
                             cmap=scale.colours, norm=scale.norm, zorder=1)
-        axes.pcolormesh(x, y, numpy.ma.masked_where(kind != OBSTACLE, kind), cmap=colors.ListedColormap([STONE]), zorder=1.5)
+        if not self.flow or (kind == VOID).any():
+            axes.pcolormesh(x, y, numpy.ma.masked_where(kind != OBSTACLE, kind), cmap=colors.ListedColormap([STONE]), zorder=1.5)
         if self.bodies:
             bodies = elements.Elements(self.bodies, "energy density")
             bodies.scales = [self.energy]

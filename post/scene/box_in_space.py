@@ -7,7 +7,7 @@ from render import blocks
 from render.picture import GREY, WALL
 from scene.in_space import Room
 
-FLUID, OBSTACLE = 0, 2  # kinds of cells
+FLUID, OBSTACLE, VOID = 0, 2, 3  # kinds of cells
 DENSE = 10.0  # of the field's largest value: the box's depth takes exp(-DENSE) of what is beyond it
 THINNER = 1.7  # the power of the field that smoke grows with: what has spread thinly does not hide a jet
 CLEAR = 0.45  # share of the light that a body keeps back where the fluid inside is what matters

@@ -11,7 +11,8 @@ from .history import History
 
 SWITCHES = {"particles": "iout(13)=1 and tiout(13)", "mesh": "iout(39)=1 and tiout(39)",
             "solids": "iout(39)=1 and tiout(39) of a run with bodies in a fluid",
-            "surface": "iout(39)=1 and tiout(39) of a run with a liquid"}
+            "surface": "iout(39)=1 and tiout(39) of a run with a liquid",
+            "flow": "iout(39)=1 and tiout(39) of a run with a fluid on a mesh"}
 
 
 def read_exact(path):

@@ -41,7 +41,8 @@ bool TwoLevelPreconditioner::set_up(SymmetricRows A, const CoarseUnknowns& coars
 
 double TwoLevelPreconditioner::residual(std::size_t row, std::span<const double> r, std::span<const double> z) const {
   double sum = r[row] - A_.diagonal[row] * z[row];
-  for (auto e = static_cast<std::size_t>(A_.start[row]); e < static_cast<std::size_t>(A_.start[row + 1]); ++e) sum -= A_.value[e] * z[at(A_.column[e])];
+  for (auto e = static_cast<std::size_t>(A_.start[row]); e < static_cast<std::size_t>(A_.start[row + 1]); ++e)
+    sum -= A_.value[e] * z[at(A_.column[e])];
   return sum;
 }
 

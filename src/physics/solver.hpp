@@ -52,6 +52,8 @@ class Solver {
   virtual Snapshot solids() const { return {time(), {}}; }
   /// Facets of a liquid's surface, their corners one after the other; none else.
   virtual Snapshot surface() const { return {time(), {}}; }
+  /// Cells of a flow on a mesh that changes, their corners one after the other; none else.
+  virtual Snapshot flow_cells() const { return {time(), {}}; }
   /// All that the next step depends on, so that a solver of the same plan goes on from it to the last bit. restore()
   /// throws FileError where the saved state is not of this path and scene.
   virtual SavedState save() const = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 namespace tether {
 namespace {
@@ -25,7 +26,7 @@ PointWriter::PointWriter(std::filesystem::path folder, Provenance provenance, Vt
       provenance_(std::move(provenance)),
       changing_(changing),
       kind_(kind),
-      vtk_(folder_, kind.file, "vtp", vtk) {}
+      vtk_(folder_, kind.file, kind.ending, vtk) {}
 
 void PointWriter::append(const FieldsInTurn& snapshot) {
   if (!file_) {
@@ -36,6 +37,7 @@ void PointWriter::append(const FieldsInTurn& snapshot) {
   vtk_.append(
       *file_,
       [&] {
+        if (kind_.ending == std::string_view("vtu")) return vtk_of_simplices(snapshot.count(), kind_.corners);
         return kind_.corners == 1 ? vtk_of_points(snapshot.count()) : vtk_of_facets(snapshot.count(), kind_.corners);
       },
       snapshot);

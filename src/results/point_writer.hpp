@@ -11,18 +11,19 @@
 
 namespace tether {
 
-/// What the points of a file are: each for itself, or so many in turn the corners of a facet.
+/// What the points of a file are: each for itself, or so many in turn the corners of a facet or a cell.
 struct PointKind {
   const char* file = "particles";  ///< its name without an ending
   const char* axis = "point";
-  int corners = 1;  ///< of a facet; 1: there are none
+  int corners = 1;             ///< of a facet; 1: there are none
+  const char* ending = "vtp";  ///< of VTK files: "vtu" where facets are cells that fill their space
 };
-inline constexpr PointKind particles_file{}, edges_file{"surface", "corner", 2}, triangles_file{"surface", "corner", 3};
+inline constexpr PointKind particles_file{}, edges_file{"surface", "corner", 2}, triangles_file{"surface", "corner", 3},
+    flow_triangles_file{"flow", "corner", 3, "vtu"}, flow_tetrahedra_file{"flow", "corner", 4, "vtu"};
 
-/// Writes particles.nc or surface.nc, fields over (time, point), and where they are wanted VTK files as well. Nothing
-/// is created before the first snapshot; each one is with the system before append() returns.
-/// While the run goes on its NetCDF-4 files are locked by HDF5; who wants to read them then sets
-/// HDF5_USE_FILE_LOCKING=FALSE.
+/// Writes particles.nc, surface.nc or flow.nc, fields over (time, point), and where they are wanted VTK files as well.
+/// Nothing is created before the first snapshot; each one is with the system before append() returns. While the run
+/// goes on its NetCDF-4 files are locked by HDF5; who wants to read them then sets HDF5_USE_FILE_LOCKING=FALSE.
 class PointWriter {
  public:
   /// `changing`: how many points there are.

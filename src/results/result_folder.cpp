@@ -14,12 +14,12 @@ namespace tether {
 namespace {
 
 constexpr std::array owned{
-    "history.nc",     "history.txt",    "particles.nc",       "particles.pvd",     "mesh.nc",
-    "mesh.pvd",       "solids.nc",      "solids.pvd",         "reference.txt",     "summary.txt",
-    "messages.txt",   "deck.effective", "deck.effective.msh", "particles.pvd.new", "mesh.pvd.new",
-    "solids.pvd.new", "surface.nc",     "surface.pvd",        "surface.pvd.new"};
+    "history.nc",         "history.txt",       "particles.nc",  "particles.pvd",  "mesh.nc",      "mesh.pvd",
+    "solids.nc",          "solids.pvd",        "reference.txt", "summary.txt",    "messages.txt", "deck.effective",
+    "deck.effective.msh", "particles.pvd.new", "mesh.pvd.new",  "solids.pvd.new", "surface.nc",   "surface.pvd",
+    "surface.pvd.new",    "flow.nc",           "flow.pvd",      "flow.pvd.new"};
 
-constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc", "surface.nc"};
+constexpr std::array snapshot_files{"particles.nc", "mesh.nc", "solids.nc", "surface.nc", "flow.nc"};
 
 std::filesystem::path aside(const std::filesystem::path& folder, const std::string& name) {
   return folder / (name + ".earlier");
@@ -48,7 +48,7 @@ void remove_vtk_files(const std::filesystem::path& folder) {
   if (reason) return;  // there is none
   for (const auto& file : files) {
     const std::string name = file.path().filename().string();
-    for (const char* series : {"particles-", "mesh-", "solids-", "surface-"}) {
+    for (const char* series : {"particles-", "mesh-", "solids-", "surface-", "flow-"}) {
       if (name.starts_with(series)) remove_earlier(file.path());
     }
   }
@@ -80,6 +80,7 @@ ResultFolder::ResultFolder(const std::filesystem::path& folder, const HistoryLay
       mesh_(folder_, "mesh", provenance, use.vtk),
       solids_(folder_, "solids", provenance, use.vtk),
       surface_(folder_, provenance, use.vtk, true, use.dim == 2 ? edges_file : triangles_file),
+      flow_(folder_, provenance, use.vtk, true, use.dim == 2 ? flow_triangles_file : flow_tetrahedra_file),
       messages_(folder_ / "messages.txt") {}
 
 std::filesystem::path ResultFolder::earlier_snapshots(const std::filesystem::path& folder, const std::string& name) {
@@ -107,6 +108,8 @@ void ResultFolder::solids(const Mesh& mesh, const Snapshot& snapshot) { solids_.
 
 void ResultFolder::surface(const Snapshot& snapshot) { surface_.append(snapshot); }
 
+void ResultFolder::flow(const Snapshot& snapshot) { flow_.append(snapshot); }
+
 void ResultFolder::message(const std::string& text) {
   const bool ended = !text.empty() && text.back() == '\n';
   messages_.append(ended ? text : text + '\n');
@@ -125,6 +128,7 @@ void ResultFolder::finish(const Summary& summary) {
   mesh_.close();
   solids_.close();
   surface_.close();
+  flow_.close();
   write_summary(folder_ / "summary.txt", summary,
                 {fmt::format("tether {} {}", program_version(), git_hash()), command_});
 }

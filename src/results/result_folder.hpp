@@ -24,7 +24,7 @@ struct FolderUse {
   VtkFiles vtk = VtkFiles::automatic;
   EarlierSnapshots earlier = EarlierSnapshots::removed;
   bool points_change = false;  ///< whether their number does
-  int dim = 2;                 ///< of a surface's space
+  int dim = 2;                 ///< of the space of a surface and of a flow
 };
 
 /// The folder of one run's outputs, as the contract lists them. Everything handed over is with the system before the
@@ -35,8 +35,8 @@ class ResultFolder {
   /// this class; checkpoints and other files stay.
   ResultFolder(const std::filesystem::path& folder, const HistoryLayout& layout, const Provenance& provenance,
                const FolderUse& use = {});
-  /// Returns where the snapshots of an earlier run stand, those of particles.nc, mesh.nc, solids.nc or
-  /// surface.nc: set aside or not.
+  /// Returns where the snapshots of an earlier run stand, those of particles.nc, mesh.nc, solids.nc,
+  /// surface.nc or flow.nc: set aside or not.
   static std::filesystem::path earlier_snapshots(const std::filesystem::path& folder, const std::string& name);
   /// Ends the setting aside of one of these.
   void remove_what_was_set_aside(const std::string& name);
@@ -50,6 +50,7 @@ class ResultFolder {
   void mesh(const Mesh& mesh, const Snapshot& snapshot);         ///< the same, of finite elements
   void solids(const Mesh& mesh, const Snapshot& snapshot);       ///< solids.nc, beside mesh.nc
   void surface(const Snapshot& snapshot);                        ///< surface.nc, with each mesh.nc record
+  void flow(const Snapshot& snapshot);                           ///< flow.nc, likewise
   void message(const std::string& text);         ///< messages.txt; a line end is added where it has none
   void deck_effective(const std::string& text);  ///< deck.effective
   /// A file that deck.effective names, under a name that begins with its.
@@ -67,7 +68,7 @@ class ResultFolder {
   PointWriter points_;
   GridWriter grid_;
   MeshWriter mesh_, solids_;
-  PointWriter surface_;
+  PointWriter surface_, flow_;
   TextFile messages_;
 };
 

@@ -70,6 +70,17 @@ VtkShape vtk_of_facets(std::size_t count, int corners) {
           {{section, "connectivity", counted(count, 0, 1)}, {section, "offsets", counted(facets, corners, corners)}}};
 }
 
+VtkShape vtk_of_simplices(std::size_t count, int corners) {
+  constexpr std::uint8_t triangle = 5, tetrahedron = 10;  // VTK's numbers of them
+  const std::size_t cells = count / static_cast<std::size_t>(corners);
+  return {"UnstructuredGrid",
+          "",
+          fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", count, cells),
+          {{"Cells", "connectivity", counted(count, 0, 1)},
+           {"Cells", "offsets", counted(cells, corners, corners)},
+           {"Cells", "types", std::vector<std::uint8_t>(cells, corners == 3 ? triangle : tetrahedron)}}};
+}
+
 VtkShape vtk_of_mesh(const Mesh& mesh) {
   const std::size_t elements = mesh.element_count(), nodes = vtk_order(mesh.kind).size();
   const auto per_element = static_cast<std::int32_t>(nodes);

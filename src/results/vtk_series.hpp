@@ -29,6 +29,9 @@ VtkShape vtk_of_points(std::size_t count);
 /// Points of which so many in turn are the corners of an edge or a polygon.
 VtkShape vtk_of_facets(std::size_t count, int corners);
 
+/// Points of which three in turn are the corners of a triangle, or four of a tetrahedron.
+VtkShape vtk_of_simplices(std::size_t count, int corners);
+
 /// A mesh of finite elements, with the region of each.
 VtkShape vtk_of_mesh(const Mesh& mesh);
 

@@ -43,7 +43,7 @@ struct MeshOfGrid {
   const Mesh* operator()(const BoxFlow&) const { return nullptr; }
 };
 
-/// Of the space that a surface lies in.
+/// Of the space that a surface or a flow lies in.
 int dim_of(const Scene& scene) { return scene.coupled() == nullptr ? 2 : scene.coupled()->grid.dim; }
 
 /// Returns whether points come and go while the scene runs.
@@ -133,6 +133,9 @@ void RunOutputs::restore(const Checkpoint& checkpoint) {
   if (const Snapshot surface = solver_.surface(); !surface.fields.empty())
     take_over("surface.nc", {surface, checkpoint.grid_snapshots, run, true},
               [this](const Snapshot& snapshot) { folder_.surface(snapshot); });
+  if (const Snapshot flow = solver_.flow_cells(); !flow.fields.empty())
+    take_over("flow.nc", {flow, checkpoint.grid_snapshots, run, true},
+              [this](const Snapshot& snapshot) { folder_.flow(snapshot); });
 }
 
 /// From beside the checkpoint, else from the run's own folder.
@@ -185,6 +188,10 @@ void RunOutputs::write_grid() {
   if (Snapshot surface = solver_.surface(); !surface.fields.empty()) {
     const std::size_t bytes = bytes_of(surface);
     queue_.give([this, surface = std::move(surface)] { folder_.surface(surface); }, bytes);
+  }
+  if (Snapshot flow = solver_.flow_cells(); !flow.fields.empty()) {
+    const std::size_t bytes = bytes_of(flow);
+    queue_.give([this, flow = std::move(flow)] { folder_.flow(flow); }, bytes);
   }
 }
 

@@ -133,6 +133,8 @@ class Flow {
   virtual void add_summary(Summary& summary) const = 0;
   virtual Snapshot cell_fields(const CoupledState& state) const = 0;
   virtual Snapshot surface_fields(const CoupledState& state) const = 0;
+  /// At the corners of cells that are no grid's, one cell's after the other; nothing else.
+  virtual Snapshot mesh_fields(const CoupledState& state) const { return {state.time, {}}; }
   virtual Snapshot particle_fields(const CoupledState& state) const = 0;
   virtual std::vector<std::string> take_messages() = 0;
 };

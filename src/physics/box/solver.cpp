@@ -126,7 +126,7 @@ Summary CoupledSolver::more_summary() const {
   const Coupled& scene = *plan_.scene.coupled();
   Summary summary{line_of("mode", word_of(scene.coupling.mode)),
                   line_of("linear_solver", step_.system().solver_name()),
-                  line_of("unknowns", state_.q.size() + scene.grid.cell_count()),
+                  line_of("unknowns", state_.q.size() + step_.flow().row_count()),
                   line_of("krylov_iterations", state_.iterations),
                   line_of("lu_solutions", state_.lu_solutions),
                   line_of("factor_nonzeros", cost.factor_nonzeros),

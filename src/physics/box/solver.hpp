@@ -31,6 +31,7 @@ class CoupledSolver final : public Solver {
   Snapshot grid() const override { return step_.flow().cell_fields(state_); }
   Snapshot solids() const override { return fields_.solid_fields(state_); }
   Snapshot surface() const override { return step_.flow().surface_fields(state_); }
+  Snapshot flow_cells() const override { return step_.flow().mesh_fields(state_); }
   std::vector<std::string> take_messages() override;
   SavedState save() const override;
   void restore(const SavedState& saved) override;

@@ -10,18 +10,24 @@
 
 namespace tether::coupled {
 
+/// A number of the nodes of a face.
+struct FaceValue {
+  std::size_t face;
+  double value;
+};
+
 /// A number in each cell, with the gradient that the means about the cell's nodes have.
 class CellField {
  public:
-  /// Both must outlive it.
-  CellField(const FlowMesh& mesh, std::span<const double> values);
+  /// Both must outlive it. The nodes of faces that are `known`, as where something comes in, have the means of these.
+  CellField(const FlowMesh& mesh, std::span<const double> values, std::span<const FaceValue> known = {});
 
   /// At a place in a cell.
   double at_place(std::size_t cell, const Vec<3>& x) const {
     const Vec<3> from = minus(x, mesh_.middle(cell));
     return values_[cell] + dot(slope_[cell], from);
   }
-  /// The same, within the extrema of the cell and of the means about its nodes.
+  /// Returns the same, within the extrema of the cell and of the means about its nodes.
   double limited_at(std::size_t cell, const Vec<3>& x) const {
     const auto [low, high] = extrema(cell);
     return std::clamp(at_place(cell, x), low, high);

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/numbers.hpp"
 
@@ -19,29 +20,31 @@ class CellsAbout {
     for (const int n : mesh.nodes) ++first_[at(n) + 1];
     for (std::size_t n = 0; n < mesh.x.size(); ++n) first_[n + 1] += first_[n];
     cell_.resize(mesh.nodes.size());
+    gathered_.assign(mesh.faces(), mesh.x.size());
     std::vector<std::size_t> next = first_;
     for (std::size_t k = 0; k < mesh.nodes.size(); ++k) cell_[next[at(mesh.nodes[k])]++] = k / mesh.corners();
   }
   std::span<const std::size_t> of(std::size_t node) const {
     return std::span(cell_).subspan(first_[node], first_[node + 1] - first_[node]);
   }
-  /// Gathers the faces of these cells and of those about their nodes, ascending.
-  void faces_near(std::size_t node, std::vector<int>& faces) const {
+  /// Gathers the faces of these cells and of those about their nodes.
+  void faces_near(std::size_t node, std::vector<int>& faces) {
     faces.clear();
     for (const std::size_t cell : of(node)) {
       for (const int next : mesh_.nodes_of(cell)) {
         for (const std::size_t of_next : of(at(next))) {
-          for (const int f : mesh_.faces_of(of_next)) faces.push_back(f);
+          for (const int f : mesh_.faces_of(of_next)) {
+            if (std::exchange(gathered_[at(f)], node) != node) faces.push_back(f);
+          }
         }
       }
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   }
 
  private:
   const FlowMesh& mesh_;
   std::vector<std::size_t> first_, cell_;
+  std::vector<std::size_t> gathered_;  // for which node each face was last
 };
 
 /// Fits the stream functions of nodes.
@@ -51,6 +54,7 @@ class NodeFits {
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
       const std::size_t cell = mesh.cell_of(f);
       flux_.push_back(mesh.area[f][0] * v[0][cell] + mesh.area[f][1] * v[1][cell]);
+      size_.push_back(mesh.size_of(f));
       if (!mesh.is_at_boundary(f)) continue;
       for (const int n : mesh.face_nodes(f)) at_boundary_[at(n)] = 1;
     }
@@ -82,11 +86,10 @@ class NodeFits {
       const auto ends = mesh_.face_nodes(f);
       const auto first = powers(mesh_.x[node], unit, mesh_.x[at(ends[0])]),
                  last = powers(mesh_.x[node], unit, mesh_.x[at(ends[1])]);
-      const Vec<3> way = minus(mesh_.middle_of_face(f), mesh_.x[node]);
-      const double far = softened + dot(way, way) / (unit * unit),
-                   weight = unit / (mesh_.size_of(f) * (count == quadratic ? far * far : far));
+      const double x = 0.5 * (first[0] + last[0]), y = 0.5 * (first[1] + last[1]), far = softened + x * x + y * y,
+                   weight = unit / (size_[f] * (count == quadratic ? far * far : far));
       for (std::size_t k = 0; k < count; ++k) row[static_cast<Eigen::Index>(k)] = weight * (last[k] - first[k]);
-      N.noalias() += row * row.transpose();
+      N.template selfadjointView<Eigen::Lower>().rankUpdate(row);
       b.noalias() += weight * flux_[f] / unit * row;
     }
     for (Eigen::Index k = 2; k < count; ++k) N(k, k) += held;
@@ -97,7 +100,7 @@ class NodeFits {
   const FlowMesh& mesh_;
   CellsAbout about_;
   std::vector<std::uint8_t> at_boundary_;  // of each node
-  std::vector<double> flux_;               // of each face, out of its first cell [volume/time]
+  std::vector<double> flux_, size_;        // of each face, out of its first cell [volume/time]; its area
   std::vector<int> faces_;                 // about the node
 };
 

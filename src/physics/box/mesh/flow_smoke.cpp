@@ -40,7 +40,7 @@ double MeshFlow::outside_at(double y, double (Outside::*of)(int row) const) cons
 
 void MeshFlow::carry_smoke_to(const FlowMesh& next, double h, CoupledState& state) const {
   const FlowMesh& mesh = *at_.mesh;
-  std::vector<Entrance> smoke, heat;
+  std::vector<FaceValue> smoke, heat;
   each_prescribed(state.v, [&](std::size_t face, double) {
     const Jet& jet = scene_.jets[at(jet_at(scene_, mesh.boundary[face].number, mesh.middle_of_face(face)))];
     smoke.push_back({face, jet.smoke}), heat.push_back({face, jet.temperature});

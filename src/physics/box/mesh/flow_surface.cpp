@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/numbers.hpp"
@@ -23,15 +24,12 @@ using Tree = boost::geometry::index::rtree<std::pair<Extent, std::size_t>, boost
 constexpr double curve = 16;  // sizes of the mesh, of whose thousandth a curved obstacle and its sides are apart
 
 Extent extent_of(const SolidSurface& surface, std::size_t side, std::span<const double> q, double about) {
-  Vec<3> low{}, high{};
-  bool first = true;
+  constexpr double far = std::numeric_limits<double>::max();
+  Vec<3> low{far, far, far}, high{-far, -far, -far};
   for (const int n : surface.side(side)) {
     const Vec<3> x = place_of(q, n, surface.dim);
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = (first ? x[a] : std::min(low[a], x[a] + about)) - (first ? about : 0);
-      high[a] = (first ? x[a] : std::max(high[a], x[a] - about)) + (first ? about : 0);
-    }
-    first = false;
+    for (std::size_t a = 0; a < 3; ++a)
+      low[a] = std::min(low[a], x[a] - about), high[a] = std::max(high[a], x[a] + about);
   }
   return {Point(low[0], low[1], low[2]), Point(high[0], high[1], high[2])};
 }

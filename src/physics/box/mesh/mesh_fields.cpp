@@ -16,7 +16,8 @@ namespace {
 struct RasterSource {
   std::vector<Vec<3>> v;
   std::vector<double> p;
-  std::vector<int> region;            ///< -1: no fluid
+  std::vector<int> region;  ///< -1: no fluid
+  std::vector<CellKind> kind;
   std::vector<double> smoke, warmth;  ///< where there is smoke
 };
 
@@ -35,9 +36,45 @@ const ColumnTable<RasterSetting, RasterSource>& raster_table() {
           .vector(),
       {"p", D::stress, "pressure, of the last step, before the first one not a number; zero where there is no fluid",
        [](const S& s, std::size_t c) { return s.p[c]; }},
-      {"kind", D::whole, "fluid 0, else 1", [](const S& s, std::size_t c) { return s.region[c] < 0 ? 1.0 : 0.0; }},
+      {"kind", D::whole, "fluid 0, solid 1, obstacle 2, void, with what is in it, 3",
+       [](const S& s, std::size_t c) { return static_cast<double>(s.kind[c]); }},
       {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
        [](const S& s, std::size_t c) { return s.region[c] + 1.0; }},
+      Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.smoke[c]; }).when(smoke),
+      Row("temperature", D::number, "above that of the surroundings",
+          [](const S& s, std::size_t c) { return s.warmth[c]; })
+          .when(smoke),
+  }}});
+  return table;
+}
+
+/// What the corners of cells show of the mesh.
+struct CornerSource {
+  const FlowMesh& mesh;
+  const CoupledState& state;
+  std::vector<double> p;
+  std::vector<double> smoke, warmth;  ///< where there is smoke
+
+  std::size_t cell(std::size_t corner) const { return corner / mesh.corners(); }
+  const Vec<3>& place(std::size_t corner) const { return mesh.x[at(mesh.nodes[corner])]; }
+};
+
+const ColumnTable<RasterSetting, CornerSource>& corner_table() {
+  using S = CornerSource;
+  using Row = Column<RasterSetting, S>;
+  using D = Dimension;
+  const When<RasterSetting> smoke("with smoke", [](const RasterSetting& s) { return s.with_smoke; });
+  static const ColumnTable<RasterSetting, S> table({{{
+      Row("", D::length, "place of a corner of a cell",
+          [](const S& s, std::size_t axis, std::size_t c) { return s.place(c)[axis]; })
+          .vector(),
+      Row("v", D::velocity, "velocity of the cell",
+          [](const S& s, std::size_t axis, std::size_t c) { return s.state.v[axis][s.cell(c)]; })
+          .vector(),
+      {"p", D::stress, "pressure, of the last step, before the first one not a number",
+       [](const S& s, std::size_t c) { return s.p[c]; }},
+      {"region", D::whole, "part of the fluid that the cell belongs to, from 1",
+       [](const S& s, std::size_t c) { return s.mesh.region[s.cell(c)] + 1.0; }},
       Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.smoke[c]; }).when(smoke),
       Row("temperature", D::number, "above that of the surroundings",
           [](const S& s, std::size_t c) { return s.warmth[c]; })
@@ -50,6 +87,12 @@ const ColumnTable<RasterSetting, RasterSource>& raster_table() {
 Vec<3> middle_of(const StaggeredGrid& grid, std::size_t c) {
   const Vec<3> x = grid.middle(grid.place_of_cell(c));
   return {x[0], x[1], grid.dim == 2 ? 0 : x[2]};
+}
+
+/// What is at a place that no cell has.
+CellKind kind_without_fluid(const Coupled& scene, const Vec<3>& x) {
+  if (in_obstacle(scene, x)) return CellKind::wall;
+  return scene.cavities_only ? CellKind::empty : CellKind::solid;
 }
 
 }  // namespace
@@ -115,10 +158,29 @@ Snapshot MeshFlow::cell_fields(const CoupledState& state) const {
     source.v.push_back(fluid ? velocity.velocity(cell, x) : Vec<3>{});
     source.p.push_back(!fluid ? 0 : state.dt_last > 0 ? pressure_in(mesh, state.p, cell, x) : no_number);
     source.region.push_back(fluid ? mesh.region[cell] : -1);
+    source.kind.push_back(fluid ? CellKind::fluid : kind_without_fluid(scene_, middle_of(grid, c)));
   }
   if (scene_.smoke) add_smoke(grid, *at_.mesh, state.smoke, source);
   return Columns<RasterSource>(raster_table(), {{grid.dim, {}, {}}, scene_.smoke})
       .snapshot(state.time, grid.cell_count(), source);
+}
+
+/// On the mesh that the velocity is on.
+Snapshot MeshFlow::mesh_fields(const CoupledState& state) const {
+  const auto of_velocity = mesh_of(state.flow_q);
+  const FlowMesh& mesh = *of_velocity;
+  CornerSource source{mesh, state, {}, {}, {}};
+  const CellFinder finder(*at_.mesh);
+  for (std::size_t c = 0; c < mesh.nodes.size(); ++c) {
+    const std::size_t cell = source.cell(c);
+    source.p.push_back(state.dt_last > 0 ? pressure_in(mesh, state.p, cell, source.place(c)) : no_number);
+    if (!scene_.smoke) continue;
+    Vec<3> x = mesh.middle(cell);
+    const std::size_t of_smoke = finder.cell_at(x);
+    source.smoke.push_back(state.smoke.density(of_smoke)), source.warmth.push_back(state.smoke.temperature(of_smoke));
+  }
+  return Columns<CornerSource>(corner_table(), {{mesh.dim, {}, {}}, scene_.smoke})
+      .snapshot(state.time, mesh.nodes.size(), source);
 }
 
 }  // namespace tether::coupled

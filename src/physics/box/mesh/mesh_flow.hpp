@@ -72,6 +72,7 @@ class MeshFlow final : public Flow {
   double pressure_energy(const CoupledState& state) const override;
   void add_summary(Summary& summary) const override;
   Snapshot cell_fields(const CoupledState& state) const override;
+  Snapshot mesh_fields(const CoupledState& state) const override;
   Snapshot surface_fields(const CoupledState& state) const override { return {state.time, {}}; }
   Snapshot particle_fields(const CoupledState& state) const override { return {state.time, {}}; }
   std::vector<std::string> take_messages() override { return {}; }

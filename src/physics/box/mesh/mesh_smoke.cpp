@@ -54,14 +54,21 @@ ContentCarrier::Means ContentCarrier::means_of(const CellField& field, std::span
   return means;
 }
 
+/// What goes out through a face in the step [volume].
+double ContentCarrier::out_of(std::size_t face) const {
+  double out = 0;
+  for (std::size_t a = 0; a < at(old_.dim); ++a) out += h_ * old_.area[face][a] * v_[a][old_.cell_of(face)];
+  return out;
+}
+
 /// What goes out in a step has been on its way to the face: it is met at four times of it.
-void ContentCarrier::pass_through(const CellField& field, std::span<const Entrance> entrances,
+void ContentCarrier::pass_through(const CellField& field, std::span<const FaceValue> entrances,
                                   std::vector<double>& gained, Carried& carried) const {
   constexpr std::array times{0.125, 0.375, 0.625, 0.875};
-  for (const Entrance& entrance : entrances) {
+  for (const FaceValue& entrance : entrances) {
     const std::size_t cell = old_.cell_of(entrance.face);
-    double out = 0, met = entrance.density;
-    for (std::size_t a = 0; a < at(old_.dim); ++a) out += h_ * old_.area[entrance.face][a] * v_[a][cell];
+    const double out = out_of(entrance.face);
+    double met = entrance.value;
     for (std::size_t k = 0; k < times.size() && out > 0; ++k) {
       const MeshVelocity::Origin origin = velocity_.before(old_.middle_of_face(entrance.face), times[k] * h_);
       met = (k == 0 ? 0 : met) + field.limited_at(origin.cell, origin.x) / static_cast<double>(times.size());
@@ -111,11 +118,15 @@ void ContentCarrier::settle(const Part& part, const Means& means, std::vector<do
 }
 
 ContentCarrier::Carried ContentCarrier::carry(std::span<const double> content,
-                                              std::span<const Entrance> entrances) const {
+                                              std::span<const FaceValue> entrances) const {
   std::vector<double> density, entering(old_.faces(), NAN), gained(parts_, 0.0);
   for (std::size_t cell = 0; cell < content.size(); ++cell) density.push_back(content[cell] / old_.volume[cell]);
-  for (const Entrance& entrance : entrances) entering[entrance.face] = entrance.density;
-  const CellField field(old_, density);
+  std::vector<FaceValue> comes_in;
+  for (const FaceValue& entrance : entrances) {
+    if (out_of(entrance.face) >= 0) continue;
+    comes_in.push_back(entrance), entering[entrance.face] = entrance.value;
+  }
+  const CellField field(old_, density, comes_in);
   const Means means = means_of(field, entering);
   Carried carried;
   pass_through(field, entrances, gained, carried);

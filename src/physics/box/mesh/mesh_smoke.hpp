@@ -8,12 +8,6 @@
 
 namespace tether::coupled {
 
-/// A face of the boundary that fluid goes through, and what comes in there of what is carried, by volume.
-struct Entrance {
-  std::size_t face;
-  double density;
-};
-
 /// Carries what is dissolved in a fluid from the cells of one mesh to those of the next, as the fluid moves in a time
 /// h. Each new cell has the mean of what comes to places within it, within the extrema about where that was. What parts
 /// of the fluid hold in sum, which that changes a little, is then what they held, with what came in less what went out:
@@ -29,8 +23,9 @@ class ContentCarrier {
     std::vector<double> content;  ///< of each new cell
     double in = 0, out = 0;       ///< through entrances
   };
-  /// Of contents of the old cells.
-  Carried carry(std::span<const double> content, std::span<const Entrance> entrances) const;
+  /// Carries contents of the old cells. `entrances` are faces of the boundary that fluid goes through, with what comes in
+  /// there by volume.
+  Carried carry(std::span<const double> content, std::span<const FaceValue> entrances) const;
 
  private:
   /// Where what comes to a place in a new cell was.
@@ -50,10 +45,11 @@ class ContentCarrier {
   };
 
   void join_parts();
+  double out_of(std::size_t face) const;
   Means means_of(const CellField& field, std::span<const double> entering) const;
   std::vector<Part> parts_of(std::span<const double> content, std::span<const double> gained) const;
   void give_away_lost(std::vector<Part>& parts) const;
-  void pass_through(const CellField& field, std::span<const Entrance> entrances, std::vector<double>& gained,
+  void pass_through(const CellField& field, std::span<const FaceValue> entrances, std::vector<double>& gained,
                     Carried& carried) const;
   void settle(const Part& part, const Means& means, std::vector<double>& content) const;
 

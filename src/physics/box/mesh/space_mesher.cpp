@@ -81,9 +81,8 @@ void run(std::string switches, tetgenio& in, tetgenio& out, const Outline& outli
 /// Facets that cross or touch would end the process in the next run. Those of the box's sides touch nothing else.
 void check_crossings(const Outline& outline) {
   std::vector<Outline::Facet> facets;
-  std::ranges::copy_if(outline.facets, std::back_inserter(facets), [](const Outline::Facet& facet) {
-    return facet.boundary.kind != BoundaryKind::box_side;
-  });
+  std::ranges::copy_if(outline.facets, std::back_inserter(facets),
+                       [](const Outline::Facet& facet) { return facet.boundary.kind != BoundaryKind::box_side; });
   if (facets.empty()) return;
   tetgenio in, out;
   fill(outline, facets, {}, in);
@@ -94,11 +93,26 @@ void check_crossings(const Outline& outline) {
   refuse(x, "the surfaces of bodies or obstacles cross or touch there");
 }
 
-void set_boundaries(const Outline& outline, FlowMesh& mesh) {
+/// The mesh's nodes and tetrahedra. Returns the number of each of TetGen's points; -1: no tetrahedron has it.
+std::vector<int> take(const tetgenio& out, FlowMesh& mesh) {
+  std::vector<int> number(at(out.numberofpoints), -1);
+  for (std::size_t k = 0; k < 4 * at(out.numberoftetrahedra); ++k) {
+    const auto point = at(out.tetrahedronlist[k]);
+    if (number[point] < 0) {
+      number[point] = static_cast<int>(mesh.x.size());
+      mesh.x.push_back({out.pointlist[3 * point], out.pointlist[3 * point + 1], out.pointlist[3 * point + 2]});
+    }
+    mesh.nodes.push_back(number[point]);
+  }
+  return number;
+}
+
+/// Facets whose corners are among those numbers.
+void set_boundaries(const Outline& outline, std::span<const int> number, FlowMesh& mesh) {
   std::map<Corners, const Outline::Facet*> facets;
   for (const Outline::Facet& facet : outline.facets) {
     const auto& of = facet.corners;
-    facets[sorted({static_cast<int>(of[0]), static_cast<int>(of[1]), static_cast<int>(of[2])})] = &facet;
+    facets[sorted({number[of[0]], number[of[1]], number[of[2]]})] = &facet;
   }
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     if (!mesh.is_at_boundary(f)) continue;
@@ -115,14 +129,12 @@ FlowMesh space_mesh(const Outline& outline, const MeshSizes& sizes) {
   check_crossings(outline);
   tetgenio in, out;
   fill(outline, outline.facets, lattice_points(outline, sizes), in);
-  run("pYq2.0/10Q", in, out, outline);
+  run("pYJq2.0/10Q", in, out, outline);
   FlowMesh mesh;
   mesh.dim = 3;
-  for (std::size_t n = 0; n < at(out.numberofpoints); ++n)
-    mesh.x.push_back({out.pointlist[3 * n], out.pointlist[3 * n + 1], out.pointlist[3 * n + 2]});
-  mesh.nodes.assign(out.tetrahedronlist, out.tetrahedronlist + 4 * at(out.numberoftetrahedra));
+  const std::vector<int> number = take(out, mesh);
   mesh.find_faces();
-  set_boundaries(outline, mesh);
+  set_boundaries(outline, number, mesh);
   return mesh;
 }
 

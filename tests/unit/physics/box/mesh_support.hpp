@@ -64,7 +64,8 @@ struct Flowing {
     double sum = 0;
     for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
       const auto v = exact(mesh().middle(cell));
-      for (std::size_t a = 0; a < at(mesh().dim); ++a) sum += mesh().volume[cell] * std::pow(state.v[a][cell] - v[a], 2);
+      for (std::size_t a = 0; a < at(mesh().dim); ++a)
+        sum += mesh().volume[cell] * std::pow(state.v[a][cell] - v[a], 2);
     }
     return std::sqrt(sum);
   }
@@ -74,7 +75,8 @@ struct Flowing {
       for (std::size_t a = 0; a < at(mesh().dim); ++a) state.v[a][cell] = 0;
       for (const int f : mesh().faces_of(cell)) {
         const auto v = velocity(mesh().middle_of_face(static_cast<std::size_t>(f)));
-        for (std::size_t a = 0; a < at(mesh().dim); ++a) state.v[a][cell] += v[a] / static_cast<double>(mesh().corners());
+        for (std::size_t a = 0; a < at(mesh().dim); ++a)
+          state.v[a][cell] += v[a] / static_cast<double>(mesh().corners());
       }
     }
   }

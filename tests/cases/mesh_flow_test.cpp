@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/run_deck.hpp"
+
+// Runs of a fluid on triangles and tetrahedra beside those on a grid.
+
+namespace tether::cases {
+namespace {
+
+/// Smoke is neither made nor lost, also where a body goes through it, and no cell has more than comes in; what jets
+/// bring is the deck's.
+TEST(MeshFlowRuns, KeepSmoke) {
+  const DeckRun run = run_deck("coupled-bar", {"coupled.flow='mesh'", "in.tmax=.5"});
+  EXPECT_NEAR(run.last("smoke_in"), 0.125, 1e-12);
+  EXPECT_NEAR(run.last("smoke_in"), run.last("smoke_mass") + run.last("smoke_out"), 1e-13);
+  EXPECT_LT(run.last("smoke_largest"), 1 + 1e-9);
+  EXPECT_LT(run.summary.at("interface_mismatch"), 1e-10);
+}
+
+/// A block on a spring in a channel swings at 1 Hz.
+TEST(MeshFlowRuns, APistonSwings) {
+  const DeckRun run = run_deck("coupled-piston", {"coupled.flow='mesh'", "coupled.size=.0625", "in.tmax=3."});
+  const auto t = run.history.column("time"), x = run.history.column("body_x_1");
+  std::vector<double> passed;
+  const double middle = 0.5 * (*std::ranges::max_element(x) + *std::ranges::min_element(x));
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    if (x[k] < middle && x[k + 1] >= middle)
+      passed.push_back(t[k] + (middle - x[k]) / (x[k + 1] - x[k]) * (t[k + 1] - t[k]));
+  }
+  ASSERT_GE(passed.size(), 3U);
+  EXPECT_NEAR((passed.back() - passed.front()) / static_cast<double>(passed.size() - 1), 1, 0.01);
+  EXPECT_LT(run.summary.at("energy_drift"), 1e-9);
+}
+
+/// A balloon full of water on the floor is as high as by a grid of 193 x 193, whose unknowns are 25 times as many.
+TEST(MeshFlowRuns, ABalloonFalls) {
+  const DeckRun run = run_deck("coupled-balloon",
+                               {"coupled.flow='mesh'", "coupled.size=.04", "in.tmax=.8", "in.tstep=.00416666666667"});
+  EXPECT_NEAR(run.last("body_y_1"), 0.5717, 0.01 * (0.9 - 0.5));
+  EXPECT_LT(run.summary.at("unknowns"), 1500);
+  EXPECT_LT(run.summary.at("interface_mismatch"), 1e-10);
+}
+
+/// Power is the same on both sides in space, too, and energy is accounted for: by linear solids and by steps that keep
+/// their energy.
+TEST(MeshFlowRuns, InSpaceEnergyIsAccountedFor) {
+  for (const char* deck : {"mesh-bar-3d", "coupled-toy-3d", "coupled-paddle-3d"}) {
+    const DeckRun run = run_deck(deck, {"coupled.flow='mesh'", "coupled.size=.2", "in.tmax=.2"});
+    EXPECT_LT(run.summary.at("interface_mismatch"), 1e-10) << deck;
+    EXPECT_LT(run.summary.at("energy_drift"), 1e-9) << deck;
+  }
+}
+
+}  // namespace
+}  // namespace tether::cases
