@@ -85,6 +85,7 @@ bool keeps_energy(const Coupled& coupled, const Solids& solids, double tstep) {
 
 Systems systems_of(const Coupled& coupled) {
   if (coupled.systems != Systems::automatic) return coupled.systems;
+  if (coupled.mesh) return coupled.grid.dim == 3 ? Systems::krylov : Systems::direct;
   const bool large = static_cast<double>(coupled.grid.cell_count()) > most_cells_of_factors;
   return coupled.grid.dim == 3 && large ? Systems::krylov : Systems::direct;
 }

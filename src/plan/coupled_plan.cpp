@@ -10,6 +10,7 @@
 #include "model/coupled.hpp"
 #include "model/size.hpp"
 #include "model/solids.hpp"
+#include "plan/flow_mesh_term.hpp"
 #include "plan/solid_plan.hpp"
 
 namespace tether {
@@ -18,9 +19,9 @@ namespace {
 /// Names the mode. Whether splitting would hold is reported apart, where the solver's matrices can be asked.
 std::string mode_text(const Scene& scene) {
   if (!scene.solids()) return "there is no body: one projection a step";
-  if (scene.coupled()->mesh)
-    return "simultaneous, on triangles whose faces are the bodies' sides; power balances to rounding";
   const Coupling& coupling = scene.coupled()->coupling;
+  if (scene.coupled()->mesh && coupling.simultaneous)
+    return "simultaneous, on a mesh whose faces are the bodies' sides; power balances to rounding";
   return fmt::format("{}: {}", word_of(coupling.mode), coupling.meaning);
 }
 
@@ -101,7 +102,7 @@ std::vector<Term> fluid_terms(const Scene& scene) {
   return {
       {"advection", true,
        c.liquid                               ? "by particles, which carry velocities and their slopes"
-       : c.mesh                               ? "from the mesh before, by cells' values and gradients: of order 1"
+       : c.mesh                               ? "from the mesh before: of order 1"
        : c.advection == Advection::maccormack ? "MacCormack's, limited: of order 2"
                                               : "semi-Lagrangian: of order 1"},
       term("liquid surface", c.liquid.has_value(), liquid_text(c), "the fluid fills the box"),
@@ -162,6 +163,7 @@ std::vector<Term> body_terms(const Scene& scene) {
   const double tstep = scene.clock.tstep;
   std::vector<Term> terms{
       {"step of the solids", true, step_text(c, s, tstep)},
+      flow_mesh_term(scene),
       term("closed regions", c.volume_term, "found each step, their volumes held", "volume_term = .false."),
       term("repair of areas", !c.coupling.simultaneous && c.area_repair,
            "balances the walls' velocities of closed regions", "the mode needs none, or area_repair = .false."),
@@ -195,17 +197,17 @@ std::vector<Term> coupled_terms(const Scene& scene) {
 }
 
 /// Measured on trials: a factorisation 0.2 microseconds for each of n log n in the plane, conjugate gradients 5 for
-/// each cell in space, all else 1, and 10 for each triangle of a mesh, which is made anew.
+/// each cell in space, all else 1, and 15 for each cell of a mesh, which is made anew.
 Cost coupled_cost(const Scene& scene, const StepRule& rule) {
   constexpr double bytes_per_nonzero = 12, seconds_per_nonzero = 2e-8, seconds_by_krylov = 5e-6,
-                   seconds_per_cell = 1e-6, seconds_per_triangle = 1e-5, bytes_per_particle = 200,
+                   seconds_per_cell = 1e-6, seconds_per_triangle = 1.5e-5, bytes_per_particle = 200,
                    seconds_per_particle = 4e-7;
   const Coupled& coupled = *scene.coupled();
   const double box = static_cast<double>(coupled.grid.cell_count()) * coupled.grid.volume();
-  const double cells = coupled.mesh ? box / (std::sqrt(0.1875) * coupled.mesh->size * coupled.mesh->size)
+  const double cells = coupled.mesh ? mesh_cells_of(box, coupled.mesh->size, coupled.grid.dim)
                                     : static_cast<double>(coupled.grid.cell_count());
-  const double unknowns =
-      (coupled.mesh ? 1.5 : 1) * cells + static_cast<double>(scene.solids() ? scene.solids()->mesh.x.size() : 0);
+  const double unknowns = (coupled.mesh ? (coupled.grid.dim == 2 ? 1.5 : 2) : 1) * cells +
+                          static_cast<double>(scene.solids() ? scene.solids()->mesh.x.size() : 0);
   const bool direct = systems_of(coupled) == Systems::direct;
   const double nonzeros = !direct                 ? 0
                           : coupled.grid.dim == 2 ? 10 * unknowns * std::log2(unknowns + 2)
@@ -233,9 +235,8 @@ std::string coupled_head(const Scene& scene) {
                               grid.d[0], grid.d[1], grid.d[2])
                 : fmt::format("grid: {} x {} cells of {:.6g} x {:.6g}\n", grid.n[0], grid.n[1], grid.d[0], grid.d[1]);
   if (const auto& sizes = scene.coupled()->mesh)
-    text +=
-        fmt::format("mesh of the fluid: triangles of {:.4g}, made anew as bodies move; the grid is that of pictures\n",
-                    sizes->size);
+    text += fmt::format("mesh of the fluid: {} of {:.4g}, made anew as bodies move; the grid is that of mesh.nc\n",
+                        space ? "tetrahedra" : "triangles", sizes->size);
   text += fmt::format("fluid: density {:.4g}\n", scene.coupled()->density);
   if (!scene.solids()) return text;
   const Mesh& mesh = scene.solids()->mesh;

@@ -43,10 +43,10 @@ class FlowMeshChecks {
     if (coupled_.mesh->near > coupled_.mesh->size)
       error("coupled.size_near", fmt::format("size_near is larger than size, {:.6g}", coupled_.mesh->size),
             "write a length of at most that");
-    if (coupled_.coupling.mode != CouplingMode::cut_cell)
+    if (coupled_.coupling.mode != CouplingMode::cut_cell && coupled_.coupling.simultaneous)
       error("coupled.mode",
             fmt::format("mode='{}' is of the grid: faces of a mesh fit the bodies", word_of(coupled_.coupling.mode)),
-            "leave mode away, or flow");
+            "leave mode away, write mode='splitting', or leave flow away");
     if (deck_.given("coupled.advection") && !is_default(deck_, "coupled.advection", {1, 1}))
       error("coupled.advection", "a mesh carries the velocity over from the one before, in its own way",
             "leave advection away, or flow");

@@ -29,8 +29,8 @@ struct Outline {
 /// as far as it lies in the box, all of it in parts no longer than the sizes of the mesh there. A film of so much is
 /// left between bodies, and between them and what else they touch [gap: length].
 Outline outline_in_plane(const Coupled& scene, const FlowSurface& surface, std::span<const double> q, double gap);
-/// Returns the same in space. There sides of bodies stay as they are, and obstacles that are no boxes must not touch anything.
-/// Throws RunError where a body reaches through a side of the box.
+/// Returns the same in space. There sides of bodies stay as they are, and obstacles that are no boxes must not touch
+/// anything. Throws RunError where a body reaches through a side of the box.
 Outline outline_in_space(const Coupled& scene, const FlowSurface& surface, std::span<const double> q, double gap);
 
 }  // namespace tether::coupled

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/flow_mesh_term.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/numbers.hpp"
+#include "grid/solid_surface.hpp"
+#include "model/coupled.hpp"
+
+namespace tether {
+namespace {
+
+/// How thick the thinnest body is: as a sheet of its volume and surface [length].
+double least_thickness(const SolidSurface& surface, const std::vector<double>& x) {
+  std::vector<double> area(at(surface.parts), 0.0), volume(at(surface.parts), 0.0);
+  const std::vector<double> of_sheet = enclosed_volumes(surface, x);
+  std::vector<int> part_of_sheet(at(surface.sheets), 0);
+  for (std::size_t s = 0; s < surface.side_count(); ++s) {
+    const Vec<3> side = area_of_side(surface, s, x);
+    area[at(surface.part[s])] += std::sqrt(dot(side, side));
+    part_of_sheet[at(surface.sheet[s])] = surface.part[s];
+  }
+  for (std::size_t k = 0; k < of_sheet.size(); ++k) volume[at(part_of_sheet[k])] += of_sheet[k];
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < area.size(); ++p) least = std::min(least, 2 * volume[p] / area[p]);
+  return least;
+}
+
+/// Of the cavities [volume].
+double cavity_volume(const std::vector<double>& of_sheet) {
+  double volume = 0;
+  for (const double of : of_sheet) volume -= std::min(of, 0.0);
+  return volume;
+}
+
+}  // namespace
+
+double mesh_cells_of(double volume, double size, int dim) {
+  return dim == 2 ? volume / (std::sqrt(0.1875) * size * size) : 11 * volume / (size * size * size);
+}
+
+Term flow_mesh_term(const Scene& scene) {
+  const Coupled& c = *scene.coupled();
+  const Mesh& bodies = scene.solids()->mesh;
+  const SolidSurface surface = surface_of(bodies);
+  const std::vector<double>& x = bodies.x;
+  const int dim = c.grid.dim;
+  const double cell = *std::min_element(c.grid.d.begin(), c.grid.d.begin() + dim);
+  const char* shape = dim == 2 ? "triangles" : "tetrahedra";
+  const auto off = [](std::string why) { return Term{"mesh of the fluid", false, std::move(why)}; };
+  if (c.mesh)
+    return {"mesh of the fluid", true,
+            fmt::format("{} of {:.4g}, of {:.4g} at most at bodies, whose sides are faces", shape, c.mesh->size,
+                        c.mesh->near)};
+  if (c.liquid || c.viscosity > 0 || !c.voids.empty()) return off("liquids, viscosity and voids need the grid");
+  if (c.cavities_only)
+    return off(fmt::format("flow='mesh' would have {} in the cavities alone, about {:.0f} in place of {} cells", shape,
+                           mesh_cells_of(cavity_volume(enclosed_volumes(surface, x)), cell, dim), c.grid.cell_count()));
+  const double across = least_thickness(surface, x) / cell;
+  if (across < 2) return off(fmt::format("a body is {:.2g} cells thick: flow='mesh' would fit it", across));
+  return off(fmt::format("bodies are at least {:.2g} cells thick: a step on the grid costs less", across));
+}
+
+}  // namespace tether
