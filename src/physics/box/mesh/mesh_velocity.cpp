@@ -146,6 +146,11 @@ std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
 
 MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), finder_(mesh) {
   if (mesh.dim == 2) at_node_ = flow_at_nodes(mesh, v);
+  at_boundary_.assign(mesh.x.size(), 0);
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    if (!mesh.is_at_boundary(f)) continue;
+    for (const int n : mesh.face_nodes(f)) at_boundary_[at(n)] = 1;
+  }
   for (std::size_t a = 0; a < at(mesh.dim); ++a) along_.emplace_back(mesh, std::span(v[a]).first(mesh.cells()));
 }
 
@@ -172,7 +177,7 @@ std::vector<Vec<3>> places_in(const FlowMesh& mesh, std::size_t cell, int parts)
 }
 
 bool MeshVelocity::is_at_boundary(std::size_t cell) const {
-  return std::ranges::any_of(mesh_.faces_of(cell), [&](int f) { return mesh_.is_at_boundary(at(f)); });
+  return std::ranges::any_of(mesh_.nodes_of(cell), [&](int n) { return at_boundary_[at(n)] != 0; });
 }
 
 Vec<3> MeshVelocity::velocity(std::size_t cell, const Vec<3>& x) const {
@@ -188,6 +193,11 @@ Vec<3> MeshVelocity::by_nodes(std::size_t cell, const Vec<3>& x) const {
     const Vec<3> way = minus(x, mesh_.x[at(nodes[k])]);
     for (std::size_t a = 0; a < 2; ++a)
       v[a] += shares[k] * (flow.v[a] + 0.5 * (flow.slope[a][0] * way[0] + flow.slope[a][1] * way[1]));
+  }
+  for (std::size_t a = 0; a < 2; ++a) {
+    const auto [low, high] = along_[a].extrema(cell);
+    const double beyond = high - low;  // what a quadratic flow may have between its extrema at a cell's corners
+    v[a] = std::clamp(v[a], low - beyond, high + beyond);
   }
   return v;
 }

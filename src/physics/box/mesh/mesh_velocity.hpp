@@ -36,8 +36,8 @@ class CellFinder {
 
 /// The velocity of a fluid on a mesh at any place. In the plane it is the mean of the flows at a cell's nodes by the
 /// place's shares, each followed half the way: the same from both sides of a face, and exact where it is a quadratic
-/// one. In cells at a boundary, and in space, it is that of the cell, with the gradient that the means about its nodes
-/// have: at a boundary within the extrema of both, for the cell may be one of a film.
+/// one. In cells that have nodes at a boundary, and in space, it is that of the cell, with the gradient that the means
+/// about its nodes have: at a boundary within the extrema of both, for the cell may be one of a film.
 class MeshVelocity {
  public:
   /// `v` has, along each axis, a number for each cell, and is free of divergence. Both must outlive it.
@@ -62,7 +62,8 @@ class MeshVelocity {
 
   const FlowMesh& mesh_;
   CellFinder finder_;
-  std::vector<FlowAtNode> at_node_;  // in the plane
+  std::vector<FlowAtNode> at_node_;        // in the plane
+  std::vector<std::uint8_t> at_boundary_;  // of each node
   std::vector<CellField> along_;     // each axis [velocity]
 };
 
