@@ -32,6 +32,7 @@ class FlowMeshChecks {
     if (coupled_.grid.dim == 3 && !makes_tetrahedra)
       error("coupled.flow", "this build makes no tetrahedra: it was made without TetGen",
             "install libtet1.5-dev and build anew, or leave flow away");
+    if (coupled_.grid.dim == 3) check_obstacles();
     if (coupled_.liquid)
       error("coupled.flow", "the surface of a liquid is found on the grid: its particles and hats need square cells",
             "leave flow away");
@@ -55,6 +56,24 @@ class FlowMeshChecks {
   }
 
  private:
+  /// In space those that are no boxes must lie within the box.
+  void check_obstacles() {
+    for (const Obstacle& obstacle : coupled_.shaped) {
+      const auto* round = std::get_if<Ellipsoid>(&obstacle.figure);
+      bool within = round != nullptr;
+      for (std::size_t a = 0; within && a < 3; ++a)
+        within = round->half[a] > 0 && round->middle[a] - 1.05 * round->half[a] > coupled_.grid.low[a] &&
+                 round->middle[a] + 1.05 * round->half[a] < coupled_.grid.high(static_cast<int>(a));
+      if (!within)
+        error(
+            "coupled.flow",
+            fmt::format("obstacle {} reaches to a side of the box or beyond: in space a mesh has obstacles that are no "
+                        "boxes within it, not near to its sides",
+                        obstacle.number),
+            "write a smaller obstacle_ellipse or obstacle(1:6,k), or leave flow away");
+    }
+  }
+
   void error(const AnyVariable& name, const std::string& message, const std::string& hint) {
     diagnostics_.add(deck_.remark(Severity::error, name, {1, 1}, message, hint));
   }

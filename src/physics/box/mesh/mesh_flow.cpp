@@ -8,6 +8,7 @@
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/mesh/plane_mesher.hpp"
+#include "physics/box/mesh/seals.hpp"
 #include "physics/box/mesh/space_mesher.hpp"
 
 namespace tether::coupled {
@@ -47,16 +48,18 @@ bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
   });
 }
 
-/// Where there is none about the solids as they are, their surface is moved back farther where it nearly touches.
+/// What bodies that touch walls part stays parted. Where there is no mesh about the solids as they are, their surface
+/// is moved back farther where it nearly touches.
 std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) const {
   constexpr int tries = 3;
-  constexpr double farther = 4;
+  constexpr double farther = 4, film = 2.5;  // gaps, of moved sides
   double gap = least_gap * scene_.mesh->near;
   for (int attempt = 1;; ++attempt, gap *= farther) {
     try {
-      return std::make_shared<FlowMesh>(
-          scene_.grid.dim == 2 ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), *scene_.mesh)
-                               : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), *scene_.mesh));
+      FlowMesh mesh = scene_.grid.dim == 2
+                          ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), *scene_.mesh)
+                          : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), *scene_.mesh);
+      return std::make_shared<FlowMesh>(without_seals(std::move(mesh), film * gap));
     } catch (const RunError&) {
       if (attempt == tries) throw;
     }

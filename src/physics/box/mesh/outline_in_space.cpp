@@ -151,13 +151,13 @@ Vec<3> place_within(const SolidSurface& surface, std::size_t side, std::span<con
   return x;
 }
 
-void check_within(const Coupled& scene, const Vec<3>& x) {
+void check_within(const Coupled& scene, const Vec<3>& x, bool body) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (x[a] > scene.grid.low[a] && x[a] < scene.grid.high(static_cast<int>(a))) continue;
-    throw RunError(
-        fmt::format("a body reaches through a side of the box at ({:.6g}, {:.6g}, {:.6g}): in space a mesh of "
-                    "the fluid has bodies within the box; flow='grid' lets them out",
-                    x[0], x[1], x[2]));
+    throw RunError(fmt::format(
+        "{} reaches through a side of the box at ({:.6g}, {:.6g}, {:.6g}): in space a mesh of the fluid has "
+        "it within the box; flow='grid' does not ask that",
+        body ? "a body" : "an obstacle", x[0], x[1], x[2]));
   }
 }
 
@@ -183,7 +183,7 @@ Outline outline_in_space(const Coupled& scene, const FlowSurface& surface, std::
       int& place = known[at(nodes[k])];
       if (place < 0) {
         const Vec<3> x = place_of(places, nodes[k], 3);
-        if (!scene.cavities_only) check_within(scene, x);
+        if (!scene.cavities_only) check_within(scene, x, surface.is_body(s));
         place = static_cast<int>(outline.places.size()), outline.places.push_back(x);
       }
       facet.corners[k] = at(place);

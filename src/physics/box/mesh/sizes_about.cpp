@@ -54,7 +54,9 @@ void SizesAbout::add(const Outline& outline, const Outline::Facet& facet) {
     length = std::sqrt(2 / std::sqrt(3.0) * std::sqrt(dot(twice, twice)));  // of as large an equilateral triangle
   }
   if (length == 0) return;
-  const double size = std::min(length, sizes_.size);
+  constexpr double shortest =
+      1.0 / 32;  // of the size at bodies: what is shorter, as the edge of a thin body, has no cells as small
+  const double size = std::clamp(length, shortest * sizes_.near, sizes_.size);
   least = std::min(least, size);
   const int parts = std::max(1, static_cast<int>(std::ceil((outline.dim == 3 ? 3 : 4) * length / size)));
   const int last = outline.dim == 3 ? parts : 1;

@@ -268,5 +268,23 @@ TEST(MeshFlow, BodiesThatTouchOrCrossHaveAMeshAboutThem) {
   EXPECT_GT(films, 60);
 }
 
+/// A body that reaches from wall to wall parts the fluid; one that lies on a wall has a film beneath.
+TEST(MeshFlow, BodiesFromWallToWallAreTight) {
+  for (const double high : {1.0, 0.6}) {
+    const Mesh body = support::lattice(2, {2, 6, 1}, support::all, [&](const Vec<3>& s) {
+      return Vec<3>{0.4 + 0.2 * s[0], high * s[1], 0};
+    });
+    Flowing flowing(box_of(0.07), body);
+    EXPECT_EQ(flowing.flow.regions().count, high == 1 ? 2 : 1);
+    flowing.set([](const Vec<3>&) { return Vec<3>{1, 0, 0}; });
+    flowing.project();
+    if (high == 1) {
+      EXPECT_LT(flowing.error([](const Vec<3>&) { return Vec<3>{}; }), 1e-10);
+    }
+    for (std::size_t f = 0; f < flowing.mesh().faces(); ++f)
+      EXPECT_EQ(flowing.mesh().is_at_boundary(f), flowing.mesh().boundary[f].kind != BoundaryKind::none);
+  }
+}
+
 }  // namespace
 }  // namespace tether::coupled
