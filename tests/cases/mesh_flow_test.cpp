@@ -23,6 +23,17 @@ TEST(MeshFlowRuns, KeepSmoke) {
   EXPECT_LT(run.summary.at("interface_mismatch"), 1e-10);
 }
 
+/// Boxes of smoke have what the deck says, also where their edges go through cells.
+TEST(MeshFlowRuns, BeginWithTheDecksSmoke) {
+  const DeckRun run =
+      run_text("smoke",
+               "smoke\n$in nx=17,ny=17,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax=.02,tstep=.01,iout(33)=1,"
+               "tiout(33)=.01 $\n$coupled density=1.,flow='mesh',size=.09,smoke_box(1,1)=.31,.53,.22,.41,"
+               "box_smoke(1)=2. $\n");
+  EXPECT_NEAR(run.first("smoke_mass"), 2 * 0.22 * 0.19, 1e-13);
+  EXPECT_NEAR(run.last("smoke_mass"), 2 * 0.22 * 0.19, 1e-13);
+}
+
 /// A block on a spring in a channel swings at 1 Hz, and loses little.
 TEST(MeshFlowRuns, APistonSwings) {
   const DeckRun run = run_deck("coupled-piston", {"coupled.flow='mesh'", "coupled.size=.0625", "in.tmax=3."});

@@ -42,7 +42,7 @@ class FlowFriction {
 /// A fluid about solids: all that a step of both sees of it. With D the flux out of what each pressure stands for and M
 /// the volume that a velocity moves, a flow makes L, net fluxes and what pressures do to velocities, and the map B
 /// between pressures and the solids' nodes. What its velocities are it alone knows: by axis, with those that no
-/// pressure moves among them. Kinds are the regular grid, a liquid on it, and triangles.
+/// pressure moves among them. Kinds are the regular grid, a liquid on it, and a mesh.
 ///
 /// A step is begin(), add_forces(), the solution, and end(). Solids stay as place() had them till a step's end.
 class Flow {

@@ -171,6 +171,7 @@ void check_coupled_regions(const Deck& deck, const Scene& scene, const Coupled& 
     return;
   }
   if (coupled.liquid && coupled.liquid->air == Air::empty) return;  // which a liquid takes the place of
+  if (coupled.mesh && (!coupled.obstacles.empty() || !coupled.shaped.empty())) return;  // which leave gaps below a cell
   for (int region = 0; region < regions.count(); ++region) {
     if (regions.closed(region)) check_region(deck, scene.clock, coupled, regions, region, diagnostics);
   }

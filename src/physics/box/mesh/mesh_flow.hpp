@@ -18,10 +18,10 @@ namespace tether::coupled {
 /// Interpolates pressures of faces within a cell.
 double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t cell, const Vec<3>& x);
 
-/// A fluid on triangles that fit the solids, made anew as these move: one velocity a cell, and pressures in the middles
-/// of the faces, by which the flux through each face is the same on both sides (hybrid mixed elements of the lowest
-/// order, P. A. Raviart, J. M. Thomas 1977; D. N. Arnold, F. Brezzi 1985). A face of the fluid at a solid is a face of
-/// that, or a part of it: so B has its area over its nodes, and is exact.
+/// A fluid on triangles or tetrahedra that fit the solids, made anew as these move: one velocity a cell, and pressures
+/// in the middles of the faces, by which the flux through each face is the same on both sides (hybrid mixed elements of
+/// the lowest order, P. A. Raviart, J. M. Thomas 1977; D. N. Arnold, F. Brezzi 1985). A face of the fluid at a solid is
+/// a face of that, or a part of it: so B has its area over its nodes, and is exact.
 ///
 /// A state's velocity is that on the mesh of the step that found it; the next step carries it over to its own.
 class MeshFlow final : public Flow {
@@ -29,7 +29,7 @@ class MeshFlow final : public Flow {
   /// All must outlive it.
   MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers);
 
-  /// The triangles about the solids as they were placed last.
+  /// The cells about the solids as they were placed last.
   const FlowMesh& mesh() const { return *at_.mesh; }
   Equations equations_at(std::span<const double> q, double by) const override;
   void start(CoupledState& state) override;

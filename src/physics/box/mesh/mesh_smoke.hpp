@@ -23,8 +23,8 @@ class ContentCarrier {
     std::vector<double> content;  ///< of each new cell
     double in = 0, out = 0;       ///< through entrances
   };
-  /// Carries contents of the old cells. `entrances` are faces of the boundary that fluid goes through, with what comes in
-  /// there by volume.
+  /// Carries contents of the old cells. `entrances` are faces of the boundary that fluid goes through, with what comes
+  /// in there by volume.
   Carried carry(std::span<const double> content, std::span<const FaceValue> entrances) const;
 
  private:

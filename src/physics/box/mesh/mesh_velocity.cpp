@@ -154,28 +154,6 @@ MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(me
   for (std::size_t a = 0; a < at(mesh.dim); ++a) along_.emplace_back(mesh, std::span(v[a]).first(mesh.cells()));
 }
 
-std::vector<Vec<3>> places_in(const FlowMesh& mesh, std::size_t cell, int parts) {
-  std::vector<Vec<3>> places;
-  const auto nodes = mesh.nodes_of(cell);
-  const int last = mesh.dim == 2 ? 1 : parts;
-  for (int i = 0; i < parts; ++i) {
-    for (int j = 0; i + j < parts; ++j) {
-      for (int k = 0; k < last && i + j + k < parts; ++k) {
-        const double more = 1.0 / (mesh.dim + 1);
-        std::array<double, 4> share{(i + more) / parts, (j + more) / parts, mesh.dim == 2 ? 0 : (k + more) / parts, 0};
-        share[mesh.corners() - 1] = 0;
-        share[mesh.corners() - 1] = 1 - share[0] - share[1] - share[2];
-        Vec<3> x{};
-        for (std::size_t n = 0; n < nodes.size(); ++n) {
-          for (std::size_t a = 0; a < 3; ++a) x[a] += share[n] * mesh.x[at(nodes[n])][a];
-        }
-        places.push_back(x);
-      }
-    }
-  }
-  return places;
-}
-
 bool MeshVelocity::is_at_boundary(std::size_t cell) const {
   return std::ranges::any_of(mesh_.nodes_of(cell), [&](int n) { return at_boundary_[at(n)] != 0; });
 }

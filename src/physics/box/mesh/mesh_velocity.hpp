@@ -64,7 +64,7 @@ class MeshVelocity {
   CellFinder finder_;
   std::vector<FlowAtNode> at_node_;        // in the plane
   std::vector<std::uint8_t> at_boundary_;  // of each node
-  std::vector<CellField> along_;     // each axis [velocity]
+  std::vector<CellField> along_;           // each axis [velocity]
 };
 
 /// Calls f(cell, x) for three places within each triangle, or four within each tetrahedron, whose mean is that of the
@@ -84,9 +84,6 @@ void each_place_within(const FlowMesh& mesh, const Function& f) {
     }
   }
 }
-
-/// Places spread over a cell, so many along each edge, whose mean is the cell's middle.
-std::vector<Vec<3>> places_in(const FlowMesh& mesh, std::size_t cell, int parts);
 
 /// Gives each cell of a mesh the mean of what comes there in a time h. `met(origin, v)` returns the velocity of what
 /// comes from there, where the fluid has v.
