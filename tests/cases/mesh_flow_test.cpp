@@ -8,7 +8,7 @@
 
 #include "cases/run_deck.hpp"
 
-// Runs of a fluid on triangles and tetrahedra beside those on a grid.
+// Runs of a fluid on triangles and tetrahedra, against those on a grid.
 
 namespace tether::cases {
 namespace {

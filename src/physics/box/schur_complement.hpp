@@ -52,7 +52,7 @@ class RegionConstants {
 
 /// The pressures by conjugate gradients, or by GMRES where A is not symmetric, with the solids taken out by factors of
 /// A: (L + B A^-1 B^T) p = -r - B A^-1 b. The preconditioner takes L with the solids as if their nodes moved each on
-/// its own. The constant pressures c of closed regions that solids feel are unknowns beside the others, p = x + W c
+/// its own. The constant pressures c of closed regions that solids feel are further unknowns, p = x + W c
 /// with W the regions' cells: L does not feel them, and of those that stiff solids need, rounding of L p would leave
 /// nothing else. The equations of c are sums of those of x; x without means in these regions is the solution that is
 /// found. They are preconditioned by W^T B A^-1 B^T W.

@@ -50,13 +50,12 @@ class CellsAbout {
 /// Fits the stream functions of nodes.
 class NodeFits {
  public:
-  NodeFits(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), about_(mesh), at_boundary_(mesh.x.size(), 0) {
+  NodeFits(const FlowMesh& mesh, const FaceValues& v)
+      : mesh_(mesh), about_(mesh), at_boundary_(mesh.nodes_at_boundary()) {
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
       const std::size_t cell = mesh.cell_of(f);
       flux_.push_back(mesh.area[f][0] * v[0][cell] + mesh.area[f][1] * v[1][cell]);
       size_.push_back(mesh.size_of(f));
-      if (!mesh.is_at_boundary(f)) continue;
-      for (const int n : mesh.face_nodes(f)) at_boundary_[at(n)] = 1;
     }
   }
 

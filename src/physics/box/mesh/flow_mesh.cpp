@@ -109,26 +109,39 @@ void FlowMesh::find_faces() {
   }
   boundary.assign(cells_of_face.size(), {});
   find_shares();
-  find_regions();
+  Parts parts = parts_of(std::vector<std::uint8_t>(cells(), 0), 0);
+  region = std::move(parts.of), regions = parts.count;
 }
 
-void FlowMesh::find_regions() {
-  region.assign(cells(), -1), regions = 0;
+std::vector<std::uint8_t> FlowMesh::nodes_at_boundary() const {
+  std::vector<std::uint8_t> marked(x.size(), 0);
+  for (std::size_t f = 0; f < faces(); ++f) {
+    if (!is_at_boundary(f)) continue;
+    for (const int n : face_nodes(f)) marked[at(n)] = 1;
+  }
+  return marked;
+}
+
+FlowMesh::Parts FlowMesh::parts_of(std::span<const std::uint8_t> marks, std::uint8_t mark) const {
+  Parts parts{std::vector<int>(cells(), -1)};
   std::vector<std::size_t> next;
+  const auto reach = [&](std::size_t cell) {
+    if (marks[cell] == mark && parts.of[cell] < 0) parts.of[cell] = parts.count, next.push_back(cell);
+  };
   for (std::size_t first = 0; first < cells(); ++first) {
-    if (region[first] >= 0) continue;
-    region[first] = regions, next.push_back(first);
+    if (reach(first); next.empty()) continue;
     while (!next.empty()) {
       const std::size_t cell = next.back();
       next.pop_back();
       for (const int f : faces_of(cell)) {
         for (const int other : cells_of_face[at(f)]) {
-          if (other >= 0 && region[at(other)] < 0) region[at(other)] = regions, next.push_back(at(other));
+          if (other >= 0) reach(at(other));
         }
       }
     }
-    ++regions;
+    ++parts.count;
   }
+  return parts;
 }
 
 }  // namespace tether::coupled

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -52,6 +54,19 @@ struct FlowMesh {
   /// The cell of a face, the first one where it has two.
   std::size_t cell_of(std::size_t f) const { return static_cast<std::size_t>(cells_of_face[f][0]); }
   double size_of(std::size_t f) const { return std::sqrt(dot(area[f], area[f])); }
+  double largest_face(std::size_t cell) const {
+    double largest = 0;
+    for (const int f : faces_of(cell)) largest = std::max(largest, size_of(static_cast<std::size_t>(f)));
+    return largest;
+  }
+  /// Marks the nodes of faces at the boundary.
+  std::vector<std::uint8_t> nodes_at_boundary() const;
+  /// The cells that faces join to others of the same mark, each such part with a number from 0.
+  struct Parts {
+    std::vector<int> of;  ///< each cell's; -1: it has another mark
+    int count = 0;
+  };
+  Parts parts_of(std::span<const std::uint8_t> marks, std::uint8_t mark) const;
   /// The area of a face of a cell, out of the cell [area].
   Vec<3> out_of(std::size_t cell, std::size_t f) const;
   const Vec<3>& middle(std::size_t cell) const { return cell_middle[cell]; }
@@ -70,7 +85,6 @@ struct FlowMesh {
   void find_faces();
 
  private:
-  void find_regions();
   void find_shares();
 };
 

@@ -25,11 +25,17 @@ struct RasterSetting : ColumnSetting {
   bool with_smoke = false;
 };
 
+template <class Source>
+Column<RasterSetting, Source> smoke_row(const char* name, const char* meaning, std::vector<double> Source::*values) {
+  return Column<RasterSetting, Source>(name, Dimension::number, meaning,
+                                       [values](const Source& s, std::size_t c) { return (s.*values)[c]; })
+      .when(When<RasterSetting>("with smoke", [](const RasterSetting& s) { return s.with_smoke; }));
+}
+
 const ColumnTable<RasterSetting, RasterSource>& raster_table() {
   using S = RasterSource;
   using Row = Column<RasterSetting, S>;
   using D = Dimension;
-  const When<RasterSetting> smoke("with smoke", [](const RasterSetting& s) { return s.with_smoke; });
   static const ColumnTable<RasterSetting, S> table({{{
       Row("v", D::velocity, "velocity, zero where there is no fluid",
           [](const S& s, std::size_t axis, std::size_t c) { return s.v[c][axis]; })
@@ -40,10 +46,8 @@ const ColumnTable<RasterSetting, RasterSource>& raster_table() {
        [](const S& s, std::size_t c) { return static_cast<double>(s.kind[c]); }},
       {"region", D::whole, "part of the fluid that the cell belongs to, from 1; 0 without fluid",
        [](const S& s, std::size_t c) { return s.region[c] + 1.0; }},
-      Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.smoke[c]; }).when(smoke),
-      Row("temperature", D::number, "above that of the surroundings",
-          [](const S& s, std::size_t c) { return s.warmth[c]; })
-          .when(smoke),
+      smoke_row<S>("smoke", "density of smoke", &S::smoke),
+      smoke_row<S>("temperature", "above that of the surroundings", &S::warmth),
   }}});
   return table;
 }
@@ -63,7 +67,6 @@ const ColumnTable<RasterSetting, CornerSource>& corner_table() {
   using S = CornerSource;
   using Row = Column<RasterSetting, S>;
   using D = Dimension;
-  const When<RasterSetting> smoke("with smoke", [](const RasterSetting& s) { return s.with_smoke; });
   static const ColumnTable<RasterSetting, S> table({{{
       Row("", D::length, "place of a corner of a cell",
           [](const S& s, std::size_t axis, std::size_t c) { return s.place(c)[axis]; })
@@ -75,10 +78,8 @@ const ColumnTable<RasterSetting, CornerSource>& corner_table() {
        [](const S& s, std::size_t c) { return s.p[c]; }},
       {"region", D::whole, "part of the fluid that the cell belongs to, from 1",
        [](const S& s, std::size_t c) { return s.mesh.region[s.cell(c)] + 1.0; }},
-      Row("smoke", D::number, "density of smoke", [](const S& s, std::size_t c) { return s.smoke[c]; }).when(smoke),
-      Row("temperature", D::number, "above that of the surroundings",
-          [](const S& s, std::size_t c) { return s.warmth[c]; })
-          .when(smoke),
+      smoke_row<S>("smoke", "density of smoke", &S::smoke),
+      smoke_row<S>("temperature", "above that of the surroundings", &S::warmth),
   }}});
   return table;
 }

@@ -55,8 +55,7 @@ CoarseUnknowns MeshFlow::coarse_of(const Placed& at_q) {
     for (const int n : mesh.face_nodes(at_q.pressures.face_of[k])) entries.emplace_back(k, n, 1.0 / mesh.dim);
   }
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    double largest = 0;
-    for (const int f : mesh.faces_of(cell)) largest = std::max(largest, mesh.size_of(at(f)));
+    const double largest = mesh.largest_face(cell);
     if (mesh.dim * mesh.volume[cell] / largest >= flat * std::sqrt(largest)) continue;
     for (const int f : mesh.faces_of(cell)) {
       if (at_q.pressures.of[at(f)] >= 0) is_stiff[at(at_q.pressures.of[at(f)])] = 1;
@@ -127,9 +126,9 @@ double MeshFlow::cells_crossed(const FaceValues& v, double h) const {
   const FlowMesh& mesh = *at_.mesh;
   double most = 0;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    double square = 0, largest = 0;
+    const double largest = mesh.largest_face(cell);
+    double square = 0;
     for (std::size_t a = 0; a < at(mesh.dim); ++a) square += v[a][cell] * v[a][cell];
-    for (const int f : mesh.faces_of(cell)) largest = std::max(largest, mesh.size_of(at(f)));
     most = std::max(most, h * std::sqrt(square) / (mesh.dim == 2 ? largest : std::sqrt(2 * largest)));
   }
   return most;

@@ -146,11 +146,7 @@ std::size_t CellFinder::walk(std::size_t cell, Vec<3>& x, int& face) const {
 
 MeshVelocity::MeshVelocity(const FlowMesh& mesh, const FaceValues& v) : mesh_(mesh), finder_(mesh) {
   if (mesh.dim == 2) at_node_ = flow_at_nodes(mesh, v);
-  at_boundary_.assign(mesh.x.size(), 0);
-  for (std::size_t f = 0; f < mesh.faces(); ++f) {
-    if (!mesh.is_at_boundary(f)) continue;
-    for (const int n : mesh.face_nodes(f)) at_boundary_[at(n)] = 1;
-  }
+  at_boundary_ = mesh.nodes_at_boundary();
   for (std::size_t a = 0; a < at(mesh.dim); ++a) along_.emplace_back(mesh, std::span(v[a]).first(mesh.cells()));
 }
 

@@ -151,7 +151,7 @@ TEST(MeshFlow, AddedMassOfADiscInAShell) {
 }
 
 /// A plate that comes down on the floor at a speed of 1 drives the fluid out of the film below it: its energy is
-/// L^3 / (24 gap) where the film is thin, that of the fluid elsewhere is none beside it.
+/// L^3 / (24 gap) where the film is thin, next to which that of the fluid elsewhere is none.
 TEST(MeshFlow, AThinFilmIsSqueezedOut) {
   for (const double gap : {1e-3, 1e-4}) {
     constexpr double length = 0.4;
