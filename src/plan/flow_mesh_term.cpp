@@ -57,7 +57,7 @@ Term flow_mesh_term(const Scene& scene) {
     return {"mesh of the fluid", true,
             fmt::format("{} of {:.4g}, of {:.4g} at most at bodies, whose sides are faces", shape, c.mesh->size,
                         c.mesh->near)};
-  if (c.liquid || c.viscosity > 0 || !c.voids.empty()) return off("liquids, viscosity and voids need the grid");
+  if (c.liquid || !c.voids.empty()) return off("liquids and voids need the grid");
   if (c.cavities_only)
     return off(fmt::format("flow='mesh' would have {} in the cavities alone, about {:.0f} in place of {} cells", shape,
                            mesh_cells_of(cavity_volume(enclosed_volumes(surface, x)), cell, dim), c.grid.cell_count()));

@@ -91,7 +91,7 @@ REQUIRED = {
     "contact_pushed_by_friction", "contact_stick_backwards", "contact_unknown_step", "contact_unknown_wall",
     "contact_with_a_rigid_body", "contact_without_a_mesh", "contact_without_gap",
     "contact_without_stiffness", "contact_touching",
-    "coupled_mesh_and_liquid", "coupled_mesh_and_viscosity", "coupled_mesh_and_void",
+    "coupled_mesh_and_liquid", "coupled_mesh_and_void",
     "coupled_mesh_and_mode", "coupled_mesh_near_above_size", "coupled_mesh_size_on_a_grid",
 }
 

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-#include <algorithm>
-
-#include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/grid_flow.hpp"
 #include "physics/box/matrix.hpp"
@@ -36,15 +32,7 @@ void GridFlow::add_friction(CoupledState& state, double h, std::span<double> dra
     begin_friction(Beyond::nothing, h, state.u.size());
     rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
   }
-  if (rubbed.iterations < 0)
-    throw RunError(
-        fmt::format("t = {:.9g}: conjugate gradients do not converge for the fluid's friction: likely cause, "
-                    "values that ran away",
-                    state.time),
-        Failure::does_not_converge);
-  for (std::size_t k = 0; k < rubbed.impulse.size(); ++k) drag[k] = rubbed.impulse[k] / h;
-  state.books.viscous += rubbed.heat;
-  state.books.projected += rubbed.taken - rubbed.heat;
+  rubbed.book(h, state, drag);
 }
 
 void GridFlow::take_drive(const FaceValues& change, double h, CoupledState& state) const {

@@ -142,6 +142,7 @@ Summary CoupledSolver::more_summary() const {
   if (scene.viscosity > 0) {
     summary.push_back(line_of("friction_passes", state_.passes));
     summary.push_back(line_of("friction_unsettled", state_.unsettled_friction));
+    if (scene.mesh) summary.push_back(line_of("narrow_cells", state_.narrow_cells));
   }
   if (!step_.keeps_energy()) summary.push_back(line_of("linear_gain", state_.linear_gain));
   if (step_.keeps_energy()) {

@@ -91,6 +91,7 @@ struct CoupledState : StepClock {
   fem::OverlapCount overlap;         ///< of the solids
   std::vector<int> left;             ///< of each body, 1 once it was found to be wholly beyond a side of the box
   long long contact_unsettled = 0;   ///< steps in which the last of them would have been found again, too
+  long long narrow_cells = 0;        ///< most in any step that are all of a viscous fluid between two boundaries
   long long thin_cells = 0;          ///< most in any step at which bodies are thinner than a cell, by cut-cell
 };
 
@@ -99,7 +100,8 @@ template <class Exchange>
 void exchange(Exchange& with, CoupledState& state) {
   exchange_clock(with, state);
   with.list("fluid_u", state.v[0]), with.list("fluid_v", state.v[1]), with.list("fluid_w", state.v[2]);
-  with("driven_u", state.driven[0]), with("driven_v", state.driven[1]), with("driven_w", state.driven[2]);
+  with.list("driven_u", state.driven[0]), with.list("driven_v", state.driven[1]),
+      with.list("driven_w", state.driven[2]);
   with("ended_u", state.ended[0]), with("ended_v", state.ended[1]), with("ended_w", state.ended[2]);
   with("driven_nodes", state.driven_nodes);
   with.list("p", state.p), with.list("flow_q", state.flow_q), with("q", state.q), with("u", state.u),
@@ -130,7 +132,8 @@ void exchange(Exchange& with, CoupledState& state) {
   fem::exchange(with, state.contact), fem::exchange(with, state.overlap);
   with("left", state.left), with("passes", state.passes), with("unsettled_friction", state.unsettled_friction);
   with("unmeasured", state.unmeasured);
-  with("thin_cells", state.thin_cells), with("lu_solutions", state.lu_solutions);
+  with("narrow_cells", state.narrow_cells), with("thin_cells", state.thin_cells),
+      with("lu_solutions", state.lu_solutions);
   with.list("orders", state.orders);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 std::unique_ptr<Flow> flow_of(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface,
                               const SolidEquations& solids, CoupledSystem& system, Team& team) {
-  if (scene.mesh) return std::make_unique<MeshFlow>(scene, gravity, surface, solids.system.unknowns());
+  if (scene.mesh) return std::make_unique<MeshFlow>(scene, gravity, surface, solids.system.unknowns(), team);
   if (scene.liquid) return std::make_unique<LiquidFlow>(scene, gravity, surface, solids, system, team);
   return std::make_unique<GridFlow>(scene, gravity, surface, solids, team);
 }

@@ -36,8 +36,6 @@ class FlowMeshChecks {
     if (coupled_.liquid)
       error("coupled.flow", "the surface of a liquid is found on the grid: its particles and hats need square cells",
             "leave flow away");
-    if (coupled_.viscosity > 0)
-      error("coupled.viscosity", "a fluid on a mesh has no friction", "leave viscosity away, or flow");
     if (!coupled_.voids.empty())
       error("coupled.flow", "a mesh of the fluid leaves no boxes empty",
             "leave void away, or flow; fluid_in='cavities' leaves all empty but cavities");

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/box/friction/rubbed.hpp"
 #include "physics/box/friction/strain_rates.hpp"
 #include "physics/box/friction/ties.hpp"
 
@@ -17,14 +18,6 @@ struct RubbingFluid {
   const CellParts& parts;      ///< of the cells that are fluid: those of a liquid with a surface
   Beyond beyond = Beyond::fluid;
   const SolidsNearFaces* solids = nullptr;  ///< null: none cuts the cells
-};
-
-/// What friction did.
-struct Rubbed {
-  int iterations = 0;           ///< -1: they did not converge, and nothing has changed
-  double taken = 0;             ///< of the fluid's kinetic energy, also by the nodes and by what drives it [energy]
-  double heat = 0;              ///< h times the power that friction takes [energy]
-  std::vector<double> impulse;  ///< that the fluid gave the nodes, also those whose velocity is held [momentum]
 };
 
 /// What friction in the fluid does to the velocities of the open faces in a time h. They become, with those of the

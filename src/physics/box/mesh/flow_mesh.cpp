@@ -113,6 +113,17 @@ void FlowMesh::find_faces() {
   region = std::move(parts.of), regions = parts.count;
 }
 
+std::vector<std::uint8_t> FlowMesh::faces_of_flat_cells() const {
+  constexpr double flat = 0.35;  // height over the root of the largest face's area
+  std::vector<std::uint8_t> marked(faces(), 0);
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    const double largest = largest_face(cell);
+    if (dim * volume[cell] / largest >= flat * std::sqrt(largest)) continue;
+    for (const int f : faces_of(cell)) marked[at(f)] = 1;
+  }
+  return marked;
+}
+
 std::vector<std::uint8_t> FlowMesh::nodes_at_boundary() const {
   std::vector<std::uint8_t> marked(x.size(), 0);
   for (std::size_t f = 0; f < faces(); ++f) {

@@ -59,6 +59,8 @@ struct FlowMesh {
     for (const int f : faces_of(cell)) largest = std::max(largest, size_of(static_cast<std::size_t>(f)));
     return largest;
   }
+  /// Marks the faces of flat cells, as in films.
+  std::vector<std::uint8_t> faces_of_flat_cells() const;
   /// Marks the nodes of faces at the boundary.
   std::vector<std::uint8_t> nodes_at_boundary() const;
   /// The cells that faces join to others of the same mark, each such part with a number from 0.

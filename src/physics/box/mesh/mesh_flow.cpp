@@ -12,11 +12,6 @@
 #include "physics/box/mesh/space_mesher.hpp"
 
 namespace tether::coupled {
-namespace {
-
-constexpr double least_gap = 1e-3;  // of the cells' size, between bodies, and to walls and obstacles
-
-}  // namespace
 
 double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t cell, const Vec<3>& x) {
   const auto shares = mesh.shares(cell, x);
@@ -26,12 +21,14 @@ double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t 
   return sum;
 }
 
-MeshFlow::MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers)
+MeshFlow::MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers,
+                   Team& team)
     : scene_(scene),
       gravity_(gravity),
       surface_(surface),
       with_obstacles_(scene, surface, numbers),
       numbers_(numbers),
+      team_(team),
       outside_(scene, gravity) {}
 
 // Where the fluid is.
@@ -121,6 +118,9 @@ void MeshFlow::start(CoupledState& state) {
   for (std::size_t a = 0; a < at(at_.mesh->dim); ++a) state.v[a].assign(cells, scene_.start[a]);
   state.v[0].resize(cells + at_.mesh->faces(), 0.0);  // and what goes out through faces of sides [volume/time]
   state.p.assign(at_.mesh->faces(), 0.0);
+  if (scene_.viscosity > 0) {
+    for (std::size_t a = 0; a < state.v.size(); ++a) state.driven[a].assign(state.v[a].size(), 0.0);
+  }
   if (scene_.smoke) start_smoke(state);
 }
 
@@ -151,6 +151,10 @@ void MeshFlow::begin(CoupledState& state, double h) {
   };
   carry_to(mesh, velocity, h, met, carried);
   state.p = pressures_on_faces(velocity.finder(), old, state.p);
+  if (scene_.viscosity > 0) {
+    state.driven = drive_from(velocity.finder(), state.driven);
+    note_narrow_cells(state);
+  }
   state.v = std::move(carried), state.flow_q = state.q;
   const CarriedIn in = carried_in_by(state.v, h);
   state.books.jets += in.jets, state.books.open_sides += in.open_sides;

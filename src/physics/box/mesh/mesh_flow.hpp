@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,10 +11,14 @@
 #include "physics/box/flow.hpp"
 #include "physics/box/flow_box.hpp"
 #include "physics/box/mesh/flow_surface.hpp"
+#include "physics/box/mesh/friction_on_mesh.hpp"
 #include "physics/box/mesh/mesh_map.hpp"
 #include "physics/box/mesh/mesh_velocity.hpp"
 
 namespace tether::coupled {
+
+/// What bodies leave between each other, and to walls and obstacles, of the cells' size near them.
+constexpr double least_gap = 1e-3;
 
 /// Interpolates pressures of faces within a cell.
 double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t cell, const Vec<3>& x);
@@ -24,10 +29,10 @@ double pressure_in(const FlowMesh& mesh, std::span<const double> p, std::size_t 
 /// a face of that, or a part of it: so B has its area over its nodes, and is exact.
 ///
 /// A state's velocity is that on the mesh of the step that found it; the next step carries it over to its own.
-class MeshFlow final : public Flow {
+class MeshFlow final : public Flow, public FlowFriction {
  public:
-  /// All must outlive it.
-  MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers);
+  /// All must outlive it; the team shares its loops. `numbers` are those of the solids' nodes.
+  MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurface& surface, std::size_t numbers, Team& team);
 
   /// The cells about the solids as they were placed last.
   const FlowMesh& mesh() const { return *at_.mesh; }
@@ -65,7 +70,12 @@ class MeshFlow final : public Flow {
   std::vector<double> masses() const override;
   double cells_crossed(const FaceValues& v, double h) const override;
 
-  FlowFriction* friction() override { return nullptr; }
+  FlowFriction* friction() override { return this; }
+  void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) override;
+  void add_friction(CoupledState& state, double h, std::span<double> drag) override;
+  void take_drive(const FaceValues& change, double h, CoupledState& state) const override;
+  void extend_drive(CoupledState& /*state*/) const override {}
+  void add_viscous_pressure(double h, std::span<double> missed) const override;
 
   std::size_t fluid_cells() const override { return at_.mesh->cells(); }
   void add_sums(const CoupledState& state, CoupledSums& sums) const override;
@@ -75,7 +85,7 @@ class MeshFlow final : public Flow {
   Snapshot mesh_fields(const CoupledState& state) const override;
   Snapshot surface_fields(const CoupledState& state) const override { return {state.time, {}}; }
   Snapshot particle_fields(const CoupledState& state) const override { return {state.time, {}}; }
-  std::vector<std::string> take_messages() override { return {}; }
+  std::vector<std::string> take_messages() override { return std::exchange(messages_, {}); }
 
  private:
   /// The fluid about solids at some places.
@@ -119,6 +129,13 @@ class MeshFlow final : public Flow {
                       const Vec<3>& fluid) const;
   std::vector<double> pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
                                          std::span<const double> p) const;
+  bool holds(std::size_t face, int axis) const;
+  FaceHolds face_holds(std::span<const double> q) const;
+  void rub_with(std::span<const std::size_t> open, std::span<const double> q, double h);
+  std::vector<std::size_t> narrow_cells() const;
+  void note_narrow_cells(CoupledState& state);
+  std::vector<double> given_at_faces(const FaceValues& v) const;
+  FaceValues drive_from(const CellFinder& finder, const FaceValues& before) const;
   CarriedIn carried_in_by(const FaceValues& v, double h) const;
   void start_smoke(CoupledState& state) const;
   void carry_smoke_to(const FlowMesh& next, double h, CoupledState& state) const;
@@ -133,10 +150,14 @@ class MeshFlow final : public Flow {
   const SolidSurface& surface_;
   FlowSurface with_obstacles_;
   std::size_t numbers_;  // of the solids' nodes
+  Team& team_;
   Outside outside_;
   Placed at_;
   std::vector<double> kept_q_;  // places that the mesh before fits: a step that is not found begins anew
   std::shared_ptr<const FlowMesh> kept_;
+  std::vector<double> mobility_;  // of the step's friction
+  std::optional<FrictionOnMesh> rubbing_;
+  std::vector<std::string> messages_;
 };
 
 }  // namespace tether::coupled

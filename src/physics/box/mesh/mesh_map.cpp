@@ -10,7 +10,7 @@
 namespace tether::coupled {
 namespace {
 
-/// The shares of a facet's nodes at the place of it that is nearest to x, or nearly so.
+/// The shares of a facet's nodes at that place.
 Vec<3> shares_on(const SolidSurface& surface, std::size_t side, std::span<const double> q, const Vec<3>& x) {
   const auto nodes = surface.side(side);
   const Vec<3> a = place_of(q, nodes[0], surface.dim), from = minus(x, a),
@@ -30,6 +30,14 @@ Vec<3> shares_on(const SolidSurface& surface, std::size_t side, std::span<const 
 
 }  // namespace
 
+NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span<const double> q, const Vec<3>& x) {
+  const CarrierShares shares = surface.carried(facet, shares_on(surface, facet, q, x));
+  const auto carriers = surface.carriers(facet);
+  NodeShares of_nodes;
+  for (std::size_t c = 0; c < carriers.size(); ++c) of_nodes.emplace_back(at(carriers[c]), shares[c]);
+  return of_nodes;
+}
+
 CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
                         std::span<const double> q, std::span<const double> middle, std::size_t numbers) {
   const std::size_t dim = at(mesh.dim), count = at(mesh.regions);
@@ -46,11 +54,8 @@ CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, co
       const double part = std::min(1.0, mesh.size_of(face) / std::sqrt(dot(now, now)));
       for (std::size_t a = 0; a < dim; ++a) area[a] -= part * change[a];
     }
-    const CarrierShares shares = surface.carried(side, shares_on(surface, side, q, mesh.middle_of_face(face)));
-    const auto carriers = surface.carriers(side);
-    for (std::size_t c = 0; c < carriers.size(); ++c) {
-      for (std::size_t i = 0; i < dim; ++i)
-        entries.emplace_back(pressures.of[face], at(carriers[c]) * dim + i, shares[c] * area[i]);
+    for (const auto& [node, share] : node_shares(surface, side, q, mesh.middle_of_face(face))) {
+      for (std::size_t i = 0; i < dim; ++i) entries.emplace_back(pressures.of[face], node * dim + i, share * area[i]);
     }
     map.area_seen[at(surface.sheet[side]) * count + at(mesh.region[mesh.cell_of(face)])] += std::sqrt(dot(area, area));
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "grid/solid_surface.hpp"
 #include "physics/box/coupling_map.hpp"
@@ -14,6 +16,11 @@ struct FacePressures {
   std::vector<int> of;               ///< of each face, -1 where it is known: at open sides
   std::vector<std::size_t> face_of;  ///< of each pressure
 };
+
+/// Nodes of the solids with their shares in a place on a side.
+using NodeShares = std::vector<std::pair<std::size_t, double>>;
+/// Those of the place of a facet that is nearest to x, or nearly so, of solids at q.
+NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span<const double> q, const Vec<3>& x);
 
 /// The map between pressures and solids at q (so many numbers): a face of the fluid at a solid's facet has its own
 /// area, which with the nodes at `middle` (empty: at q) changes as its part of the facet's does, and the shares of the

@@ -47,25 +47,18 @@ SparseMatrix MeshFlow::pressure_matrix(const Placed& at_q, double by) const {
 
 /// Pressures that are linear in each cell, and those of the faces of flat cells, as in films.
 CoarseUnknowns MeshFlow::coarse_of(const Placed& at_q) {
-  constexpr double flat = 0.35;  // height over the root of the largest face's area
   const FlowMesh& mesh = *at_q.mesh;
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
-  std::vector<std::uint8_t> is_stiff(at_q.pressures.face_of.size(), 0);
-  for (std::size_t k = 0; k < is_stiff.size(); ++k) {
+  const std::size_t count = at_q.pressures.face_of.size();
+  for (std::size_t k = 0; k < count; ++k) {
     for (const int n : mesh.face_nodes(at_q.pressures.face_of[k])) entries.emplace_back(k, n, 1.0 / mesh.dim);
   }
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    const double largest = mesh.largest_face(cell);
-    if (mesh.dim * mesh.volume[cell] / largest >= flat * std::sqrt(largest)) continue;
-    for (const int f : mesh.faces_of(cell)) {
-      if (at_q.pressures.of[at(f)] >= 0) is_stiff[at(at_q.pressures.of[at(f)])] = 1;
-    }
-  }
   CoarseUnknowns coarse;
-  coarse.interpolation.resize(static_cast<Eigen::Index>(is_stiff.size()), static_cast<Eigen::Index>(mesh.x.size()));
+  coarse.interpolation.resize(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(mesh.x.size()));
   coarse.interpolation.setFromTriplets(entries.begin(), entries.end());
-  for (std::size_t k = 0; k < is_stiff.size(); ++k) {
-    if (is_stiff[k] != 0) coarse.stiff.push_back(k);
+  const std::vector<std::uint8_t> is_flat = mesh.faces_of_flat_cells();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (is_flat[at_q.pressures.face_of[k]] != 0) coarse.stiff.push_back(k);
   }
   return coarse;
 }

@@ -7,6 +7,7 @@
 
 #include "algebra/eigen_sparse.hpp"
 #include "physics/box/mesh/mesh_flow.hpp"
+#include "unit/alone.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 
 // A fluid on triangles or tetrahedra about bodies, in the unit square or cube.
@@ -30,7 +31,7 @@ struct Flowing {
   CoupledState state;
 
   Flowing(const Coupled& box, const Mesh& mesh, const Vec<3>& gravity = {})
-      : scene(box), surface(surface_of(mesh)), flow(scene, gravity, surface, mesh.x.size()) {
+      : scene(box), surface(surface_of(mesh)), flow(scene, gravity, surface, mesh.x.size(), alone()) {
     state.q = mesh.x;
     flow.start(state);
   }
