@@ -74,38 +74,33 @@ void FlowMesh::find_shares() {
   }
 }
 
+/// Faces are numbered as cells come to them; those that a later cell may have wait in a list at their lowest node.
 void FlowMesh::find_faces() {
   const std::size_t per_cell = corners(), per_face = at(dim);
-  struct Half {
-    std::array<int, 3> key;
-    std::size_t cell, corner;
-  };
-  std::vector<Half> halves;
-  volume.clear(), cells_of_face.clear(), nodes_of_face.clear(), area.clear();
+  std::vector<std::vector<std::pair<std::array<int, 3>, int>>> waiting(x.size());
+  volume.clear(), cells_of_face.clear(), nodes_of_face.clear(), area.clear(), face.clear();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     double size = volume_of(*this, corners_of(*this, cell));
     if (size < 0) std::swap(nodes[cell * per_cell], nodes[cell * per_cell + 1]), size = -size;
     volume.push_back(size);
     for (std::size_t k = 0; k < per_cell; ++k) {
-      std::array<int, 3> key = nodes_opposite(nodes_of(cell), k);
-      std::sort(key.begin(), key.end());
-      halves.push_back({key, cell, k});
-    }
-  }
-  std::ranges::stable_sort(halves, {}, &Half::key);
-  face.assign(nodes.size(), -1);
-  for (std::size_t h = 0; h < halves.size(); ++h) {
-    const Half& half = halves[h];
-    const bool second = h > 0 && halves[h - 1].key == half.key;
-    if (!second) {
-      const std::array<int, 3> of = nodes_opposite(nodes_of(half.cell), half.corner);
+      const std::array<int, 3> of = nodes_opposite(nodes_of(cell), k);
+      std::array<int, 3> key = of;
+      std::sort(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(per_face));
+      auto& list = waiting[at(key[0])];
+      const auto found = std::ranges::find(list, key, [](const auto& entry) { return entry.first; });
+      if (found != list.end()) {
+        cells_of_face[at(found->second)][1] = static_cast<int>(cell);
+        face.push_back(found->second);
+        list.erase(found);
+        continue;
+      }
+      face.push_back(static_cast<int>(cells_of_face.size()));
+      list.emplace_back(key, face.back());
       nodes_of_face.insert(nodes_of_face.end(), of.begin(), of.begin() + static_cast<std::ptrdiff_t>(per_face));
       area.push_back(area_of(*this, of));
-      cells_of_face.push_back({static_cast<int>(half.cell), -1});
-    } else {
-      cells_of_face.back()[1] = static_cast<int>(half.cell);
+      cells_of_face.push_back({static_cast<int>(cell), -1});
     }
-    face[half.cell * per_cell + half.corner] = static_cast<int>(cells_of_face.size()) - 1;
   }
   boundary.assign(cells_of_face.size(), {});
   find_shares();
