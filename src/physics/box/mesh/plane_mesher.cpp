@@ -9,9 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "base/numbers.hpp"
+#include "physics/box/mesh/boundary_faces.hpp"
 #include "physics/box/mesh/lattice_points.hpp"
 
 namespace tether::coupled {
@@ -132,20 +132,11 @@ class PlaneMesher {
   }
 
   void set_boundaries(FlowMesh& mesh) const {
-    std::unordered_map<long long, std::size_t> face_of;
-    const auto key = [&](int a, int b) {
-      return static_cast<long long>(std::min(a, b)) * static_cast<long long>(mesh.x.size()) + std::max(a, b);
-    };
-    for (std::size_t f = 0; f < mesh.faces(); ++f) {
-      if (mesh.is_at_boundary(f)) face_of[key(mesh.face_nodes(f)[0], mesh.face_nodes(f)[1])] = f;
-    }
+    BoundaryFaces faces(mesh);
     each_edge([&](const Segment& segment, Triangulation::Face_handle, int, auto from, auto to) {
-      const auto found = face_of.find(key(from->info(), to->info()));
-      if (found != face_of.end()) mesh.boundary[found->second] = segment.boundary;
+      faces.set({from->info(), to->info(), -1}, segment.boundary);
     });
-    for (const auto& [ends, face] : face_of) {
-      if (mesh.boundary[face].kind == BoundaryKind::none) mesh.boundary[face].kind = BoundaryKind::closed;
-    }
+    faces.close_left();
   }
 
   /// A segment, and where it begins.

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "physics/box/mesh/boundary_faces.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -32,13 +32,6 @@ std::vector<std::uint8_t> films_of(const FlowMesh& mesh, double height) {
   return film;
 }
 
-std::vector<int> sorted_nodes(const FlowMesh& mesh, std::size_t face) {
-  const auto nodes = mesh.face_nodes(face);
-  std::vector<int> sorted(nodes.begin(), nodes.end());
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
 /// The same cells but those marked, whose faces are closed.
 FlowMesh without(const FlowMesh& mesh, const std::vector<std::uint8_t>& left_out) {
   FlowMesh kept;
@@ -52,19 +45,14 @@ FlowMesh without(const FlowMesh& mesh, const std::vector<std::uint8_t>& left_out
     }
   }
   kept.find_faces();
-  std::map<std::vector<int>, Boundary> boundaries;
+  BoundaryFaces faces(kept);
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     if (!mesh.is_at_boundary(f)) continue;
-    std::vector<int> nodes = sorted_nodes(mesh, f);
-    for (int& n : nodes) n = number[at(n)];
-    std::sort(nodes.begin(), nodes.end());
-    boundaries[nodes] = mesh.boundary[f];
+    BoundaryFaces::Nodes nodes{-1, -1, -1};
+    std::ranges::transform(mesh.face_nodes(f), nodes.begin(), [&](int n) { return number[at(n)]; });
+    faces.set(nodes, mesh.boundary[f]);
   }
-  for (std::size_t f = 0; f < kept.faces(); ++f) {
-    if (!kept.is_at_boundary(f)) continue;
-    const auto found = boundaries.find(sorted_nodes(kept, f));
-    kept.boundary[f] = found == boundaries.end() ? Boundary{BoundaryKind::closed, -1} : found->second;
-  }
+  faces.close_left();
   return kept;
 }
 

@@ -13,13 +13,13 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "physics/box/mesh/boundary_faces.hpp"
 #include "physics/box/mesh/lattice_points.hpp"
 #endif
 
@@ -27,13 +27,6 @@ namespace tether::coupled {
 
 #ifdef TETHER_TETGEN
 namespace {
-
-using Corners = std::array<int, 3>;
-
-Corners sorted(Corners corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 /// What TetGen is given; it lets go of the lists itself.
 void fill(const Outline& outline, std::span<const Outline::Facet> facets, const std::vector<Vec<3>>& points,
@@ -152,18 +145,12 @@ std::vector<int> take(const tetgenio& out, FlowMesh& mesh) {
 
 /// Facets whose corners are among those numbers.
 void set_boundaries(const Outline& outline, std::span<const int> number, FlowMesh& mesh) {
-  std::map<Corners, const Outline::Facet*> facets;
+  BoundaryFaces faces(mesh);
   for (const Outline::Facet& facet : outline.facets) {
     const auto& of = facet.corners;
-    facets[sorted({number[of[0]], number[of[1]], number[of[2]]})] = &facet;
+    faces.set({number[of[0]], number[of[1]], number[of[2]]}, facet.boundary);
   }
-  for (std::size_t f = 0; f < mesh.faces(); ++f) {
-    if (!mesh.is_at_boundary(f)) continue;
-    const auto nodes = mesh.face_nodes(f);
-    const auto found = facets.find(sorted({nodes[0], nodes[1], nodes[2]}));
-    if (found == facets.end()) refuse(mesh.middle_of_face(f), "TetGen parted the surface there");
-    mesh.boundary[f] = found->second->boundary;
-  }
+  faces.each_left([&](std::size_t f) { refuse(mesh.middle_of_face(f), "TetGen parted the surface there"); });
 }
 
 }  // namespace
