@@ -5,6 +5,7 @@
 #include <malloc.h>
 #include <sys/resource.h>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -16,6 +17,20 @@
 #include "base/version_values.hpp"
 
 namespace tether {
+
+Seconds seconds_now() {
+  timespec cpu{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
+  return {static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec) + seconds(children.ru_utime) +
+              seconds(children.ru_stime),
+          wall.count()};
+}
 
 Ending end_of(const std::string& name, const std::function<void()>& work) {
   const auto told = [&name](const char* what) { return with_short_words(fmt::format("{}: error: {}\n", name, what)); };

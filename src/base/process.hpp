@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <csignal>
-#include <ctime>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -59,13 +57,8 @@ struct Seconds {
   friend Seconds operator-(const Seconds& a, const Seconds& b) { return {a.cpu - b.cpu, a.wall - b.wall}; }
 };
 
-/// Both clocks of this process, from some moment on.
-inline Seconds seconds_now() {
-  timespec cpu{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
-  return {static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec), wall.count()};
-}
+/// Both clocks of this process, from some moment on, with what its children took that have ended.
+Seconds seconds_now();
 
 /// Adds what its life took to a sum.
 class Stopwatch {

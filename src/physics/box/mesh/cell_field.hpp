@@ -22,6 +22,7 @@ class CellField {
   /// Both must outlive it. The nodes of faces that are `known`, as where something comes in, have the means of these.
   CellField(const FlowMesh& mesh, std::span<const double> values, std::span<const FaceValue> known = {});
 
+  double value(std::size_t cell) const { return values_[cell]; }
   /// At a place in a cell.
   double at_place(std::size_t cell, const Vec<3>& x) const {
     const Vec<3> from = minus(x, mesh_.middle(cell));

@@ -17,6 +17,7 @@ FrictionLevels::FrictionLevels(const FlowMesh& mesh, const StrainOnMesh& strain,
     : dim_(at(mesh.dim)), faces_(mesh.faces()), two_levels_(mesh.dim == 3) {
   number_faces(mesh, holds);
   number_nodes(holds, mass);
+  if (count_ == 0) return;
   r_.resize(count_), z_.resize(count_);
   const SparseMatrix A = matrix(mesh, strain, holds, mass);
   const bool found =
@@ -119,7 +120,7 @@ CoarseUnknowns FrictionLevels::coarse(const FlowMesh& mesh, const FaceHolds& hol
 void FrictionLevels::precondition(std::span<const std::uint8_t> is_free, std::span<const double> r,
                                   std::span<double> z) {
   std::fill(z.begin(), z.end(), 0.0);
-  for (std::size_t a = 0; a < dim_; ++a) {
+  for (std::size_t a = 0; a < dim_ && count_ > 0; ++a) {
     const auto each = [&](const auto& of, std::size_t first, const auto& f) {
       for (std::size_t k = 0; k < of.size(); ++k) {
         if (of[k] >= 0) f(at(of[k]), (first + k) * dim_ + a);

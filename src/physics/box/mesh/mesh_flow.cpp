@@ -92,7 +92,15 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
 }
 
 CouplingMap MeshFlow::map_of(const Placed& at_q, std::span<const double> q, std::span<const double> middle) const {
-  return map_on_mesh(*at_q.mesh, at_q.pressures, surface_, q, middle, numbers_);
+  CouplingMap map = map_on_mesh(*at_q.mesh, at_q.pressures, surface_, q, middle, numbers_);
+  for (int side = 0; side < 4 && scene_.grid.dim == 2; ++side) {
+    if (!outside_.presses(side)) continue;
+    const int axis = axis_of_side(side);
+    const double end = is_low_side(side) ? scene_.grid.low[at(axis)] : scene_.grid.high(axis);
+    add_beyond(
+        surface_, q, axis, end, !is_low_side(side), [&](double y) { return outside_.pressure_beyond(side, y); }, map);
+  }
+  return map;
 }
 
 void MeshFlow::map_by_middle(std::span<const double> q, std::span<const double> middle) {

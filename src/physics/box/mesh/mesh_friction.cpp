@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/numbers.hpp"
@@ -59,20 +60,27 @@ void MeshFlow::rub_with(std::span<const std::size_t> open, std::span<const doubl
   rubbing_.emplace(mesh(), face_holds(q), open, scene_.density, scene_.viscosity, mobility_, h);
 }
 
-/// Those whose nodes are all at boundaries, though but one face is: alone they fill a gap, and one velocity in it has
-/// a third of its friction or less. Films of bodies that touch are too thin for what they lack to count.
+/// Those at a boundary whose other node is at one that looks the other way: alone they fill a gap, and one velocity in
+/// it has a third of its friction or less. Films of bodies that touch are too thin for what they lack to count.
 std::vector<std::size_t> MeshFlow::narrow_cells() const {
-  constexpr double film = 4;
-  const std::vector<std::uint8_t> at_boundary = mesh().nodes_at_boundary();
+  constexpr double film = 4, opposite = -0.5;
+  std::vector<Vec<3>> out(mesh().x.size());  // of the boundary at each node, summed over its faces
+  for (std::size_t f = 0; f < mesh().faces(); ++f) {
+    if (!mesh().is_at_boundary(f)) continue;
+    for (const int n : mesh().face_nodes(f)) {
+      for (std::size_t a = 0; a < 3; ++a) out[at(n)][a] += mesh().area[f][a];
+    }
+  }
   std::vector<std::size_t> narrow;
   for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
-    const auto nodes = mesh().nodes_of(cell);
-    const auto faces = mesh().faces_of(cell);
-    const double height = mesh().dim * mesh().volume[cell] / mesh().largest_face(cell);
-    if (std::ranges::all_of(nodes, [&](int n) { return at_boundary[at(n)] != 0; }) &&
-        std::ranges::count_if(faces, [&](int f) { return mesh().is_at_boundary(at(f)); }) == 1 &&
-        height > film * least_gap * scene_.mesh->near)
-      narrow.push_back(cell);
+    for (std::size_t k = 0; k < mesh().corners(); ++k) {
+      const std::size_t f = at(mesh().faces_of(cell)[k]);
+      const Vec<3>& beyond = out[at(mesh().nodes_of(cell)[k])];
+      const double height = mesh().dim * mesh().volume[cell] / mesh().size_of(f);
+      if (!mesh().is_at_boundary(f) || height <= film * least_gap * scene_.mesh->near) continue;
+      if (dot(beyond, mesh().area[f]) < opposite * std::sqrt(dot(beyond, beyond)) * mesh().size_of(f))
+        narrow.push_back(cell);
+    }
   }
   return narrow;
 }

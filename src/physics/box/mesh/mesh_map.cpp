@@ -64,4 +64,24 @@ CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, co
   return map;
 }
 
+/// By two places of each facet's part that is beyond, which integrate squares.
+void add_beyond(const SolidSurface& surface, std::span<const double> q, int axis, double end, bool high,
+                const std::function<double(double)>& p, CouplingMap& map) {
+  const double sign = high ? 1 : -1, half = 0.5 / std::sqrt(3.0);
+  for (std::size_t side = 0; side < surface.side_count(); ++side) {
+    const auto nodes = surface.side(side);
+    const Vec<3> a = place_of(q, nodes[0], 2), way = minus(place_of(q, nodes[1], 2), a);
+    const double first = sign * (a[at(axis)] - end), last = first + sign * way[at(axis)];  // how far beyond
+    if (first <= 0 && last <= 0) continue;
+    const double from = first >= 0 ? 0 : first / (first - last), to = last >= 0 ? 1 : first / (first - last);
+    const Vec<3> area = area_of_side(surface, side, q);
+    for (const double at_part : {0.5 - half, 0.5 + half}) {
+      const double t = from + at_part * (to - from), y = a[1] + t * way[1];
+      for (const auto& [node, share] : node_shares(surface, side, q, {a[0] + t * way[0], y, 0})) {
+        for (std::size_t i = 0; i < 2; ++i) map.outside[node * 2 + i] -= 0.5 * (to - from) * share * p(y) * area[i];
+      }
+    }
+  }
+}
+
 }  // namespace tether::coupled

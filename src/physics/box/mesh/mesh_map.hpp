@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,5 +28,10 @@ NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span
 /// facet's carriers in the face's middle.
 CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
                         std::span<const double> q, std::span<const double> middle, std::size_t numbers);
+
+/// Adds to the map the forces of the fluid outside on what is beyond a side of the box, in the plane: `high` where it
+/// is beyond an upper end along the axis, p(y) the pressure there [stress].
+void add_beyond(const SolidSurface& surface, std::span<const double> q, int axis, double end, bool high,
+                const std::function<double(double)>& p, CouplingMap& map);
 
 }  // namespace tether::coupled

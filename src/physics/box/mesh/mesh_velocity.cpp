@@ -12,6 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of a cell
 constexpr double cells_of_a_bin = 2;
+constexpr double ways_of_a_cell = 2;  // a way of half of one leaves nothing of what stays
 
 /// The place in a cell whose shares are these where they are not below 0, which are made so.
 Vec<3> place_within(const FlowMesh& mesh, std::size_t cell, std::array<double, 4> shares) {
@@ -184,6 +185,12 @@ Vec<3> MeshVelocity::by_cell(std::size_t cell, const Vec<3>& x) const {
   return v;
 }
 
+Vec<3> MeshVelocity::rest(std::size_t cell, const Vec<3>& x) const {
+  Vec<3> rest = velocity(cell, x);
+  for (std::size_t a = 0; a < along_.size(); ++a) rest[a] = along_[a].value(cell) - rest[a];
+  return rest;
+}
+
 MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
   Vec<3> half = x;
   const std::size_t cell = finder_.cell_at(half);
@@ -194,9 +201,14 @@ MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
   half = back(v, 0.5 * h);
   int met = -1;
   const std::size_t at_half = finder_.walk(cell, half, met);
-  Origin origin{.x = back(velocity(at_half, half), h)};
+  Origin origin{.x = back(velocity(at_half, half), h), .from = cell};
   if (found != x) origin.opened_at = static_cast<int>(cell);
   origin.cell = finder_.walk(cell, origin.x, origin.face);
+  if (origin.opened_at < 0 && origin.face < 0) {
+    const Vec<3> way = minus(x, origin.x);
+    const double size = std::pow(mesh_.volume[cell], 1.0 / mesh_.dim);
+    origin.part = std::min(1.0, ways_of_a_cell * std::sqrt(dot(way, way)) / size);
+  }
   return origin;
 }
 

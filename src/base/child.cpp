@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/child.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "base/diagnostics.hpp"
+
+namespace tether {
+namespace {
+
+constexpr int failed = 1;
+
+[[noreturn]] void work_and_exit(pid_t parent, int end, const std::function<std::string()>& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(failed);  // it died before it could be watched
+  try {
+    const std::string bytes = work();
+    for (std::size_t sent = 0; sent < bytes.size();) {
+      const ssize_t count = write(end, bytes.data() + sent, bytes.size() - sent);
+      if (count < 0 && errno != EINTR) _exit(failed);
+      sent += count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+  } catch (...) {
+    _exit(failed);
+  }
+  _exit(0);
+}
+
+std::string all_from(int end) {
+  std::string bytes;
+  std::array<char, 65536> part{};
+  while (true) {
+    const ssize_t count = read(end, part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return bytes;
+    bytes.append(part.data(), static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> from_a_child(const std::function<std::string()>& work) {
+  std::array<int, 2> ends{};
+  const pid_t parent = getpid();
+  const auto refuse = [] { throw RunError(fmt::format("no process can be started: {}", std::strerror(errno))); };
+  if (pipe(ends.data()) != 0) refuse();
+  const pid_t pid = fork();
+  if (pid == 0) close(ends[0]), work_and_exit(parent, ends[1], work);
+  close(ends[1]);
+  if (pid < 0) close(ends[0]), refuse();
+  std::string bytes = all_from(ends[0]);
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) continue;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+  return bytes;
+}
+
+}  // namespace tether
