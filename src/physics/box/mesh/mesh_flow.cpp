@@ -2,6 +2,7 @@
 #include "physics/box/mesh/mesh_flow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -46,19 +47,23 @@ bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
 }
 
 /// What bodies that touch walls part stays parted. Where there is no mesh about the solids as they are, their surface
-/// is moved back farther where it nearly touches.
+/// is moved back farther where it nearly touches, and then other sizes of cells are tried.
 std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) const {
-  constexpr int tries = 3;
-  constexpr double farther = 4, film = 2.5;  // gaps, of moved sides
-  double gap = least_gap * scene_.mesh->near;
-  for (int attempt = 1;; ++attempt, gap *= farther) {
+  struct Trial {
+    double gap, sizes;  // of those that are asked for
+  };
+  constexpr std::array trials{Trial{1, 1}, Trial{4, 1}, Trial{16, 1}, Trial{1, 0.8}, Trial{4, 1.25}, Trial{16, 0.6}};
+  constexpr double film = 2.5;  // of gaps, between moved sides
+  for (std::size_t trial = 0;; ++trial) {
+    const double gap = trials[trial].gap * least_gap * scene_.mesh->near;
+    const MeshSizes sizes{scene_.mesh->size * trials[trial].sizes, scene_.mesh->near * trials[trial].sizes,
+                          scene_.mesh->growth};
     try {
-      FlowMesh mesh = scene_.grid.dim == 2
-                          ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), *scene_.mesh)
-                          : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), *scene_.mesh);
+      FlowMesh mesh = scene_.grid.dim == 2 ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), sizes)
+                                           : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), sizes);
       return std::make_shared<FlowMesh>(without_seals(std::move(mesh), film * gap));
     } catch (const RunError&) {
-      if (attempt == tries) throw;
+      if (trial + 1 == trials.size()) throw;
     }
   }
 }
