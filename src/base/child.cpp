@@ -19,8 +19,7 @@ namespace {
 constexpr int failed = 1;
 
 [[noreturn]] void work_and_exit(pid_t parent, int end, const std::function<std::string()>& work) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(failed);  // it died before it could be watched
+  if (!end_with_parent(parent)) _exit(failed);
   try {
     const std::string bytes = work();
     for (std::size_t sent = 0; sent < bytes.size();) {
@@ -46,6 +45,18 @@ std::string all_from(int end) {
 }
 
 }  // namespace
+
+double processor_seconds(const rusage& usage) noexcept {
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+bool end_with_parent(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  return getppid() == parent;  // else it died before it could be watched
+}
 
 std::optional<std::string> from_a_child(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};

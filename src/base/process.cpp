@@ -12,6 +12,7 @@
 #include <new>
 #include <system_error>
 
+#include "base/child.hpp"
 #include "base/diagnostics.hpp"
 #include "base/text.hpp"
 #include "base/version_values.hpp"
@@ -23,12 +24,8 @@ Seconds seconds_now() {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
   rusage children{};
   getrusage(RUSAGE_CHILDREN, &children);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
-  return {static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec) + seconds(children.ru_utime) +
-              seconds(children.ru_stime),
+  return {static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec) + processor_seconds(children),
           wall.count()};
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include <cstring>
 #include <tuple>
 
+#include "base/child.hpp"
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
 #include "results/checkpoint.hpp"
@@ -28,8 +28,7 @@ namespace {
 constexpr std::size_t longest_message = 4096;
 
 [[noreturn]] void work_and_exit(pid_t parent, int pipe_end, const std::function<Ending()>& work) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(exit_signal + SIGKILL);  // it died before it could be watched
+  if (!end_with_parent(parent)) _exit(exit_signal + SIGKILL);
   const Ending ending = work();
   const std::string text = fmt::format("{}\n{}", ending.failure ? word_of(*ending.failure) : "", ending.message);
   const auto written = write(pipe_end, text.data(), std::min(text.size(), longest_message));
@@ -44,10 +43,6 @@ Ending read_ending(int pipe_end, int exit_code) {
   const auto end = text.find('\n');
   if (end == std::string::npos) return {exit_code, text};
   return {exit_code, text.substr(end + 1), find_word<Failure>(text.substr(0, end))};
-}
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 }  // namespace
@@ -83,7 +78,7 @@ std::optional<Finished> Workers::take() {
     rusage usage{};
     if (wait4(process.pid, &status, WNOHANG, &usage) != process.pid) continue;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - process.start;
-    Finished finished{id, {}, seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count()};
+    Finished finished{id, {}, processor_seconds(usage), wall.count()};
     if (WIFSIGNALED(status))
       finished.ending = {exit_signal + WTERMSIG(status), fmt::format("killed by signal {}\n", WTERMSIG(status))};
     else

@@ -119,6 +119,27 @@ std::vector<std::uint8_t> FlowMesh::faces_of_flat_cells() const {
   return marked;
 }
 
+std::vector<std::size_t> FlowMesh::cells_across_gaps(double least) const {
+  constexpr double opposite = -0.5;
+  std::vector<Vec<3>> out(x.size());  // of the boundary at each node, summed over its faces
+  for (std::size_t f = 0; f < faces(); ++f) {
+    if (!is_at_boundary(f)) continue;
+    for (const int n : face_nodes(f)) {
+      for (std::size_t a = 0; a < 3; ++a) out[at(n)][a] += area[f][a];
+    }
+  }
+  std::vector<std::size_t> across;
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    for (std::size_t k = 0; k < corners(); ++k) {
+      const std::size_t f = at(faces_of(cell)[k]);
+      const Vec<3>& beyond = out[at(nodes_of(cell)[k])];
+      if (!is_at_boundary(f) || dim * volume[cell] <= least * size_of(f)) continue;
+      if (dot(beyond, area[f]) < opposite * std::sqrt(dot(beyond, beyond)) * size_of(f)) across.push_back(cell);
+    }
+  }
+  return across;
+}
+
 std::vector<std::uint8_t> FlowMesh::nodes_at_boundary() const {
   std::vector<std::uint8_t> marked(x.size(), 0);
   for (std::size_t f = 0; f < faces(); ++f) {

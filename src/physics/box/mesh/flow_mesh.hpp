@@ -61,6 +61,9 @@ struct FlowMesh {
   }
   /// Marks the faces of flat cells, as in films.
   std::vector<std::uint8_t> faces_of_flat_cells() const;
+  /// Cells at a boundary whose other node is at one that looks the other way: alone they fill a gap, which is wider
+  /// than `least` [length].
+  std::vector<std::size_t> cells_across_gaps(double least) const;
   /// Marks the nodes of faces at the boundary.
   std::vector<std::uint8_t> nodes_at_boundary() const;
   /// The cells that faces join to others of the same mark, each such part with a number from 0.

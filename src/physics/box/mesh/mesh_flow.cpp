@@ -124,16 +124,21 @@ void MeshFlow::place(CoupledState& state) {
 
 // A step.
 
+/// A fluid at rest: the velocity of each cell, after those along x what goes out through each face of a side
+/// [volume/time].
+FaceValues MeshFlow::still() const {
+  FaceValues v;
+  for (std::size_t a = 0; a < at(mesh().dim); ++a) v[a].assign(mesh().cells() + (a == 0 ? mesh().faces() : 0), 0.0);
+  return v;
+}
+
 void MeshFlow::start(CoupledState& state) {
   state.flow_q = state.q;
   place(state);
-  const std::size_t cells = at_.mesh->cells();
-  for (std::size_t a = 0; a < at(at_.mesh->dim); ++a) state.v[a].assign(cells, scene_.start[a]);
-  state.v[0].resize(cells + at_.mesh->faces(), 0.0);  // and what goes out through faces of sides [volume/time]
+  state.v = still();
+  for (std::size_t a = 0; a < at(mesh().dim); ++a) std::fill_n(state.v[a].begin(), mesh().cells(), scene_.start[a]);
   state.p.assign(at_.mesh->faces(), 0.0);
-  if (scene_.viscosity > 0) {
-    for (std::size_t a = 0; a < state.v.size(); ++a) state.driven[a].assign(state.v[a].size(), 0.0);
-  }
+  if (scene_.viscosity > 0) state.driven = still();
   if (scene_.smoke) start_smoke(state);
 }
 
@@ -152,9 +157,7 @@ void MeshFlow::begin(CoupledState& state, double h) {
   const FlowMesh& old = *kept_;
   const FlowMesh& mesh = *at_.mesh;
   const double before = kinetic_energy_on(old, state.v, state.v);
-  FaceValues carried;
-  for (std::size_t a = 0; a < at(mesh.dim); ++a) carried[a].assign(mesh.cells(), 0.0);
-  carried[0].resize(mesh.cells() + mesh.faces(), 0.0);
+  FaceValues carried = still();
   prescribe(state.time, h, carried);
   const MeshVelocity velocity(old, state.v);
   const std::vector<double> speeds = jet_speeds(scene_, state.time, h);

@@ -129,10 +129,10 @@ class MeshFlow final : public Flow, public FlowFriction {
                       const Vec<3>& fluid) const;
   std::vector<double> pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
                                          std::span<const double> p) const;
+  FaceValues still() const;
   bool holds(std::size_t face, int axis) const;
   FaceHolds face_holds(std::span<const double> q) const;
   void rub_with(std::span<const std::size_t> open, std::span<const double> q, double h);
-  std::vector<std::size_t> narrow_cells() const;
   void note_narrow_cells(CoupledState& state);
   std::vector<double> given_at_faces(const FaceValues& v) const;
   FaceValues drive_from(const CellFinder& finder, const FaceValues& before) const;

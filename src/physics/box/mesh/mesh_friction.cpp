@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/numbers.hpp"
@@ -60,33 +59,11 @@ void MeshFlow::rub_with(std::span<const std::size_t> open, std::span<const doubl
   rubbing_.emplace(mesh(), face_holds(q), open, scene_.density, scene_.viscosity, mobility_, h);
 }
 
-/// Those at a boundary whose other node is at one that looks the other way: alone they fill a gap, and one velocity in
-/// it has a third of its friction or less. Films of bodies that touch are too thin for what they lack to count.
-std::vector<std::size_t> MeshFlow::narrow_cells() const {
-  constexpr double film = 4, opposite = -0.5;
-  std::vector<Vec<3>> out(mesh().x.size());  // of the boundary at each node, summed over its faces
-  for (std::size_t f = 0; f < mesh().faces(); ++f) {
-    if (!mesh().is_at_boundary(f)) continue;
-    for (const int n : mesh().face_nodes(f)) {
-      for (std::size_t a = 0; a < 3; ++a) out[at(n)][a] += mesh().area[f][a];
-    }
-  }
-  std::vector<std::size_t> narrow;
-  for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
-    for (std::size_t k = 0; k < mesh().corners(); ++k) {
-      const std::size_t f = at(mesh().faces_of(cell)[k]);
-      const Vec<3>& beyond = out[at(mesh().nodes_of(cell)[k])];
-      const double height = mesh().dim * mesh().volume[cell] / mesh().size_of(f);
-      if (!mesh().is_at_boundary(f) || height <= film * least_gap * scene_.mesh->near) continue;
-      if (dot(beyond, mesh().area[f]) < opposite * std::sqrt(dot(beyond, beyond)) * mesh().size_of(f))
-        narrow.push_back(cell);
-    }
-  }
-  return narrow;
-}
-
+/// A warning once. One velocity across a gap has a third of its friction or less; films of bodies that touch are too
+/// thin for what they lack to count.
 void MeshFlow::note_narrow_cells(CoupledState& state) {
-  const std::vector<std::size_t> narrow = narrow_cells();
+  constexpr double film = 4;  // of the gaps that bodies leave
+  const std::vector<std::size_t> narrow = mesh().cells_across_gaps(film * least_gap * scene_.mesh->near);
   if (narrow.empty()) return;
   if (state.narrow_cells == 0) {
     const Vec<3>& x = mesh().middle(narrow.front());
@@ -132,27 +109,22 @@ void MeshFlow::take_drive(const FaceValues& change, double h, CoupledState& stat
 
 /// That of the cell of the mesh before which is at a cell's middle; where the mesh is the same it is the same.
 FaceValues MeshFlow::drive_from(const CellFinder& finder, const FaceValues& before) const {
-  FaceValues drive;
-  for (std::size_t a = 0; a < at(mesh().dim); ++a) drive[a].assign(mesh().cells(), 0.0);
+  FaceValues drive = still();
   for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
     Vec<3> x = mesh().middle(cell);
     const std::size_t from = finder.cell_at(x);
     for (std::size_t a = 0; a < at(mesh().dim); ++a) drive[a][cell] = before[a][from];
   }
-  drive[0].resize(mesh().cells() + mesh().faces(), 0.0);
   return drive;
 }
 
 /// A face's flux is that out of its cells; about it is the volume that its part of them has.
 void MeshFlow::add_viscous_pressure(double h, std::span<double> missed) const {
-  FaceValues of_cells, more;
-  for (std::size_t a = 0, first = 0; a < at(mesh().dim); ++a) {
-    of_cells[a].assign(missed.begin() + static_cast<std::ptrdiff_t>(first),
-                       missed.begin() + static_cast<std::ptrdiff_t>(first + mesh().cells()));
-    more[a].assign(mesh().cells(), 0.0);
-    first += mesh().cells() + (a == 0 ? mesh().faces() : 0);
+  FaceValues of_cells = still(), more = of_cells;
+  auto next = missed.begin();
+  for (std::vector<double>& along : of_cells) {
+    for (double& value : along) value = *next++;
   }
-  of_cells[0].resize(mesh().cells() + mesh().faces(), 0.0);
   std::vector<double> p = net_flux(of_cells);
   for (std::size_t k = 0; k < p.size(); ++k) {
     double volume = 0;
@@ -162,9 +134,9 @@ void MeshFlow::add_viscous_pressure(double h, std::span<double> missed) const {
     p[k] *= 2 * h * scene_.viscosity / volume;
   }
   add_pressure(p, 1 / scene_.density, more);
-  for (std::size_t a = 0, first = 0; a < at(mesh().dim); ++a) {
-    for (std::size_t cell = 0; cell < mesh().cells(); ++cell) missed[first + cell] += more[a][cell];
-    first += mesh().cells() + (a == 0 ? mesh().faces() : 0);
+  next = missed.begin();
+  for (const std::vector<double>& along : more) {
+    for (const double value : along) *next++ += value;
   }
 }
 

@@ -185,10 +185,16 @@ Vec<3> MeshVelocity::by_cell(std::size_t cell, const Vec<3>& x) const {
   return v;
 }
 
-Vec<3> MeshVelocity::rest(std::size_t cell, const Vec<3>& x) const {
-  Vec<3> rest = velocity(cell, x);
-  for (std::size_t a = 0; a < along_.size(); ++a) rest[a] = along_[a].value(cell) - rest[a];
-  return rest;
+Vec<3> MeshVelocity::with_rest(const Origin& origin, const Vec<3>& x, double volume, Vec<3> v) const {
+  const double part = (1 - origin.part) * std::min(1.0, mesh_.volume[origin.from] / volume);
+  const Vec<3> here = velocity(origin.from, x);
+  for (std::size_t a = 0; a < along_.size(); ++a) {
+    const auto [low, high] = along_[a].extrema(origin.from);
+    const auto [low_there, high_there] = along_[a].extrema(origin.cell);
+    const double least = std::min({low, low_there, v[a]}), most = std::max({high, high_there, v[a]});
+    v[a] = std::clamp(v[a] + part * (along_[a].value(origin.from) - here[a]), least, most);
+  }
+  return v;
 }
 
 MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {

@@ -44,8 +44,6 @@ class MeshVelocity {
   MeshVelocity(const FlowMesh& mesh, const FaceValues& v);
 
   Vec<3> velocity(std::size_t cell, const Vec<3>& x) const;
-  /// Returns what the cell that a place is in has more than the velocity there.
-  Vec<3> rest(std::size_t cell, const Vec<3>& x) const;
   /// Where what is at a place now was a time before.
   struct Origin {
     Vec<3> x;
@@ -56,6 +54,8 @@ class MeshVelocity {
   };
   /// Finds it by the mid-point rule.
   Origin before(const Vec<3>& x, double h) const;
+  /// Returns v, which comes to a place x in a cell of a volume, with what stays there.
+  Vec<3> with_rest(const Origin& origin, const Vec<3>& x, double volume, Vec<3> v) const;
   const CellFinder& finder() const { return finder_; }
 
  private:
@@ -93,16 +93,14 @@ void each_place_within(const FlowMesh& mesh, const Function& f) {
 ///
 /// What cells have more than the velocity at their places stays there, but for the part of half a cell that the way is:
 /// a fluid that hardly moves in a step keeps its velocity, whatever a cell's velocities are made of, and short steps
-/// lose no more in a time than long ones.
+/// lose no more in a time than long ones. A cell gives no more of it than it has, as where a film was, and with it
+/// velocities keep within what both ends of the way have.
 template <class Met>
 void carry_to(const FlowMesh& mesh, const MeshVelocity& from, double h, const Met& met, FaceValues& to) {
   each_place_within(mesh, [&](std::size_t cell, const Vec<3>& x) {
     const MeshVelocity::Origin origin = from.before(x, h);
     Vec<3> v = met(origin, from.velocity(origin.cell, origin.x));
-    if (origin.part < 1) {
-      const Vec<3> rest = from.rest(origin.from, x);
-      for (std::size_t a = 0; a < at(mesh.dim); ++a) v[a] += (1 - origin.part) * rest[a];
-    }
+    if (origin.part < 1) v = from.with_rest(origin, x, mesh.volume[cell], v);
     for (std::size_t a = 0; a < at(mesh.dim); ++a) to[a][cell] += v[a] / static_cast<double>(mesh.corners());
   });
 }

@@ -10,7 +10,7 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double of_ties = 3;     // beta of equilateral triangles is then that of mixed elements of the lowest order
+constexpr double of_ties = 3;     // of the sum of squares of the slopes of a cell's functions; beta
 constexpr double of_jumps = 0.5;  // gamma
 
 }  // namespace
@@ -43,16 +43,23 @@ StrainOnMesh::StrainOnMesh(const FlowMesh& mesh, double mu, double density, std:
   }
 }
 
-Vec<3> StrainOnMesh::velocity(std::size_t cell, std::span<const double> x) const {
-  const std::size_t dim = at(mesh_.dim);
+template <int dim>
+Vec<3> StrainOnMesh::velocity_in(std::size_t cell, std::span<const double> x) const {
+  constexpr std::size_t corners = dim + 1;
+  const int* faces = &mesh_.face[cell * corners];
   Vec<3> w{};
-  const auto faces = mesh_.faces_of(cell);
-  for (std::size_t k = 0, place = cell * faces.size(); k < faces.size(); ++k, ++place) {
+  for (std::size_t k = 0; k < corners; ++k) {
+    const Vec<3>&out = out_[cell * corners + k], &way = way_[cell * corners + k];
     double flux = 0;
-    for (std::size_t a = 0; a < dim; ++a) flux += out_[place][a] * x[at(faces[k]) * dim + a];
-    for (std::size_t a = 0; a < dim; ++a) w[a] += flux / mesh_.volume[cell] * way_[place][a];
+    for (std::size_t a = 0; a < dim; ++a) flux += x[at(faces[k]) * dim + a] * out[a];
+    for (std::size_t a = 0; a < dim; ++a) w[a] += flux * way[a];
   }
+  for (double& along : w) along /= mesh_.volume[cell];
   return w;
+}
+
+Vec<3> StrainOnMesh::velocity(std::size_t cell, std::span<const double> x) const {
+  return mesh_.dim == 2 ? velocity_in<2>(cell, x) : velocity_in<3>(cell, x);
 }
 
 void StrainOnMesh::give_faces(std::size_t cell, const Vec<3>& momentum, std::span<double> y) const {
@@ -69,21 +76,18 @@ template <int dim>
 void StrainOnMesh::find_gradient(std::size_t cell, std::span<const double> x) {
   constexpr std::size_t count = dim * dim, corners = dim + 1;
   std::array<double, count> gradient{};
-  std::array<double, at(dim)> w{};
   const int* faces = &mesh_.face[cell * corners];
   for (std::size_t k = 0; k < corners; ++k) {
     const double* v = &x[at(faces[k]) * dim];
-    const Vec<3>&out = out_[cell * corners + k], &way = way_[cell * corners + k];
-    double flux = 0;
+    const Vec<3>& out = out_[cell * corners + k];
     for (std::size_t a = 0; a < dim; ++a) {
       for (std::size_t b = 0; b < dim; ++b) gradient[a * dim + b] += v[a] * out[b];
-      flux += v[a] * out[a];
     }
-    for (std::size_t a = 0; a < dim; ++a) w[a] += flux * way[a];
   }
-  const double by_volume = 1 / mesh_.volume[cell], pulled = pull(cell) * by_volume * by_volume;
+  const double by_volume = 1 / mesh_.volume[cell];
   for (std::size_t k = 0; k < count; ++k) gradient_[cell * count + k] = by_volume * gradient[k];
-  for (std::size_t a = 0; a < dim; ++a) pulled_[cell][a] = pulled * w[a];
+  pulled_[cell] = velocity_in<dim>(cell, x);
+  for (double& along : pulled_[cell]) along *= pull(cell) * by_volume;
 }
 
 /// 2 mu D, and the cell's part in the jumps at its faces.

@@ -57,6 +57,8 @@ class StrainOnMesh {
   template <int dim>
   void find(Team& team, std::span<const double> x, std::span<double> y);
   template <int dim>
+  Vec<3> velocity_in(std::size_t cell, std::span<const double> x) const;
+  template <int dim>
   void find_gradient(std::size_t cell, std::span<const double> x);
   template <int dim>
   void find_stress(std::size_t cell);
