@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/child.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -20,6 +21,8 @@ constexpr int failed = 1;
 
 [[noreturn]] void work_and_exit(pid_t parent, int end, const std::function<std::string()>& work) {
   if (!end_with_parent(parent)) _exit(failed);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0 || dup2(nowhere, STDERR_FILENO) < 0) _exit(failed);
   try {
     const std::string bytes = work();
     for (std::size_t sent = 0; sent < bytes.size();) {

@@ -16,8 +16,8 @@ bool end_with_parent(pid_t parent);
 double processor_seconds(const rusage& usage) noexcept;
 
 /// Does work in a process of its own, made by fork(), and returns the bytes that the work does; nothing where it
-/// crashed or threw. What it does to memory is lost with it: for libraries that spoil it where they fail. The work
-/// calls no threads. Throws RunError where no process can be started.
+/// crashed or threw; what it prints is not shown. What it does to memory is lost with it: for libraries that spoil it
+/// where they fail. The work calls no threads. Throws RunError where no process can be started.
 std::optional<std::string> from_a_child(const std::function<std::string()>& work);
 
 }  // namespace tether

@@ -74,13 +74,14 @@ struct CoupledState : StepClock {
   SmokeFlow smoke_flow;  ///< since the start
   StepAccount last;
   EnergyBooks books;
-  double worst_mismatch = 0;                 ///< of all steps
-  double cfl_largest = 0;                    ///< likewise
-  double work = 0;                           ///< that the solids have taken from the fluid [energy]
-  long long iterations = 0;                  ///< of linear solvers
-  long long lu_solutions = 0;                ///< by factors where BiCGSTAB did not converge
-  std::vector<double> orders;                ///< of elimination, when the state was saved
-  fem::ContactState contact;                 ///< of steps that keep the energy
+  double worst_mismatch = 0;   ///< of all steps
+  double cfl_largest = 0;      ///< likewise
+  double lost_for_good = 0;    ///< by carrying velocities on meshes and by pressures: not given back [energy]
+  double work = 0;             ///< that the solids have taken from the fluid [energy]
+  long long iterations = 0;    ///< of linear solvers
+  long long lu_solutions = 0;  ///< by factors where BiCGSTAB did not converge
+  std::vector<double> orders;  ///< of elimination, when the state was saved
+  fem::ContactState contact;   ///< of steps that keep the energy
   long long newton_steps = 0, halvings = 0;  ///< of these
   double linear_gain = 0;            ///< most that a linear step gave turning bodies, over their energy of motion
   double unswept = 0;                ///< volume that steps' sweeps left out so far, over that of the bodies
@@ -125,8 +126,9 @@ void exchange(Exchange& with, CoupledState& state) {
   with("remeshed", books.remeshed), with("projected", books.projected), with("sources", books.sources);
   with("coupling", books.coupling), with("solid_step", books.solid_step);
   with("cfl", state.last.cfl), with("cfl_largest", state.cfl_largest);
-  with("work", state.work), with("contact_solutions", state.contact_solutions),
-      with("contact_unsettled", state.contact_unsettled), with("iterations", state.iterations);
+  with("lost_for_good", state.lost_for_good), with("work", state.work),
+      with("contact_solutions", state.contact_solutions), with("contact_unsettled", state.contact_unsettled),
+      with("iterations", state.iterations);
   with("linear_gain", state.linear_gain), with("unswept", state.unswept), with("newton_steps", state.newton_steps),
       with("halvings", state.halvings);
   fem::exchange(with, state.contact), fem::exchange(with, state.overlap);

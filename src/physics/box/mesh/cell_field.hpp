@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "physics/box/mesh/flow_mesh.hpp"
 
 namespace tether::coupled {
@@ -32,6 +33,13 @@ class CellField {
   double limited_at(std::size_t cell, const Vec<3>& x) const {
     const auto [low, high] = extrema(cell);
     return std::clamp(at_place(cell, x), low, high);
+  }
+  /// Between the means about a cell's nodes, by a place's shares.
+  double between_means(std::size_t cell, const std::array<double, 4>& shares) const {
+    double value = 0;
+    const auto nodes = mesh_.nodes_of(cell);
+    for (std::size_t k = 0; k < nodes.size(); ++k) value += shares[k] * mean_[at(nodes[k])];
+    return value;
   }
   std::array<double, 2> extrema(std::size_t cell) const;
 

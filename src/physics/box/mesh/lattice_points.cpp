@@ -22,11 +22,11 @@ class Lattices {
         taken_(dim_, about_.low, about_.high, sizes.size) {}
 
   std::vector<Vec<3>> points() {
-    const std::array<int, 3> bins = about_.bins().count();
+    const std::array<int, 3> bins = taken_.count();
     levels_ = std::min(most_levels, static_cast<int>(std::ceil(std::log2(size_ / about_.least) - 0.5)));
     std::vector<std::pair<std::array<int, 3>, double>> least;  // of each bin
-    about_.bins().each_bin_about({0, 0, 0}, std::max({bins[0], bins[1], bins[2]}),
-                                 [&](const std::array<int, 3>& bin) { least.emplace_back(bin, about_.least_in(bin)); });
+    taken_.each_bin_about({0, 0, 0}, std::max({bins[0], bins[1], bins[2]}),
+                          [&](const std::array<int, 3>& bin) { least.emplace_back(bin, least_in(bin)); });
     for (level_ = 0; level_ <= levels_; ++level_) {
       step_ = size_ * std::pow(0.5, level_);
       for (const auto& [bin, size] : least) {
@@ -37,6 +37,13 @@ class Lattices {
   }
 
  private:
+  double least_in(const std::array<int, 3>& bin) const {
+    const double half = 0.5 * size_;
+    Vec<3> middle = about_.low, wide{};
+    for (std::size_t a = 0; a < at(dim_); ++a) middle[a] += (2 * bin[a] + 1) * half, wide[a] = half;
+    return about_.least_in(middle, wide);
+  }
+
   /// Lattice points of a bin, from its lower end on.
   std::array<int, 2> range(int bin, double spacing) const {
     return {static_cast<int>(std::ceil(bin * size_ / spacing)),

@@ -46,6 +46,18 @@ bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
   });
 }
 
+/// As large as those that are left out on a grid: of 3 cells along each axis.
+double MeshFlow::pocket() const { return std::pow(3 * scene_.mesh->near, scene_.grid.dim); }
+
+FlowMesh MeshFlow::without_shut_in(FlowMesh mesh) const {
+  if (mesh.regions < 2 || surface_.sheets == 0) return mesh;
+  std::vector<std::uint8_t> closed(at(mesh.regions), 1);
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    if (is_open(mesh, f)) closed[at(mesh.region[mesh.cell_of(f)])] = 0;
+  }
+  return without_pockets(std::move(mesh), closed, surface_.sheet, pocket());
+}
+
 /// What bodies that touch walls part stays parted. Where there is no mesh about the solids as they are, their surface
 /// is moved back farther where it nearly touches, and then other sizes of cells are tried.
 std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) const {
@@ -61,7 +73,7 @@ std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) con
     try {
       FlowMesh mesh = scene_.grid.dim == 2 ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), sizes)
                                            : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), sizes);
-      return std::make_shared<FlowMesh>(without_seals(std::move(mesh), film * gap));
+      return std::make_shared<FlowMesh>(without_shut_in(without_seals(std::move(mesh), film * gap, pocket())));
     } catch (const RunError&) {
       if (trial + 1 == trials.size()) throw;
     }
@@ -150,89 +162,6 @@ void MeshFlow::prescribe(double time, double h, FaceValues& v) const {
     const int jet = jet_at(scene_, mesh.boundary[f].number, mesh.middle_of_face(f));
     v[0][mesh.cells() + f] = jet < 0 ? 0 : -speeds[at(jet)] * mesh.size_of(f);
   }
-}
-
-void MeshFlow::begin(CoupledState& state, double h) {
-  kept_ = mesh_of(state.flow_q), kept_q_ = state.flow_q;
-  const FlowMesh& old = *kept_;
-  const FlowMesh& mesh = *at_.mesh;
-  const double before = kinetic_energy_on(old, state.v, state.v);
-  FaceValues carried = still();
-  prescribe(state.time, h, carried);
-  const MeshVelocity velocity(old, state.v);
-  const std::vector<double> speeds = jet_speeds(scene_, state.time, h);
-  const auto met = [&](const MeshVelocity::Origin& origin, Vec<3> v) {
-    if (origin.opened_at >= 0) v = velocity_of_solid(old, at(origin.opened_at), state.u, v);
-    return origin.face >= 0 ? jet_velocity(origin, old, speeds, v) : v;
-  };
-  carry_to(mesh, velocity, h, met, carried);
-  state.p = pressures_on_faces(velocity.finder(), old, state.p);
-  if (scene_.viscosity > 0) {
-    state.driven = drive_from(velocity.finder(), state.driven);
-    note_narrow_cells(state);
-  }
-  state.v = std::move(carried), state.flow_q = state.q;
-  const CarriedIn in = carried_in_by(state.v, h);
-  state.books.jets += in.jets, state.books.open_sides += in.open_sides;
-  state.books.advected += before + in.jets + in.open_sides - kinetic_energy(state.v, state.v);
-}
-
-/// First guesses of this mesh's pressures from those of the one before.
-std::vector<double> MeshFlow::pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
-                                                 std::span<const double> p) const {
-  std::vector<double> found;
-  for (std::size_t f = 0; f < at_.mesh->faces(); ++f) {
-    Vec<3> x = at_.mesh->middle_of_face(f);
-    const std::size_t cell = finder.cell_at(x);
-    found.push_back(pressure_in(old, p, cell, x));
-  }
-  return found;
-}
-
-/// What goes out has the velocity of its cell; what comes in has that across the face.
-CarriedIn MeshFlow::carried_in_by(const FaceValues& v, double h) const {
-  const FlowMesh& mesh = *at_.mesh;
-  const auto energy = [&](std::size_t face, double out) {
-    double square = 0;
-    for (std::size_t a = 0; a < at(mesh.dim); ++a) square += std::pow(v[a][mesh.cell_of(face)], 2);
-    return -0.5 * scene_.density * h * out * (out > 0 ? square : std::pow(out / mesh.size_of(face), 2));
-  };
-  CarriedIn in;
-  each_prescribed(v, [&](std::size_t face, double out) { in.jets += energy(face, out); });
-  each_open_side([&](std::size_t face, std::size_t cell, double) {
-    double out = 0;
-    for (std::size_t a = 0; a < at(mesh.dim); ++a) out += mesh.area[face][a] * v[a][cell];
-    in.open_sides += energy(face, out);
-  });
-  return in;
-}
-
-/// The velocity of the solid that a cell lies at; that of the fluid where it lies at none. Where a solid has made room
-/// the fluid follows it: what was next to it, in a film that was thin, may be far too fast for all of that room.
-Vec<3> MeshFlow::velocity_of_solid(const FlowMesh& old, std::size_t cell, std::span<const double> u,
-                                   const Vec<3>& fluid) const {
-  for (const int f : old.faces_of(cell)) {
-    if (old.boundary[at(f)].kind != BoundaryKind::solid) continue;
-    Vec<3> v{};
-    const auto nodes = surface_.side(at(old.boundary[at(f)].number));
-    for (const int n : nodes) {
-      for (std::size_t a = 0; a < at(old.dim); ++a)
-        v[a] += u[at(n) * at(old.dim) + a] / static_cast<double>(nodes.size());
-    }
-    return v;
-  }
-  return fluid;
-}
-
-/// The velocity of the jet that a path began in; that of the fluid where it is none that blows in.
-Vec<3> MeshFlow::jet_velocity(const MeshVelocity::Origin& origin, const FlowMesh& old, std::span<const double> speeds,
-                              const Vec<3>& fluid) const {
-  const Boundary& met = old.boundary[at(origin.face)];
-  const int jet = met.kind == BoundaryKind::box_side ? jet_at(scene_, met.number, origin.x) : -1;
-  if (jet < 0 || speeds[at(jet)] <= 0) return fluid;
-  Vec<3> v{};
-  v[at(axis_of_side(met.number))] = (is_low_side(met.number) ? 1 : -1) * speeds[at(jet)];
-  return v;
 }
 
 void MeshFlow::add_forces(const Smoke& smoke, double h, FaceValues& v) const {

@@ -99,6 +99,8 @@ class MeshFlow final : public Flow, public FlowFriction {
     CouplingMap map;
   };
   Placed placed(std::span<const double> q) const;
+  double pocket() const;
+  FlowMesh without_shut_in(FlowMesh mesh) const;
   std::shared_ptr<const FlowMesh> mesh_at(std::span<const double> q) const;
   std::shared_ptr<const FlowMesh> mesh_of(const std::vector<double>& q) const;
   CouplingMap map_of(const Placed& at, std::span<const double> q, std::span<const double> middle) const;
@@ -136,6 +138,7 @@ class MeshFlow final : public Flow, public FlowFriction {
   void note_narrow_cells(CoupledState& state);
   std::vector<double> given_at_faces(const FaceValues& v) const;
   FaceValues drive_from(const CellFinder& finder, const FaceValues& before) const;
+  static double most_energy(double before, const CarriedIn& in, CoupledState& state);
   CarriedIn carried_in_by(const FaceValues& v, double h) const;
   void start_smoke(CoupledState& state) const;
   void carry_smoke_to(const FlowMesh& next, double h, CoupledState& state) const;

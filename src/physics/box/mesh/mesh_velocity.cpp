@@ -12,7 +12,10 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of a cell
 constexpr double cells_of_a_bin = 2;
-constexpr double ways_of_a_cell = 2;  // a way of half of one leaves nothing of what stays
+
+/// Of shares in a cell: a place that moves by one of these, or that no place of the cell is as near as, has nothing of
+/// what stays.
+constexpr double lost_by_way = 1.0 / 3, lost_by_change = 1.0 / 6;
 
 /// The place in a cell whose shares are these where they are not below 0, which are made so.
 Vec<3> place_within(const FlowMesh& mesh, std::size_t cell, std::array<double, 4> shares) {
@@ -185,16 +188,35 @@ Vec<3> MeshVelocity::by_cell(std::size_t cell, const Vec<3>& x) const {
   return v;
 }
 
-Vec<3> MeshVelocity::with_rest(const Origin& origin, const Vec<3>& x, double volume, Vec<3> v) const {
-  const double part = (1 - origin.part) * std::min(1.0, mesh_.volume[origin.from] / volume);
+Vec<3> MeshVelocity::smooth_velocity(std::size_t cell, const Vec<3>& x) const {
+  Vec<3> v{};
+  const auto shares = mesh_.shares(cell, x);
+  for (std::size_t a = 0; a < along_.size(); ++a) v[a] = along_[a].between_means(cell, shares);
+  return v;
+}
+
+Vec<3> MeshVelocity::with_rest(const Origin& origin, const Vec<3>& x, Vec<3> v) const {
   const Vec<3> here = velocity(origin.from, x);
   for (std::size_t a = 0; a < along_.size(); ++a) {
     const auto [low, high] = along_[a].extrema(origin.from);
     const auto [low_there, high_there] = along_[a].extrema(origin.cell);
     const double least = std::min({low, low_there, v[a]}), most = std::max({high, high_there, v[a]});
-    v[a] = std::clamp(v[a] + part * (along_[a].value(origin.from) - here[a]), least, most);
+    v[a] = std::clamp(v[a] + (1 - origin.part) * (along_[a].value(origin.from) - here[a]), least, most);
   }
   return v;
+}
+
+/// By how far the place has come, and is from the nearest of the cell's own places, in shares.
+double MeshVelocity::part_lost(std::size_t cell, const Vec<3>& x, const Vec<3>& origin) const {
+  const auto now = mesh_.shares(cell, x), before = mesh_.shares(cell, origin);
+  const auto nearest = std::max_element(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(mesh_.corners()));
+  const double own = share_of_place(mesh_.dim), other = (1 - own) / mesh_.dim;
+  double way = 0, change = 0;
+  for (std::size_t k = 0; k < mesh_.corners(); ++k) {
+    way = std::max(way, std::abs(now[k] - before[k]));
+    change = std::max(change, std::abs(now[k] - (&now[k] == &*nearest ? own : other)));
+  }
+  return std::min(1.0, way / lost_by_way + change / lost_by_change);
 }
 
 MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
@@ -210,12 +232,25 @@ MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
   Origin origin{.x = back(velocity(at_half, half), h), .from = cell};
   if (found != x) origin.opened_at = static_cast<int>(cell);
   origin.cell = finder_.walk(cell, origin.x, origin.face);
-  if (origin.opened_at < 0 && origin.face < 0) {
-    const Vec<3> way = minus(x, origin.x);
-    const double size = std::pow(mesh_.volume[cell], 1.0 / mesh_.dim);
-    origin.part = std::min(1.0, ways_of_a_cell * std::sqrt(dot(way, way)) / size);
-  }
+  if (origin.opened_at < 0 && origin.face < 0) origin.part = part_lost(cell, x, origin.x);
   return origin;
+}
+
+void hold_energy(const FlowMesh& mesh, double most, Carried& carried) {
+  double all = 0, along = 0, of_way = 0;  // the sum is all + 2 part along + part^2 of_way
+  const auto each_value = [&](const auto& f) {
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+      for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+        f(mesh.volume[cell], carried.v[a][cell], carried.smooth[a][cell] - carried.v[a][cell]);
+    }
+  };
+  each_value([&](double volume, double v, double way) {
+    all += volume * v * v, along += volume * v * way, of_way += volume * way * way;
+  });
+  if (all <= most) return;
+  const double roots = along * along - of_way * (all - most);
+  const double part = along < 0 && roots >= 0 ? std::min(1.0, (all - most) / (std::sqrt(roots) - along)) : 1.0;
+  each_value([&](double, double& v, double way) { v += part * way; });
 }
 
 }  // namespace tether::coupled

@@ -48,18 +48,21 @@ class MeshVelocity {
   struct Origin {
     Vec<3> x;
     std::size_t cell = 0, from = 0;  ///< cells of that place, and of the place now
-    double part = 1;                 ///< of half the latter's size that the way is, at most 1
+    double part = 1;                 ///< of what the latter has more than the velocity there that is lost
     int face = -1;                   ///< of the boundary that it came in through
     int opened_at = -1;              ///< where a solid was at the place, which was in no cell: the nearest one
   };
   /// Finds it by the mid-point rule.
   Origin before(const Vec<3>& x, double h) const;
-  /// Returns v, which comes to a place x in a cell of a volume, with what stays there.
-  Vec<3> with_rest(const Origin& origin, const Vec<3>& x, double volume, Vec<3> v) const;
+  /// Returns v, which comes from there to x, with what stays at x.
+  Vec<3> with_rest(const Origin& origin, const Vec<3>& x, Vec<3> v) const;
+  /// Finds it by the means about the nodes of the cell alone: smoother than the flow is, and within their extrema.
+  Vec<3> smooth_velocity(std::size_t cell, const Vec<3>& x) const;
   const CellFinder& finder() const { return finder_; }
 
  private:
   bool is_at_boundary(std::size_t cell) const;
+  double part_lost(std::size_t cell, const Vec<3>& x, const Vec<3>& origin) const;
   Vec<3> by_nodes(std::size_t cell, const Vec<3>& x) const;
   Vec<3> by_cell(std::size_t cell, const Vec<3>& x) const;
 
@@ -70,12 +73,15 @@ class MeshVelocity {
   std::vector<CellField> along_;           // each axis [velocity]
 };
 
+/// Share of a cell's own node in each place within it; the other nodes have the rest.
+constexpr double share_of_place(int dim) { return dim == 2 ? 2.0 / 3 : 0.58541019662496845446; }
+
 /// Calls f(cell, x) for three places within each triangle, or four within each tetrahedron, whose mean is that of the
 /// cell for squares. Places on faces would not do: a cell at the end of a film has the film's velocity there, which is
 /// that of next to nothing.
 template <class Function>
 void each_place_within(const FlowMesh& mesh, const Function& f) {
-  const double near = mesh.dim == 2 ? 2.0 / 3 : 0.58541019662496845446, far = (1 - near) / mesh.dim;
+  const double near = share_of_place(mesh.dim), far = (1 - near) / mesh.dim;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     const auto nodes = mesh.nodes_of(cell);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -88,21 +94,33 @@ void each_place_within(const FlowMesh& mesh, const Function& f) {
   }
 }
 
-/// Gives each cell of a mesh the mean of what comes there in a time h. `met(origin, v)` returns the velocity of what
-/// comes from there, where the fluid has v.
+/// What a step brings to the cells of a mesh.
+struct Carried {
+  FaceValues v;       ///< velocity
+  FaceValues smooth;  ///< by means about nodes alone, which loses more
+};
+
+/// Finds for each cell of a mesh the mean of what comes there in a time h. `met(origin, v)` returns the velocity of
+/// what comes from there, where the fluid has v.
 ///
-/// What cells have more than the velocity at their places stays there, but for the part of half a cell that the way is:
-/// a fluid that hardly moves in a step keeps its velocity, whatever a cell's velocities are made of, and short steps
-/// lose no more in a time than long ones. A cell gives no more of it than it has, as where a film was, and with it
-/// velocities keep within what both ends of the way have.
+/// What cells have more than the velocity at their places stays there, less what is lost of it by the way, or where a
+/// cell is not the same as before: a fluid that hardly moves in a step keeps its velocity, whatever a cell's
+/// velocities are made of, and short steps lose no more in a time than long ones. With it velocities keep within what
+/// both ends of the way have.
 template <class Met>
-void carry_to(const FlowMesh& mesh, const MeshVelocity& from, double h, const Met& met, FaceValues& to) {
+void carry_to(const FlowMesh& mesh, const MeshVelocity& from, double h, const Met& met, Carried& to) {
+  const double part = 1 / static_cast<double>(mesh.corners());
   each_place_within(mesh, [&](std::size_t cell, const Vec<3>& x) {
     const MeshVelocity::Origin origin = from.before(x, h);
+    const Vec<3> smooth = met(origin, from.smooth_velocity(origin.cell, origin.x));
     Vec<3> v = met(origin, from.velocity(origin.cell, origin.x));
-    if (origin.part < 1) v = from.with_rest(origin, x, mesh.volume[cell], v);
-    for (std::size_t a = 0; a < at(mesh.dim); ++a) to[a][cell] += v[a] / static_cast<double>(mesh.corners());
+    if (origin.part < 1) v = from.with_rest(origin, x, v);
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) to.v[a][cell] += part * v[a], to.smooth[a][cell] += part * smooth[a];
   });
 }
+
+/// Moves what is carried towards what is smooth, by the least part that leaves no more than `most` of the sum over
+/// cells of v . v times volume; wholly where none does.
+void hold_energy(const FlowMesh& mesh, double most, Carried& carried);
 
 }  // namespace tether::coupled

@@ -41,7 +41,7 @@ void add_segment(std::size_t from, std::size_t to, const Boundary& boundary, boo
       const double part = static_cast<double>(k) / parts;
       outline.places.push_back({a[0] + part * way[0], a[1] + part * way[1], 0});
     }
-    outline.facets.push_back({{last, next, 0}, boundary, has_fluid});
+    outline.facets.push_back({{last, next, 0}, boundary, 0, has_fluid});
     last = next;
   }
 }
@@ -97,6 +97,14 @@ Vec<3> place_on_side(const Coupled& scene, const std::array<Vec<3>, 2>& ends, do
 }
 
 }  // namespace
+
+double Outline::size_of(const Facet& facet) const {
+  const Vec<3>& a = places[facet.corners[0]];
+  const Vec<3> along = minus(places[facet.corners[1]], a);
+  if (dim == 2) return std::sqrt(dot(along, along));
+  const Vec<3> twice = cross(along, minus(places[facet.corners[2]], a));
+  return std::sqrt(2 / std::sqrt(3.0) * std::sqrt(dot(twice, twice)));
+}
 
 Outline outline_in_plane(const Coupled& scene, const FlowSurface& surface, std::span<const double> q, double gap) {
   Outline outline;

@@ -11,6 +11,7 @@
 #include "base/numbers.hpp"
 #include "physics/box/flow_box.hpp"
 #include "physics/box/mesh/outline.hpp"
+#include "physics/box/mesh/split_facets.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -168,6 +169,7 @@ Outline outline_in_space(const Coupled& scene, const FlowSurface& surface, std::
   outline.dim = 3;
   if (!scene.cavities_only) Bricks(scene).add_to(outline);
   const SolidSurface& all = surface.all();
+  const std::size_t first = outline.facets.size();
   const std::vector<double> places = surface.places_apart(q, gap);
   std::vector<int> known(places.size() / 3, -1);
   std::vector<std::optional<std::size_t>> largest(at(all.parts));  // side of each part
@@ -188,10 +190,12 @@ Outline outline_in_space(const Coupled& scene, const FlowSurface& surface, std::
       }
       facet.corners[k] = at(place);
     }
+    facet.size = outline.size_of(facet);
     outline.facets.push_back(facet);
     auto& of_part = largest[at(all.part[s])];
     if (!of_part || size(s) > size(*of_part)) of_part = s;
   }
+  split_facets(first, scene.mesh->near, outline);
   for (const auto& side : largest) {
     if (side) outline.holes.push_back(place_within(all, *side, places));
   }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "base/numbers.hpp"
 #include "physics/box/mesh/outline.hpp"
+#include "physics/box/mesh/size_tree.hpp"
 
 namespace tether::coupled {
 
@@ -21,17 +21,11 @@ class PlacesInBins {
     Vec<3> x;
     double size;
   };
-  void add(const Vec<3>& x, double size);
+  void add(const Vec<3>& x, double size) { bins_[number(bin_at(x))].push_back({x, size}); }
   const std::array<int, 3>& count() const { return n_; }
-  double width() const { return width_; }
   /// The bin that a place is in, or the nearest one.
   std::array<int, 3> bin_at(const Vec<3>& x) const;
-  std::span<const Place> in(const std::array<int, 3>& bin) const { return bins_[number(bin)].places; }
-  /// One place for all of a bin: their mean, with their least size. Null where it has none.
-  const Place* whole(const std::array<int, 3>& bin) const {
-    const Bin& of = bins_[number(bin)];
-    return of.places.empty() ? nullptr : &of.whole;
-  }
+  std::span<const Place> in(const std::array<int, 3>& bin) const { return bins_[number(bin)]; }
   /// Calls f(bin) for the bins up to so many away from one.
   template <class Function>
   void each_bin_about(const std::array<int, 3>& bin, int away, const Function& f) const {
@@ -52,10 +46,6 @@ class PlacesInBins {
   }
 
  private:
-  struct Bin {
-    std::vector<Place> places;
-    Place whole{};
-  };
   std::size_t number(const std::array<int, 3>& bin) const {
     return at(bin[0]) + at(n_[0]) * (at(bin[1]) + at(n_[1]) * at(bin[2]));
   }
@@ -63,13 +53,12 @@ class PlacesInBins {
   Vec<3> low_;
   double width_;
   std::array<int, 3> n_{1, 1, 1};
-  std::vector<Bin> bins_;
+  std::vector<std::vector<Place>> bins_;
 };
 
 double distance(const Vec<3>& a, const Vec<3>& b);
 
-/// The size that a mesh is to have about an outline: that of the nearest facets, and more by the growth over the way;
-/// facets that are far count as one for each bin of the mesh's largest size.
+/// The size that a mesh is to have about an outline: that of the nearest facets, and more by the growth over the way.
 class SizesAbout {
  public:
   static constexpr double apart = 0.6;  ///< of the size, from the outline on, is where a mesh has points
@@ -79,18 +68,14 @@ class SizesAbout {
 
   SizesAbout(const Outline& outline, const MeshSizes& sizes);
 
-  const PlacesInBins& bins() const { return *along_; }
-  /// Returns a size that none in a bin is below.
-  double least_in(const std::array<int, 3>& bin) const;
+  /// Returns a size that none in a box about x is below, which is twice as wide as `half`.
+  double least_in(const Vec<3>& x, const Vec<3>& half) const;
   /// Returns the size at a place; 0 where that is too near to the outline.
   double size_at(const Vec<3>& x) const;
 
  private:
-  void add(const Outline& outline, const Outline::Facet& facet);
-
   MeshSizes sizes_;
-  int away_;                           // bins, of those that may matter
-  std::optional<PlacesInBins> along_;  // places on the facets, with the lengths of their edges
+  SizeTree facets_;
 };
 
 }  // namespace tether::coupled

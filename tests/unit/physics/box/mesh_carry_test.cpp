@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "unit/physics/box/mesh_support.hpp"
 
@@ -34,13 +35,32 @@ TEST(MeshFlow, WhatDoesNotMoveStays) {
   }
 }
 
+Vec<3> vortex(const Vec<3>& x) {
+  return {std::sin(pi * x[0]) * std::cos(pi * x[1]), -std::cos(pi * x[0]) * std::sin(pi * x[1]), 0};
+}
+
+/// On few cells about a block that stands in a vortex, short steps would make energy of their errors.
+TEST(MeshFlow, AVortexAboutABlockGainsNothing) {
+  constexpr int n = 12;
+  constexpr double cfl = 0.05;
+  Flowing at(box_of(1.316 / n), support::hollow_block(2, 2, {0.3, 0.6, 0}, 0.2, 0.1));
+  at.set(vortex);
+  at.project();
+  const double first = at.energy();
+  for (int step = 0; step < 8 * n / cfl; ++step) {  // four turns
+    at.flow.begin(at.state, cfl / n);
+    const double carried = at.energy();
+    at.project();
+    at.state.books.projected += carried - at.energy();
+    ASSERT_LT(at.energy(), 1.01 * first);
+  }
+  EXPECT_GT(at.energy(), 0.8 * first);
+}
+
 /// A vortex in the unit square loses some of its energy by being carried along to a new mesh in each step, and gains
 /// none.
 TEST(MeshFlow, AVortexTurns) {
   constexpr int n = 32;  // of a grid with as many velocities
-  const auto vortex = [](const Vec<3>& x) {
-    return Vec<3>{std::sin(pi * x[0]) * std::cos(pi * x[1]), -std::cos(pi * x[0]) * std::sin(pi * x[1]), 0};
-  };
   auto flowing = std::make_unique<Flowing>(box_of(1.316 / n), Mesh{});
   flowing->set(vortex);
   flowing->project();
@@ -51,7 +71,9 @@ TEST(MeshFlow, AVortexTurns) {
     EXPECT_NE(next->mesh().x, flowing->mesh().x);
     const auto as_it_is = [](const MeshVelocity::Origin&, const Vec<3>& v) { return v; };
     next->set([](const Vec<3>&) { return Vec<3>{}; });
-    carry_to(next->mesh(), MeshVelocity(flowing->mesh(), flowing->state.v), 1.0 / n, as_it_is, next->state.v);
+    Carried carried{next->state.v, next->state.v};
+    carry_to(next->mesh(), MeshVelocity(flowing->mesh(), flowing->state.v), 1.0 / n, as_it_is, carried);
+    next->state.v = std::move(carried.v);
     next->project();
     EXPECT_LT(next->energy(), before);
     before = next->energy();

@@ -198,6 +198,28 @@ TEST(SpaceMesh, AddedMassOfASphereInAShell) {
   EXPECT_LT(std::abs(slow[1]), 0.002);
 }
 
+/// A plate has nearly the same added mass along itself whatever elements it is made of: its sides have as short edges
+/// as the mesh is to have at it.
+TEST(SpaceMesh, CellsAtBodiesAreSmallWhateverTheirElementsAre) {
+  std::vector<double> mass;
+  for (const int n : {1, 4}) {
+    const Mesh plate = support::lattice(3, {n, n, n}, support::all, [](const Vec<3>& s) {
+      return Vec<3>{0.47 + 0.06 * s[0], 0.35 + 0.3 * s[1], 0.2 + 0.6 * s[2]};
+    });
+    Coupled box = box_of(0.2, 3);
+    box.mesh->near = 0.06;
+    const Flowing flowing(box, plate);
+    Values u(flowing.state.q.size(), 0.0);
+    for (std::size_t k = 1; k < u.size(); k += 3) u[k] = 1;
+    const Values flux = support::product(flowing.flow.map().B, u), p = solved(flowing, flux);
+    double twice = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) twice += p[k] * flux[k];
+    mass.push_back(twice / (0.06 * 0.3 * 0.6));
+  }
+  EXPECT_NEAR(mass[0], mass[1], 0.1 * mass[1]);
+  EXPECT_GT(mass[1], 0.1);
+}
+
 /// Bodies that are apart or touch have a mesh about them; of those that cross it is said where.
 TEST(SpaceMesh, BodiesThatTouchHaveAMeshAboutThem) {
   int made = 0;
