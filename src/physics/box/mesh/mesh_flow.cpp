@@ -46,8 +46,8 @@ bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
   });
 }
 
-/// As large as those that are left out on a grid: of 3 cells along each axis.
-double MeshFlow::pocket() const { return std::pow(3 * scene_.mesh->near, scene_.grid.dim); }
+/// No more than a few cells: rooms that bodies shut in as they touch are larger.
+double MeshFlow::pocket() const { return std::pow(scene_.mesh->near, scene_.grid.dim); }
 
 FlowMesh MeshFlow::without_shut_in(FlowMesh mesh) const {
   if (mesh.regions < 2 || surface_.sheets == 0) return mesh;
