@@ -42,20 +42,24 @@ std::vector<std::uint8_t> closed_regions(const FlowDomain& domain) {
 }
 
 std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingMap& map) {
-  const std::size_t most = domain.grid.dim == 2 ? 9 : 27, count = at(domain.regions);
-  std::vector<std::size_t> size(count, 0);
+  const double most = domain.grid.dim == 2 ? 9 : 27;  // cells
+  std::vector<double> sizes(at(domain.regions), 0.0);
   for (const int region : domain.region) {
-    if (region >= 0) ++size[at(region)];
+    if (region >= 0) ++sizes[at(region)];
   }
-  std::vector<std::uint8_t> pocket(count, 0);
-  const std::vector<std::uint8_t> closed = closed_regions(domain);
-  for (std::size_t first = 0; first < map.area_seen.size(); first += count) {  // of each sheet
-    std::size_t largest = 0;
-    for (std::size_t r = 0; r < count; ++r) {
-      if (map.area_seen[first + r] > 0) largest = std::max(largest, size[r]);
+  return find_pockets(sizes, closed_regions(domain), map.area_seen, most);
+}
+
+std::vector<std::uint8_t> find_pockets(std::span<const double> sizes, std::span<const std::uint8_t> closed,
+                                       std::span<const double> area_seen, double most) {
+  std::vector<std::uint8_t> pocket(sizes.size(), 0);
+  for (std::size_t first = 0; first < area_seen.size(); first += sizes.size()) {  // of each sheet
+    double largest = 0;
+    for (std::size_t r = 0; r < sizes.size(); ++r) {
+      if (area_seen[first + r] > 0) largest = std::max(largest, sizes[r]);
     }
-    for (std::size_t r = 0; r < count; ++r) {
-      if (map.area_seen[first + r] > 0 && closed[r] != 0 && size[r] <= most && size[r] < largest) pocket[r] = 1;
+    for (std::size_t r = 0; r < sizes.size(); ++r) {
+      if (area_seen[first + r] > 0 && closed[r] != 0 && sizes[r] <= most && sizes[r] < largest) pocket[r] = 1;
     }
   }
   return pocket;

@@ -36,6 +36,10 @@ std::vector<std::uint8_t> regions_of_jets(const FlowDomain& domain, const FaceVa
 /// Closed regions of no more than a few cells that a surface cuts off from a larger one which sees it, too: a crevice
 /// that the cells do not resolve. With pressures of its own it would hold the solids there as if it were welded.
 std::vector<std::uint8_t> find_pockets(const FlowDomain& domain, const CouplingMap& map);
+/// Returns the same of regions with these sizes, of which each sheet sees so much (as in a CouplingMap); pockets are no
+/// larger than `most`.
+std::vector<std::uint8_t> find_pockets(std::span<const double> sizes, std::span<const std::uint8_t> closed,
+                                       std::span<const double> area_seen, double most);
 
 /// `volumes` are those that the sheets enclose, `first` those at the start; `held` marks the solids' velocities that
 /// are prescribed. A closed region's volume falls by what the volumes of the sheets that it sees grow; where several

@@ -140,6 +140,14 @@ std::vector<std::size_t> FlowMesh::cells_across_gaps(double least) const {
   return across;
 }
 
+std::vector<double> FlowMesh::volumes_of(std::span<const int> part, int count) const {
+  std::vector<double> volumes(at(count), 0.0);
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    if (part[cell] >= 0) volumes[at(part[cell])] += volume[cell];
+  }
+  return volumes;
+}
+
 std::vector<std::uint8_t> FlowMesh::nodes_at_boundary() const {
   std::vector<std::uint8_t> marked(x.size(), 0);
   for (std::size_t f = 0; f < faces(); ++f) {

@@ -64,6 +64,8 @@ struct FlowMesh {
   /// Cells at a boundary whose other node is at one that looks the other way: alone they fill a gap, which is wider
   /// than `least` [length].
   std::vector<std::size_t> cells_across_gaps(double least) const;
+  /// The volume of each part, where each cell has the number of its own, or -1.
+  std::vector<double> volumes_of(std::span<const int> part, int count) const;
   /// Marks the nodes of faces at the boundary.
   std::vector<std::uint8_t> nodes_at_boundary() const;
   /// The cells that faces join to others of the same mark, each such part with a number from 0.

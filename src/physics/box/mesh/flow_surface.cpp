@@ -2,6 +2,7 @@
 #include "physics/box/mesh/flow_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -11,7 +12,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "grid/contact/pair_distance.hpp"
+#include "physics/box/mesh/facet_distance.hpp"
 #include "physics/box/obstacles.hpp"
 
 namespace tether::coupled {
@@ -36,23 +37,10 @@ Extent extent_of(const SolidSurface& surface, std::size_t side, std::span<const 
 
 /// The distance of a place from a side, above 0 out of its solid.
 double distance_from(const SolidSurface& surface, std::size_t side, std::span<const double> q, const Vec<3>& x) {
-  const auto nodes = surface.side(side);
-  const Vec<3> first = place_of(q, nodes[0], surface.dim);
-  const auto from_first = [&](const Vec<3>& to) {
-    return Eigen::Vector3d(to[0] - first[0], to[1] - first[1], to[2] - first[2]);
-  };
-  const double out = dot(area_of_side(surface, side, q), minus(x, first));
-  double square = 0;
-  if (surface.dim == 2) {
-    PairVectors<3, 2> r;
-    r << from_first(x), from_first(place_of(q, nodes[1], 2));
-    square = squared_distance<3, 2>(r, nearest<PairKind::edge>(products_of<3, 2>(r)));
-  } else {
-    PairVectors<3, 3> r;
-    r << from_first(x), from_first(place_of(q, nodes[1], 3)), from_first(place_of(q, nodes[2], 3));
-    square = squared_distance<3, 3>(r, nearest<PairKind::triangle>(products_of<3, 3>(r)));
-  }
-  return std::copysign(std::sqrt(square), out);
+  std::array<Vec<3>, 3> corners{};
+  std::ranges::transform(surface.side(side), corners.begin(), [&](int n) { return place_of(q, n, surface.dim); });
+  const double out = dot(area_of_side(surface, side, q), minus(x, corners[0]));
+  return std::copysign(facet_distance(surface.dim, corners, x), out);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
+#include "physics/box/closed_regions.hpp"
 #include "physics/box/mesh/plane_mesher.hpp"
 #include "physics/box/mesh/seals.hpp"
 #include "physics/box/mesh/space_mesher.hpp"
@@ -49,13 +50,16 @@ bool MeshFlow::is_open(const FlowMesh& mesh, std::size_t face) const {
 /// No more than a few cells: rooms that bodies shut in as they touch are larger.
 double MeshFlow::pocket() const { return std::pow(scene_.mesh->near, scene_.grid.dim); }
 
+/// Bodies that cross shut in parts of the fluid which nothing could leave.
 FlowMesh MeshFlow::without_shut_in(FlowMesh mesh) const {
   if (mesh.regions < 2 || surface_.sheets == 0) return mesh;
   std::vector<std::uint8_t> closed(at(mesh.regions), 1);
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     if (is_open(mesh, f)) closed[at(mesh.region[mesh.cell_of(f)])] = 0;
   }
-  return without_pockets(std::move(mesh), closed, surface_.sheet, pocket());
+  const std::vector<double> volumes = mesh.volumes_of(mesh.region, mesh.regions);
+  const std::vector<std::uint8_t> pockets = find_pockets(volumes, closed, area_seen(mesh, surface_), pocket());
+  return without_regions(std::move(mesh), pockets);
 }
 
 /// What bodies that touch walls part stays parted. Where there is no mesh about the solids as they are, their surface

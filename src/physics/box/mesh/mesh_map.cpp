@@ -38,13 +38,24 @@ NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span
   return of_nodes;
 }
 
+std::vector<double> area_seen(const FlowMesh& mesh, const SolidSurface& surface) {
+  const std::size_t count = at(mesh.regions);
+  std::vector<double> seen(at(surface.sheets) * count, 0.0);
+  for (std::size_t face = 0; face < mesh.faces(); ++face) {
+    if (mesh.boundary[face].kind != BoundaryKind::solid) continue;
+    const int sheet = surface.sheet[at(mesh.boundary[face].number)];
+    seen[at(sheet) * count + at(mesh.region[mesh.cell_of(face)])] += mesh.size_of(face);
+  }
+  return seen;
+}
+
 CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
                         std::span<const double> q, std::span<const double> middle, std::size_t numbers) {
-  const std::size_t dim = at(mesh.dim), count = at(mesh.regions);
+  const std::size_t dim = at(mesh.dim);
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   CouplingMap map;
   map.outside.assign(q.size(), 0.0), map.film_weight.assign(q.size(), 0.0);
-  map.area_seen.assign(at(surface.sheets) * count, 0.0);
+  map.area_seen = area_seen(mesh, surface);
   for (std::size_t face = 0; face < mesh.faces(); ++face) {
     if (mesh.boundary[face].kind != BoundaryKind::solid) continue;
     const std::size_t side = at(mesh.boundary[face].number);
@@ -57,7 +68,6 @@ CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, co
     for (const auto& [node, share] : node_shares(surface, side, q, mesh.middle_of_face(face))) {
       for (std::size_t i = 0; i < dim; ++i) entries.emplace_back(pressures.of[face], node * dim + i, share * area[i]);
     }
-    map.area_seen[at(surface.sheet[side]) * count + at(mesh.region[mesh.cell_of(face)])] += std::sqrt(dot(area, area));
   }
   map.B = CouplingMatrix(static_cast<Eigen::Index>(pressures.face_of.size()), static_cast<Eigen::Index>(numbers));
   map.B.setFromTriplets(entries.begin(), entries.end());

@@ -23,6 +23,9 @@ using NodeShares = std::vector<std::pair<std::size_t, double>>;
 /// Those of the place of a facet that is nearest to x, or nearly so, of solids at q.
 NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span<const double> q, const Vec<3>& x);
 
+/// How much of each sheet of the solids each region of the fluid sees, sheet by sheet [area].
+std::vector<double> area_seen(const FlowMesh& mesh, const SolidSurface& surface);
+
 /// The map between pressures and solids at q (so many numbers): a face of the fluid at a solid's facet has its own
 /// area, which with the nodes at `middle` (empty: at q) changes as its part of the facet's does, and the shares of the
 /// facet's carriers in the face's middle.

@@ -98,14 +98,6 @@ Vec<3> place_on_side(const Coupled& scene, const std::array<Vec<3>, 2>& ends, do
 
 }  // namespace
 
-double Outline::size_of(const Facet& facet) const {
-  const Vec<3>& a = places[facet.corners[0]];
-  const Vec<3> along = minus(places[facet.corners[1]], a);
-  if (dim == 2) return std::sqrt(dot(along, along));
-  const Vec<3> twice = cross(along, minus(places[facet.corners[2]], a));
-  return std::sqrt(2 / std::sqrt(3.0) * std::sqrt(dot(twice, twice)));
-}
-
 Outline outline_in_plane(const Coupled& scene, const FlowSurface& surface, std::span<const double> q, double gap) {
   Outline outline;
   if (!scene.cavities_only) add_box(scene, outline);

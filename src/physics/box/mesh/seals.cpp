@@ -32,18 +32,10 @@ std::vector<std::uint8_t> films_of(const FlowMesh& mesh, double height) {
   return film;
 }
 
-/// The volume of each of some parts.
-std::vector<double> volumes_of(const FlowMesh& mesh, std::span<const int> part, int count) {
-  std::vector<double> volumes(at(count), 0.0);
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    if (part[cell] >= 0) volumes[at(part[cell])] += mesh.volume[cell];
-  }
-  return volumes;
-}
-
+/// Counts parts of the fluid that are no larger as films.
 void add_small_rooms(const FlowMesh& mesh, double most, std::vector<std::uint8_t>& film) {
   const FlowMesh::Parts rooms = mesh.parts_of(film, 0);
-  const std::vector<double> volumes = volumes_of(mesh, rooms.of, rooms.count);
+  const std::vector<double> volumes = mesh.volumes_of(rooms.of, rooms.count);
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     if (rooms.of[cell] >= 0 && volumes[at(rooms.of[cell])] <= most) film[cell] = 1;
   }
@@ -98,24 +90,10 @@ FlowMesh without_seals(FlowMesh mesh, double height, double pocket) {
   return without(mesh, left_out);
 }
 
-FlowMesh without_pockets(FlowMesh mesh, const std::vector<std::uint8_t>& closed, std::span<const int> sheets,
-                         double pocket) {
-  const std::vector<double> volumes = volumes_of(mesh, mesh.region, mesh.regions);
-  const int count = 1 + *std::ranges::max_element(sheets);
-  const auto each_sheet = [&](const auto& f) {  // with the parts that it has on it
-    for (std::size_t face = 0; face < mesh.faces(); ++face) {
-      if (mesh.boundary[face].kind == BoundaryKind::solid)
-        f(at(sheets[at(mesh.boundary[face].number)]), at(mesh.region[mesh.cell_of(face)]));
-    }
-  };
-  std::vector<double> largest(at(count), 0.0);
-  each_sheet([&](std::size_t sheet, std::size_t part) { largest[sheet] = std::max(largest[sheet], volumes[part]); });
-  std::vector<std::uint8_t> shut_in(at(mesh.regions), 0), left_out(mesh.cells(), 0);
-  each_sheet([&](std::size_t sheet, std::size_t part) {
-    if (closed[part] != 0 && volumes[part] <= pocket && volumes[part] < largest[sheet]) shut_in[part] = 1;
-  });
-  if (std::ranges::count(shut_in, 1) == 0) return mesh;
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) left_out[cell] = shut_in[at(mesh.region[cell])];
+FlowMesh without_regions(FlowMesh mesh, std::span<const std::uint8_t> marked) {
+  if (std::ranges::count(marked, 1) == 0) return mesh;
+  std::vector<std::uint8_t> left_out;
+  for (const int region : mesh.region) left_out.push_back(marked[at(region)]);
   return without(mesh, left_out);
 }
 

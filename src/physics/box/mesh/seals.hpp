@@ -14,10 +14,7 @@ namespace tether::coupled {
 /// `height` [length]; with them go parts of the fluid no larger than `pocket` [volume], as between bodies that touch.
 FlowMesh without_seals(FlowMesh mesh, double height, double pocket);
 
-/// Returns a mesh without the closed parts of the fluid that are no larger than `pocket` [volume], where a sheet of the
-/// solids has a larger part on it, too: bodies that overlap shut them in, and nothing could leave them. `closed` has a
-/// number for each part.
-FlowMesh without_pockets(FlowMesh mesh, const std::vector<std::uint8_t>& closed, std::span<const int> sheets,
-                         double pocket);
+/// Returns a mesh without the regions that are marked.
+FlowMesh without_regions(FlowMesh mesh, std::span<const std::uint8_t> marked);
 
 }  // namespace tether::coupled

@@ -7,18 +7,14 @@
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "grid/contact/pair_distance.hpp"
+#include "physics/box/mesh/facet_distance.hpp"
 
 namespace tether::coupled {
 
 namespace {
 
-struct Extent {
-  Vec<3> low, high;
-};
-
-Extent extent_of(const SizeTree::Facet& facet, int dim) {
-  Extent of{facet.corners[0], facet.corners[0]};
+Box<3> extent_of(const SizeTree::Facet& facet, int dim) {
+  Box<3> of{facet.corners[0], facet.corners[0]};
   for (std::size_t k = 1; k < at(dim); ++k) {
     for (std::size_t a = 0; a < 3; ++a) {
       of.low[a] = std::min(of.low[a], facet.corners[k][a]);
@@ -61,7 +57,7 @@ void SizeTree::halve(std::size_t part) {
   Part of = parts_[part];
   of.low = {far, far, far}, of.high = {-far, -far, -far}, of.least = far;
   for (std::size_t k = of.first; k < of.last; ++k) {
-    const Extent extent = extent_of(facets_[k], dim_);
+    const Box<3> extent = extent_of(facets_[k], dim_);
     of.least = std::min(of.least, facets_[k].size);
     for (std::size_t a = 0; a < 3; ++a)
       of.low[a] = std::min(of.low[a], extent.low[a]), of.high[a] = std::max(of.high[a], extent.high[a]);
@@ -92,29 +88,14 @@ double SizeTree::least_in(const Vec<3>& x, const Vec<3>& half, double growth, do
   return search.found.size;
 }
 
-double SizeTree::distance(const Facet& facet, const Vec<3>& x) const {
-  const auto from_first = [&](const Vec<3>& to) {
-    const Vec<3> way = minus(to, facet.corners[0]);
-    return Eigen::Vector3d(way[0], way[1], way[2]);
-  };
-  if (dim_ == 2) {
-    PairVectors<3, 2> r;
-    r << from_first(x), from_first(facet.corners[1]);
-    return std::sqrt(squared_distance<3, 2>(r, nearest<PairKind::edge>(products_of<3, 2>(r))));
-  }
-  PairVectors<3, 3> r;
-  r << from_first(x), from_first(facet.corners[1]), from_first(facet.corners[2]);
-  return std::sqrt(squared_distance<3, 3>(r, nearest<PairKind::triangle>(products_of<3, 3>(r))));
-}
-
 void SizeTree::look(std::size_t part, Search& search) const {
   const Part& of = parts_[part];
   if (of.below < 0) {
     for (std::size_t k = of.first; k < of.last; ++k) {
-      const Extent extent = extent_of(facets_[k], dim_);
+      const Box<3> extent = extent_of(facets_[k], dim_);
       double way = search.to(extent.low, extent.high);
       if (!search.may_matter(facets_[k].size, way)) continue;
-      if (search.is_place()) way = distance(facets_[k], search.x);
+      if (search.is_place()) way = facet_distance(dim_, facets_[k].corners, search.x);
       search.found.size = std::min(search.found.size, facets_[k].size + search.growth * way);
       search.found.nearest = std::min(search.found.nearest, way);
     }

@@ -40,7 +40,6 @@ class SizeTree {
   };
   struct Search;
   void halve(std::size_t part);
-  double distance(const Facet& facet, const Vec<3>& x) const;
   void look(std::size_t part, Search& search) const;
 
   int dim_;

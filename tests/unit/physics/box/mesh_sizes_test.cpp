@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "physics/box/mesh/size_tree.hpp"
+#include "physics/box/mesh/sizes_about.hpp"
 #include "physics/box/mesh/split_facets.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 
@@ -21,8 +21,6 @@ Vec<3> between(const std::array<Vec<3>, 3>& corners, double s, double t) {
     x[a] = corners[0][a] + s * (corners[1][a] - corners[0][a]) + t * (corners[2][a] - corners[0][a]);
   return x;
 }
-
-double far_from(const Vec<3>& a, const Vec<3>& b) { return std::sqrt(dot(minus(a, b), minus(a, b))); }
 
 /// The least size about a place, and the nearest facet, are those that many places on all facets have.
 TEST(SizeTree, FindsTheLeastSizeAndTheNearestFacet) {
@@ -50,7 +48,7 @@ TEST(SizeTree, FindsTheLeastSizeAndTheNearestFacet) {
         for (int i = 0; i <= parts; ++i) {
           for (int j = 0; i + j <= (dim == 3 ? parts : i); ++j) {
             const double way =
-                far_from(x, between(facet.corners, double(i) / parts, dim == 3 ? double(j) / parts : 0.0));
+                distance(x, between(facet.corners, double(i) / parts, dim == 3 ? double(j) / parts : 0.0));
             size = std::min(size, facet.size + growth * way), nearest = std::min(nearest, way);
           }
         }
@@ -95,7 +93,7 @@ TEST(SplitFacets, LeavesTheSurfaceAsItIs) {
     std::array<Vec<3>, 3> x{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = facet.corners[k], b = facet.corners[(k + 1) % 3];
-      EXPECT_LE(far_from(outline.places[a], outline.places[b]), size * (1 + 1e-12));
+      EXPECT_LE(distance(outline.places[a], outline.places[b]), size * (1 + 1e-12));
       ++edges[std::minmax(a, b)], x[k] = outline.places[a];
     }
     const Vec<3> twice = cross(minus(x[1], x[0]), minus(x[2], x[0]));
@@ -103,7 +101,7 @@ TEST(SplitFacets, LeavesTheSurfaceAsItIs) {
   }
   for (const auto& [edge, count] : edges) EXPECT_EQ(count, 2);
   for (std::size_t s = 0; s < surface.side_count(); ++s)
-    EXPECT_LT(far_from(area[s], area_of_side(surface, s, plate.x)), 1e-15);
+    EXPECT_LT(distance(area[s], area_of_side(surface, s, plate.x)), 1e-15);
 }
 
 }  // namespace
