@@ -35,38 +35,61 @@ bool TwoLevelPreconditioner::set_up(SymmetricRows A, const CoarseUnknowns& coars
   const SparseMatrix columns = columns_of(A_);
   const EigenSparse P = interpolation_, product = eigen_of(columns) * P, small = P.transpose() * product;
   coarse_.assign(static_cast<std::size_t>(P.cols()), 0.0), part_.assign(stiff_.size(), 0.0);
+  left_.assign(at(A_.n), 0.0);
   return of_coarse_.factorise(sparse_of(small), Definite::positive) &&
          (stiff_.empty() || of_stiff_.factorise(part_of(A_, stiff_), Definite::positive));
 }
 
-double TwoLevelPreconditioner::residual(std::size_t row, std::span<const double> r, std::span<const double> z) const {
-  double sum = r[row] - A_.diagonal[row] * z[row];
-  for (auto e = static_cast<std::size_t>(A_.start[row]); e < static_cast<std::size_t>(A_.start[row + 1]); ++e)
-    sum -= A_.value[e] * z[at(A_.column[e])];
+/// The sum over entries first to last of value times z.
+double TwoLevelPreconditioner::sum_of(std::int64_t first, std::int64_t last, std::span<const double> z) const {
+  double sum = 0;
+  for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e)
+    sum += A_.value[e] * z[at(A_.column[e])];
   return sum;
 }
 
-void TwoLevelPreconditioner::sweep(bool forward, std::span<const double> r, std::span<double> z) const {
-  const std::size_t n = z.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t row = forward ? k : n - 1 - k;
-    z[row] += residual(row, r, z) / A_.diagonal[row];
-  }
+double TwoLevelPreconditioner::residual(std::size_t row, std::span<const double> r, std::span<const double> z) const {
+  return r[row] - A_.diagonal[row] * z[row] - sum_of(A_.start[row], A_.start[row + 1], z);
 }
 
-void TwoLevelPreconditioner::solve_stiff(std::span<const double> r, std::span<double> z) {
-  if (stiff_.empty()) return;
-  for (std::size_t k = 0; k < stiff_.size(); ++k) part_[k] = residual(stiff_[k], r, z);
+/// From z = 0: what is right of a row's diagonal is 0 as it is swept, and alone is left after it.
+void TwoLevelPreconditioner::sweep_forward(std::span<const double> r, std::span<double> z) {
+  for (std::size_t row = 0; row < z.size(); ++row)
+    z[row] = (r[row] - sum_of(A_.start[row], A_.middle[row], z)) / A_.diagonal[row];
+  for (std::size_t row = 0; row < z.size(); ++row) left_[row] = -sum_of(A_.middle[row], A_.start[row + 1], z);
+}
+
+void TwoLevelPreconditioner::sweep_backward(std::span<const double> r, std::span<double> z) const {
+  for (std::size_t row = z.size(); row-- > 0;) z[row] += residual(row, r, z) / A_.diagonal[row];
+}
+
+void TwoLevelPreconditioner::add_stiff(std::span<double> z) {
   of_stiff_.solve(part_, part_);
   for (std::size_t k = 0; k < stiff_.size(); ++k) z[stiff_[k]] += part_[k];
 }
 
-void TwoLevelPreconditioner::solve_coarse(std::span<const double> r, std::span<double> z) {
+/// Takes what it adds from the residual.
+void TwoLevelPreconditioner::solve_stiff_first(std::span<double> z) {
+  for (std::size_t k = 0; k < stiff_.size(); ++k) part_[k] = left_[stiff_[k]];
+  add_stiff(z);
+  for (std::size_t k = 0; k < stiff_.size(); ++k) {
+    const std::size_t row = stiff_[k];
+    left_[row] -= A_.diagonal[row] * part_[k];
+    for (auto e = static_cast<std::size_t>(A_.start[row]); e < static_cast<std::size_t>(A_.start[row + 1]); ++e)
+      left_[at(A_.column[e])] -= A_.value[e] * part_[k];
+  }
+}
+
+void TwoLevelPreconditioner::solve_stiff_again(std::span<const double> r, std::span<double> z) {
+  for (std::size_t k = 0; k < stiff_.size(); ++k) part_[k] = residual(stiff_[k], r, z);
+  add_stiff(z);
+}
+
+void TwoLevelPreconditioner::solve_coarse(std::span<double> z) {
   std::fill(coarse_.begin(), coarse_.end(), 0.0);
   for (std::size_t row = 0; row < z.size(); ++row) {
-    const double left = residual(row, r, z);
     for (EigenRows::InnerIterator entry(interpolation_, static_cast<Eigen::Index>(row)); entry; ++entry)
-      coarse_[static_cast<std::size_t>(entry.col())] += entry.value() * left;
+      coarse_[static_cast<std::size_t>(entry.col())] += entry.value() * left_[row];
   }
   of_coarse_.solve(coarse_, coarse_);
   for (std::size_t row = 0; row < z.size(); ++row) {
@@ -76,12 +99,11 @@ void TwoLevelPreconditioner::solve_coarse(std::span<const double> r, std::span<d
 }
 
 void TwoLevelPreconditioner::precondition(std::span<const double> r, std::span<double> z) {
-  std::fill(z.begin(), z.end(), 0.0);
-  sweep(true, r, z);
-  solve_stiff(r, z);
-  solve_coarse(r, z);
-  solve_stiff(r, z);
-  sweep(false, r, z);
+  sweep_forward(r, z);
+  if (!stiff_.empty()) solve_stiff_first(z);
+  solve_coarse(z);
+  if (!stiff_.empty()) solve_stiff_again(r, z);
+  sweep_backward(r, z);
 }
 
 }  // namespace tether

@@ -27,15 +27,20 @@ class TwoLevelPreconditioner {
   void precondition(std::span<const double> r, std::span<double> z);
 
  private:
-  void sweep(bool forward, std::span<const double> r, std::span<double> z) const;
-  void solve_stiff(std::span<const double> r, std::span<double> z);
-  void solve_coarse(std::span<const double> r, std::span<double> z);
+  void sweep_forward(std::span<const double> r, std::span<double> z);
+  void solve_stiff_first(std::span<double> z);
+  void solve_coarse(std::span<double> z);
+  void solve_stiff_again(std::span<const double> r, std::span<double> z);
+  void sweep_backward(std::span<const double> r, std::span<double> z) const;
+  void add_stiff(std::span<double> z);
+  double sum_of(std::int64_t first, std::int64_t last, std::span<const double> z) const;
   double residual(std::size_t row, std::span<const double> r, std::span<const double> z) const;
 
   SymmetricRows A_;
   EigenRows interpolation_;
   std::vector<std::size_t> stiff_;
   SparseSolver of_coarse_, of_stiff_;
+  std::vector<double> left_;  // r - A z of each unknown, as the coarse ones are solved for
   std::vector<double> coarse_, part_;
 };
 

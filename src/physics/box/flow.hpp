@@ -27,8 +27,10 @@ class FlowFriction {
   /// Finds what rubs in a step of length h, the same in all of its passes. `mobility` is 1 / mass of each number of the
   /// nodes that the fluid sticks to, 0 where its velocity is held [1/mass].
   virtual void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) = 0;
-  /// Lets friction act; the nodes get `drag` [force].
-  virtual void add_friction(CoupledState& state, double h, std::span<double> drag) = 0;
+  /// Lets friction act; the nodes get `drag` [force]. `tolerance` is of the momentum that friction moves.
+  virtual void add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) = 0;
+  /// Returns whether the last digits of friction cost so many iterations that only a step's last pass should have them.
+  virtual bool has_dear_digits() const = 0;
   /// Keeps the accelerations by `change`, what forces and pressures made of the velocities, and by the end of the step
   /// before: a flow that is steady from step to step then is one for friction, too.
   virtual void take_drive(const FaceValues& change, double h, CoupledState& state) const = 0;

@@ -17,6 +17,7 @@ constexpr int most_passes = 40;
 constexpr double most_kept = 8e6;  // numbers of a list of passes that are kept
 constexpr double settled = 2e-3;   // what velocities may miss those of the end by, over their size
 constexpr double bearable = 0.03;  // what they may where passes do not settle
+constexpr double rough = 1e-6;     // of the momentum that friction moves, which passes before the last may miss
 
 /// How much they may miss after so many passes: where these settle slowly, the last digits are not worth their time.
 double enough_after(int passes) {
@@ -114,9 +115,10 @@ void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) co
   if (std::ranges::count(solids_.held, 0) == 0) friction_.add_viscous_pressure(h, missed);
 }
 
-fem::NewtonReport FrictionPasses::pass(const Step& step, double h, CoupledState& state) const {
+fem::NewtonReport FrictionPasses::pass(const Step& step, double h, bool last, CoupledState& state) const {
   ++state.passes;
-  friction_.add_friction(state, h, step.drag);
+  const double exact = std::max(scene_.tolerance, 1e-10);
+  friction_.add_friction(state, h, last || !friction_.has_dear_digits() ? exact : std::max(exact, rough), step.drag);
   return step.find(state);
 }
 
@@ -138,25 +140,28 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     messages.resize(said);
   };
   friction_.begin_friction(state, mobilities(state.driven_nodes.size()), h);
-  fem::NewtonReport report = pass(step, h, state);
+  fem::NewtonReport report = pass(step, h, true, state);
+  const auto pass_again = [&](bool last, std::span<const double> drive_of_pass) {
+    go_back();
+    drive_by(drive_of_pass, state);
+    report = pass(step, h, last, state);
+  };
   for (int number = 1; report.converged; ++number) {
     std::vector<double> missed = missed_drive(step, drive, before.u, h, state);
     const double miss = miss_of(missed, weights, h, state);
-    if (miss <= enough_after(number)) break;
+    const bool exact = number == 1 || !friction_.has_dear_digits(), enough = miss <= enough_after(number);
+    if (enough && exact) break;
     if (miss < least) least = miss, best = drive;
-    if (number == most_passes) {
-      go_back();
-      note_unsettled(least, state, messages);
-      drive_by(least < bearable ? best : std::vector<double>(drive.size(), 0.0), state);
-      report = pass(step, h, state);
+    if (enough || number == most_passes) {
+      if (!enough && least >= bearable) best.assign(drive.size(), 0.0);
+      pass_again(true, enough ? drive : best);
       missed_drive(step, drive, before.u, h, state);
+      if (!enough) note_unsettled(least, state, messages);
       break;
     }
     add_viscous_pressure(h, missed);
     mixing.next(missed, drive);
-    go_back();
-    drive_by(drive, state);
-    report = pass(step, h, state);
+    pass_again(false, drive);
   }
   state.particles = std::move(particles);
   return report;

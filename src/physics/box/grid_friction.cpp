@@ -23,8 +23,7 @@ void GridFlow::begin_friction(Beyond beyond, double h, std::size_t numbers) {
 }
 
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
-void GridFlow::add_friction(CoupledState& state, double h, std::span<double> drag) {
-  const double tolerance = std::max(scene_.tolerance, 1e-10);
+void GridFlow::add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) {
   const std::span<const double> u =
       sticks_to_bodies(scene_) ? std::span<const double>(state.u) : std::span<const double>();
   Rubbed rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);

@@ -26,8 +26,9 @@ struct FaceHolds {
   std::vector<std::pair<std::size_t, NodeShares>> corners;  ///< nodes of the mesh at such faces, likewise
 };
 
-/// Preconditioner for the velocities of faces and nodes by friction: each axis by itself, without jumps, by factors in
-/// the plane and by two levels in space. Numbers stand dim a face, then dim a node of the solids.
+/// Preconditioner for the velocities of faces and nodes by friction, without jumps, by factors in the plane and by two
+/// levels in space. Numbers stand dim a face, then dim a node of the solids. Axes are not apart: what ties a cell to
+/// its faces are fluxes, which have parts along all of them.
 class FrictionLevels {
  public:
   /// `mass` is that of each number of the nodes, 0 where it is held [mass]. Throws RunError where there are no factors.
@@ -35,19 +36,21 @@ class FrictionLevels {
   FrictionLevels(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds,
                  std::span<const double> mass);
 
-  /// z = P^-1 r for the numbers that are free.
-  void precondition(std::span<const std::uint8_t> is_free, std::span<const double> r, std::span<double> z);
+  /// Returns whether a number is free: that of a face which nothing holds, or of a node that carries faces.
+  bool is_free(std::size_t number) const { return unknown_[number] >= 0; }
+  /// z = P^-1 r for the numbers that are free; 0 for others.
+  void precondition(std::span<const double> r, std::span<double> z);
 
  private:
-  void number_faces(const FlowMesh& mesh, const FaceHolds& holds);
-  void number_nodes(const FaceHolds& holds, std::span<const double> mass);
+  void number_unknowns(const FlowMesh& mesh, const FaceHolds& holds, std::span<const double> mass);
+  std::vector<NodeShares> unknowns_of_faces(const FlowMesh& mesh, const FaceHolds& holds) const;
   SparseMatrix matrix(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds,
                       std::span<const double> mass) const;
   CoarseUnknowns coarse(const FlowMesh& mesh, const FaceHolds& holds) const;
 
-  std::size_t dim_, faces_;
-  std::vector<int> of_face_, of_node_;  // unknowns of an axis, -1: none
-  std::size_t count_ = 0;
+  std::size_t of_faces_;             // numbers of faces
+  std::vector<int> unknown_;         // of each number; -1: none
+  std::vector<std::size_t> number_;  // of each unknown
   bool two_levels_;
   SparseSolver factors_;
   TwoLevelPreconditioner levels_;

@@ -27,18 +27,7 @@ FrictionOnMesh::FrictionOnMesh(const FlowMesh& mesh, FaceHolds holds, std::span<
       mass_(masses_of(mobility)),
       strain_(mesh, h * mu, density, couples_at(mesh, open, holds_.held)),
       levels_(mesh, strain_, holds_, mass_),
-      x_(holds_.held.size() + mass_.size(), 0.0) {
-  for (const std::uint8_t held : holds_.held) is_free_.push_back(held == 0 ? 1 : 0);
-  is_free_.resize(x_.size(), 0);
-  for (const FaceHolds::Carried& carried : holds_.carried) {
-    for (const auto& [of, share] : carried.nodes) {
-      for (std::size_t a = 0; a < at(mesh.dim); ++a) {
-        const std::size_t k = of * at(mesh.dim) + a;
-        is_free_[node(k)] = mass_[k] > 0 ? 1 : 0;
-      }
-    }
-  }
-}
+      x_(holds_.held.size() + mass_.size(), 0.0) {}
 
 /// Gives carried faces the velocities that nodes make.
 void FrictionOnMesh::carry(std::span<double> x) const {
@@ -88,10 +77,10 @@ int FrictionOnMesh::solve(Team& team, std::span<const double> pulls, std::span<c
   std::vector<double> right = forces(team, pulls, x_), e(count, 0.0), all(count, 0.0),
                       terms(pulls.begin(), pulls.end());
   pass_on(right), pass_on(terms);
-  for (std::size_t k = 0; k < count; ++k) right[k] = is_free_[k] != 0 ? -right[k] : 0;
+  for (std::size_t k = 0; k < count; ++k) right[k] = levels_.is_free(k) ? -right[k] : 0;
   for (std::size_t k = 0; k < mass_.size(); ++k) {
     const std::size_t number = node(k);
-    if (is_free_[number] != 0) right[number] += mass_[k] * (u[k] - x_[number]), terms[number] += mass_[k] * u[k];
+    if (levels_.is_free(number)) right[number] += mass_[k] * (u[k] - x_[number]), terms[number] += mass_[k] * u[k];
   }
   const double residual = norm(team, right), enough = tolerance * std::max(norm(team, terms), residual);
   if (!(residual > enough)) return std::isfinite(residual) ? 0 : -1;
@@ -101,11 +90,9 @@ int FrictionOnMesh::solve(Team& team, std::span<const double> pulls, std::span<c
     strain_.find_forces(team, all, y.first(holds_.held.size()));
     for (std::size_t k = 0; k < mass_.size(); ++k) y[node(k)] = mass_[k] * p[node(k)];
     pass_on(y);
-    for (std::size_t k = 0; k < count; ++k) y[k] = is_free_[k] != 0 ? y[k] : 0;
+    for (std::size_t k = 0; k < count; ++k) y[k] = levels_.is_free(k) ? y[k] : 0;
   };
-  const auto precondition = [&](std::span<const double> r, std::span<double> z) {
-    levels_.precondition(is_free_, r, z);
-  };
+  const auto precondition = [&](std::span<const double> r, std::span<double> z) { levels_.precondition(r, z); };
   constexpr int most = 2000;
   const KrylovResult result = pcg(team, multiply, precondition, right, e, enough / residual, most);
   for (std::size_t k = 0; k < count; ++k) x_[k] += e[k];
@@ -123,13 +110,13 @@ void FrictionOnMesh::begin_with(const FaceValues& v, std::span<const double> u, 
     for (std::size_t a = 0; a < dim; ++a) {
       const double mean = cells[1] < 0 ? v[a][at(cells[0])] : 0.5 * (v[a][at(cells[0])] + v[a][at(cells[1])]);
       double& x = x_[f * dim + a];
-      if (is_free_[f * dim + a] == 0) x = given[f * dim + a];
-      if (is_free_[f * dim + a] != 0 && !begun_) x = mean;
+      if (!levels_.is_free(f * dim + a)) x = given[f * dim + a];
+      if (levels_.is_free(f * dim + a) && !begun_) x = mean;
     }
   }
   for (std::size_t k = 0; k < u.size(); ++k) {
-    if (is_free_[node(k)] == 0) x_[node(k)] = driven_to[k];
-    if (is_free_[node(k)] != 0 && !begun_) x_[node(k)] = u[k];
+    if (!levels_.is_free(node(k))) x_[node(k)] = driven_to[k];
+    if (levels_.is_free(node(k)) && !begun_) x_[node(k)] = u[k];
   }
   carry(x_);
   begun_ = true;

@@ -44,11 +44,10 @@ class FrictionOnMesh {
   const FlowMesh& mesh_;
   FaceHolds holds_;
   double h_;
-  std::vector<double> mass_;           // of each number of the nodes; 0 where it is held
-  std::vector<std::uint8_t> is_free_;  // of each number of the faces, then of the nodes
+  std::vector<double> mass_;  // of each number of the nodes; 0 where it is held
   StrainOnMesh strain_;
   FrictionLevels levels_;
-  std::vector<double> x_;  // likewise: what was found last
+  std::vector<double> x_;  // of each number of the faces, then of the nodes: what was found last
   bool begun_ = false;
 };
 

@@ -50,9 +50,10 @@ double MeshFlow::most_energy(double before, const CarriedIn& in, CoupledState& s
 std::vector<double> MeshFlow::pressures_on_faces(const CellFinder& finder, const FlowMesh& old,
                                                  std::span<const double> p) const {
   std::vector<double> found;
+  std::size_t cell = 0;
   for (std::size_t f = 0; f < at_.mesh->faces(); ++f) {
     Vec<3> x = at_.mesh->middle_of_face(f);
-    const std::size_t cell = finder.cell_at(x);
+    cell = finder.cell_at(x, cell);
     found.push_back(pressure_in(old, p, cell, x));
   }
   return found;

@@ -72,7 +72,8 @@ class MeshFlow final : public Flow, public FlowFriction {
 
   FlowFriction* friction() override { return this; }
   void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) override;
-  void add_friction(CoupledState& state, double h, std::span<double> drag) override;
+  void add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) override;
+  bool has_dear_digits() const override { return mesh().dim == 3; }
   void take_drive(const FaceValues& change, double h, CoupledState& state) const override;
   void extend_drive(CoupledState& /*state*/) const override {}
   void add_viscous_pressure(double h, std::span<double> missed) const override;

@@ -88,8 +88,7 @@ std::vector<double> MeshFlow::given_at_faces(const FaceValues& v) const {
 }
 
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
-void MeshFlow::add_friction(CoupledState& state, double h, std::span<double> drag) {
-  const double tolerance = std::max(scene_.tolerance, 1e-10);
+void MeshFlow::add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) {
   const std::span<const double> u =
       sticks_to_bodies(scene_) ? std::span<const double>(state.u) : std::span<const double>();
   const std::vector<double> given = given_at_faces(state.v);
@@ -110,9 +109,10 @@ void MeshFlow::take_drive(const FaceValues& change, double h, CoupledState& stat
 /// That of the cell of the mesh before which is at a cell's middle; where the mesh is the same it is the same.
 FaceValues MeshFlow::drive_from(const CellFinder& finder, const FaceValues& before) const {
   FaceValues drive = still();
+  std::size_t from = 0;
   for (std::size_t cell = 0; cell < mesh().cells(); ++cell) {
     Vec<3> x = mesh().middle(cell);
-    const std::size_t from = finder.cell_at(x);
+    from = finder.cell_at(x, from);
     for (std::size_t a = 0; a < at(mesh().dim); ++a) drive[a][cell] = before[a][from];
   }
   return drive;

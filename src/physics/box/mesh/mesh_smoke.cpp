@@ -14,8 +14,10 @@ namespace tether::coupled {
 ContentCarrier::ContentCarrier(const FlowMesh& old, const FaceValues& v, const MeshVelocity& velocity,
                                const FlowMesh& next, double h)
     : old_(old), v_(v), velocity_(velocity), next_(next), h_(h) {
+  std::size_t near = 0;
   each_place_within(next, [&](std::size_t /*cell*/, const Vec<3>& x) {
-    const MeshVelocity::Origin origin = velocity.before(x, h);
+    const MeshVelocity::Origin origin = velocity.before(x, h, near);
+    near = origin.from;
     source_.push_back({origin.x, origin.cell, origin.face});
   });
   join_parts();
@@ -70,7 +72,7 @@ void ContentCarrier::pass_through(const CellField& field, std::span<const FaceVa
     const double out = out_of(entrance.face);
     double met = entrance.value;
     for (std::size_t k = 0; k < times.size() && out > 0; ++k) {
-      const MeshVelocity::Origin origin = velocity_.before(old_.middle_of_face(entrance.face), times[k] * h_);
+      const MeshVelocity::Origin origin = velocity_.before(old_.middle_of_face(entrance.face), times[k] * h_, cell);
       met = (k == 0 ? 0 : met) + field.limited_at(origin.cell, origin.x) / static_cast<double>(times.size());
     }
     (out > 0 ? carried.out : carried.in) += std::abs(out) * met;

@@ -92,6 +92,13 @@ std::size_t CellFinder::cell_at(Vec<3>& x) const {
   return nearest_to(x);
 }
 
+std::size_t CellFinder::cell_at(Vec<3>& x, std::size_t near) const {
+  Vec<3> there = x;
+  int face = -1;
+  const std::size_t cell = walk(near, there, face);
+  return face < 0 ? cell : cell_at(x);
+}
+
 std::size_t CellFinder::nearest_to(Vec<3>& x) const {
   const std::array<int, 3> middle = bin_of(x);
   std::size_t best = 0;
@@ -219,9 +226,9 @@ double MeshVelocity::part_lost(std::size_t cell, const Vec<3>& x, const Vec<3>& 
   return std::min(1.0, way / lost_by_way + change / lost_by_change);
 }
 
-MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h) const {
+MeshVelocity::Origin MeshVelocity::before(const Vec<3>& x, double h, std::size_t near) const {
   Vec<3> half = x;
-  const std::size_t cell = finder_.cell_at(half);
+  const std::size_t cell = finder_.cell_at(half, near);
   const auto back = [&](const Vec<3>& v, double time) {
     return Vec<3>{x[0] - time * v[0], x[1] - time * v[1], x[2] - time * v[2]};
   };

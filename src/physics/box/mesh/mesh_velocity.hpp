@@ -18,6 +18,8 @@ class CellFinder {
 
   /// The cell that has a place, or the nearest one about it where none has: then the place is moved into it.
   std::size_t cell_at(Vec<3>& x) const;
+  /// Finds it likewise, looking first along the straight way from a cell near the place.
+  std::size_t cell_at(Vec<3>& x, std::size_t near) const;
   /// Goes from a cell on the straight way to a place, to the cell that has it, or as far as the boundary lets it: then
   /// the place is moved there, and `face` is that of the boundary; else it is -1.
   std::size_t walk(std::size_t cell, Vec<3>& x, int& face) const;
@@ -52,8 +54,8 @@ class MeshVelocity {
     int face = -1;                   ///< of the boundary that it came in through
     int opened_at = -1;              ///< where a solid was at the place, which was in no cell: the nearest one
   };
-  /// Finds it by the mid-point rule.
-  Origin before(const Vec<3>& x, double h) const;
+  /// Finds it by the mid-point rule. `near` is a cell near x.
+  Origin before(const Vec<3>& x, double h, std::size_t near) const;
   /// Returns v, which comes from there to x, with what stays at x.
   Vec<3> with_rest(const Origin& origin, const Vec<3>& x, Vec<3> v) const;
   /// Finds it by the means about the nodes of the cell alone: smoother than the flow is, and within their extrema.
@@ -110,8 +112,10 @@ struct Carried {
 template <class Met>
 void carry_to(const FlowMesh& mesh, const MeshVelocity& from, double h, const Met& met, Carried& to) {
   const double part = 1 / static_cast<double>(mesh.corners());
+  std::size_t near = 0;
   each_place_within(mesh, [&](std::size_t cell, const Vec<3>& x) {
-    const MeshVelocity::Origin origin = from.before(x, h);
+    const MeshVelocity::Origin origin = from.before(x, h, near);
+    near = origin.from;
     const Vec<3> smooth = met(origin, from.smooth_velocity(origin.cell, origin.x));
     Vec<3> v = met(origin, from.velocity(origin.cell, origin.x));
     if (origin.part < 1) v = from.with_rest(origin, x, v);

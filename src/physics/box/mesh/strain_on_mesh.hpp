@@ -37,18 +37,22 @@ class StrainOnMesh {
   double mass(std::size_t cell) const { return density_ * mesh_.volume[cell]; }
   /// Both in line: the momentum by which a cell of velocity 1 pulls faces that stay at rest.
   double pull(std::size_t cell) const { return mass(cell) * tie_[cell] / (mass(cell) + tie_[cell]); }
-  /// Calls f(k, l, K_kl) for the faces k and l of a cell, K being about that of one axis without what couples it with
-  /// others.
+  /// Calls f(k, l, K_kl) for the numbers k and l of a cell's faces, K being about what friction makes of them: with
+  /// slopes in place of rates of strain and jumps.
   template <class Function>
   void each_of_cell(std::size_t cell, const Function& f) const {
     const auto faces = mesh_.faces_of(cell);
-    const std::size_t first = cell * faces.size();
-    const double mean = 1 / static_cast<double>(faces.size());
+    const std::size_t first = cell * faces.size(), dim = at(mesh_.dim);
+    const double by_volume = 1 / mesh_.volume[cell], by_square = pull(cell) * by_volume * by_volume;
     for (std::size_t k = 0; k < faces.size(); ++k) {
       for (std::size_t l = 0; l < faces.size(); ++l) {
-        const double slopes = dot(out_[first + k], out_[first + l]) / mesh_.volume[cell];
-        f(static_cast<std::size_t>(faces[k]), static_cast<std::size_t>(faces[l]),
-          mu_ * slopes + pull(cell) * mean * mean);
+        const Vec<3>&of_k = out_[first + k], &of_l = out_[first + l];
+        const double slopes = mu_ * by_volume * dot(of_k, of_l),
+                     fluxes = by_square * dot(way_[first + k], way_[first + l]);
+        for (std::size_t a = 0; a < dim; ++a) {
+          for (std::size_t b = 0; b < dim; ++b)
+            f(at(faces[k]) * dim + a, at(faces[l]) * dim + b, (a == b ? slopes : 0) + fluxes * of_k[a] * of_l[b]);
+        }
       }
     }
   }

@@ -28,7 +28,7 @@ double error_of_decay(int dim, double size, int steps) {
   const double before = at.energy(), time = 0.5, h = time / steps;
   at.flow.begin_friction(at.state, {}, h);
   for (int k = 0; k < steps; ++k) {
-    at.flow.add_friction(at.state, h, {});
+    at.flow.add_friction(at.state, h, 1e-10, {});
     at.project();
   }
   return std::log(before / at.energy()) / time / (4 * pi * pi * box.viscosity) - 1;
