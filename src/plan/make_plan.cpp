@@ -11,6 +11,7 @@
 #include "model/solids.hpp"
 #include "plan/bending.hpp"
 #include "plan/coupled_plan.hpp"
+#include "plan/flow_mesh_term.hpp"
 #include "plan/flow_plan.hpp"
 #include "plan/plan_text.hpp"
 #include "plan/reference_plan.hpp"
@@ -228,6 +229,7 @@ struct WarningsOfPhysics {
   }
   void operator()(const BoxFlow& flow) const {
     warn(cfl_warning(scene));
+    warn(flow_mesh_warning(scene));
     if (flow.solids) look_at_bending(*flow.solids);
   }
 

@@ -170,6 +170,19 @@ TEST(CoupledPlan, StepsAreTheDecks) {
   EXPECT_NE(text.find("\nstep: 0.5, the deck's\n"), std::string::npos);
 }
 
+/// A plate 1 long, .5 wide and .05 thick: .045 as a sheet of its volume and surface.
+TEST(CoupledPlan, WarnsOfTetrahedraThatAreLongForAThinPlate) {
+  const auto warnings = [](const std::string& coupled) {
+    const Plan plan = make_plan(scene_of(coupled + ",nz=5,zback=0.,zfront=1.", "", "densir=3.", "z(1,1)=.25,.3"));
+    return std::ranges::count_if(plan.warnings, [](const std::string& warning) {
+      return warning.find("size_near = 0.087 or less") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(warnings("flow='mesh',size_near=.14"), 1);
+  EXPECT_EQ(warnings("flow='mesh',size_near=.12"), 0);
+  EXPECT_EQ(warnings("flow='grid'"), 0);
+}
+
 TEST(CoupledPlan, OfAFluidAlone) {
   Scene scene = scene_of("");
   set_solids(scene.physics, nullptr);
