@@ -47,17 +47,23 @@ void note_unsettled(double miss, CoupledState& state, std::vector<std::string>& 
 
 }  // namespace
 
-/// The most that a node's velocity can change by an impulse on it: the consistent mass of linear triangles and
-/// tetrahedra is nowhere less than 1 / (dim + 2) of the lumped one. So a node is dragged along at once and no further.
+/// With 1 / lumped mass passes settle in half as many as with the most that there is.
 double FrictionPasses::mobility_of(std::size_t k) const {
-  const int dim = scene_.grid.dim;
-  return solids_.held[k] != 0 ? 0 : (dim + 2) / solids_.system.lumped[k / at(dim)];
+  return solids_.held[k] != 0 ? 0 : 1 / solids_.system.lumped[k / at(scene_.grid.dim)];
 }
 
-std::vector<double> FrictionPasses::mobilities(std::size_t numbers) const {
+std::vector<double> FrictionPasses::mobilities(std::size_t numbers, double times) const {
   std::vector<double> mobilities;
-  for (std::size_t k = 0; k < numbers; ++k) mobilities.push_back(mobility_of(k));
+  for (std::size_t k = 0; k < numbers; ++k) mobilities.push_back(times * mobility_of(k));
   return mobilities;
+}
+
+/// Has friction act before pressures, which are not known. Then a node's velocity may change by an impulse on it as
+/// much as it can at most, the consistent mass of linear triangles and tetrahedra being nowhere less than 1 / (dim + 2)
+/// of the lumped one: it is dragged along at once and no further.
+void FrictionPasses::let_friction_be_first(double h, std::vector<double>& drive, const CoupledState& state) const {
+  friction_.begin_friction(state, mobilities(state.driven_nodes.size(), scene_.grid.dim + 2), h);
+  drive.assign(drive.size(), 0.0);
 }
 
 void FrictionPasses::drive_by(std::span<const double> drive, CoupledState& state) const {
@@ -139,7 +145,7 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     state = std::move(begin);
     messages.resize(said);
   };
-  friction_.begin_friction(state, mobilities(state.driven_nodes.size()), h);
+  friction_.begin_friction(state, mobilities(state.driven_nodes.size(), 1), h);
   fem::NewtonReport report = pass(step, h, true, state);
   const auto pass_again = [&](bool last, std::span<const double> drive_of_pass) {
     go_back();
@@ -153,7 +159,7 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     if (enough && exact) break;
     if (miss < least) least = miss, best = drive;
     if (enough || number == most_passes) {
-      if (!enough && least >= bearable) best.assign(drive.size(), 0.0);
+      if (!enough && least >= bearable) let_friction_be_first(h, best, before);
       pass_again(true, enough ? drive : best);
       missed_drive(step, drive, before.u, h, state);
       if (!enough) note_unsettled(least, state, messages);

@@ -44,7 +44,8 @@ class FrictionPasses {
                  const CoupledState& state) const;
   void add_viscous_pressure(double h, std::span<double> missed) const;
   double mobility_of(std::size_t k) const;
-  std::vector<double> mobilities(std::size_t numbers) const;
+  std::vector<double> mobilities(std::size_t numbers, double times) const;
+  void let_friction_be_first(double h, std::vector<double>& drive, const CoupledState& state) const;
 
   const Coupled& scene_;
   Vec<3> gravity_;  // [acceleration]
