@@ -76,8 +76,9 @@ Term flow_mesh_term(const Scene& scene) {
   return off(fmt::format("bodies are at least {:.2g} cells thick: a step on the grid costs less", across));
 }
 
-/// A plate of .4 by .4 by .04 (.033 as a sheet), of one element, in a fluid of ten times its density begins to move
-/// along itself: it keeps .22, .41, .50, .50 of its speed with cells of .25, .12, .08, .04 at it; .49 with sides of .1.
+/// A plate of 0.4 by 0.4 by 0.04 (0.033 as a sheet), of one element, in a fluid of ten times its density begins to move
+/// along itself: it keeps 0.22, 0.41, 0.50, 0.50 of its speed with cells of 0.25, 0.12, 0.08, 0.04 at it; 0.49 with
+/// sides of 0.1.
 std::string flow_mesh_warning(const Scene& scene) {
   const Coupled& c = *scene.coupled();
   if (!c.mesh || c.grid.dim < 3 || !scene.solids()) return "";

@@ -170,7 +170,7 @@ TEST(CoupledPlan, StepsAreTheDecks) {
   EXPECT_NE(text.find("\nstep: 0.5, the deck's\n"), std::string::npos);
 }
 
-/// A plate 1 long, .5 wide and .05 thick: .045 as a sheet of its volume and surface.
+/// A plate 1 long, 0.5 wide and 0.05 thick: 0.043 as a sheet of its volume and surface.
 TEST(CoupledPlan, WarnsOfTetrahedraThatAreLongForAThinPlate) {
   const auto warnings = [](const std::string& coupled) {
     const Plan plan = make_plan(scene_of(coupled + ",nz=5,zback=0.,zfront=1.", "", "densir=3.", "z(1,1)=.25,.3"));

@@ -30,11 +30,14 @@ Vec<3> shares_on(const SolidSurface& surface, std::size_t side, std::span<const 
 
 }  // namespace
 
+/// By the facet's own nodes, though the element's functions may say otherwise within a side: the fluid has flat faces,
+/// and what they sweep must be what the bodies' volume changes by. With the functions of quadrilaterals a body in a
+/// closed room swelled in modes that the volume term does not see, and took the more of it.
 NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span<const double> q, const Vec<3>& x) {
-  const CarrierShares shares = surface.carried(facet, shares_on(surface, facet, q, x));
-  const auto carriers = surface.carriers(facet);
+  const Vec<3> shares = shares_on(surface, facet, q, x);
+  const auto nodes = surface.side(facet);
   NodeShares of_nodes;
-  for (std::size_t c = 0; c < carriers.size(); ++c) of_nodes.emplace_back(at(carriers[c]), shares[c]);
+  for (std::size_t k = 0; k < nodes.size(); ++k) of_nodes.emplace_back(at(nodes[k]), shares[k]);
   return of_nodes;
 }
 

@@ -28,7 +28,7 @@ std::vector<double> area_seen(const FlowMesh& mesh, const SolidSurface& surface)
 
 /// The map between pressures and solids at q (so many numbers): a face of the fluid at a solid's facet has its own
 /// area, which with the nodes at `middle` (empty: at q) changes as its part of the facet's does, and the shares of the
-/// facet's carriers in the face's middle.
+/// facet's nodes in the face's middle.
 CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
                         std::span<const double> q, std::span<const double> middle, std::size_t numbers);
 

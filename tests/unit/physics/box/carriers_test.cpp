@@ -7,6 +7,7 @@
 #include "grid/block_mesh.hpp"
 #include "physics/solids/make_elements.hpp"
 #include "unit/physics/box/bodies_support.hpp"
+#include "unit/physics/box/mesh_support.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -34,7 +35,7 @@ class Carried : public testing::TestWithParam<ElementKind> {
 };
 INSTANTIATE_TEST_SUITE_P(Coupled, Carried,
                          testing::Values(ElementKind::quad4, ElementKind::quad9, ElementKind::tri3, ElementKind::tri6,
-                                         ElementKind::hex27, ElementKind::tet4, ElementKind::tet10));
+                                         ElementKind::hex8, ElementKind::hex27, ElementKind::tet4, ElementKind::tet10));
 
 /// A place's parts of its carriers sum to one, and are those of the place.
 TEST_P(Carried, PlacesAreTheirCarriersPlaces) {
@@ -100,6 +101,23 @@ TEST_P(Carried, LinearFieldsMakeTheFluxOfTheFacets) {
     }
   }
   EXPECT_NEAR(sum, -rate, 1e-13);
+}
+
+/// On a mesh any motion of the nodes makes the flux by which the facets' volume changes, whatever sides do between
+/// their nodes: else the volume term would act on another volume than it measures, and bodies could swell by it.
+TEST_P(Carried, FluxesOnAMeshAreTheRateOfTheFacetsVolume) {
+  const Mesh mesh = block();
+  const Flowing here(box_of(0.2, dim()), mesh);
+  const std::vector<double> u = random_numbers(mesh.x.size(), 3);
+  double sum = 0;
+  for (const double flux : product(here.flow.map().B, u)) sum += flux;
+  const auto volume = [&](double time) {
+    std::vector<double> q = mesh.x;
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] += time * u[k];
+    return enclosed_volumes(here.surface, q)[0];
+  };
+  constexpr double h = 1e-5;
+  EXPECT_NEAR(sum, -(volume(h) - volume(-h)) / (2 * h), 1e-8);
 }
 
 }  // namespace
