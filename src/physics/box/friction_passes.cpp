@@ -121,10 +121,9 @@ void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) co
   if (std::ranges::count(solids_.held, 0) == 0) friction_.add_viscous_pressure(h, missed);
 }
 
-fem::NewtonReport FrictionPasses::pass(const Step& step, double h, bool last, CoupledState& state) const {
+fem::NewtonReport FrictionPasses::pass(const Step& step, double h, double tolerance, CoupledState& state) const {
   ++state.passes;
-  const double exact = std::max(scene_.tolerance, 1e-10);
-  friction_.add_friction(state, h, last || !friction_.has_dear_digits() ? exact : std::max(exact, rough), step.drag);
+  friction_.add_friction(state, h, tolerance, step.drag);
   return step.find(state);
 }
 
@@ -146,28 +145,30 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     messages.resize(said);
   };
   friction_.begin_friction(state, mobilities(state.driven_nodes.size(), 1), h);
-  fem::NewtonReport report = pass(step, h, true, state);
-  const auto pass_again = [&](bool last, std::span<const double> drive_of_pass) {
+  const double exact = std::max(scene_.tolerance, 1e-10),
+               between = friction_.has_dear_digits() ? std::max(exact, rough) : exact;
+  fem::NewtonReport report = pass(step, h, exact, state);
+  const auto pass_again = [&](double tolerance, std::span<const double> drive_of_pass) {
     go_back();
     drive_by(drive_of_pass, state);
-    report = pass(step, h, last, state);
+    report = pass(step, h, tolerance, state);
   };
   for (int number = 1; report.converged; ++number) {
     std::vector<double> missed = missed_drive(step, drive, before.u, h, state);
     const double miss = miss_of(missed, weights, h, state);
-    const bool exact = number == 1 || !friction_.has_dear_digits(), enough = miss <= enough_after(number);
-    if (enough && exact) break;
+    const bool enough = miss <= enough_after(number);
+    if (enough && (number == 1 || between == exact)) break;
     if (miss < least) least = miss, best = drive;
     if (enough || number == most_passes) {
       if (!enough && least >= bearable) let_friction_be_first(h, best, before);
-      pass_again(true, enough ? drive : best);
+      pass_again(exact, enough ? drive : best);
       missed_drive(step, drive, before.u, h, state);
       if (!enough) note_unsettled(least, state, messages);
       break;
     }
     add_viscous_pressure(h, missed);
     mixing.next(missed, drive);
-    pass_again(false, drive);
+    pass_again(between, drive);
   }
   state.particles = std::move(particles);
   return report;

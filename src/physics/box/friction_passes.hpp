@@ -35,7 +35,7 @@ class FrictionPasses {
   fem::NewtonReport find(const Step& step, double h, CoupledState& state, std::vector<std::string>& messages) const;
 
  private:
-  fem::NewtonReport pass(const Step& step, double h, bool last, CoupledState& state) const;
+  fem::NewtonReport pass(const Step& step, double h, double tolerance, CoupledState& state) const;
   std::vector<double> weights(const CoupledState& state) const;
   std::vector<double> missed_drive(const Step& step, std::span<const double> drive, std::span<const double> u0,
                                    double h, CoupledState& state) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The map of bodies whose sides have more nodes than their facets: it is made of the element's own functions.
+// The map of bodies whose sides have more nodes than their facets: on a grid it is made of the element's own functions,
+// on a mesh of its facets.
 #include <gtest/gtest.h>
 
 #include <cmath>
