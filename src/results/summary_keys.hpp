@@ -134,6 +134,8 @@ inline constexpr auto summary_rows = [] {
       SummaryRow{"friction_passes", boxes, number, "times that steps' friction and pressures were found together",
                  "viscosity > 0"},
       SummaryRow{"friction_unsettled", boxes, number, "steps in which 40 such did not settle them", "viscosity > 0"},
+      SummaryRow{"calmed_steps", boxes, number, "steps that end with their mean velocity since bodies would swing",
+                 "viscosity > 0, solids keep their energy"},
       SummaryRow{"narrow_cells", boxes, number, "most cells that alone fill a gap, which has too little friction then",
                  "viscosity > 0, flow='mesh'"},
       SummaryRow{"mesh_cells", boxes, number, "triangles or tetrahedra of the fluid at the end", "flow='mesh'"},

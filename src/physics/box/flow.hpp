@@ -9,6 +9,7 @@
 #include "algebra/two_level.hpp"
 #include "physics/box/closed_regions.hpp"
 #include "physics/box/coupling_map.hpp"
+#include "physics/box/friction/node_inertia.hpp"
 #include "physics/box/state.hpp"
 #include "results/results.hpp"
 
@@ -24,11 +25,12 @@ class FlowFriction {
   FlowFriction& operator=(const FlowFriction&) = delete;
   virtual ~FlowFriction() = default;
 
-  /// Finds what rubs in a step of length h, the same in all of its passes. `mobility` is 1 / mass of each number of the
-  /// nodes that the fluid sticks to, 0 where its velocity is held [1/mass].
-  virtual void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) = 0;
-  /// Lets friction act; the nodes get `drag` [force]. `tolerance` is of the momentum that friction moves.
-  virtual void add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) = 0;
+  /// Finds what rubs in a step of length h, the same in all of its passes; `nodes` are those that the fluid sticks to,
+  /// or none.
+  virtual void begin_friction(const CoupledState& state, NodeInertia nodes, double h) = 0;
+  /// Lets friction act; the nodes get `drag` [force]. `tolerance` is of the momentum that friction moves. Returns the
+  /// velocities of the nodes by it and by their drive.
+  virtual std::vector<double> add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) = 0;
   /// Returns whether the last digits of friction cost so many iterations that only a step's last pass should have them.
   virtual bool has_dear_digits() const = 0;
   /// Keeps the accelerations by `change`, what forces and pressures made of the velocities, and by the end of the step

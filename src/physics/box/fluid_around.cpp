@@ -72,7 +72,7 @@ std::vector<double> FluidAround::flux_left_over(std::span<const double> w) const
 ///     [ -B    -L  ] [dp] = [ r + B w + L p ]
 bool FluidAround::correct(const SparseMatrix& K, std::span<const double> right, std::span<const double> q1,
                           std::span<double> change) {
-  constexpr double tolerance = 1e-9;  // the next correction takes what this one leaves
+  constexpr double tolerance = 1e-6;  // the next correction takes what this one leaves
   SparseMatrix A = K;
   solids_.add_spring_stiffness(0.5, A);
   for (double& value : A.value) value *= step_->h;

@@ -47,22 +47,14 @@ void note_unsettled(double miss, CoupledState& state, std::vector<std::string>& 
 
 }  // namespace
 
-/// With 1 / lumped mass passes settle in half as many as with the most that there is.
-double FrictionPasses::mobility_of(std::size_t k) const {
-  return solids_.held[k] != 0 ? 0 : 1 / solids_.system.lumped[k / at(scene_.grid.dim)];
-}
-
-std::vector<double> FrictionPasses::mobilities(std::size_t numbers, double times) const {
-  std::vector<double> mobilities;
-  for (std::size_t k = 0; k < numbers; ++k) mobilities.push_back(times * mobility_of(k));
-  return mobilities;
-}
-
 /// Has friction act before pressures, which are not known. Then a node's velocity may change by an impulse on it as
 /// much as it can at most, the consistent mass of linear triangles and tetrahedra being nowhere less than 1 / (dim + 2)
 /// of the lumped one: it is dragged along at once and no further.
-void FrictionPasses::let_friction_be_first(double h, std::vector<double>& drive, const CoupledState& state) const {
-  friction_.begin_friction(state, mobilities(state.driven_nodes.size(), scene_.grid.dim + 2), h);
+void FrictionPasses::let_friction_be_first(const Step& step, double h, std::vector<double>& drive,
+                                           const CoupledState& state) const {
+  std::vector<double> masses = masses_as_one(step.nodes, scene_.grid.dim);
+  for (double& mass : masses) mass /= scene_.grid.dim + 2;
+  friction_.begin_friction(state, loose_nodes(masses, step.nodes.held), h);
   drive.assign(drive.size(), 0.0);
 }
 
@@ -84,12 +76,11 @@ std::vector<double> FrictionPasses::weights(const CoupledState& state) const {
   return weights;
 }
 
-/// What the drive of this pass lacks of that which it ended with. A node's is what all but friction gave it.
+/// What the drive of this pass lacks of that which it ended with; a node's is by how much friction missed its end.
 std::vector<double> FrictionPasses::missed_drive(const Step& step, std::span<const double> drive,
-                                                 std::span<const double> u0, double h, CoupledState& state) const {
+                                                 std::span<const double> rubbed, double h, CoupledState& state) const {
   friction_.take_drive(step.change, h, state);
-  for (std::size_t k = 0; k < state.driven_nodes.size(); ++k)
-    state.driven_nodes[k] = (state.u[k] - u0[k]) / h - step.drag[k] * mobility_of(k);
+  for (std::size_t k = 0; k < rubbed.size(); ++k) state.driven_nodes[k] += (step.working[k] - rubbed[k]) / h;
   std::vector<double> missed = drive_of(state);
   for (std::size_t k = 0; k < missed.size(); ++k) missed[k] -= drive[k];
   return missed;
@@ -121,10 +112,10 @@ void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) co
   if (std::ranges::count(solids_.held, 0) == 0) friction_.add_viscous_pressure(h, missed);
 }
 
-fem::NewtonReport FrictionPasses::pass(const Step& step, double h, double tolerance, CoupledState& state) const {
+FrictionPasses::Pass FrictionPasses::pass(const Step& step, double h, double tolerance, CoupledState& state) const {
   ++state.passes;
-  friction_.add_friction(state, h, tolerance, step.drag);
-  return step.find(state);
+  std::vector<double> rubbed = friction_.add_friction(state, h, tolerance, step.drag);
+  return {step.find(state), std::move(rubbed)};
 }
 
 fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState& state,
@@ -144,25 +135,25 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     state = std::move(begin);
     messages.resize(said);
   };
-  friction_.begin_friction(state, mobilities(state.driven_nodes.size(), 1), h);
+  friction_.begin_friction(state, step.nodes, h);
   const double exact = std::max(scene_.tolerance, 1e-10),
                between = friction_.has_dear_digits() ? std::max(exact, rough) : exact;
-  fem::NewtonReport report = pass(step, h, exact, state);
+  Pass last = pass(step, h, exact, state);
   const auto pass_again = [&](double tolerance, std::span<const double> drive_of_pass) {
     go_back();
     drive_by(drive_of_pass, state);
-    report = pass(step, h, tolerance, state);
+    last = pass(step, h, tolerance, state);
   };
-  for (int number = 1; report.converged; ++number) {
-    std::vector<double> missed = missed_drive(step, drive, before.u, h, state);
+  for (int number = 1; last.report.converged; ++number) {
+    std::vector<double> missed = missed_drive(step, drive, last.rubbed, h, state);
     const double miss = miss_of(missed, weights, h, state);
     const bool enough = miss <= enough_after(number);
     if (enough && (number == 1 || between == exact)) break;
     if (miss < least) least = miss, best = drive;
     if (enough || number == most_passes) {
-      if (!enough && least >= bearable) let_friction_be_first(h, best, before);
+      if (!enough && least >= bearable) let_friction_be_first(step, h, best, before);
       pass_again(exact, enough ? drive : best);
-      missed_drive(step, drive, before.u, h, state);
+      missed_drive(step, drive, last.rubbed, h, state);
       if (!enough) note_unsettled(least, state, messages);
       break;
     }
@@ -171,7 +162,7 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
     pass_again(between, drive);
   }
   state.particles = std::move(particles);
-  return report;
+  return last.report;
 }
 
 }  // namespace tether::coupled

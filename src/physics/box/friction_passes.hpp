@@ -26,8 +26,10 @@ class FrictionPasses {
   /// What a pass has after friction: forces, pressures and the motion of the solids, each time from the same start.
   struct Step {
     std::function<fem::NewtonReport(CoupledState&)> find;
-    const FaceValues& change;  ///< that forces and pressures made of the velocities in it [velocity]
-    std::span<double> drag;    ///< of the fluid's friction on the nodes, which it takes [force]
+    const FaceValues& change;            ///< that forces and pressures made of the velocities in it [velocity]
+    const std::vector<double>& working;  ///< velocities of the nodes that the fluid sees in it [velocity]
+    NodeInertia nodes;                   ///< of these velocities; none where the fluid slips along them
+    std::span<double> drag;              ///< of the fluid's friction on the nodes, which it takes [force]
   };
 
   /// Finds a step of length h from a state, whose particles have no part in it. Where passes do not settle there is a
@@ -35,17 +37,20 @@ class FrictionPasses {
   fem::NewtonReport find(const Step& step, double h, CoupledState& state, std::vector<std::string>& messages) const;
 
  private:
-  fem::NewtonReport pass(const Step& step, double h, double tolerance, CoupledState& state) const;
+  /// What a pass found.
+  struct Pass {
+    fem::NewtonReport report;
+    std::vector<double> rubbed;  ///< velocities of the nodes by friction and their drive [velocity]
+  };
+  Pass pass(const Step& step, double h, double tolerance, CoupledState& state) const;
   std::vector<double> weights(const CoupledState& state) const;
-  std::vector<double> missed_drive(const Step& step, std::span<const double> drive, std::span<const double> u0,
+  std::vector<double> missed_drive(const Step& step, std::span<const double> drive, std::span<const double> rubbed,
                                    double h, CoupledState& state) const;
   void drive_by(std::span<const double> drive, CoupledState& state) const;
   double miss_of(std::span<const double> missed, std::span<const double> weights, double h,
                  const CoupledState& state) const;
   void add_viscous_pressure(double h, std::span<double> missed) const;
-  double mobility_of(std::size_t k) const;
-  std::vector<double> mobilities(std::size_t numbers, double times) const;
-  void let_friction_be_first(double h, std::vector<double>& drive, const CoupledState& state) const;
+  void let_friction_be_first(const Step& step, double h, std::vector<double>& drive, const CoupledState& state) const;
 
   const Coupled& scene_;
   Vec<3> gravity_;  // [acceleration]

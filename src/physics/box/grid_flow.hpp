@@ -61,8 +61,8 @@ class GridFlow : public Flow, public FlowFriction {
   double cells_crossed(const FaceValues& v, double h) const override;
 
   FlowFriction* friction() override { return this; }
-  void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) override;
-  void add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) override;
+  void begin_friction(const CoupledState& state, NodeInertia nodes, double h) override;
+  std::vector<double> add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) override;
   bool has_dear_digits() const override { return false; }
   void take_drive(const FaceValues& change, double h, CoupledState& state) const override;
   void extend_drive(CoupledState& /*state*/) const override {}

@@ -8,9 +8,20 @@ namespace tether::coupled {
 
 // What the fluid's friction does in a step, to itself and to bodies that it sticks to.
 
-void GridFlow::begin_friction(const CoupledState& state, std::vector<double> mobility, double h) {
+namespace {
+
+/// 1 / mass of each number, 0 where it is held [1/mass].
+std::vector<double> mobilities(const NodeInertia& nodes, int dim) {
+  std::vector<double> mobilities = masses_as_one(nodes, dim);
+  for (std::size_t k = 0; k < nodes.size(); ++k) mobilities[k] = nodes.held[k] != 0 ? 0 : 1 / mobilities[k];
+  return mobilities;
+}
+
+}  // namespace
+
+void GridFlow::begin_friction(const CoupledState& state, NodeInertia nodes, double h) {
   find_parts();
-  mobility_ = std::move(mobility);
+  mobility_ = mobilities(nodes, scene_.grid.dim);
   begin_friction(beyond_open_sides(), h, state.u.size());
 }
 
@@ -23,7 +34,7 @@ void GridFlow::begin_friction(Beyond beyond, double h, std::size_t numbers) {
 }
 
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
-void GridFlow::add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) {
+std::vector<double> GridFlow::add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) {
   const std::span<const double> u =
       sticks_to_bodies(scene_) ? std::span<const double>(state.u) : std::span<const double>();
   Rubbed rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
@@ -32,6 +43,7 @@ void GridFlow::add_friction(CoupledState& state, double h, double tolerance, std
     rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, state.driven, state.v);
   }
   rubbed.book(h, state, drag);
+  return std::move(rubbed.nodes);
 }
 
 void GridFlow::take_drive(const FaceValues& change, double h, CoupledState& state) const {

@@ -105,13 +105,31 @@ SolidEquations::Taken SolidEquations::taken(std::span<const double> u0, std::spa
   return taken;
 }
 
+/// masses M + stiffnesses K'.
+SparseMatrix SolidEquations::sum_of(std::span<const double> q, bool convex, double masses, double stiffnesses) const {
+  SparseMatrix sum = system.pattern.matrix();
+  system.elements->add_stiffness(q, convex, system.pattern, sum);
+  for (double& value : sum.value) value *= stiffnesses;
+  system.add_mass(masses, sum);
+  return sum;
+}
+
 SparseMatrix SolidEquations::resistance(std::span<const double> q, double h) const {
   const double half = scene_.integrator == CoupledIntegrator::paper ? 0.5 * h : 0;
-  SparseMatrix R = system.pattern.matrix();
-  system.elements->add_stiffness(q, scene_.convex, system.pattern, R);
-  for (double& value : R.value) value *= half * system.solids.beta;
-  system.add_mass(1 + half * system.solids.alpha, R);
-  return R;
+  return sum_of(q, scene_.convex, 1 + half * system.solids.alpha, half * system.solids.beta);
+}
+
+/// The linear step has h A. An impulse changes w half as much as u1: 2 M + h C + h^2/2 K'. A calm step has M + h C +
+/// h^2/2 K', Euler's M + h C + h^2 K'.
+SparseMatrix SolidEquations::inertia(SolidRule rule, std::span<const double> q, double h) const {
+  double masses = rule == SolidRule::energy ? 2 : 1, damped = h, elastic = (rule == SolidRule::euler ? 1 : 0.5) * h * h;
+  if (rule == SolidRule::linear) {
+    const double part = scene_.integrator == CoupledIntegrator::paper ? 1 : 0.5;
+    damped *= part, elastic *= part;
+  }
+  SparseMatrix inertia = sum_of(q, true, masses + damped * system.solids.alpha, damped * system.solids.beta + elastic);
+  add_spring_stiffness(elastic, inertia);
+  return inertia;
 }
 
 void SolidEquations::add_spring_forces(std::span<const double> q0, std::span<const double> q1,

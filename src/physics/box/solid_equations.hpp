@@ -9,6 +9,10 @@
 
 namespace tether::coupled {
 
+/// How a step finds the solids. The fluid sees the velocity of a linear step's end, of others the mean w = (q1 - q0)/h.
+/// One that keeps energy ends with u1 = 2 w - u0; a calm one, and backward Euler, with w.
+enum class SolidRule { linear, energy, calm, euler };
+
 /// The solids' side of the coupled equations (4): A u1 - B^T p = b [force], with the stiffness linearised at the step's
 /// start. Vectors have dim numbers a node.
 class SolidEquations {
@@ -30,6 +34,9 @@ class SolidEquations {
   /// Returns what resists an acceleration that changes its sign every step of h: M + C h/2 by the paper's step, M by
   /// the trapezoidal rule; rows of velocities that are held, too [mass].
   SparseMatrix resistance(std::span<const double> q, double h) const;
+  /// Returns what resists impulses on the nodes in a step of h from places q, by the velocity that the fluid sees of
+  /// them, with a stiffness that is nowhere negative [mass].
+  SparseMatrix inertia(SolidRule rule, std::span<const double> q, double h) const;
   /// Adds the forces of springs in the middle of the way from q0 to q1 [force].
   void add_spring_forces(std::span<const double> q0, std::span<const double> q1, std::span<double> f) const;
   /// Adds `factor` times the springs' stiffness to a matrix.
@@ -44,6 +51,7 @@ class SolidEquations {
   std::vector<std::uint8_t> held;  ///< velocities that supports prescribe
 
  private:
+  SparseMatrix sum_of(std::span<const double> q, bool convex, double masses, double stiffnesses) const;
   void add_springs(std::span<const double> q, double factor, std::span<double> internal);
 
   const Coupled& scene_;

@@ -68,7 +68,7 @@ fem::NewtonReport CoupledSolver::advanced(double h) {
   if (!end.converged) go_back();
   if (!end.converged && step_.can_take_euler() && h <= fem::shortest_halved * plan_.step.deck_step) {
     end = step_.advance(state_, h, true);
-    if (!end.converged) go_back();
+    end.converged ? void(++state_.contact.doubts.euler_steps) : go_back();
   }
   if (end.converged) fem::report_contact(before.contact.doubts, state_.contact.doubts, state_.time + h, messages_);
   return end;
@@ -146,6 +146,7 @@ Summary CoupledSolver::more_summary() const {
   }
   if (!step_.keeps_energy()) summary.push_back(line_of("linear_gain", state_.linear_gain));
   if (step_.keeps_energy()) {
+    if (scene.viscosity > 0) summary.push_back(line_of("calmed_steps", state_.calmed));
     summary.push_back(line_of("newton_iterations", state_.newton_steps));
     summary.push_back(line_of("halvings", state_.halvings));
     fem::add_contact_summary(step_.solids().system.solids, state_.contact.doubts, summary);

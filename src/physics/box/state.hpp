@@ -88,6 +88,9 @@ struct CoupledState : StepClock {
   long long contact_solutions = 0;   ///< solutions found again because of contact
   long long passes = 0;              ///< over friction and pressures, of viscous fluids
   long long unsettled_friction = 0;  ///< steps in which they did not settle
+  std::vector<double> swing;         ///< what nodes have more than the mean velocity of the last step [velocity]
+  long long calm_steps = 2;          ///< that come now and are calm for it: a flow may begin at once
+  long long calmed = 0, swings = 0;  ///< steps that were; those which were found again for it
   long long unmeasured = 0;          ///< 1 once it was reported that a closed volume is not held
   fem::OverlapCount overlap;         ///< of the solids
   std::vector<int> left;             ///< of each body, 1 once it was found to be wholly beyond a side of the box
@@ -133,6 +136,8 @@ void exchange(Exchange& with, CoupledState& state) {
       with("halvings", state.halvings);
   fem::exchange(with, state.contact), fem::exchange(with, state.overlap);
   with("left", state.left), with("passes", state.passes), with("unsettled_friction", state.unsettled_friction);
+  with("swing", state.swing), with("calm_steps", state.calm_steps), with("calmed", state.calmed),
+      with("swings", state.swings);
   with("unmeasured", state.unmeasured);
   with("narrow_cells", state.narrow_cells), with("thin_cells", state.thin_cells),
       with("lu_solutions", state.lu_solutions);

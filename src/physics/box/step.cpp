@@ -34,6 +34,7 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {
   if (coupled_.viscosity > 0) passes_.emplace(coupled_, gravity_of(scene), solids_, *flow_, *flow_->friction());
   if (tether::keeps_energy(coupled_, solids, scene.clock.tstep)) solid_step_.emplace(solids_.system, &around_);
+  if (passes_ && solid_step_) swings_.emplace(solids_.system);
 }
 
 void CoupledStep::resume(CoupledState& state) {
@@ -46,8 +47,8 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
   const std::vector<double> q0 = state.q;
   Solution solution;
   flow_->begin(state, h);  // (1) without pressure: v*
-  const fem::NewtonReport end =
-      passes_ ? find_with_friction(state, h, by_euler, solution) : find_step(state, h, by_euler, solution);
+  const SolidRule rule = by_euler ? SolidRule::euler : solid_step_ ? SolidRule::energy : SolidRule::linear;
+  const fem::NewtonReport end = swings_ ? find_calm(state, h, rule, solution) : find(state, h, rule, solution);
   solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
   if (!end.converged) return end;
   note_unswept(q0, solution, state);
@@ -59,19 +60,25 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
   return end;
 }
 
-fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h, bool by_euler, Solution& solution) {
-  const auto find = [&](CoupledState& of_pass) { return find_step(of_pass, h, by_euler, solution); };
-  return passes_->find({find, change_, drag_}, h, state, messages_);
+fem::NewtonReport CoupledStep::find(CoupledState& state, double h, SolidRule rule, Solution& solution) {
+  return passes_ ? find_with_friction(state, h, rule, solution) : find_step(state, h, rule, solution);
+}
+
+fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h, SolidRule rule, Solution& solution) {
+  const auto find = [&](CoupledState& of_pass) { return find_step(of_pass, h, rule, solution); };
+  NodeInertia nodes;
+  if (!state.driven_nodes.empty()) nodes = {solids_.inertia(rule, state.q, h), solids_.held};
+  return passes_->find({find, change_, solution.working, std::move(nodes), drag_}, h, state, messages_);
 }
 
 /// Finds velocities and pressures, and moves the solids. A solution that was found before, from the same start with
 /// other friction, is what the next one begins with: its matrices are the same.
-fem::NewtonReport CoupledStep::find_step(CoupledState& state, double h, bool by_euler, Solution& solution) {
+fem::NewtonReport CoupledStep::find_step(CoupledState& state, double h, SolidRule rule, Solution& solution) {
   change_ = state.v;
   flow_->add_forces(state.smoke, h, state.v);
   const bool again = solution.L.n > 0;
   if (!again) solution = begin_solution(state, h);
-  if (solid_step_) return solve_by_energy(state, h, by_euler, again, solution);
+  if (solid_step_) return solve_by_energy(state, h, rule, again, solution);
   const std::vector<double> q0 = state.q, u0 = state.u;
   if (!again) solids_.assemble(state.q, state.u, state.time, h);  // (4): A, b
   solve(state, h, again, solution);                               // (7), (8)

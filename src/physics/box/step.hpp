@@ -12,6 +12,7 @@
 #include "physics/box/friction_passes.hpp"
 #include "physics/box/solid_equations.hpp"
 #include "physics/box/state.hpp"
+#include "physics/box/swings.hpp"
 #include "physics/box/system.hpp"
 #include "physics/solids/step.hpp"
 #include "plan/plan.hpp"
@@ -64,12 +65,14 @@ class CoupledStep {
   };
 
   void project_start(CoupledState& state);
-  fem::NewtonReport find_step(CoupledState& state, double h, bool by_euler, Solution& solution);
-  fem::NewtonReport find_with_friction(CoupledState& state, double h, bool by_euler, Solution& solution);
+  fem::NewtonReport find(CoupledState& state, double h, SolidRule rule, Solution& solution);
+  fem::NewtonReport find_calm(CoupledState& state, double h, SolidRule rule, Solution& solution);
+  fem::NewtonReport find_step(CoupledState& state, double h, SolidRule rule, Solution& solution);
+  fem::NewtonReport find_with_friction(CoupledState& state, double h, SolidRule rule, Solution& solution);
   void solve(CoupledState& state, double h, bool again, Solution& solution);
   Solution begin_solution(const CoupledState& state, double h) const;
   FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
-  fem::NewtonReport solve_by_energy(CoupledState& state, double h, bool by_euler, bool again, Solution& solution);
+  fem::NewtonReport solve_by_energy(CoupledState& state, double h, SolidRule rule, bool again, Solution& solution);
   void begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution);
   void take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution);
   void book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state);
@@ -103,6 +106,7 @@ class CoupledStep {
   FluidAround around_;
   std::optional<FrictionPasses> passes_;      // of a viscous fluid
   std::optional<fem::SolidStep> solid_step_;  // of steps that keep the energy
+  std::optional<Swings> swings_;              // of such in a viscous fluid
   std::vector<std::string> messages_;
   FaceValues change_;                  // velocities before forces and pressures act; then what these change
   std::vector<double> drag_;           // of the fluid's friction on the nodes in this step [force]

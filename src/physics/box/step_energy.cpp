@@ -22,14 +22,35 @@ fem::SolidState solids_of(const CoupledState& state) {
 
 }  // namespace
 
+/// A step in which a body swings is found again; so is one whose friction came first, which may send bodies back.
+fem::NewtonReport CoupledStep::find_calm(CoupledState& state, double h, SolidRule rule, Solution& solution) {
+  const CoupledState begun = state;
+  const std::size_t said = messages_.size();
+  if (rule == SolidRule::energy && state.calm_steps > 0) rule = SolidRule::calm;
+  fem::NewtonReport end = find(state, h, rule, solution);
+  const bool may_swing = end.converged && rule == SolidRule::energy;
+  const int body = may_swing ? swings_->found(begun, solution.working, drag_, h) : -1;
+  const bool swings = body >= 0 || (may_swing && state.unsettled_friction > begun.unsettled_friction);
+  if (swings) {
+    const long long passes = state.passes;
+    state = begun, solution = {}, messages_.resize(said);
+    end = find(state, h, SolidRule::calm, solution);
+    state.passes += passes - begun.passes;
+    if (end.converged && body >= 0 && state.swings++ == 0) messages_.push_back(Swings::text(begun, body));
+  }
+  if (end.converged) Swings::keep(swings, solution.working, state);
+  return end;
+}
+
 /// A step that was found before, with other friction, is found again from where it ended and with the map of its
 /// middle.
-fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, bool by_euler, bool again,
+fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, SolidRule rule, bool again,
                                                Solution& solution) {
   const SystemCost before = system_.cost();
   fem::SolidState moved = solids_of(state);
   const auto advance = [&] {
-    return by_euler ? solid_step_->advance_by_euler(moved, h) : solid_step_->advance(moved, h);
+    if (rule == SolidRule::euler) return solid_step_->advance_by_euler(moved, h);
+    return rule == SolidRule::calm ? solid_step_->advance_calmly(moved, h) : solid_step_->advance(moved, h);
   };
   const auto start_over = [&] {
     const long long newton_steps = moved.newton_steps;

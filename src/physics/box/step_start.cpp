@@ -15,6 +15,7 @@ CoupledState CoupledStep::start() {
   solids_.system.move_supports(0, fem::slope_width * scene_.clock.tstep, state.u);
   state.touches.assign(state.q.size(), Touch::away);
   state.fluid_force.assign(state.q.size(), 0.0), state.wall_force = state.fluid_force;
+  if (swings_) state.swing.assign(state.u.size(), 0.0);
   state.driven_nodes.assign(sticks_to_bodies(coupled_) ? state.u.size() : 0, 0.0);
   state.left.assign(static_cast<std::size_t>(surface_.parts), 0);
   flow_->start(state);

@@ -134,7 +134,7 @@ void SolidStep::note_hold(SolidState& state) const {
 /// gravity's energy, which takes gravity out of the loads' work.
 void SolidStep::accept_motion(SolidState& state, double dt, double falling) {
   double loads = falling, supports = 0;
-  const double lost = rule_.euler ? lost_by_euler(state, dt) : 0;
+  const double lost = rule_.ends_as_mean ? lost_by_ending_as_mean(state, dt) : 0;
   for (std::size_t k = 0; k < q1_.size(); ++k) {
     const double way = q1_[k] - state.q[k], v1 = system_.held[k] ? moved_[k] : velocity_at_end(way / dt, state.v[k]);
     const double inertial_way = 0.5 * dt * (state.v[k] + v1);

@@ -39,14 +39,15 @@ struct StepForces {
   StressAt at = StressAt::end;  ///< where between the step's ends the stress is taken
   bool dynamic = false;         ///< with inertia and damping, (17); else equilibrium at the step's end
   bool mean = false;            ///< inner and outer forces are the mean of both ends (trapezoidal rule)
-  bool euler = false;           ///< the velocity at the end is that over the step: backward Euler
+  bool ends_as_mean = false;    ///< the velocity at the end is that over the step, of which it else is the mean
+  bool euler = false;           ///< backward Euler: an energy is made least
   double loads_at = 1;          ///< part of the step after which the loads are taken, unless they are a mean
   Definite tangent = Definite::positive;
 };
 
 /// Those of an equilibrium, at the step's end.
 inline constexpr StepForces equilibrium_forces{.at = StressAt::end};
-inline constexpr StepForces euler_forces{.at = StressAt::end, .dynamic = true, .euler = true};
+inline constexpr StepForces euler_forces{.at = StressAt::end, .dynamic = true, .ends_as_mean = true, .euler = true};
 
 /// Part of a step over which the velocities of supports are measured, to both sides of its end.
 constexpr double slope_width = 1e-3;
@@ -71,6 +72,9 @@ class SolidStep {
   /// Does the same by backward Euler, which takes energy: what is left for bodies that meet where steps that keep the
   /// energy are halved as often as they may be.
   NewtonReport advance_by_euler(SolidState& state, double dt);
+  /// Does the same by a step that keeps the energy of shapes and contact, and takes of that of motion: the velocity at
+  /// its end is that over the step.
+  NewtonReport advance_calmly(SolidState& state, double dt);
   /// Finds how bodies touch where they are.
   void look_at_contact(SolidState& state);
   bool can_take_euler() const { return contact_ && rule_.dynamic; }
@@ -129,10 +133,10 @@ class SolidStep {
   void accept_equilibrium(SolidState& state);
   void note_hold(SolidState& state) const;
   /// The velocity at the end of a step of which the mean is w, from v0 at its start: w = (v0 + v1)/2 (17), or w = v1.
-  double velocity_at_end(double w, double v0) const { return rule_.euler ? w : 2 * w - v0; }
+  double velocity_at_end(double w, double v0) const { return rule_.ends_as_mean ? w : 2 * w - v0; }
   /// Its derivative by w.
-  double end_per_mean() const { return rule_.euler ? 1 : 2; }
-  double lost_by_euler(const SolidState& state, double dt) const;
+  double end_per_mean() const { return rule_.ends_as_mean ? 1 : 2; }
+  double lost_by_ending_as_mean(const SolidState& state, double dt) const;
   double along_correction() const;
   void add_damping(double dt, std::span<const double> q0);
   void find_accelerations(std::span<const double> q, std::span<const double> v, double time, std::span<double> a);

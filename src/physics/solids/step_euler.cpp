@@ -15,8 +15,15 @@ namespace tether::fem {
 NewtonReport SolidStep::advance_by_euler(SolidState& state, double dt) {
   const StepForces own = std::exchange(rule_, euler_forces);
   begin(state, dt);
-  NewtonReport report = meet(state, dt);
-  if (report.converged) ++state.contact.doubts.euler_steps;
+  const NewtonReport report = meet(state, dt);
+  rule_ = own;
+  return report;
+}
+
+NewtonReport SolidStep::advance_calmly(SolidState& state, double dt) {
+  const StepForces own = rule_;
+  rule_.ends_as_mean = true;
+  const NewtonReport report = advance(state, dt);
   rule_ = own;
   return report;
 }
@@ -45,7 +52,7 @@ double SolidStep::residual_downhill(const SolidState& state, double dt, int shor
 }
 
 /// What the step takes from motion and elements, with q1 its end [energy].
-double SolidStep::lost_by_euler(const SolidState& state, double dt) const {
+double SolidStep::lost_by_ending_as_mean(const SolidState& state, double dt) const {
   const Elements& elements = *system_.elements;
   double lost = elements.strain_energy(state.q) - elements.strain_energy(q1_);
   for (std::size_t k = 0; k < q1_.size(); ++k) {

@@ -119,7 +119,10 @@ Rubbed Friction::act(Team& team, std::span<const double> u, std::span<const doub
   });
   std::vector<double> forces(x_.size(), 0.0);
   rates_.find_forces(team, x_, forces);
-  for (std::size_t k = 0; k < u.size(); ++k) result.impulse.push_back(-forces[unknowns_.node(k)]);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    result.impulse.push_back(-forces[unknowns_.node(k)]);
+    result.nodes.push_back(x_[unknowns_.node(k)]);
+  }
   result.heat = dot(team, x_, forces);
   return result;
 }

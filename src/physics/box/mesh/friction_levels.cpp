@@ -13,12 +13,12 @@ using Entries = std::vector<Eigen::Triplet<double, std::int64_t>>;
 }  // namespace
 
 FrictionLevels::FrictionLevels(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds,
-                               std::span<const double> mass)
-    : of_faces_(holds.held.size()), unknown_(of_faces_ + mass.size(), -1), two_levels_(mesh.dim == 3) {
-  number_unknowns(mesh, holds, mass);
+                               const NodeInertia& nodes)
+    : of_faces_(holds.held.size()), unknown_(of_faces_ + nodes.size(), -1), two_levels_(mesh.dim == 3) {
+  number_unknowns(holds, nodes);
   if (number_.empty()) return;
   r_.resize(number_.size()), z_.resize(number_.size());
-  const SparseMatrix A = matrix(mesh, strain, holds, mass);
+  const SparseMatrix A = matrix(mesh, strain, holds, nodes);
   const bool found =
       two_levels_ ? levels_.set_up(rows_of(A), coarse(mesh, holds)) : factors_.factorise(A, Definite::positive);
   if (!found)
@@ -26,22 +26,17 @@ FrictionLevels::FrictionLevels(const FlowMesh& mesh, const StrainOnMesh& strain,
                    Failure::does_not_converge);
 }
 
-void FrictionLevels::number_unknowns(const FlowMesh& mesh, const FaceHolds& holds, std::span<const double> mass) {
+void FrictionLevels::number_unknowns(const FaceHolds& holds, const NodeInertia& nodes) {
   const auto take = [&](std::size_t number) {
-    if (unknown_[number] >= 0) return;
     unknown_[number] = static_cast<int>(number_.size());
     number_.push_back(number);
   };
   for (std::size_t k = 0; k < of_faces_; ++k) {
     if (holds.held[k] == 0) take(k);
   }
-  const std::size_t dim = at(mesh.dim);
-  for (const FaceHolds::Carried& carried : holds.carried) {
-    for (const auto& [node, share] : carried.nodes) {
-      for (std::size_t k = node * dim; k < (node + 1) * dim; ++k) {
-        if (mass[k] > 0) take(of_faces_ + k);
-      }
-    }
+  if (holds.carried.empty()) return;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (nodes.held[k] == 0) take(of_faces_ + k);
   }
 }
 
@@ -64,7 +59,7 @@ std::vector<NodeShares> FrictionLevels::unknowns_of_faces(const FlowMesh& mesh, 
 }
 
 SparseMatrix FrictionLevels::matrix(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds,
-                                    std::span<const double> mass) const {
+                                    const NodeInertia& nodes) const {
   const std::vector<NodeShares> of = unknowns_of_faces(mesh, holds);
   Entries entries;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
@@ -74,9 +69,13 @@ SparseMatrix FrictionLevels::matrix(const FlowMesh& mesh, const StrainOnMesh& st
       }
     });
   }
-  for (std::size_t k = 0; k < mass.size(); ++k) {
-    const int unknown = unknown_[of_faces_ + k];
-    if (unknown >= 0) entries.emplace_back(unknown, unknown, mass[k]);
+  const auto mass = eigen_of(nodes.mass);
+  for (Eigen::Index k = 0; k < mass.cols(); ++k) {
+    for (decltype(mass)::InnerIterator entry(mass, k); entry; ++entry) {
+      const int i = unknown_[of_faces_ + static_cast<std::size_t>(entry.row())],
+                j = unknown_[of_faces_ + static_cast<std::size_t>(k)];
+      if (i >= 0 && j >= 0) entries.emplace_back(i, j, entry.value());
+    }
   }
   const auto count = static_cast<Eigen::Index>(number_.size());
   EigenSparse A(count, count);

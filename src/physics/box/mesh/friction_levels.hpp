@@ -8,6 +8,7 @@
 
 #include "algebra/sparse_solver.hpp"
 #include "algebra/two_level.hpp"
+#include "physics/box/friction/node_inertia.hpp"
 #include "physics/box/mesh/mesh_map.hpp"
 #include "physics/box/mesh/strain_on_mesh.hpp"
 
@@ -31,21 +32,20 @@ struct FaceHolds {
 /// its faces are fluxes, which have parts along all of them.
 class FrictionLevels {
  public:
-  /// `mass` is that of each number of the nodes, 0 where it is held [mass]. Throws RunError where there are no factors.
-  /// Calls BLAS.
-  FrictionLevels(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds,
-                 std::span<const double> mass);
+  /// Throws RunError where there are no factors. Calls BLAS.
+  FrictionLevels(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds, const NodeInertia& nodes);
 
-  /// Returns whether a number is free: that of a face which nothing holds, or of a node that carries faces.
+  /// Returns whether a number is free: that of a face or a node which nothing holds. Where no face is carried no node
+  /// is.
   bool is_free(std::size_t number) const { return unknown_[number] >= 0; }
   /// z = P^-1 r for the numbers that are free; 0 for others.
   void precondition(std::span<const double> r, std::span<double> z);
 
  private:
-  void number_unknowns(const FlowMesh& mesh, const FaceHolds& holds, std::span<const double> mass);
+  void number_unknowns(const FaceHolds& holds, const NodeInertia& nodes);
   std::vector<NodeShares> unknowns_of_faces(const FlowMesh& mesh, const FaceHolds& holds) const;
   SparseMatrix matrix(const FlowMesh& mesh, const StrainOnMesh& strain, const FaceHolds& holds,
-                      std::span<const double> mass) const;
+                      const NodeInertia& nodes) const;
   CoarseUnknowns coarse(const FlowMesh& mesh, const FaceHolds& holds) const;
 
   std::size_t of_faces_;             // numbers of faces

@@ -9,25 +9,16 @@
 #include "base/numbers.hpp"
 
 namespace tether::coupled {
-namespace {
-
-std::vector<double> masses_of(std::span<const double> mobility) {
-  std::vector<double> mass;
-  for (const double of : mobility) mass.push_back(of > 0 ? 1 / of : 0);
-  return mass;
-}
-
-}  // namespace
-
 FrictionOnMesh::FrictionOnMesh(const FlowMesh& mesh, FaceHolds holds, std::span<const std::size_t> open, double density,
-                               double mu, std::span<const double> mobility, double h)
+                               double mu, NodeInertia nodes, double h)
     : mesh_(mesh),
       holds_(std::move(holds)),
       h_(h),
-      mass_(masses_of(mobility)),
+      nodes_(std::move(nodes)),
+      masses_(masses_as_one(nodes_, mesh.dim)),
       strain_(mesh, h * mu, density, couples_at(mesh, open, holds_.held)),
-      levels_(mesh, strain_, holds_, mass_),
-      x_(holds_.held.size() + mass_.size(), 0.0) {}
+      levels_(mesh, strain_, holds_, nodes_),
+      x_(holds_.held.size() + nodes_.size(), 0.0) {}
 
 /// Gives carried faces the velocities that nodes make.
 void FrictionOnMesh::carry(std::span<double> x) const {
@@ -78,9 +69,11 @@ int FrictionOnMesh::solve(Team& team, std::span<const double> pulls, std::span<c
                       terms(pulls.begin(), pulls.end());
   pass_on(right), pass_on(terms);
   for (std::size_t k = 0; k < count; ++k) right[k] = levels_.is_free(k) ? -right[k] : 0;
-  for (std::size_t k = 0; k < mass_.size(); ++k) {
-    const std::size_t number = node(k);
-    if (levels_.is_free(number)) right[number] += mass_[k] * (u[k] - x_[number]), terms[number] += mass_[k] * u[k];
+  std::vector<double> lacking(nodes_.size()), impulse(nodes_.size());
+  for (std::size_t k = 0; k < nodes_.size(); ++k) lacking[k] = u[k] - x_[node(k)];
+  nodes_.mass.multiply(lacking, impulse);
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (levels_.is_free(node(k))) right[node(k)] += impulse[k], terms[node(k)] += masses_[k] * u[k];
   }
   const double residual = norm(team, right), enough = tolerance * std::max(norm(team, terms), residual);
   if (!(residual > enough)) return std::isfinite(residual) ? 0 : -1;
@@ -88,7 +81,7 @@ int FrictionOnMesh::solve(Team& team, std::span<const double> pulls, std::span<c
     std::copy(p.begin(), p.end(), all.begin());
     carry(all);
     strain_.find_forces(team, all, y.first(holds_.held.size()));
-    for (std::size_t k = 0; k < mass_.size(); ++k) y[node(k)] = mass_[k] * p[node(k)];
+    nodes_.mass.multiply(p.subspan(holds_.held.size()), nodes_of(y));
     pass_on(y);
     for (std::size_t k = 0; k < count; ++k) y[k] = levels_.is_free(k) ? y[k] : 0;
   };
@@ -151,7 +144,10 @@ Rubbed FrictionOnMesh::act(Team& team, std::span<const double> u, std::span<cons
     }
   }
   pass_on(taken);
-  for (std::size_t k = 0; k < u.size(); ++k) result.impulse.push_back(-taken[node(k)]);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    result.impulse.push_back(-taken[node(k)]);
+    result.nodes.push_back(x_[node(k)]);
+  }
   return result;
 }
 

@@ -17,11 +17,10 @@ namespace tether::coupled {
 /// is least: implicit and stable for any h. Faces that nothing holds have no mass of their own.
 class FrictionOnMesh {
  public:
-  /// `mobility` is 1 / mass of each number of the solids' nodes, 0 where its velocity is held [1/mass]; mu is a
-  /// viscosity [stress time]; through `open` faces the flow goes on as it comes. The mesh must outlive it. Throws
-  /// RunError where values ran away.
+  /// mu is a viscosity [stress time]; through `open` faces the flow goes on as it comes. The mesh must outlive it.
+  /// Throws RunError where values ran away.
   FrictionOnMesh(const FlowMesh& mesh, FaceHolds holds, std::span<const std::size_t> open, double density, double mu,
-                 std::span<const double> mobility, double h);
+                 NodeInertia nodes, double h);
   FrictionOnMesh(const FrictionOnMesh&) = delete;
   FrictionOnMesh& operator=(const FrictionOnMesh&) = delete;
 
@@ -40,11 +39,13 @@ class FrictionOnMesh {
   void begin_with(const FaceValues& v, std::span<const double> u, std::span<const double> driven_to,
                   std::span<const double> given);
   std::size_t node(std::size_t k) const { return holds_.held.size() + k; }
+  std::span<double> nodes_of(std::span<double> x) const { return x.subspan(holds_.held.size()); }
 
   const FlowMesh& mesh_;
   FaceHolds holds_;
   double h_;
-  std::vector<double> mass_;  // of each number of the nodes; 0 where it is held
+  NodeInertia nodes_;
+  std::vector<double> masses_;  // of each number of the nodes
   StrainOnMesh strain_;
   FrictionLevels levels_;
   std::vector<double> x_;  // of each number of the faces, then of the nodes: what was found last

@@ -71,8 +71,8 @@ class MeshFlow final : public Flow, public FlowFriction {
   double cells_crossed(const FaceValues& v, double h) const override;
 
   FlowFriction* friction() override { return this; }
-  void begin_friction(const CoupledState& state, std::vector<double> mobility, double h) override;
-  void add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) override;
+  void begin_friction(const CoupledState& state, NodeInertia nodes, double h) override;
+  std::vector<double> add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) override;
   bool has_dear_digits() const override { return mesh().dim == 3; }
   void take_drive(const FaceValues& change, double h, CoupledState& state) const override;
   void extend_drive(CoupledState& /*state*/) const override {}
@@ -159,7 +159,7 @@ class MeshFlow final : public Flow, public FlowFriction {
   Placed at_;
   std::vector<double> kept_q_;  // places that the mesh before fits: a step that is not found begins anew
   std::shared_ptr<const FlowMesh> kept_;
-  std::vector<double> mobility_;  // of the step's friction
+  NodeInertia nodes_;  // of the step's friction
   std::optional<FrictionOnMesh> rubbing_;
   std::vector<std::string> messages_;
 };

@@ -46,8 +46,8 @@ FaceHolds MeshFlow::face_holds(std::span<const double> q) const {
   return holds;
 }
 
-void MeshFlow::begin_friction(const CoupledState& state, std::vector<double> mobility, double h) {
-  mobility_ = std::move(mobility);
+void MeshFlow::begin_friction(const CoupledState& state, NodeInertia nodes, double h) {
+  nodes_ = std::move(nodes);
   std::vector<std::size_t> open;
   each_open_side([&](std::size_t face, std::size_t, double) {
     if (scene_.sides[at(mesh().boundary[face].number)] != BoxSide::empty) open.push_back(face);
@@ -56,7 +56,7 @@ void MeshFlow::begin_friction(const CoupledState& state, std::vector<double> mob
 }
 
 void MeshFlow::rub_with(std::span<const std::size_t> open, std::span<const double> q, double h) {
-  rubbing_.emplace(mesh(), face_holds(q), open, scene_.density, scene_.viscosity, mobility_, h);
+  rubbing_.emplace(mesh(), face_holds(q), open, scene_.density, scene_.viscosity, nodes_, h);
 }
 
 /// A warning once. One velocity across a gap has a third of its friction or less; films of bodies that touch are too
@@ -88,7 +88,7 @@ std::vector<double> MeshFlow::given_at_faces(const FaceValues& v) const {
 }
 
 /// The solids get at (4) what the fluid's friction gave their nodes, as a force that acts all the step.
-void MeshFlow::add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) {
+std::vector<double> MeshFlow::add_friction(CoupledState& state, double h, double tolerance, std::span<double> drag) {
   const std::span<const double> u =
       sticks_to_bodies(scene_) ? std::span<const double>(state.u) : std::span<const double>();
   const std::vector<double> given = given_at_faces(state.v);
@@ -98,6 +98,7 @@ void MeshFlow::add_friction(CoupledState& state, double h, double tolerance, std
     rubbed = rubbing_->act(team_, u, state.driven_nodes, tolerance, given, state.driven, state.v);
   }
   rubbed.book(h, state, drag);
+  return std::move(rubbed.nodes);
 }
 
 void MeshFlow::take_drive(const FaceValues& change, double h, CoupledState& state) const {

@@ -63,6 +63,11 @@ struct Held {
   }
 };
 
+/// Nodes of a mass that nothing holds.
+NodeInertia alike(std::size_t numbers, double mass) {
+  return loose_nodes(std::vector<double>(numbers, mass), std::vector<std::uint8_t>(numbers, 0));
+}
+
 /// Fluid and nodes keep their momentum, and lose as much energy as becomes heat, and more in a step.
 TEST(MeshFriction, KeepsMomentum) {
   for (const int dim : {2, 3}) {
@@ -70,14 +75,14 @@ TEST(MeshFriction, KeepsMomentum) {
     const FlowMesh& mesh = of.at.mesh();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1, 1);
-    std::vector<double> u(of.body.x.size()), mobility(u.size(), 40);
+    std::vector<double> u(of.body.x.size());
     for (double& velocity : u) velocity = any(random);
     FaceValues v, none;
     for (std::size_t a = 0; a < at(dim); ++a) {
       for (std::size_t cell = 0; cell < mesh.cells(); ++cell) v[a].push_back(any(random)), none[a].push_back(0);
     }
     const double rho = of.scene.density;
-    FrictionOnMesh friction(mesh, of.holds, {}, rho, 0.3, mobility, 0.1);
+    FrictionOnMesh friction(mesh, of.holds, {}, rho, 0.3, alike(u.size(), 1.0 / 40), 0.1);
     const FaceValues v0 = v;
     const std::vector<double> given(mesh.faces() * at(dim), 0.0), undriven(u.size(), 0.0);
     const Rubbed rubbed = friction.act(alone(), u, undriven, 1e-13, given, none, v);
@@ -95,9 +100,47 @@ TEST(MeshFriction, KeepsMomentum) {
     }
     EXPECT_NEAR(lost, rubbed.taken, 1e-12 * lost);
     for (std::size_t k = 0; k < u.size(); ++k)
-      lost += (u[k] * u[k] - std::pow(u[k] + mobility[k] * rubbed.impulse[k], 2)) / (2 * mobility[k]);
+      lost += (u[k] * u[k] - std::pow(u[k] + 40 * rubbed.impulse[k], 2)) / (2 * 40.0);
     EXPECT_GT(rubbed.heat, 0.01 * lost);
     EXPECT_LT(rubbed.heat, lost);
+  }
+}
+
+/// Nodes of a body that is all but rigid go along as one: K ties each of them to all others along its axis.
+TEST(MeshFriction, MovesAStiffBodyAsAWhole) {
+  for (const int dim : {2, 3}) {
+    Held of(dim);
+    const FlowMesh& mesh = of.at.mesh();
+    const std::size_t n = of.body.x.size();
+    constexpr double mass = 0.02, stiff = 1e4;
+    NodeInertia nodes{.mass = {}, .held = std::vector<std::uint8_t>(n, 0)};
+    nodes.mass.n = static_cast<std::int64_t>(n);
+    nodes.mass.start.push_back(0);
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t l = k % at(dim); l < n; l += at(dim)) {
+        nodes.mass.row.push_back(static_cast<std::int64_t>(l));
+        nodes.mass.value.push_back(l == k ? mass + stiff * static_cast<double>(n / at(dim) - 1) : -stiff);
+      }
+      nodes.mass.start.push_back(static_cast<std::int64_t>(nodes.mass.row.size()));
+    }
+    for (const double of_one : masses_as_one(nodes, dim)) EXPECT_NEAR(of_one, mass, 1e-12 * stiff);
+    FaceValues v, none;
+    for (std::size_t a = 0; a < at(dim); ++a) {
+      for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+        v[a].push_back(mesh.middle(cell)[1] + (a == 1 ? 0.3 : 0)), none[a].push_back(0);
+      }
+    }
+    const std::vector<double> still(n, 0.0), given(mesh.faces() * at(dim), 0.0);
+    FrictionOnMesh friction(mesh, of.holds, {}, of.scene.density, 0.3, nodes, 0.1);
+    const Rubbed rubbed = friction.act(alone(), still, still, 1e-13, given, none, v);
+    ASSERT_GT(rubbed.iterations, 0);
+    for (std::size_t a = 0; a < at(dim); ++a) {
+      double impulse = 0;
+      for (std::size_t k = a; k < n; k += at(dim)) impulse += rubbed.impulse[k];
+      const double velocity = impulse / (mass * static_cast<double>(n / at(dim)));
+      EXPECT_GT(std::abs(velocity), 0.01);
+      for (std::size_t k = a; k < n; k += at(dim)) EXPECT_NEAR(rubbed.nodes[k], velocity, 1e-5);
+    }
   }
 }
 
@@ -123,7 +166,7 @@ TEST(MeshFriction, TurningAsAWholeCostsNothing) {
       for (std::size_t a = 0; a < at(dim); ++a) v[a].push_back(w[a]), none[a].push_back(0);
     }
     const FaceValues v0 = v;
-    FrictionOnMesh friction(mesh, of.holds, {}, 1, 50, std::vector<double>(u.size(), 10), 0.1);
+    FrictionOnMesh friction(mesh, of.holds, {}, 1, 50, alike(u.size(), 0.1), 0.1);
     const Rubbed rubbed =
         friction.act(alone(), u, std::vector<double>(u.size(), 0), 1e-13, std::vector<double>(x.size(), 0.0), none, v);
     EXPECT_LT(std::abs(rubbed.heat), 1e-9);
