@@ -68,7 +68,7 @@ fem::NewtonReport CoupledSolver::advanced(double h) {
   if (!end.converged) go_back();
   if (!end.converged && step_.can_take_euler() && h <= fem::shortest_halved * plan_.step.deck_step) {
     end = step_.advance(state_, h, true);
-    end.converged ? void(++state_.contact.doubts.euler_steps) : go_back();
+    if (!end.converged) go_back();
   }
   if (end.converged) fem::report_contact(before.contact.doubts, state_.contact.doubts, state_.time + h, messages_);
   return end;

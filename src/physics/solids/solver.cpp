@@ -97,10 +97,8 @@ void SolidSolver::step(double dt) {
 NewtonReport SolidSolver::advanced(double dt) {
   if (state_.time + dt <= state_.time) lose(dt);
   NewtonReport report = step_.advance(state_, dt);
-  if (!report.converged && step_.can_take_euler() && dt <= shortest_halved * plan_.step.deck_step) {
+  if (!report.converged && step_.can_take_euler() && dt <= shortest_halved * plan_.step.deck_step)
     report = step_.advance_by_euler(state_, dt);
-    if (report.converged) ++state_.contact.doubts.euler_steps;
-  }
   if (!report.converged && system_.solids.integrator == Integrator::central) lose(dt);
   if (!report.residuals.empty()) state_.residual = report.residuals.back();
   if (report.converged && system_.solids.integrator == Integrator::equilibrium)

@@ -16,6 +16,7 @@ NewtonReport SolidStep::advance_by_euler(SolidState& state, double dt) {
   const StepForces own = std::exchange(rule_, euler_forces);
   begin(state, dt);
   const NewtonReport report = meet(state, dt);
+  if (report.converged) ++state.contact.doubts.euler_steps;
   rule_ = own;
   return report;
 }
