@@ -29,7 +29,8 @@ fem::NewtonReport CoupledStep::find_calm(CoupledState& state, double h, SolidRul
   if (rule == SolidRule::energy && state.calm_steps > 0) rule = SolidRule::calm;
   fem::NewtonReport end = find(state, h, rule, solution);
   const bool may_swing = end.converged && rule == SolidRule::energy;
-  const int body = may_swing ? swings_->found(begun, solution.working, drag_, h) : -1;
+  const double heat = state.books.viscous - begun.books.viscous;
+  const int body = may_swing ? swings_->found(begun, {solution.working, drag_, heat, h}) : -1;
   const bool swings = body >= 0 || (may_swing && state.unsettled_friction > begun.unsettled_friction);
   if (swings) {
     const long long passes = state.passes;

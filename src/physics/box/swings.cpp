@@ -22,20 +22,21 @@ struct Sums {
 Swings::Swings(const fem::SolidSystem& system)
     : system_(system), body_(parts_of(system.solids.mesh)), bodies_(count_parts(system.solids.mesh)) {}
 
-/// Vibrations of less than about four steps a period do the same, which no step follows.
-int Swings::found(const CoupledState& state, std::span<const double> w, std::span<const double> drag, double h) const {
+/// Vibrations of less than about four steps a period do the same, which no step follows. Where friction takes less in
+/// the step than swings, they are the body's own affair.
+int Swings::found(const CoupledState& state, const Step& step) const {
   const auto dim = at(system_.dim());
   std::vector<Sums> sums(at(bodies_));
-  for (std::size_t k = 0; k < w.size(); ++k) {
+  for (std::size_t k = 0; k < step.w.size(); ++k) {
     if (body_[k / dim] < 0 || system_.held[k] != 0) continue;
     Sums& of = sums[at(body_[k / dim])];
-    const double m = system_.lumped[k / dim], r1 = w[k] - state.u[k];
-    of.r0_r1 += m * state.swing[k] * r1, of.r1_r1 += m * r1 * r1, of.w_w += m * w[k] * w[k];
-    of.u0_u0 += m * state.u[k] * state.u[k], of.by_drag += h * drag[k] * state.u[k];
+    const double m = system_.lumped[k / dim], r1 = step.w[k] - state.u[k];
+    of.r0_r1 += m * state.swing[k] * r1, of.r1_r1 += m * r1 * r1, of.w_w += m * step.w[k] * step.w[k];
+    of.u0_u0 += m * state.u[k] * state.u[k], of.by_drag += step.h * step.drag[k] * state.u[k];
   }
   for (int body = 0; body < bodies_; ++body) {
     const Sums& of = sums[at(body)];
-    const bool turns = of.r0_r1 < -0.5 * of.r1_r1 && of.r1_r1 > enough * enough * of.w_w;
+    const bool turns = of.r0_r1 < -0.5 * of.r1_r1 && of.r1_r1 > enough * enough * of.w_w && 0.5 * of.r1_r1 < step.heat;
     if (turns || of.by_drag < -of.u0_u0) return body;
   }
   return -1;

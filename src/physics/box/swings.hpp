@@ -18,10 +18,17 @@ class Swings {
   /// The system must outlive it.
   explicit Swings(const fem::SolidSystem& system);
 
-  /// Returns a body, counted from 0, that swings in a step of length h from `state` with the mean velocities w and the
-  /// fluid's friction `drag` on its nodes [force], or -1. They turn back from what they last had more than the mean,
-  /// and by more than a part of their speed; or friction takes more than all of their momentum.
-  int found(const CoupledState& state, std::span<const double> w, std::span<const double> drag, double h) const;
+  /// A step as it was found.
+  struct Step {
+    std::span<const double> w;     ///< its mean velocities
+    std::span<const double> drag;  ///< of the fluid's friction on the nodes [force]
+    double heat = 0;               ///< that friction made of motion [energy]
+    double h = 0;                  ///< its length [time]
+  };
+  /// Returns a body, counted from 0, that swings in a step from `state`, or -1. Its nodes turn back from what they last
+  /// had more than the mean, by more than a part of their speed and less than friction takes; or friction takes more
+  /// than all of their momentum.
+  int found(const CoupledState& state, const Step& step) const;
   /// Keeps what the next step is looked at by, after a step with the mean velocities w. Where one swung, and was found
   /// again as a calm one, some that come are calm, too.
   static void keep(bool swung, std::span<const double> w, CoupledState& state);
