@@ -77,7 +77,13 @@ std::shared_ptr<const FlowMesh> MeshFlow::mesh_at(std::span<const double> q) con
     try {
       FlowMesh mesh = scene_.grid.dim == 2 ? plane_mesh(outline_in_plane(scene_, with_obstacles_, q, gap), sizes)
                                            : space_mesh(outline_in_space(scene_, with_obstacles_, q, gap), sizes);
-      return std::make_shared<FlowMesh>(without_shut_in(without_seals(std::move(mesh), film * gap, pocket())));
+      mesh = without_shut_in(without_seals(std::move(mesh), film * gap, pocket()));
+      if (mesh.cells() == 0)
+        throw RunError(
+            "no cell of the fluid is left: likely cause, bodies that cross each other or the box's sides; $contact "
+            "stops them",
+            Failure::loses_points);
+      return std::make_shared<FlowMesh>(std::move(mesh));
     } catch (const RunError&) {
       if (trial + 1 == trials.size()) throw;
     }
