@@ -89,9 +89,8 @@ std::string flow_mesh_warning(const Scene& scene) {
   if (cell <= longest * thinnest.thickness) return "";
   return fmt::format(
       "a body is about {:.2g} thick, and the fluid's cells at it are up to {:.3g} long: they are too coarse for the "
-      "flow around its edges, so that it takes too much fluid along where it moves along itself; size_near = {:.2g} or "
-      "less "
-      "mends that",
+      "flow around its edges, so that it takes too much fluid along where it moves along itself; size_near = {:.2g} "
+      "or less mends that",
       thinnest.thickness, cell, good * thinnest.thickness);
 }
 

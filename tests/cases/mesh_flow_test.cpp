@@ -100,8 +100,8 @@ TEST(MeshFlowRuns, InSpaceEnergyIsAccountedFor) {
   }
 }
 
-/// Heavy bodies that sink through each other without $contact, until no cell of the fluid is left: the run says why it
-/// ends.
+/// Heavy bodies that sink through each other without $contact, until a mesh about them has no cell: the run stops with
+/// an error.
 TEST(MeshFlowRuns, BodiesThatCrossEndARunWithAReason) {
   EXPECT_THROW(
       run_text(

@@ -128,19 +128,12 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
   AndersonMixing mixing(weights,
                         static_cast<int>(std::clamp(most_kept / static_cast<double>(drive.size()), 5.0, 40.0)));
   double least = std::numeric_limits<double>::infinity();
-  const auto go_back = [&] {
-    CoupledState begin = before;
-    begin.iterations = state.iterations, begin.lu_solutions = state.lu_solutions, begin.passes = state.passes;
-    begin.newton_steps = state.newton_steps, begin.contact_solutions = state.contact_solutions;
-    state = std::move(begin);
-    messages.resize(said);
-  };
   friction_.begin_friction(state, step.nodes, h);
   const double exact = std::max(scene_.tolerance, 1e-10),
                between = friction_.has_dear_digits() ? std::max(exact, rough) : exact;
   Pass last = pass(step, h, exact, state);
   const auto pass_again = [&](double tolerance, std::span<const double> drive_of_pass) {
-    go_back();
+    go_back(before, state), messages.resize(said);
     drive_by(drive_of_pass, state);
     last = pass(step, h, tolerance, state);
   };

@@ -60,15 +60,10 @@ void CoupledSolver::advance(double until, long long most) {
 fem::NewtonReport CoupledSolver::advanced(double h) {
   const CoupledState before = step_.keeps_energy() ? state_ : CoupledState{};
   fem::NewtonReport end = step_.advance(state_, h);
-  const auto go_back = [&] {
-    const long long newton_steps = state_.newton_steps;
-    state_ = before;
-    state_.newton_steps = newton_steps;
-  };
-  if (!end.converged) go_back();
+  if (!end.converged) go_back(before, state_);
   if (!end.converged && step_.can_take_euler() && h <= fem::shortest_halved * plan_.step.deck_step) {
     end = step_.advance(state_, h, true);
-    if (!end.converged) go_back();
+    if (!end.converged) go_back(before, state_);
   }
   if (end.converged) fem::report_contact(before.contact.doubts, state_.contact.doubts, state_.time + h, messages_);
   return end;

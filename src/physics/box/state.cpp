@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/box/state.hpp"
 
+#include <array>
+
 #include "base/numbers.hpp"
 #include "physics/box/outside.hpp"
 
@@ -54,6 +56,15 @@ CarriedIn carried_in(const Coupled& scene, const FlowDomain& domain, const FaceV
     }
   }
   return in;
+}
+
+void go_back(const CoupledState& before, CoupledState& state) {
+  constexpr std::array costs{&CoupledState::iterations, &CoupledState::lu_solutions, &CoupledState::newton_steps,
+                             &CoupledState::contact_solutions, &CoupledState::passes};
+  std::array<long long, costs.size()> spent;
+  for (std::size_t k = 0; k < costs.size(); ++k) spent[k] = state.*costs[k];
+  state = before;
+  for (std::size_t k = 0; k < costs.size(); ++k) state.*costs[k] = spent[k];
 }
 
 }  // namespace tether::coupled

@@ -99,6 +99,9 @@ struct CoupledState : StepClock {
   long long thin_cells = 0;          ///< most in any step at which bodies are thinner than a cell, by cut-cell
 };
 
+/// Makes a state what it was before a step that is to be found again, but for what finding it has cost.
+void go_back(const CoupledState& before, CoupledState& state);
+
 /// The parts of a state for saving and restoring.
 template <class Exchange>
 void exchange(Exchange& with, CoupledState& state) {

@@ -48,7 +48,9 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
   Solution solution;
   flow_->begin(state, h);  // (1) without pressure: v*
   const SolidRule rule = by_euler ? SolidRule::euler : solid_step_ ? SolidRule::energy : SolidRule::linear;
-  const fem::NewtonReport end = swings_ ? find_calm(state, h, rule, solution) : find(state, h, rule, solution);
+  const fem::NewtonReport end = swings_   ? find_calm(state, h, rule, solution)
+                                : passes_ ? find_with_friction(state, h, rule, solution)
+                                          : find_step(state, h, rule, solution);
   solution.L = {}, system_.let_go();  // where solids are placed next, others take their room
   if (!end.converged) return end;
   note_unswept(q0, solution, state);
@@ -58,10 +60,6 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
   flow_->end(change_, state, h);
   note_bodies_that_left(state.time + h, state);
   return end;
-}
-
-fem::NewtonReport CoupledStep::find(CoupledState& state, double h, SolidRule rule, Solution& solution) {
-  return passes_ ? find_with_friction(state, h, rule, solution) : find_step(state, h, rule, solution);
 }
 
 fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h, SolidRule rule, Solution& solution) {

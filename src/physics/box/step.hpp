@@ -65,7 +65,6 @@ class CoupledStep {
   };
 
   void project_start(CoupledState& state);
-  fem::NewtonReport find(CoupledState& state, double h, SolidRule rule, Solution& solution);
   fem::NewtonReport find_calm(CoupledState& state, double h, SolidRule rule, Solution& solution);
   fem::NewtonReport find_step(CoupledState& state, double h, SolidRule rule, Solution& solution);
   fem::NewtonReport find_with_friction(CoupledState& state, double h, SolidRule rule, Solution& solution);

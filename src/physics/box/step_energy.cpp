@@ -27,16 +27,15 @@ fem::NewtonReport CoupledStep::find_calm(CoupledState& state, double h, SolidRul
   const CoupledState begun = state;
   const std::size_t said = messages_.size();
   if (rule == SolidRule::energy && state.calm_steps > 0) rule = SolidRule::calm;
-  fem::NewtonReport end = find(state, h, rule, solution);
+  fem::NewtonReport end = find_with_friction(state, h, rule, solution);
   const bool may_swing = end.converged && rule == SolidRule::energy;
   const double heat = state.books.viscous - begun.books.viscous;
   const int body = may_swing ? swings_->found(begun, {solution.working, drag_, heat, h}) : -1;
   const bool swings = body >= 0 || (may_swing && state.unsettled_friction > begun.unsettled_friction);
   if (swings) {
-    const long long passes = state.passes;
-    state = begun, solution = {}, messages_.resize(said);
-    end = find(state, h, SolidRule::calm, solution);
-    state.passes += passes - begun.passes;
+    go_back(begun, state), messages_.resize(said);
+    solution = {};
+    end = find_with_friction(state, h, SolidRule::calm, solution);
     if (end.converged && body >= 0 && state.swings++ == 0) messages_.push_back(Swings::text(begun, body));
   }
   if (end.converged) Swings::keep(swings, solution.working, state);

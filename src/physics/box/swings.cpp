@@ -55,8 +55,7 @@ std::string Swings::text(const CoupledState& state, int body) {
   return fmt::format(
       "t = {:.6g}, step {}: body {} swings to and fro from step to step about the velocity that the fluid lets it "
       "have: this step and the next {} end with that velocity, which damps what bodies do in a few steps; calmed_steps "
-      "of "
-      "summary.txt counts such steps, and shorter ones need fewer",
+      "of summary.txt counts such steps, and shorter ones need fewer",
       state.time, state.steps + 1, body + 1, calm_steps);
 }
 
