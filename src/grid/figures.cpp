@@ -32,6 +32,33 @@ bool contains(const Figure& figure, const Vec<3>& x) {
   return std::visit([&](const auto& of) { return has(of, x); }, figure);
 }
 
+/// The ellipsoid has a place of the box where it has that which is nearest to it in units of its half axes.
+bool meet(const Ellipsoid& ellipsoid, const Box<3>& box) {
+  Vec<3> nearest{};
+  for (std::size_t i = 0; i < 3; ++i) nearest[i] = std::clamp(ellipsoid.middle[i], box.low[i], box.high[i]);
+  return has(ellipsoid, nearest);
+}
+
+/// In units of half axes one is a ball of radius 1 about 0, the other has the middle m and the half axes b. Its place y
+/// nearest to 0 has y_i = s m_i / (b_i^2 + s) with the s > 0 for which sum ((y_i - m_i) / b_i)^2 = 1.
+bool meet(const Ellipsoid& one, const Ellipsoid& other) {
+  if (has(one, other.middle) || has(other, one.middle)) return true;
+  Vec<3> m{}, b{};
+  for (std::size_t i = 0; i < 3; ++i)
+    m[i] = (other.middle[i] - one.middle[i]) / one.half[i], b[i] = other.half[i] / one.half[i];
+  const auto is_outside = [&](double s) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += std::pow(b[i] * m[i] / (b[i] * b[i] + s), 2);
+    return sum > 1;
+  };
+  double low = 0, high = 1;
+  while (is_outside(high)) high *= 2;
+  for (int k = 0; k < 100; ++k) (is_outside(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+  double distance = 0;
+  for (std::size_t i = 0; i < 3; ++i) distance += std::pow(high * m[i] / (b[i] * b[i] + high), 2);
+  return distance <= 1;
+}
+
 namespace {
 
 constexpr double beyond = 2;          // cells past the box, where what has no end ends

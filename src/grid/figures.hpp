@@ -33,6 +33,10 @@ using Figure = std::variant<Box<3>, Ellipsoid, Prism, HalfSpace>;
 /// Returns whether a figure has a place.
 bool contains(const Figure& figure, const Vec<3>& x);
 
+/// Returns whether two figures in space have a place in common. No half axis may be 0.
+bool meet(const Ellipsoid& ellipsoid, const Box<3>& box);
+bool meet(const Ellipsoid& one, const Ellipsoid& other);
+
 /// A figure's surface as edges or triangles, turned as a solid's (grid/solid_surface.hpp).
 struct FigureSurface {
   std::vector<double> x;  ///< places of its nodes, dim numbers a node [length]

@@ -90,7 +90,7 @@ template <>
 inline constexpr std::array<Word<Advection>, 2> words<Advection>{
     {{Advection::semi_lagrangian, "semi-lagrangian"}, {Advection::maccormack, "maccormack"}}};
 
-/// What the fluid's cells are: those of the grid, or triangles that fit the solids and move with them.
+/// What the fluid's cells are: those of the grid, or triangles and tetrahedra that fit the solids.
 enum class FlowCells { grid, mesh };
 template <>
 inline constexpr std::array<Word<FlowCells>, 2> words<FlowCells>{

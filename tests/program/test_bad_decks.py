@@ -92,7 +92,8 @@ REQUIRED = {
     "contact_with_a_rigid_body", "contact_without_a_mesh", "contact_without_gap",
     "contact_without_stiffness", "contact_touching",
     "coupled_mesh_and_liquid", "coupled_mesh_and_void",
-    "coupled_mesh_and_mode", "coupled_mesh_near_above_size", "coupled_mesh_size_on_a_grid",
+    "coupled_mesh_and_mode", "coupled_mesh_near_above_size", "coupled_mesh_obstacles_touch",
+    "coupled_mesh_size_on_a_grid",
 }
 
 

@@ -23,10 +23,10 @@ inline constexpr std::array coupled_rows{
              "faces; the same with cells that are wholly fluid or solid; one after the other; or simultaneously by two "
              "maps as in the paper."},
     Variable{"coupled", "flow", text, 0, 1, 1, "", -none, none, choices<FlowCells>, "'grid'",
-             "What the fluid's cells are: those of the grid; or triangles that fit bodies and obstacles and are made "
-             "anew as bodies move, in the plane."},
+             "What the fluid's cells are: those of the grid; or triangles, in space tetrahedra, that fit bodies and "
+             "obstacles and are made anew as bodies move."},
     Variable{"coupled", "size", real, 0, 1, 1, "length", above_zero, none, "", "",
-             "Edges of the triangles of flow='mesh' far from bodies, obstacles and jets; the shorter of a cell's sides "
+             "Edges of the cells of flow='mesh' far from bodies, obstacles and jets; the shorter of a cell's sides "
              "where it is not given."},
     Variable{"coupled", "size_near", real, 0, 1, 1, "length", above_zero, none, "", "",
              "Their most at bodies, obstacles and jets; size where it is not given. Sides of a body that are shorter "
@@ -95,7 +95,8 @@ inline constexpr std::array coupled_rows{
              "Temperature in it, above that of the surroundings."},
     Variable{"coupled", "obstacle", real, 2, 6, nl, "length", -none, none, "", "",
              "Obstacle k at rest, which neither fluid nor solids enter: its lowest and highest x, y and, in space, z. "
-             "For the fluid it is made of the cells whose middles lie in it; solids stop at the box as it is given."},
+             "For the fluid of a grid it is made of the cells whose middles lie in it; solids, and the cells of "
+             "flow='mesh', stop at the box as it is given."},
     Variable{"coupled", "obstacle_ellipse", real, 2, 6, nl, "length", -none, none, "", "",
              "Obstacle k as an ellipse or ellipsoid along the axes, by the box about it, given likewise. As those that "
              "follow it cuts the cells at its surface."},

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "read/box/checks.hpp"
 #include "read/values.hpp"
 
@@ -56,6 +59,7 @@ class FlowMeshChecks {
  private:
   /// In space those that are no boxes must lie within the box.
   void check_obstacles() {
+    std::vector<const Obstacle*> before;
     for (const Obstacle& obstacle : coupled_.shaped) {
       const auto* round = std::get_if<Ellipsoid>(&obstacle.figure);
       bool within = round != nullptr;
@@ -69,7 +73,22 @@ class FlowMeshChecks {
                         "boxes within it, not near to its sides",
                         obstacle.number),
             "write a smaller obstacle_ellipse or obstacle(1:6,k), or leave flow away");
+      else
+        check_apart(*round, obstacle.number, before);
+      if (within) before.push_back(&obstacle);
     }
+  }
+
+  /// No mesh is between surfaces that touch. Facets are off the surface by up to a thousandth of a cell.
+  void check_apart(Ellipsoid round, int number, const std::vector<const Obstacle*>& before) {
+    for (double& half : round.half) half += 2e-3 * coupled_.mesh->near;
+    const auto touches = [&](const Obstacle* other) { return meet(round, std::get<Ellipsoid>(other->figure)); };
+    const auto touches_box = [&](const Box<3>& box) { return meet(round, box); };
+    if (std::ranges::none_of(before, touches) && std::ranges::none_of(coupled_.obstacles, touches_box)) return;
+    diagnostics_.add(deck_.remark(
+        Severity::error, "coupled.obstacle_ellipse", {1, number},
+        fmt::format("obstacle {} touches another one, or reaches into it: no mesh in space is between them", number),
+        "write obstacles that stand apart, or leave flow away"));
   }
 
   void error(const AnyVariable& name, const std::string& message, const std::string& hint) {

@@ -18,11 +18,12 @@ struct Outline {
     std::array<std::size_t, 3> corners;  ///< dim of them, among the places
     Boundary boundary;
     double size = 0;        ///< of cells at it, at most; 0: its own [length]
-    bool has_fluid = true;  ///< what is to the right of a segment, as far as others let it; to the left there is none
+    bool has_fluid = true;  ///< what is to the right of a segment, where no body and no obstacle is
   };
   int dim = 2;
   std::vector<Vec<3>> places;
   std::vector<Facet> facets;
+  std::vector<std::array<Vec<3>, 2>> around;  ///< in the plane, sides of bodies and obstacles, also beyond the box
   std::vector<Vec<3>> holes;  ///< in space, a place in each part of it that facets enclose and that has no fluid
 
   /// The length of a segment; the edge of an equilateral triangle as large as a facet.

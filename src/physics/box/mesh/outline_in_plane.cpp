@@ -111,6 +111,7 @@ Outline outline_in_plane(const Coupled& scene, const FlowSurface& surface, std::
   for (std::size_t s = 0; s < surface.all().side_count(); ++s) {
     const auto nodes = surface.all().side(s);
     const std::array<Vec<3>, 2> ends{place_of(places, nodes[0], 2), place_of(places, nodes[1], 2)};
+    outline.around.push_back(ends);
     const auto part = scene.cavities_only ? std::array{0.0, 1.0} : part_in_box(scene, ends);
     if (part[0] >= part[1]) continue;
     std::array<std::size_t, 2> of{};

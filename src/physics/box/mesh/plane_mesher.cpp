@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/numbers.hpp"
 #include "physics/box/mesh/boundary_faces.hpp"
@@ -18,7 +19,7 @@ namespace tether::coupled {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-/// Of each triangle: 1 fluid, 0 not, -1 not known yet.
+/// Of each triangle what is in it, `unknown` to begin with.
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase =
     CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
@@ -28,8 +29,8 @@ using Triangulation = CGAL::Constrained_triangulation_plus_2<
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
 using Segment = Outline::Facet;
 
-constexpr int unknown = -1;
-constexpr double flat = 1e-9;  // of the mesh's size: lower triangles hold no fluid
+constexpr int unknown = -1, solid = 0, fluid = 1, empty = 2;  // empty: no body has it, but the fluid does not reach it
+constexpr double flat = 1e-9;                                 // of the mesh's size: lower triangles hold no fluid
 
 class PlaneMesher {
  public:
@@ -73,43 +74,61 @@ class PlaneMesher {
     }
   }
 
-  /// What is to the left of segments is no fluid, whatever else it is to the right of: solids and obstacles that touch
-  /// or cross have no fluid between them. What is to the right of one then is. Both go on through edges that are no
-  /// segments.
+  /// Rooms between segments are solid where a body or an obstacle goes around them, and where several do. A surface
+  /// that crosses itself leaves the rooms beside it as they are. What is to the right of segments then is fluid.
   void mark_fluid() {
     for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end(); ++face)
       face->info() = unknown;
-    for (const int mark : {0, 1}) {
-      std::vector<Triangulation::Face_handle> next;
-      const auto reach = [&](Triangulation::Face_handle face) {
-        if (triangulation_.is_infinite(face) || face->info() != unknown) return;
-        face->info() = mark, next.push_back(face);
-      };
-      each_edge([&](const Segment& segment, Triangulation::Face_handle right, int index, auto, auto) {
-        if (mark == 0) reach(right->neighbor(index));
-        if (mark == 1 && segment.has_fluid) reach(right);
-      });
-      while (!next.empty()) {
-        const Triangulation::Face_handle face = next.back();
-        next.pop_back();
-        for (int k = 0; k < 3; ++k) {
-          if (!face->is_constrained(k)) reach(face->neighbor(k));
-        }
+    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face) {
+      if (face->info() != unknown) continue;
+      const auto largest = mark_room(face, empty);
+      if (turns_around(CGAL::centroid(triangulation_.triangle(largest))) != 0) mark_room(face, solid);
+    }
+    each_edge([&](const Segment& segment, Triangulation::Face_handle right, int, auto, auto) {
+      if (segment.has_fluid && right->info() == empty) mark_room(right, fluid);
+    });
+  }
+
+  /// Marks all triangles from one up to segments, and returns the largest.
+  Triangulation::Face_handle mark_room(Triangulation::Face_handle first, int mark) {
+    std::vector<Triangulation::Face_handle> next;
+    Triangulation::Face_handle largest = first;
+    const auto reach = [&](Triangulation::Face_handle face) {
+      if (triangulation_.is_infinite(face) || face->info() == mark) return;
+      face->info() = mark, next.push_back(face);
+    };
+    for (reach(first); !next.empty();) {
+      const Triangulation::Face_handle face = next.back();
+      next.pop_back();
+      if (triangulation_.triangle(face).area() > triangulation_.triangle(largest).area()) largest = face;
+      for (int k = 0; k < 3; ++k) {
+        if (!face->is_constrained(k)) reach(face->neighbor(k));
       }
     }
+    return largest;
+  }
+
+  /// How often the surfaces of bodies and obstacles go around a place: the sum of the angles that they are seen at.
+  int turns_around(const Kernel::Point_2& x) const {
+    double angle = 0;
+    for (const auto& [from, to] : outline_.around) {
+      const Vec<3> u = minus(from, {x.x(), x.y(), 0}), v = minus(to, {x.x(), x.y(), 0});
+      angle += std::atan2(u[0] * v[1] - u[1] * v[0], dot(u, v));
+    }
+    return static_cast<int>(std::lround(angle / (2 * std::numbers::pi)));
   }
 
   /// Triangles lower than this have no fluid, as between sides that cross at a small angle [least: length].
   void leave_out_flat(double least) {
     for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face) {
-      if (face->info() != 1) continue;
+      if (face->info() != fluid) continue;
       double longest = 0;
       for (int k = 0; k < 3; ++k)
         longest =
             std::max(longest, CGAL::squared_distance(face->vertex(k)->point(), face->vertex((k + 1) % 3)->point()));
       const auto& a = face->vertex(0)->point();
       const Kernel::Vector_2 u = face->vertex(1)->point() - a, v = face->vertex(2)->point() - a;
-      if (u.x() * v.y() - u.y() * v.x() <= least * std::sqrt(longest)) face->info() = 0;
+      if (u.x() * v.y() - u.y() * v.x() <= least * std::sqrt(longest)) face->info() = solid;
     }
   }
 
@@ -118,7 +137,7 @@ class PlaneMesher {
     for (auto v = triangulation_.finite_vertices_begin(); v != triangulation_.finite_vertices_end(); ++v)
       v->info() = unknown;
     for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face) {
-      if (face->info() != 1) continue;
+      if (face->info() != fluid) continue;
       for (int k = 0; k < 3; ++k) {
         const auto vertex = face->vertex(k);
         if (vertex->info() == unknown) {
