@@ -18,6 +18,7 @@ constexpr double most_kept = 8e6;  // numbers of a list of passes that are kept
 constexpr double settled = 2e-3;   // what velocities may miss those of the end by, over their size
 constexpr double bearable = 0.03;  // what they may where passes do not settle
 constexpr double rough = 1e-6;     // of the momentum that friction moves, which passes before the last may miss
+constexpr double left = 0.03;      // of what another friction changed in the solids' motion, which these may leave
 
 /// How much they may miss after so many passes: where these settle slowly, the last digits are not worth their time.
 double enough_after(int passes) {
@@ -112,10 +113,10 @@ void FrictionPasses::add_viscous_pressure(double h, std::span<double> missed) co
   if (std::ranges::count(solids_.held, 0) == 0) friction_.add_viscous_pressure(h, missed);
 }
 
-FrictionPasses::Pass FrictionPasses::pass(const Step& step, double h, double tolerance, CoupledState& state) const {
+FrictionPasses::Pass FrictionPasses::pass(const Step& step, double h, const Digits& digits, CoupledState& state) const {
   ++state.passes;
-  std::vector<double> rubbed = friction_.add_friction(state, h, tolerance, step.drag);
-  return {step.find(state), std::move(rubbed)};
+  std::vector<double> rubbed = friction_.add_friction(state, h, digits.friction, step.drag);
+  return {step.find(state, digits.left), std::move(rubbed)};
 }
 
 fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState& state,
@@ -129,19 +130,20 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
                         static_cast<int>(std::clamp(most_kept / static_cast<double>(drive.size()), 5.0, 40.0)));
   double least = std::numeric_limits<double>::infinity();
   friction_.begin_friction(state, step.nodes, h);
-  const double exact = std::max(scene_.tolerance, 1e-10),
-               between = friction_.has_dear_digits() ? std::max(exact, rough) : exact;
+  const Digits exact{std::max(scene_.tolerance, 1e-10), 0};
+  const bool saves = friction_.has_dear_digits() && exact.friction < rough;
+  const Digits between = saves ? Digits{rough, left} : exact;
   Pass last = pass(step, h, exact, state);
-  const auto pass_again = [&](double tolerance, std::span<const double> drive_of_pass) {
+  const auto pass_again = [&](const Digits& digits, std::span<const double> drive_of_pass) {
     go_back(before, state), messages.resize(said);
     drive_by(drive_of_pass, state);
-    last = pass(step, h, tolerance, state);
+    last = pass(step, h, digits, state);
   };
   for (int number = 1; last.report.converged; ++number) {
     std::vector<double> missed = missed_drive(step, drive, last.rubbed, h, state);
     const double miss = miss_of(missed, weights, h, state);
     const bool enough = miss <= enough_after(number);
-    if (enough && (number == 1 || between == exact)) break;
+    if (enough && (number == 1 || !saves)) break;
     if (miss < least) least = miss, best = drive;
     if (enough || number == most_passes) {
       if (!enough && least >= bearable) let_friction_be_first(step, h, best, before);

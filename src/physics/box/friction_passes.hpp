@@ -25,7 +25,7 @@ class FrictionPasses {
 
   /// What a pass has after friction: forces, pressures and the motion of the solids, each time from the same start.
   struct Step {
-    std::function<fem::NewtonReport(CoupledState&)> find;
+    std::function<fem::NewtonReport(CoupledState&, double left)> find;  ///< may leave a part of what it begins with
     const FaceValues& change;            ///< that forces and pressures made of the velocities in it [velocity]
     const std::vector<double>& working;  ///< velocities of the nodes that the fluid sees in it [velocity]
     NodeInertia nodes;                   ///< of these velocities; none where the fluid slips along them
@@ -37,12 +37,17 @@ class FrictionPasses {
   fem::NewtonReport find(const Step& step, double h, CoupledState& state, std::vector<std::string>& messages) const;
 
  private:
+  /// How well a pass finds its parts.
+  struct Digits {
+    double friction;  ///< of the momentum that it moves
+    double left;      ///< of what the motion of the solids leaves over where it begins; 0: all its digits
+  };
   /// What a pass found.
   struct Pass {
     fem::NewtonReport report;
     std::vector<double> rubbed;  ///< velocities of the nodes by friction and their drive [velocity]
   };
-  Pass pass(const Step& step, double h, double tolerance, CoupledState& state) const;
+  Pass pass(const Step& step, double h, const Digits& digits, CoupledState& state) const;
   std::vector<double> weights(const CoupledState& state) const;
   std::vector<double> missed_drive(const Step& step, std::span<const double> drive, std::span<const double> rubbed,
                                    double h, CoupledState& state) const;

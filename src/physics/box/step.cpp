@@ -63,7 +63,10 @@ fem::NewtonReport CoupledStep::advance(CoupledState& state, double h, bool by_eu
 }
 
 fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h, SolidRule rule, Solution& solution) {
-  const auto find = [&](CoupledState& of_pass) { return find_step(of_pass, h, rule, solution); };
+  const auto find = [&](CoupledState& of_pass, double left) {
+    solution.left = left;
+    return find_step(of_pass, h, rule, solution);
+  };
   NodeInertia nodes;
   if (!state.driven_nodes.empty()) nodes = {solids_.inertia(rule, state.q, h), solids_.held};
   return passes_->find({find, change_, solution.working, std::move(nodes), drag_}, h, state, messages_);

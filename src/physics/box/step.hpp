@@ -52,6 +52,7 @@ class CoupledStep {
   struct Solution {
     std::vector<std::uint8_t> held;  ///< by supports and contact
     bool same_matrices = false;      ///< nothing else is held than in the solution before
+    double left = 0;                 ///< part of what it begins with that a solution found again may leave
     Regions regions;
     SparseMatrix L;
     std::vector<double> p;        ///< of each pressure [stress]

@@ -60,7 +60,7 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, So
   fem::NewtonReport report{false, {}};
   if (again) {
     around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
-    solid_step_->start_where_it_ended();
+    solid_step_->start_where_it_ended(solution.left);
     report = advance();
     if (!report.converged) start_over();
   }

@@ -67,8 +67,9 @@ class SolidStep {
   /// Advances the state by dt, or leaves it as it was where Newton's method does not converge.
   NewtonReport advance(SolidState& state, double dt);
   /// Lets the next step begin its search where the last one ended: the same step again, in surroundings that have
-  /// changed a little.
-  void start_where_it_ended() { again_ = true, ended_ = q1_; }
+  /// changed a little. Such a step may leave this part of what its beginning leaves over, and is no whole solution
+  /// then.
+  void start_where_it_ended(double left = 0) { again_ = true, ended_ = q1_, left_ = left; }
   /// Does the same by backward Euler, which takes energy: what is left for bodies that meet where steps that keep the
   /// energy are halved as often as they may be.
   NewtonReport advance_by_euler(SolidState& state, double dt);
@@ -114,6 +115,7 @@ class SolidStep {
   double next_correction();
   static bool stagnates(const std::vector<double>& residuals);
   bool leads_nowhere() const;
+  bool does_for_now() const;
   bool is_rounding() const;
   double known_places() const;
   bool nothing_acts() const;
@@ -151,6 +153,7 @@ class SolidStep {
   bool meets_ = false;         // whether the forces of contact are asked
   bool again_ = false;         // whether the next step is to start where the last one ended
   std::vector<double> ended_;  // where that was, in such a step; else empty [length]
+  double left_ = 0;            // part of what its beginning leaves over, that such a step may leave
   SparseMatrix K_, K0_;        // the tangent, and that of the reference shape, for damping
   // Places at the step's end; forces: inner ones at the start (trapezoidal rule), inner, outer, of these the ones that
   // the shape does not change, inertia, damping; their sum, the residual; the correction; and what is in between.

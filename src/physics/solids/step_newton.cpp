@@ -58,7 +58,8 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
   cost_.assembly += seconds_now() - from;
   for (int k = 0; k < rule.most_iterations; ++k) {
     const bool ends = leads_nowhere();
-    report.converged = report.residuals.back() <= (ends ? where_it_ends : 1) * system_.solids.tolerance && is_whole();
+    report.converged = does_for_now() ||
+                       (report.residuals.back() <= (ends ? where_it_ends : 1) * system_.solids.tolerance && is_whole());
     if (report.converged || ends || !correct(state, dt)) return report;
     report.residuals.push_back(residual_after_correction(state, dt, rule.most_shortenings, sizes_.back()));
     sizes_.push_back(left_over(report.residuals.back()));
@@ -72,6 +73,11 @@ NewtonReport SolidStep::newton(const SolidState& state, double dt, const NewtonR
 /// Returns what a residual and the surroundings' own equations leave over [force].
 double SolidStep::left_over(double residual) const {
   return residual * scale_ + (surroundings_ ? surroundings_->left_over(q1_) : 0);
+}
+
+/// Returns whether corrections left so little that a step which will be found again needs no more.
+bool SolidStep::does_for_now() const {
+  return !ended_.empty() && sizes_.size() > 1 && sizes_.back() <= left_ * sizes_.front();
 }
 
 /// Returns whether supports are where they lead, and what surrounds bodies has its due.
