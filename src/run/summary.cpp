@@ -173,11 +173,25 @@ std::string fluid_lost(const Scene& scene, const History& history) {
       part, scene.coupled()->advection == Advection::maccormack ? "" : ", and advection='maccormack'");
 }
 
+/// Warns where closed parts of the fluid take the motion. Their volume is kept by the normals that the surface has in
+/// the step, as it was found so far: a stiff body can turn by no other angle than theirs.
+std::string volumes_lost(const History& history) {
+  const double part = energy_lost_to_volumes(history);
+  if (part <= much_of_fluids) return {};
+  return fmt::format(
+      "closed parts of the fluid took {:.2g} of the largest energy exchanged as their volume was kept "
+      "(energy_sources): "
+      "stiff bodies that turn in them are braked; shorter steps, softer bodies or a side that is 'open' or 'void' help",
+      part);
+}
+
 }  // namespace
 
 std::string lost_energy_warning(const Scene& scene, const History& history) {
   if (scene.path() == Path::mpm) return points_lost(scene, history);
-  return scene.path() == Path::coupled ? fluid_lost(scene, history) : std::string();
+  if (scene.path() != Path::coupled) return {};
+  const std::string by_volumes = volumes_lost(history);
+  return by_volumes.empty() ? fluid_lost(scene, history) : by_volumes;
 }
 
 }  // namespace tether

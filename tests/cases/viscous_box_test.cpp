@@ -102,5 +102,26 @@ TEST(ViscousBox, APlateHasTheDragOfItsGaps) {
   EXPECT_GT(run.last("body_force_x_1"), drag);
 }
 
+/// A stream at an angle through a box that is open all round has no friction, in the plane and in space, and goes on as
+/// it comes: what comes in along a side's own direction counts, too.
+TEST(ViscousBox, AStreamThroughOpenSidesGoesOn) {
+  for (const char* flow : flows) {
+    for (const bool space : {false, true}) {
+      const DeckRun run = run_text(
+          "stream",
+          fmt::format("$in nx={0}, ny={0}, xleft=0., xright=1., ybot=0., ytop=1., tmax=.2, tstep=.01, iout(33)=1, "
+                      "tiout(33)=.1 $\n$coupled density=1., viscosity=.01, u0=1., v0=-.5, side(1:4)='open','open',"
+                      "'open','open', flow='{1}'{2} $\n",
+                      space ? 9 : 41, flow,
+                      space ? ", nz=9, zback=0., zfront=1., side(5:6)='open','open', w0=.25" : ""));
+      const double energy = 0.5 * (1.25 + (space ? 0.0625 : 0));
+      EXPECT_NEAR(run.last("energy_fluid") / energy, 1, 1e-11) << flow << space;
+      EXPECT_NEAR(run.last("energy_open"), 0, 1e-11) << flow << space;
+      EXPECT_NEAR(run.last("energy_advected"), 0, 1e-11) << flow << space;
+      EXPECT_NEAR(run.last("energy_viscous"), 0, 1e-12) << flow << space;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tether::cases

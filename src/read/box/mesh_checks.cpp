@@ -27,7 +27,7 @@ class FlowMeshChecks {
     for (const AnyVariable name : Variables{"coupled.size", "coupled.size_near", "coupled.growth"}) {
       if (deck_.given(name) && !is_default(deck_, name, {1, 1}))
         error(name, fmt::format("{} has no effect: the fluid's cells are the grid's", name.name()),
-              "flow='mesh' makes them triangles; nx and ny of $in are those of the grid");
+              "flow='mesh' makes cells that fit the bodies; nx and ny of $in are those of the grid");
     }
   }
 

@@ -141,6 +141,8 @@ void StrainRates::add_quarter(int a, int b, const std::array<int, 3>& corner, bo
     return add_open_side(a, face_b, b, along_b, !upper_a, mu);
   if (along_b.kind == Kind::outside && along_a.kind == Kind::fluid && beyond_ == Beyond::fluid)
     return add_open_side(b, face_a, a, along_a, !upper_b, mu);
+  if (along_a.kind == Kind::outside && along_b.kind == Kind::outside && beyond_ == Beyond::fluid)
+    return add_open_corner(unknowns_.face(a, face_a), unknowns_.face(b, face_b), a, b, upper_a == upper_b ? mu : -mu);
   const auto ends = [](const Slope& slope) { return slope.kind == Kind::free || slope.kind == Kind::outside; };
   if (ends(along_a) || ends(along_b)) return;
   const double part = std::max(along_a.part, along_b.part);  // a solid's is 0
@@ -163,6 +165,18 @@ void StrainRates::add_open_side(int a, const std::array<int, 3>& face_b, int b, 
     sum.add(along_b.rate, unknowns_.grid.d[at(b)]);
     sum.add(unknowns_.face(b, face_b), sign);
     const double by = (upper_side ? -1 : 1) * mu * along_b.part / (length * unknowns_.grid.d[at(b)]);
+    add_square(sum, sign * 0.5 * by, true);
+  }
+}
+
+/// Where open sides across a and b meet, their terms -+ mu A v du/db and -+ mu A u dv/da each have half of the product
+/// mu u v too much: v du/db = (v du/db - u dv/db) / 2 + d(u v)/db / 2. All but the last is as if the power were that of
+/// |grad u|^2; it would feed a flow that goes along the sides.
+void StrainRates::add_open_corner(std::size_t u, std::size_t v, int a, int b, double mu) {
+  const double by = 4 * mu / (unknowns_.grid.d[at(a)] * unknowns_.grid.d[at(b)]);
+  for (const int sign : {1, -1}) {
+    Combination sum;
+    sum.add(u, 1), sum.add(v, sign);
     add_square(sum, sign * 0.5 * by, true);
   }
 }

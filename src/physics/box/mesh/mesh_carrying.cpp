@@ -59,20 +59,23 @@ std::vector<double> MeshFlow::pressures_on_faces(const CellFinder& finder, const
   return found;
 }
 
-/// What goes out has the velocity of its cell; what comes in has that across the face.
+/// What goes through a face has the velocity of its cell, but for what jets blow in, which goes across the face.
 CarriedIn MeshFlow::carried_in_by(const FaceValues& v, double h) const {
   const FlowMesh& mesh = *at_.mesh;
-  const auto energy = [&](std::size_t face, double out) {
+  const auto square_in = [&](std::size_t face) {
     double square = 0;
     for (std::size_t a = 0; a < at(mesh.dim); ++a) square += std::pow(v[a][mesh.cell_of(face)], 2);
-    return -0.5 * scene_.density * h * out * (out > 0 ? square : std::pow(out / mesh.size_of(face), 2));
+    return square;
   };
+  const auto energy = [&](double out, double square) { return -0.5 * scene_.density * h * out * square; };
   CarriedIn in;
-  each_prescribed(v, [&](std::size_t face, double out) { in.jets += energy(face, out); });
+  each_prescribed(v, [&](std::size_t face, double out) {
+    in.jets += energy(out, out > 0 ? square_in(face) : std::pow(out / mesh.size_of(face), 2));
+  });
   each_open_side([&](std::size_t face, std::size_t cell, double) {
     double out = 0;
     for (std::size_t a = 0; a < at(mesh.dim); ++a) out += mesh.area[face][a] * v[a][cell];
-    in.open_sides += energy(face, out);
+    in.open_sides += energy(out, square_in(face));
   });
   return in;
 }
