@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/diagnostics.hpp"
+#include "model/coupled.hpp"
 #include "model/solids.hpp"
 #include "results/energy_drift.hpp"
 #include "run/summary.hpp"
@@ -25,6 +26,15 @@ const char* cause_of_volume(const Scene& scene) {
   if (scene.solids() && scene.solids()->integrator == Integrator::equilibrium)
     return "a body too soft for what acts on it, or steps of the load too long: shorter tstep";
   return "a body too soft for what acts on it";
+}
+
+/// Why the energy rises. Steps of boxes that keep it bear more.
+const char* cause_of_rise(const Scene& scene) {
+  const Coupled* box = scene.coupled();
+  const bool linear = box != nullptr && scene.solids() != nullptr && box->coupling.simultaneous &&
+                      !box->coupling.two_maps && !keeps_energy(*box, *scene.solids(), scene.clock.tstep);
+  return linear ? "steps too long, for which step='energy' of $coupled may do, or a way of coupling that does not hold"
+                : "steps too long, or a way of coupling that does not hold";
 }
 
 /// Columns by this name, or of bodies by it and a number.
@@ -102,14 +112,15 @@ Watch::Watch(const Scene& scene, const HistoryLayout& layout) : cell_(scene.grid
     if (changes_freely(scene, b)) continue;
     volume_.from.push_back(volumes[b]), bodies_.push_back(b);
   }
-  watch_energy(limits);
+  watch_energy(scene);
 }
 
-void Watch::watch_energy(const Limits& limits) {
+void Watch::watch_energy(const Scene& scene) {
+  const Limits& limits = scene.limits;
   energy_step_ = {.name = "energy_step",
                   .key = SummaryKey("energy_step_largest"),
                   .what = "the rise of the energy in a step that no exchange explains, over the largest energy before,",
-                  .cause = "steps too long, or a way of coupling that does not hold",
+                  .cause = cause_of_rise(scene),
                   .limit = limits.energy_step,
                   .failure = Failure::contradicts_energy};
   energy_growth_ = {.name = "energy_growth",

@@ -52,7 +52,7 @@ class Watch {
     double sign = 0;
   };
 
-  void watch_energy(const Limits& limits);
+  void watch_energy(const Scene& scene);
   void judge(Number& number, double value, double time, const Place& where);
   void look_at_volumes(const Record& record);
   void look_at_energy(const Record& record);
