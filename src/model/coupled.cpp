@@ -79,7 +79,7 @@ double linear_gain(const Solids& solids, double tstep) {
 
 bool keeps_energy(const Coupled& coupled, const Solids& solids, double tstep) {
   if (coupled.step != SolidsStep::automatic) return coupled.step == SolidsStep::energy;
-  if (!coupled.coupling.simultaneous || coupled.coupling.two_maps) return false;
+  if (!coupled.coupling.balances_power()) return false;
   return solids.contact || linear_gain(solids, tstep) > most_linear_gain;
 }
 

@@ -34,6 +34,8 @@ struct Coupling {
   bool simultaneous;  ///< fluid and solids in one system; else one after the other
   bool two_maps;      ///< the solids' motion displaces fluid by a map that is not the transpose of the pressures'
   std::string_view meaning;  ///< for the plan
+  /// Returns whether one system has one map and its transpose, so that the solids take what the fluid gives.
+  constexpr bool balances_power() const { return simultaneous && !two_maps; }
 };
 inline constexpr std::array couplings{
     Coupling{.mode = CouplingMode::symmetric,

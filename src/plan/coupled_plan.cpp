@@ -140,8 +140,7 @@ std::string step_text(const Coupled& coupled, const Solids& solids, double tstep
                                                  : "since bodies meet");
   const char* rule =
       paper ? "linear, the paper's: backward Euler in the velocity, damps by h omega/4" : "linear, trapezoidal rule";
-  if (!coupled.coupling.simultaneous || coupled.coupling.two_maps)
-    return fmt::format("{}: the mode has no other", rule);
+  if (!coupled.coupling.balances_power()) return fmt::format("{}: the mode has no other", rule);
   if (asked) return fmt::format("{}, as the deck says", rule);
   return fmt::format("{}: no body is to meet another, and turning at the start gives {}", rule,
                      gain > 0 ? fmt::format("{:.2g} of its energy at most", gain) : "no energy");

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 namespace tether {
@@ -75,15 +73,6 @@ double exchanged_energy(const History& history) {
   return of > history.layout.rounding_energy ? of : 0;
 }
 
-double lost_by(const History& history, std::initializer_list<std::string_view> columns) {
-  const double exchanged = exchanged_energy(history);
-  double lost = 0;
-  for (const Quantity& quantity : history.layout.quantities) {
-    if (std::ranges::find(columns, quantity.name) != columns.end()) lost += history.column(quantity.name).back();
-  }
-  return exchanged > 0 ? lost / exchanged : 0;
-}
-
 }  // namespace
 
 double sign_of(Book book) {
@@ -115,11 +104,14 @@ double energy_lost(const History& history) {
   return exchanged > 0 ? lost_by_method(history).back() / exchanged : 0;
 }
 
-double energy_lost_on_the_way(const History& history) {
-  return lost_by(history, {"energy_advected", "energy_remeshed"});
+double energy_lost_by(const History& history, std::initializer_list<std::string_view> columns) {
+  const double exchanged = exchanged_energy(history);
+  double lost = 0;
+  for (const Quantity& quantity : history.layout.quantities) {
+    if (std::ranges::find(columns, quantity.name) != columns.end()) lost += history.column(quantity.name).back();
+  }
+  return exchanged > 0 ? lost / exchanged : 0;
 }
-
-double energy_lost_to_volumes(const History& history) { return lost_by(history, {"energy_sources"}); }
 
 double energy_growth(const History& history) {
   double largest = 0, gained = 0;

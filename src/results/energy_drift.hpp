@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
+#include <string_view>
+
 #include "results/results.hpp"
 
 namespace tether {
@@ -19,11 +22,9 @@ double energy_drift(const History& history);
 /// Returns what the method itself lost by the end, over the same: negative where it gained.
 double energy_lost(const History& history);
 
-/// Returns what two of the method's losses took by the end, over the same: what a fluid lost as it carried its velocity
-/// along, and as bodies opened and closed its cells. 0 where the history has no such columns.
-double energy_lost_on_the_way(const History& history);
-/// Returns what closed parts of a fluid took by the end as their volume was kept, over the same.
-double energy_lost_to_volumes(const History& history);
+/// Returns what some of the method's losses took by the end, by the names of their columns, over the same. 0 where the
+/// history has no such columns.
+double energy_lost_by(const History& history, std::initializer_list<std::string_view> columns);
 
 /// Largest rise of the total energy over the start but for what came from outside or went out, over the largest energy
 /// that was exchanged, or that a fluid at rest may exchange by settling: a method that gains energy shows here, whether

@@ -196,7 +196,7 @@ class Runner {
         outputs_.warn(fmt::format("the run does not show its {}: too short, or no such motion", merit.name));
     }
     if (!balances_energy(plan_.scene, outputs_.history().layout)) return;
-    if (const auto lost = lost_energy_warning(plan_.scene, outputs_.history()); !lost.empty()) outputs_.warn(lost);
+    for (const std::string& lost : lost_energy_warnings(plan_.scene, outputs_.history())) outputs_.warn(lost);
     const double rise = energy_rise(outputs_.history());
     const double most = plan_.scene.limits.energy_growth.warn;
     if (most > 0 && rise > most) {

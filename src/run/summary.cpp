@@ -152,20 +152,18 @@ double rest_energy(const Scene& scene, const History& history) {
 }
 
 /// The strips beyond open edges lose at their outer ends, and that is no loss of the gas inside.
-std::string points_lost(const Scene& scene, const History& history) {
+std::vector<std::string> points_lost(const Scene& scene, const History& history) {
   const double part = energy_lost(history);
   if (scene.edges.any() || part <= much_of_points || sum_of_losses(history) <= rest_energy(scene, history)) return {};
   const bool robust = scene.method.transfer == Transfer::apic;
-  return fmt::format(
+  return {fmt::format(
       "the method itself lost {:.2g} of the largest energy exchanged (columns energy_transfer to energy_contact): the "
       "grid damped the motion, not what the deck describes: use finer cells, more of them across each body{}",
-      part, robust ? " and gap" : ", or method='robust' of $mpm");
+      part, robust ? " and gap" : ", or method='robust' of $mpm")};
 }
 
-/// Warns where cells damp the motion that the run is about.
-std::string fluid_lost(const Scene& scene, const History& history) {
-  const double part = energy_lost_on_the_way(history);
-  if (part <= much_of_fluids) return {};
+/// Says where cells damp the motion that the run is about.
+std::string lost_on_the_way(const Scene& scene, double part) {
   return fmt::format(
       "the fluid lost {:.2g} of the largest energy exchanged as it carried its velocity along and as bodies opened and "
       "closed its cells (energy_advected, energy_remeshed): its cells damp the motion as a drag would; finer cells and "
@@ -173,25 +171,31 @@ std::string fluid_lost(const Scene& scene, const History& history) {
       part, scene.coupled()->advection == Advection::maccormack ? "" : ", and advection='maccormack'");
 }
 
-/// Warns where closed parts of the fluid take the motion. Their volume is kept by the normals that the surface has in
+/// Says where closed parts of the fluid take the motion. Their volume is kept by the normals that the surface has in
 /// the step, as it was found so far: a stiff body can turn by no other angle than theirs.
-std::string volumes_lost(const History& history) {
-  const double part = energy_lost_to_volumes(history);
-  if (part <= much_of_fluids) return {};
+std::string lost_to_volumes(double part) {
   return fmt::format(
       "closed parts of the fluid took {:.2g} of the largest energy exchanged as their volume was kept "
-      "(energy_sources): "
-      "stiff bodies that turn in them are braked; shorter steps, softer bodies or a side that is 'open' or 'void' help",
+      "(energy_sources): stiff bodies that turn in them are braked; shorter steps, softer bodies or a side that is "
+      "'open' or 'void' help",
       part);
+}
+
+std::vector<std::string> fluid_lost(const Scene& scene, const History& history) {
+  std::vector<std::string> lost;
+  const double on_the_way = energy_lost_by(history, {"energy_advected", "energy_remeshed"}),
+               to_volumes = energy_lost_by(history, {"energy_sources"});
+  if (on_the_way > much_of_fluids) lost.push_back(lost_on_the_way(scene, on_the_way));
+  if (to_volumes > much_of_fluids) lost.push_back(lost_to_volumes(to_volumes));
+  return lost;
 }
 
 }  // namespace
 
-std::string lost_energy_warning(const Scene& scene, const History& history) {
+std::vector<std::string> lost_energy_warnings(const Scene& scene, const History& history) {
   if (scene.path() == Path::mpm) return points_lost(scene, history);
-  if (scene.path() != Path::coupled) return {};
-  const std::string by_volumes = volumes_lost(history);
-  return by_volumes.empty() ? fluid_lost(scene, history) : by_volumes;
+  if (scene.path() == Path::coupled) return fluid_lost(scene, history);
+  return {};
 }
 
 }  // namespace tether

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/scene.hpp"
 #include "plan/plan.hpp"
@@ -22,6 +23,6 @@ Summary scene_summary(const Plan& plan, const History& history);
 
 /// Says what to say of a run whose method itself lost much of the energy, on points or in a fluid in a box; empty where
 /// there is nothing to say.
-std::string lost_energy_warning(const Scene& scene, const History& history);
+std::vector<std::string> lost_energy_warnings(const Scene& scene, const History& history);
 
 }  // namespace tether

@@ -31,8 +31,8 @@ const char* cause_of_volume(const Scene& scene) {
 /// Why the energy rises. Steps of boxes that keep it bear more.
 const char* cause_of_rise(const Scene& scene) {
   const Coupled* box = scene.coupled();
-  const bool linear = box != nullptr && scene.solids() != nullptr && box->coupling.simultaneous &&
-                      !box->coupling.two_maps && !keeps_energy(*box, *scene.solids(), scene.clock.tstep);
+  const bool linear = box != nullptr && scene.solids() != nullptr && box->coupling.balances_power() &&
+                      !keeps_energy(*box, *scene.solids(), scene.clock.tstep);
   return linear ? "steps too long, for which step='energy' of $coupled may do, or a way of coupling that does not hold"
                 : "steps too long, or a way of coupling that does not hold";
 }

@@ -68,8 +68,7 @@ class CoupledChecks {
     if (meets && coupled_.step == SolidsStep::linear)
       error("coupled.step", {1, 1}, "bodies do not meet in linear steps: they go through one another",
             "leave step or $contact away: contact of $coupled stops bodies at walls and obstacles");
-    if ((meets || coupled_.step == SolidsStep::energy) &&
-        (!coupled_.coupling.simultaneous || coupled_.coupling.two_maps))
+    if ((meets || coupled_.step == SolidsStep::energy) && !coupled_.coupling.balances_power())
       error("coupled.mode", {1, 1},
             fmt::format("mode='{}' has linear steps alone, in which {}", word_of(coupled_.coupling.mode),
                         meets ? "bodies do not meet" : "stiff bodies that turn gain energy"),

@@ -42,7 +42,7 @@ class LiquidChecks {
           "leave void away, and give the regions of liquid: liquid_box, liquid_ellipse, liquid_polygon, liquid_below");
     if (coupled_.cavities_only)
       error("coupled.fluid_in", {1, 1}, "a liquid has air wherever it is not", "leave fluid_in away");
-    if (!coupled_.coupling.simultaneous || coupled_.coupling.two_maps)
+    if (!coupled_.coupling.balances_power())
       error("coupled.mode", {1, 1},
             fmt::format("a liquid with a surface is not solved by mode='{}'", word_of(coupled_.coupling.mode)),
             "write mode='cut-cell' or 'symmetric'");

@@ -85,14 +85,13 @@ class FlowMeshChecks {
     const auto touches = [&](const Obstacle* other) { return meet(round, std::get<Ellipsoid>(other->figure)); };
     const auto touches_box = [&](const Box<3>& box) { return meet(round, box); };
     if (std::ranges::none_of(before, touches) && std::ranges::none_of(coupled_.obstacles, touches_box)) return;
-    diagnostics_.add(deck_.remark(
-        Severity::error, "coupled.obstacle_ellipse", {1, number},
-        fmt::format("obstacle {} touches another one, or reaches into it: no mesh in space is between them", number),
-        "write obstacles that stand apart, or leave flow away"));
+    error("coupled.obstacle_ellipse",
+          fmt::format("obstacle {} touches another one, or reaches into it: no mesh in space is between them", number),
+          "write obstacles that stand apart, or leave flow away", number);
   }
 
-  void error(const AnyVariable& name, const std::string& message, const std::string& hint) {
-    diagnostics_.add(deck_.remark(Severity::error, name, {1, 1}, message, hint));
+  void error(const AnyVariable& name, const std::string& message, const std::string& hint, int number = 1) {
+    diagnostics_.add(deck_.remark(Severity::error, name, {1, number}, message, hint));
   }
 
   const Deck& deck_;

@@ -153,19 +153,25 @@ void StrainRates::add_quarter(int a, int b, const std::array<int, 3>& corner, bo
 /// At an open side across a the velocity v along b does not change on the way out, so that the shear stress there is
 /// mu du/db. It acts on u within, and on v from outside: a force which is the derivative of
 ///     -+ mu A v du/db,
-/// A the part of the side, minus at the upper one. As v du/db = ((v + du/db)^2 - (v - du/db)^2) / 4 it is two squares.
+/// A the part of the side, minus at the upper one.
 /// Where the fluid is free of divergence this term also makes of 2 mu du/da, the stress across the side, the mu du/da
 /// of a flow that goes on: without both a flow between walls bends at its end, to be free of stress there.
 void StrainRates::add_open_side(int a, const std::array<int, 3>& face_b, int b, const Slope& along_b, bool upper_side,
                                 double mu) {
   add_square(along_b.rate, mu * along_b.part);
   const double length = 0.5 * unknowns_.grid.d[at(a)];  // of the quarter, across the side
+  Combination change;                                   // of u from face to face
+  change.add(along_b.rate, unknowns_.grid.d[at(b)]);
+  add_product(change, unknowns_.face(b, face_b),
+              (upper_side ? -1 : 1) * mu * along_b.part / (length * unknowns_.grid.d[at(b)]));
+}
+
+/// weight times a combination times an unknown v: ((sum + v)^2 - (sum - v)^2) / 4.
+void StrainRates::add_product(const Combination& of, std::size_t v, double weight) {
   for (const int sign : {1, -1}) {
-    Combination sum;
-    sum.add(along_b.rate, unknowns_.grid.d[at(b)]);
-    sum.add(unknowns_.face(b, face_b), sign);
-    const double by = (upper_side ? -1 : 1) * mu * along_b.part / (length * unknowns_.grid.d[at(b)]);
-    add_square(sum, sign * 0.5 * by, true);
+    Combination sum = of;
+    sum.add(v, sign);
+    add_square(sum, sign * 0.5 * weight, true);
   }
 }
 
@@ -173,12 +179,9 @@ void StrainRates::add_open_side(int a, const std::array<int, 3>& face_b, int b, 
 /// mu u v too much: v du/db = (v du/db - u dv/db) / 2 + d(u v)/db / 2. All but the last is as if the power were that of
 /// |grad u|^2; it would feed a flow that goes along the sides.
 void StrainRates::add_open_corner(std::size_t u, std::size_t v, int a, int b, double mu) {
-  const double by = 4 * mu / (unknowns_.grid.d[at(a)] * unknowns_.grid.d[at(b)]);
-  for (const int sign : {1, -1}) {
-    Combination sum;
-    sum.add(u, 1), sum.add(v, sign);
-    add_square(sum, sign * 0.5 * by, true);
-  }
+  Combination alone;
+  alone.add(u, 1);
+  add_product(alone, v, 4 * mu / (unknowns_.grid.d[at(a)] * unknowns_.grid.d[at(b)]));
 }
 
 /// Of places begin to before end: mu times the rates.

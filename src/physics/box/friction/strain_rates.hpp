@@ -64,6 +64,7 @@ class StrainRates {
   void add_edges(int a, int b);
   void add_edge(int a, int b, const std::array<int, 3>& corner);
   void add_open_side(int a, const std::array<int, 3>& face_b, int b, const Slope& along_b, bool upper_side, double mu);
+  void add_product(const Combination& of, std::size_t v, double weight);
   void add_open_corner(std::size_t u, std::size_t v, int a, int b, double mu);
   void add_quarter(int a, int b, const std::array<int, 3>& corner, bool upper_a, bool upper_b);
   bool is_whole_edge(int a, int b, const std::array<int, 3>& corner) const;

@@ -75,7 +75,7 @@ class PlaneMesher {
   }
 
   /// Rooms between segments are solid where a body or an obstacle goes around them, and where several do. A surface
-  /// that crosses itself leaves the rooms beside it as they are. What is to the right of segments then is fluid.
+  /// that crosses itself changes no room but those within its loops. What is to the right of segments then is fluid.
   void mark_fluid() {
     for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end(); ++face)
       face->info() = unknown;
