@@ -94,6 +94,22 @@ Vec<3> area_of_side(const SolidSurface& surface, std::size_t side, std::span<con
   return {0.5 * (e[1] * f[2] - e[2] * f[1]), 0.5 * (e[2] * f[0] - e[0] * f[2]), 0.5 * (e[0] * f[1] - e[1] * f[0])};
 }
 
+std::vector<Vec<3>> areas_of_sides(const SolidSurface& surface, std::span<const double> q) {
+  std::vector<Vec<3>> area(surface.side_count());
+  for (std::size_t s = 0; s < area.size(); ++s) area[s] = area_of_side(surface, s, q);
+  return area;
+}
+
+/// In space 2 A = x0 x x1 + x1 x x2 + x2 x x0, so that dx_k changes it by dx_k x (x_(k+1) - x_(k+2)).
+Vec<3> slope_of_area(const SolidSurface& surface, std::size_t side, std::span<const double> q, std::size_t k,
+                     const Vec<3>& z) {
+  if (surface.dim == 2) return k == 0 ? Vec<3>{z[1], -z[0], 0} : Vec<3>{-z[1], z[0], 0};
+  const auto nodes = surface.side(side);
+  const Vec<3> a = place_of(q, nodes[(k + 1) % 3], 3), b = place_of(q, nodes[(k + 2) % 3], 3);
+  const Vec<3> twice = cross(minus(a, b), z);
+  return {0.5 * twice[0], 0.5 * twice[1], 0.5 * twice[2]};
+}
+
 /// Uses the divergence theorem: 1/dim of the sum of x . n, x at the side's middle, about the surface's first node, so
 /// that a place far from the origin costs no digits.
 std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<const double> q) {

@@ -54,12 +54,17 @@ Vec<3> place_of(std::span<const double> q, int node, int dim);
 std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<const double> q);
 
 /// Volume by which each sheet's grows on the way from q0 to q1 as its sides sweep it with the areas and normals that
-/// they have at `middle`: to the third order with the middle of the way, in the plane exactly; at q0 a sheet that turns
-/// by an angle a loses a^2 of its volume [volume].
+/// they have at `middle`: with the middle of the way to the third order, exactly in the plane and where it only turns;
+/// with q0 a sheet that turns by an angle a loses a^2 of its volume [volume].
 std::vector<double> swept_volumes(const SolidSurface& surface, std::span<const double> middle,
                                   std::span<const double> q0, std::span<const double> q1);
 
 /// A side's area times its normal out of the solid, per unit depth in the plane [area].
 Vec<3> area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q);
+std::vector<Vec<3>> areas_of_sides(const SolidSurface& surface, std::span<const double> q);
+/// The derivative of z times the side's area A by the place of its node k, with nodes at q: A is linear in it [length
+/// z].
+Vec<3> slope_of_area(const SolidSurface& surface, std::size_t side, std::span<const double> q, std::size_t k,
+                     const Vec<3>& z);
 
 }  // namespace tether

@@ -171,14 +171,14 @@ std::string lost_on_the_way(const Scene& scene, double part) {
       part, scene.coupled()->advection == Advection::maccormack ? "" : ", and advection='maccormack'");
 }
 
-/// Says where closed parts of the fluid take the motion. Their volume is kept by the normals that the surface has in
-/// the step, as it was found so far: a stiff body can turn by no other angle than theirs.
-std::string lost_to_volumes(double part) {
+/// Says where closed parts of the fluid take the motion: a linear step stretches what turns, and the next ones take the
+/// volume of that back.
+std::string lost_to_volumes(const Scene& scene, double part) {
+  const bool linear = !keeps_energy(*scene.coupled(), *scene.solids(), scene.clock.tstep);
   return fmt::format(
       "closed parts of the fluid took {:.2g} of the largest energy exchanged as their volume was kept "
-      "(energy_sources): stiff bodies that turn in them are braked; shorter steps, softer bodies or a side that is "
-      "'open' or 'void' help",
-      part);
+      "(energy_sources): {}shorter steps help",
+      part, linear ? "linear steps stretch bodies that turn, and brake them so: step='energy' of $coupled, or " : "");
 }
 
 std::vector<std::string> fluid_lost(const Scene& scene, const History& history) {
@@ -186,7 +186,7 @@ std::vector<std::string> fluid_lost(const Scene& scene, const History& history) 
   const double on_the_way = energy_lost_by(history, {"energy_advected", "energy_remeshed"}),
                to_volumes = energy_lost_by(history, {"energy_sources"});
   if (on_the_way > much_of_fluids) lost.push_back(lost_on_the_way(scene, on_the_way));
-  if (to_volumes > much_of_fluids) lost.push_back(lost_to_volumes(to_volumes));
+  if (to_volumes > much_of_fluids) lost.push_back(lost_to_volumes(scene, to_volumes));
   return lost;
 }
 

@@ -13,16 +13,12 @@
 namespace tether::coupled {
 namespace {
 
-/// What pieces of the surface add to a map: entries of B, and forces by unknowns.
+/// What pieces of the surface add to a map: entries of B and of forces, by areas, and areas that are seen.
 struct MapPart {
-  explicit MapPart(std::size_t carriers) : entries(carriers) {}
-  SideSums entries;
-  std::vector<std::pair<int, double>> seen, outside, film_weight;
+  explicit MapPart(std::size_t carriers) : fluxes(carriers), given(carriers) {}
+  SideSums fluxes, given;
+  std::vector<std::pair<int, double>> seen;
 };
-
-void add_to(std::span<const std::pair<int, double>> parts, std::vector<double>& sums) {
-  for (const auto& [k, value] : parts) sums[at(k)] += value;
-}
 
 class MapByPressures {
  public:
@@ -57,20 +53,22 @@ class MapByPressures {
   CouplingMap joined(std::span<MapPart> parts, std::size_t unknowns) const {
     CouplingMap map;
     map.area_seen.assign(at(of_.surface.sheets * of_.domain.regions), 0.0);
-    map.outside.assign(unknowns, 0.0), map.film_weight.assign(unknowns, 0.0);
-    std::vector<SideEntries> lists;
+    std::vector<SideEntries> fluxes, given;
     for (MapPart& part : parts) {
-      lists.push_back(part.entries.take());
-      add_to(part.seen, map.area_seen);
-      add_to(part.outside, map.outside), add_to(part.film_weight, map.film_weight);
+      fluxes.push_back(part.fluxes.take()), given.push_back(part.given.take());
+      for (const auto& [k, area] : part.seen) map.area_seen[at(k)] += area;
     }
-    map.B = matrix_of_sides(team_, of_.surface, lists, of_.numbers.cell.size(), unknowns);
+    const auto by_carriers = [&](std::vector<SideEntries>& lists, std::size_t rows) {
+      return SideMatrix(team_, of_.surface, EntriesAt::carriers, std::move(lists), rows, unknowns);
+    };
+    map.fluxes = by_carriers(fluxes, of_.numbers.cell.size()), map.given = by_carriers(given, 2);
+    map.turn(team_, of_.pieces.area);
     return map;
   }
 
   void add(std::size_t number, int before, const FilmPressures& films, MapPart& to) const {
     const SurfacePiece& piece = of_.pieces.pieces[number];
-    to.entries.begin(piece.side);
+    to.fluxes.begin(piece.side), to.given.begin(piece.side);
     if (open_side_[number] >= 0) {
       add_before_side(piece, open_side_[number], to);
     } else if (before >= 0) {
@@ -84,35 +82,30 @@ class MapByPressures {
   }
 
   void add_before_cell(const SurfacePiece& piece, std::size_t before, MapPart& to) const {
-    const Vec<3>& area = of_.pieces.area[at(piece.side)];
-    if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, area, to);
+    if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, to);
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const PressureStencil whole = sampler_.at(point.x, before);
       for (int axis = 0; axis < dim_; ++axis) {
         PressureStencil stencil = whole;
-        const double by_area = -area[at(axis)] * point.part;
-        if (cut_ != nullptr) {
-          const double p = take_cut(piece.cell, axis, point.x[at(axis)], stencil);
-          if (p != 0) push(piece.side, point, axis, by_area * p, to.outside);
-        }
-        add(piece.side, point, stencil, axis, by_area, to);
+        if (cut_ != nullptr)
+          push(piece, point, axis, take_cut(piece.cell, axis, point.x[at(axis)], stencil), CouplingMap::outside_row,
+               to);
+        add(piece.side, point, stencil, axis, to);
       }
     }
   }
 
   /// The pressure of the side, with parts of cells linear towards it from the cell that the piece is in.
   void add_before_side(const SurfacePiece& piece, int side, MapPart& to) const {
-    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       for (int axis = 0; axis < dim_; ++axis) {
-        const double by_area = -area[at(axis)] * point.part;
         PressureStencil stencil;
         double p = cut_ != nullptr ? take_cut(piece.cell, axis, point.x[at(axis)], stencil) : 0;
         if (stencil.size == 0 && of_.outside != nullptr) p = of_.outside->pressure_beyond(side, point.x[1]);
-        if (p != 0) push(piece.side, point, axis, by_area * p, to.outside);
-        add(piece.side, point, stencil, axis, by_area, to);
+        push(piece, point, axis, p, CouplingMap::outside_row, to);
+        add(piece.side, point, stencil, axis, to);
       }
     }
   }
@@ -120,7 +113,6 @@ class MapByPressures {
   /// One pressure all over the piece. Parts of cells say nothing about what is thinner than half a cell.
   void add_film(const SurfacePiece& piece, const std::vector<std::pair<std::size_t, double>>& pressure,
                 MapPart& to) const {
-    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     const auto nodes = of_.surface.carriers(at(piece.side));
     CarrierShares share{};
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
@@ -130,9 +122,9 @@ class MapByPressures {
     for (const auto& [cell, weight] : pressure) {
       const int row = of_.numbers.of_cell[cell];
       if (row < 0) continue;  // void
-      double* sums = to.entries.row(row);
+      double* sums = to.fluxes.row(row);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        for (std::size_t i = 0; i < at(dim_); ++i) sums[3 * a + i] -= weight * share[a] * area[i];
+        for (std::size_t i = 0; i < at(dim_); ++i) sums[3 * a + i] -= weight * share[a];
       }
     }
   }
@@ -149,19 +141,16 @@ class MapByPressures {
       if (of_.numbers.of_cell[cell] < 0) continue;  // void
       whole += weight, rims += weight * at_rest(of_.domain.grid.middle(of_.domain.grid.place_of_cell(cell)));
     }
-    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const double p = whole * at_rest(point.x) - rims;
-      for (int axis = 0; axis < dim_; ++axis)
-        push(piece.side, point, axis, -area[at(axis)] * point.part * p, to.film_weight);
+      for (int axis = 0; axis < dim_; ++axis) push(piece, point, axis, p, CouplingMap::film_weight_row, to);
     }
   }
 
   /// The pressure of the fluid outside on what is beyond an open side, and its share of that in a film.
   void add_outside(const SurfacePiece& piece, const FilmPressures& films, std::size_t number, MapPart& to) const {
     if (of_.outside == nullptr) return;
-    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     const int beyond = side_before(piece.middle);
     const double in_film = beyond >= 0 ? 0 : films.outside_on(number, [&](std::size_t rim) {
       const Vec<3>& x = of_.pieces.pieces[rim].middle;
@@ -171,19 +160,20 @@ class MapByPressures {
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
       const SurfacePoint& point = of_.pieces.points[k];
       const double p = beyond >= 0 ? of_.outside->pressure_beyond(beyond, point.x[1]) : in_film;
-      for (int axis = 0; axis < dim_; ++axis)
-        push(piece.side, point, axis, -area[at(axis)] * point.part * p, to.outside);
+      for (int axis = 0; axis < dim_; ++axis) push(piece, point, axis, p, CouplingMap::outside_row, to);
     }
   }
 
   /// Of the carriers in the motion of a point, and in the force on it.
   CarrierShares shares(int side, const SurfacePoint& point) const { return of_.surface.carried(at(side), point.share); }
 
-  void push(int side, const SurfacePoint& point, int axis, double force,
-            std::vector<std::pair<int, double>>& forces) const {
-    const auto nodes = of_.surface.carriers(at(side));
-    const CarrierShares share = shares(side, point);
-    for (std::size_t a = 0; a < nodes.size(); ++a) forces.emplace_back(nodes[a] * dim_ + axis, share[a] * force);
+  /// Adds the force of a pressure p on what a point stands for to those that are given.
+  void push(const SurfacePiece& piece, const SurfacePoint& point, int axis, double p, int row, MapPart& to) const {
+    if (p == 0) return;
+    const CarrierShares share = shares(piece.side, point);
+    double* sums = to.given.row(row);
+    for (std::size_t a = 0; a < of_.surface.carriers(at(piece.side)).size(); ++a)
+      sums[3 * a + at(axis)] -= share[a] * point.part * p;
   }
 
   /// The side of the box that a place is beyond, of several the last that fluid is outside of; -1: none.
@@ -198,22 +188,22 @@ class MapByPressures {
     return beyond;
   }
 
-  void see(const SurfacePiece& piece, int region, const Vec<3>& area, MapPart& to) const {
+  void see(const SurfacePiece& piece, int region, MapPart& to) const {
+    const Vec<3>& area = of_.pieces.area[at(piece.side)];
     double part = 0;
     for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) part += of_.pieces.points[k].part;
     to.seen.emplace_back(of_.surface.sheet[at(piece.side)] * of_.domain.regions + region,
                          part * std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]));
   }
 
-  void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, double area,
-           MapPart& to) const {
+  void add(int side, const SurfacePoint& point, const PressureStencil& stencil, int axis, MapPart& to) const {
     const std::size_t nodes = of_.surface.carriers(at(side)).size();
     const CarrierShares share = shares(side, point);
     for (std::size_t s = 0; s < stencil.size; ++s) {
       const int row = of_.numbers.of_cell[stencil.cell[s]];
       if (row < 0) continue;  // void
-      double* sums = to.entries.row(row);
-      for (std::size_t a = 0; a < nodes; ++a) sums[3 * a + at(axis)] += stencil.weight[s] * share[a] * area;
+      double* sums = to.fluxes.row(row);
+      for (std::size_t a = 0; a < nodes; ++a) sums[3 * a + at(axis)] -= stencil.weight[s] * share[a] * point.part;
     }
   }
 
@@ -288,6 +278,16 @@ PressureNumbers number_pressures(const FlowDomain& domain) {
     numbers.cell.push_back(c);
   }
   return numbers;
+}
+
+void CouplingMap::turn(Team& team, std::span<const Vec<3>> area) {
+  B = fluxes.with(team, area);
+  const CouplingMatrix forces = given.with(team, area);
+  outside.assign(static_cast<std::size_t>(B.cols()), 0.0), film_weight = outside;
+  for (const auto& [row, of_nodes] : {std::pair{outside_row, &outside}, std::pair{film_weight_row, &film_weight}}) {
+    for (CouplingMatrix::InnerIterator entry(forces, row); entry; ++entry)
+      (*of_nodes)[static_cast<std::size_t>(entry.col())] = entry.value();
+  }
 }
 
 CouplingMap map_by_pressures(Team& team, const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut,

@@ -6,7 +6,7 @@
 
 #include "physics/box/outside.hpp"
 #include "physics/box/pressure_sampler.hpp"
-#include "physics/box/side_sums.hpp"
+#include "physics/box/side_matrix.hpp"
 
 namespace tether::coupled {
 
@@ -26,7 +26,11 @@ std::vector<Value> of_cells(const PressureNumbers& numbers, const std::vector<Va
 
 /// All that flow and solids know of each other: B u is the flux out of the fluid's cells that velocities u of the
 /// solids' nodes cause, positive where a surface recedes [volume/time], and B^T p the pressure's force on them [force].
+/// Each facet has a part in both by its area times its normal: turn() gives the map those of other places, and leaves
+/// to each place of the surface the pressures that it has.
 struct CouplingMap {
+  static constexpr int outside_row = 0, film_weight_row = 1;  ///< of forces that are given
+
   CouplingMatrix B;
   /// Of each sheet of the surface the area that each region of the fluid sees: region r of sheet s at s regions + r.
   std::vector<double> area_seen;
@@ -36,6 +40,10 @@ struct CouplingMap {
   /// What the weight of the fluid in films does to the solids, in addition to B^T p, which has the pressures of their
   /// rims at the heights of these: in a film at rest it grows downwards [force].
   std::vector<double> film_weight;
+  SideMatrix fluxes;  ///< B by areas
+  SideMatrix given;   ///< outside and film_weight by areas, each in a row
+
+  void turn(Team& team, std::span<const Vec<3>> area);
 };
 
 /// What a map is made from: the surface where it is now, and the fluid about it.

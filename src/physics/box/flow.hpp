@@ -86,8 +86,8 @@ class Flow {
   /// Ends a step: velocities about the fluid are found, what it carries goes along, and solids are where the state has
   /// them. `change` is what forces and pressures made of the velocities [velocity].
   virtual void end(const FaceValues& change, CoupledState& state, double h) = 0;
-  /// Makes the map anew with the normals and areas that sides have with the nodes at `middle` (q: as they are).
-  virtual void map_by_middle(std::span<const double> q, std::span<const double> middle) = 0;
+  /// Turns the map to these areas of the surface's facets, times their normals out of the solid.
+  virtual void turn_map(std::span<const Vec<3>> area) = 0;
 
   // Pressures and what they do.
 

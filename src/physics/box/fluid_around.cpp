@@ -14,6 +14,12 @@ void go_from(std::span<const double> before, double part, std::span<const double
   for (std::size_t k = 0; k < now.size(); ++k) now[k] = before[k] + part * way[k];
 }
 
+std::vector<double> middle_of(std::span<const double> q0, std::span<const double> q1) {
+  std::vector<double> middle(q0.size());
+  for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (q0[k] + q1[k]);
+  return middle;
+}
+
 }  // namespace
 
 CoupledEquations FluidOfStep::equations(const CouplingMatrix& caused, const SparseMatrix& A, std::span<const double> b,
@@ -25,9 +31,10 @@ CoupledEquations FluidOfStep::equations(const CouplingMatrix& caused, const Spar
 
 void FluidAround::begin(FluidOfStep step, std::span<const double> q0, std::span<const double> p) {
   step_.emplace(std::move(step));
-  q0_.assign(q0.begin(), q0.end());
+  q0_.assign(q0.begin(), q0.end()), turned_to_.clear();
   std::vector<double> led(q0.begin(), q0.end());
   solids_.system.place_supports(step_->time + step_->h, led);
+  turn_to(led);
   const std::vector<double> w = velocity(led), none(q0.size(), 0.0);
   const CoupledEquations at = step_->equations(step_->B, solids_.A, none, step_->r, solids_.held);
   CoupledSystem::check_balance(at, step_->time, w);
@@ -44,11 +51,20 @@ std::vector<double> FluidAround::pressures() const {
   return p;
 }
 
-/// The pressures' forces, what the step is given, and springs in the middle of the way, where the work that they do on
-/// it is what they store.
-void FluidAround::add_forces(std::span<const double> q1, std::span<double> f) const {
-  for (std::size_t k = 0; k < f.size(); ++k) f[k] += step_->given[k];
-  add_transposed_product(step_->B, 1, pressures(), f);
+/// Turns the map to the middle of the way to q1.
+void FluidAround::turn_to(std::span<const double> q1) {
+  if (std::ranges::equal(turned_to_, q1)) return;
+  turned_to_.assign(q1.begin(), q1.end());
+  flow_.turn_map(areas_of_sides(surface_, middle_of(q0_, q1)));
+}
+
+/// The pressures' forces, those of friction and of the fluid outside, and springs in the middle of the way, where the
+/// work that they do on it is what they store.
+void FluidAround::add_forces(std::span<const double> q1, std::span<double> f) {
+  turn_to(q1);
+  const CouplingMap& map = flow_.map();
+  for (std::size_t k = 0; k < f.size(); ++k) f[k] += step_->drag[k] + map.outside[k] + map.film_weight[k];
+  add_transposed_product(map.B, 1, pressures(), f);
   solids_.add_spring_forces(q0_, q1, f);
 }
 
@@ -67,20 +83,37 @@ std::vector<double> FluidAround::flux_left_over(std::span<const double> w) const
   return left;
 }
 
-/// In terms of w the tangent is h K, and the equations are those of a linear step:
+/// Returns the derivative of B w by w: q1 and with it the middle's normals change, too.
+CouplingMatrix FluidAround::flux_by_change(std::span<const double> w) const {
+  const CouplingMap& map = flow_.map();
+  return map.B + 0.5 * step_->h * map.fluxes.slopes(team_, middle_of(q0_, turned_to_), w);
+}
+
+/// Takes off what pressures and the fluid outside do more to the solids as these go on: their normals change.
+void FluidAround::add_load_stiffness(SparseMatrix& A) const {
+  const CouplingMap& map = flow_.map();
+  const std::vector<double> middle = middle_of(q0_, turned_to_);
+  map.fluxes.add_force_slopes(middle, pressures(), -0.5, A);
+  map.given.add_force_slopes(middle, std::array{1.0, 1.0}, -0.5, A);
+}
+
+/// In terms of w the tangent is h K, and with C = d(B w)/dw the equations are those of a linear step:
 ///     [ h K  -B^T ] [dw]   [ right        ]
-///     [ -B    -L  ] [dp] = [ r + B w + L p ]
+///     [ -C    -L  ] [dp] = [ r + B w + L p ]
 bool FluidAround::correct(const SparseMatrix& K, std::span<const double> right, std::span<const double> q1,
                           std::span<double> change) {
   constexpr double tolerance = 1e-6;  // the next correction takes what this one leaves
+  turn_to(q1);
   SparseMatrix A = K;
   solids_.add_spring_stiffness(0.5, A);
+  add_load_stiffness(A);
   for (double& value : A.value) value *= step_->h;
-  std::vector<double> w = velocity(q1);
-  for (std::size_t k = 0; k < w.size(); ++k) w[k] += change[k] / step_->h;
+  const std::vector<double> w = velocity(q1);
+  const CouplingMatrix caused = flux_by_change(w);
+  std::vector<double> left = flux_left_over(w);
+  add_product(caused, 1 / step_->h, change, left);
   std::vector<double> dw(w.size(), 0.0), dp(step_->r.size(), 0.0);
-  const std::vector<double> left = flux_left_over(w);
-  CoupledEquations equations = step_->equations(step_->B, A, right, left, solids_.held);
+  CoupledEquations equations = step_->equations(caused, A, right, left, solids_.held);
   equations.definite = Definite::general;
   if (!system_.correct(equations, tolerance, dw, dp)) return false;
   for (std::size_t k = 0; k < dw.size(); ++k) {
@@ -101,7 +134,8 @@ void FluidAround::find_force_of_flux(std::span<const double> flux) {
   force_of_flux_ = size > 0 ? norm(forces) / size : 0;
 }
 
-double FluidAround::left_over(std::span<const double> q1) const {
+double FluidAround::left_over(std::span<const double> q1) {
+  turn_to(q1);
   return force_of_flux_ > 0 ? force_of_flux_ * norm(flux_left_over(velocity(q1))) : 0;
 }
 
@@ -135,7 +169,8 @@ double FluidAround::rounding(std::span<const double> q1, std::span<const double>
   return largest;
 }
 
-bool FluidAround::settled(std::span<const double> q1) const {
+bool FluidAround::settled(std::span<const double> q1) {
+  turn_to(q1);
   const std::vector<double> w = velocity(q1);
   double most = 0;
   for (const double left : flux_left_over(w)) most = std::max(most, std::abs(left));

@@ -35,9 +35,7 @@ class GridFlow : public Flow, public FlowFriction {
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const override;
   void book_forces(CoupledState& state, double h) const override;
   void end(const FaceValues& change, CoupledState& state, double h) override;
-  void map_by_middle(std::span<const double> q, std::span<const double> middle) override {
-    take(placer_.at(q, middle));
-  }
+  void turn_map(std::span<const Vec<3>> area) override { at_.map.turn(team_, area); }
 
   const CouplingMap& map() const override { return at_.map; }
   const CouplingMatrix& flux_map() const override { return scene_.coupling.two_maps ? at_.crossing_map : at_.map.B; }

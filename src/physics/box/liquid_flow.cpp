@@ -26,7 +26,7 @@ void LiquidFlow::fill(CoupledState& state) {
   state.liquid_flow = liquid_.no_flow();
   state.full = 1;
   liquid_.look(state.liquid_flow, state.particles);
-  take(placer_.in(std::move(room), state.q, {}, liquid_.filled()));
+  take(placer_.in(std::move(room), state.q, liquid_.filled()));
   liquid_.give_to_faces(at_.room(), state.particles, state.v);
   liquid_.note_speeds(state.v);
   note_air(state);
@@ -99,7 +99,7 @@ void LiquidFlow::place_after_step(CoupledState& state) {
   settle_particles(room, state);
   liquid::put_out_of_solids(team_, scene_.grid, solids, state.u, state.particles);
   liquid_.look(state.liquid_flow, state.particles);
-  take(placer_.in(std::move(room), state.q, {}, liquid_.filled()));
+  take(placer_.in(std::move(room), state.q, liquid_.filled()));
   note_air(state);
 }
 

@@ -16,7 +16,7 @@ class LiquidFlow final : public GridFlow {
              CoupledSystem& system, Team& team)
       : GridFlow(scene, gravity, surface, solids, team), system_(system), liquid_(scene, gravity, team) {}
 
-  Placement placed(std::span<const double> q) const override { return placer_.at(q, {}, liquid_.filled()); }
+  Placement placed(std::span<const double> q) const override { return placer_.at(q, liquid_.filled()); }
   void place(CoupledState& state) override;
   void finish_start(double h, CoupledState& state) override;
 
@@ -24,9 +24,6 @@ class LiquidFlow final : public GridFlow {
   /// A liquid's own energy has that of gravity, and air beyond open sides does not press.
   void book_forces(CoupledState& /*state*/, double /*h*/) const override {}
   void end(const FaceValues& change, CoupledState& state, double h) override;
-  void map_by_middle(std::span<const double> q, std::span<const double> middle) override {
-    take(placer_.at(q, middle, liquid_.filled()));
-  }
   bool keeps_volume(const CoupledState& state) const override { return state.full != 0; }
   void extend_drive(CoupledState& state) const override;
 

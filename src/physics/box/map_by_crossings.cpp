@@ -26,8 +26,11 @@ CouplingMatrix map_by_crossings(Team& team, const CoupledSurface& of, const Cros
       }
     }
   }
-  const std::vector<SideEntries> lists{entries.take()};
-  return matrix_of_sides(team, of.surface, lists, of.numbers.cell.size(), unknowns);
+  std::vector<SideEntries> lists;
+  lists.push_back(entries.take());
+  const std::vector<Vec<3>> one(of.surface.side_count(), {1, 1, 1});  // the area is that of cells
+  return SideMatrix(team, of.surface, EntriesAt::carriers, std::move(lists), of.numbers.cell.size(), unknowns)
+      .with(team, one);
 }
 
 }  // namespace tether::coupled

@@ -24,8 +24,7 @@ Room Placer::room_at(std::span<const double> q) const {
   return room;
 }
 
-Placement Placer::in(Room room, std::span<const double> q, std::span<const double> middle,
-                     std::span<const double> filled) const {
+Placement Placer::in(Room room, std::span<const double> q, std::span<const double> filled) const {
   Placement at;
   if (filled.empty()) {
     at.domain = std::move(room.domain);
@@ -34,8 +33,6 @@ Placement Placer::in(Room room, std::span<const double> q, std::span<const doubl
     at.surface = {std::move(room.domain), std::move(room.open), std::move(distance)};
     at.domain = liquid::liquid_in(at.surface->room, at.surface->distance, scene_.liquid->air);
   }
-  for (std::size_t s = 0; s < surface_.side_count() && !middle.empty(); ++s)
-    room.pieces.area[s] = area_of_side(surface_, s, middle);
   map(q, room, at);
   const std::vector<std::uint8_t> pockets = find_pockets(at.domain, at.map);
   if (std::find(pockets.begin(), pockets.end(), 1) != pockets.end()) {
@@ -47,8 +44,8 @@ Placement Placer::in(Room room, std::span<const double> q, std::span<const doubl
   return at;
 }
 
-Placement Placer::at(std::span<const double> q, std::span<const double> middle, std::span<const double> filled) const {
-  return in(room_at(q), q, middle, filled);
+Placement Placer::at(std::span<const double> q, std::span<const double> filled) const {
+  return in(room_at(q), q, filled);
 }
 
 void Placer::map(std::span<const double> q, const Room& room, Placement& at) const {

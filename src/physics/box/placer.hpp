@@ -56,15 +56,13 @@ class Placer {
   /// The surface of bodies and of obstacles that cut cells.
   const WholeSurface& whole() const { return whole_; }
 
-  /// Places the solids with their nodes at q. Where `middle` is given, the map has the normals and areas of their sides
-  /// with the nodes there. `filled`: how much of each cell a liquid fills; empty: what flows is all over the room.
-  Placement at(std::span<const double> q, std::span<const double> middle = {},
-               std::span<const double> filled = {}) const;
+  /// Places the solids with their nodes at q. `filled`: how much of each cell a liquid fills; empty: what flows is all
+  /// over the room.
+  Placement at(std::span<const double> q, std::span<const double> filled = {}) const;
 
   /// Does the same in two steps, for who looks at the room first.
   Room room_at(std::span<const double> q) const;
-  Placement in(Room room, std::span<const double> q, std::span<const double> middle,
-               std::span<const double> filled) const;
+  Placement in(Room room, std::span<const double> q, std::span<const double> filled) const;
 
  private:
   void map(std::span<const double> q, const Room& room, Placement& at) const;

@@ -82,9 +82,8 @@ namespace {
 
 constexpr int most_iterations = 2000;
 
-/// B with the columns of held velocities and the rows of pinned pressures empty.
-CouplingMatrix free_part(const CoupledEquations& of, std::span<const std::uint8_t> pinned) {
-  CouplingMatrix B = of.B;
+/// A map with the columns of held velocities and the rows of pinned pressures empty.
+CouplingMatrix free_part(CouplingMatrix B, const CoupledEquations& of, std::span<const std::uint8_t> pinned) {
   B.prune([&](std::int64_t row, std::int64_t column, double) {
     return pinned[static_cast<std::size_t>(row)] == 0 && of.held[static_cast<std::size_t>(column)] == 0;
   });
@@ -101,7 +100,8 @@ bool SchurComplement::set_up(const CoupledEquations& equations, std::span<const 
   std::vector<double> inverse;  // of A's diagonal
   for (std::int64_t k = 0; k < A.n; ++k) inverse.push_back(1 / std::abs(diagonal(A, k)));
   preconditioner_.clear();  // what another solution had left makes room before anything is made
-  B_ = free_part(equations, pinned);
+  B_ = free_part(equations.B, equations, pinned), flux_ = {};
+  if (&equations.flux != &equations.B) flux_ = free_part(equations.flux, equations, pinned);
   forces_.resize(equations.b.size()), moved_.resize(equations.b.size());
   bool has_factors = true, has_levels = true;
   std::exception_ptr failure;
@@ -171,7 +171,7 @@ void SchurComplement::multiply(std::span<const double> x, std::span<double> y) {
   add_transposed_product(B_, 1, whole_, forces_);
   move_solids(forces_);
   std::fill(whole_.begin(), whole_.end(), 0.0), std::fill(y.begin(), y.end(), 0.0);
-  add_product(B_, 1, moved_, whole_);
+  add_product(flux(), 1, moved_, whole_);
   constants_.add_sums(whole_, y.subspan(n));
   multiply_symmetric(team_, *L_, x.first(n), y.first(n));
   for (std::size_t k = 0; k < n; ++k) y[k] += whole_[k];
@@ -210,7 +210,7 @@ KrylovResult SchurComplement::solve(const CoupledEquations& equations, const Red
   std::vector<double> right(x.size(), 0.0);
   move_solids(with.b);
   for (std::size_t k = 0; k < n; ++k) right[k] = -with.r[k];
-  add_product(B_, -1, moved_, std::span(right).first(n));
+  add_product(flux(), -1, moved_, std::span(right).first(n));
   constants_.add_sums(std::span(right).first(n), std::span(right).subspan(n));
   const KrylovResult result = iterate(equations.definite == Definite::positive, right, tolerance, x);
   std::copy_n(x.begin(), n, p.begin());

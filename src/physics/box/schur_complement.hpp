@@ -51,11 +51,11 @@ class RegionConstants {
 };
 
 /// The pressures by conjugate gradients, or by GMRES where A is not symmetric, with the solids taken out by factors of
-/// A: (L + B A^-1 B^T) p = -r - B A^-1 b. The preconditioner takes L with the solids as if their nodes moved each on
-/// its own. The constant pressures c of closed regions that solids feel are further unknowns, p = x + W c
-/// with W the regions' cells: L does not feel them, and of those that stiff solids need, rounding of L p would leave
-/// nothing else. The equations of c are sums of those of x; x without means in these regions is the solution that is
-/// found. They are preconditioned by W^T B A^-1 B^T W.
+/// A: (L + C A^-1 B^T) p = -r - C A^-1 b, C the map of flux. The preconditioner takes L with the solids as if their
+/// nodes moved each on its own. The constant pressures c of closed regions that solids feel are further unknowns, p = x
+/// + W c with W the regions' cells: L does not feel them, and of those that stiff solids need, rounding of L p would
+/// leave nothing else. The equations of c are sums of those of x; x without means in these regions is the solution that
+/// is found. They are preconditioned by W^T C A^-1 B^T W.
 class SchurComplement {
  public:
   /// The team shares its loops, and must outlive it.
@@ -69,7 +69,7 @@ class SchurComplement {
                                std::span<const double> right, double tolerance, std::span<double> p);
 
   /// Lets go of what only solutions with the same matrices would need.
-  void let_go() { preconditioner_.clear(), B_ = {}, held_L_ = {}; }
+  void let_go() { preconditioner_.clear(), B_ = {}, flux_ = {}, held_L_ = {}; }
 
  private:
   bool set_up(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
@@ -77,6 +77,7 @@ class SchurComplement {
   bool make_levels(const CoupledEquations& equations, std::span<const double> inverse);
   void take_pressures(const CoupledEquations& equations, std::span<const std::uint8_t> pinned);
   void set_up_constants();
+  const CouplingMatrix& flux() const { return flux_.rows() > 0 ? flux_ : B_; }
   void move_solids(std::span<const double> forces);
   KrylovResult iterate(bool symmetric, std::span<const double> right, double tolerance, std::span<double> x);
   void multiply(std::span<const double> x, std::span<double> y);
@@ -85,12 +86,12 @@ class SchurComplement {
   Team& team_;
   SparseSolver solids_;
   std::int64_t ordered_ = 0;         // unknowns of the solids that their order is for
-  CouplingMatrix B_;                 // less what is held or pinned, as L_
+  CouplingMatrix B_, flux_;          // less what is held or pinned, as L_; flux_ is empty where it is B
   SparseMatrix held_L_;              // of pinned pressures
   const SparseMatrix* L_ = nullptr;  // it, or that of the equations where none is pinned
   PressurePreconditioner preconditioner_;
   ConstantPressures constants_;
-  Eigen::MatrixXd stiffness_;  // of the solids against c, (W^T B A^-1 B^T W)^-1
+  Eigen::MatrixXd stiffness_;  // of the solids against c, (W^T C A^-1 B^T W)^-1
   std::vector<double> whole_, forces_, moved_;
 };
 

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <map>
-#include <span>
 #include <vector>
-
-#include "algebra/eigen_sparse.hpp"
-#include "base/team.hpp"
-#include "grid/solid_surface.hpp"
 
 namespace tether::coupled {
 
-/// Rows are pressures, columns velocities of the solids' nodes, dim a node.
-using CouplingMatrix = EigenRows;
-
-/// What one facet of the surface has in one row of a coupling matrix: at its carrier a and the axis i number 3 a + i
+/// What one facet of the surface has in one row of a coupling matrix: at its node a along the axis i number 3 a + i
 /// from the first on.
 struct SideEntry {
   int row = 0, side = 0;
@@ -31,8 +22,8 @@ struct SideEntries {
 /// Sums entries of a matrix facet by facet: the many that the points of one facet give the same place become one.
 class SideSums {
  public:
-  /// Sums those of a surface whose facets have this many carriers.
-  explicit SideSums(std::size_t carriers) : count_(3 * carriers) {}
+  /// Sums those of facets that have entries at this many nodes.
+  explicit SideSums(std::size_t nodes) : count_(3 * nodes) {}
   /// Entries from now on are this facet's.
   void begin(int side) {
     if (side != side_) flush();
@@ -61,9 +52,5 @@ class SideSums {
   std::map<int, std::size_t> rows_;
   SideEntries all_;
 };
-
-/// The matrix that lists of entries add up to, one list after the other.
-CouplingMatrix matrix_of_sides(Team& team, const SolidSurface& surface, std::span<const SideEntries> lists,
-                               std::size_t rows, std::size_t columns);
 
 }  // namespace tether::coupled

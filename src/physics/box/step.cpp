@@ -29,7 +29,7 @@ CoupledStep::CoupledStep(const Scene& scene, const Solids& solids, Team& team)
       contact_(coupled_, surface_),
       system_(coupled_, team),
       flow_(flow_of(coupled_, gravity_of(scene), surface_, solids_, system_, team)),
-      around_(solids_, system_),
+      around_(solids_, system_, surface_, *flow_, team),
       drag_(solids_.system.unknowns(), 0.0),
       first_volumes_(enclosed_volumes(surface_, solids.mesh.x)) {
   if (coupled_.viscosity > 0) passes_.emplace(coupled_, gravity_of(scene), solids_, *flow_, *flow_->friction());
@@ -150,14 +150,12 @@ void CoupledStep::find_regions_of(const CoupledState& state, double h, Solution&
   }
 }
 
-/// What a step of the fluid is for the solids in it: `flux` is that of v*, and forces on the nodes are those that
-/// nothing in the step changes.
+/// What a step of the fluid is for the solids in it: its flux is that of v*.
 FluidOfStep CoupledStep::fluid_of(const CoupledState& state, double h, const Solution& solution) const {
-  const CouplingMap& map = flow_->map();
-  FluidOfStep fluid{.B = map.B,
+  FluidOfStep fluid{.B = flow_->map().B,
                     .L = solution.L,
                     .r = flow_->net_flux(state.v),
-                    .given = drag_,
+                    .drag = drag_,
                     .cell = flow_->rows(),
                     .cells = flow_->row_count(),
                     .region = flow_->regions().of,
@@ -166,7 +164,6 @@ FluidOfStep CoupledStep::fluid_of(const CoupledState& state, double h, const Sol
                     .time = state.time,
                     .h = h,
                     .coarse = flow_->coarse_pressures()};
-  for (std::size_t k = 0; k < fluid.given.size(); ++k) fluid.given[k] += map.outside[k] + map.film_weight[k];
   for (std::size_t k = 0; k < fluid.r.size(); ++k) fluid.r[k] -= solution.regions.source[at(fluid.region[k])];
   for (std::size_t k = 0; k < fluid.loose.size(); ++k) {
     if (coupled_.coupling.simultaneous && solution.regions.compliant[k] != 0) fluid.loose[k] = 0;
@@ -179,7 +176,9 @@ void CoupledStep::solve_once(const FluidOfStep& fluid, CoupledState& state, Solu
   b = solids_.b;
   solution.friction.assign(b.size(), 0.0);
   contact_.add_friction(solution.friction);
-  for (std::size_t k = 0; k < b.size(); ++k) b[k] += solution.friction[k] + fluid.given[k];
+  const CouplingMap& map = flow_->map();
+  for (std::size_t k = 0; k < b.size(); ++k)
+    b[k] += solution.friction[k] + fluid.drag[k] + map.outside[k] + map.film_weight[k];
   solution.lifts = contact_.lifts(state.touches, b.size());
   solids_.add_lifts(solution.lifts, b);
   CoupledEquations equations = fluid.equations(flow_->flux_map(), solids_.A, b, fluid.r, solution.held);
@@ -187,12 +186,12 @@ void CoupledStep::solve_once(const FluidOfStep& fluid, CoupledState& state, Solu
   solution.fluid_force.assign(b.size(), 0.0);
   if (!coupled_.coupling.simultaneous) {
     const std::vector<double> before = flow_->guess_of(state);
-    add_transposed_product(flow_->map().B, 1, before, solution.fluid_force);
+    add_transposed_product(map.B, 1, before, solution.fluid_force);
     system_.solve_solids(equations, state.time, state.u, before);
     system_.solve_fluid(equations, state.time, state.u, solution.p);
   } else {
     system_.solve(equations, state.time, state.u, solution.p);
-    add_transposed_product(flow_->map().B, 1, solution.p, solution.fluid_force);
+    add_transposed_product(map.B, 1, solution.p, solution.fluid_force);
   }
   std::vector<double>& taken = solution.taken;  // A u1 - b
   taken.resize(b.size()), solution.wall_force.assign(b.size(), 0.0);

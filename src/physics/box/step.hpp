@@ -57,7 +57,6 @@ class CoupledStep {
     SparseMatrix L;
     std::vector<double> p;        ///< of each pressure [stress]
     std::vector<double> b;        ///< of the solids, with friction and lifts [force]
-    std::vector<double> middle;   ///< places where the surface has the normals that B has; empty: at the start [length]
     std::vector<double> working;  ///< velocities of the solids that the pressures work at: u1, or the step's mean
     std::vector<double> taken;    ///< force of the fluid by the solids' equations, of held ones by the fluid's [force]
     double terms = 0;             ///< size of the terms of these equations' power [power]
@@ -73,7 +72,6 @@ class CoupledStep {
   Solution begin_solution(const CoupledState& state, double h) const;
   FluidOfStep fluid_of(const CoupledState& state, double h, const Solution& solution) const;
   fem::NewtonReport solve_by_energy(CoupledState& state, double h, SolidRule rule, bool again, Solution& solution);
-  void begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution);
   void take_moved(const fem::SolidState& moved, CoupledState& state, double h, Solution& solution);
   void book_moved(const fem::SolidState& moved, const Solution& solution, CoupledState& state);
   void look_at_contact(CoupledState& state);

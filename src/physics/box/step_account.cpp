@@ -189,7 +189,8 @@ void CoupledStep::note_unswept(std::span<const double> q0, const Solution& solut
   constexpr double much = 0.05;
   if (!solution.regions.has_openings()) return;
   const std::vector<double> before = enclosed_volumes(surface_, q0), after = enclosed_volumes(surface_, state.q);
-  const std::span<const double> normals_at = solution.middle.empty() ? q0 : std::span<const double>(solution.middle);
+  std::vector<double> normals_at(q0.begin(), q0.end());
+  for (std::size_t k = 0; k < q0.size() && solid_step_; ++k) normals_at[k] = 0.5 * (q0[k] + state.q[k]);
   const std::vector<double> swept = swept_volumes(surface_, normals_at, q0, state.q);
   double lacking = 0, whole = 0;
   for (std::size_t s = 0; s < swept.size(); ++s)

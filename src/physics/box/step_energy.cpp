@@ -42,8 +42,7 @@ fem::NewtonReport CoupledStep::find_calm(CoupledState& state, double h, SolidRul
   return end;
 }
 
-/// A step that was found before, with other friction, is found again from where it ended and with the map of its
-/// middle.
+/// A step that was found before, with other friction, is found again from where it ended.
 fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, SolidRule rule, bool again,
                                                Solution& solution) {
   const SystemCost before = system_.cost();
@@ -52,17 +51,15 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, So
     if (rule == SolidRule::euler) return solid_step_->advance_by_euler(moved, h);
     return rule == SolidRule::calm ? solid_step_->advance_calmly(moved, h) : solid_step_->advance(moved, h);
   };
-  const auto start_over = [&] {
-    const long long newton_steps = moved.newton_steps;
-    moved = solids_of(state);
-    moved.newton_steps = newton_steps;
-  };
   fem::NewtonReport report{false, {}};
   if (again) {
     around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
     solid_step_->start_where_it_ended(solution.left);
     report = advance();
-    if (!report.converged) start_over();
+    if (!report.converged) {
+      const long long newton_steps = moved.newton_steps;
+      moved = solids_of(state), moved.newton_steps = newton_steps;
+    }
   }
   if (!report.converged) {
     solution.held = solids_.held;
@@ -70,28 +67,11 @@ fem::NewtonReport CoupledStep::solve_by_energy(CoupledState& state, double h, So
     tell_of_unmeasured_volume(solution.regions, state);
     around_.begin(fluid_of(state, h, solution), state.q, solution.p);
     report = advance();
-    if (report.converged && solution.regions.has_openings()) {
-      begin_by_middle(state, moved.q, h, solution);
-      start_over();
-      report = advance();
-    }
   }
   state.newton_steps += moved.newton_steps;
   state.iterations += system_.cost().iterations - before.iterations;
   if (report.converged) take_moved(moved, state, h, solution);
   return report;
-}
-
-/// Begins the step again with the normals and areas that the surface has in the middle of the way to q1. With those of
-/// the start it sweeps its way to the first order only: what is lacking, of one sign where bodies turn or ripple, would
-/// come in through the box's openings and be gone with the next cells, and its energy of gravity would feed the
-/// ripples.
-void CoupledStep::begin_by_middle(const CoupledState& state, std::span<const double> q1, double h, Solution& solution) {
-  solution.middle.resize(q1.size());
-  for (std::size_t k = 0; k < q1.size(); ++k) solution.middle[k] = 0.5 * (state.q[k] + q1[k]);
-  flow_->map_by_middle(state.q, solution.middle);
-  around_.begin(fluid_of(state, h, solution), state.q, around_.pressures());
-  solid_step_->start_where_it_ended();
 }
 
 /// Takes over what was found. Held nodes, too, sweep what takes them to where they are led.

@@ -113,25 +113,31 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
     at_q.rows.push_back(at_q.pressures.face_of.size());
     at_q.pressures.face_of.push_back(f), at_q.regions.of.push_back(region);
   }
-  at_q.map = map_of(at_q, q, {});
+  at_q.map = map_of(at_q, q);
   if (mesh.dim == 3) at_q.coarse = coarse_of(at_q);
   return at_q;
 }
 
-CouplingMap MeshFlow::map_of(const Placed& at_q, std::span<const double> q, std::span<const double> middle) const {
-  CouplingMap map = map_on_mesh(*at_q.mesh, at_q.pressures, surface_, q, middle, numbers_);
+CouplingMap MeshFlow::map_of(const Placed& at_q, std::span<const double> q) const {
+  CouplingMap map;
+  map.area_seen = area_seen(*at_q.mesh, surface_);
+  SideSums given(at(surface_.dim));
   for (int side = 0; side < 4 && scene_.grid.dim == 2; ++side) {
     if (!outside_.presses(side)) continue;
     const int axis = axis_of_side(side);
     const double end = is_low_side(side) ? scene_.grid.low[at(axis)] : scene_.grid.high(axis);
     add_beyond(
-        surface_, q, axis, end, !is_low_side(side), [&](double y) { return outside_.pressure_beyond(side, y); }, map);
+        surface_, q, axis, end, !is_low_side(side), [&](double y) { return outside_.pressure_beyond(side, y); }, given);
   }
+  const auto by_nodes = [&](SideEntries entries, std::size_t rows) {
+    std::vector<SideEntries> lists;
+    lists.push_back(std::move(entries));
+    return SideMatrix(team_, surface_, EntriesAt::own_nodes, std::move(lists), rows, numbers_);
+  };
+  map.fluxes = by_nodes(fluxes_on_mesh(*at_q.mesh, at_q.pressures, surface_, q), at_q.pressures.face_of.size());
+  map.given = by_nodes(given.take(), 2);
+  map.turn(team_, areas_of_sides(surface_, q));
   return map;
-}
-
-void MeshFlow::map_by_middle(std::span<const double> q, std::span<const double> middle) {
-  at_.map = map_of(at_, q, middle);
 }
 
 Flow::Equations MeshFlow::equations_at(std::span<const double> q, double by) const {

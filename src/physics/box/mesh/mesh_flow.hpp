@@ -46,7 +46,7 @@ class MeshFlow final : public Flow, public FlowFriction {
   void add_forces(const Smoke& smoke, double h, FaceValues& v) const override;
   void book_forces(CoupledState& state, double h) const override;
   void end(const FaceValues& change, CoupledState& state, double h) override;
-  void map_by_middle(std::span<const double> q, std::span<const double> middle) override;
+  void turn_map(std::span<const Vec<3>> area) override { at_.map.turn(team_, area); }
 
   const CouplingMap& map() const override { return at_.map; }
   const CouplingMatrix& flux_map() const override { return at_.map.B; }
@@ -104,7 +104,7 @@ class MeshFlow final : public Flow, public FlowFriction {
   FlowMesh without_shut_in(FlowMesh mesh) const;
   std::shared_ptr<const FlowMesh> mesh_at(std::span<const double> q) const;
   std::shared_ptr<const FlowMesh> mesh_of(const std::vector<double>& q) const;
-  CouplingMap map_of(const Placed& at, std::span<const double> q, std::span<const double> middle) const;
+  CouplingMap map_of(const Placed& at, std::span<const double> q) const;
   SparseMatrix pressure_matrix(const Placed& at, double by) const;
   static CoarseUnknowns coarse_of(const Placed& at);
   bool is_open(const FlowMesh& mesh, std::size_t face) const;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/eigen_sparse.hpp"
 #include "base/numbers.hpp"
 
 namespace tether::coupled {
@@ -52,34 +51,27 @@ std::vector<double> area_seen(const FlowMesh& mesh, const SolidSurface& surface)
   return seen;
 }
 
-CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
-                        std::span<const double> q, std::span<const double> middle, std::size_t numbers) {
-  const std::size_t dim = at(mesh.dim);
-  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
-  CouplingMap map;
-  map.outside.assign(q.size(), 0.0), map.film_weight.assign(q.size(), 0.0);
-  map.area_seen = area_seen(mesh, surface);
+SideEntries fluxes_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
+                           std::span<const double> q) {
+  SideSums sums(at(mesh.dim));
   for (std::size_t face = 0; face < mesh.faces(); ++face) {
     if (mesh.boundary[face].kind != BoundaryKind::solid) continue;
-    const std::size_t side = at(mesh.boundary[face].number);
-    Vec<3> area = mesh.area[face];  // into the solid
-    if (!middle.empty()) {
-      const Vec<3> now = area_of_side(surface, side, q), change = minus(area_of_side(surface, side, middle), now);
-      const double part = std::min(1.0, mesh.size_of(face) / std::sqrt(dot(now, now)));
-      for (std::size_t a = 0; a < dim; ++a) area[a] -= part * change[a];
-    }
-    for (const auto& [node, share] : node_shares(surface, side, q, mesh.middle_of_face(face))) {
-      for (std::size_t i = 0; i < dim; ++i) entries.emplace_back(pressures.of[face], node * dim + i, share * area[i]);
+    const int side = mesh.boundary[face].number;
+    const Vec<3> area = area_of_side(surface, at(side), q);
+    const double part = std::min(1.0, mesh.size_of(face) / std::sqrt(dot(area, area)));
+    sums.begin(side);
+    double* entries = sums.row(pressures.of[face]);
+    const Vec<3> share = shares_on(surface, at(side), q, mesh.middle_of_face(face));
+    for (std::size_t a = 0; a < at(mesh.dim); ++a) {
+      for (std::size_t i = 0; i < at(mesh.dim); ++i) entries[3 * a + i] = -part * share[a];
     }
   }
-  map.B = CouplingMatrix(static_cast<Eigen::Index>(pressures.face_of.size()), static_cast<Eigen::Index>(numbers));
-  map.B.setFromTriplets(entries.begin(), entries.end());
-  return map;
+  return sums.take();
 }
 
 /// By two places of each facet's part that is beyond, which integrate squares.
 void add_beyond(const SolidSurface& surface, std::span<const double> q, int axis, double end, bool high,
-                const std::function<double(double)>& p, CouplingMap& map) {
+                const std::function<double(double)>& p, SideSums& given) {
   const double sign = high ? 1 : -1, half = 0.5 / std::sqrt(3.0);
   for (std::size_t side = 0; side < surface.side_count(); ++side) {
     const auto nodes = surface.side(side);
@@ -87,11 +79,13 @@ void add_beyond(const SolidSurface& surface, std::span<const double> q, int axis
     const double first = sign * (a[at(axis)] - end), last = first + sign * way[at(axis)];  // how far beyond
     if (first <= 0 && last <= 0) continue;
     const double from = first >= 0 ? 0 : first / (first - last), to = last >= 0 ? 1 : first / (first - last);
-    const Vec<3> area = area_of_side(surface, side, q);
+    given.begin(static_cast<int>(side));
+    double* entries = given.row(CouplingMap::outside_row);
     for (const double at_part : {0.5 - half, 0.5 + half}) {
       const double t = from + at_part * (to - from), y = a[1] + t * way[1];
-      for (const auto& [node, share] : node_shares(surface, side, q, {a[0] + t * way[0], y, 0})) {
-        for (std::size_t i = 0; i < 2; ++i) map.outside[node * 2 + i] -= 0.5 * (to - from) * share * p(y) * area[i];
+      for (const std::size_t node : {0U, 1U}) {
+        const double share = node == 0 ? 1 - t : t;
+        for (std::size_t i = 0; i < 2; ++i) entries[3 * node + i] -= 0.5 * (to - from) * share * p(y);
       }
     }
   }

@@ -26,15 +26,14 @@ NodeShares node_shares(const SolidSurface& surface, std::size_t facet, std::span
 /// How much of each sheet of the solids each region of the fluid sees, sheet by sheet [area].
 std::vector<double> area_seen(const FlowMesh& mesh, const SolidSurface& surface);
 
-/// The map between pressures and solids at q (so many numbers): a face of the fluid at a solid's facet has its own
-/// area, which with the nodes at `middle` (empty: at q) changes as its part of the facet's does, and the shares of the
-/// facet's nodes in the face's middle.
-CouplingMap map_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
-                        std::span<const double> q, std::span<const double> middle, std::size_t numbers);
+/// Returns what fluxes and forces on solids at q are by the areas of their facets: a face of the fluid at a facet is a
+/// part of it, and has the shares of the facet's nodes in the face's middle.
+SideEntries fluxes_on_mesh(const FlowMesh& mesh, const FacePressures& pressures, const SolidSurface& surface,
+                           std::span<const double> q);
 
-/// Adds to the map the forces of the fluid outside on what is beyond a side of the box, in the plane: `high` where it
-/// is beyond an upper end along the axis, p(y) the pressure there [stress].
+/// Adds the forces of the fluid outside on what is beyond a side of the box, in the plane, to those that a map is
+/// given: `high` where it is beyond an upper end along the axis, p(y) the pressure there [stress].
 void add_beyond(const SolidSurface& surface, std::span<const double> q, int axis, double end, bool high,
-                const std::function<double(double)>& p, CouplingMap& map);
+                const std::function<double(double)>& p, SideSums& given);
 
 }  // namespace tether::coupled
