@@ -18,6 +18,7 @@ constexpr double most_kept = 8e6;  // numbers of a list of passes that are kept
 constexpr double settled = 2e-3;   // what velocities may miss those of the end by, over their size
 constexpr double bearable = 0.03;  // what they may where passes do not settle
 constexpr double rough = 1e-6;     // of the momentum that friction moves, which passes before the last may miss
+constexpr double bent = 3e-3;      // of what passes change in another, where bodies deform as they are found
 constexpr double left = 0.03;      // of what another friction changed in the solids' motion, which these may leave
 
 /// How much they may miss after so many passes: where these settle slowly, the last digits are not worth their time.
@@ -126,8 +127,8 @@ fem::NewtonReport FrictionPasses::find(const Step& step, double h, CoupledState&
   const std::size_t said = messages.size();
   const std::vector<double> weights = this->weights(state);
   std::vector<double> drive = drive_of(state), best;
-  AndersonMixing mixing(weights,
-                        static_cast<int>(std::clamp(most_kept / static_cast<double>(drive.size()), 5.0, 40.0)));
+  const double kept = std::clamp(most_kept / static_cast<double>(drive.size()), 5.0, 40.0);
+  AndersonMixing mixing(weights, static_cast<int>(kept), step.linear ? 0 : bent);
   double least = std::numeric_limits<double>::infinity();
   friction_.begin_friction(state, step.nodes, h);
   const Digits exact{std::max(scene_.tolerance, 1e-10), 0};

@@ -28,6 +28,7 @@ class FrictionPasses {
     std::function<fem::NewtonReport(CoupledState&, double left)> find;  ///< may leave a part of what it begins with
     const FaceValues& change;            ///< that forces and pressures made of the velocities in it [velocity]
     const std::vector<double>& working;  ///< velocities of the nodes that the fluid sees in it [velocity]
+    bool linear;                         ///< what it finds is linear in what friction leaves
     NodeInertia nodes;                   ///< of these velocities; none where the fluid slips along them
     std::span<double> drag;              ///< of the fluid's friction on the nodes, which it takes [force]
   };

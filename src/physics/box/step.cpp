@@ -69,7 +69,8 @@ fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h,
   };
   NodeInertia nodes;
   if (!state.driven_nodes.empty()) nodes = {solids_.inertia(rule, state.q, h), solids_.held};
-  return passes_->find({find, change_, solution.working, std::move(nodes), drag_}, h, state, messages_);
+  return passes_->find({find, change_, solution.working, rule == SolidRule::linear, std::move(nodes), drag_}, h, state,
+                       messages_);
 }
 
 /// Finds velocities and pressures, and moves the solids. A solution that was found before, from the same start with
