@@ -123,10 +123,19 @@ class VelocityChecks {
       }
     }
   }
+  double fastest(const FlowSide& side, double time) const {
+    double most = 0;
+    for (const int node : side.sides) {
+      const Vec<2> x = place(node), v = side.velocity.at(x[0], x[1], time);
+      most = std::max(most, std::hypot(v[0], v[1]));
+    }
+    return most;
+  }
   /// Returns whether a wall moves along itself at a time; reports where it does not.
   template <int p>
   bool is_along(int number, const std::vector<Holder>& holders, const std::vector<double>& doubt, double time) {
     const FlowSide& side = flow_.sides[static_cast<std::size_t>(number)];
+    const double rounding = 1e-12 * fastest(side, time);
     for (std::size_t s = 0; s < side.sides.size(); s += p + 1) {
       const auto along = tangents<p>(&side.sides[s]);
       for (std::size_t a = 0; a <= p; ++a) {
@@ -134,7 +143,8 @@ class VelocityChecks {
         if (holders[static_cast<std::size_t>(node)].side != number) continue;
         const Vec<2> x = place(node), v = side.velocity.at(x[0], x[1], time);
         const double through = sine(v, along[a]);
-        if (through <= (straight + doubt[static_cast<std::size_t>(node)]) * std::hypot(v[0], v[1])) continue;
+        const double may = straight + doubt[static_cast<std::size_t>(node)];
+        if (through <= may * std::hypot(v[0], v[1]) + rounding) continue;
         diagnostics_.add(
             deck_.remark(Severity::error, "flow.boundary", {side.number, 1},
                          fmt::format("at t = {:.6g} the velocity ({:.6g}, {:.6g}) of '{}' at {} goes through the wall "
