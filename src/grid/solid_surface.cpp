@@ -84,6 +84,12 @@ Vec<3> place_of(std::span<const double> q, int node, int dim) {
   return {q[first], q[first + 1], dim == 3 ? q[first + 2] : 0};
 }
 
+std::vector<double> middle_of(std::span<const double> q0, std::span<const double> q1) {
+  std::vector<double> middle(q0.size());
+  for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (q0[k] + q1[k]);
+  return middle;
+}
+
 Vec<3> area_of_side(const SolidSurface& surface, std::size_t side, std::span<const double> q) {
   const auto nodes = surface.side(side);
   const Vec<3> a = place_of(q, nodes[0], surface.dim), b = place_of(q, nodes[1], surface.dim);

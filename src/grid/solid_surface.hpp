@@ -49,6 +49,9 @@ SolidSurface surface_of(const Mesh& mesh);
 /// Place of a node; z is 0 in the plane.
 Vec<3> place_of(std::span<const double> q, int node, int dim);
 
+/// The places in the middle of the way from q0 to q1.
+std::vector<double> middle_of(std::span<const double> q0, std::span<const double> q1);
+
 /// Volume enclosed by each sheet, per unit depth in the plane: positive where the solid is inside, negative around a
 /// cavity [volume].
 std::vector<double> enclosed_volumes(const SolidSurface& surface, std::span<const double> q);

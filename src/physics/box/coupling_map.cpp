@@ -25,7 +25,7 @@ class MapByPressures {
   MapByPressures(Team& team, const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut)
       : team_(team), of_(of), sampler_(sampler), cut_(cut), dim_(of.surface.dim) {}
 
-  CouplingMap map(std::size_t unknowns) {
+  CouplingMap map() {
     std::vector<int> before(of_.pieces.pieces.size());
     team_.each(0, before.size(), [&](std::size_t k) { before[k] = sampler_.cell_before(of_.pieces.pieces[k]); });
     open_side_ = open_sides_before(team_, of_.pieces, of_.domain, sampler_, before);
@@ -44,25 +44,22 @@ class MapByPressures {
           for (std::size_t k = begin; k < end; ++k) add(k, before[k], films, parts[begin / pieces_of_a_part]);
         },
         pieces_of_a_part);
-    return joined(parts, unknowns);
+    return joined(parts);
   }
 
  private:
   static constexpr std::size_t pieces_of_a_part = 256;
 
-  CouplingMap joined(std::span<MapPart> parts, std::size_t unknowns) const {
-    CouplingMap map;
-    map.area_seen.assign(at(of_.surface.sheets * of_.domain.regions), 0.0);
-    std::vector<SideEntries> fluxes, given;
+  CouplingMap joined(std::span<MapPart> parts) const {
+    std::vector<double> seen(at(of_.surface.sheets * of_.domain.regions), 0.0);
+    MapSums sums;
     for (MapPart& part : parts) {
-      fluxes.push_back(part.fluxes.take()), given.push_back(part.given.take());
-      for (const auto& [k, area] : part.seen) map.area_seen[at(k)] += area;
+      sums.fluxes.push_back(part.fluxes.take()), sums.given.push_back(part.given.take());
+      for (const auto& [k, area] : part.seen) seen[at(k)] += area;
     }
-    const auto by_carriers = [&](std::vector<SideEntries>& lists, std::size_t rows) {
-      return SideMatrix(team_, of_.surface, EntriesAt::carriers, std::move(lists), rows, unknowns);
-    };
-    map.fluxes = by_carriers(fluxes, of_.numbers.cell.size()), map.given = by_carriers(given, 2);
-    map.turn(team_, of_.pieces.area);
+    CouplingMap map = map_of_sums(team_, of_.surface, EntriesAt::carriers, std::move(sums), of_.numbers.cell.size(),
+                                  sampler_.places());
+    map.area_seen = std::move(seen);
     return map;
   }
 
@@ -83,14 +80,12 @@ class MapByPressures {
 
   void add_before_cell(const SurfacePiece& piece, std::size_t before, MapPart& to) const {
     if (const int region = of_.domain.region[before]; region >= 0) see(piece, region, to);
-    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-      const SurfacePoint& point = of_.pieces.points[k];
+    for (const SurfacePoint& point : std::span(of_.pieces.points).subspan(piece.first, piece.count)) {
       const PressureStencil whole = sampler_.at(point.x, before);
       for (int axis = 0; axis < dim_; ++axis) {
         PressureStencil stencil = whole;
-        if (cut_ != nullptr)
-          push(piece, point, axis, take_cut(piece.cell, axis, point.x[at(axis)], stencil), CouplingMap::outside_row,
-               to);
+        const double p = cut_ != nullptr ? take_cut(piece.cell, axis, point.x[at(axis)], stencil) : 0;
+        push(piece, point, axis, p, CouplingMap::outside_row, to);
         add(piece.side, point, stencil, axis, to);
       }
     }
@@ -98,8 +93,7 @@ class MapByPressures {
 
   /// The pressure of the side, with parts of cells linear towards it from the cell that the piece is in.
   void add_before_side(const SurfacePiece& piece, int side, MapPart& to) const {
-    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-      const SurfacePoint& point = of_.pieces.points[k];
+    for (const SurfacePoint& point : std::span(of_.pieces.points).subspan(piece.first, piece.count)) {
       for (int axis = 0; axis < dim_; ++axis) {
         PressureStencil stencil;
         double p = cut_ != nullptr ? take_cut(piece.cell, axis, point.x[at(axis)], stencil) : 0;
@@ -115,9 +109,9 @@ class MapByPressures {
                 MapPart& to) const {
     const auto nodes = of_.surface.carriers(at(piece.side));
     CarrierShares share{};
-    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-      const CarrierShares at_point = shares(piece.side, of_.pieces.points[k]);
-      for (std::size_t a = 0; a < nodes.size(); ++a) share[a] += of_.pieces.points[k].part * at_point[a];
+    for (const SurfacePoint& point : std::span(of_.pieces.points).subspan(piece.first, piece.count)) {
+      const CarrierShares at_point = shares(piece.side, point);
+      for (std::size_t a = 0; a < nodes.size(); ++a) share[a] += point.part * at_point[a];
     }
     for (const auto& [cell, weight] : pressure) {
       const int row = of_.numbers.of_cell[cell];
@@ -141,8 +135,7 @@ class MapByPressures {
       if (of_.numbers.of_cell[cell] < 0) continue;  // void
       whole += weight, rims += weight * at_rest(of_.domain.grid.middle(of_.domain.grid.place_of_cell(cell)));
     }
-    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-      const SurfacePoint& point = of_.pieces.points[k];
+    for (const SurfacePoint& point : std::span(of_.pieces.points).subspan(piece.first, piece.count)) {
       const double p = whole * at_rest(point.x) - rims;
       for (int axis = 0; axis < dim_; ++axis) push(piece, point, axis, p, CouplingMap::film_weight_row, to);
     }
@@ -157,8 +150,7 @@ class MapByPressures {
       const int side = open_side_[rim] >= 0 ? open_side_[rim] : side_before(x);
       return side < 0 ? 0 : of_.outside->pressure_beyond(side, x[1]);
     });
-    for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-      const SurfacePoint& point = of_.pieces.points[k];
+    for (const SurfacePoint& point : std::span(of_.pieces.points).subspan(piece.first, piece.count)) {
       const double p = beyond >= 0 ? of_.outside->pressure_beyond(beyond, point.x[1]) : in_film;
       for (int axis = 0; axis < dim_; ++axis) push(piece, point, axis, p, CouplingMap::outside_row, to);
     }
@@ -280,6 +272,15 @@ PressureNumbers number_pressures(const FlowDomain& domain) {
   return numbers;
 }
 
+CouplingMap map_of_sums(Team& team, const SolidSurface& surface, EntriesAt where, MapSums sums, std::size_t pressures,
+                        std::span<const double> q) {
+  CouplingMap map;
+  map.fluxes = SideMatrix(team, surface, where, std::move(sums.fluxes), pressures, q.size());
+  map.given = SideMatrix(team, surface, where, std::move(sums.given), 2, q.size());
+  map.turn(team, areas_of_sides(surface, q));
+  return map;
+}
+
 void CouplingMap::turn(Team& team, std::span<const Vec<3>> area) {
   B = fluxes.with(team, area);
   const CouplingMatrix forces = given.with(team, area);
@@ -290,9 +291,9 @@ void CouplingMap::turn(Team& team, std::span<const Vec<3>> area) {
   }
 }
 
-CouplingMap map_by_pressures(Team& team, const CoupledSurface& of, const PressureSampler& sampler, const CutCells* cut,
-                             std::size_t unknowns) {
-  return MapByPressures(team, of, sampler, cut).map(unknowns);
+CouplingMap map_by_pressures(Team& team, const CoupledSurface& of, const PressureSampler& sampler,
+                             const CutCells* cut) {
+  return MapByPressures(team, of, sampler, cut).map();
 }
 
 }  // namespace tether::coupled

@@ -46,6 +46,15 @@ struct CouplingMap {
   void turn(Team& team, std::span<const Vec<3>> area);
 };
 
+/// The sums that a map is made of, by the areas of facets: W of B, and of the forces that are given, a row each.
+struct MapSums {
+  std::vector<SideEntries> fluxes, given;
+};
+/// A map of so many pressures and numbers of the nodes' places, with the areas that facets have with the nodes at q; it
+/// lacks the areas that are seen.
+CouplingMap map_of_sums(Team& team, const SolidSurface& surface, EntriesAt where, MapSums sums, std::size_t pressures,
+                        std::span<const double> q);
+
 /// What a map is made from: the surface where it is now, and the fluid about it.
 struct CoupledSurface {
   const SolidSurface& surface;
@@ -58,8 +67,7 @@ struct CoupledSurface {
 /// Makes the map from pressures at the surface's points: B is the transpose of the paper's J. Where no cell is before
 /// the surface it has the pressure of the film there. With `cut`, where neither cell is thin, pressures
 /// are linear along each axis between the middles of the cells on both sides of the point.
-CouplingMap map_by_pressures(Team& team, const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut,
-                             std::size_t unknowns);
+CouplingMap map_by_pressures(Team& team, const CoupledSurface& at, const PressureSampler& sampler, const CutCells* cut);
 
 /// Makes the map from the lines between cells' middles: the flux through a closed face is that of the solid where the
 /// line meets it. It is the paper's D1 H, with the sign of B.

@@ -14,12 +14,6 @@ void go_from(std::span<const double> before, double part, std::span<const double
   for (std::size_t k = 0; k < now.size(); ++k) now[k] = before[k] + part * way[k];
 }
 
-std::vector<double> middle_of(std::span<const double> q0, std::span<const double> q1) {
-  std::vector<double> middle(q0.size());
-  for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (q0[k] + q1[k]);
-  return middle;
-}
-
 }  // namespace
 
 CoupledEquations FluidOfStep::equations(const CouplingMatrix& caused, const SparseMatrix& A, std::span<const double> b,
@@ -31,7 +25,7 @@ CoupledEquations FluidOfStep::equations(const CouplingMatrix& caused, const Spar
 
 void FluidAround::begin(FluidOfStep step, std::span<const double> q0, std::span<const double> p) {
   step_.emplace(std::move(step));
-  q0_.assign(q0.begin(), q0.end()), turned_to_.clear();
+  q0_.assign(q0.begin(), q0.end()), middle_.clear();
   std::vector<double> led(q0.begin(), q0.end());
   solids_.system.place_supports(step_->time + step_->h, led);
   turn_to(led);
@@ -53,9 +47,10 @@ std::vector<double> FluidAround::pressures() const {
 
 /// Turns the map to the middle of the way to q1.
 void FluidAround::turn_to(std::span<const double> q1) {
-  if (std::ranges::equal(turned_to_, q1)) return;
-  turned_to_.assign(q1.begin(), q1.end());
-  flow_.turn_map(areas_of_sides(surface_, middle_of(q0_, q1)));
+  std::vector<double> middle = middle_of(q0_, q1);
+  if (middle == middle_) return;
+  middle_ = std::move(middle);
+  flow_.turn_map(areas_of_sides(surface_, middle_));
 }
 
 /// The pressures' forces, those of friction and of the fluid outside, and springs in the middle of the way, where the
@@ -64,7 +59,7 @@ void FluidAround::add_forces(std::span<const double> q1, std::span<double> f) {
   turn_to(q1);
   const CouplingMap& map = flow_.map();
   for (std::size_t k = 0; k < f.size(); ++k) f[k] += step_->drag[k] + map.outside[k] + map.film_weight[k];
-  add_transposed_product(map.B, 1, pressures(), f);
+  add_transposed_product(step_->B, 1, pressures(), f);
   solids_.add_spring_forces(q0_, q1, f);
 }
 
@@ -85,16 +80,14 @@ std::vector<double> FluidAround::flux_left_over(std::span<const double> w) const
 
 /// Returns the derivative of B w by w: q1 and with it the middle's normals change, too.
 CouplingMatrix FluidAround::flux_by_change(std::span<const double> w) const {
-  const CouplingMap& map = flow_.map();
-  return map.B + 0.5 * step_->h * map.fluxes.slopes(team_, middle_of(q0_, turned_to_), w);
+  return step_->B + 0.5 * step_->h * flow_.map().fluxes.slopes(team_, middle_, w);
 }
 
 /// Takes off what pressures and the fluid outside do more to the solids as these go on: their normals change.
 void FluidAround::add_load_stiffness(SparseMatrix& A) const {
   const CouplingMap& map = flow_.map();
-  const std::vector<double> middle = middle_of(q0_, turned_to_);
-  map.fluxes.add_force_slopes(middle, pressures(), -0.5, A);
-  map.given.add_force_slopes(middle, std::array{1.0, 1.0}, -0.5, A);
+  map.fluxes.add_force_slopes(middle_, pressures(), -0.5, A);
+  map.given.add_force_slopes(middle_, std::array{1.0, 1.0}, -0.5, A);
 }
 
 /// In terms of w the tangent is h K, and with C = d(B w)/dw the equations are those of a linear step:

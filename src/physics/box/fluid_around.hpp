@@ -16,7 +16,7 @@ namespace tether::coupled {
 
 /// What a step of the fluid is for the solids in it. All that is referred to must stay as long as the step takes.
 struct FluidOfStep {
-  const CouplingMatrix& B;
+  const CouplingMatrix& B;  ///< of the flow's map, which may be turned
   const SparseMatrix& L;
   std::vector<double> r;     ///< flux of v* with the sources of regions [volume/time]
   std::vector<double> drag;  ///< of friction on the nodes [force]
@@ -84,7 +84,7 @@ class FluidAround final : public fem::Surroundings {
   Flow& flow_;
   Team& team_;
   std::optional<FluidOfStep> step_;
-  std::vector<double> q0_, turned_to_;  // the step's start; the end whose middle the map is turned to [length]
+  std::vector<double> q0_, middle_;  // the step's start, and the middle that the map is turned to [length]
   double force_of_flux_ = -1;  // what answers a flux that is left over; below 0: not known yet [force time/volume]
   ConstantPressures constants_;
   Pressures now_, kept_, before_, way_;  // way_: the last correction, from before_

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "algebra/eigen_sparse.hpp"
+#include "algebra/sparse_entries.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -102,23 +103,9 @@ SparseMatrix matrix(const CoupledEquations& of, std::span<const std::uint8_t> pi
   return K.take();
 }
 
-/// Returns where the entry on the diagonal stands, or where the column ends.
-std::size_t place_on_diagonal(const SparseMatrix& A, std::int64_t column) {
-  const auto first = A.row.begin() + A.start[at(column)], end = A.row.begin() + A.start[at(column + 1)];
-  return at(std::find(first, end, column) - A.row.begin());
-}
-
 }  // namespace
 
-double diagonal(const SparseMatrix& A, std::int64_t column) {
-  const std::size_t place = place_on_diagonal(A, column);
-  return place < at(A.start[at(column + 1)]) ? A.value[place] : 0;
-}
-
-void add_to_diagonal(SparseMatrix& A, std::int64_t column, double value) {
-  const std::size_t place = place_on_diagonal(A, column);
-  if (place < at(A.start[at(column + 1)])) A.value[place] += value;
-}
+double diagonal(const SparseMatrix& A, std::int64_t column) { return entry_of(A, column, column); }
 
 SparseMatrix with_symmetric_pattern(const SparseMatrix& K) {
   const auto view = eigen_of(K);

@@ -74,8 +74,6 @@ std::vector<double> scales_of(const SparseMatrix& K);
 void scale(SparseMatrix& K, std::span<const double> scales);
 /// The entry of a column on the diagonal; 0 where there is none.
 double diagonal(const SparseMatrix& A, std::int64_t column);
-/// Adds to that entry; A is as it was where there is none.
-void add_to_diagonal(SparseMatrix& A, std::int64_t column, double value);
 /// Size of the terms of u.A u: the sum of |u_i A_ij u_j|.
 double terms_size(const SparseMatrix& A, std::span<const double> u);
 /// y = y + factor B x, y = y + factor B^T x.

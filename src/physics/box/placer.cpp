@@ -53,7 +53,7 @@ void Placer::map(std::span<const double> q, const Room& room, Placement& at) con
   at.numbers = number_pressures(at.domain);
   const PressureSampler sampler(surface_, q, room.pieces, at.domain);
   const CoupledSurface of{surface_, room.pieces, at.domain, at.numbers, &outside_};
-  at.map = map_by_pressures(team_, of, sampler, cut, q.size());
+  at.map = map_by_pressures(team_, of, sampler, cut);
   if (scene_.coupling.two_maps) at.crossing_map = map_by_crossings(team_, of, room.crossings, q.size());
 }
 

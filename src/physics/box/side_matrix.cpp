@@ -3,20 +3,11 @@
 
 #include <algorithm>
 
+#include "algebra/sparse_entries.hpp"
 #include "base/blocks.hpp"
 #include "base/numbers.hpp"
 
 namespace tether::coupled {
-namespace {
-
-void add_to_entry(SparseMatrix& K, std::size_t row, std::size_t column, double value) {
-  const auto first = K.row.begin() + K.start[column], end = K.row.begin() + K.start[column + 1];
-  const auto place = std::lower_bound(first, end, static_cast<std::int64_t>(row));
-  if (place != end && *place == static_cast<std::int64_t>(row))
-    K.value[static_cast<std::size_t>(place - K.row.begin())] += value;
-}
-
-}  // namespace
 
 /// The entries of each row, in the order of the lists, and where the nodes of each stand among the row's.
 struct SideMatrix::Rows {
@@ -163,6 +154,7 @@ std::vector<double> SideMatrix::times_of_sides(std::span<const double> p) const 
 void SideMatrix::add_force_slopes(std::span<const double> places, std::span<const double> p, double factor,
                                   SparseMatrix& K) const {
   const std::size_t dim = at(surface_->dim);
+  const auto number = [&](int node, std::size_t axis) { return static_cast<std::int64_t>(at(node) * dim + axis); };
   const std::vector<double> sums = times_of_sides(p);
   const double* pressed = sums.data();  // sum of p W, of the node a of a side along i
   for (std::size_t side = 0; side < surface_->side_count(); ++side) {
@@ -174,7 +166,7 @@ void SideMatrix::add_force_slopes(std::span<const double> places, std::span<cons
         for (std::size_t k = 0; k < dim; ++k) {
           const Vec<3> slope = slope_of_area(*surface_, side, places, k, z);
           for (std::size_t j = 0; j < dim; ++j)
-            add_to_entry(K, at(node) * dim + i, at(surface_->side(side)[k]) * dim + j, slope[j]);
+            add_to_entry(K, number(node, i), number(surface_->side(side)[k], j), slope[j]);
         }
       }
       pressed += 3;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "algebra/sparse_entries.hpp"
 #include "base/numbers.hpp"
 #include "physics/box/matrix.hpp"
 
@@ -140,7 +141,8 @@ void SolidEquations::add_spring_forces(std::span<const double> q0, std::span<con
 
 void SolidEquations::add_spring_stiffness(double factor, SparseMatrix& K) const {
   for (std::size_t k = 0; k < spring_.size(); ++k) {
-    if (spring_[k] != 0) add_to_diagonal(K, static_cast<std::int64_t>(k), factor * spring_[k]);
+    const auto unknown = static_cast<std::int64_t>(k);
+    if (spring_[k] != 0) add_to_entry(K, unknown, unknown, factor * spring_[k]);
   }
 }
 

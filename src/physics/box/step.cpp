@@ -69,8 +69,13 @@ fem::NewtonReport CoupledStep::find_with_friction(CoupledState& state, double h,
   };
   NodeInertia nodes;
   if (!state.driven_nodes.empty()) nodes = {solids_.inertia(rule, state.q, h), solids_.held};
-  return passes_->find({find, change_, solution.working, rule == SolidRule::linear, std::move(nodes), drag_}, h, state,
-                       messages_);
+  return passes_->find({.find = find,
+                        .change = change_,
+                        .working = solution.working,
+                        .linear = rule == SolidRule::linear,
+                        .nodes = std::move(nodes),
+                        .drag = drag_},
+                       h, state, messages_);
 }
 
 /// Finds velocities and pressures, and moves the solids. A solution that was found before, from the same start with

@@ -92,7 +92,7 @@ class CoupledStep {
   void tell_of_unmeasured_volume(const Regions& regions, CoupledState& state);
   void note_bodies_that_left(double time, CoupledState& state);
   void note_turning(CoupledState& state, double h);
-  void note_unswept(std::span<const double> q0, const Solution& solution, CoupledState& state);
+  void note_unswept(const std::vector<double>& q0, const Solution& solution, CoupledState& state);
 
   const Scene& scene_;
   const Coupled& coupled_;

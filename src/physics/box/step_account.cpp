@@ -185,13 +185,11 @@ void CoupledStep::note_turning(CoupledState& state, double h) {
 
 /// A warning once: what surfaces sweep lacks what is of higher order in their way. In closed regions the volume term
 /// brings it back; where there is an opening, fluid comes in or goes out for it.
-void CoupledStep::note_unswept(std::span<const double> q0, const Solution& solution, CoupledState& state) {
+void CoupledStep::note_unswept(const std::vector<double>& q0, const Solution& solution, CoupledState& state) {
   constexpr double much = 0.05;
   if (!solution.regions.has_openings()) return;
   const std::vector<double> before = enclosed_volumes(surface_, q0), after = enclosed_volumes(surface_, state.q);
-  std::vector<double> normals_at(q0.begin(), q0.end());
-  for (std::size_t k = 0; k < q0.size() && solid_step_; ++k) normals_at[k] = 0.5 * (q0[k] + state.q[k]);
-  const std::vector<double> swept = swept_volumes(surface_, normals_at, q0, state.q);
+  const std::vector<double> swept = swept_volumes(surface_, solid_step_ ? middle_of(q0, state.q) : q0, q0, state.q);
   double lacking = 0, whole = 0;
   for (std::size_t s = 0; s < swept.size(); ++s)
     lacking += after[s] - before[s] - swept[s], whole += std::abs(first_volumes_[s]);

@@ -145,9 +145,9 @@ class Cutter {
 SurfacePieces cut_surface(const SolidSurface& surface, std::span<const double> q, const StaggeredGrid& grid,
                           int per_cell) {
   SurfacePieces out;
+  out.area = areas_of_sides(surface, q);
   Cutter cutter(grid, per_cell, out);
   for (std::size_t s = 0; s < surface.side_count(); ++s) {
-    out.area.push_back(area_of_side(surface, s, q));
     std::array<Corner, 3> corners;
     for (int a = 0; a < surface.dim; ++a) {
       corners[at(a)].x = place_of(q, surface.side(s)[at(a)], surface.dim);

@@ -29,7 +29,6 @@ MeshFlow::MeshFlow(const Coupled& scene, const Vec<3>& gravity, const SolidSurfa
       gravity_(gravity),
       surface_(surface),
       with_obstacles_(scene, surface, numbers),
-      numbers_(numbers),
       team_(team),
       outside_(scene, gravity) {}
 
@@ -119,8 +118,6 @@ MeshFlow::Placed MeshFlow::placed(std::span<const double> q) const {
 }
 
 CouplingMap MeshFlow::map_of(const Placed& at_q, std::span<const double> q) const {
-  CouplingMap map;
-  map.area_seen = area_seen(*at_q.mesh, surface_);
   SideSums given(at(surface_.dim));
   for (int side = 0; side < 4 && scene_.grid.dim == 2; ++side) {
     if (!outside_.presses(side)) continue;
@@ -129,14 +126,11 @@ CouplingMap MeshFlow::map_of(const Placed& at_q, std::span<const double> q) cons
     add_beyond(
         surface_, q, axis, end, !is_low_side(side), [&](double y) { return outside_.pressure_beyond(side, y); }, given);
   }
-  const auto by_nodes = [&](SideEntries entries, std::size_t rows) {
-    std::vector<SideEntries> lists;
-    lists.push_back(std::move(entries));
-    return SideMatrix(team_, surface_, EntriesAt::own_nodes, std::move(lists), rows, numbers_);
-  };
-  map.fluxes = by_nodes(fluxes_on_mesh(*at_q.mesh, at_q.pressures, surface_, q), at_q.pressures.face_of.size());
-  map.given = by_nodes(given.take(), 2);
-  map.turn(team_, areas_of_sides(surface_, q));
+  MapSums sums;
+  sums.fluxes.push_back(fluxes_on_mesh(*at_q.mesh, at_q.pressures, surface_, q)), sums.given.push_back(given.take());
+  CouplingMap map =
+      map_of_sums(team_, surface_, EntriesAt::own_nodes, std::move(sums), at_q.pressures.face_of.size(), q);
+  map.area_seen = area_seen(*at_q.mesh, surface_);
   return map;
 }
 

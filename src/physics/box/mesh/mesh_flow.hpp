@@ -153,7 +153,6 @@ class MeshFlow final : public Flow, public FlowFriction {
   Vec<3> gravity_;  // [acceleration]
   const SolidSurface& surface_;
   FlowSurface with_obstacles_;
-  std::size_t numbers_;  // of the solids' nodes
   Team& team_;
   Outside outside_;
   Placed at_;

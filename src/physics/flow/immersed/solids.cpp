@@ -8,6 +8,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
+#include "grid/solid_surface.hpp"
 #include "physics/solids/make_elements.hpp"
 #include "physics/solids/step.hpp"
 
@@ -192,9 +193,7 @@ void ImmersedSolids::end_correction() {
 double ImmersedSolids::least_change_of_volume() const {
   double least = system_.elements->shape(q1_).least;
   if (rule_ != StressAt::middle) return least;
-  std::vector<double> middle(q0_.size());
-  for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (q0_[k] + q1_[k]);
-  return std::min(least, system_.elements->shape(middle).least);
+  return std::min(least, system_.elements->shape(middle_of(q0_, q1_)).least);
 }
 
 /// Loads do work on the way of their nodes, supports what holds theirs. Stress and inertia work on all of them: what of

@@ -147,7 +147,7 @@ struct Surroundings {
     if (cuts) cut = cut_cells(pieces, crossings, domain), domain = box.around(crossings, cut);
     numbers = number_pressures(domain);
     const PressureSampler sampler(surface, q, pieces, domain);
-    map = map_by_pressures(alone(), {surface, pieces, domain, numbers}, sampler, cuts ? &cut : nullptr, q.size());
+    map = map_by_pressures(alone(), {surface, pieces, domain, numbers}, sampler, cuts ? &cut : nullptr);
   }
   Surroundings(const Coupled& coupled, const Mesh& mesh) : Surroundings(coupled, mesh, mesh.x) {}
 
