@@ -38,6 +38,14 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
       ->check(CLI::IsMember(split_choices(AnyVariable("in.path").row())));
 }
 
+CLI::Option* add_auto(CLI::App& app, RunOptions& options) {
+  return app
+      .add_option("--auto", options.tolerance,
+                  "find the cheapest cells and steps that meet a relative tolerance for what the deck is to be true to "
+                  "($auto quantity='...'), by runs from coarse to fine")
+      ->option_text("TOL");
+}
+
 constexpr const char* one_a_core = "one for each core where that is faster";
 
 void add_threads(CLI::App& app, int& threads, const std::string& otherwise) {
@@ -70,6 +78,7 @@ void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& option
       ->check(refuse_no_file);
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
+  add_auto(app, run_options);
 }
 
 CLI::App* add_check(CLI::App& app, std::string& deck, DeckOptions& options, bool& all) {
@@ -85,6 +94,10 @@ CLI::App* add_plan(CLI::App& app, std::string& deck, DeckOptions& options, RunOp
   plan->add_option("deck", deck, "the deck")->required();
   add_deck_options(*plan, options);
   add_threads(*plan, run_options.threads, one_a_core);
+  auto* tolerance = add_auto(*plan, run_options);
+  plan->add_option("--out", run_options.out, "folder for the runs of --auto (default out/<deck name>)")
+      ->needs(tolerance)
+      ->check(refuse_no_folder);
   return plan;
 }
 
@@ -233,7 +246,8 @@ int main(int argc, char** argv) {
   CLI::App app(
       "tether: fluid and structure on one deck by material points or finite elements.\nExit codes: 0 done, 2 input "
       "wrong, 3 run "
-      "diverged, 4 file trouble, 5 a bisection found nothing or a published number is missed, 130 or 143 interrupted.",
+      "diverged, 4 file trouble, 5 a bisection found nothing, a published number is missed or --auto cannot promise, "
+      "130 or 143 interrupted.",
       "tether");
   describe(app);
 
@@ -266,6 +280,8 @@ int main(int argc, char** argv) {
   settle_in();
   run_options.command = typed(argc, argv);
   if (*check) return check_command(deck, options, all);
+  if (run_options.tolerance) share_cores(run_options);
+  if (*plan && run_options.tolerance) return auto_plan_command(deck, options, run_options);
   if (*plan) return plan_command(deck, options, run_options.threads);
   if (*sweep || *chart || *map || *reproduce) share_cores(run_options);
   if (*sweep) return sweep_command(deck, run_options);
@@ -277,5 +293,6 @@ int main(int argc, char** argv) {
   if (*columns) return columns_command(markdown);
   if (*keys) return keys_command(markdown);
   if (decks.empty()) return refuse_nothing(app);
+  if (run_options.tolerance) return auto_command(decks, options, run_options);
   return run_command(decks, options, run_options);
 }

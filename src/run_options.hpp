@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,11 +9,12 @@ namespace tether {
 
 /// What the command line says of a run, or of many.
 struct RunOptions {
-  std::string out;      ///< empty: out/<deck name>, out/charts/<name>, out/maps/<name>
-  int threads = 0;      ///< of a run; 0: as many as are worth it
-  int jobs = 0;         ///< runs of a sweep side by side
-  std::string restart;  ///< checkpoint to go on from; empty: from the start
-  std::string log;      ///< file for all that the terminal shows; empty: none
+  std::string out;                  ///< empty: out/<deck name>, out/charts/<name>, out/maps/<name>
+  int threads = 0;                  ///< of a run; 0: as many as are worth it
+  int jobs = 0;                     ///< runs of a sweep side by side
+  std::string restart;              ///< checkpoint to go on from; empty: from the start
+  std::string log;                  ///< file for all that the terminal shows; empty: none
+  std::optional<double> tolerance;  ///< relative, of --auto; none: the deck's own setting is run
   bool quiet = false;
   bool dry_run = false;
   std::string command;  ///< as it was typed, for provenance

@@ -10,8 +10,10 @@
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
 #include "command_support.hpp"
+#include "commands.hpp"
 #include "progress.hpp"
 #include "shared_files.hpp"
+#include "studies/automatic/find_setting.hpp"
 #include "studies/chart/make_chart.hpp"
 #include "studies/chart/read_chart.hpp"
 #include "studies/map/make_map.hpp"
@@ -51,7 +53,7 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
 
 /// What is left to do of a study that was read, in a folder. False where it did not come out well.
 using Work = std::function<bool(const std::filesystem::path& folder)>;
-using ReadStudy = Work (*)(const std::string& name, const RunOptions& options);
+using ReadStudy = std::function<Work(const std::string& name, const RunOptions& options)>;
 
 /// Its work is false where a run did not end well, or none has an error.
 Work chart_work(const std::string& name, const RunOptions& options) {
@@ -84,9 +86,9 @@ Work map_work(const std::string& name, const RunOptions& options) {
 
 /// All are read before the first is made. Each goes to a folder of its own, by default below out/KIND, so that none is
 /// that of a run of the same name.
-int make_each(const std::vector<std::string>& names, RunOptions options, const char* kind, ReadStudy read) {
+int make_each(const std::vector<std::string>& names, RunOptions options, const char* kind, const ReadStudy& read) {
   const bool several = names.size() > 1 || options.out.empty();
-  if (options.out.empty()) options.out = std::filesystem::path("out") / kind;
+  if (options.out.empty() && *kind) options.out = std::filesystem::path("out") / kind;
   int worst = guarded("tether", [&] { refuse_shared_folders(names, options); });
   std::vector<Work> all(names.size());
   for (std::size_t k = 0; k < names.size(); ++k)
@@ -98,6 +100,40 @@ int make_each(const std::vector<std::string>& names, RunOptions options, const c
     worst = std::max(worst, code == exit_done && !good ? exit_verdict : code);
   }
   return worst;
+}
+
+/// Puts what the chosen run wrote where a run of the deck writes.
+void take_over(const std::filesystem::path& run, const std::filesystem::path& folder) {
+  std::error_code reason;
+  std::filesystem::copy(run, folder,
+                        std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing,
+                        reason);
+  if (reason)
+    throw FileError(
+        fmt::format("{}: its files cannot be copied to {}: {}", run.string(), folder.string(), reason.message()));
+}
+
+/// What was found; its folder is empty where nothing can be promised.
+automatic::Found find(const std::string& name, const automatic::Automatic& wanted, const RunOptions& options,
+                      const std::filesystem::path& folder) {
+  ProgressLine progress(name, options.quiet);
+  const automatic::Found found =
+      automatic::find_setting(wanted, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+  progress.clear();
+  if (!options.quiet) fmt::print("{}", found.report);
+  if (found.folder.empty()) fmt::print(stderr, "{}: error: cannot promise: {}\n", name, found.why_not);
+  return found;
+}
+
+/// False where nothing can be promised.
+bool run_automatic(const std::string& name, const automatic::Automatic& wanted, const RunOptions& options,
+                   const std::filesystem::path& folder) {
+  if (options.dry_run) return fmt::print("{}", list_first_runs(wanted, folder)), true;
+  const automatic::Found found = find(name, wanted, options, folder);
+  if (found.folder.empty()) return false;
+  take_over(found.folder, folder);
+  if (!options.quiet) fmt::print("{}: the chosen run, in {}\n", name, folder.string());
+  return true;
 }
 
 std::string decks_of(const PublishedOptions& published) {
@@ -134,6 +170,25 @@ int chart_command(const std::vector<std::string>& studies, const RunOptions& opt
 
 int map_command(const std::vector<std::string>& studies, const RunOptions& options) {
   return make_each(studies, options, "maps", map_work);
+}
+
+int auto_command(const std::vector<std::string>& names, const DeckOptions& deck_options, const RunOptions& options) {
+  const ReadStudy read = [&deck_options](const std::string& name, const RunOptions& run_options) -> Work {
+    return [name, &run_options, wanted = automatic::read_automatic(name, deck_options, *run_options.tolerance)](
+               const auto& folder) { return run_automatic(name, wanted, run_options, folder); };
+  };
+  return make_each(names, options, "", read);
+}
+
+int auto_plan_command(const std::string& name, const DeckOptions& deck_options, const RunOptions& options) {
+  std::filesystem::path chosen;
+  const int code = guarded(name, [&] {
+    const auto wanted = automatic::read_automatic(name, deck_options, *options.tolerance);
+    const auto folder = folder_of(name, options, false);
+    if (!find(name, wanted, options, folder).folder.empty()) chosen = folder / automatic::chosen_deck;
+  });
+  if (code != exit_done) return code;
+  return chosen.empty() ? exit_verdict : plan_command(chosen.string(), {}, options.threads);
 }
 
 int reproduce_command(const PublishedOptions& published, const RunOptions& options) {

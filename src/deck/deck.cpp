@@ -31,7 +31,7 @@ bool Deck::has_group(std::string_view group) const { return contents_.groups.cou
 std::vector<std::string> Deck::possible_groups() const {
   auto groups = group_names();
   std::erase_if(groups, [this](const std::string& group) {
-    return (group == published_group && !has_group(group)) || (group == study_group) != is_study();
+    return (is_about_runs(group) && !has_group(group)) || (group == study_group) != is_study();
   });
   return groups;
 }
@@ -98,7 +98,7 @@ Deck Deck::with_path(const std::string& path) const {
 
 Deck Deck::with_only(const std::function<bool(const Variable&)>& wanted) const {
   Contents contents = contents_;
-  std::set<std::string> groups{std::string(study_group), std::string(published_group)};
+  std::set<std::string> groups{std::string(study_group), std::string(published_group), std::string(auto_group)};
   for (const Variable& variable : variables()) {
     if (wanted(variable)) {
       groups.insert(std::string(variable.group));

@@ -55,7 +55,7 @@ class Deck {
   bool has_group(std::string_view group) const;
   /// Returns whether it is a study deck, which describes many runs and is none itself.
   bool is_study() const { return has_group(study_group); }
-  /// The groups of the table that such a deck may have, in its order; $published where it has it.
+  /// The groups of the table that such a deck may have, in its order; $published and $auto where it has them.
   std::vector<std::string> possible_groups() const;
 
   /// Returns whether every required variable is given, so that a scene can be made of it.

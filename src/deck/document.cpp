@@ -44,7 +44,7 @@ std::string effective_deck(const Deck& deck) {
   std::string text;
   for (const auto& line : deck.header()) text += line + "\n";
   for (const auto& group : deck.possible_groups()) {
-    if (group == published_group) continue;  // it says nothing to the run
+    if (is_about_runs(group)) continue;  // it says nothing to the run
     if (acts_by_presence(group) && !deck.has_group(group)) continue;
     std::string items;
     for (const auto& variable : variables()) {
@@ -149,7 +149,7 @@ std::string check_listing(const Deck& deck, CheckListing how) {
   std::string text;
   int left_out = 0;
   for (const auto& group : deck.possible_groups()) {
-    if (!how.all && group == published_group) continue;  // it says nothing to the run
+    if (!how.all && is_about_runs(group)) continue;  // it says nothing to the run
     std::string lines;
     for (const auto& variable : variables()) {
       if (variable.group == group) lines += check_lines(deck, variable, how, left_out);

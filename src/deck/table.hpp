@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "deck/groups/added.hpp"
+#include "deck/groups/automatic.hpp"
 #include "deck/groups/contact.hpp"
 #include "deck/groups/coupled.hpp"
 #include "deck/groups/fem.hpp"
@@ -26,12 +27,12 @@ namespace tether {
 
 /// THE table: all rows, those of a group together, in the order in which decks and documents show them.
 inline constexpr auto variable_table = [] {
-  constexpr std::array<std::span<const Variable>, 13> parts{
-      thesis_table::in_rows,         thesis_table::fluid_rows, thesis_table::reg_rows,
-      membrane_table::membrane_rows, added_table::added_rows,  fem_table::fem_rows,
-      contact_table::contact_rows,   fem_table::rigid_rows,    flow_table::flow_rows,
-      coupled_table::coupled_rows,   study_table::study_rows,  study_table::chart_rows,
-      study_table::published_rows,
+  constexpr std::array<std::span<const Variable>, 14> parts{
+      thesis_table::in_rows,         thesis_table::fluid_rows,   thesis_table::reg_rows,
+      membrane_table::membrane_rows, added_table::added_rows,    fem_table::fem_rows,
+      contact_table::contact_rows,   fem_table::rigid_rows,      flow_table::flow_rows,
+      coupled_table::coupled_rows,   study_table::study_rows,    study_table::chart_rows,
+      study_table::published_rows,   automatic_table::auto_rows,
   };
   constexpr std::size_t count = [&] {
     std::size_t sum = 0;

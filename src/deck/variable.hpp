@@ -42,6 +42,10 @@ struct Variable {
 constexpr std::string_view study_group = "study";
 /// The group of published numbers, which says nothing to the run itself.
 constexpr std::string_view published_group = "published";
+/// The group of what a search for the cheapest setting is after, which says nothing to the run itself either.
+constexpr std::string_view auto_group = "auto";
+/// Returns whether a group is for those who make runs, and not for the run.
+constexpr bool is_about_runs(std::string_view group) { return group == published_group || group == auto_group; }
 
 // Sizes of the old code's arrays.
 constexpr int region_count = 20;       ///< regions

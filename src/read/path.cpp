@@ -154,7 +154,7 @@ Deck deck_of_path(const Deck& deck, Path path, Diagnostics& diagnostics) {
     return is_of(path, mesh, variable) && !(strings && is_of_mesh_alone(variable));
   };
   for (const auto& group : group_names()) {
-    if (deck.has_group(group) && group != study_group && group != published_group)
+    if (deck.has_group(group) && group != study_group && !is_about_runs(group))
       note_unused(deck, group, path, used, diagnostics);
   }
   warn_of_lost_actions(deck, path, used, diagnostics);

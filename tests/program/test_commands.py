@@ -93,7 +93,7 @@ class Talk(ProgramTest):
         for words, told in (((), "a deck or a command is missing"), (("plan",), "tether plan: error: deck is required"),
                             (("plan", deck, deck), "tether plan takes one deck, not 2:"),
                             (("check", deck, "--treads", "2"), "tether check has no option '--treads'"),
-                            (("--out", "x", "plan", deck), "tether plan has no option '--out'"),
+                            (("--out", "x", "plan", deck), "--out requires --auto"),
                             ((deck, "--pat", "fem"), "Did you mean '--path'?"),
                             ((deck, "--threads", "0"), "--threads: Value 0 not in range 1 to 1024"),
                             ((deck, "--set", "in.tmax=.01", "mpm.cfl=.5"), "Repeat --set for each value: --set mpm.cfl=.5"),

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/automatic/posterior.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace tether::automatic {
+namespace {
+
+constexpr std::array possible_orders{0.35, 0.5, 0.7, 0.85, 1., 1.2, 1.5, 1.75, 2., 2.5, 3., 4.};
+constexpr std::array noise_orders{0., 1., 2., 4.};
+/// Sizes of the noise of the coarsest run, over the value: from what rounding leaves to what says nothing.
+constexpr int noise_sizes = 12;
+constexpr double least_noise = 1e-5, most_noise = 0.56;
+/// What no regression resolves, over the value.
+constexpr double rounding = 1e-6;
+
+/// How far orders stray from theory's: down where something is not smooth, up by superconvergence.
+constexpr double stray_down = 0.6, stray_up = 0.35;
+
+// What is taken for likely before the first run: the limit is anywhere, and the coarsest run is off by about its value.
+constexpr double limit_variance = 100, space_variance = 1, time_variance = 0.5;
+
+/// Hypotheses that weigh less, over the heaviest, are left out.
+constexpr double least_weight = 1e-6;
+
+double log_nearness(double order, double theory) {
+  const double off = (order - theory) / (order > theory ? stray_up : stray_down);
+  return -0.5 * off * off;
+}
+
+/// The chance that a Gaussian is within -width and width.
+double gaussian_within(double mean, double deviation, double width) {
+  const double unit = deviation * std::sqrt(2.);
+  return 0.5 * (std::erf((width - mean) / unit) + std::erf((width + mean) / unit));
+}
+
+bool differ(std::span<const Sample> samples, double Resolution::*part) {
+  return std::ranges::any_of(samples,
+                             [&](const Sample& sample) { return sample.at.*part != samples.front().at.*part; });
+}
+
+}  // namespace
+
+Posterior::Posterior(std::span<const Sample> samples, const Orders& theory, double scatter) : scatter_(scatter) {
+  if (samples.empty()) throw std::invalid_argument("a limit of no values");
+  has_space_ = theory.space.has_value(), has_time_ = theory.time.has_value();
+  in_space_ = has_space_ && differ(samples, &Resolution::space);
+  in_time_ = has_time_ && differ(samples, &Resolution::time);
+  coarsest_ = samples.front().at;
+  for (const Sample& sample : samples) {
+    coarsest_.space = std::min(coarsest_.space, sample.at.space);
+    coarsest_.time = std::min(coarsest_.time, sample.at.time);
+  }
+  scale_ = samples.back().value == 0 ? 1 : std::abs(samples.back().value);
+  origin_ = samples.back().value / scale_;
+  const std::size_t ps = in_space_ ? possible_orders.size() : 1, qs = in_time_ ? possible_orders.size() : 1;
+  for (std::size_t i = 0; i < ps; ++i) {
+    for (std::size_t j = 0; j < qs; ++j) {
+      for (const double noise_order : noise_orders) {
+        for (int k = 0; k < noise_sizes; ++k) {
+          const double part = static_cast<double>(k) / (noise_sizes - 1);
+          Hypothesis h{.p = possible_orders[i],
+                       .q = possible_orders[j],
+                       .noise = least_noise * std::pow(most_noise / least_noise, part),
+                       .noise_order = noise_order};
+          regress(h, samples, theory);
+          hypotheses_.push_back(std::move(h));
+        }
+      }
+    }
+  }
+  normalise();
+}
+
+Posterior::Terms Posterior::basis(const Hypothesis& h, const Resolution& at) const {
+  Terms x(1 + (in_space_ ? 1 : 0) + (in_time_ ? 1 : 0));
+  int k = 0;
+  x[k++] = 1;
+  if (in_space_) x[k++] = std::pow(at.space / coarsest_.space, -h.p);
+  if (in_time_) x[k++] = std::pow(at.time / coarsest_.time, -h.q);
+  return x;
+}
+
+double Posterior::noise_variance(const Hypothesis& h, const Resolution& at) const {
+  const double space = at.space / coarsest_.space, time = at.time / coarsest_.time;
+  const double finer = has_space_ && has_time_ ? std::sqrt(space * time) : has_space_ ? space : time;
+  const double noise = h.noise * std::pow(finer, -h.noise_order);
+  return noise * noise + scatter_ * scatter_ + rounding * rounding;
+}
+
+Posterior::Terms Posterior::prior_variances() const {
+  Terms variances(1 + (in_space_ ? 1 : 0) + (in_time_ ? 1 : 0));
+  int k = 0;
+  variances[k++] = limit_variance;
+  if (in_space_) variances[k++] = space_variance;
+  if (in_time_) variances[k++] = time_variance;
+  return variances;
+}
+
+/// The likelihood is that of the values with Q, a and b integrated out: with A = X^T W X + P^-1 and b = X^T W y it is
+/// exp(-(y^T W y - b^T A^-1 b)/2) / sqrt(|W^-1| |P| |A|).
+void Posterior::regress(Hypothesis& h, std::span<const Sample> samples, const Orders& theory) const {
+  const Terms prior = prior_variances();
+  Square A = prior.cwiseInverse().asDiagonal();
+  Terms b = Terms::Zero(prior.size());
+  double square = 0, log_weight = -0.5 * prior.array().log().sum();
+  for (const Sample& sample : samples) {
+    const Terms x = basis(h, sample.at);
+    const double y = sample.value / scale_ - origin_, variance = noise_variance(h, sample.at);
+    A += x * x.transpose() / variance;
+    b += x * (y / variance);
+    square += y * y / variance;
+    log_weight -= 0.5 * std::log(variance);
+  }
+  h.covariance = A.inverse();
+  h.mean = h.covariance * b;
+  log_weight -= 0.5 * (square - b.dot(h.mean)) + 0.5 * std::log(A.determinant());
+  if (in_space_) log_weight += log_nearness(h.p, *theory.space);
+  if (in_time_) log_weight += log_nearness(h.q, *theory.time);
+  h.weight = log_weight;
+}
+
+void Posterior::normalise() {
+  double most = -std::numeric_limits<double>::infinity(), sum = 0;
+  for (const Hypothesis& h : hypotheses_) most = std::max(most, h.weight);
+  for (Hypothesis& h : hypotheses_) h.weight = std::exp(h.weight - most);
+  std::erase_if(hypotheses_, [](const Hypothesis& h) { return !(h.weight > least_weight); });
+  for (const Hypothesis& h : hypotheses_) sum += h.weight;
+  double p = 0, q = 0;
+  for (Hypothesis& h : hypotheses_) {
+    h.weight /= sum;
+    limit_ += h.weight * (h.mean[0] + origin_) * scale_;
+    p += h.weight * h.p, q += h.weight * h.q;
+  }
+  if (in_space_) orders_.space = p;
+  if (in_time_) orders_.time = q;
+}
+
+double Posterior::chance_at(const Resolution& at, double tolerance) const {
+  double chance = 0;
+  for (const Hypothesis& h : hypotheses_) {
+    Terms x = basis(h, at);
+    x[0] = 0;  // the error alone: what it has on top of the limit
+    const double variance = x.dot(h.covariance * x) + noise_variance(h, at);
+    chance += h.weight * gaussian_within(x.dot(h.mean), std::sqrt(variance), tolerance * std::abs(h.mean[0] + origin_));
+  }
+  return chance;
+}
+
+double Posterior::chance_of(double value, double tolerance) const {
+  double chance = 0;
+  for (const Hypothesis& h : hypotheses_) {
+    const double off = value / scale_ - origin_ - h.mean[0], variance = h.covariance(0, 0) + rounding * rounding;
+    chance += h.weight * gaussian_within(off, std::sqrt(variance), tolerance * std::abs(h.mean[0] + origin_));
+  }
+  return chance;
+}
+
+double Posterior::bound(double value, double chance) const {
+  double low = rounding, high = 1e6;
+  if (chance_of(value, high) < chance) return std::numeric_limits<double>::infinity();
+  while (high > 1.001 * low) {
+    const double middle = std::sqrt(low * high);
+    (chance_of(value, middle) < chance ? low : high) = middle;
+  }
+  return high;
+}
+
+double Posterior::informs(const Resolution& at) const {
+  double mean_q = 0, mean_y = 0, qq = 0, qy = 0, yy = 0;
+  for (const Hypothesis& h : hypotheses_) {
+    const Terms x = basis(h, at), covariances = h.covariance * x;
+    const double y = x.dot(h.mean), q = h.mean[0];
+    mean_q += h.weight * q, mean_y += h.weight * y;
+    qq += h.weight * (h.covariance(0, 0) + q * q);
+    qy += h.weight * (covariances[0] + q * y);
+    yy += h.weight * (x.dot(covariances) + noise_variance(h, at) + y * y);
+  }
+  const double var_q = qq - mean_q * mean_q, var_y = yy - mean_y * mean_y, cov = qy - mean_q * mean_y;
+  return var_q > 0 && var_y > 0 ? std::min(1., cov * cov / (var_q * var_y)) : 0;
+}
+
+}  // namespace tether::automatic

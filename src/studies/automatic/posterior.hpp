@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <span>
+#include <vector>
+
+#include "studies/automatic/resolution.hpp"
+
+namespace tether::automatic {
+
+/// What was read off a run.
+struct Sample {
+  Resolution at;
+  double value = 0;
+};
+
+/// What values at several resolutions say of the one at none: Richardson's extrapolation, with its doubt.
+///
+/// A value is taken as Q(h, k) = Q + a h^p + b k^q + noise, with h and k the sizes of cells and steps over the coarsest
+/// run's. The noise stands for all that is no power: grids that are not aligned, contacts that fall between two steps.
+/// Its size falls as a power of the refinement, too, of 0 to 4. What p, q, that power and the size of the noise are is
+/// open: each set of them is a hypothesis, whose Q, a and b are Gaussian given the values (linear regression), and
+/// whose weight is its likelihood times how near its orders are to theory's. So an order that the values do not bear
+/// out, signs that change and levels that agree by chance all widen the bound, in place of a rule for each.
+class Posterior {
+ public:
+  /// `scatter`: how far values of one resolution lie apart that should be equal (chaos), relative. Throws
+  /// std::invalid_argument for no sample.
+  Posterior(std::span<const Sample> samples, const Orders& theory, double scatter);
+
+  /// The chance that a run of that resolution, not made yet, has a value within `tolerance` (relative) of the limit.
+  double chance_at(const Resolution& at, double tolerance) const;
+  /// The chance that this value of a run that was made is.
+  double chance_of(double value, double tolerance) const;
+  /// The tolerance (relative) that this value meets with that chance; infinite where none up to 1e6 is.
+  double bound(double value, double chance) const;
+  /// The mean of what the values lead to.
+  double limit() const { return limit_; }
+  /// Returns what a run there is expected to say of the limit: the squared correlation of its value with that, which is
+  /// the part of the limit's variance that the run would take away.
+  double informs(const Resolution& at) const;
+  /// The mean orders; none where no two resolutions differ there.
+  Orders orders() const { return orders_; }
+
+ private:
+  static constexpr int most_terms = 3;  // Q, a, b
+  using Terms = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_terms, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_terms, most_terms>;
+
+  /// p, q and the noise of one hypothesis, and what it makes of the values, relative to scale_: the mean and the
+  /// covariance of Q - origin, a, b.
+  struct Hypothesis {
+    double p = 1, q = 1, noise = 0, noise_order = 0;
+    double weight = 0;
+    Terms mean = {};
+    Square covariance = {};
+  };
+
+  Terms basis(const Hypothesis& h, const Resolution& at) const;
+  double noise_variance(const Hypothesis& h, const Resolution& at) const;
+  Terms prior_variances() const;
+  /// Fills in mean, covariance and, as a logarithm, weight.
+  void regress(Hypothesis& h, std::span<const Sample> samples, const Orders& theory) const;
+  void normalise();
+
+  double scatter_ = 0, scale_ = 1, origin_ = 0, limit_ = 0;
+  Resolution coarsest_;
+  bool in_space_ = false, in_time_ = false, has_space_ = false, has_time_ = false;
+  std::vector<Hypothesis> hypotheses_;
+  Orders orders_;
+};
+
+}  // namespace tether::automatic

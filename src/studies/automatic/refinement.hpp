@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/deck.hpp"
+#include "model/scene.hpp"
+#include "studies/automatic/resolution.hpp"
+
+namespace tether::automatic {
+
+/// A value of a deck that counts cells, nodes or points, or is a length of cells or of a step.
+struct Refined {
+  std::string element;  ///< "in.nx", "mesh.cells(2,1)"
+  enum class As { cells, nodes, length, time } as = As::cells;
+  double own = 0;  ///< the deck's value
+};
+
+/// What makes a deck finer: the values that count its cells, and those that are its steps.
+class Refinement {
+ public:
+  /// `scene` is the deck's. What cannot be made finer (points of a file, a mesh of a file) is not among the values.
+  Refinement(const Deck& deck, const Scene& scene);
+
+  bool in_space() const { return !space_.empty(); }
+  bool in_time() const { return !time_.empty(); }
+  /// The values that a run of that resolution has in place of the deck's: group.name=value.
+  std::vector<std::string> overrides(const Resolution& wanted) const;
+  /// The resolution that these values come to, since counts are whole numbers: the mean of their factors.
+  Resolution rounded(const Resolution& wanted) const;
+  /// In how many directions cells grow more where space is refined.
+  int dimensions() const { return dimensions_; }
+
+ private:
+  void add_grid(const Deck& deck, const Scene& scene);
+  void add_elements(const Deck& deck);
+  void add_strings(const Deck& deck);
+  void add_steps(const Deck& deck);
+
+  std::vector<Refined> space_, time_;
+  int dimensions_ = 1;
+};
+
+/// Orders that theory gives the errors of a scene; none for what `refinement` does not refine.
+Orders theory_of(const Deck& deck, const Scene& scene, const Refinement& refinement);
+
+}  // namespace tether::automatic
