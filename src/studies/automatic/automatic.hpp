@@ -4,6 +4,7 @@
 #include <string>
 
 #include "plan/load.hpp"
+#include "studies/automatic/choices.hpp"
 #include "studies/automatic/refinement.hpp"
 #include "studies/automatic/search.hpp"
 #include "studies/reproduce/problem.hpp"
@@ -17,6 +18,7 @@ struct Automatic {
   std::string quantity;      ///< as the deck, or its own figure of merit, writes it
   published::Readout value;  ///< of a finished run
   Refinement refinement;
+  std::vector<Choice> choices;  ///< what the model may do without
   Aim aim;
 };
 

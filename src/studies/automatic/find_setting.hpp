@@ -2,21 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "studies/automatic/automatic.hpp"
-#include "studies/scheduler.hpp"
+#include "studies/automatic/trial_runs.hpp"
 
 namespace tether::automatic {
-
-/// How a search is to be made.
-struct FindOptions {
-  std::filesystem::path out;  ///< folder for the table and, below it, the runs
-  Shares shares;
-  std::string command;  ///< as it was typed, for the files' provenance
-  std::function<void(const SweepProgress&)> progress;
-};
 
 /// What a search came to.
 struct Found {
@@ -28,9 +19,9 @@ struct Found {
 /// The chosen deck, below the folder of the search: that of the chosen run with all its values.
 constexpr const char* chosen_deck = "chosen.in";
 
-/// Makes the runs of a search one after the other, those that can be made at once side by side, and writes auto.csv,
-/// auto.nc (a row a run), auto.txt (the report) and the chosen deck. What was run before is not run again. Throws
-/// FileError, Interrupted.
+/// Tries what the model can do without, looks for the cheapest setting of what is left, and writes auto.csv, auto.nc (a
+/// row a run), auto.txt (the report) and the chosen deck. What was run before is not run again. Throws FileError,
+/// Interrupted.
 Found find_setting(const Automatic& automatic, const FindOptions& options);
 
 /// The first runs, a line each: whether it is finished, its deck, its values.

@@ -6,6 +6,7 @@
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
 #include "deck/document.hpp"
+#include "read/points/points_group.hpp"
 #include "studies/automatic/automatic.hpp"
 #include "studies/combinations.hpp"
 #include "studies/reading_checks.hpp"
@@ -78,7 +79,8 @@ void refuse_what_stays(const Deck& deck, const Scene& scene, const Refinement& r
   };
   if (!deck.text("mesh.file").empty())
     refuse("mesh.file", "--auto cannot make the mesh of a file finer", "cells of $mesh count cells that it can");
-  if (!deck.text("in.particles").empty() || !deck.trailer().text.empty())
+  Diagnostics reported;  // when the scene was built
+  if (scene.points.size() > 0 && load_particles(deck, std::nullopt, reported))
     refuse("in.particles", "--auto cannot make the points of a file more",
            "regions of $reg and curves of $membrane have points that it can");
   if (!refinement.in_space() && !refinement.in_time() && !scene.rigid())
@@ -139,6 +141,7 @@ Automatic read_automatic(const std::string& file, const DeckOptions& options, do
                       .quantity = deck.text("auto.quantity"),
                       .value = {},
                       .refinement = refinement,
+                      .choices = choices_of(deck, loaded.plan.scene),
                       .aim = {}};
   automatic.aim.tolerance = tolerance;
   automatic.aim.theory = theory_of(deck, loaded.plan.scene, refinement);

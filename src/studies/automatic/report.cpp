@@ -49,16 +49,18 @@ std::string doubt_text(const Search& search) {
       search.scatter());
 }
 
-std::string chosen_text(const Search& search, const std::vector<TrialRun>& made, std::size_t chosen) {
+std::string chosen_text(const Ended& ended) {
+  const std::vector<TrialRun>& made = ended.made;
+  const std::size_t chosen = *ended.chosen;
   double finest = 0, all = 0;
   for (const TrialRun& run : made) finest = std::max(finest, run.trial.seconds), all += run.trial.seconds;
-  const Setting& setting = *search.found();
+  const Setting& setting = *ended.search.found();
   return fmt::format(
       "chosen: run {}, with {}\n"
       "its error is {:+.2g} %, and within {:.2g} % with a chance of {:.0f} %\n"
       "it costs {:.3g} s of the processor; the most costly run {:.3g} s, all runs of the search {:.3g} s\n",
-      chosen + 1, fmt::join(made[chosen].settings, " "), 100 * setting.error, 100 * setting.bound, 100 * promise,
-      made[chosen].trial.seconds, finest, all);
+      chosen + 1, fmt::join(made[chosen].settings, " "), 100 * setting.error,
+      100 * (setting.bound + ended.simplified.change), 100 * promise, made[chosen].trial.seconds, finest, all);
 }
 
 std::string failures_text(const std::vector<TrialRun>& made) {
@@ -79,32 +81,34 @@ StudyTable table_of(const std::vector<TrialRun>& made, const Search& search) {
   std::vector<std::string> of, settings, folder;
   for (const TrialRun& run : made) {
     number.push_back(static_cast<double>(number.size() + 1));
-    of.emplace_back(run.varied ? "scatter" : "level");
+    of.push_back(run.of);
     space.push_back(run.trial.at.space), time.push_back(run.trial.at.time);
     value.push_back(run.trial.value.value_or(no_number)), seconds.push_back(run.trial.seconds);
     exit_code.push_back(run.ending.exit_code);
     settings.push_back(fmt::format("{}", fmt::join(run.settings, " "))), folder.push_back(run.folder.string());
   }
   auto [error, bound] = judged(made, search);
-  return {"run",
-          {column("run", "number of the run", number),
-           {"of", "what the run is for: a level of refinement, or the scatter at one", "", of},
-           column("space", "how much finer its cells are than the deck's", space),
-           column("time", "how much finer its steps are", time),
-           column("value", "what was read off the run", value, ""),
-           column("error", "estimated: its distance from the limit of all runs, over that", error),
-           column("bound", "what the error is within, with a chance of 95 %", bound),
-           column("cpu_seconds", "of the run", seconds, "s"),
-           column("exit_code", "0 for a run that ended well", exit_code),
-           {"settings", "values that the run has in place of the deck's", "", settings},
-           {"folder", "the run's", "", folder}}};
+  return {
+      "run",
+      {column("run", "number of the run", number),
+       {"of", "what the run is for: a level of refinement, the scatter at one, or the model with and without a part",
+        "", of},
+       column("space", "how much finer its cells are than the deck's", space),
+       column("time", "how much finer its steps are", time),
+       column("value", "what was read off the run", value, ""),
+       column("error", "estimated: its distance from the limit of all runs, over that", error),
+       column("bound", "what the error is within, with the chance that is promised", bound),
+       column("cpu_seconds", "of the run", seconds, "s"),
+       column("exit_code", "0 for a run that ended well", exit_code),
+       {"settings", "values that the run has in place of the deck's", "", settings},
+       {"folder", "the run's", "", folder}}};
 }
 
-std::string report_text(const Automatic& automatic, const Search& search, const std::vector<TrialRun>& made,
-                        std::optional<std::size_t> chosen, const StudyTable& table) {
+std::string report_text(const Ended& ended, const StudyTable& table) {
+  const auto& [automatic, search, simplified, made, chosen] = ended;
   std::string text = fmt::format("{} to {:.3g} %\n", automatic.quantity, 100 * automatic.aim.tolerance);
   text += aligned_text(table, {"run", "of", "space", "time", "value", "error", "bound", "cpu_seconds"});
-  text += failures_text(made);
+  text += failures_text(made) + decisions_text(simplified.decisions);
   const bool any = std::ranges::any_of(search.trials(), [](const Trial& trial) { return trial.value.has_value(); });
   if (any) {
     const Orders orders = search.posterior().orders();
@@ -112,7 +116,7 @@ std::string report_text(const Automatic& automatic, const Search& search, const 
     text += order_text("time", orders.time, automatic.aim.theory.time);
   }
   text += doubt_text(search);
-  return text + (chosen ? chosen_text(search, made, *chosen) : fmt::format("cannot promise: {}\n", search.why_not()));
+  return text + (chosen ? chosen_text(ended) : fmt::format("cannot promise: {}\n", search.why_not()));
 }
 
 }  // namespace tether::automatic

@@ -38,7 +38,7 @@ struct Setting {
 };
 
 /// The chance with which the bound of an error holds.
-constexpr double promise = 0.95;
+constexpr double promise = 0.97;
 /// Levels that an error is estimated from at the least.
 constexpr std::size_t levels_in_space = 3, levels_in_time = 2, levels_in_time_alone = 3;
 

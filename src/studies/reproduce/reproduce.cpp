@@ -158,7 +158,10 @@ namespace tether {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace published;
+using published::markdown_text, published::plan_runs, published::problems_named, published::report_row;
+using published::MethodResult, published::PlannedRun, published::Problem, published::PublishedQuantity;
+using published::ReportRow, published::Role, published::Standing;
+using published::terminal_text;
 
 /// Makes the result of a problem by one method. The run that it is compared with belongs to all of the method's runs.
 MethodResult result_of(const std::vector<PlannedRun>& runs, const std::vector<RunEnd>& ends, std::size_t problem,

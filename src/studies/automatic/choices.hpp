@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/deck.hpp"
+#include "model/scene.hpp"
+
+namespace tether::automatic {
+
+/// A part of the model that a run may do without, or a cheaper one in its place.
+struct Choice {
+  std::string name;                    ///< what is left out: "viscosity"
+  std::vector<std::string> overrides;  ///< group.name=value, of the run without it
+};
+
+/// Returns what a deck models that a run may do without, where its path has another way: of points contact, viscosity
+/// and the pressure outside; of elastic bodies their deformation, or large strains; of a fluid in a box viscosity,
+/// contact with walls, the simultaneous solution and steps that keep the energy.
+std::vector<Choice> choices_of(const Deck& deck, const Scene& scene);
+
+/// What became of one.
+struct Decision {
+  Choice choice;
+  bool left_out = false;
+  double change = 0;  ///< of the number without it, over the number; not a number where the run failed
+  double saved = 0;   ///< part of the run's cost; negative where it costs more
+  std::string why;    ///< why it stays; empty where it is left out
+};
+
+/// Returns whether a part that changes the number by so much is left out: it changes it by less than a third of the
+/// tolerance, and the run costs no more without it. Fills in the decision.
+void decide(Decision& decision, double with, double without, double seconds_with, double seconds_without,
+            double tolerance);
+
+/// The part of a tolerance that may be given to what is left out.
+constexpr double share_of_model = 1. / 3;
+
+/// A line for each, for people.
+std::string decisions_text(const std::vector<Decision>& decisions);
+
+}  // namespace tether::automatic

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `--auto` leaves out of a model, and what stays because it counts."""
+import pathlib
+import tempfile
+import unittest
+
+from program import run
+
+BLOCK = ("in.tmax=8.", "auto.quantity='last(point_y_1)'")
+PISTON = ("in.tmax=1.", "auto.quantity='max(body_x_1) - min(body_x_1)'")
+GAS = ("mpm.method='robust'", "reference.solution=''", "auto.quantity='last(energy_kinetic)'")
+DEFORMATION, TOGETHER = "deformation (one rigid body in its place)", "solving fluid and bodies together"
+
+# deck, tolerance, values, what is left out, what is kept
+MODELS = {
+    "a stiff block that flies is rigid": ("decks/l-block.in", 0.02,
+                                          (*BLOCK, *(f"reg.matr(1,{r})=5.e9,.3" for r in (1, 2, 3))), (DEFORMATION,), ()),
+    "a soft one is not": ("decks/l-block.in", 0.1, ("in.tmax=4.", "auto.quantity='last(point_y_1)'"), (), (DEFORMATION,)),
+    "a heavy bar in air goes by splitting": (
+        "decks/paths/bar.in", 0.02, ("in.path='coupled'", "auto.quantity='first(body_y_1) - last(body_y_1)'"),
+        (TOGETHER,), ()),
+    "a light block in water does not": ("decks/coupled-piston.in", 0.02, PISTON, (), (TOGETHER,)),
+    "water is thin": ("decks/coupled-piston.in", 0.03, (*PISTON, "coupled.viscosity=1.e-4"), ("viscosity of the fluid",), ()),
+    "thin gas": ("decks/sod.in", 0.03, (*GAS, "fluid.mu=1.e-9"), ("viscosity of the gas",), ("artificial viscosity",)),
+    "thick gas": ("decks/sod.in", 0.03, (*GAS, "fluid.mu=3.e-3"), (), ("viscosity of the gas",)),
+    "bars that meet": ("decks/paths/two-bar.in", 0.1, ("auto.quantity='last(body_vx_2)'",), (), ("contact between bodies",)),
+    "bars that have not met": ("decks/paths/two-bar.in", 0.03,
+                               ("in.tmax=.1", "in.nx=81", "in.ny=81", "auto.quantity='last(body_x_1)'"),
+                               ("contact between bodies",), ()),
+}
+
+
+class AutoModels(unittest.TestCase):
+    def test_what_is_left_out(self):
+        for name, (deck, tolerance, values, left_out, kept) in MODELS.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                done = run(deck, "--auto", tolerance, "--out", pathlib.Path(folder) / "out",
+                           *[word for value in (*values, "auto.budget=200.") for word in ("--set", value)], patience=200)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                for part in left_out:
+                    self.assertIn(f"left out: {part}", done.stdout)
+                for part in kept:
+                    self.assertIn(f"kept: {part}", done.stdout)
+
+    def test_a_plan_says_what_is_left_out_and_by_which_number(self):
+        with tempfile.TemporaryDirectory() as folder:
+            deck, tolerance, values, _, _ = MODELS["thin gas"]
+            done = run("plan", "--auto", tolerance, deck, "--out", pathlib.Path(folder) / "out",
+                       *[word for value in values for word in ("--set", value)], patience=200)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stdout, r"left out: viscosity of the gas, which changes the number by \S+ %, with fluid.mu=0")
+
+
+if __name__ == "__main__":
+    unittest.main()
