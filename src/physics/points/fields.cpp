@@ -6,6 +6,7 @@
 #include "physics/points/body_motion.hpp"
 #include "physics/points/derived.hpp"
 #include "physics/points/steps.hpp"
+#include "physics/points/strip_forces.hpp"
 #include "physics/points/tracked.hpp"
 
 namespace tether::mpm {
@@ -234,7 +235,7 @@ template <class Quantity>
 std::vector<double> sum_at_nodes(const State& state, const StepSet& set, const Order& order, const Quantity& q) {
   std::vector<double> of_slots(state.points.size()), sums(state.grid.frame.shape.nodes(), 0.0);
   for (std::size_t k = 0; k < order.slots.size(); ++k) of_slots[order.slots[k]] = q(k);
-  set.map_quantity(state, of_slots, sums);
+  set.map_quantity(state, of_slots, sums, Parity::even);
   return sums;
 }
 
@@ -256,6 +257,7 @@ Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set)
   for (std::size_t k = 0; k < frame.deck.nodes(); ++k) source.nodes.push_back(frame.of_deck(k));
   source.sums = NodeSumsRow(frame.shape.nodes());
   set.map_all(state, scene, source.sums);
+  if (scene.strip) put_forces_across(state, scene, set, points.order, source.sums);
   const auto sum = [&](const auto& quantity) { return sum_at_nodes(state, set, points.order, quantity); };
   source.density = sum([&](std::size_t k) { return points.mass(k) / points.extent(k).volume; });
   source.pressure = sum([&](std::size_t k) { return points.extent(k).pressure; });

@@ -39,7 +39,7 @@ class MpmSolver final : public Solver {
   void expect_reading(double time) override { reading_ = time; }
   bool readable() const override { return readable_; }
   RunCounts counts() const override;
-  std::size_t cells_active() const override { return set_.count_cells(state_); }
+  std::size_t cells_active() const override { return set_.count_cells(state_, scene_); }
   HistoryLayout history_layout() const override { return columns_.layout(); }
   Record record() const override { return columns_.record(sums_of(state_, scene_)); }
   Snapshot points() const override;

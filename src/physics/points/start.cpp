@@ -103,7 +103,7 @@ struct StartPoints {
 std::optional<CellDensity> cell_density(const Scene& scene, const Frame& frame) {
   for (const Body& body : scene.bodies) {
     const auto* gas = std::get_if<IdealGas>(&body.material);
-    if (gas && from_cells(*gas)) return CellDensity(frame, scene.walls, scene.geometry, gas->rule);
+    if (gas && from_cells(*gas)) return CellDensity(frame, scene.walls, scene.geometry, gas->rule, scene.strip.get());
   }
   return std::nullopt;
 }
