@@ -22,9 +22,13 @@ struct NodeSpan {
 /// else is touched in a step.
 class ActiveNodes {
  public:
-  ActiveNodes(int nx, int ny)
+  ActiveNodes(int nx, int ny) : ActiveNodes(nx, ny, 0, ny - 1) {}
+  /// Of rows first_row to last_row alone: marks on others do not count.
+  ActiveNodes(int nx, int ny, int first_row, int last_row)
       : nx_(static_cast<std::size_t>(nx)),
         eights_((nx_ + eight - 1) / eight),
+        first_row_(first_row),
+        last_row_(last_row),
         marks_(eights_ * static_cast<std::size_t>(ny), 0) {}
 
   void begin() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{0}); }
@@ -32,9 +36,8 @@ class ActiveNodes {
   void mark(int i0, int i1, int j0, int j1) {
     const std::size_t first = static_cast<std::size_t>(std::max(0, i0)) / eight,
                       last = std::min(static_cast<std::size_t>(i1) / eight, eights_ - 1);
-    const std::size_t rows = marks_.size() / eights_;
-    for (auto j = static_cast<std::size_t>(std::max(0, j0)); j <= static_cast<std::size_t>(j1) && j < rows; ++j) {
-      for (std::size_t k = first; k <= last; ++k) marks_[j * eights_ + k] = 1;
+    for (int j = std::max(first_row_, j0); j <= std::min(last_row_, j1); ++j) {
+      for (std::size_t k = first; k <= last; ++k) marks_[static_cast<std::size_t>(j) * eights_ + k] = 1;
     }
   }
   void end() {
@@ -86,6 +89,7 @@ class ActiveNodes {
 
   static constexpr std::size_t eight = 8, nodes_in_piece = 4096;
   std::size_t nx_, eights_;
+  int first_row_, last_row_;
   std::vector<std::uint8_t> marks_;  // of eight columns of a row
   std::vector<NodeSpan> spans_;
   std::vector<std::size_t> pieces_;  // the span after each one's last

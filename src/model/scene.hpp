@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "laws/walls.hpp"
 #include "model/method.hpp"
 #include "model/physics.hpp"
+#include "model/strip.hpp"
 
 namespace tether {
 
@@ -87,6 +89,7 @@ struct Scene {
   double gravity = 0;  // acceleration in y [length/time2]
   PointSet points;
   std::vector<Body> bodies;
+  std::shared_ptr<const Strip> strip;     ///< whose rows of points run as one, where the user asked for it
   std::vector<std::size_t> tracked;       ///< points whose paths are recorded
   std::vector<std::string> tracked_from;  ///< of each how far it is from the place that was asked for, or nothing
   std::vector<std::size_t> pinned;        ///< points that a pin holds where they are
@@ -137,5 +140,8 @@ const Body* find_body(const Scene& scene) {
 inline bool has_solid(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) { return is_solid(body.material); });
 }
+
+/// Returns whether bodies are there that do not share one field anyway, and between which contact may act.
+inline bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && has_solid(scene); }
 
 }  // namespace tether

@@ -15,6 +15,8 @@ constexpr double megabytes_of_program = 30;
 /// What contact, strips beyond open edges and a checkpoint that is written take once more [bytes].
 constexpr double more_bytes_per_node = 200;
 constexpr double more_bytes_per_point = 320;
+/// What a point takes for which another one runs: where it began, and where it is written [bytes].
+constexpr double bytes_of_strip_point = 100;
 /// The least that a cell of the coupled path takes: velocities on its faces, pressure, smoke, and a row of the system
 /// without its factors [bytes].
 constexpr double bytes_per_cell = 600;

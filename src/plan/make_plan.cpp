@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/diagnostics.hpp"
+#include "model/find_strip.hpp"
 #include "model/size.hpp"
 #include "model/solids.hpp"
 #include "plan/bending.hpp"
@@ -114,13 +115,14 @@ Bytes bytes_of(const Scene& scene) {
 }
 
 Cost cost_of(const Scene& scene, const StepRule& rule) {
-  const double points = static_cast<double>(scene.points.size()) + points_of_strips(scene);
+  const double points = static_cast<double>(points_that_run(scene)) + points_of_strips(scene);
   Cost cost;
   cost.steps = std::ceil(scene.clock.tmax / rule.first_step() * (1 - 1e-9));
   cost.point_steps = cost.steps * points;
   const Bytes bytes = bytes_of(scene);
   cost.megabytes =
       megabytes_of_program + 1e-6 * (static_cast<double>(scene.grid.nodes()) * bytes.node + points * bytes.point);
+  if (scene.strip) cost.megabytes += 1e-6 * static_cast<double>(scene.strip->points()) * bytes_of_strip_point;
   cost.seconds = cost.point_steps * seconds_per_point_step;
   return cost;
 }
@@ -186,6 +188,7 @@ struct PlanOfPhysics {
   void operator()(const MaterialPoints&) const {
     plan.step = step_rule(scene);
     plan.terms = terms_of(scene);
+    for (auto& term : strip_terms(scene)) plan.terms.push_back(std::move(term));
     plan.cost = cost_of(scene, plan.step);
   }
   void operator()(const Bars&) const {

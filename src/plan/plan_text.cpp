@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <variant>
 
 #include "model/bars.hpp"
+#include "model/find_strip.hpp"
 #include "model/solids.hpp"
 #include "plan/bending.hpp"
 #include "plan/coupled_plan.hpp"
@@ -166,12 +168,23 @@ std::string edges_reason(const Scene& scene) {
   return text;
 }
 
-/// Returns whether several bodies are there that do not share one field anyway.
-bool may_touch(const Scene& scene) { return scene.bodies.size() > 1 && has_solid(scene); }
-
 }  // namespace
 
 std::string material_name(const Material& material, Geometry geometry) { return std::visit(Namer{geometry}, material); }
+
+std::vector<Term> strip_terms(const Scene& scene) {
+  const char* name = "one row for all of a strip";
+  if (scene.strip)
+    return {{name, true,
+             fmt::format("{} of {} points run, each for up to {} abreast; all are written", scene.strip->first.size(),
+                         scene.strip->points(), scene.strip->most_abreast())}};
+  const std::variant<Strip, NoStrip> found = find_strip(scene);
+  const Strip* strip = std::get_if<Strip>(&found);
+  if (!strip || strip->most_abreast() == 1) return {};
+  return {{name, false,
+           fmt::format("reduce=.true. of $mpm would run {} of {} points, with the same results", strip->first.size(),
+                       strip->points())}};
+}
 
 std::vector<Term> terms_of(const Scene& scene) {
   const Body* gas_body = find_body<IdealGas>(scene);

@@ -18,6 +18,7 @@
 #include "read/points/geometry.hpp"
 #include "read/points/membranes.hpp"
 #include "read/points/region_checks.hpp"
+#include "read/points/strip.hpp"
 #include "read/reference/reference.hpp"
 #include "read/values.hpp"
 
@@ -218,7 +219,7 @@ Scene build_scene(const Deck& deck, const std::optional<ParticleFile>& particles
   } else {
     add_bodies(deck, particles, scene, diagnostics);
     check_edges(deck, scene, diagnostics);
-    if (path == Path::mpm) note_restless_gas(deck, scene, diagnostics);
+    if (path == Path::mpm) note_restless_gas(deck, scene, diagnostics), read_strip(deck, scene, diagnostics);
     if (path == Path::fem) check_fem(deck, particles, scene, diagnostics);
   }
   scene.ambient = ambient_of(deck, scene, diagnostics);

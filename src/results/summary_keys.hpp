@@ -73,6 +73,8 @@ inline constexpr auto summary_rows = [] {
           "points_by_lanes", points, number,
           "points at the end that run by lanes, those of eight neighbouring cells at once; the others run one by "
           "one"},
+      SummaryRow{"points_of_row", points, number, "points that run, of which each stands for those abreast of it",
+                 "`reduce` of `$mpm`"},
       SummaryRow{"compared_from", points, length, "x from which profiles are compared", "of tubes"},
       SummaryRow{"compared_to", points, length, "x to which", "of tubes"},
       SummaryRow{"widest_gap", points, number, "largest distance of neighbours on strings and membranes, in cells",

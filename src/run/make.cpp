@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "model/find_strip.hpp"
 #include "physics/bars/fields.hpp"
 #include "physics/bars/solver.hpp"
 #include "physics/box/columns.hpp"
@@ -27,7 +28,7 @@ constexpr std::size_t points_worth_threads = 10000, elements_worth_threads = 100
 
 struct WorthThreads {
   const Plan& plan;
-  bool operator()(const MaterialPoints&) const { return plan.scene.points.size() >= points_worth_threads; }
+  bool operator()(const MaterialPoints&) const { return points_that_run(plan.scene) >= points_worth_threads; }
   bool operator()(const Bars&) const { return false; }
   bool operator()(const ElasticBodies& bodies) const {
     return bodies.solids->mesh.element_count() >= elements_worth_threads;

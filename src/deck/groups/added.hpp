@@ -59,6 +59,9 @@ inline constexpr std::array added_rows{
     Variable{"mpm", "cfl", real, 0, 1, 1, "", 0, none, "", "",
              "Factor of the step limit dx/c, 1 by the thesis' method and 0.65 by the robust one; 0 takes the deck's "
              "step as it is."},
+    Variable{"mpm", "reduce", logical, 0, 1, 1, "", -none, none, "", ".false.",
+             "Whether a strip that is uniform across, one cell between walls that slip, runs as one row of points; "
+             "outputs list all of its points."},
     Variable{"mpm", "edge", text, 1, 4, 1, "", -none, none, choices<EdgeKind>, "'wall'",
              "What the left, right, bottom and top edge of the grid do with gas: 'wall' is what wl, wr, wb, wt say; "
              "through the others it passes, out, or in with the state given below, and the wall code gives way."},

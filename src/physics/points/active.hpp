@@ -8,6 +8,7 @@
 #include "grid/kernels.hpp"
 #include "loops/nodes.hpp"
 #include "loops/points.hpp"
+#include "physics/points/derived.hpp"
 #include "physics/points/state.hpp"
 
 namespace tether::mpm {
@@ -40,16 +41,20 @@ void list_active(State& state) {
   state.grid.list_ghosts();
 }
 
+/// Counts the cells that points of the scene are in: of a row, those abreast.
 template <class Kernel>
-std::size_t count_cells(const State& state) {
+std::size_t count_cells(const State& state, const Scene& scene) {
   const Points& P = state.points;
+  const Unfolding unfolding(scene.strip.get());
+  const Order order = unfolded(order_of_all(state), unfolding);
   const Locator locator(state.grid.frame.shape);
   std::vector<bool> holds(state.grid.frame.shape.nodes());
-  for_points(P, Slots{0, P.size()}, [&](std::size_t p) {
-    const auto at = Kernel::locate(locator, P.x[p], P.y[p]);
+  for (std::size_t k = 0; k < order.slots.size(); ++k) {
+    const Vec<2> place = unfolding.place(k, {P.x[order.slots[k]], P.y[order.slots[k]]});
+    const auto at = Kernel::locate(locator, place[0], place[1]);
     holds[static_cast<std::size_t>(at.j) * static_cast<std::size_t>(state.grid.frame.shape.nx) +
           static_cast<std::size_t>(at.i)] = true;
-  });
+  }
   return static_cast<std::size_t>(std::count(holds.begin(), holds.end(), true));
 }
 

@@ -95,14 +95,14 @@ bool asks_nodes_for_density(const Scene& scene) {
 }  // namespace
 
 Grid::Grid(const Scene& scene, InstructionSet set)
-    : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel, scene.edges),
+    : frame(scene.grid, scene.walls, scene.geometry, scene.method.kernel, scene.edges, scene.strip.get()),
       sums(frame.shape.nodes()),
       motion(frame.shape.nodes(), 6),
       convected(frame.shape.nodes(), 10),
       gas(asks_nodes_for_density(scene) ? frame.shape.nodes() : 0, 12),
       loss(scene.method.ledger ? frame.shape.nodes() : 0, 14),
       squares(scene.method.ledger ? frame.shape.nodes() : 0, 15),
-      active(frame.shape.nx, frame.shape.ny),
+      active(frame.shape.nx, frame.shape.ny, frame.first_row, frame.last_row),
       ghosts(frame.ghosts),
       passes(node_passes(set)) {}
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/points/density.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "grid/kernels.hpp"
@@ -9,9 +10,11 @@
 
 namespace tether::mpm {
 
-CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule)
+CellDensity::CellDensity(const Frame& frame, const Walls& walls, Geometry geometry, DensityRule rule,
+                         const Strip* strip)
     : locator_(frame.shape),
       rule_(rule),
+      across_(strip ? strip->across : -1),
       column_(folded_axis(AxisOf::cells, frame.shape.cells_x(), frame.left, frame.left + frame.deck.cells_x() - 1,
                           mirrors(walls.left), mirrors(walls.right), 1)),
       row_(folded_axis(AxisOf::cells, frame.shape.cells_y(), frame.bottom, frame.bottom + frame.deck.cells_y() - 1,
@@ -53,14 +56,34 @@ void CellDensity::add_quadratic(const Points& points, Slots range) {
   });
 }
 
-void CellDensity::update(Points& points, const std::vector<Slots>& gas, const std::vector<Slots>& takers) {
+/// Across a strip the one cell gets all: the ring beyond its walls is itself, and the weights add up to 1.
+template <int across>
+void CellDensity::add_along_the_strip(const Points& points, Slots range) {
+  const std::vector<std::size_t>& cells = across == 1 ? column_ : row_;
+  const std::size_t first = across == 1 ? row_[1] : column_[1];
+  for_points(points, range, [&](std::size_t p) {
+    const CellPlace at = locator_.locate(points.x[p], points.y[p]);
+    const auto w = quadratic_weights((across == 1 ? at.r : at.s) - 0.5);
+    const auto cell = static_cast<std::size_t>(across == 1 ? at.i : at.j);
+    for (std::size_t k = 0; k < 3; ++k) mass_[first + cells[cell + k]] += points.mass[p] * w[k];  // (4.6)
+  });
+}
+
+/// Few cells, as a strip has, are cleared at once.
+void CellDensity::clear(const Points& points, const std::vector<Slots>& gas) {
+  if (across_ >= 0) return std::fill(mass_.begin(), mass_.end(), 0.0);
   for (const Slots range : gas) clear_around(points, range);
-  for (const Slots range : gas) {
-    if (rule_ == DensityRule::quadratic)
-      add_quadratic(points, range);
-    else
-      add_cell(points, range);
-  }
+}
+
+void CellDensity::add(const Points& points, Slots range) {
+  if (rule_ != DensityRule::quadratic) return add_cell(points, range);
+  if (across_ < 0) return add_quadratic(points, range);
+  across_ == 1 ? add_along_the_strip<1>(points, range) : add_along_the_strip<0>(points, range);
+}
+
+void CellDensity::update(Points& points, const std::vector<Slots>& gas, const std::vector<Slots>& takers) {
+  clear(points, gas);
+  for (const Slots range : gas) add(points, range);
   for (const Slots range : takers) {
     for_points(points, range, [&](std::size_t p) {
       const CellPlace at = locator_.locate(points.x[p], points.y[p]);

@@ -125,6 +125,18 @@ Order order_within(const State& state) {
   return order_where(state, [&](std::size_t p) { return !state.strips.holds(P.x[p], P.y[p]); });
 }
 
+Order unfolded(const Order& order, const Unfolding& unfolding) {
+  if (!unfolding.on()) return order;
+  Order all;
+  for (const Range body : order.bodies) {
+    const std::size_t begin = all.slots.size();
+    for (std::size_t k = 0; k < unfolding.unfolded(body.begin, body.end); ++k)
+      all.slots.push_back(order.slots[unfolding.runs_as(begin + k)]);
+    all.bodies.push_back({begin, all.slots.size()});
+  }
+  return all;
+}
+
 void Energies::add(const Scene& scene, std::size_t b, const State& state, const Order& order) {
   const Body& body = scene.bodies[b];
   const Points& P = state.points;

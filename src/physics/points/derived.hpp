@@ -29,6 +29,8 @@ struct Order {
 /// Returns the order of all points, or of those that no strip beyond an open edge holds.
 Order order_of_all(const State& state);
 Order order_within(const State& state);
+/// Returns where the points of the scene stand that these run for.
+Order unfolded(const Order& order, const Unfolding& unfolding);
 
 /// Stored and internal energy [energy].
 struct Energies {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/points/fields.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "physics/points/body_motion.hpp"
 #include "physics/points/derived.hpp"
 #include "physics/points/steps.hpp"
+#include "physics/points/strip_forces.hpp"
+#include "physics/points/tracked.hpp"
 
 namespace tether::mpm {
 namespace {
@@ -17,29 +16,8 @@ using Row = Column<PointSetting, PointSums>;
 using Group = ColumnGroup<PointSetting, PointSums>;
 using D = Dimension;
 
-/// Of a point that has left the grid.
-constexpr double gone = std::numeric_limits<double>::quiet_NaN();
-
-/// Slots of the tracked points; past the last slot for one that has left the grid.
-std::vector<std::size_t> tracked_slots(const State& state, const Scene& scene, const Order& order) {
-  const auto& id = state.points.id;
-  std::vector<std::size_t> tracked;
-  for (const std::size_t number : scene.tracked) {
-    if (!state.strips.on()) {  // all are there
-      tracked.push_back(order.slots[number]);
-      continue;
-    }
-    const auto found = std::find_if(order.slots.begin(), order.slots.end(),
-                                    [&](std::size_t p) { return static_cast<std::size_t>(id[p]) == number; });
-    tracked.push_back(found == order.slots.end() ? id.size() : *found);
-  }
-  return tracked;
-}
-
 /// Returns whether impulses of contact may act: a solid is there, and another body.
-bool by_gap(const Scene& scene) {
-  return scene.method.contact == ContactRule::gap && scene.bodies.size() > 1 && has_solid(scene);
-}
+bool by_gap(const Scene& scene) { return scene.method.contact == ContactRule::gap && may_touch(scene); }
 
 Group outside_columns() {
   return {{Row("energy_ambient", D::energy, "work done against the pressure outside membranes, part of the total",
@@ -141,24 +119,31 @@ PointSums sums_of(const State& state, const Scene& scene) {
   s.potential = -scene.gravity * all.my;
   s.total = s.kinetic + s.strain + s.internal + s.potential + s.energies.ambient;
   s.mass = all.mass, s.momentum = {all.px, all.py}, s.angular[2] = all.angular;
-  for (const std::size_t p : tracked_slots(state, scene, order)) {
-    const bool there = p < P.size();
-    s.tracked.push_back(there ? TrackedSums{{P.x[p], P.y[p]}, {P.vx[p], P.vy[p]}}
-                              : TrackedSums{{gone, gone}, {gone, gone}});
-  }
+  s.tracked = tracked_sums(state, scene, order);
   return s;
 }
 
 namespace {
 
-/// What fields of points are made from: point k of the scene stands in slot order.slots[k].
+/// What fields of points are made from: point k of the scene stands in slot order.slots[k], or the point that runs for
+/// it does.
 struct PointSource {
   const Scene& scene;
   const Points& P;
   Order order;
   std::vector<double> pressures;  // as StepSet::gas_pressures
+  Unfolding unfolding;
 
-  Extent extent(std::size_t k) const { return extent_of(scene, order.body_of(k), P, order.slots[k], pressures); }
+  std::size_t number(std::size_t k) const {
+    return unfolding.on() ? k : static_cast<std::size_t>(P.id[order.slots[k]]);
+  }
+  Vec<2> place(std::size_t k) const { return unfolding.place(k, {P.x[order.slots[k]], P.y[order.slots[k]]}); }
+  double mass(std::size_t k) const { return P.mass[order.slots[k]] * unfolding.share(k); }
+  Extent extent(std::size_t k) const {
+    Extent extent = extent_of(scene, order.body_of(k), P, order.slots[k], pressures);
+    extent.volume *= unfolding.share(k);
+    return extent;
+  }
   Strain strain(std::size_t k) const { return strain_of(scene, order.body_of(k), P, order.slots[k]); }
 };
 
@@ -186,15 +171,15 @@ Value<PointSource> of(double Strain::*number) {
 
 const ColumnTable<ColumnSetting, PointSource>& point_table() {
   static const ColumnTable<ColumnSetting, PointSource> table({{{
-      {"x", D::length, "place, x", of(&Points::x)},
-      {"y", D::length, "place, y", of(&Points::y)},
+      {"x", D::length, "place, x", [](const PointSource& s, std::size_t k) { return s.place(k)[0]; }},
+      {"y", D::length, "place, y", [](const PointSource& s, std::size_t k) { return s.place(k)[1]; }},
       {"id", D::whole, "number of the point, from 1",
-       [](const PointSource& s, std::size_t k) { return s.P.id[s.order.slots[k]] + 1.0; }},
+       [](const PointSource& s, std::size_t k) { return static_cast<double>(s.number(k) + 1); }},
       {"body", D::whole, "number of its body, from 1",
        [](const PointSource& s, std::size_t k) { return static_cast<double>(s.order.body_of(k) + 1); }},
       {"vx", D::velocity, "velocity, x", of(&Points::vx)},
       {"vy", D::velocity, "velocity, y", of(&Points::vy)},
-      {"mass", D::mass, "mass", of(&Points::mass)},
+      {"mass", D::mass, "mass", [](const PointSource& s, std::size_t k) { return s.mass(k); }},
       {"volume", D::volume, "volume", of(&Extent::volume)},
       {"sxx", D::stress, "stress, xx", of(&Points::sxx)},
       {"syy", D::stress, "stress, yy", of(&Points::syy)},
@@ -203,7 +188,7 @@ const ColumnTable<ColumnSetting, PointSource>& point_table() {
        "stress across the plane, about an axis and of membranes the hoop's; of gas in the plane minus its pressure",
        of(&Extent::across)},
       {"density", D::density, "density",
-       [](const PointSource& s, std::size_t k) { return s.P.mass[s.order.slots[k]] / s.extent(k).volume; }},
+       [](const PointSource& s, std::size_t k) { return s.mass(k) / s.extent(k).volume; }},
       {"pressure", D::stress, "gas: pressure without its viscous parts; else minus the mean stress",
        of(&Extent::pressure)},
       {"specific_energy", D::specific_energy, "gas: internal energy per mass", of(&Points::energy)},
@@ -250,29 +235,31 @@ template <class Quantity>
 std::vector<double> sum_at_nodes(const State& state, const StepSet& set, const Order& order, const Quantity& q) {
   std::vector<double> of_slots(state.points.size()), sums(state.grid.frame.shape.nodes(), 0.0);
   for (std::size_t k = 0; k < order.slots.size(); ++k) of_slots[order.slots[k]] = q(k);
-  set.map_quantity(state, of_slots, sums);
+  set.map_quantity(state, of_slots, sums, Parity::even);
   return sums;
 }
 
 }  // namespace
 
 FieldsInTurn point_fields(const State& state, const Scene& scene) {
-  const auto source = std::make_shared<const PointSource>(
-      PointSource{scene, state.points, order_within(state), step_set(scene).gas_pressures(state, scene)});
+  const Unfolding unfolding(scene.strip.get());
+  const auto source =
+      std::make_shared<const PointSource>(PointSource{scene, state.points, unfolded(order_within(state), unfolding),
+                                                      step_set(scene).gas_pressures(state, scene), unfolding});
   return Columns<PointSource>(point_table(), ColumnSetting{})
       .in_turn(state.time, source->order.slots.size(), [source]() -> const PointSource& { return *source; });
 }
 
 Snapshot grid_fields(const State& state, const Scene& scene, const StepSet& set) {
   const Frame& frame = state.grid.frame;
-  const PointSource points{scene, state.points, order_of_all(state), set.gas_pressures(state, scene)};
+  const PointSource points{scene, state.points, order_of_all(state), set.gas_pressures(state, scene), Unfolding()};
   NodeSource source{.gravity = scene.gravity};
   for (std::size_t k = 0; k < frame.deck.nodes(); ++k) source.nodes.push_back(frame.of_deck(k));
   source.sums = NodeSumsRow(frame.shape.nodes());
   set.map_all(state, scene, source.sums);
+  if (scene.strip) put_forces_across(state, scene, set, points.order, source.sums);
   const auto sum = [&](const auto& quantity) { return sum_at_nodes(state, set, points.order, quantity); };
-  source.density =
-      sum([&](std::size_t k) { return state.points.mass[points.order.slots[k]] / points.extent(k).volume; });
+  source.density = sum([&](std::size_t k) { return points.mass(k) / points.extent(k).volume; });
   source.pressure = sum([&](std::size_t k) { return points.extent(k).pressure; });
   source.energy = sum([&](std::size_t k) { return state.points.at(&Points::energy, points.order.slots[k]); });
   return Columns<NodeSource>(node_table(), ColumnSetting{}).snapshot(state.time, source.nodes.size(), source);

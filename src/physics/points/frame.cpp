@@ -122,13 +122,15 @@ BackgroundGrid enlarged(const BackgroundGrid& deck, const Axis& x, const Axis& y
 
 }  // namespace
 
-Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges)
+Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges,
+             const Strip* strip)
     : deck(deck_) {
   const auto& [left_edge, right_edge, bottom_edge, top_edge] = edges.of;
   const Axis x(kernel, deck.nx, {walls.left, left_edge}, {walls.right, right_edge});
   const Axis y(kernel, deck.ny, {walls.bottom, bottom_edge}, {walls.top, top_edge});
   shape = enlarged(deck, x, y);
   left = x.before, bottom = y.before;
+  first_row = 0, last_row = shape.ny - 1;
   const auto margin = [&](Wall wall, const Edge& edge, double h) {
     if (edge.open()) return (strip_cells + 1) * h;
     return kernel == Kernel::bspline && wall == Wall::open ? room * h : 0;
@@ -155,6 +157,15 @@ Frame::Frame(const BackgroundGrid& deck_, const Walls& walls, Geometry geometry,
   const auto nx = static_cast<std::size_t>(shape.nx);
   per_volume.reserve(image.size());
   for (const std::size_t n : image) per_volume.push_back(1 / (width[n % nx] * height[n / nx]));
+  if (strip && strip->across == 1) leave_out_ghosts_across();
+}
+
+/// Half way between two walls a spline's third node has neither weight nor slope, but for the square of rounding and
+/// rounding: the rows beyond a strip along x stay as they are, zero. Along y they are columns, which stand among the
+/// eights of neighbours that are worked on together.
+void Frame::leave_out_ghosts_across() {
+  first_row = bottom, last_row = bottom + deck.ny - 1;
+  std::erase_if(ghosts, [&](const Ghost& ghost) { return ghost.node / shape.nx != ghost.image / shape.nx; });
 }
 
 Pair Frame::before_walls(std::size_t n, Pair place) const {

@@ -7,6 +7,7 @@
 #include "grid/boxes.hpp"
 #include "laws/walls.hpp"
 #include "model/method.hpp"
+#include "model/strip.hpp"
 
 namespace tether::mpm {
 
@@ -32,6 +33,7 @@ struct Frame {
   BackgroundGrid shape;      // with what is around it
   BackgroundGrid deck;       // the deck's grid
   int left = 0, bottom = 0;  // nodes before the deck's first one
+  int first_row, last_row;   // of nodes, of what points give something to
   double x0, x1, y0, y1;     // where points may be [length]
   std::vector<Ghost> ghosts;
   std::vector<std::uint8_t> held;     // Held bits of the walls
@@ -40,7 +42,8 @@ struct Frame {
   std::vector<Signs> sign;            // of each node: a ghost's, else 1
   std::vector<double> per_volume;     // 1 / int N_i dV of the image: a wall's node has half, a corner's a quarter
 
-  Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges = {});
+  Frame(const BackgroundGrid& deck, const Walls& walls, Geometry geometry, Kernel kernel, const Edges& edges = {},
+        const Strip* strip = nullptr);
 
   /// False for NaN.
   bool contains(double x, double y) const { return x >= x0 && x <= x1 && y >= y0 && y <= y1; }
@@ -52,6 +55,9 @@ struct Frame {
     return (n / nx + static_cast<std::size_t>(bottom)) * static_cast<std::size_t>(shape.nx) + n % nx +
            static_cast<std::size_t>(left);
   }
+
+ private:
+  void leave_out_ghosts_across();
 };
 
 }  // namespace tether::mpm

@@ -64,7 +64,9 @@ LaneTotals solve_at_nodes(StepWork& work, double dt, Sums after) {
 
 void solve_momentum(StepWork& work, double dt, Sums after) {
   const Grid& grid = work.state.grid;
-  for (const std::size_t n : grid.frame.at_walls) work.nodes.add_held(grid.sums[n], grid.frame.held[n]);
+  if (work.scene.method.transfer == Transfer::apic) {  // FLIP gives the nodes increments alone
+    for (const std::size_t n : grid.frame.at_walls) work.nodes.add_held(grid.sums[n], grid.frame.held[n]);
+  }
   const LaneTotals totals = solve_at_nodes(work, dt, after);
   work.nodes.power += totals.power, work.nodes.squares += totals.squares;
   work.nodes.gained += totals.gained, work.nodes.upward += totals.upward;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/diagnostics.hpp"
+#include "model/find_strip.hpp"
 #include "physics/points/layout.hpp"
 #include "physics/points/nodes.hpp"
 #include "physics/points/point_laws.hpp"
@@ -103,9 +104,10 @@ void stop_on_trouble(const State& state, const Plan& plan, const Trouble& troubl
   const std::size_t p = trouble.slot;
   const std::size_t b = body_of(state, p);
   const double x = state.points.x[p], y = state.points.y[p];
+  const std::size_t number = Unfolding(plan.scene.strip.get()).first_of(static_cast<std::size_t>(state.points.id[p]));
   throw RunError(fmt::format("t = {:.9g}, step {}: point {} (body {}, {}) at ({:.6g}, {:.6g}) in {} {}{}",
-                             state.time + dt, state.steps + 1, state.points.id[p] + 1, b + 1, plan.scene.bodies[b].name,
-                             x, y, cell_text(state.grid.frame.deck, x, y),
+                             state.time + dt, state.steps + 1, number + 1, b + 1, plan.scene.bodies[b].name, x, y,
+                             cell_text(state.grid.frame.deck, x, y),
                              what_happened(state, plan.scene.walls, trouble, dt), step_text(plan, state, dt)),
                  failure_of(state, trouble));
 }
@@ -140,26 +142,28 @@ MpmSolver::MpmSolver(const Plan& plan, int threads) : MpmSolver(plan, plan.scene
 
 MpmSolver::MpmSolver(const Plan& plan, PointSet points, int threads)
     : plan_(plan),
-      set_(step_set(plan.scene)),
-      state_(start(plan.scene, std::move(points), {.threads = threads})),
-      strings_(plan.scene, state_),
-      stretches_(plan.scene),
-      mixing_(plan.scene, state_.grid.frame),
-      leaks_(plan.scene, state_),
-      columns_(history_columns(plan.scene)) {
-  if (strings_.on()) strings_.look(state_, plan.scene, messages_);
+      row_(plan.scene.strip ? std::make_unique<const Scene>(scene_of_row(plan.scene)) : nullptr),
+      scene_(row_ ? *row_ : plan.scene),
+      set_(step_set(scene_)),
+      state_(start(scene_, row_ ? points_of_row(*scene_.strip, points) : std::move(points), {.threads = threads})),
+      strings_(scene_, state_),
+      stretches_(scene_),
+      mixing_(scene_, state_.grid.frame),
+      leaks_(scene_, state_),
+      columns_(history_columns(scene_)) {
+  if (strings_.on()) strings_.look(state_, scene_, messages_);
   messages_.clear();  // the deck's remarks have it
   if (plan.step.first_step() < plan.step.deck_step) note_warning(state_.warned, PointDoubt::limit);  // the plan has it
   const auto encloses = [](const std::optional<Elements>& of) { return of && of->encloses(); };
   const bool acts = std::any_of(state_.elements_of.begin(), state_.elements_of.end(), encloses) ||
                     std::any_of(state_.ambient_of.begin(), state_.ambient_of.end(), encloses);
-  if (plan.scene.ambient != 0 && !acts) {
+  if (scene_.ambient != 0 && !acts) {
     messages_.push_back("pambient acts on nothing: no membrane is closed or has both its ends at walls");
   }
 }
 
 void MpmSolver::advance(double until, long long most) {
-  const double tmax = plan_.scene.clock.tmax;
+  const double tmax = scene_.clock.tmax;
   while (state_.time < until && state_.time < tmax && most-- > 0) {
     const double dt = next_step(), after = state_.time + dt * (1 + 1e-9);  // rounding must not take the last records
     readable_ = most == 0 || after >= std::min(std::max(until, reading_), tmax);
@@ -171,37 +175,37 @@ double MpmSolver::next_step() {
   double dt = plan_.step.step(state_.wave_max);
   if (dt < plan_.step.deck_step && note_warning(state_.warned, PointDoubt::limit)) {
     messages_.push_back(fmt::format("t = {:.6g}: {} {:.4g}: steps are limited to {:.4g}", state_.time,
-                                    wave_text(plan_.scene), state_.wave_max, dt));
+                                    wave_text(scene_), state_.wave_max, dt));
   }
   const bool gets_on = dt > vanishing * plan_.step.deck_step && state_.time + dt > state_.time;
-  if (!gets_on) stop_on_vanishing_step(state_, wave_text(plan_.scene), dt);
-  return step_before_end(dt, state_.time, plan_.scene.clock.tmax);
+  if (!gets_on) stop_on_vanishing_step(state_, wave_text(scene_), dt);
+  return step_before_end(dt, state_.time, scene_.clock.tmax);
 }
 
 void MpmSolver::step(double dt, bool records) {
-  StepWork work{.state = state_, .scene = plan_.scene, .found = {}, .records = records};
-  if (state_.strips.on()) state_.strips.before_step(state_.points, state_.ranges, plan_.scene);
+  StepWork work{.state = state_, .scene = scene_, .found = {}, .records = records};
+  if (state_.strips.on()) state_.strips.before_step(state_.points, state_.ranges, scene_);
   set_.step(work, dt);
   if (state_.strips.on() && work.found.trouble.kind == TroubleKind::none) pass_edges(work, dt);
   if (work.found.trouble.kind != TroubleKind::none) stop_on_trouble(state_, plan_, work.found.trouble, dt);
   state_.crossings_since_sort += work.found.crossings;
-  state_.balance.add(work.nodes, work.found.squares, work.found.lifted, plan_.scene.method.transfer == Transfer::apic,
-                     plan_.scene.gravity, dt);
+  state_.balance.add(work.nodes, work.found.squares, work.found.lifted, scene_.method.transfer == Transfer::apic,
+                     scene_.gravity, dt);
   finish_step(work.found, dt);
 }
 
 /// Changes what gas that passes an edge changes: points, and with them the sums at the nodes.
 void MpmSolver::pass_edges(StepWork& work, double dt) {
   forget_sums(state_, set_);
-  const EdgeFindings edges = state_.strips.after_step(state_.body_points(), plan_.scene, dt, state_.time + dt);
+  const EdgeFindings edges = state_.strips.after_step(state_.body_points(), scene_, dt, state_.time + dt);
   work.found.join(edges.found);
-  if (edges.regrouped) state_.list_fluids(plan_.scene);
+  if (edges.regrouped) state_.list_fluids(scene_);
   for (auto& text : state_.strips.take_news()) messages_.push_back(std::move(text));
-  if (work.found.trouble.kind == TroubleKind::none) map_anew(state_, plan_.scene, set_);
+  if (work.found.trouble.kind == TroubleKind::none) map_anew(state_, scene_, set_);
 }
 
 void MpmSolver::finish_step(const StepFindings& found, double dt) {
-  state_.count_step(dt, plan_.scene.clock.tmax);
+  state_.count_step(dt, scene_.clock.tmax);
   state_.point_steps += static_cast<long long>(state_.point_count());
   state_.c_max = std::sqrt(found.c_squared_max);
   state_.wave_max = found.wave_max;
@@ -213,42 +217,48 @@ void MpmSolver::finish_step(const StepFindings& found, double dt) {
 }
 
 void MpmSolver::look() {
-  if (strings_.on()) strings_.look(state_, plan_.scene, messages_);
-  if (stretches_.on() && (state_.steps % steps_between_looks == 1 || state_.time >= plan_.scene.clock.tmax))
-    stretches_.look(state_, plan_.scene, messages_);
-  if (mixing_.on() && state_.steps % steps_between_looks == 1) mixing_.look(state_, plan_.scene, messages_);
-  const bool last = state_.time >= plan_.scene.clock.tmax;
-  if (leaks_.on() && (last || state_.steps % steps_between_counts == 0)) leaks_.look(state_, plan_.scene, messages_);
+  if (strings_.on()) strings_.look(state_, scene_, messages_);
+  if (stretches_.on() && (state_.steps % steps_between_looks == 1 || state_.time >= scene_.clock.tmax))
+    stretches_.look(state_, scene_, messages_);
+  if (mixing_.on() && state_.steps % steps_between_looks == 1) mixing_.look(state_, scene_, messages_);
+  const bool last = state_.time >= scene_.clock.tmax;
+  if (leaks_.on() && (last || state_.steps % steps_between_counts == 0)) leaks_.look(state_, scene_, messages_);
 }
 
 /// Once a quarter of the points have changed cell, neighbours in space are no longer neighbours in memory.
 void MpmSolver::sort_where_scattered() {
   const auto scattered = [](const std::optional<Blocks>& blocks) { return blocks && blocks->scattered(); };
   if (std::any_of(state_.blocks.begin(), state_.blocks.end(), scattered)) {
-    lay_out(state_, plan_.scene);
-    state_.list_fluids(plan_.scene);
+    lay_out(state_, scene_);
+    state_.list_fluids(scene_);
   }
   if (4 * state_.crossings_since_sort < static_cast<long long>(state_.point_count())) return;
   state_.crossings_since_sort = 0;
-  sort_bodies(sort_, state_, plan_.scene);
+  sort_bodies(sort_, state_, scene_);
 }
 
 RunCounts MpmSolver::counts() const {
-  return {state_.steps, state_.point_steps, state_.point_count(), state_.dt_min, state_.dt_last};
+  const std::size_t points = scene_.strip ? scene_.strip->points() : state_.point_count();
+  return {state_.steps, state_.point_steps, points, state_.dt_min, state_.dt_last};
 }
 
-Snapshot MpmSolver::points() const { return point_fields(state_, plan_.scene).snapshot(); }
+Snapshot MpmSolver::points() const { return point_fields(state_, scene_).snapshot(); }
 
 void MpmSolver::write_points(const std::function<void(const FieldsInTurn&)>& write) const {
-  write(point_fields(state_, plan_.scene).shared_by(*state_.team));
+  write(point_fields(state_, scene_).shared_by(*state_.team));
 }
 
-Snapshot MpmSolver::grid() const { return grid_fields(state_, plan_.scene, set_); }
+Snapshot MpmSolver::grid() const { return grid_fields(state_, scene_, set_); }
 
 Summary MpmSolver::more_summary() const {
   std::size_t by_lanes = 0;
-  for (const auto& blocks : state_.blocks) by_lanes += blocks ? blocks->points() : 0;
+  const Unfolding unfolding(scene_.strip.get());
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const std::size_t first = scene_.bodies[b].first, count = state_.blocks[b] ? state_.blocks[b]->points() : 0;
+    by_lanes += unfolding.unfolded(first, first + count);
+  }
   Summary summary{line_of("points_by_lanes", by_lanes)};
+  if (scene_.strip) summary.push_back(line_of("points_of_row", state_.point_count()));
   if (strings_.on()) summary.push_back(line_of("widest_gap", state_.widest_gap));
   if (stretches_.on()) summary.push_back(line_of("points_apart", state_.points_apart));
   if (mixing_.on()) summary.push_back(line_of("gases_apart", state_.gases_apart));

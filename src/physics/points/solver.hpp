@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ namespace tether::mpm {
 [[noreturn]] void stop_on_vanishing_step(const State& state, const char* waves, double dt);
 
 /// The material point method: the thesis' own (chapters 3 to 5: lumped mass, momentum formulation, linear
-/// quadrilaterals, FLIP) or the robust set, by the scene's method. The plan must outlive the solver.
+/// quadrilaterals, FLIP) or the robust set, by the scene's method. A strip runs as one row, and what is read are all of
+/// its points. The plan must outlive the solver.
 class MpmSolver final : public Solver {
  public:
   explicit MpmSolver(const Plan& plan, int threads = 1);
@@ -37,9 +39,9 @@ class MpmSolver final : public Solver {
   void expect_reading(double time) override { reading_ = time; }
   bool readable() const override { return readable_; }
   RunCounts counts() const override;
-  std::size_t cells_active() const override { return set_.count_cells(state_); }
+  std::size_t cells_active() const override { return set_.count_cells(state_, scene_); }
   HistoryLayout history_layout() const override { return columns_.layout(); }
-  Record record() const override { return columns_.record(sums_of(state_, plan_.scene)); }
+  Record record() const override { return columns_.record(sums_of(state_, scene_)); }
   Snapshot points() const override;
   void write_points(const std::function<void(const FieldsInTurn&)>& write) const override;
   Snapshot grid() const override;
@@ -47,7 +49,7 @@ class MpmSolver final : public Solver {
   std::vector<std::string> take_messages() override;
   SavedState save() const override { return mpm::save(state_); }
   void restore(const SavedState& saved) override {
-    mpm::restore(state_, plan_.scene, saved);
+    mpm::restore(state_, scene_, saved);
     set_.list_active(state_);
     messages_.clear();  // of the start: the run has them
     readable_ = true;
@@ -62,6 +64,8 @@ class MpmSolver final : public Solver {
   void look();
 
   const Plan& plan_;
+  std::unique_ptr<const Scene> row_;  // of the plan's scene, where that runs as one
+  const Scene& scene_;                // what runs: the plan's, or its row's
   StepSet set_;
   State state_;
   CellSort sort_;

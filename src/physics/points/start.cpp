@@ -43,8 +43,10 @@ static_assert(bytes_of_saved_arrays(Points::rows()) + bytes_of_strips <= more_by
 /// Of the points' mean mass: nodes with less have it from points on a line of the grid, 1e-12 of their masses.
 constexpr double light_part = 1e-9;
 
-double mean_mass(const Points& points) {
-  return std::accumulate(points.mass.begin(), points.mass.end(), 0.0) / static_cast<double>(points.size());
+/// Of a row that stands for several it is that of all of theirs.
+double mean_mass(const Points& points, const Scene& scene) {
+  const std::size_t count = Unfolding(scene.strip.get()).unfolded(0, points.size());
+  return std::accumulate(points.mass.begin(), points.mass.end(), 0.0) / static_cast<double>(count);
 }
 
 bool from_cells(const IdealGas& gas) { return gas.rule == DensityRule::cell || gas.rule == DensityRule::quadratic; }
@@ -101,7 +103,7 @@ struct StartPoints {
 std::optional<CellDensity> cell_density(const Scene& scene, const Frame& frame) {
   for (const Body& body : scene.bodies) {
     const auto* gas = std::get_if<IdealGas>(&body.material);
-    if (gas && from_cells(*gas)) return CellDensity(frame, scene.walls, scene.geometry, gas->rule);
+    if (gas && from_cells(*gas)) return CellDensity(frame, scene.walls, scene.geometry, gas->rule, scene.strip.get());
   }
   return std::nullopt;
 }
@@ -165,7 +167,7 @@ State start(const Scene& scene, PointSet points, const LaneChoice& lanes) {
                                   [&](std::size_t p) { return p >= body.first && p < body.first + body.count; });
     state.has_pins.push_back(pins ? 1 : 0);
   }
-  state.light_node = light_part * mean_mass(state.points);
+  state.light_node = light_part * mean_mass(state.points, scene);
   state.strips.fill(state.body_points(), scene);
   state.list_fluids(scene);
   state.keeps_ledger = keeps_ledger(scene);

@@ -16,6 +16,9 @@ struct StepWork {
   bool records = true;  // the points' velocities are wanted after the step
 };
 
+/// What of a quantity stands beyond walls: the quantity itself, or that of a vector's component, whose sign may turn.
+enum class Parity { even, of_x, of_y };
+
 /// What a method does with a state, compiled for its kernel, transfer and geometry, and chosen once for a run.
 struct StepSet {
   /// One step of length dt. It begins and ends with mass and momentum (and, but for usf, force) mapped to the nodes.
@@ -26,9 +29,9 @@ struct StepSet {
   /// Marks the nodes that points reach. Their places must lie inside the frame.
   void (*list_active)(State& state);
   /// Cells that hold points.
-  std::size_t (*count_cells)(const State& state);
+  std::size_t (*count_cells)(const State& state, const Scene& scene);
   /// sum_p m_p q_p N_i of a quantity q of all points, added to `values`.
-  void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values);
+  void (*map_quantity)(const State& state, const std::vector<double>& q, std::vector<double>& values, Parity parity);
   /// The pressure that the nodes' forces have of gas whose density comes from the nodes, by slot; empty without such.
   std::vector<double> (*gas_pressures)(const State& state, const Scene& scene);
   /// At the start: the fields about points that begin with different velocities, where points carry such.

@@ -251,7 +251,7 @@ void map_all_points(const State& state, const Scene& scene, NodeSumsRow& sums) {
 }
 
 template <class S>
-void map_quantity(const State& state, const std::vector<double>& q, std::vector<double>& values) {
+void map_quantity(const State& state, const std::vector<double>& q, std::vector<double>& values, Parity parity) {
   const Locator locator(state.grid.frame.shape);
   const Points& P = state.points;
   for_points(P, Slots{0, P.size()}, [&](std::size_t p) {
@@ -262,7 +262,8 @@ void map_quantity(const State& state, const std::vector<double>& q, std::vector<
     for (std::size_t k = 0; k < S::Kernel::size; ++k) values[nodes[k]] += P.mass[p] * q[p] * N[k];
   });
   for (const Ghost& ghost : state.grid.frame.ghosts) {
-    values[static_cast<std::size_t>(ghost.image)] += values[static_cast<std::size_t>(ghost.node)];
+    const double sign = parity == Parity::even ? 1 : ghost.sign[parity == Parity::of_x ? 0 : 1];
+    values[static_cast<std::size_t>(ghost.image)] += sign * values[static_cast<std::size_t>(ghost.node)];
   }
 }
 

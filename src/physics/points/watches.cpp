@@ -124,7 +124,9 @@ constexpr double doubtful_distance = 0.6;
 
 /// Distance of the neighbours of a point along its body's lattice, in cells of the grid along either axis.
 double apart(const Points& P, std::size_t p, const Scene& scene) {
-  const double s = std::sqrt(P.volume[p] / depth(scene.geometry, P.x[p] / P.fzz[p]));  // at the start, r = R fzz
+  const Unfolding unfolding(scene.strip.get());
+  const double volume = P.volume[p] * unfolding.share(unfolding.first_of(static_cast<std::size_t>(P.id[p])));
+  const double s = std::sqrt(volume / depth(scene.geometry, P.x[p] / P.fzz[p]));  // at the start, r = R fzz
   return s * std::max(std::max(std::abs(P.fxx[p]), std::abs(P.fxy[p])) / scene.grid.dx,
                       std::max(std::abs(P.fyx[p]), std::abs(P.fyy[p])) / scene.grid.dy);
 }

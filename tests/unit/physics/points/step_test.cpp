@@ -175,7 +175,7 @@ TEST(Map, OnlyCellsThatHoldPointsAreListed) {
   add_block(scene, plane_strain(1, 0.3), 3, 5, 3, 4, 2);
   add_block(scene, plane_strain(1, 0.3), 90, 91, 80, 81, 3);
   const State state = start(scene);
-  EXPECT_EQ(step_set(scene).count_cells(state), 3U);
+  EXPECT_EQ(step_set(scene).count_cells(state, scene), 3U);
   std::size_t active = 0, with_mass = 0;
   for_nodes(state.grid.active, [&](std::size_t n) { ++active, with_mass += state.grid.sums.m[n] > 0; });
   EXPECT_EQ(with_mass, 6U + 4U);
