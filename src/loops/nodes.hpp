@@ -23,7 +23,7 @@ struct NodeSpan {
 class ActiveNodes {
  public:
   ActiveNodes(int nx, int ny) : ActiveNodes(nx, ny, 0, ny - 1) {}
-  /// Of rows first_row to last_row alone: marks on others do not count.
+  /// Counts marks on rows first_row to last_row alone.
   ActiveNodes(int nx, int ny, int first_row, int last_row)
       : nx_(static_cast<std::size_t>(nx)),
         eights_((nx_ + eight - 1) / eight),

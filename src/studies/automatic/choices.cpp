@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/coupled.hpp"
+#include "model/find_strip.hpp"
 #include "model/solids.hpp"
 
 namespace tether::automatic {
@@ -24,6 +25,8 @@ bool has_artificial_viscosity(const Deck& deck) {
 }
 
 void add_points(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
+  if (!scene.strip && std::holds_alternative<Strip>(find_strip(scene)))
+    choices.push_back({"rows of points that are alike (one row in their place)", {"mpm.reduce=.true."}});
   if (scene.method.contact != ContactRule::none && has_solid(scene))
     choices.push_back({"contact between bodies", {"mpm.contact='none'"}});
   if (deck.real("fluid.mu") != 0) choices.push_back({"viscosity of the gas", {"fluid.mu=0"}});
