@@ -87,7 +87,7 @@ TEST(Variables, DefaultsAreWithinTheirRange) {
 
 TEST(Variables, GroupsInTheirOrder) {
   EXPECT_EQ(group_names(), (Texts{"in", "fluid", "regrig", "reg", "membrane", "points", "mpm", "reference", "limits",
-                                  "mesh", "fem", "contact", "rigid", "flow", "coupled", "study", "published"}));
+                                  "mesh", "fem", "contact", "rigid", "flow", "coupled", "study", "published", "auto"}));
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ TEST(EffectiveDeck, ShowsDefaultsThatAreUsed) {
   const auto text = effective_deck(read("a title\n" + with_in("$\n$reg nreg=2 densir(1)=1. nprg(2)=9 /\n")).deck);
   EXPECT_EQ(text.find("a title\n$in\nnx = 11\nny = 21\nigen = 1\ngravc = 0.0\nxleft = 0.0\n"), 0U);
   EXPECT_NE(text.find("units = 'none'\n"), std::string::npos);
-  EXPECT_NE(text.find("$mpm\nmethod = 'thesis'\ncriterion = 1\njaumann = .false.\n$\n"), std::string::npos);
+  EXPECT_NE(text.find("$mpm\nmethod = 'thesis'\ncriterion = 1\njaumann = .false.\nreduce = .false.\n$\n"),
+            std::string::npos);
   EXPECT_NE(text.find("nprg(1) = 4\nnprg(2) = 9\ndensir(1) = 1.0\nvrx(1) = 0.0\nvrx(2) = 0.0\n"), std::string::npos);
   for (const char* absent : {"rex", "dtmax", "iout", "$points", "density", "densir(2)", "nprg(3)"}) {
     EXPECT_EQ(text.find(absent), std::string::npos) << absent;

@@ -204,7 +204,7 @@ TEST(Errors, UnknownGroups) {
   EXPECT_EQ(errors[0].hint, "Did you mean '$fluid'?");
   EXPECT_EQ(errors[1].hint,
             "The groups are $in, $fluid, $regrig, $reg, $membrane, $points, $mpm, $reference, $limits, $mesh, $fem, "
-            "$contact, $rigid, $flow, $coupled, $study, $published.");
+            "$contact, $rigid, $flow, $coupled, $study, $published, $auto.");
 }
 
 TEST(Errors, ABlankBeforeTheGroupsName) {
