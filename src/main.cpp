@@ -71,14 +71,16 @@ void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& option
   add_deck_options(app, options);
   app.add_option("--out", run_options.out, "folder for the outputs (default out/<deck name>)")->check(refuse_no_folder);
   add_threads(app, run_options.threads, one_a_core);
+  auto* tolerance = add_auto(app, run_options);
   app.add_option("--restart", run_options.restart, "checkpoint to go on from, of the same deck")
       ->needs(deck_names)
+      ->excludes(tolerance)
       ->check(refuse_no_file);
   app.add_option("--log", run_options.log, "file for all that is said of the runs, also with --quiet")
+      ->excludes(tolerance)
       ->check(refuse_no_file);
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
   app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
-  add_auto(app, run_options);
 }
 
 CLI::App* add_check(CLI::App& app, std::string& deck, DeckOptions& options, bool& all) {

@@ -103,6 +103,7 @@ class Auto(unittest.TestCase):
             self.refused(auto(RING, tolerance, self.out), "above 0 and below 1")
         self.refused(auto(RING, 0.01, self.out, quantity="last(point_q_1)"), "point_q_1", "auto.quantity")
         self.refused(auto(RING, 0.01, self.out, "auto.quantity=''"), "no figure of merit")
+        self.refused(auto(RING, 0.01, self.out, before=("--restart", "checkpoint-1.nc")), "--restart", "--auto")
         self.refused(auto("decks/pendulum-40.in", 0.01, self.out), "points of a file")
         self.refused(auto("decks/plate-hole.in", 0.01, self.out), "mesh of a file")
         self.refused(auto("decks/coupled-piston.in", 0.01, self.out, "auto.budget=.01"), "is too small", "take about")
