@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`tether DECK --auto TOL`: what it finds, what it says, and what it refuses before the first run."""
 import csv
+import math
 import pathlib
 import re
 import tempfile
 import unittest
+
+import numpy
 
 from program import ROOT, run
 
@@ -85,6 +88,25 @@ class Auto(unittest.TestCase):
         done = auto(RING, 0.01, self.out, quantity="last(energy_kinetic)")
         self.assertEqual(done.returncode, 5, done.stdout + done.stderr)
         self.assertIn("is 0 in every run", done.stderr)
+
+    def test_is_not_fooled_by_coarse_levels_that_agree(self):
+        """A quantity u + a e + b e^2 of the ring's way and energy, made so that its three coarsest levels agree."""
+        levels = []
+        for cells in ("1,1", "1,2", "2,4"):
+            out = pathlib.Path(self.folder.name) / cells
+            self.assertEqual(run(RING, "--out", out, "--set", f"mesh.cells(1:2,1)={cells}").returncode, 0)
+            names, *_, last = (out / "history.txt").read_text(encoding="utf-8").splitlines()
+            values = dict(zip(names.split()[1:], map(float, last.split())))
+            levels.append((values["point_x_1"] - 1, values["energy_strain"]))
+        rows_of_system = [[e - levels[0][1], e * e - levels[0][1]**2] for _, e in levels[1:]]
+        a, b = numpy.linalg.solve(rows_of_system, [levels[0][0] - u for u, _ in levels[1:]])
+        energy = 0.5e-3 * EXACT * math.pi / 2  # half of pressure times way times the quarter's inner side
+        exact = EXACT + a * energy + b * energy**2
+        e = "last(energy_strain)"
+        done = auto(RING, 0.001, self.out, quantity=f"{GROWTH} + {a:.15g}*{e} + {b:.15g}*{e}*{e}".replace("+ -", "- "))
+        self.assertIn(done.returncode, (0, 5), done.stderr)
+        if done.returncode == 0:
+            self.assertLessEqual(abs(float(chosen(self.out)["value"]) / exact - 1), 0.001, done.stdout)
 
     def test_plan_of_what_was_chosen(self):
         done = run("plan", "--auto", 0.03, RING, "--out", self.out, "--set", f"auto.quantity='{GROWTH}'")

@@ -112,7 +112,8 @@ std::optional<Resolution> Search::decide(const Posterior& posterior, const CostL
   if (has_levels()) look(posterior);
   if (found_) {
     const bool pays = goal && !was_wanted(*goal) && law.seconds(*goal) < worth_a_run * trials_[found_->trial].seconds;
-    return pays ? goal : std::nullopt;
+    if (pays) return goal;
+    return agrees_by_chance_perhaps(posterior) ? std::optional(beside_the_levels()) : std::nullopt;
   }
   // What is expected far away is found wrong early: no step is longer than to twice as fine.
   if (goal) goal = Resolution{std::min(goal->space, 2 * finest().space), std::min(goal->time, 2 * finest().time)};
@@ -120,6 +121,21 @@ std::optional<Resolution> Search::decide(const Posterior& posterior, const CostL
   const bool is_new = goal && !was_wanted(*goal) && !is_known_to_fail(*goal);
   const bool is_cheap = informing && is_new && law.seconds(*informing) < worth_asking * law.seconds(*goal);
   return is_new && !is_cheap ? goal : informing;
+}
+
+/// Levels that all agree to the tolerance may do so by chance: no error was seen to fall. A run that is none of them is
+/// made before anything is promised.
+bool Search::agrees_by_chance_perhaps(const Posterior& posterior) const {
+  const bool agree = std::ranges::all_of(samples(), [&](const Sample& sample) {
+    return std::abs(sample.value - posterior.limit()) <= aim_.tolerance * std::abs(posterior.limit());
+  });
+  return agree && !was_wanted(beside_the_levels());
+}
+
+/// Cells and steps that are 1.5 times as fine as the deck's, which no halving comes to.
+Resolution Search::beside_the_levels() const {
+  constexpr double between = 1.5;
+  return {aim_.theory.space ? between : 1, aim_.theory.time ? between : 1};
 }
 
 /// The search ends with no runs that are all coarser than the deck's own: what its cells resolve is known to be there.

@@ -80,6 +80,8 @@ class Search {
   bool is_known_to_fail(const Resolution& at) const;
   bool was_wanted(const Resolution& at) const;
   bool has_own_size() const;
+  bool agrees_by_chance_perhaps(const Posterior& posterior) const;
+  Resolution beside_the_levels() const;
   std::optional<Resolution> decide(const Posterior& posterior, const CostLaw& law);
   std::vector<Resolution> end(const std::string& why);
 
