@@ -39,11 +39,11 @@ void add_deck_options(CLI::App& app, DeckOptions& options) {
 }
 
 CLI::Option* add_auto(CLI::App& app, RunOptions& options) {
-  return app
-      .add_option("--auto", options.tolerance,
-                  "find the cheapest cells and steps that meet a relative tolerance for what the deck is to be true to "
-                  "($auto quantity='...'), by runs from coarse to fine")
-      ->option_text("TOL");
+  const std::string meaning =
+      "find the cheapest cells and steps that meet a relative tolerance for what the deck is to be true to "
+      "($auto quantity='...'), by runs from coarse to fine";
+  auto* particles = app.get_option("--particles");  // points of a file cannot be made more
+  return app.add_option("--auto", options.tolerance, meaning)->excludes(particles)->option_text("TOL");
 }
 
 constexpr const char* one_a_core = "one for each core where that is faster";

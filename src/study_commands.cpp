@@ -42,7 +42,8 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   const auto folder = folder_of(name, options, false);
   if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
   ProgressLine progress(name, options.quiet);
-  const SweepResult result = sweep(study, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
+  const SweepResult result =
+      sweep(study, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
   progress.clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
@@ -75,7 +76,7 @@ Work map_work(const std::string& name, const RunOptions& options) {
     if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
     ProgressLine progress(name, options.quiet);
     const map::MapResult result =
-        make_map(map, {folder, options.jobs, options.threads, options.command, std::ref(progress)});
+        make_map(map, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
     progress.clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_interruption(result.signal, folder);
@@ -84,11 +85,11 @@ Work map_work(const std::string& name, const RunOptions& options) {
   };
 }
 
-/// All are read before the first is made. Each goes to a folder of its own, by default below out/KIND, so that none is
-/// that of a run of the same name.
-int make_each(const std::vector<std::string>& names, RunOptions options, const char* kind, const ReadStudy& read) {
+/// All are read before the first is made. Each goes to a folder of its own, by default below `parent`.
+int make_each(const std::vector<std::string>& names, RunOptions options, const std::filesystem::path& parent,
+              const ReadStudy& read) {
   const bool several = names.size() > 1 || options.out.empty();
-  if (options.out.empty() && *kind) options.out = std::filesystem::path("out") / kind;
+  if (options.out.empty()) options.out = parent;
   int worst = guarded("tether", [&] { refuse_shared_folders(names, options); });
   std::vector<Work> all(names.size());
   for (std::size_t k = 0; k < names.size(); ++k)
@@ -165,11 +166,11 @@ int sweep_command(const std::string& name, const RunOptions& options) {
 }
 
 int chart_command(const std::vector<std::string>& studies, const RunOptions& options) {
-  return make_each(studies, options, "charts", chart_work);
+  return make_each(studies, options, "out/charts", chart_work);
 }
 
 int map_command(const std::vector<std::string>& studies, const RunOptions& options) {
-  return make_each(studies, options, "maps", map_work);
+  return make_each(studies, options, "out/maps", map_work);
 }
 
 int auto_command(const std::vector<std::string>& names, const DeckOptions& deck_options, const RunOptions& options) {
@@ -177,7 +178,7 @@ int auto_command(const std::vector<std::string>& names, const DeckOptions& deck_
     return [name, &run_options, wanted = automatic::read_automatic(name, deck_options, *run_options.tolerance)](
                const auto& folder) { return run_automatic(name, wanted, run_options, folder); };
   };
-  return make_each(names, options, "", read);
+  return make_each(names, options, "out", read);
 }
 
 int auto_plan_command(const std::string& name, const DeckOptions& deck_options, const RunOptions& options) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "plan/load.hpp"
 #include "read/reference/reference.hpp"
 #include "results/summary_keys.hpp"
 #include "run/make.hpp"
@@ -45,14 +44,21 @@ int column_of(const std::string& text, const std::string& name) {
 
 }  // namespace
 
+Written written_by(const Loaded& loaded) {
+  Written written{summary_keys(kinds_of(loaded.plan.scene.path())),
+                  make_solver(loaded.plan)->history_layout().column_names()};
+  add(written.keys, figure_keys(reference_kind(loaded.deck.text("reference.solution"))));
+  return written;
+}
+
 Ending try_scene(const std::string& name, const Deck& deck, Written* written) {
   return end_of(name, [&] {
     Diagnostics of_the_run;
     const Loaded loaded = load_scene(deck, {}, of_the_run);
     if (written == nullptr) return;
-    add(written->columns, make_solver(loaded.plan)->history_layout().column_names());
-    add(written->keys, summary_keys(kinds_of(loaded.plan.scene.path())));
-    add(written->keys, figure_keys(reference_kind(deck.text("reference.solution"))));
+    const Written by_the_run = written_by(loaded);
+    add(written->columns, by_the_run.columns);
+    add(written->keys, by_the_run.keys);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/process.hpp"
 #include "deck/deck.hpp"
+#include "plan/load.hpp"
 #include "studies/reproduce/read_formula.hpp"
 #include "studies/study_checks.hpp"
 
@@ -15,6 +16,9 @@ namespace tether {
 struct Written {
   std::vector<std::string> keys, columns;
 };
+
+/// Returns what the run of a scene may write.
+Written written_by(const Loaded& loaded);
 
 /// Builds a run's scene without a step, and adds what the run may write where `written` is given. How that ended.
 Ending try_scene(const std::string& name, const Deck& deck, Written* written);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/run_pool.hpp"
 
+#include <sys/resource.h>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 
 #include "base/diagnostics.hpp"
@@ -28,7 +31,7 @@ std::optional<RunRecord> record_of(const StudyRun& run) {
 /// Runs in the process of a run. A kill or a full disk leaves no record of a run: the last line of the report names it.
 Ending sweep_alone(const StudyRun& run, const std::string& command, int threads) {
   return end_of(run.study.file, [&] {
-    const SweepResult result = sweep(run.study, {run.out, 1, threads, command, {}});
+    const SweepResult result = sweep(run.study, {run.out, {1, threads}, command, {}});
     if (result.signal != 0) throw Interrupted(result.signal, "interrupted");
     if (!result.verdicts.empty()) throw RunError(result.verdicts.front());
     if (run.study.mode == Mode::bisect || record_of(run)) return;
@@ -38,10 +41,23 @@ Ending sweep_alone(const StudyRun& run, const std::string& command, int threads)
   });
 }
 
+/// Limits what this process, and each one that it starts, may take of the processor: the kernel ends one that takes
+/// more. Whole seconds, rounded up.
+void limit_cpu(double seconds) {
+  if (!std::isfinite(seconds)) return;
+  const auto whole = static_cast<rlim_t>(std::max(1., std::ceil(seconds)));
+  const rlimit limit{whole, whole + 1};
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
 /// How a run ended, by the record that it left; else by how its process did.
-Ending ending_of(const StudyRun& run, const Ending& of_process) {
-  if (of_process.exit_code != exit_done || run.study.mode == Mode::bisect) return of_process;
-  return record_of(run).value_or(RunRecord{}).ending;
+RunEnd end_of_run(const StudyRun& run, const Finished& process) {
+  RunEnd end{process.ending, files_of(run), process.cpu_seconds};
+  const bool has_record = process.ending.exit_code == exit_done && run.study.mode != Mode::bisect;
+  if (const auto record = has_record ? record_of(run) : std::nullopt)
+    end.ending = record->ending, end.cpu_seconds = record->cpu_seconds;
+  end.ending = {end.ending.exit_code, one_line(end.ending.message)};
+  return end;
 }
 
 /// Runs under way and those that wait.
@@ -71,13 +87,14 @@ class Pool {
  private:
   void start() {
     const StudyRun& run = runs_[next_];
-    workers_.start(next_++, [&] { return sweep_alone(run, command_, threads_); });
+    workers_.start(next_++, [&] {
+      limit_cpu(run.most_cpu_seconds);
+      return sweep_alone(run, command_, threads_);
+    });
   }
   void take(const Finished& ended) {
-    const StudyRun& run = runs_[ended.id];
-    const Ending ending = ending_of(run, ended.ending);
-    ends_[ended.id] = {{ending.exit_code, one_line(ending.message)}, files_of(run)};
-    ++done_, failed_ += ending.exit_code == exit_done ? 0 : 1;
+    ends_[ended.id] = end_of_run(runs_.at(ended.id), ended);
+    ++done_, failed_ += ends_[ended.id].ending.exit_code == exit_done ? 0U : 1U;
     seconds_run_ += ended.wall_seconds;
   }
   /// Interrupted: nothing is started any more, and the runs stop at their next look at signals.

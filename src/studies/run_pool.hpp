@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,15 @@ namespace tether {
 /// that for sweeps.
 struct StudyRun {
   Study study;
-  std::filesystem::path out;  ///< the study's folder
+  std::filesystem::path out;                                          ///< the study's folder
+  double most_cpu_seconds = std::numeric_limits<double>::infinity();  ///< a run that takes more is stopped
 };
 
-/// How one ended, and the folder that its files are in.
+/// How one ended, the folder that its files are in, and what it took of the processor, then or when it was run before.
 struct RunEnd {
   Ending ending;
   std::filesystem::path folder;
+  double cpu_seconds = 0;
 };
 
 /// Does them, several side by side, each in a process of its own; those that had been finished are not run again.

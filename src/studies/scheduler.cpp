@@ -27,6 +27,11 @@ namespace {
 /// What a pipe takes without anyone reading, on any system: messages are cut to it.
 constexpr std::size_t longest_message = 4096;
 
+std::string killed_text(int signal) {
+  if (signal == SIGXCPU) return "stopped: it has taken as much of the processor as it may\n";
+  return fmt::format("killed by signal {}\n", signal);
+}
+
 [[noreturn]] void work_and_exit(pid_t parent, int pipe_end, const std::function<Ending()>& work) {
   if (!end_with_parent(parent)) _exit(exit_signal + SIGKILL);
   const Ending ending = work();
@@ -80,7 +85,7 @@ std::optional<Finished> Workers::take() {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - process.start;
     Finished finished{id, {}, processor_seconds(usage), wall.count()};
     if (WIFSIGNALED(status))
-      finished.ending = {exit_signal + WTERMSIG(status), fmt::format("killed by signal {}\n", WTERMSIG(status))};
+      finished.ending = {exit_signal + WTERMSIG(status), killed_text(WTERMSIG(status))};
     else
       finished.ending = read_ending(process.message, WEXITSTATUS(status));
     close(process.message);

@@ -65,6 +65,14 @@ struct Shares {
   int threads = 1;  ///< of each run
 };
 
+/// How a study is to be run.
+struct StudyOptions {
+  std::filesystem::path out;  ///< folder for the tables and, below it, the runs
+  Shares shares;
+  std::string command;  ///< as it was typed, for the files' provenance
+  std::function<void(const SweepProgress&)> progress;
+};
+
 /// Runs what a study wants, several runs side by side, each in a folder and a process of its own. A run that had been
 /// finished before is not run again.
 class Scheduler {

@@ -100,11 +100,11 @@ std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
 }
 
-SweepResult sweep(const Study& study, const SweepOptions& options) {
+SweepResult sweep(const Study& study, const StudyOptions& options) {
   const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
   remove_earlier_results(options.out);
   Sequences sequences(study);
-  Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
+  Scheduler scheduler(study, options.out, options.shares, options.progress);
   const auto [runs, signal] = scheduler.run_all(sequences);
   const StudyTable table = run_table(study, runs);
   write_table(options.out / "table", table, study, options.command);

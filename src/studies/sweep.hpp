@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,15 +10,6 @@
 #include "studies/table.hpp"
 
 namespace tether {
-
-/// How a study is to be run.
-struct SweepOptions {
-  std::filesystem::path out;  ///< folder for the tables and, below it, the runs
-  int jobs = 1;               ///< runs side by side
-  int threads = 1;            ///< of each run
-  std::string command;        ///< as it was typed, for the files' provenance
-  std::function<void(const SweepProgress&)> progress;
-};
 
 /// What a sweep has to say at its end.
 struct SweepResult {
@@ -32,7 +22,7 @@ struct SweepResult {
 /// Runs a study; writes table.nc and table.csv, a row a run, and for ensembles and bisections outcome.nc and
 /// outcome.csv, a row a combination, of what is finished, also after a signal. A run that fails is a row like any
 /// other. Throws FileError, also where another process works in the same folder.
-SweepResult sweep(const Study& study, const SweepOptions& options);
+SweepResult sweep(const Study& study, const StudyOptions& options);
 
 /// Removes from a study's folder what an earlier study, or the same one in another mode, has found, but not its runs.
 /// What is stopped leaves nothing that is not its own. Throws FileError.

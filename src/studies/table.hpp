@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,11 @@ struct TableColumn {
   std::string unit;  ///< of the CF conventions, empty where the decks decide it
   std::variant<std::vector<double>, std::vector<std::string>> cells;
 };
+
+template <class Cell>
+TableColumn table_column(const char* name, const char* meaning, std::vector<Cell> cells, const char* unit = "") {
+  return {name, meaning, unit, std::move(cells)};
+}
 
 /// Columns of equal length; `row` is what a row is called, "run" or "combination".
 struct StudyTable {

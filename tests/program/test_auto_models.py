@@ -9,20 +9,28 @@ from program import run
 BLOCK = ("in.tmax=8.", "auto.quantity='last(point_y_1)'")
 PISTON = ("in.tmax=1.", "auto.quantity='max(body_x_1) - min(body_x_1)'")
 GAS = ("mpm.method='robust'", "reference.solution=''", "auto.quantity='last(energy_kinetic)'")
-DEFORMATION, TOGETHER = "deformation (one rigid body in its place)", "solving fluid and bodies together"
+GROWTH = ("in.tmax=.4", "mpm.method='robust'", "reference.solution=''", "auto.quantity='last(energy_internal)'")
+RISE = ("fem.law(1)='svk'", "auto.quantity='last(point_y_1) - first(point_y_1)'")
+DEFORMATION, TOGETHER, FLUID = "deformation (one rigid body in its place)", "solving fluid and bodies together", "the fluid"
 
 # deck, tolerance, values, what is left out, what is kept
 MODELS = {
     "a stiff block that flies is rigid": ("decks/l-block.in", 0.02,
                                           (*BLOCK, *(f"reg.matr(1,{r})=5.e9,.3" for r in (1, 2, 3))), (DEFORMATION,), ()),
     "a soft one is not": ("decks/l-block.in", 0.1, ("in.tmax=4.", "auto.quantity='last(point_y_1)'"), (), (DEFORMATION,)),
-    "a heavy bar in air goes by splitting": (
+    "a heavy bar in air is split from it": (
         "decks/paths/bar.in", 0.02, ("in.path='coupled'", "auto.quantity='first(body_y_1) - last(body_y_1)'"),
-        (TOGETHER,), ()),
-    "a light block in water does not": ("decks/coupled-piston.in", 0.02, PISTON, (), (TOGETHER,)),
-    "water is thin": ("decks/coupled-piston.in", 0.03, (*PISTON, "coupled.viscosity=1.e-4"), ("viscosity of the fluid",), ()),
+        (TOGETHER, FLUID), ()),
+    "a light block in water is not": ("decks/coupled-piston.in", 0.02, PISTON, (), (TOGETHER, FLUID)),
+    "water is thin": ("decks/coupled-piston.in", 0.06, (*PISTON, "coupled.viscosity=1.e-4"), ("viscosity of the fluid",), ()),
     "thin gas": ("decks/sod.in", 0.03, (*GAS, "fluid.mu=1.e-9"), ("viscosity of the gas", "rows of points that are alike"), ("artificial viscosity",)),
     "thick gas": ("decks/sod.in", 0.03, (*GAS, "fluid.mu=3.e-3"), (), ("viscosity of the gas",)),
+    "a beam that bends little": ("decks/bending.in", 0.03, RISE, ("large strains",), ()),
+    "a beam that bends far": ("decks/bending.in", 0.03, (*RISE, "fem.load(2,1)=1000."), (), ("large strains",)),
+    "a membrane in thin air": ("decks/membrane-expansion-1.in", 0.1, (*GROWTH, "fluid.pambient=.01"),
+                               ("pressure outside", "viscosity of the gas"), ()),
+    "a membrane in thick air": ("decks/membrane-expansion-1.in", 0.1, (*GROWTH, "fluid.pambient=50."),
+                                ("viscosity of the gas",), ("pressure outside",)),
     "bars that meet": ("decks/paths/two-bar.in", 0.1, ("auto.quantity='last(body_vx_2)'",), (), ("contact between bodies",)),
     "bars that have not met": ("decks/paths/two-bar.in", 0.03,
                                ("in.tmax=.1", "in.nx=81", "in.ny=81", "auto.quantity='last(body_x_1)'"),
@@ -35,8 +43,8 @@ class AutoModels(unittest.TestCase):
         for name, (deck, tolerance, values, left_out, kept) in MODELS.items():
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
                 done = run(deck, "--auto", tolerance, "--out", pathlib.Path(folder) / "out",
-                           *[word for value in (*values, "auto.budget=200.") for word in ("--set", value)], patience=200)
-                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                           *[word for value in (*values, "auto.budget=20.") for word in ("--set", value)], patience=200)
+                self.assertIn(done.returncode, (0, 5), done.stdout + done.stderr)
                 for part in left_out:
                     self.assertIn(f"left out: {part}", done.stdout)
                 for part in kept:

@@ -19,6 +19,8 @@ inline constexpr std::array auto_rows{
              "last value of the first probe, the way of the first body, or the largest kinetic energy."},
     Variable{auto_group, "budget", real, 0, 1, 1, "", above_zero, none, "", "3600",
              "Seconds of the processor that the runs of --auto may take together."},
+    Variable{auto_group, "simplify", logical, 0, 1, 1, "", -none, none, "", ".true.",
+             "Whether --auto leaves out parts of the model that the number does not need."},
 };
 
 }  // namespace tether::automatic_table

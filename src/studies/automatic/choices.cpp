@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/numbers.hpp"
 #include "model/coupled.hpp"
 #include "model/find_strip.hpp"
 #include "model/solids.hpp"
@@ -16,12 +17,9 @@ namespace {
 /// A run without a part may cost so much more and still count as no dearer: small runs are not timed better.
 constexpr double timing_noise = 0.1;
 
-/// By the robust method its coefficients are its own, else they are the deck's.
-bool has_artificial_viscosity(const Deck& deck) {
-  const bool robust = deck.text("mpm.method") == "robust";
-  const bool local = deck.given("mpm.viscosity") ? deck.text("mpm.viscosity") == "local" : robust;
-  const bool linear_or_quadratic = deck.real("fluid.coef1") != 0 || deck.real("fluid.coef2") != 0;
-  return local || (deck.real("fluid.lambda") != 0 && linear_or_quadratic);
+bool has_artificial_viscosity(const IdealGas& law) {
+  const bool linear_or_quadratic = law.coef1 != 0 || law.coef2 != 0;
+  return law.lambda != 0 && linear_or_quadratic;
 }
 
 void add_points(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
@@ -30,8 +28,8 @@ void add_points(const Deck& deck, const Scene& scene, std::vector<Choice>& choic
   if (scene.method.contact != ContactRule::none && has_solid(scene))
     choices.push_back({"contact between bodies", {"mpm.contact='none'"}});
   if (deck.real("fluid.mu") != 0) choices.push_back({"viscosity of the gas", {"fluid.mu=0"}});
-  const bool has_gas = find_body<IdealGas>(scene) != nullptr;
-  if (has_gas && has_artificial_viscosity(deck))
+  const Body* gas = find_body<IdealGas>(scene);
+  if (gas != nullptr && has_artificial_viscosity(std::get<IdealGas>(gas->material)))
     choices.push_back({"artificial viscosity", {"mpm.viscosity='deck'", "fluid.lambda=0"}});
   if (scene.ambient != 0) choices.push_back({"pressure outside", {"fluid.pambient=0"}});
 }
@@ -49,6 +47,7 @@ void add_linear(const Deck& deck, std::vector<Choice>& choices) {
 void add_box(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
   if (deck.real("coupled.viscosity") != 0) choices.push_back({"viscosity of the fluid", {"coupled.viscosity=0"}});
   if (!scene.solids()) return;
+  choices.push_back({"the fluid (the bodies alone, by finite elements, in its place)", {"in.path='fem'"}});
   if (deck.text("coupled.mode") == "cut-cell" && deck.text("coupled.flow") == "grid")
     choices.push_back(
         {"solving fluid and bodies together (mode='splitting' in its place)", {"coupled.mode='splitting'"}});
@@ -70,17 +69,18 @@ std::vector<Choice> choices_of(const Deck& deck, const Scene& scene) {
   return choices;
 }
 
-void decide(Decision& decision, double with, double without, double seconds_with, double seconds_without,
-            double tolerance) {
-  decision.change = (without - with) / std::abs(with);
-  decision.saved = 1 - seconds_without / seconds_with;
-  if (!std::isfinite(decision.change))
-    decision.why = "its run fails";
+Decision decided(const Choice& choice, const Trial& with, const Trial& without, double tolerance) {
+  Decision decision{.choice = choice, .left_out = false, .change = no_number, .saved = 0, .why = ""};
+  if (with.value && without.value) decision.change = (*without.value - *with.value) / std::abs(*with.value);
+  decision.saved = 1 - without.seconds / with.seconds;
+  if (!without.value)
+    decision.why = "its run fails, or does not show the number";
   else if (!(std::abs(decision.change) < share_of_model * tolerance))
     decision.why = "it counts";
   else if (decision.saved < -timing_noise)
     decision.why = "the run costs more without it";
   decision.left_out = decision.why.empty();
+  return decision;
 }
 
 std::string decisions_text(const std::vector<Decision>& decisions) {

@@ -6,6 +6,7 @@
 
 #include "deck/deck.hpp"
 #include "model/scene.hpp"
+#include "studies/automatic/outlook.hpp"
 
 namespace tether::automatic {
 
@@ -17,7 +18,7 @@ struct Choice {
 
 /// Returns what a deck models that a run may do without, where its path has another way: of points contact, viscosity
 /// and the pressure outside; of elastic bodies their deformation, or large strains; of a fluid in a box viscosity,
-/// contact with walls, the simultaneous solution and steps that keep the energy.
+/// contact with walls, the simultaneous solution and steps that keep the energy, or the fluid as a whole.
 std::vector<Choice> choices_of(const Deck& deck, const Scene& scene);
 
 /// What became of one.
@@ -29,10 +30,9 @@ struct Decision {
   std::string why;    ///< why it stays; empty where it is left out
 };
 
-/// Returns whether a part that changes the number by so much is left out: it changes it by less than a third of the
-/// tolerance, and the run costs no more without it. Fills in the decision.
-void decide(Decision& decision, double with, double without, double seconds_with, double seconds_without,
-            double tolerance);
+/// Decides by a pair of runs, with it and without: what changes the number by less than a third of the tolerance is
+/// left out where the run costs no more without it.
+Decision decided(const Choice& choice, const Trial& with, const Trial& without, double tolerance);
 
 /// The part of a tolerance that may be given to what is left out.
 constexpr double share_of_model = 1. / 3;

@@ -13,7 +13,8 @@ struct Expense {
   double seconds = 0;  ///< of the processor
 };
 
-/// What runs cost as powers of their resolution, C space^s time^t, by least squares of their logarithms.
+/// What runs cost as powers of their resolution, C space^s time^t, by least squares of their logarithms. Costly runs
+/// count more: small ones cost what they cost to start.
 class CostLaw {
  public:
   /// Takes the powers that are `expected` where resolutions do not differ. Throws std::invalid_argument for no run.

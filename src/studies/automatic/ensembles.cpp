@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/automatic/ensembles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tether::automatic {
@@ -12,6 +13,8 @@ constexpr double varied_fraction = 0.005;
 constexpr double scatter_that_counts = 0.1;
 /// What is left of it on finer cells where it is chaos: more than this part.
 constexpr double scatter_that_stays = 0.5;
+/// Levels at which it stays, so that it is taken for chaos.
+constexpr int looks_at_chaos = 3;
 
 /// Returns how far values lie apart whose steps differ by little: what a straight line through them leaves, since a
 /// step that is a little longer has a value that is a little other.
@@ -22,25 +25,28 @@ double scatter_of(double shorter, double own, double longer) {
 
 }  // namespace
 
-void Ensembles::look(Search& search, double tolerance) {
-  if (settled_) return;
-  const auto at = search.to_vary();
-  if (!at || (first_ > 0 && search.trials().size() < next_look_)) return;
-  const double scatter = scatter_at(*at, *search.trials().back().value);
-  if (first_ == 0) {
-    first_ = scatter, next_look_ = search.trials().size() + 2;
-    settled_ = scatter < scatter_that_counts * tolerance;
-    return;
-  }
-  settled_ = true;
-  if (scatter > scatter_that_stays * first_) search.take_scatter(scatter);
+void Ensembles::look(Search& search, const Aim& aim) {
+  if (is_settled_ || !aim.theory.time) return;
+  const double times = looked_at_ ? 2 : 1;
+  const Resolution least = looked_at_.value_or(Resolution{0, 0});
+  const auto level = std::ranges::find_if(search.trials(), [&](const Trial& trial) {
+    const bool is_finer_in_space = !aim.theory.space || trial.wanted.space >= times * least.space;
+    return trial.value && is_finer_in_space && trial.wanted.time >= times * least.time;
+  });
+  if (level == search.trials().end()) return;
+  const double scatter = scatter_at(*level);
+  is_settled_ = scatter < scatter_that_counts * aim.tolerance || scatter < scatter_that_stays * before_;
+  looked_at_ = level->wanted, before_ = scatter;
+  if (is_settled_ || ++looks_ < looks_at_chaos) return;
+  is_settled_ = true;
+  search.take_scatter(scatter);
 }
 
-double Ensembles::scatter_at(const Resolution& at, double own) {
-  const auto pair = runs_.make({{{at.space, at.time / (1 + varied_fraction)}, left_out_, "scatter"},
-                                {{at.space, at.time * (1 + varied_fraction)}, left_out_, "scatter"}});
-  if (!pair[0].trial.value || !pair[1].trial.value) return 0;
-  return scatter_of(*pair[1].trial.value, own, *pair[0].trial.value);
+double Ensembles::scatter_at(const Trial& trial) {
+  const auto pair = runs_.make({{trial.wanted, left_out_, Purpose::scatter, 1 / (1 + varied_fraction)},
+                                {trial.wanted, left_out_, Purpose::scatter, 1 + varied_fraction}});
+  if (!pair[0].value || !pair[1].value) return 0;
+  return scatter_of(*pair[0].value, *trial.value, *pair[1].value);
 }
 
 }  // namespace tether::automatic

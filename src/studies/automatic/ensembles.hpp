@@ -16,17 +16,19 @@ class Ensembles {
   /// The reference must outlive this; the runs leave out what `left_out` says.
   Ensembles(TrialRuns& runs, std::vector<std::string> left_out) : runs_(runs), left_out_(std::move(left_out)) {}
 
-  /// Looks at the level that the search has come to, at the second and, where there the number scatters, two later.
-  void look(Search& search, double tolerance);
+  /// Looks at the coarsest level and, as long as the number scatters, at two more, each twice as fine, once there are
+  /// such.
+  void look(Search& search, const Aim& aim);
 
  private:
-  double scatter_at(const Resolution& at, double own);
+  double scatter_at(const Trial& trial);
 
   TrialRuns& runs_;
   std::vector<std::string> left_out_;
-  double first_ = 0;
-  std::size_t next_look_ = 0;
-  bool settled_ = false;
+  std::optional<Resolution> looked_at_;
+  int looks_ = 0;
+  double before_ = 0;  // scatter at the last look
+  bool is_settled_ = false;
 };
 
 }  // namespace tether::automatic

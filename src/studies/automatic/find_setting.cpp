@@ -2,7 +2,7 @@
 #include "studies/automatic/find_setting.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "base/file.hpp"
 #include "results/text_file.hpp"
@@ -16,65 +16,120 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes what a search asks for until it asks for no more.
-void make_all(Search& search, TrialRuns& runs, const std::vector<std::string>& left_out, double tolerance) {
-  Ensembles ensembles(runs, left_out);
-  for (auto levels = search.next(); !levels.empty(); levels = search.next()) {
-    std::vector<WantedRun> wanted;
-    for (const Resolution& at : levels) wanted.push_back({at, left_out});
-    const auto ended = runs.make(wanted);
-    for (const TrialRun& run : ended) search.take(run.trial);
-    if (ended.back().trial.value) ensembles.look(search, tolerance);
-  }
-}
+/// What is left out is looked at again at a level that costs less than this part of the search's most costly run.
+constexpr double share_of_the_check = 0.15;
 
-/// The place of the chosen run among those that were made.
-std::size_t place_of(const Search& search, const std::vector<TrialRun>& made,
-                     const std::vector<std::string>& settings) {
-  const Resolution wanted = search.trials()[search.found()->trial].wanted;
-  const auto found = std::ranges::find_if(made, [&](const TrialRun& run) {
-    return run.of == "level" && run.trial.wanted == wanted && run.settings == settings;
-  });
-  return static_cast<std::size_t>(found - made.begin());
-}
-
-/// A search of the model without what is left out, and whether it holds against the model with it.
+/// A search, and whether the model can do without what it leaves out.
 struct Attempt {
   Search search;
-  std::optional<std::size_t> chosen;  ///< its place among the runs that were made
+  std::optional<Resolution> counts_at = {};  ///< where it changes the number by too much; none where nowhere
+  bool fails = false;                        ///< the deck's own cells and steps, and finer ones, fail without it
 };
 
-Attempt attempt(const Automatic& automatic, TrialRuns& runs, const Simplified& simplified) {
-  Aim aim = automatic.aim;
-  aim.tolerance -= simplified.change;
-  Attempt made{Search(aim), std::nullopt};
-  make_all(made.search, runs, simplified.left_out, aim.tolerance);
-  if (!made.search.found()) return made;
-  const Resolution at = made.search.trials()[made.search.found()->trial].wanted;
-  const auto settings = settings_of(automatic, {at, simplified.left_out});
-  made.chosen = place_of(made.search, runs.made(), settings);
-  return made;
+bool is_twice_as_fine(const Resolution& a, const Resolution& b, const Aim& aim) {
+  return (!aim.theory.space || a.space >= 2 * b.space) && (!aim.theory.time || a.time >= 2 * b.time);
 }
+
+/// The level at which what is left out is looked at again: the most costly one that costs little; else the cheapest
+/// that is twice as fine as the one of the pairs. None before there is one.
+const Trial* level_to_check(const Search& search, const Simplified& simplified, const Aim& aim) {
+  double most = 0;
+  for (const Trial& trial : search.trials()) most = std::max(most, trial.seconds);
+  const Trial *cheapest = nullptr, *costs_little = nullptr;
+  for (const Trial& trial : search.trials()) {
+    if (!trial.value || !is_twice_as_fine(trial.wanted, simplified.whole.wanted, aim)) continue;
+    if (!cheapest || trial.seconds < cheapest->seconds) cheapest = &trial;
+    const bool is_better = !costs_little || trial.seconds > costs_little->seconds;
+    if (is_better && trial.seconds < share_of_the_check * most) costs_little = &trial;
+  }
+  return costs_little ? costs_little : cheapest;
+}
+
+/// A search for a simplified model, which looks again on finer cells at what the model leaves out.
+class ModelAttempt {
+ public:
+  /// The references must outlive this.
+  ModelAttempt(const Automatic& automatic, TrialRuns& runs, Simplified& simplified)
+      : automatic_(automatic),
+        runs_(runs),
+        simplified_(simplified),
+        made_{.search = Search(automatic.aim)},
+        ensembles_(runs, simplified.left_out) {
+    tighten();
+  }
+
+  /// Makes what the search asks for until it asks for no more, or what the model leaves out turns out to count.
+  Attempt make() {
+    for (;;) {
+      const std::vector<Resolution> levels = made_.search.next(runs_.spent());
+      if (levels.empty()) {
+        if (!made_.search.found() || is_same_at(made_.search.found()->trial.wanted)) break;
+      } else {
+        make_levels(levels);
+        is_same_at({1, 1});
+      }
+      if (made_.counts_at) return std::move(made_);
+    }
+    made_.fails = !made_.search.has_own_size() && runs_.spent() < automatic_.aim.budget;
+    return std::move(made_);
+  }
+
+ private:
+  void tighten() { made_.search.tighten(automatic_.aim.tolerance - simplified_.allowed); }
+
+  void make_levels(const std::vector<Resolution>& levels) {
+    std::vector<WantedRun> wanted;
+    for (const Resolution& at : levels) wanted.push_back({at, simplified_.left_out});
+    for (const Trial& trial : runs_.make(wanted)) made_.search.take(trial);
+    ensembles_.look(made_.search, automatic_.aim);
+  }
+
+  /// Returns whether what the model leaves out changes the number at that level by no more than is allowed. Else the
+  /// search has less of the tolerance from now on, or none. What the budget does not reach is not looked at.
+  bool is_same_at(const Resolution& at) {
+    const Aim& aim = automatic_.aim;
+    const Trial* level = simplified_.left_out.empty() ? nullptr : level_to_check(made_.search, simplified_, aim);
+    if (level == nullptr || runs_.spent() + 2 * level->seconds > aim.budget) return true;
+    const double change = change_at(at, *level, runs_, simplified_);
+    if (change <= simplified_.allowed) return true;
+    if (change < share_of_model * aim.tolerance) {
+      simplified_.allowed = change;
+      tighten();
+    } else {
+      made_.counts_at = level->wanted;
+    }
+    return false;
+  }
+
+  const Automatic& automatic_;
+  TrialRuns& runs_;
+  Simplified& simplified_;
+  Attempt made_;
+  Ensembles ensembles_;
+};
 
 }  // namespace
 
-Found find_setting(const Automatic& automatic, const FindOptions& options) {
+Found find_setting(const Automatic& automatic, const StudyOptions& options) {
   TrialRuns runs(automatic, options);
   Simplified simplified = simplify(automatic, runs);
-  Attempt found = attempt(automatic, runs, simplified);
-  if (!simplified.left_out.empty() &&
-      (!found.chosen || !holds(automatic, runs, simplified, runs.made()[*found.chosen]))) {
-    keep_all(simplified);
-    found = attempt(automatic, runs, simplified);
+  Attempt made = ModelAttempt(automatic, runs, simplified).make();
+  while (!simplified.left_out.empty() && (made.counts_at || made.fails)) {
+    if (made.counts_at)
+      decide_again(*made.counts_at, simplified, automatic, runs);
+    else
+      keep_all(simplified, "runs without it fail on finer cells");
+    made = ModelAttempt(automatic, runs, simplified).make();
   }
-  const StudyTable table = table_of(runs.made(), found.search);
+  const Search& search = made.search;
+  const StudyTable table = table_of(runs.made(), search);
   write_table(options.out / "auto", table, automatic.study, options.command);
   Found result;
-  result.report = report_text({automatic, found.search, simplified, runs.made(), found.chosen}, table);
+  result.report = report_text({automatic, search, simplified, runs}, table);
   replace_file(options.out / "auto.txt", result.report);
-  result.why_not = found.search.why_not();
-  if (found.chosen) {
-    result.folder = runs.made()[*found.chosen].folder;
+  result.why_not = search.why_not();
+  if (search.found()) {
+    result.folder = runs.made()[search.found()->trial.run].folder;
     replace_file(options.out / chosen_deck, read_file(result.folder / "deck.effective"));
   } else {
     fs::remove(options.out / chosen_deck);
@@ -85,7 +140,7 @@ Found find_setting(const Automatic& automatic, const FindOptions& options) {
 std::string list_first_runs(const Automatic& automatic, const fs::path& out) {
   std::string text;
   Search search(automatic.aim);
-  for (const Resolution& at : search.next()) {
+  for (const Resolution& at : search.next(0)) {
     const StudyRun run = study_run_of(automatic, {at}, out);
     text += list_runs(run.study, run.out);
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "studies/automatic/automatic.hpp"
-#include "studies/automatic/trial_runs.hpp"
+#include "studies/scheduler.hpp"
 
 namespace tether::automatic {
 
@@ -22,7 +22,7 @@ constexpr const char* chosen_deck = "chosen.in";
 /// Tries what the model can do without, looks for the cheapest setting of what is left, and writes auto.csv, auto.nc (a
 /// row a run), auto.txt (the report) and the chosen deck. What was run before is not run again. Throws FileError,
 /// Interrupted.
-Found find_setting(const Automatic& automatic, const FindOptions& options);
+Found find_setting(const Automatic& automatic, const StudyOptions& options);
 
 /// The first runs, a line each: whether it is finished, its deck, its values.
 std::string list_first_runs(const Automatic& automatic, const std::filesystem::path& out);

@@ -9,12 +9,12 @@
 namespace tether::automatic {
 namespace {
 
-/// The level at which choices are tried: half as many cells and steps as the deck's, else the deck's own.
-constexpr double tried_at = 0.5;
+/// What is left out may change the number on finer cells by so many times what it changes on those of the pairs, and by
+/// this part of the most that it may ever change in any case. Where it changes it by more, the search has less.
+constexpr double growth_allowed = 2, least_allowed = 0.1;
 
-Resolution cheap_level(const Automatic& automatic) {
-  return {automatic.refinement.in_space() ? tried_at : 1, automatic.refinement.in_time() ? tried_at : 1};
-}
+/// What changes the number by less than so many times what it may is tried once more, on finer cells.
+constexpr double near_enough = 10;
 
 std::vector<std::string> all_left_out(const std::vector<Decision>& decisions) {
   std::vector<std::string> all;
@@ -24,19 +24,78 @@ std::vector<std::string> all_left_out(const std::vector<Decision>& decisions) {
   return all;
 }
 
-double change_of(const TrialRun& with, const TrialRun& without) {
-  if (!with.trial.value || !without.trial.value) return no_number;
-  return std::abs((*without.trial.value - *with.trial.value) / *with.trial.value);
+double change_of(const Trial& with, const Trial& without) {
+  if (!with.value || !without.value) return no_number;
+  return std::abs((*without.value - *with.value) / *with.value);
+}
+
+/// How often the cells, or the steps, of one level are halved to those of another.
+double halvings(const Resolution& from, const Resolution& to) {
+  return std::log2(std::max(to.space / from.space, to.time / from.time));
+}
+
+/// The coarsest level at which the whole model runs.
+Trial coarsest_run(const Automatic& automatic, TrialRuns& runs) {
+  Resolution at = automatic.aim.coarsest;
+  for (;;) {
+    const Trial whole = runs.make({{at, {}, Purpose::model}}).front();
+    if (whole.value || (at.space >= 1 && at.time >= 1)) return whole;
+    at = {std::min(1., 2 * at.space), std::min(1., 2 * at.time)};
+  }
 }
 
 /// Keeps the one of those left out that changes most.
-void keep_largest(std::vector<Decision>& decisions) {
+void keep_largest(std::vector<Decision>& decisions, const std::string& why) {
   Decision* largest = nullptr;
   for (Decision& decision : decisions) {
     if (decision.left_out && (!largest || std::abs(decision.change) > std::abs(largest->change))) largest = &decision;
   }
-  if (largest == nullptr) return;
-  largest->left_out = false, largest->why = "together with the others it counts";
+  if (largest != nullptr) largest->left_out = false, largest->why = why;
+}
+
+/// Finds what all that is left out changes at once, and leaves out fewer until they change the number by less than a
+/// third of the tolerance together.
+void leave_out(Simplified& simplified, const Automatic& automatic, TrialRuns& runs) {
+  const double most = share_of_model * automatic.aim.tolerance;
+  const Trial& whole = simplified.whole;
+  for (;;) {
+    simplified.left_out = all_left_out(simplified.decisions);
+    simplified.change = simplified.allowed = 0;
+    if (simplified.left_out.empty()) return;
+    simplified.change = change_of(whole, runs.make({{whole.wanted, simplified.left_out, Purpose::model}}).front());
+    simplified.allowed = std::clamp(growth_allowed * simplified.change, least_allowed * most, most);
+    if (simplified.change < most) return;
+    keep_largest(simplified.decisions, "together with the others it counts");
+  }
+}
+
+std::vector<Decision> tried_at(const Trial& whole, const std::vector<Choice>& choices, const Automatic& automatic,
+                               TrialRuns& runs) {
+  std::vector<WantedRun> wanted;
+  for (const Choice& choice : choices) wanted.push_back({whole.wanted, choice.overrides, Purpose::model});
+  const std::vector<Trial> without = runs.make(wanted);
+  std::vector<Decision> decisions;
+  for (std::size_t k = 0; k < choices.size(); ++k)
+    decisions.push_back(decided(choices[k], whole, without[k], automatic.aim.tolerance));
+  return decisions;
+}
+
+/// Tries what nearly may be left out with cells half as large, where these are no finer than the deck's: coarse cells
+/// blur. Where that changes a decision, `whole` becomes the run there.
+void try_once_more(Trial& whole, std::vector<Decision>& decisions, const Automatic& automatic, TrialRuns& runs) {
+  const double near = near_enough * share_of_model * automatic.aim.tolerance;
+  const auto is_near = [&](const Decision& each) { return !each.left_out && std::abs(each.change) < near; };
+  const Resolution finer{std::min(1., 2 * whole.wanted.space), std::min(1., 2 * whole.wanted.time)};
+  if (finer == whole.wanted || std::ranges::none_of(decisions, is_near)) return;
+  const Trial again = runs.make({{finer, {}, Purpose::model}}).front();
+  if (!again.value) return;
+  bool changed = false;
+  for (Decision& decision : decisions) {
+    if (!is_near(decision)) continue;
+    decision = tried_at(again, {decision.choice}, automatic, runs).front();
+    changed |= decision.left_out;
+  }
+  if (changed) whole = again;
 }
 
 }  // namespace
@@ -44,42 +103,39 @@ void keep_largest(std::vector<Decision>& decisions) {
 Simplified simplify(const Automatic& automatic, TrialRuns& runs) {
   Simplified simplified;
   if (automatic.choices.empty()) return simplified;
-  Resolution at = cheap_level(automatic);
-  auto whole = runs.make({{at, {}, "model"}}).front();
-  if (!whole.trial.value) whole = runs.make({{at = {1, 1}, {}, "model"}}).front();
-  if (!whole.trial.value) return simplified;  // the search will say why
-  std::vector<WantedRun> wanted;
-  for (const Choice& choice : automatic.choices) wanted.push_back({at, choice.overrides, "model"});
-  const auto without = runs.make(wanted);
-  for (std::size_t k = 0; k < without.size(); ++k) {
-    simplified.decisions.push_back(
-        {.choice = automatic.choices[k], .left_out = false, .change = 0, .saved = 0, .why = ""});
-    decide(simplified.decisions.back(), *whole.trial.value, without[k].trial.value.value_or(no_number),
-           whole.trial.seconds, without[k].trial.seconds, automatic.aim.tolerance);
-  }
-  for (simplified.left_out = all_left_out(simplified.decisions); !simplified.left_out.empty();
-       simplified.left_out = all_left_out(simplified.decisions)) {
-    simplified.change = change_of(whole, runs.make({{at, simplified.left_out, "model"}}).front());
-    if (simplified.change < share_of_model * automatic.aim.tolerance) return simplified;
-    keep_largest(simplified.decisions);
-  }
-  simplified.change = 0;
+  Trial& whole = simplified.whole = coarsest_run(automatic, runs);
+  if (!whole.value) return simplified;  // the search will say why
+  simplified.decisions = tried_at(whole, automatic.choices, automatic, runs);
+  try_once_more(whole, simplified.decisions, automatic, runs);
+  leave_out(simplified, automatic, runs);
   return simplified;
 }
 
-bool holds(const Automatic& automatic, TrialRuns& runs, const Simplified& simplified, const TrialRun& chosen) {
-  if (simplified.left_out.empty()) return true;
-  const auto whole = runs.make({{chosen.trial.wanted, {}, "model"}}).front();
-  return change_of(whole, chosen) < share_of_model * automatic.aim.tolerance;
+double change_at(const Resolution& at, const Trial& simple, TrialRuns& runs, const Simplified& simplified) {
+  const Trial whole = runs.make({{simple.wanted, {}, Purpose::model}}).front();
+  const double change = change_of(whole, simple), since = halvings(simplified.whole.wanted, simple.wanted);
+  const double growth = since > 0 ? std::max(0., change - simplified.change) / since : 0;
+  return change + growth * std::max(0., halvings(simple.wanted, at));
 }
 
-void keep_all(Simplified& simplified) {
+void decide_again(const Resolution& at, Simplified& simplified, const Automatic& automatic, TrialRuns& runs) {
+  simplified.whole = runs.make({{at, {}, Purpose::model}}).front();
+  bool changed = false;
   for (Decision& decision : simplified.decisions) {
-    if (decision.left_out)
-      decision.left_out = false, decision.why = "it counts on finer cells, or the search without it ends";
+    if (!decision.left_out) continue;
+    decision = tried_at(simplified.whole, {decision.choice}, automatic, runs).front();
+    changed |= !decision.left_out;
+  }
+  if (!changed) keep_largest(simplified.decisions, "together with the others it counts on finer cells");
+  leave_out(simplified, automatic, runs);
+}
+
+void keep_all(Simplified& simplified, const std::string& why) {
+  for (Decision& decision : simplified.decisions) {
+    if (decision.left_out) decision.left_out = false, decision.why = why;
   }
   simplified.left_out.clear();
-  simplified.change = 0;
+  simplified.change = simplified.allowed = 0;
 }
 
 }  // namespace tether::automatic

@@ -13,18 +13,26 @@ namespace tether::automatic {
 struct Simplified {
   std::vector<Decision> decisions;
   std::vector<std::string> left_out;  ///< overrides of all that is left out
-  double change = 0;                  ///< of the number without all of it, over the number; not negative
+  Trial whole = {};                   ///< the run of the pairs that has it all
+  double change = 0;                  ///< of the number there without all of it, over the number; not negative
+  double allowed = 0;                 ///< what the change may be on finer cells: the part of the tolerance for it
 };
 
-/// Tries each choice by a pair of cheap runs, with and without; then all that may be left out at once, and fewer until
-/// they change the number by less than a third of the tolerance together.
+/// Tries each choice by a pair of runs at the coarsest level that runs, with and without, and what nearly may be left
+/// out at the next one, too; then all that may be left out at once, and fewer until they change the number by less than
+/// a third of the tolerance together.
 Simplified simplify(const Automatic& automatic, TrialRuns& runs);
 
-/// Returns whether the chosen run and the same one of the whole model differ by less than a third of the tolerance:
-/// what coarse cells do not show, finer ones may.
-bool holds(const Automatic& automatic, TrialRuns& runs, const Simplified& simplified, const TrialRun& chosen);
+/// Makes a run of the simplified model once more with the whole one, and returns by how much of the number the two
+/// differ; at the finer level `at` they will if the difference goes on growing as it does from the level of the pairs
+/// to this one. What coarse cells do not show, finer ones may. Not a number where the whole model fails.
+double change_at(const Resolution& at, const Trial& simple, TrialRuns& runs, const Simplified& simplified);
 
-/// Takes everything back into the model, since it counts on finer cells.
-void keep_all(Simplified& simplified);
+/// Tries all that is left out once more, at a level where the simplified model and the whole one differ by too much; at
+/// least one part goes back into the model.
+void decide_again(const Resolution& at, Simplified& simplified, const Automatic& automatic, TrialRuns& runs);
+
+/// Takes everything back into the model, and says why.
+void keep_all(Simplified& simplified, const std::string& why);
 
 }  // namespace tether::automatic

@@ -5,21 +5,29 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <set>
 #include <stdexcept>
 
 namespace tether::automatic {
 namespace {
 
 constexpr std::array possible_orders{0.35, 0.5, 0.7, 0.85, 1., 1.2, 1.5, 1.75, 2., 2.5, 3., 4.};
-constexpr std::array noise_orders{0., 1., 2., 4.};
+constexpr std::array noise_orders{0., 1., 2.};
 /// Sizes of the noise of the coarsest run, over the value: from what rounding leaves to what says nothing.
 constexpr int noise_sizes = 12;
-constexpr double least_noise = 1e-5, most_noise = 0.56;
+constexpr double least_noise = 3e-5, most_noise = 0.56;
 /// What no regression resolves, over the value.
 constexpr double rounding = 1e-6;
 
-/// How far orders stray from theory's: down where something is not smooth, up by superconvergence.
-constexpr double stray_down = 0.6, stray_up = 0.35;
+/// Levels that a law holds for at the least; and how far the value of one that it does not hold for is from others,
+/// over the value: the width of Cauchy's distribution, which gives large distances their chance.
+constexpr std::size_t levels_that_stay = 3;
+constexpr double lawless_width = 0.2;
+
+/// How far orders stray from theory's: down where something is not smooth, up by superconvergence. The distribution is
+/// Cauchy's, which gives far ones their chance.
+constexpr double stray_down = 0.3, stray_up = 0.35;
 
 // What is taken for likely before the first run: the limit is anywhere, and the coarsest run is off by about its value.
 constexpr double limit_variance = 100, space_variance = 1, time_variance = 0.5;
@@ -29,7 +37,11 @@ constexpr double least_weight = 1e-6;
 
 double log_nearness(double order, double theory) {
   const double off = (order - theory) / (order > theory ? stray_up : stray_down);
-  return -0.5 * off * off;
+  return -std::log1p(off * off);
+}
+
+double log_cauchy(double off, double width) {
+  return -std::log(std::numbers::pi * width * (1 + off * off / (width * width)));
 }
 
 /// The chance that a Gaussian is within -width and width.
@@ -43,20 +55,50 @@ bool differ(std::span<const Sample> samples, double Resolution::*part) {
                              [&](const Sample& sample) { return sample.at.*part != samples.front().at.*part; });
 }
 
+/// Returns whether steps are in proportion to cells, since a limit cuts them: then errors of both are one.
+bool follow_cells(std::span<const Sample> samples) {
+  constexpr double slack = 1.02;
+  const auto ratio = [](const Sample& sample) { return sample.at.time / sample.at.space; };
+  const auto [least, most] = std::ranges::minmax(samples, {}, ratio);
+  return ratio(most) < slack * ratio(least);
+}
+
 }  // namespace
 
 Posterior::Posterior(std::span<const Sample> samples, const Orders& theory, double scatter) : scatter_(scatter) {
   if (samples.empty()) throw std::invalid_argument("a limit of no values");
   has_space_ = theory.space.has_value(), has_time_ = theory.time.has_value();
   in_space_ = has_space_ && differ(samples, &Resolution::space);
-  in_time_ = has_time_ && differ(samples, &Resolution::time);
-  coarsest_ = samples.front().at;
-  for (const Sample& sample : samples) {
-    coarsest_.space = std::min(coarsest_.space, sample.at.space);
-    coarsest_.time = std::min(coarsest_.time, sample.at.time);
-  }
+  in_time_ = has_time_ && differ(samples, &Resolution::time) && !(in_space_ && follow_cells(samples));
   scale_ = samples.back().value == 0 ? 1 : std::abs(samples.back().value);
   origin_ = samples.back().value / scale_;
+  for (const double first_level : possible_first_levels(samples)) add_hypotheses(samples, theory, first_level);
+  normalise();
+}
+
+/// The coarsest level, and those that have enough finer ones.
+std::vector<double> Posterior::possible_first_levels(std::span<const Sample> samples) const {
+  std::set<double> levels;
+  for (const Sample& sample : samples) levels.insert(has_space_ ? sample.at.space : sample.at.time);
+  std::vector<double> all(levels.begin(), levels.end());
+  all.resize(all.size() > levels_that_stay ? all.size() - levels_that_stay + 1 : 1);
+  return all;
+}
+
+/// The least of cells and steps, each, of the samples that follow the law.
+Resolution Posterior::coarsest_lawful(std::span<const Sample> samples, double first_level) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Resolution coarsest{infinity, infinity};
+  for (const Sample& sample : samples) {
+    if ((has_space_ ? sample.at.space : sample.at.time) < first_level) continue;
+    coarsest.space = std::min(coarsest.space, sample.at.space);
+    coarsest.time = std::min(coarsest.time, sample.at.time);
+  }
+  return coarsest;
+}
+
+void Posterior::add_hypotheses(std::span<const Sample> samples, const Orders& theory, double first_level) {
+  const Resolution coarsest = coarsest_lawful(samples, first_level);
   const std::size_t ps = in_space_ ? possible_orders.size() : 1, qs = in_time_ ? possible_orders.size() : 1;
   for (std::size_t i = 0; i < ps; ++i) {
     for (std::size_t j = 0; j < qs; ++j) {
@@ -66,28 +108,34 @@ Posterior::Posterior(std::span<const Sample> samples, const Orders& theory, doub
           Hypothesis h{.p = possible_orders[i],
                        .q = possible_orders[j],
                        .noise = least_noise * std::pow(most_noise / least_noise, part),
-                       .noise_order = noise_order};
+                       .noise_order = noise_order,
+                       .first_level = first_level,
+                       .coarsest = coarsest};
           regress(h, samples, theory);
           hypotheses_.push_back(std::move(h));
         }
       }
     }
   }
-  normalise();
 }
 
 Posterior::Terms Posterior::basis(const Hypothesis& h, const Resolution& at) const {
   Terms x(1 + (in_space_ ? 1 : 0) + (in_time_ ? 1 : 0));
   int k = 0;
   x[k++] = 1;
-  if (in_space_) x[k++] = std::pow(at.space / coarsest_.space, -h.p);
-  if (in_time_) x[k++] = std::pow(at.time / coarsest_.time, -h.q);
+  if (in_space_) x[k++] = std::pow(at.space / h.coarsest.space, -h.p);
+  if (in_time_) x[k++] = std::pow(at.time / h.coarsest.time, -h.q);
   return x;
 }
 
+bool Posterior::is_lawless(const Hypothesis& h, const Resolution& at) const {
+  return (has_space_ ? at.space : at.time) < h.first_level;
+}
+
 double Posterior::noise_variance(const Hypothesis& h, const Resolution& at) const {
-  const double space = at.space / coarsest_.space, time = at.time / coarsest_.time;
+  const double space = at.space / h.coarsest.space, time = at.time / h.coarsest.time;
   const double finer = has_space_ && has_time_ ? std::sqrt(space * time) : has_space_ ? space : time;
+  if (is_lawless(h, at)) return 1;
   const double noise = h.noise * std::pow(finer, -h.noise_order);
   return noise * noise + scatter_ * scatter_ + rounding * rounding;
 }
@@ -109,12 +157,16 @@ void Posterior::regress(Hypothesis& h, std::span<const Sample> samples, const Or
   Terms b = Terms::Zero(prior.size());
   double square = 0, log_weight = -0.5 * prior.array().log().sum();
   for (const Sample& sample : samples) {
-    const Terms x = basis(h, sample.at);
     const double y = sample.value / scale_ - origin_, variance = noise_variance(h, sample.at);
+    if (is_lawless(h, sample.at)) {
+      log_weight += log_cauchy(y, lawless_width);
+      continue;
+    }
+    const Terms x = basis(h, sample.at);
     A += x * x.transpose() / variance;
     b += x * (y / variance);
     square += y * y / variance;
-    log_weight -= 0.5 * std::log(variance);
+    log_weight -= 0.5 * std::log(2 * std::numbers::pi * variance);
   }
   h.covariance = A.inverse();
   h.mean = h.covariance * b;

@@ -18,12 +18,13 @@ struct Sample {
 
 /// What values at several resolutions say of the one at none: Richardson's extrapolation, with its doubt.
 ///
-/// A value is taken as Q(h, k) = Q + a h^p + b k^q + noise, with h and k the sizes of cells and steps over the coarsest
-/// run's. The noise stands for all that is no power: grids that are not aligned, contacts that fall between two steps.
-/// Its size falls as a power of the refinement, too, of 0 to 4. What p, q, that power and the size of the noise are is
-/// open: each set of them is a hypothesis, whose Q, a and b are Gaussian given the values (linear regression), and
-/// whose weight is its likelihood times how near its orders are to theory's. So an order that the values do not bear
-/// out, signs that change and levels that agree by chance all widen the bound, in place of a rule for each.
+/// A value is taken as Q(h, k) = Q + a h^p + b k^q + noise, with h and k the sizes of cells and steps over those of the
+/// coarsest run that follows the law. The noise stands for all that is no power: grids that are not aligned, contacts
+/// that fall between two steps. Its size falls as a power of the refinement, too, of 0 to 2. What p, q, that power and
+/// the size of the noise are is open, and so is from which level on the law holds, where four levels are known or more:
+/// each set of these is a hypothesis, whose Q, a and b are Gaussian given the values (linear regression), and whose
+/// weight is its likelihood times how near its orders are to theory's. So an order that the values do not bear out,
+/// signs that change and levels that agree by chance all widen the bound, in place of a rule for each.
 class Posterior {
  public:
   /// `scatter`: how far values of one resolution lie apart that should be equal (chaos), relative. Throws
@@ -53,12 +54,18 @@ class Posterior {
   /// covariance of Q - origin, a, b.
   struct Hypothesis {
     double p = 1, q = 1, noise = 0, noise_order = 0;
+    double first_level = 0;  ///< coarser cells (steps, where there are no cells) follow no law, and say nothing
+    Resolution coarsest;     ///< cells and steps, each, of the levels that follow the law
     double weight = 0;
     Terms mean = {};
     Square covariance = {};
   };
 
+  std::vector<double> possible_first_levels(std::span<const Sample> samples) const;
+  Resolution coarsest_lawful(std::span<const Sample> samples, double first_level) const;
+  void add_hypotheses(std::span<const Sample> samples, const Orders& theory, double first_level);
   Terms basis(const Hypothesis& h, const Resolution& at) const;
+  bool is_lawless(const Hypothesis& h, const Resolution& at) const;
   double noise_variance(const Hypothesis& h, const Resolution& at) const;
   Terms prior_variances() const;
   /// Fills in mean, covariance and, as a logarithm, weight.
@@ -66,7 +73,6 @@ class Posterior {
   void normalise();
 
   double scatter_ = 0, scale_ = 1, origin_ = 0, limit_ = 0;
-  Resolution coarsest_;
   bool in_space_ = false, in_time_ = false, has_space_ = false, has_time_ = false;
   std::vector<Hypothesis> hypotheses_;
   Orders orders_;

@@ -44,13 +44,11 @@ std::string figure_of_merit(const Deck& deck, const Written& written) {
   return has("energy_kinetic") ? "max(energy_kinetic)" : "";
 }
 
-/// The deck with its figure of merit, where it does not say what is wanted.
-Deck with_quantity(const std::string& file, const DeckOptions& options, Diagnostics& diagnostics) {
-  Deck deck = load_deck(file, options, diagnostics);
+/// The deck with its own figure of merit where it does not say what is wanted.
+Deck with_quantity(const Loaded& loaded, const Written& written, const DeckOptions& options, Diagnostics& diagnostics) {
+  const Deck& deck = loaded.deck;
   const bool given = deck.given("auto.quantity");
-  if (diagnostics.has_errors() || (given && !deck.text("auto.quantity").empty())) return deck;
-  Written written;
-  if (try_scene(file, deck, &written).exit_code != exit_done) return deck;  // load_scene() reports why
+  if (given && !deck.text("auto.quantity").empty()) return deck;
   const std::string figure = given ? "" : figure_of_merit(deck, written);
   if (figure.empty()) {
     diagnostics.add(deck.remark(Severity::error, "auto.quantity", {1, 1},
@@ -60,8 +58,8 @@ Deck with_quantity(const std::string& file, const DeckOptions& options, Diagnost
   }
   DeckOptions more = options;
   more.overrides.push_back("auto.quantity=" + quoted(figure));
-  Diagnostics told;  // once is enough
-  return load_deck(file, more, told);
+  Diagnostics remarked;  // when the deck was read first
+  return load_deck(deck.file(), more, remarked);
 }
 
 Study study_of_deck(const Deck& deck) {
@@ -71,6 +69,15 @@ Study study_of_deck(const Deck& deck) {
   study.title = fmt::format("the cheapest setting of {}", deck.file());
   study.decks = {{1, deck.file(), study.text}};
   return study;
+}
+
+Aim aim_of(const Deck& deck, const Scene& scene, const Refinement& refinement, double tolerance) {
+  return {.tolerance = tolerance,
+          .theory = theory_of(deck, scene, refinement),
+          .coarsest = {refinement.in_space() ? coarsest_part : 1, refinement.in_time() ? coarsest_part : 1},
+          .powers = {static_cast<double>(refinement.dimensions()), 1},
+          .nested = refinement.is_of_a_grid(),
+          .budget = deck.real("auto.budget")};
 }
 
 void refuse_what_stays(const Deck& deck, const Scene& scene, const Refinement& refinement, Diagnostics& diagnostics) {
@@ -83,7 +90,7 @@ void refuse_what_stays(const Deck& deck, const Scene& scene, const Refinement& r
   if (scene.points.size() > 0 && load_particles(deck, std::nullopt, reported))
     refuse("in.particles", "--auto cannot make the points of a file more",
            "regions of $reg and curves of $membrane have points that it can");
-  if (!refinement.in_space() && !refinement.in_time() && !scene.rigid())
+  if (!refinement.in_space() && !refinement.in_time())
     refuse("in.tstep", "the deck has neither cells nor steps that could be made finer", "");
 }
 
@@ -98,7 +105,7 @@ double expected_seconds(const Automatic& automatic, const Resolution& at) {
   return seconds;
 }
 
-/// The least that a search makes: three levels and, of one of them, another step.
+/// The least that a search makes: three levels.
 void refuse_small_budget(const Deck& deck, const Automatic& automatic, Diagnostics& diagnostics) {
   double seconds = 0;
   const Aim& aim = automatic.aim;
@@ -131,28 +138,20 @@ Automatic read_automatic(const std::string& file, const DeckOptions& options, do
   if (!options.path.empty()) asked.overrides.push_back("in.path=" + quoted(options.path));
   asked.path.clear();
   Diagnostics diagnostics;
-  const Deck deck = with_quantity(file, asked, diagnostics);
-  if (!options.particles.empty())
-    throw InputError("--auto cannot make the points of a file more", "leave --particles out");
-  diagnostics.throw_if_errors();
-  const Loaded loaded = load_scene(deck, {}, diagnostics);
-  const Refinement refinement(deck, loaded.plan.scene);
+  const Loaded loaded = load_scene(load_deck(file, asked, diagnostics), {}, diagnostics);
+  const Scene& scene = loaded.plan.scene;
+  const Written written = written_by(loaded);
+  const Deck deck = with_quantity(loaded, written, asked, diagnostics);
   Automatic automatic{.study = study_of_deck(deck),
                       .quantity = deck.text("auto.quantity"),
                       .value = {},
-                      .refinement = refinement,
-                      .choices = choices_of(deck, loaded.plan.scene),
+                      .refinement = Refinement(deck, scene),
+                      .choices = deck.logical("auto.simplify") ? choices_of(deck, scene) : std::vector<Choice>{},
                       .aim = {}};
-  automatic.aim.tolerance = tolerance;
-  automatic.aim.theory = theory_of(deck, loaded.plan.scene, refinement);
-  automatic.aim.coarsest = {refinement.in_space() ? coarsest_part : 1, refinement.in_time() ? coarsest_part : 1};
-  automatic.aim.powers = {static_cast<double>(refinement.dimensions()), 1};
-  automatic.aim.budget = deck.real("auto.budget");
-  refuse_what_stays(deck, loaded.plan.scene, refinement, diagnostics);
-  Written written;
-  try_scene(file, deck, &written);
+  automatic.aim = aim_of(deck, scene, automatic.refinement, tolerance);
+  refuse_what_stays(deck, scene, automatic.refinement, diagnostics);
   StudyRemarks remarks(deck, diagnostics);
-  automatic.value = checked_reading(deck, "auto.quantity", written, remarks);
+  if (!automatic.quantity.empty()) automatic.value = checked_reading(deck, "auto.quantity", written, remarks);
   if (!diagnostics.has_errors()) refuse_small_budget(deck, automatic, diagnostics);
   diagnostics.throw_if_errors();
   return automatic;

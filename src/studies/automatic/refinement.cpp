@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace tether::automatic {
@@ -12,10 +13,16 @@ namespace {
 /// Fewer cells than these across say no more of what is across: a strip of one cell stays one.
 constexpr int least_cells_refined = 2;
 
+/// A fluid in a box has no fewer cells across.
+constexpr int least_cells_of_a_box = 2;
+
 double cells_of(const Refined& value) { return value.as == Refined::As::nodes ? value.own - 1 : value.own; }
 
 /// How many cells a count comes to.
-double refined_cells(const Refined& value, double factor) { return std::max(1., std::round(cells_of(value) * factor)); }
+double refined_cells(const Refined& value, double factor) {
+  const double least = std::min<double>(value.least, cells_of(value));
+  return std::max(least, std::round(cells_of(value) * factor));
+}
 
 bool is_count(const Refined& value) { return value.as == Refined::As::cells || value.as == Refined::As::nodes; }
 
@@ -40,11 +47,14 @@ bool has_curved_edges(const Deck& deck) {
 Refinement::Refinement(const Deck& deck, const Scene& scene) {
   const bool by_grid = scene.path() == Path::mpm || scene.coupled() != nullptr;
   if (by_grid) add_grid(deck, scene);
+  of_a_grid_ = by_grid && deck.text("coupled.flow") == "grid";
   // The mesh of a rigid body gives it its mass alone, which straight elements give exactly.
   const bool by_mesh = scene.solids() != nullptr || scene.flow() != nullptr;
   if (by_mesh && (!scene.rigid() || has_curved_edges(deck))) add_elements(deck);
   if (!by_mesh) add_strings(deck);
   if (moves_in_time(deck)) add_steps(deck);
+  const double cfl = scene.clock.cfl;
+  if (scene.path() == Path::mpm && cfl > 0) limit_ = {"mpm.cfl", Refined::As::time, cfl};
 }
 
 void Refinement::add_grid(const Deck& deck, const Scene& scene) {
@@ -53,7 +63,8 @@ void Refinement::add_grid(const Deck& deck, const Scene& scene) {
     if (!deck.given(name)) continue;
     const int nodes = deck.integer(IntegerVariable(name));
     if (nodes - 1 < least_cells_refined) continue;
-    space_.push_back({fmt::format("{}.{}", name.group(), name.name()), Refined::As::nodes, static_cast<double>(nodes)});
+    space_.push_back({fmt::format("{}.{}", name.group(), name.name()), Refined::As::nodes, static_cast<double>(nodes),
+                      scene.coupled() ? least_cells_of_a_box : 1});
     ++directions;
   }
   dimensions_ = std::max(dimensions_, directions);
@@ -97,10 +108,11 @@ void Refinement::add_steps(const Deck& deck) {
   }
 }
 
-std::vector<std::string> Refinement::overrides(const Resolution& wanted) const {
+std::vector<std::string> Refinement::overrides(const Resolution& wanted, double stretch) const {
   std::vector<std::string> all;
   for (const Refined& value : space_) all.push_back(override_of(value, wanted.space));
-  for (const Refined& value : time_) all.push_back(override_of(value, wanted.time));
+  for (const Refined& value : time_) all.push_back(override_of(value, wanted.time / stretch));
+  if (limit_ && stretch != 1) all.push_back(override_of(*limit_, 1 / stretch));
   return all;
 }
 
@@ -109,6 +121,12 @@ Resolution Refinement::rounded(const Resolution& wanted) const {
   for (const Refined& value : space_)
     sum += std::log(is_count(value) ? refined_cells(value, wanted.space) / cells_of(value) : wanted.space);
   return {space_.empty() ? 1 : std::exp(sum / static_cast<double>(space_.size())), wanted.time};
+}
+
+double Refinement::fineness(double step) const {
+  double own = std::numeric_limits<double>::infinity();
+  for (const Refined& value : time_) own = std::min(own, value.own);
+  return time_.empty() ? 1 : own / step;
 }
 
 namespace {

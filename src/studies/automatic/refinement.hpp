@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Refined {
   std::string element;  ///< "in.nx", "mesh.cells(2,1)"
   enum class As { cells, nodes, length, time } as = As::cells;
   double own = 0;  ///< the deck's value
+  int least = 1;   ///< of cells; fewer of them, as many as the deck has
 };
 
 /// What makes a deck finer: the values that count its cells, and those that are its steps.
@@ -25,10 +27,15 @@ class Refinement {
 
   bool in_space() const { return !space_.empty(); }
   bool in_time() const { return !time_.empty(); }
-  /// The values that a run of that resolution has in place of the deck's: group.name=value.
-  std::vector<std::string> overrides(const Resolution& wanted) const;
+  /// The values that a run of that resolution has in place of the deck's: group.name=value. `stretch`: all steps are so
+  /// much longer, those that the speed of sound limits, too.
+  std::vector<std::string> overrides(const Resolution& wanted, double stretch = 1) const;
   /// The resolution that these values come to, since counts are whole numbers: the mean of their factors.
   Resolution rounded(const Resolution& wanted) const;
+  /// Returns whether bodies and the cells that are refined are not made to fit.
+  bool is_of_a_grid() const { return of_a_grid_; }
+  /// Returns how much finer than the deck's a step is.
+  double fineness(double step) const;
   /// In how many directions cells grow more where space is refined.
   int dimensions() const { return dimensions_; }
 
@@ -39,7 +46,9 @@ class Refinement {
   void add_steps(const Deck& deck);
 
   std::vector<Refined> space_, time_;
+  std::optional<Refined> limit_;  // of the steps, over what sound takes through a cell
   int dimensions_ = 1;
+  bool of_a_grid_ = false;
 };
 
 /// Orders that theory gives the errors of a scene; none for what `refinement` does not refine.

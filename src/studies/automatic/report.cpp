@@ -12,34 +12,28 @@
 namespace tether::automatic {
 namespace {
 
-/// The values of the runs judged by all of them; none where no run shows one.
+/// The values of the search's own runs judged by all of them; no numbers for others.
 struct Judged {
   std::vector<double> error, bound;
 };
 
-Judged judged(const std::vector<TrialRun>& made, const Search& search) {
-  Judged all{std::vector<double>(made.size(), no_number), std::vector<double>(made.size(), no_number)};
-  const bool any = std::ranges::any_of(search.trials(), [](const Trial& trial) { return trial.value.has_value(); });
-  if (!any) return all;
-  const Posterior posterior = search.posterior();
-  for (std::size_t k = 0; k < made.size(); ++k) {
-    if (!made[k].trial.value) continue;
-    const double value = *made[k].trial.value, limit = posterior.limit();
-    all.error[k] = (value - limit) / std::abs(limit);
-    all.bound[k] = posterior.bound(value, promise);
+Judged judged(std::size_t runs, const Search& search) {
+  Judged all{std::vector<double>(runs, no_number), std::vector<double>(runs, no_number)};
+  const auto posterior = search.posterior();
+  if (!posterior) return all;
+  for (const Trial& trial : search.trials()) {
+    if (!trial.value) continue;
+    all.error[trial.run] = (*trial.value - posterior->limit()) / std::abs(posterior->limit());
+    all.bound[trial.run] = posterior->bound(*trial.value, promise);
   }
   return all;
 }
 
-TableColumn column(const char* name, const char* meaning, std::vector<double> cells, const char* unit = "1") {
-  return {name, meaning, unit, std::move(cells)};
-}
-
 std::string order_text(const char* where, const std::optional<double>& order, const std::optional<double>& theory) {
   if (!order) return "";
-  return fmt::format("{}order in {} {:.2g} (theory {:.2g}", *order < 0.6 * *theory ? "only " : "", where, *order,
-                     *theory) +
-         ")\n";
+  constexpr double little = 0.6;
+  return fmt::format("{}order in {} {:.2g} (theory {:.2g})\n", *order < little * *theory ? "only " : "", where, *order,
+                     *theory);
 }
 
 std::string doubt_text(const Search& search) {
@@ -50,17 +44,15 @@ std::string doubt_text(const Search& search) {
 }
 
 std::string chosen_text(const Ended& ended) {
-  const std::vector<TrialRun>& made = ended.made;
-  const std::size_t chosen = *ended.chosen;
-  double finest = 0, all = 0;
-  for (const TrialRun& run : made) finest = std::max(finest, run.trial.seconds), all += run.trial.seconds;
   const Setting& setting = *ended.search.found();
+  double most = 0;
+  for (const TrialRun& run : ended.runs.made()) most = std::max(most, run.trial.seconds);
   return fmt::format(
       "chosen: run {}, with {}\n"
       "its error is {:+.2g} %, and within {:.2g} % with a chance of {:.0f} %\n"
       "it costs {:.3g} s of the processor; the most costly run {:.3g} s, all runs of the search {:.3g} s\n",
-      chosen + 1, fmt::join(made[chosen].settings, " "), 100 * setting.error,
-      100 * (setting.bound + ended.simplified.change), 100 * promise, made[chosen].trial.seconds, finest, all);
+      setting.trial.run + 1, fmt::join(ended.runs.made()[setting.trial.run].settings, " "), 100 * setting.error,
+      100 * (setting.bound + ended.simplified.allowed), 100 * promise, setting.trial.seconds, most, ended.runs.spent());
 }
 
 std::string failures_text(const std::vector<TrialRun>& made) {
@@ -81,42 +73,42 @@ StudyTable table_of(const std::vector<TrialRun>& made, const Search& search) {
   std::vector<std::string> of, settings, folder;
   for (const TrialRun& run : made) {
     number.push_back(static_cast<double>(number.size() + 1));
-    of.push_back(run.of);
+    of.emplace_back(word_of(run.purpose));
     space.push_back(run.trial.at.space), time.push_back(run.trial.at.time);
     value.push_back(run.trial.value.value_or(no_number)), seconds.push_back(run.trial.seconds);
     exit_code.push_back(run.ending.exit_code);
     settings.push_back(fmt::format("{}", fmt::join(run.settings, " "))), folder.push_back(run.folder.string());
   }
-  auto [error, bound] = judged(made, search);
+  auto [error, bound] = judged(made.size(), search);
   return {
       "run",
-      {column("run", "number of the run", number),
-       {"of", "what the run is for: a level of refinement, the scatter at one, or the model with and without a part",
-        "", of},
-       column("space", "how much finer its cells are than the deck's", space),
-       column("time", "how much finer its steps are", time),
-       column("value", "what was read off the run", value, ""),
-       column("error", "estimated: its distance from the limit of all runs, over that", error),
-       column("bound", "what the error is within, with the chance that is promised", bound),
-       column("cpu_seconds", "of the run", seconds, "s"),
-       column("exit_code", "0 for a run that ended well", exit_code),
-       {"settings", "values that the run has in place of the deck's", "", settings},
-       {"folder", "the run's", "", folder}}};
+      {table_column("run", "number of the run", number, "1"),
+       table_column("of",
+                    "what the run was first made for: a level of refinement, the scatter at one, or the model with "
+                    "and without a part",
+                    of),
+       table_column("space", "how much finer its cells are than the deck's", space, "1"),
+       table_column("time", "how much finer its steps are, those that a limit cut as it did", time, "1"),
+       table_column("value", "what was read off the run", value),
+       table_column("error", "estimated: its distance from the limit of all runs of its model, over that", error, "1"),
+       table_column("bound", "what the error is within, with the chance that is promised", bound, "1"),
+       table_column("cpu_seconds", "of the run", seconds, "s"),
+       table_column("exit_code", "0 for a run that ended well", exit_code, "1"),
+       table_column("settings", "values that the run has in place of the deck's", settings),
+       table_column("folder", "the run's", folder)}};
 }
 
 std::string report_text(const Ended& ended, const StudyTable& table) {
-  const auto& [automatic, search, simplified, made, chosen] = ended;
+  const auto& [automatic, search, simplified, runs] = ended;
   std::string text = fmt::format("{} to {:.3g} %\n", automatic.quantity, 100 * automatic.aim.tolerance);
   text += aligned_text(table, {"run", "of", "space", "time", "value", "error", "bound", "cpu_seconds"});
-  text += failures_text(made) + decisions_text(simplified.decisions);
-  const bool any = std::ranges::any_of(search.trials(), [](const Trial& trial) { return trial.value.has_value(); });
-  if (any) {
-    const Orders orders = search.posterior().orders();
-    text += order_text("space", orders.space, automatic.aim.theory.space);
-    text += order_text("time", orders.time, automatic.aim.theory.time);
+  text += failures_text(runs.made()) + decisions_text(simplified.decisions);
+  if (const auto posterior = search.posterior()) {
+    text += order_text("space", posterior->orders().space, automatic.aim.theory.space);
+    text += order_text("time", posterior->orders().time, automatic.aim.theory.time);
   }
   text += doubt_text(search);
-  return text + (chosen ? chosen_text(ended) : fmt::format("cannot promise: {}\n", search.why_not()));
+  return text + (search.found() ? chosen_text(ended) : fmt::format("cannot promise: {}\n", search.why_not()));
 }
 
 }  // namespace tether::automatic

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@
 
 namespace tether::automatic {
 
-/// A row a run, with what the search came to know of it at its end.
+/// A row a run, with what the search came to know at its end of those that are its own.
 StudyTable table_of(const std::vector<TrialRun>& made, const Search& search);
 
 /// A search that has come to its end. The references must outlive this.
@@ -21,8 +20,7 @@ struct Ended {
   const Automatic& automatic;
   const Search& search;
   const Simplified& simplified;
-  const std::vector<TrialRun>& made;
-  std::optional<std::size_t> chosen;  ///< its place among the runs
+  const TrialRuns& runs;
 };
 
 /// Returns what was tried, what was chosen and why, for people.

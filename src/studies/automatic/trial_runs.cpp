@@ -2,6 +2,7 @@
 #include "studies/automatic/trial_runs.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 
 #include "base/diagnostics.hpp"
@@ -14,6 +15,12 @@ namespace {
 /// Digits of a run's key that make the name of its folder.
 constexpr std::size_t digits_in_a_name = 12;
 
+std::vector<std::string> settings_of(const Automatic& automatic, const WantedRun& wanted) {
+  std::vector<std::string> settings = automatic.refinement.overrides(wanted.at, wanted.stretch);
+  settings.insert(settings.end(), wanted.left_out.begin(), wanted.left_out.end());
+  return settings;
+}
+
 void refuse_file_trouble(const RunEnd& end) {
   if (end.ending.exit_code == exit_file)
     throw FileError(fmt::format("{}; the same command tries the run again", end.ending.message));
@@ -21,47 +28,69 @@ void refuse_file_trouble(const RunEnd& end) {
 
 }  // namespace
 
-std::vector<std::string> settings_of(const Automatic& automatic, const WantedRun& wanted) {
-  std::vector<std::string> settings = automatic.refinement.overrides(wanted.at);
-  settings.insert(settings.end(), wanted.left_out.begin(), wanted.left_out.end());
-  return settings;
-}
-
 StudyRun study_run_of(const Automatic& automatic, const WantedRun& wanted, const std::filesystem::path& out) {
   Study study = study_of_run(automatic, settings_of(automatic, wanted));
   const std::string key = run_key(read_deck(study, {0, {}}));
-  return {std::move(study), out / "trials" / key.substr(0, digits_in_a_name)};
+  return {.study = std::move(study), .out = out / "trials" / key.substr(0, digits_in_a_name)};
 }
 
-std::vector<TrialRun> TrialRuns::make(const std::vector<WantedRun>& wanted) {
-  std::vector<StudyRun> runs;
-  for (const WantedRun& run : wanted) runs.push_back(study_run_of(automatic_, run, options_.out));
+double TrialRuns::spent() const {
+  double sum = 0;
+  for (const TrialRun& run : made_) sum += run.trial.seconds;
+  return sum;
+}
+
+/// The place of the run among those that were made; one past them where it was not.
+std::size_t TrialRuns::place_of(const std::filesystem::path& study) const {
+  return static_cast<std::size_t>(std::ranges::find(studies_, study) - studies_.begin());
+}
+
+std::vector<Trial> TrialRuns::make(const std::vector<WantedRun>& wanted) {
+  std::vector<StudyRun> runs, new_ones;
+  std::vector<WantedRun> new_wanted;
+  for (const WantedRun& run : wanted) {
+    runs.push_back(study_run_of(automatic_, run, options_.out));
+    runs.back().most_cpu_seconds = automatic_.aim.budget - spent();
+    const auto is_it = [&](const StudyRun& other) { return other.out == runs.back().out; };
+    if (place_of(runs.back().out) < made_.size() || std::ranges::any_of(new_ones, is_it)) continue;
+    new_ones.push_back(runs.back()), new_wanted.push_back(run);
+  }
   const auto progress = [&](SweepProgress all_so_far) {
     all_so_far.done += made_.size();
     if (options_.progress) options_.progress(all_so_far);
   };
-  const auto ends = run_all(runs, options_.shares, options_.command, progress);
-  std::vector<TrialRun> all;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    refuse_file_trouble(ends[k]);
-    all.push_back({.trial = trial_of(wanted[k].at, ends[k]),
-                   .of = wanted[k].of,
-                   .settings = settings_of(automatic_, wanted[k]),
-                   .ending = ends[k].ending,
-                   .folder = ends[k].folder});
+  const auto ends = run_all(new_ones, options_.shares, options_.command, progress);
+  for (std::size_t k = 0; k < ends.size(); ++k) add(new_wanted[k], new_ones[k], ends[k]);
+  std::vector<Trial> all;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    all.push_back(made_[place_of(runs[k].out)].trial);
+    all.back().wanted = wanted[k].at;
   }
-  made_.insert(made_.end(), all.begin(), all.end());
   return all;
 }
 
-Trial TrialRuns::trial_of(const Resolution& wanted, const RunEnd& end) const {
-  Trial trial{.at = automatic_.refinement.rounded(wanted), .wanted = wanted, .value = {}, .seconds = 0};
-  if (end.ending.exit_code != exit_done) return trial;
-  const published::RunFiles files(end.folder);
-  trial.seconds = files.summary("cpu_seconds");
-  const double value = number_or_none(automatic_.value, files);
-  if (std::isfinite(value)) trial.value = value;
-  return trial;
+void TrialRuns::add(const WantedRun& wanted, const StudyRun& study, const RunEnd& end) {
+  refuse_file_trouble(end);
+  Trial trial{.at = automatic_.refinement.rounded(wanted.at),
+              .wanted = wanted.at,
+              .value = {},
+              .seconds = end.cpu_seconds,
+              .refused = end.ending.exit_code == exit_input,
+              .run = made_.size()};
+  if (end.ending.exit_code == exit_done) {
+    const published::RunFiles files(end.folder);
+    trial.seconds = files.summary("cpu_seconds");
+    const double steps = automatic_.refinement.fineness(files.summary("time_end") / files.summary("steps"));
+    if (steps > is_cut * trial.at.time) trial.at.time = steps;
+    const double value = number_or_none(automatic_.value, files);
+    if (std::isfinite(value)) trial.value = value;
+  }
+  made_.push_back({.trial = trial,
+                   .purpose = wanted.purpose,
+                   .settings = settings_of(automatic_, wanted),
+                   .ending = end.ending,
+                   .folder = end.folder});
+  studies_.push_back(study.out);
 }
 
 }  // namespace tether::automatic

@@ -1,37 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/process.hpp"
+#include "base/words.hpp"
 #include "studies/automatic/automatic.hpp"
 #include "studies/run_pool.hpp"
 #include "studies/scheduler.hpp"
 
-namespace tether::automatic {
+namespace tether {
 
-/// How a search is to be made.
-struct FindOptions {
-  std::filesystem::path out;  ///< folder for the table and, below it, the runs
-  Shares shares;
-  std::string command;  ///< as it was typed, for the files' provenance
-  std::function<void(const SweepProgress&)> progress;
-};
+namespace automatic {
+
+/// What a run is for: a level of refinement, the scatter at one, or the model with and without a part.
+enum class Purpose { level, scatter, model };
+
+}  // namespace automatic
+
+template <>
+inline constexpr std::array<Word<automatic::Purpose>, 3> words<automatic::Purpose>{
+    {{automatic::Purpose::level, "level"},
+     {automatic::Purpose::scatter, "scatter"},
+     {automatic::Purpose::model, "model"}}};
+
+namespace automatic {
 
 /// A run that is wanted: a resolution, and what the model leaves out.
 struct WantedRun {
   Resolution at;
   std::vector<std::string> left_out = {};  ///< overrides of the choices that it leaves out
-  std::string of = "level";                ///< what it is for, a word of the table
+  Purpose purpose = Purpose::level;
+  double stretch = 1;  ///< all steps are so much longer
 };
 
 /// A run that was made, and where.
 struct TrialRun {
   Trial trial;
-  std::string of = {};
+  Purpose purpose = Purpose::level;        ///< for which it was made first
   std::vector<std::string> settings = {};  ///< in place of the deck's
   Ending ending = {};
   std::filesystem::path folder = {};
@@ -42,26 +51,29 @@ struct TrialRun {
 class TrialRuns {
  public:
   /// The references must outlive this.
-  TrialRuns(const Automatic& automatic, const FindOptions& options) : automatic_(automatic), options_(options) {}
+  TrialRuns(const Automatic& automatic, const StudyOptions& options) : automatic_(automatic), options_(options) {}
 
-  /// Makes runs, those that were made before by reading what they left. Returns them in their order. Throws FileError
-  /// where one could not read or write a file, Interrupted.
-  std::vector<TrialRun> make(const std::vector<WantedRun>& wanted);
-  /// All that were made, in their order.
+  /// Makes runs, those that were made before by reading what they left. A run that takes more of the processor than the
+  /// budget has left is stopped. Returns what they came to, in their order. Throws FileError where one could not read
+  /// or write a file, Interrupted.
+  std::vector<Trial> make(const std::vector<WantedRun>& wanted);
+  /// Each run that was made, once, in their order.
   const std::vector<TrialRun>& made() const { return made_; }
+  /// Seconds of the processor that all of them took.
+  double spent() const;
 
  private:
-  Trial trial_of(const Resolution& wanted, const RunEnd& end) const;
+  std::size_t place_of(const std::filesystem::path& study) const;
+  void add(const WantedRun& wanted, const StudyRun& study, const RunEnd& end);
 
   const Automatic& automatic_;
-  const FindOptions& options_;
+  const StudyOptions& options_;
   std::vector<TrialRun> made_;
+  std::vector<std::filesystem::path> studies_;  // their folders
 };
-
-/// Returns what a run has in place of the deck's values.
-std::vector<std::string> settings_of(const Automatic& automatic, const WantedRun& wanted);
 
 /// The run as a study of its own.
 StudyRun study_run_of(const Automatic& automatic, const WantedRun& wanted, const std::filesystem::path& out);
 
-}  // namespace tether::automatic
+}  // namespace automatic
+}  // namespace tether

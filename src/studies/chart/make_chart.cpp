@@ -54,7 +54,7 @@ Distinct distinct(const std::vector<StudyRun>& runs) {
   return all;
 }
 
-std::vector<RunEnd> run_each_once(const std::vector<StudyRun>& runs, const ChartOptions& options) {
+std::vector<RunEnd> run_each_once(const std::vector<StudyRun>& runs, const StudyOptions& options) {
   const Distinct made = distinct(runs);
   const auto ends = run_all(made.runs, options.shares, options.command, options.progress);
   std::vector<RunEnd> all;
@@ -70,11 +70,6 @@ Measured measured(const Chart& chart, const RunEnd& end) {
   run.seconds = files.summary("cpu_seconds"), run.megabytes = files.summary("peak_memory_mb");
   run.step = files.summary("time_end") / files.summary("steps");
   return run;
-}
-
-template <class Cell>
-TableColumn column(const char* name, const char* meaning, std::vector<Cell> cells, const char* unit = "") {
-  return {name, meaning, unit, std::move(cells)};
 }
 
 /// A row a run.
@@ -95,20 +90,20 @@ StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const
     exit_code.push_back(ends[k].ending.exit_code), folder.push_back(ends[k].folder.string());
   }
   return {"run",
-          {column("run", "number of the run", number, "1"), column("family", "family of runs", family),
-           column("of", "what the run studies: cells or steps", of),
-           column("size", "of a cell, over the scene's, or the mean of the run's steps", size),
-           column("value", "what was read off the run", value),
-           column("error", "its distance from the answer, over the answer", error, "1"),
-           column("lasting_error",
-                  "the largest of it, of the family's finer meshes, and of what a converged answer may be off", lasting,
-                  "1"),
-           column("cpu_seconds", "of the run", seconds, "s"),
-           column("peak_memory_mb", "of its process", megabytes, "1e6 byte"),
-           column("warnings", "of the run, which stand in messages.txt of its folder", warnings, "1"),
-           column("exit_code", "0 for a run that ended well", exit_code),
-           column("settings", "values that the run has in place of the deck's", values),
-           column("folder", "the run's", folder)}};
+          {table_column("run", "number of the run", number, "1"), table_column("family", "family of runs", family),
+           table_column("of", "what the run studies: cells or steps", of),
+           table_column("size", "of a cell, over the scene's, or the mean of the run's steps", size),
+           table_column("value", "what was read off the run", value),
+           table_column("error", "its distance from the answer, over the answer", error, "1"),
+           table_column("lasting_error",
+                        "the largest of it, of the family's finer meshes, and of what a converged answer may be off",
+                        lasting, "1"),
+           table_column("cpu_seconds", "of the run", seconds, "s"),
+           table_column("peak_memory_mb", "of its process", megabytes, "1e6 byte"),
+           table_column("warnings", "of the run, which stand in messages.txt of its folder", warnings, "1"),
+           table_column("exit_code", "0 for a run that ended well", exit_code),
+           table_column("settings", "values that the run has in place of the deck's", values),
+           table_column("folder", "the run's", folder)}};
 }
 
 std::string failures_text(const std::vector<Measured>& runs, const std::vector<RunEnd>& ends) {
@@ -124,7 +119,7 @@ std::string failures_text(const std::vector<Measured>& runs, const std::vector<R
 
 }  // namespace
 
-ChartResult make_chart(const Chart& chart, const ChartOptions& options) {
+ChartResult make_chart(const Chart& chart, const StudyOptions& options) {
   remove_earlier_results(options.out);
   const std::vector<ChartRun> runs = runs_of(chart);
   const auto ends = run_each_once(planned(runs, options.out / "runs"), options);

@@ -2,21 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "studies/chart/chart.hpp"
 #include "studies/scheduler.hpp"
 
 namespace tether::chart {
-
-/// How a chart is to be run.
-struct ChartOptions {
-  std::filesystem::path out;  ///< folder for the table and, below it, the runs
-  Shares shares;
-  std::string command;  ///< as it was typed, for the files' provenance
-  std::function<void(const SweepProgress&)> progress;
-};
 
 /// What there is to say at the end.
 struct ChartResult {
@@ -27,7 +18,7 @@ struct ChartResult {
 };
 
 /// Runs all families and writes chart.nc, chart.csv and chart.txt, the report. Throws FileError, Interrupted.
-ChartResult make_chart(const Chart& chart, const ChartOptions& options);
+ChartResult make_chart(const Chart& chart, const StudyOptions& options);
 
 /// The runs, a line each: whether it is finished, its deck, its overrides.
 std::string list_chart_runs(const Chart& chart, const std::filesystem::path& out);

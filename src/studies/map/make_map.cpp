@@ -46,12 +46,12 @@ std::size_t count_telling_nothing(const Outcome& outcome) {
 
 }  // namespace
 
-MapResult make_map(const Map& map, const SweepOptions& options) {
+MapResult make_map(const Map& map, const StudyOptions& options) {
   const Study& study = map.study;
   const FolderLock lock(options.out, study.file);
   remove_earlier_results(options.out);
   Sequences sequences(study);
-  Scheduler scheduler(study, options.out, {options.jobs, options.threads}, options.progress);
+  Scheduler scheduler(study, options.out, options.shares, options.progress);
   auto [runs, signal] = scheduler.run_all(sequences);
   Outcome outcome;
   for (const FinishedRun& run : runs) {

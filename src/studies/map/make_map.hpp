@@ -20,6 +20,6 @@ struct MapResult {
 /// Runs the squares along the border, several runs side by side, and writes map.nc and map.csv, a row a square,
 /// table.nc and table.csv, a row a run, and map.txt, the report. Runs that were made before are known again. Throws
 /// FileError, also where another process works in the same folder.
-MapResult make_map(const Map& map, const SweepOptions& options);
+MapResult make_map(const Map& map, const StudyOptions& options);
 
 }  // namespace tether::map

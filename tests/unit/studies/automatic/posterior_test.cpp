@@ -89,6 +89,18 @@ TEST(AutomaticPosterior, KeepsItsPromise) {
   EXPECT_GE(sharp, cases * 90 / 100);
 }
 
+/// Levels too coarse to follow any law do not spoil what finer ones say.
+TEST(AutomaticPosterior, LetsCoarseLevelsBeWrong) {
+  const auto value = [](const Resolution& at) {
+    return at.space < 4 ? 1.7 : 3 + 0.6 * std::pow(at.space, -2) - 0.3 * std::pow(at.time, -2);
+  };
+  const std::vector<Resolution> at{{1, 1}, {1, 2}, {2, 2}, {4, 4}, {8, 8}, {8, 16}, {16, 16}, {32, 32}};
+  const Posterior posterior(sampled(at, value), second, 0);
+  EXPECT_NEAR(posterior.limit(), 3, 0.001);
+  EXPECT_LT(posterior.bound(value({32, 32}), 0.97), 0.003);
+  EXPECT_LT(posterior.chance_at({2, 32}, 0.1), 0.5);
+}
+
 TEST(AutomaticPosterior, ARunThatIsFinerSaysMore) {
   const auto value = [](const Resolution& at) { return 3 + 0.6 / at.space - 0.2 / at.time; };
   const Posterior posterior(sampled({{1, 1}, {1, 2}, {2, 2}}, value), {1., 1.}, 0);

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
+#include <utility>
 
 namespace tether::automatic {
 namespace {
@@ -14,10 +17,17 @@ using Value = std::function<std::optional<double>(const Resolution&)>;
 /// Seconds of a run in the plane.
 double seconds(const Resolution& at) { return 0.01 + 0.1 * at.space * at.space * at.time; }
 
+double spent_in(const Search& search) {
+  double sum = 0;
+  for (const Trial& trial : search.trials()) sum += trial.seconds;
+  return sum;
+}
+
 Search searched(const Aim& aim, const Value& value) {
   Search search(aim);
-  for (auto wanted = search.next(); !wanted.empty(); wanted = search.next()) {
-    for (const Resolution& at : wanted) search.take({at, at, value(at), seconds(at)});
+  for (auto wanted = search.next(0); !wanted.empty(); wanted = search.next(spent_in(search))) {
+    for (const Resolution& at : wanted)
+      search.take({.at = at, .wanted = at, .value = value(at), .seconds = seconds(at), .refused = false, .run = 0});
   }
   return search;
 }
@@ -46,7 +56,7 @@ TEST(AutomaticSearch, FindsTheCheapestSettingThatKeepsThePromise) {
   for (const double tolerance : {0.03, 0.01, 0.003}) {
     const Search search = searched(aim_of(tolerance), value);
     ASSERT_TRUE(search.found()) << search.why_not();
-    const Trial& chosen = search.trials()[search.found()->trial];
+    const Trial& chosen = search.found()->trial;
     EXPECT_LE(std::abs(*chosen.value - 3), 3 * tolerance);
     EXPECT_LE(search.found()->bound, tolerance * 1.01);
     EXPECT_LE(chosen.seconds, 2 * least_seconds(value, 3, tolerance)) << tolerance;
@@ -58,7 +68,7 @@ TEST(AutomaticSearch, PromisesNothingOfRunsThatAreAllCoarserThanTheDecks) {
   const Value value = [](const Resolution& at) { return at.space < 1 ? 3. : 4. + 0.01 / at.space; };
   const Search search = searched(aim_of(0.01), value);
   if (!search.found()) return;  // it says that it cannot promise
-  EXPECT_NEAR(*search.trials()[search.found()->trial].value, 4, 0.04);
+  EXPECT_NEAR(*search.found()->trial.value, 4, 0.04);
 }
 
 TEST(AutomaticSearch, CannotPromiseWhereNothingConverges) {
@@ -73,7 +83,7 @@ TEST(AutomaticSearch, EndsWithItsBudgetAndSaysWhatItWouldTake) {
   aim.budget = 5;
   const Search search = searched(aim, [](const Resolution& at) { return 3 + 1 / at.space + 1 / at.time; });
   EXPECT_FALSE(search.found());
-  EXPECT_LE(search.seconds(), 1.5 * 5);  // the last run may cost more than expected
+  EXPECT_LE(spent_in(search), 1.5 * 5);  // the last run may cost more than expected
   EXPECT_NE(search.why_not().find("of the budget"), std::string::npos) << search.why_not();
 }
 
@@ -84,7 +94,72 @@ TEST(AutomaticSearch, BeginsFinerWhereCoarseRunsFail) {
   };
   const Search search = searched(aim_of(0.01), value);
   ASSERT_TRUE(search.found()) << search.why_not();
-  EXPECT_NEAR(*search.trials()[search.found()->trial].value, 3, 0.03);
+  EXPECT_NEAR(*search.found()->trial.value, 3, 0.03);
+}
+
+double smooth(const Resolution& at) { return 3 + 0.2 * std::pow(at.space, -2) + 0.1 * std::pow(at.time, -2); }
+
+TEST(AutomaticSearch, AFailureOfCoarseCellsDoesNotCondemnFinerOnes) {
+  const Value value = [](const Resolution& at) -> std::optional<double> {
+    if (at == Resolution{0.25, 0.5}) return std::nullopt;
+    return smooth(at);
+  };
+  const Search search = searched(aim_of(0.01), value);
+  ASSERT_TRUE(search.found()) << search.why_not();
+  EXPECT_NEAR(*search.found()->trial.value, 3, 0.03);
+}
+
+TEST(AutomaticSearch, TakesFinerStepsWhereTheDecksOwnFail) {
+  const Value value = [](const Resolution& at) -> std::optional<double> {
+    if (at.space >= 1 && at.time < 2) return std::nullopt;
+    return smooth(at);
+  };
+  const Search search = searched(aim_of(0.003), value);
+  ASSERT_TRUE(search.found()) << search.why_not();
+  const auto is_own = [](const Trial& trial) {
+    return trial.value && trial.wanted.space >= 1 && trial.wanted.time >= 1;
+  };
+  EXPECT_TRUE(std::ranges::any_of(search.trials(), is_own));
+}
+
+TEST(AutomaticSearch, PromisesNothingWhereTheDecksOwnCellsFail) {
+  const Value value = [](const Resolution& at) -> std::optional<double> {
+    if (at.space >= 1) return std::nullopt;
+    return smooth(at);
+  };
+  const Search search = searched(aim_of(0.3), value);
+  EXPECT_FALSE(search.found());
+  EXPECT_NE(search.why_not().find("the deck's own cells and steps fail"), std::string::npos) << search.why_not();
+}
+
+/// Steps that a limit cuts to 8 a cell whatever the deck says make no other run.
+TEST(AutomaticSearch, MakesNoRunTwiceWhereALimitCutsTheSteps) {
+  Search search(aim_of(0.001));
+  for (auto wanted = search.next(0); !wanted.empty(); wanted = search.next(spent_in(search))) {
+    for (const Resolution& at : wanted) {
+      const Resolution as_run{at.space, std::max(at.time, 8 * at.space)};
+      search.take({.at = as_run,
+                   .wanted = at,
+                   .value = smooth(as_run),
+                   .seconds = seconds(as_run),
+                   .refused = false,
+                   .run = 0});
+    }
+  }
+  ASSERT_TRUE(search.found()) << search.why_not();
+  std::set<std::pair<double, double>> different;
+  for (const Trial& trial : search.trials()) different.insert({trial.at.space, trial.at.time});
+  EXPECT_LE(search.trials().size(), different.size() + 1);  // the first level is run with two steps
+}
+
+TEST(AutomaticSearch, LevelsThatAgreePromiseNothingWithoutARunBesideThem) {
+  const Value value = [](const Resolution& at) -> std::optional<double> {
+    if (at.space == 1.5) return std::nullopt;
+    return 3 + 1e-6 / at.space;
+  };
+  const Search search = searched(aim_of(0.01), value);
+  EXPECT_FALSE(search.found());
+  EXPECT_NE(search.why_not().find("may be chance"), std::string::npos) << search.why_not();
 }
 
 TEST(AutomaticSearch, SaysWhereEveryRunFails) {
@@ -98,7 +173,7 @@ TEST(AutomaticSearch, RefinesTimeAloneWhereThereAreNoCells) {
   const Search search = searched(aim, [](const Resolution& at) { return 3 + 0.3 * std::pow(at.time, -2); });
   ASSERT_TRUE(search.found()) << search.why_not();
   for (const Trial& trial : search.trials()) EXPECT_EQ(trial.at.space, 1);
-  EXPECT_NEAR(*search.trials()[search.found()->trial].value, 3, 0.009);
+  EXPECT_NEAR(*search.found()->trial.value, 3, 0.009);
 }
 
 TEST(AutomaticCostLaw, FindsPowers) {
