@@ -42,8 +42,8 @@ CLI::Option* add_auto(CLI::App& app, RunOptions& options) {
   const std::string meaning =
       "find the cheapest cells and steps that meet a relative tolerance for what the deck is to be true to "
       "($auto quantity='...'), by runs from coarse to fine";
-  auto* particles = app.get_option("--particles");  // points of a file cannot be made more
-  return app.add_option("--auto", options.tolerance, meaning)->excludes(particles)->option_text("TOL");
+  auto* option = app.add_option("--auto", options.tolerance, meaning)->option_text("TOL")->check(CLI::Number);
+  return option->excludes(app.get_option("--particles"));  // points of a file cannot be made more
 }
 
 constexpr const char* one_a_core = "one for each core where that is faster";

@@ -74,7 +74,9 @@ Decision decided(const Choice& choice, const Trial& with, const Trial& without, 
   if (with.value && without.value) decision.change = (*without.value - *with.value) / std::abs(*with.value);
   decision.saved = 1 - without.seconds / with.seconds;
   if (!without.value)
-    decision.why = "its run fails, or does not show the number";
+    decision.why = without.why == NoValue::scene ? "the deck cannot do without it"
+                   : without.why == NoValue::run ? "the run fails without it"
+                                                 : "the run does not show the number without it";
   else if (!(std::abs(decision.change) < share_of_model * tolerance))
     decision.why = "it counts";
   else if (decision.saved < -timing_noise)

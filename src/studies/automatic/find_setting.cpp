@@ -140,8 +140,11 @@ Found find_setting(const Automatic& automatic, const StudyOptions& options) {
 std::string list_first_runs(const Automatic& automatic, const fs::path& out) {
   std::string text;
   Search search(automatic.aim);
-  for (const Resolution& at : search.next(0)) {
-    const StudyRun run = study_run_of(automatic, {at}, out);
+  std::vector<WantedRun> wanted;
+  for (const Resolution& at : search.next(0)) wanted.push_back({at});
+  for (const Choice& choice : automatic.choices) wanted.push_back({automatic.aim.coarsest, choice.overrides});
+  for (const WantedRun& each : wanted) {
+    const StudyRun run = study_run_of(automatic, each, out);
     text += list_runs(run.study, run.out);
   }
   return text;

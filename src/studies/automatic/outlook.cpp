@@ -60,7 +60,7 @@ bool Outlook::is_known_to_fail(const Resolution& at) const {
   const auto is_worse = [](const Resolution& a, const Resolution& b) { return a.space >= b.space && a.time <= b.time; };
   return std::ranges::any_of(trials_, [&](const Trial& failed) {
     if (failed.value) return false;
-    if (failed.refused) return at.space <= failed.wanted.space;
+    if (failed.why == NoValue::scene) return at.space <= failed.wanted.space;
     return is_worse(at, failed.wanted) && std::ranges::none_of(trials_, [&](const Trial& other) {
              return other.value && is_worse(other.wanted, failed.wanted);
            });
@@ -108,7 +108,7 @@ std::optional<Resolution> Outlook::cheapest_expected() const {
     for (int j = 0; j <= times; ++j) {
       const Resolution at{space, aim_.coarsest.time * std::exp2(static_cast<double>(j) / steps_of_a_factor_2)};
       if (seconds(at) >= least || is_known_to_fail(at)) continue;
-      if (posterior_.chance_at(as_run(at), aim_.tolerance) < promise) continue;
+      if (!posterior_.meets(as_run(at), aim_.tolerance, promise)) continue;
       best = at, least = seconds(at);
     }
   }

@@ -12,13 +12,17 @@
 
 namespace tether::automatic {
 
+/// Why a run has no value: its scene cannot be built, it ended badly, it ended well and does not show the number, or it
+/// never writes what that is read off.
+enum class NoValue { scene, run, number, file };
+
 /// A run of the search.
 struct Trial {
   Resolution at;                ///< that it has: counts of cells are whole numbers, and a limit may cut its steps
   Resolution wanted;            ///< the one that was asked for
-  std::optional<double> value;  ///< none where it failed, or does not show the number
+  std::optional<double> value;  ///< what was read off it
   double seconds = 0;           ///< of the processor
-  bool refused = false;         ///< its scene cannot be built
+  NoValue why = NoValue::run;   ///< it has none, where it has none
   std::size_t run = 0;          ///< its place among all runs that were made
 };
 

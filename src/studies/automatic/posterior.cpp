@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -27,17 +28,25 @@ constexpr double lawless_width = 0.2;
 
 /// How far orders stray from theory's: down where something is not smooth, up by superconvergence. The distribution is
 /// Cauchy's, which gives far ones their chance.
-constexpr double stray_down = 0.3, stray_up = 0.35;
+constexpr double stray_down = 0.3, stray_up = 0.5;
 
 // What is taken for likely before the first run: the limit is anywhere, and the coarsest run is off by about its value.
 constexpr double limit_variance = 100, space_variance = 1, time_variance = 0.5;
 
+/// The chance that a number is not smooth, as where waves have kinks: then its order is about 1 at the most, whatever
+/// that of the cells.
+constexpr double not_smooth = 0.2;
+
 /// Hypotheses that weigh less, over the heaviest, are left out.
 constexpr double least_weight = 1e-6;
 
+double nearness(double order, double expected) {
+  const double off = (order - expected) / (order > expected ? stray_up : stray_down);
+  return 1 / (1 + off * off);
+}
+
 double log_nearness(double order, double theory) {
-  const double off = (order - theory) / (order > theory ? stray_up : stray_down);
-  return -std::log1p(off * off);
+  return std::log((1 - not_smooth) * nearness(order, theory) + not_smooth * nearness(order, std::min(theory, 1.)));
 }
 
 double log_cauchy(double off, double width) {
@@ -123,8 +132,8 @@ Posterior::Terms Posterior::basis(const Hypothesis& h, const Resolution& at) con
   Terms x(1 + (in_space_ ? 1 : 0) + (in_time_ ? 1 : 0));
   int k = 0;
   x[k++] = 1;
-  if (in_space_) x[k++] = std::pow(at.space / h.coarsest.space, -h.p);
-  if (in_time_) x[k++] = std::pow(at.time / h.coarsest.time, -h.q);
+  if (in_space_) x[k++] = std::exp(-h.p * std::log(at.space / h.coarsest.space));
+  if (in_time_) x[k++] = std::exp(-h.q * std::log(at.time / h.coarsest.time));
   return x;
 }
 
@@ -181,6 +190,7 @@ void Posterior::normalise() {
   for (const Hypothesis& h : hypotheses_) most = std::max(most, h.weight);
   for (Hypothesis& h : hypotheses_) h.weight = std::exp(h.weight - most);
   std::erase_if(hypotheses_, [](const Hypothesis& h) { return !(h.weight > least_weight); });
+  std::ranges::stable_sort(hypotheses_, std::ranges::greater(), &Hypothesis::weight);
   for (const Hypothesis& h : hypotheses_) sum += h.weight;
   double p = 0, q = 0;
   for (Hypothesis& h : hypotheses_) {
@@ -192,15 +202,28 @@ void Posterior::normalise() {
   if (in_time_) orders_.time = q;
 }
 
+double Posterior::chance_at(const Hypothesis& h, const Resolution& at, double tolerance) const {
+  Terms x = basis(h, at);
+  x[0] = 0;  // the error alone: what it has on top of the limit
+  const double variance = x.dot(h.covariance * x) + noise_variance(h, at);
+  return gaussian_within(x.dot(h.mean), std::sqrt(variance), tolerance * std::abs(h.mean[0] + origin_));
+}
+
 double Posterior::chance_at(const Resolution& at, double tolerance) const {
   double chance = 0;
-  for (const Hypothesis& h : hypotheses_) {
-    Terms x = basis(h, at);
-    x[0] = 0;  // the error alone: what it has on top of the limit
-    const double variance = x.dot(h.covariance * x) + noise_variance(h, at);
-    chance += h.weight * gaussian_within(x.dot(h.mean), std::sqrt(variance), tolerance * std::abs(h.mean[0] + origin_));
-  }
+  for (const Hypothesis& h : hypotheses_) chance += h.weight * chance_at(h, at, tolerance);
   return chance;
+}
+
+bool Posterior::meets(const Resolution& at, double tolerance, double promised) const {
+  double chance = 0, left = 1;
+  for (const Hypothesis& h : hypotheses_) {
+    left -= h.weight;
+    chance += h.weight * chance_at(h, at, tolerance);
+    if (chance >= promised) return true;
+    if (chance + left < promised) return false;
+  }
+  return false;
 }
 
 double Posterior::chance_of(double value, double tolerance) const {

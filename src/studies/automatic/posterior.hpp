@@ -33,6 +33,8 @@ class Posterior {
 
   /// The chance that a run of that resolution, not made yet, has a value within `tolerance` (relative) of the limit.
   double chance_at(const Resolution& at, double tolerance) const;
+  /// Returns whether that chance is `promised` or more: quicker where it is far from that.
+  bool meets(const Resolution& at, double tolerance, double promised) const;
   /// The chance that this value of a run that was made is.
   double chance_of(double value, double tolerance) const;
   /// The tolerance (relative) that this value meets with that chance; infinite where none up to 1e6 is.
@@ -66,6 +68,7 @@ class Posterior {
   void add_hypotheses(std::span<const Sample> samples, const Orders& theory, double first_level);
   Terms basis(const Hypothesis& h, const Resolution& at) const;
   bool is_lawless(const Hypothesis& h, const Resolution& at) const;
+  double chance_at(const Hypothesis& h, const Resolution& at, double tolerance) const;
   double noise_variance(const Hypothesis& h, const Resolution& at) const;
   Terms prior_variances() const;
   /// Fills in mean, covariance and, as a logarithm, weight.

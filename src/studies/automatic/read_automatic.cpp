@@ -18,6 +18,9 @@ namespace {
 /// A search begins with cells, or steps, that are this part as many as the deck's.
 constexpr double coarsest_part = 0.25;
 
+/// A plan may estimate a small run so many times too costly.
+constexpr double estimate_over_cost = 5;
+
 std::string quoted(const std::string& text) {
   std::string quotes = "'";
   for (const char c : text) quotes += c == '\'' ? "''" : std::string(1, c);
@@ -29,15 +32,19 @@ std::string way_of(const std::string& what) {
   return fmt::format("max({0}_x_1) - min({0}_x_1) + max({0}_y_1) - min({0}_y_1)", what);
 }
 
-/// A scene's own figure of merit: the first number that its deck publishes; else the way of its first tracked point,
-/// what its first probe shows at the end, the way of its first body, or its largest kinetic energy. Empty where its
-/// runs write none of them.
+/// A scene's own figure of merit: the first number that its deck publishes of the history; else the way of its first
+/// tracked point, what its first probe shows at the end, the way of its first body, or its largest kinetic energy.
+/// Empty where its runs write none of them.
 std::string figure_of_merit(const Deck& deck, const Written& written) {
   const auto has = [&](const char* column) {
     return std::ranges::find(written.columns, column) != written.columns.end();
   };
-  if (deck.given("published.is", 1) && deck.text("published.compared_with").empty())
-    return deck.text("published.is", 1);
+  if (deck.text("published.compared_with").empty()) {
+    for (const auto& at : deck.given_elements("published.is")) {
+      const std::string number = deck.text("published.is", at[0]);
+      if (!published::read_reading(number).columns.empty()) return number;
+    }
+  }
   if (has("point_x_1")) return way_of("point");
   if (has("probe_vx_1")) return "last(probe_vx_1)";
   if (has("body_x_1")) return way_of("body");
@@ -114,7 +121,7 @@ void refuse_small_budget(const Deck& deck, const Automatic& automatic, Diagnosti
     seconds += expected_seconds(automatic, at);
     at = {aim.theory.space ? 2 * at.space : 1, aim.theory.time ? 2 * at.time : 1};
   }
-  if (seconds <= aim.budget) return;
+  if (seconds <= estimate_over_cost * aim.budget) return;
   diagnostics.add(
       deck.remark(Severity::error, "auto.budget", {1, 1},
                   fmt::format("the budget of {:.3g} s is too small: the first three levels alone take about {:.2g} s",

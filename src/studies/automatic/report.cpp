@@ -55,13 +55,33 @@ std::string chosen_text(const Ended& ended) {
       100 * (setting.bound + ended.simplified.allowed), 100 * promise, setting.trial.seconds, most, ended.runs.spent());
 }
 
+bool is_the_same_in_all(const std::vector<Trial>& trials) {
+  const auto samples = samples_of(trials);
+  return samples.size() > 1 &&
+         std::ranges::all_of(samples, [&](const Sample& sample) { return sample.value == samples.front().value; });
+}
+
+const char* failed_how(NoValue why) {
+  if (why == NoValue::scene) return "cannot be built";
+  return why == NoValue::run ? "failed" : "ended well, and does not write what the number is read off";
+}
+
+/// A message without its place in a deck that the user did not write.
+std::string what_is_wrong(const std::string& message) {
+  constexpr std::string_view mark = "error: ";
+  const auto at = message.find(mark);
+  return at == std::string::npos ? message : message.substr(at + mark.size());
+}
+
 std::string failures_text(const std::vector<TrialRun>& made) {
   std::string text;
   for (std::size_t k = 0; k < made.size(); ++k) {
-    if (made[k].ending.exit_code != exit_done)
-      text += fmt::format("run {} failed: {}\n", k + 1, made[k].ending.message);
-    else if (!made[k].trial.value)
+    const auto& [trial, purpose, settings, ending, folder] = made[k];
+    if (trial.value || (trial.why == NoValue::scene && purpose == Purpose::model)) continue;
+    if (trial.why == NoValue::number)
       text += fmt::format("run {} ended well, and does not show the number\n", k + 1);
+    else
+      text += fmt::format("run {} {}: {}\n", k + 1, failed_how(trial.why), what_is_wrong(ending.message));
   }
   return text;
 }
@@ -103,7 +123,9 @@ std::string report_text(const Ended& ended, const StudyTable& table) {
   std::string text = fmt::format("{} to {:.3g} %\n", automatic.quantity, 100 * automatic.aim.tolerance);
   text += aligned_text(table, {"run", "of", "space", "time", "value", "error", "bound", "cpu_seconds"});
   text += failures_text(runs.made()) + decisions_text(simplified.decisions);
-  if (const auto posterior = search.posterior()) {
+  if (is_the_same_in_all(search.trials())) {
+    text += "the number is the same in every run: neither cells nor steps change it\n";
+  } else if (const auto posterior = search.posterior()) {
     text += order_text("space", posterior->orders().space, automatic.aim.theory.space);
     text += order_text("time", posterior->orders().time, automatic.aim.theory.time);
   }

@@ -52,7 +52,13 @@ std::vector<Resolution> Search::first_ones() const {
 
 /// Levels that are too coarse to be run say nothing: the search begins from finer ones.
 std::vector<Resolution> Search::begin_finer() {
-  if (aim_.coarsest.space >= 1 && aim_.coarsest.time >= 1) return end("the runs fail, the deck's own one, too");
+  const auto has = [&](NoValue why) {
+    return std::ranges::any_of(trials_, [why](const Trial& trial) { return !trial.value && trial.why == why; });
+  };
+  if (has(NoValue::file)) return end("the runs do not write what the number is read off");
+  if (aim_.coarsest.space >= 1 && aim_.coarsest.time >= 1)
+    return end(has(NoValue::number) ? "the runs end well and do not show the number, not even the deck's own one"
+                                    : "the runs fail, the deck's own one, too");
   if (aim_.theory.space) aim_.coarsest.space *= 2;
   if (aim_.theory.time) aim_.coarsest.time *= 2;
   std::vector<Resolution> all;

@@ -26,6 +26,8 @@ void refuse_file_trouble(const RunEnd& end) {
     throw FileError(fmt::format("{}; the same command tries the run again", end.ending.message));
 }
 
+bool ended_badly(const TrialRun& run) { return run.ending.exit_code != exit_done; }
+
 }  // namespace
 
 StudyRun study_run_of(const Automatic& automatic, const WantedRun& wanted, const std::filesystem::path& out) {
@@ -57,6 +59,7 @@ std::vector<Trial> TrialRuns::make(const std::vector<WantedRun>& wanted) {
   }
   const auto progress = [&](SweepProgress all_so_far) {
     all_so_far.done += made_.size();
+    all_so_far.failed += static_cast<std::size_t>(std::ranges::count_if(made_, ended_badly));
     if (options_.progress) options_.progress(all_so_far);
   };
   const auto ends = run_all(new_ones, options_.shares, options_.command, progress);
@@ -69,27 +72,37 @@ std::vector<Trial> TrialRuns::make(const std::vector<WantedRun>& wanted) {
   return all;
 }
 
+/// Reads the number off a run that ended well.
+void TrialRuns::read(TrialRun& run) const {
+  const published::RunFiles files(run.folder);
+  Trial& trial = run.trial;
+  trial.seconds = files.summary("cpu_seconds");
+  const double steps = automatic_.refinement.fineness(files.summary("time_end") / files.summary("steps"));
+  if (steps > is_cut * trial.at.time) trial.at.time = steps;
+  try {
+    const double value = automatic_.value(files);
+    if (std::isfinite(value)) trial.value = value;
+    trial.why = NoValue::number;
+  } catch (const FileError& error) {
+    trial.why = NoValue::file, run.ending.message = error.what();
+  }
+}
+
 void TrialRuns::add(const WantedRun& wanted, const StudyRun& study, const RunEnd& end) {
   refuse_file_trouble(end);
-  Trial trial{.at = automatic_.refinement.rounded(wanted.at),
-              .wanted = wanted.at,
-              .value = {},
-              .seconds = end.cpu_seconds,
-              .refused = end.ending.exit_code == exit_input,
-              .run = made_.size()};
-  if (end.ending.exit_code == exit_done) {
-    const published::RunFiles files(end.folder);
-    trial.seconds = files.summary("cpu_seconds");
-    const double steps = automatic_.refinement.fineness(files.summary("time_end") / files.summary("steps"));
-    if (steps > is_cut * trial.at.time) trial.at.time = steps;
-    const double value = number_or_none(automatic_.value, files);
-    if (std::isfinite(value)) trial.value = value;
-  }
-  made_.push_back({.trial = trial,
-                   .purpose = wanted.purpose,
-                   .settings = settings_of(automatic_, wanted),
-                   .ending = end.ending,
-                   .folder = end.folder});
+  const NoValue why = end.ending.exit_code == exit_input ? NoValue::scene : NoValue::run;
+  TrialRun run{.trial = {.at = automatic_.refinement.rounded(wanted.at),
+                         .wanted = wanted.at,
+                         .value = {},
+                         .seconds = end.cpu_seconds,
+                         .why = why,
+                         .run = made_.size()},
+               .purpose = wanted.purpose,
+               .settings = settings_of(automatic_, wanted),
+               .ending = end.ending,
+               .folder = end.folder};
+  if (end.ending.exit_code == exit_done) read(run);
+  made_.push_back(std::move(run));
   studies_.push_back(study.out);
 }
 

@@ -64,6 +64,7 @@ class TrialRuns {
 
  private:
   std::size_t place_of(const std::filesystem::path& study) const;
+  void read(TrialRun& run) const;
   void add(const WantedRun& wanted, const StudyRun& study, const RunEnd& end);
 
   const Automatic& automatic_;

@@ -9,6 +9,7 @@
 #include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "studies/history_value.hpp"
+#include "studies/reproduce/point_readings.hpp"
 #include "studies/reproduce/reading_functions.hpp"
 
 namespace tether::published {
@@ -136,7 +137,17 @@ class FormulaReader {
       for (std::size_t k = 0; k < inside.size(); ++k)
         call.arguments.push_back(argument_of(inside[k], function.arguments[k], mistakes_));
     }
+    check_scene_value(call);
     parts_.calls.push_back(std::move(call));
+  }
+
+  /// What scene() takes is known without a run.
+  void check_scene_value(const Call& call) {
+    if (call.function->name != "scene" || call.arguments.empty()) return;
+    const std::string name = std::get<std::string>(call.arguments[0]);
+    const std::vector<std::string> names = scene_value_names();
+    if (std::ranges::find(names, name) == names.end())
+      note(at_, fmt::format("no scene has a number {}", name), meant(name, names));
   }
 
   /// A variable for the last call, from here to `end`.

@@ -9,7 +9,7 @@ namespace tether::automatic {
 namespace {
 
 Trial trial(std::optional<double> value, double seconds) {
-  return {.at = {}, .wanted = {}, .value = value, .seconds = seconds, .refused = false, .run = 0};
+  return {.at = {}, .wanted = {}, .value = value, .seconds = seconds, .why = NoValue::run, .run = 0};
 }
 
 Decision without(std::optional<double> value, double seconds, double tolerance) {

@@ -27,7 +27,7 @@ Search searched(const Aim& aim, const Value& value) {
   Search search(aim);
   for (auto wanted = search.next(0); !wanted.empty(); wanted = search.next(spent_in(search))) {
     for (const Resolution& at : wanted)
-      search.take({.at = at, .wanted = at, .value = value(at), .seconds = seconds(at), .refused = false, .run = 0});
+      search.take({.at = at, .wanted = at, .value = value(at), .seconds = seconds(at), .why = NoValue::run, .run = 0});
   }
   return search;
 }
@@ -142,7 +142,7 @@ TEST(AutomaticSearch, MakesNoRunTwiceWhereALimitCutsTheSteps) {
                    .wanted = at,
                    .value = smooth(as_run),
                    .seconds = seconds(as_run),
-                   .refused = false,
+                   .why = NoValue::run,
                    .run = 0});
     }
   }
