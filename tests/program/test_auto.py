@@ -89,6 +89,26 @@ class Auto(unittest.TestCase):
         self.assertEqual(done.returncode, 5, done.stdout + done.stderr)
         self.assertIn("is 0 in every run", done.stderr)
 
+    def test_says_why_a_number_is_not_shown(self):
+        for quantity, words in (("nodes_max(nofield,1,last)", "do not write what the number is read off"),
+                                ("period(point_x_1,77)", "not even the deck's own one"),
+                                ("scene(piston_period)", "not even the deck's own one")):
+            done = auto(RING, 0.01, self.out, quantity=quantity)
+            self.assertEqual(done.returncode, 5, quantity + done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertFalse((self.out / "chosen.in").exists())
+        self.assertIn("mesh.nc: ", auto(RING, 0.01, self.out, quantity="nodes_max(nofield,1,last)").stdout)
+
+    def test_a_number_that_depends_on_no_cells(self):
+        done = auto(RING, 0.01, self.out, quantity="2*deck(in.xright)")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("neither cells nor steps change it", done.stdout)
+
+    def test_the_model_stays_whole_where_that_is_asked_for(self):
+        done = auto(RING, 0.01, self.out, "auto.simplify=.false.", quantity=GROWTH)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual({row["of"] for row in rows(self.out)}, {"level"})
+
     def test_is_not_fooled_by_coarse_levels_that_agree(self):
         """A quantity u + a e + b e^2 of the ring's way and energy, made so that its three coarsest levels agree."""
         levels = []
@@ -123,6 +143,8 @@ class Auto(unittest.TestCase):
     def test_bad_input_is_refused_before_the_first_run(self):
         for tolerance in ("0", "-0.01", "1", "nan"):
             self.refused(auto(RING, tolerance, self.out), "above 0 and below 1")
+        self.refused(auto(RING, "", self.out), "--auto")
+        self.refused(auto(RING, 0.01, self.out, quantity="scene(nope)"), "no scene has a number nope")
         self.refused(auto(RING, 0.01, self.out, quantity="last(point_q_1)"), "point_q_1", "auto.quantity")
         self.refused(auto(RING, 0.01, self.out, "auto.quantity=''"), "no figure of merit")
         self.refused(auto(RING, 0.01, self.out, before=("--restart", "checkpoint-1.nc")), "--restart", "--auto")

@@ -39,7 +39,7 @@ Trial coarsest_run(const Automatic& automatic, TrialRuns& runs) {
   Resolution at = automatic.aim.coarsest;
   for (;;) {
     const Trial whole = runs.make({{at, {}, Purpose::model}}).front();
-    if (whole.value || (at.space >= 1 && at.time >= 1)) return whole;
+    if (whole.value || whole.why == NoValue::file || (at.space >= 1 && at.time >= 1)) return whole;
     at = {std::min(1., 2 * at.space), std::min(1., 2 * at.time)};
   }
 }
