@@ -56,10 +56,26 @@ void add_box(const Deck& deck, const Scene& scene, std::vector<Choice>& choices)
     choices.push_back({"steps that keep the energy", {"coupled.step='linear'"}});
 }
 
+/// Another way to solve the same: elements of order 1 for those of order 2, cells of the grid for triangles, finite
+/// elements for material points where the deck has a mesh, too.
+void add_ways(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
+  const auto add = [&](const std::string& name, const std::string& override) { choices.push_back({name, {override}}); };
+  const std::string element = deck.text("mesh.element");
+  if (scene.solids() && !scene.rigid() && element.ends_with('2'))
+    add("elements of order 2 (order 1 in their place)", fmt::format("mesh.element='{}1'", element.front()));
+  if (scene.flow() && deck.text("flow.element") == "q2q1")
+    add("elements of order 2 of the fluid (order 1 in their place)", "flow.element='q1q1'");
+  if (scene.coupled() && deck.text("coupled.flow") == "mesh")
+    add("cells that fit bodies (those of the grid in their place)", "coupled.flow='grid'");
+  if (scene.path() == Path::mpm && !deck.given_elements("mesh.cells").empty())
+    add("material points (finite elements in their place)", "in.path='fem'");
+}
+
 }  // namespace
 
 std::vector<Choice> choices_of(const Deck& deck, const Scene& scene) {
   std::vector<Choice> choices;
+  add_ways(deck, scene, choices);
   if (scene.path() == Path::mpm) add_points(deck, scene, choices);
   if (scene.coupled()) add_box(deck, scene, choices);
   if (std::holds_alternative<ElasticBodies>(scene.physics)) {

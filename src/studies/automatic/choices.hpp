@@ -18,7 +18,8 @@ struct Choice {
 
 /// Returns what a deck models that a run may do without, where its path has another way: of points contact, viscosity
 /// and the pressure outside; of elastic bodies their deformation, or large strains; of a fluid in a box viscosity,
-/// contact with walls, the simultaneous solution and steps that keep the energy, or the fluid as a whole.
+/// contact with walls, the simultaneous solution and steps that keep the energy, or the fluid as a whole; and ways to
+/// solve that are cheaper: elements, cells, paths.
 std::vector<Choice> choices_of(const Deck& deck, const Scene& scene);
 
 /// What became of one.
