@@ -13,9 +13,6 @@ namespace {
 /// How much the expected powers count, in runs that differ by a factor e.
 constexpr double trust = 0.02;
 
-/// What a run costs at the least, to start [s].
-constexpr double least_seconds = 1e-3;
-
 /// Below them a run that is finer would seem to cost nothing more: small runs cost what they cost to start.
 constexpr double least_power_of_space = 0.3, least_power_of_time = 0.05;
 

@@ -13,6 +13,9 @@ struct Expense {
   double seconds = 0;  ///< of the processor
 };
 
+/// What a run costs at the least, to start [s].
+constexpr double least_seconds = 1e-3;
+
 /// What runs cost as powers of their resolution, C space^s time^t, by least squares of their logarithms. Costly runs
 /// count more: small ones cost what they cost to start.
 class CostLaw {

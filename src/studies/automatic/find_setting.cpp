@@ -2,6 +2,7 @@
 #include "studies/automatic/find_setting.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "base/file.hpp"
@@ -40,7 +41,7 @@ const Trial* level_to_check(const Search& search, const Simplified& simplified, 
     if (!trial.value || !is_twice_as_fine(trial.wanted, simplified.whole.wanted, aim)) continue;
     if (!cheapest || trial.seconds < cheapest->seconds) cheapest = &trial;
     const bool is_better = !costs_little || trial.seconds > costs_little->seconds;
-    if (is_better && trial.seconds < share_of_the_check * most) costs_little = &trial;
+    if (is_better && simplified.saving * trial.seconds < share_of_the_check * most) costs_little = &trial;
   }
   return costs_little ? costs_little : cheapest;
 }
@@ -89,9 +90,10 @@ class ModelAttempt {
   bool is_same_at(const Resolution& at) {
     const Aim& aim = automatic_.aim;
     const Trial* level = simplified_.left_out.empty() ? nullptr : level_to_check(made_.search, simplified_, aim);
-    if (level == nullptr || runs_.spent() + 2 * level->seconds > aim.budget) return true;
+    if (level == nullptr || runs_.spent() + simplified_.saving * level->seconds > aim.budget) return true;
     const double change = change_at(at, *level, runs_, simplified_);
-    if (change <= simplified_.allowed) return true;
+    const bool is_out_of_budget = std::isnan(change) && runs_.spent() >= aim.budget;
+    if (change <= simplified_.allowed || is_out_of_budget) return true;
     if (change < share_of_model * aim.tolerance) {
       simplified_.allowed = change;
       tighten();

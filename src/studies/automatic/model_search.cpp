@@ -62,7 +62,9 @@ void leave_out(Simplified& simplified, const Automatic& automatic, TrialRuns& ru
     simplified.left_out = all_left_out(simplified.decisions);
     simplified.change = simplified.allowed = 0;
     if (simplified.left_out.empty()) return;
-    simplified.change = change_of(whole, runs.make({{whole.wanted, simplified.left_out, Purpose::model}}).front());
+    const Trial simple = runs.make({{whole.wanted, simplified.left_out, Purpose::model}}).front();
+    simplified.change = change_of(whole, simple);
+    simplified.saving = std::max(1., whole.seconds / std::max(simple.seconds, least_seconds));
     simplified.allowed = std::clamp(growth_allowed * simplified.change, least_allowed * most, most);
     if (simplified.change < most) return;
     keep_largest(simplified.decisions, "together with the others it counts");

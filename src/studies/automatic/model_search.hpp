@@ -15,6 +15,7 @@ struct Simplified {
   std::vector<std::string> left_out;  ///< overrides of all that is left out
   Trial whole = {};                   ///< the run of the pairs that has it all
   double change = 0;                  ///< of the number there without all of it, over the number; not negative
+  double saving = 1;                  ///< how many times as much the run of the whole model costs
   double allowed = 0;                 ///< what the change may be on finer cells: the part of the tolerance for it
 };
 
