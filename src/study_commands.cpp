@@ -146,8 +146,9 @@ std::string decks_of(const PublishedOptions& published) {
 bool run_published(const PublishedOptions& published, const RunOptions& options) {
   ProgressLine progress("reproduce", options.quiet);
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  const ReproduceOptions how{decks_of(published), out, published.write, options.jobs, options.threads, options.command,
-                             std::ref(progress)};
+  const ReproduceOptions how{decks_of(published),
+                             published.write,
+                             {out, {options.jobs, options.threads}, options.command, std::ref(progress)}};
   if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
   const ReproduceResult result = reproduce(published.names, how);
   progress.clear();

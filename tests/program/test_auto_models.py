@@ -54,6 +54,17 @@ class AutoModels(unittest.TestCase):
                 for part in kept:
                     self.assertIn(f"kept: {part}", done.stdout)
 
+    def test_elements_in_place_of_points_are_refined(self):
+        """Their levels differ in the mesh, which the runs by points leave alone."""
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("tests/auto/decks/pendulum.in", "--auto", 0.02, "--dry-run", "--out", pathlib.Path(folder) / "out")
+            lines = done.stdout.splitlines()
+            by_elements = [line for line in lines if "in.path='fem'" in line]
+            self.assertEqual(len(by_elements), 1, done.stdout)
+            self.assertIn("mesh.cells(1,1)=2 ", by_elements[0])
+            self.assertNotIn("in.nx", by_elements[0])
+            self.assertNotIn("mesh.cells", " ".join(line for line in lines if line not in by_elements))
+
     def test_a_plan_says_what_is_left_out_and_by_which_number(self):
         with tempfile.TemporaryDirectory() as folder:
             deck, tolerance, values, _, _ = MODELS["thin gas"]

@@ -20,6 +20,7 @@ struct Automatic {
   Refinement refinement;
   std::vector<Choice> choices;  ///< what the model may do without
   Aim aim;
+  Orders by_elements;  ///< theory's where it is solved by finite elements alone
 };
 
 /// Reads a deck and builds its scene, so that every mistake is reported before the first run: a tolerance that is none,

@@ -24,14 +24,14 @@ bool has_artificial_viscosity(const IdealGas& law) {
 
 void add_points(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
   if (!scene.strip && std::holds_alternative<Strip>(find_strip(scene)))
-    choices.push_back({"rows of points that are alike (one row in their place)", {"mpm.reduce=.true."}});
+    choices.push_back({"rows of points that are alike (one row in their place)", {{"mpm.reduce=.true."}}});
   if (scene.method.contact != ContactRule::none && has_solid(scene))
-    choices.push_back({"contact between bodies", {"mpm.contact='none'"}});
-  if (deck.real("fluid.mu") != 0) choices.push_back({"viscosity of the gas", {"fluid.mu=0"}});
+    choices.push_back({"contact between bodies", {{"mpm.contact='none'"}}});
+  if (deck.real("fluid.mu") != 0) choices.push_back({"viscosity of the gas", {{"fluid.mu=0"}}});
   const Body* gas = find_body<IdealGas>(scene);
   if (gas != nullptr && has_artificial_viscosity(std::get<IdealGas>(gas->material)))
-    choices.push_back({"artificial viscosity", {"mpm.viscosity='deck'", "fluid.lambda=0"}});
-  if (scene.ambient != 0) choices.push_back({"pressure outside", {"fluid.pambient=0"}});
+    choices.push_back({"artificial viscosity", {{"mpm.viscosity='deck'", "fluid.lambda=0"}}});
+  if (scene.ambient != 0) choices.push_back({"pressure outside", {{"fluid.pambient=0"}}});
 }
 
 /// Laws of large strains in place of which the linear one stands.
@@ -39,27 +39,29 @@ void add_linear(const Deck& deck, std::vector<Choice>& choices) {
   Choice linear{"large strains", {}};
   for (int r = 1; r <= deck.integer("reg.nreg"); ++r) {
     const std::string law = deck.text("fem.law", r);
-    if (law == "svk" || law == "neo-hookean") linear.overrides.push_back(fmt::format("fem.law({})='linear'", r));
+    if (law == "svk" || law == "neo-hookean")
+      linear.without.overrides.push_back(fmt::format("fem.law({})='linear'", r));
   }
-  if (!linear.overrides.empty()) choices.push_back(std::move(linear));
+  if (!linear.without.overrides.empty()) choices.push_back(std::move(linear));
 }
 
 void add_box(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
-  if (deck.real("coupled.viscosity") != 0) choices.push_back({"viscosity of the fluid", {"coupled.viscosity=0"}});
+  if (deck.real("coupled.viscosity") != 0) choices.push_back({"viscosity of the fluid", {{"coupled.viscosity=0"}}});
   if (!scene.solids()) return;
-  choices.push_back({"the fluid (the bodies alone, by finite elements, in its place)", {"in.path='fem'"}});
   if (deck.text("coupled.mode") == "cut-cell" && deck.text("coupled.flow") == "grid")
     choices.push_back(
-        {"solving fluid and bodies together (mode='splitting' in its place)", {"coupled.mode='splitting'"}});
-  if (deck.logical("coupled.contact")) choices.push_back({"contact with walls", {"coupled.contact=.false."}});
+        {"solving fluid and bodies together (mode='splitting' in its place)", {{"coupled.mode='splitting'"}}});
+  if (deck.logical("coupled.contact")) choices.push_back({"contact with walls", {{"coupled.contact=.false."}}});
   if (keeps_energy(*scene.coupled(), *scene.solids(), scene.clock.tstep))
-    choices.push_back({"steps that keep the energy", {"coupled.step='linear'"}});
+    choices.push_back({"steps that keep the energy", {{"coupled.step='linear'"}}});
 }
 
 /// Another way to solve the same: elements of order 1 for those of order 2, cells of the grid for triangles, finite
-/// elements for material points where the deck has a mesh, too.
-void add_ways(const Deck& deck, const Scene& scene, std::vector<Choice>& choices) {
-  const auto add = [&](const std::string& name, const std::string& override) { choices.push_back({name, {override}}); };
+/// elements for material points where the deck has a mesh, too; or for a fluid and the bodies in it the bodies alone.
+void add_ways(const Deck& deck, const Scene& scene, const Refinement& refinement, std::vector<Choice>& choices) {
+  const auto add = [&](const std::string& name, const std::string& override) {
+    choices.push_back({name, {{override}}});
+  };
   const std::string element = deck.text("mesh.element");
   if (scene.solids() && !scene.rigid() && element.ends_with('2'))
     add("elements of order 2 (order 1 in their place)", fmt::format("mesh.element='{}1'", element.front()));
@@ -67,35 +69,37 @@ void add_ways(const Deck& deck, const Scene& scene, std::vector<Choice>& choices
     add("elements of order 2 of the fluid (order 1 in their place)", "flow.element='q1q1'");
   if (scene.coupled() && deck.text("coupled.flow") == "mesh")
     add("cells that fit bodies (those of the grid in their place)", "coupled.flow='grid'");
-  if (scene.path() == Path::mpm && !deck.given_elements("mesh.cells").empty())
-    add("material points (finite elements in their place)", "in.path='fem'");
+  if (!refinement.has_elements()) return;
+  const LeftOut by_elements{{"in.path='fem'"}, Way::elements};
+  if (scene.path() == Path::mpm) choices.push_back({"material points (finite elements in their place)", by_elements});
+  if (scene.coupled() && scene.solids())
+    choices.push_back({"the fluid (the bodies alone, by finite elements, in its place)", by_elements});
 }
 
 }  // namespace
 
-std::vector<Choice> choices_of(const Deck& deck, const Scene& scene) {
+std::vector<Choice> choices_of(const Deck& deck, const Scene& scene, const Refinement& refinement) {
   std::vector<Choice> choices;
-  add_ways(deck, scene, choices);
+  add_ways(deck, scene, refinement, choices);
   if (scene.path() == Path::mpm) add_points(deck, scene, choices);
   if (scene.coupled()) add_box(deck, scene, choices);
   if (std::holds_alternative<ElasticBodies>(scene.physics)) {
-    choices.push_back({"deformation (one rigid body in its place)", {"rigid.form='reduced'"}});
+    choices.push_back({"deformation (one rigid body in its place)", {{"rigid.form='reduced'"}}});
     add_linear(deck, choices);
   }
   return choices;
 }
 
 Decision decided(const Choice& choice, const Trial& with, const Trial& without, double tolerance) {
-  Decision decision{.choice = choice, .left_out = false, .change = no_number, .saved = 0, .why = ""};
+  Decision decision{.choice = choice, .left_out = false, .change = no_number, .why = ""};
   if (with.value && without.value) decision.change = (*without.value - *with.value) / std::abs(*with.value);
-  decision.saved = 1 - without.seconds / with.seconds;
   if (!without.value)
     decision.why = without.why == NoValue::scene ? "the deck cannot do without it"
                    : without.why == NoValue::run ? "the run fails without it"
                                                  : "the run does not show the number without it";
-  else if (!(std::abs(decision.change) < share_of_model * tolerance))
+  else if (!(std::abs(decision.change) < most_change(tolerance)))
     decision.why = "it counts";
-  else if (decision.saved < -timing_noise)
+  else if (without.seconds > (1 + timing_noise) * with.seconds)
     decision.why = "the run costs more without it";
   decision.left_out = decision.why.empty();
   return decision;
@@ -107,7 +111,7 @@ std::string decisions_text(const std::vector<Decision>& decisions) {
     text += fmt::format("{}: {}", decision.left_out ? "left out" : "kept", decision.choice.name);
     if (std::isfinite(decision.change))
       text += fmt::format(", which changes the number by {:.2g} %", 100 * decision.change);
-    text += decision.left_out ? fmt::format(", with {}\n", fmt::join(decision.choice.overrides, " "))
+    text += decision.left_out ? fmt::format(", with {}\n", fmt::join(decision.choice.without.overrides, " "))
                               : fmt::format(": {}\n", decision.why);
   }
   return text;

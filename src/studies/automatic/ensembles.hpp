@@ -14,7 +14,7 @@ namespace tether::automatic {
 class Ensembles {
  public:
   /// The reference must outlive this; the runs leave out what `left_out` says.
-  Ensembles(TrialRuns& runs, std::vector<std::string> left_out) : runs_(runs), left_out_(std::move(left_out)) {}
+  Ensembles(TrialRuns& runs, LeftOut left_out) : runs_(runs), left_out_(std::move(left_out)) {}
 
   /// Looks at the coarsest level and, as long as the number scatters, at two more, each twice as fine, once there are
   /// such.
@@ -24,7 +24,7 @@ class Ensembles {
   double scatter_at(const Trial& trial);
 
   TrialRuns& runs_;
-  std::vector<std::string> left_out_;
+  LeftOut left_out_;
   std::optional<Resolution> looked_at_;
   int looks_ = 0;
   double before_ = 0;  // scatter at the last look

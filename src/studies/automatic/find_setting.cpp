@@ -46,6 +46,13 @@ const Trial* level_to_check(const Search& search, const Simplified& simplified, 
   return costs_little ? costs_little : cheapest;
 }
 
+/// What a search of a model that is solved that way is after.
+Aim aim_of(const Automatic& automatic, Way way) {
+  Aim aim = automatic.aim;
+  if (way == Way::elements) aim.theory = automatic.by_elements, aim.nested = false;
+  return aim;
+}
+
 /// A search for a simplified model, which looks again on finer cells at what the model leaves out.
 class ModelAttempt {
  public:
@@ -54,7 +61,7 @@ class ModelAttempt {
       : automatic_(automatic),
         runs_(runs),
         simplified_(simplified),
-        made_{.search = Search(automatic.aim)},
+        made_{.search = Search(aim_of(automatic, simplified.left_out.way))},
         ensembles_(runs, simplified.left_out) {
     tighten();
   }
@@ -89,12 +96,12 @@ class ModelAttempt {
   /// search has less of the tolerance from now on, or none. What the budget does not reach is not looked at.
   bool is_same_at(const Resolution& at) {
     const Aim& aim = automatic_.aim;
-    const Trial* level = simplified_.left_out.empty() ? nullptr : level_to_check(made_.search, simplified_, aim);
+    const Trial* level = simplified_.leaves_out() ? level_to_check(made_.search, simplified_, aim) : nullptr;
     if (level == nullptr || runs_.spent() + simplified_.saving * level->seconds > aim.budget) return true;
     const double change = change_at(at, *level, runs_, simplified_);
     const bool is_out_of_budget = std::isnan(change) && runs_.spent() >= aim.budget;
     if (change <= simplified_.allowed || is_out_of_budget) return true;
-    if (change < share_of_model * aim.tolerance) {
+    if (change < most_change(aim.tolerance)) {
       simplified_.allowed = change;
       tighten();
     } else {
@@ -116,7 +123,7 @@ Found find_setting(const Automatic& automatic, const StudyOptions& options) {
   TrialRuns runs(automatic, options);
   Simplified simplified = simplify(automatic, runs);
   Attempt made = ModelAttempt(automatic, runs, simplified).make();
-  while (!simplified.left_out.empty() && (made.counts_at || made.fails)) {
+  while (simplified.leaves_out() && (made.counts_at || made.fails)) {
     if (made.counts_at)
       decide_again(*made.counts_at, simplified, automatic, runs);
     else
@@ -144,7 +151,7 @@ std::string list_first_runs(const Automatic& automatic, const fs::path& out) {
   Search search(automatic.aim);
   std::vector<WantedRun> wanted;
   for (const Resolution& at : search.next(0)) wanted.push_back({at});
-  for (const Choice& choice : automatic.choices) wanted.push_back({automatic.aim.coarsest, choice.overrides});
+  for (const Choice& choice : automatic.choices) wanted.push_back({automatic.aim.coarsest, choice.without});
   for (const WantedRun& each : wanted) {
     const StudyRun run = study_run_of(automatic, each, out);
     text += list_runs(run.study, run.out);

@@ -16,10 +16,13 @@ constexpr double growth_allowed = 2, least_allowed = 0.1;
 /// What changes the number by less than so many times what it may is tried once more, on finer cells.
 constexpr double near_enough = 10;
 
-std::vector<std::string> all_left_out(const std::vector<Decision>& decisions) {
-  std::vector<std::string> all;
+LeftOut all_left_out(const std::vector<Decision>& decisions) {
+  LeftOut all;
   for (const Decision& decision : decisions) {
-    if (decision.left_out) all.insert(all.end(), decision.choice.overrides.begin(), decision.choice.overrides.end());
+    if (!decision.left_out) continue;
+    const LeftOut& without = decision.choice.without;
+    all.overrides.insert(all.overrides.end(), without.overrides.begin(), without.overrides.end());
+    if (without.way == Way::elements) all.way = Way::elements;
   }
   return all;
 }
@@ -56,12 +59,12 @@ void keep_largest(std::vector<Decision>& decisions, const std::string& why) {
 /// Finds what all that is left out changes at once, and leaves out fewer until they change the number by less than a
 /// third of the tolerance together.
 void leave_out(Simplified& simplified, const Automatic& automatic, TrialRuns& runs) {
-  const double most = share_of_model * automatic.aim.tolerance;
+  const double most = most_change(automatic.aim.tolerance);
   const Trial& whole = simplified.whole;
   for (;;) {
     simplified.left_out = all_left_out(simplified.decisions);
     simplified.change = simplified.allowed = 0;
-    if (simplified.left_out.empty()) return;
+    if (!simplified.leaves_out()) return;
     const Trial simple = runs.make({{whole.wanted, simplified.left_out, Purpose::model}}).front();
     simplified.change = change_of(whole, simple);
     simplified.saving = std::max(1., whole.seconds / std::max(simple.seconds, least_seconds));
@@ -71,44 +74,54 @@ void leave_out(Simplified& simplified, const Automatic& automatic, TrialRuns& ru
   }
 }
 
-std::vector<Decision> tried_at(const Trial& whole, const std::vector<Choice>& choices, const Automatic& automatic,
-                               TrialRuns& runs) {
+/// Decides by pairs of runs at the level of the whole one those of the choices that are looked for. Returns whether a
+/// decision changed.
+template <class Looked>
+bool decide(std::vector<Decision>& decisions, const Looked& is_looked_for, const Trial& whole,
+            const Automatic& automatic, TrialRuns& runs) {
+  std::vector<Decision*> all;
   std::vector<WantedRun> wanted;
-  for (const Choice& choice : choices) wanted.push_back({whole.wanted, choice.overrides, Purpose::model});
+  for (Decision& decision : decisions) {
+    if (!is_looked_for(decision)) continue;
+    all.push_back(&decision);
+    wanted.push_back({whole.wanted, decision.choice.without, Purpose::model});
+  }
   const std::vector<Trial> without = runs.make(wanted);
-  std::vector<Decision> decisions;
-  for (std::size_t k = 0; k < choices.size(); ++k)
-    decisions.push_back(decided(choices[k], whole, without[k], automatic.aim.tolerance));
-  return decisions;
+  bool changed = false;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool before = all[k]->left_out;
+    *all[k] = decided(all[k]->choice, whole, without[k], automatic.aim.tolerance);
+    changed |= all[k]->left_out != before;
+  }
+  return changed;
 }
 
 /// Tries what nearly may be left out with cells half as large, where these are no finer than the deck's: coarse cells
-/// blur. Where that changes a decision, `whole` becomes the run there.
-void try_once_more(Trial& whole, std::vector<Decision>& decisions, const Automatic& automatic, TrialRuns& runs) {
-  const double near = near_enough * share_of_model * automatic.aim.tolerance;
+/// blur. Where that changes a decision, the run there is that of the pairs.
+void try_once_more(Simplified& simplified, const Automatic& automatic, TrialRuns& runs) {
+  const Resolution& at = simplified.whole.wanted;
+  const double near = near_enough * most_change(automatic.aim.tolerance);
   const auto is_near = [&](const Decision& each) { return !each.left_out && std::abs(each.change) < near; };
-  const Resolution finer{std::min(1., 2 * whole.wanted.space), std::min(1., 2 * whole.wanted.time)};
-  if (finer == whole.wanted || std::ranges::none_of(decisions, is_near)) return;
+  const Resolution finer{std::min(1., 2 * at.space), std::min(1., 2 * at.time)};
+  if (finer == at || std::ranges::none_of(simplified.decisions, is_near)) return;
   const Trial again = runs.make({{finer, {}, Purpose::model}}).front();
-  if (!again.value) return;
-  bool changed = false;
-  for (Decision& decision : decisions) {
-    if (!is_near(decision)) continue;
-    decision = tried_at(again, {decision.choice}, automatic, runs).front();
-    changed |= decision.left_out;
-  }
-  if (changed) whole = again;
+  if (again.value && decide(simplified.decisions, is_near, again, automatic, runs)) simplified.whole = again;
 }
+
+bool is_left_out(const Decision& decision) { return decision.left_out; }
 
 }  // namespace
 
 Simplified simplify(const Automatic& automatic, TrialRuns& runs) {
   Simplified simplified;
   if (automatic.choices.empty()) return simplified;
-  Trial& whole = simplified.whole = coarsest_run(automatic, runs);
-  if (!whole.value) return simplified;  // the search will say why
-  simplified.decisions = tried_at(whole, automatic.choices, automatic, runs);
-  try_once_more(whole, simplified.decisions, automatic, runs);
+  simplified.whole = coarsest_run(automatic, runs);
+  if (!simplified.whole.value) return simplified;  // the search will say why
+  for (const Choice& choice : automatic.choices)
+    simplified.decisions.push_back({.choice = choice, .left_out = false, .change = 0, .why = ""});
+  const auto any = [](const Decision&) { return true; };
+  decide(simplified.decisions, any, simplified.whole, automatic, runs);
+  try_once_more(simplified, automatic, runs);
   leave_out(simplified, automatic, runs);
   return simplified;
 }
@@ -122,13 +135,8 @@ double change_at(const Resolution& at, const Trial& simple, TrialRuns& runs, con
 
 void decide_again(const Resolution& at, Simplified& simplified, const Automatic& automatic, TrialRuns& runs) {
   simplified.whole = runs.make({{at, {}, Purpose::model}}).front();
-  bool changed = false;
-  for (Decision& decision : simplified.decisions) {
-    if (!decision.left_out) continue;
-    decision = tried_at(simplified.whole, {decision.choice}, automatic, runs).front();
-    changed |= !decision.left_out;
-  }
-  if (!changed) keep_largest(simplified.decisions, "together with the others it counts on finer cells");
+  if (!decide(simplified.decisions, is_left_out, simplified.whole, automatic, runs))
+    keep_largest(simplified.decisions, "together with the others it counts on finer cells");
   leave_out(simplified, automatic, runs);
 }
 
@@ -136,7 +144,7 @@ void keep_all(Simplified& simplified, const std::string& why) {
   for (Decision& decision : simplified.decisions) {
     if (decision.left_out) decision.left_out = false, decision.why = why;
   }
-  simplified.left_out.clear();
+  simplified.left_out = {};
   simplified.change = simplified.allowed = 0;
 }
 

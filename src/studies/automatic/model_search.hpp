@@ -12,11 +12,13 @@ namespace tether::automatic {
 /// What a model does without.
 struct Simplified {
   std::vector<Decision> decisions;
-  std::vector<std::string> left_out;  ///< overrides of all that is left out
-  Trial whole = {};                   ///< the run of the pairs that has it all
-  double change = 0;                  ///< of the number there without all of it, over the number; not negative
-  double saving = 1;                  ///< how many times as much the run of the whole model costs
-  double allowed = 0;                 ///< what the change may be on finer cells: the part of the tolerance for it
+  LeftOut left_out;    ///< all of it
+  Trial whole = {};    ///< the run of the pairs that has it all
+  double change = 0;   ///< of the number there without all of it, over the number; not negative
+  double saving = 1;   ///< how many times as much the run of the whole model costs
+  double allowed = 0;  ///< what the change may be on finer cells: the part of the tolerance for it
+
+  bool leaves_out() const { return !left_out.overrides.empty(); }
 };
 
 /// Tries each choice by a pair of runs at the coarsest level that runs, with and without, and what nearly may be left

@@ -25,6 +25,8 @@ constexpr double rounding = 1e-6;
 /// over the value: the width of Cauchy's distribution, which gives large distances their chance.
 constexpr std::size_t levels_that_stay = 3;
 constexpr double lawless_width = 0.2;
+/// What such a run is expected to be off by, squared: its value.
+constexpr double lawless_variance = 1;
 
 /// How far orders stray from theory's: down where something is not smooth, up by superconvergence. The distribution is
 /// Cauchy's, which gives far ones their chance.
@@ -88,7 +90,7 @@ Posterior::Posterior(std::span<const Sample> samples, const Orders& theory, doub
 /// The coarsest level, and those that have enough finer ones.
 std::vector<double> Posterior::possible_first_levels(std::span<const Sample> samples) const {
   std::set<double> levels;
-  for (const Sample& sample : samples) levels.insert(has_space_ ? sample.at.space : sample.at.time);
+  for (const Sample& sample : samples) levels.insert(level_of(sample.at));
   std::vector<double> all(levels.begin(), levels.end());
   all.resize(all.size() > levels_that_stay ? all.size() - levels_that_stay + 1 : 1);
   return all;
@@ -99,7 +101,7 @@ Resolution Posterior::coarsest_lawful(std::span<const Sample> samples, double fi
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Resolution coarsest{infinity, infinity};
   for (const Sample& sample : samples) {
-    if ((has_space_ ? sample.at.space : sample.at.time) < first_level) continue;
+    if (level_of(sample.at) < first_level) continue;
     coarsest.space = std::min(coarsest.space, sample.at.space);
     coarsest.time = std::min(coarsest.time, sample.at.time);
   }
@@ -137,14 +139,12 @@ Posterior::Terms Posterior::basis(const Hypothesis& h, const Resolution& at) con
   return x;
 }
 
-bool Posterior::is_lawless(const Hypothesis& h, const Resolution& at) const {
-  return (has_space_ ? at.space : at.time) < h.first_level;
-}
+bool Posterior::is_lawless(const Hypothesis& h, const Resolution& at) const { return level_of(at) < h.first_level; }
 
 double Posterior::noise_variance(const Hypothesis& h, const Resolution& at) const {
+  if (is_lawless(h, at)) return lawless_variance;
   const double space = at.space / h.coarsest.space, time = at.time / h.coarsest.time;
   const double finer = has_space_ && has_time_ ? std::sqrt(space * time) : has_space_ ? space : time;
-  if (is_lawless(h, at)) return 1;
   const double noise = h.noise * std::pow(finer, -h.noise_order);
   return noise * noise + scatter_ * scatter_ + rounding * rounding;
 }
@@ -166,12 +166,13 @@ void Posterior::regress(Hypothesis& h, std::span<const Sample> samples, const Or
   Terms b = Terms::Zero(prior.size());
   double square = 0, log_weight = -0.5 * prior.array().log().sum();
   for (const Sample& sample : samples) {
-    const double y = sample.value / scale_ - origin_, variance = noise_variance(h, sample.at);
+    const double y = sample.value / scale_ - origin_;
     if (is_lawless(h, sample.at)) {
       log_weight += log_cauchy(y, lawless_width);
       continue;
     }
     const Terms x = basis(h, sample.at);
+    const double variance = noise_variance(h, sample.at);
     A += x * x.transpose() / variance;
     b += x * (y / variance);
     square += y * y / variance;
@@ -207,12 +208,6 @@ double Posterior::chance_at(const Hypothesis& h, const Resolution& at, double to
   x[0] = 0;  // the error alone: what it has on top of the limit
   const double variance = x.dot(h.covariance * x) + noise_variance(h, at);
   return gaussian_within(x.dot(h.mean), std::sqrt(variance), tolerance * std::abs(h.mean[0] + origin_));
-}
-
-double Posterior::chance_at(const Resolution& at, double tolerance) const {
-  double chance = 0;
-  for (const Hypothesis& h : hypotheses_) chance += h.weight * chance_at(h, at, tolerance);
-  return chance;
 }
 
 bool Posterior::meets(const Resolution& at, double tolerance, double promised) const {

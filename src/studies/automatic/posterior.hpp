@@ -31,9 +31,8 @@ class Posterior {
   /// std::invalid_argument for no sample.
   Posterior(std::span<const Sample> samples, const Orders& theory, double scatter);
 
-  /// The chance that a run of that resolution, not made yet, has a value within `tolerance` (relative) of the limit.
-  double chance_at(const Resolution& at, double tolerance) const;
-  /// Returns whether that chance is `promised` or more: quicker where it is far from that.
+  /// Returns whether a run of that resolution, not made yet, has a value within `tolerance` (relative) of the limit
+  /// with the chance `promised`, or more.
   bool meets(const Resolution& at, double tolerance, double promised) const;
   /// The chance that this value of a run that was made is.
   double chance_of(double value, double tolerance) const;
@@ -67,6 +66,7 @@ class Posterior {
   Resolution coarsest_lawful(std::span<const Sample> samples, double first_level) const;
   void add_hypotheses(std::span<const Sample> samples, const Orders& theory, double first_level);
   Terms basis(const Hypothesis& h, const Resolution& at) const;
+  double level_of(const Resolution& at) const { return has_space_ ? at.space : at.time; }
   bool is_lawless(const Hypothesis& h, const Resolution& at) const;
   double chance_at(const Hypothesis& h, const Resolution& at, double tolerance) const;
   double noise_variance(const Hypothesis& h, const Resolution& at) const;

@@ -80,7 +80,7 @@ Study study_of_deck(const Deck& deck) {
 
 Aim aim_of(const Deck& deck, const Scene& scene, const Refinement& refinement, double tolerance) {
   return {.tolerance = tolerance,
-          .theory = theory_of(deck, scene, refinement),
+          .theory = theory_of(deck, scene, refinement, Way::own),
           .coarsest = {refinement.in_space() ? coarsest_part : 1, refinement.in_time() ? coarsest_part : 1},
           .powers = {static_cast<double>(refinement.dimensions()), 1},
           .nested = refinement.is_of_a_grid(),
@@ -106,7 +106,7 @@ double expected_seconds(const Automatic& automatic, const Resolution& at) {
   double seconds = 0;
   end_of(automatic.study.file, [&] {
     Diagnostics of_the_run;
-    const Study study = study_of_run(automatic, automatic.refinement.overrides(at));
+    const Study study = study_of_run(automatic, automatic.refinement.overrides(at, Way::own));
     seconds = load_scene(read_deck(study, {0, {}}), {}, of_the_run).plan.cost.seconds;
   });
   return seconds;
@@ -153,10 +153,14 @@ Automatic read_automatic(const std::string& file, const DeckOptions& options, do
                       .quantity = deck.text("auto.quantity"),
                       .value = {},
                       .refinement = Refinement(deck, scene),
-                      .choices = deck.logical("auto.simplify") ? choices_of(deck, scene) : std::vector<Choice>{},
-                      .aim = {}};
-  automatic.aim = aim_of(deck, scene, automatic.refinement, tolerance);
-  refuse_what_stays(deck, scene, automatic.refinement, diagnostics);
+                      .choices = {},
+                      .aim = {},
+                      .by_elements = {}};
+  const Refinement& refinement = automatic.refinement;
+  if (deck.logical("auto.simplify")) automatic.choices = choices_of(deck, scene, refinement);
+  automatic.aim = aim_of(deck, scene, refinement, tolerance);
+  automatic.by_elements = theory_of(deck, scene, refinement, Way::elements);
+  refuse_what_stays(deck, scene, refinement, diagnostics);
   StudyRemarks remarks(deck, diagnostics);
   if (!automatic.quantity.empty()) automatic.value = checked_reading(deck, "auto.quantity", written, remarks);
   if (!diagnostics.has_errors()) refuse_small_budget(deck, automatic, diagnostics);

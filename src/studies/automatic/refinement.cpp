@@ -50,7 +50,7 @@ Refinement::Refinement(const Deck& deck, const Scene& scene) {
   of_a_grid_ = by_grid && deck.text("coupled.flow") == "grid";
   // The mesh of a rigid body gives it its mass alone, which straight elements give exactly.
   const bool by_mesh = scene.solids() != nullptr || scene.flow() != nullptr;
-  if (by_mesh && (!scene.rigid() || has_curved_edges(deck))) add_elements(deck);
+  if (!scene.rigid() || has_curved_edges(deck)) add_elements(deck, by_mesh);
   if (!by_mesh) add_strings(deck);
   if (moves_in_time(deck)) add_steps(deck);
   const double cfl = scene.clock.cfl;
@@ -76,7 +76,7 @@ void Refinement::add_grid(const Deck& deck, const Scene& scene) {
 }
 
 /// A direction in which the deck counts no cells has one, and keeps it.
-void Refinement::add_elements(const Deck& deck) {
+void Refinement::add_elements(const Deck& deck, bool are_of_own_way) {
   if (!deck.text("mesh.file").empty()) return;
   std::set<int> regions;
   for (const auto& at : deck.given_elements("mesh.cells")) regions.insert(at[1]);
@@ -85,10 +85,12 @@ void Refinement::add_elements(const Deck& deck) {
     for (int a = 1; a <= 3; ++a) {
       const int count = deck.integer("mesh.cells", a, r);
       if (!deck.given("mesh.cells", a, r) && count == 1) continue;
-      space_.push_back({fmt::format("mesh.cells({},{})", a, r), Refined::As::cells, static_cast<double>(count)});
+      elements_.push_back({fmt::format("mesh.cells({},{})", a, r), Refined::As::cells, static_cast<double>(count)});
       directions.insert(a);
     }
   }
+  if (!are_of_own_way) return;
+  space_.insert(space_.end(), elements_.begin(), elements_.end());
   dimensions_ = std::max(dimensions_, static_cast<int>(directions.size()));
 }
 
@@ -108,19 +110,20 @@ void Refinement::add_steps(const Deck& deck) {
   }
 }
 
-std::vector<std::string> Refinement::overrides(const Resolution& wanted, double stretch) const {
+std::vector<std::string> Refinement::overrides(const Resolution& wanted, Way way, double stretch) const {
   std::vector<std::string> all;
-  for (const Refined& value : space_) all.push_back(override_of(value, wanted.space));
+  for (const Refined& value : space(way)) all.push_back(override_of(value, wanted.space));
   for (const Refined& value : time_) all.push_back(override_of(value, wanted.time / stretch));
-  if (limit_ && stretch != 1) all.push_back(override_of(*limit_, 1 / stretch));
+  if (limit_ && way == Way::own && stretch != 1) all.push_back(override_of(*limit_, 1 / stretch));
   return all;
 }
 
-Resolution Refinement::rounded(const Resolution& wanted) const {
+Resolution Refinement::rounded(const Resolution& wanted, Way way) const {
+  const std::vector<Refined>& values = space(way);
   double sum = 0;
-  for (const Refined& value : space_)
+  for (const Refined& value : values)
     sum += std::log(is_count(value) ? refined_cells(value, wanted.space) / cells_of(value) : wanted.space);
-  return {space_.empty() ? 1 : std::exp(sum / static_cast<double>(space_.size())), wanted.time};
+  return {values.empty() ? 1 : std::exp(sum / static_cast<double>(values.size())), wanted.time};
 }
 
 double Refinement::fineness(double step) const {
@@ -149,10 +152,12 @@ double time_order(const Deck& deck, const Scene& scene) {
 
 }  // namespace
 
-Orders theory_of(const Deck& deck, const Scene& scene, const Refinement& refinement) {
+Orders theory_of(const Deck& deck, const Scene& scene, const Refinement& refinement, Way way) {
   Orders orders;
-  if (refinement.in_space()) orders.space = space_order(deck, scene);
-  if (refinement.in_time()) orders.time = time_order(deck, scene);
+  const bool is_own = way == Way::own;
+  if (is_own ? refinement.in_space() : refinement.has_elements())
+    orders.space = is_own ? space_order(deck, scene) : order_of_elements(deck.text("mesh.element"));
+  if (refinement.in_time()) orders.time = is_own ? time_order(deck, scene) : 2;
   return orders;
 }
 

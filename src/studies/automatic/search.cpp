@@ -22,9 +22,9 @@ constexpr double worth_a_run = 0.5;
 constexpr double worth_asking = 0.15;
 
 /// Cells and steps that are 1.5 times as fine as the deck's, which no halving comes to.
-Resolution beside_the_levels(const Aim& aim) {
-  constexpr double between = 1.5;
-  return {aim.theory.space ? between : 1, aim.theory.time ? between : 1};
+Resolution between_the_levels(const Aim& aim) {
+  constexpr double as_fine = 1.5;
+  return {aim.theory.space ? as_fine : 1, aim.theory.time ? as_fine : 1};
 }
 
 }  // namespace
@@ -103,8 +103,8 @@ std::optional<Resolution> Search::decide(const Outlook& outlook, const std::opti
   auto goal = outlook.cheapest_expected();
   if (best) {
     if (goal && outlook.is_new(*goal) && outlook.seconds(*goal) < worth_a_run * best->trial.seconds) return goal;
-    const Resolution beside = beside_the_levels(aim_);
-    return is_doubtful && outlook.is_new(beside) ? std::optional(beside) : std::nullopt;
+    const Resolution between = between_the_levels(aim_);
+    return is_doubtful && outlook.is_new(between) ? std::optional(between) : std::nullopt;
   }
   if (goal) goal = outlook.within_reach(*goal);
   const auto informing = outlook.most_informing();
@@ -119,8 +119,8 @@ bool Search::agree_perhaps_by_chance(const Posterior& posterior) const {
   const bool agree = std::ranges::all_of(samples_of(trials_), [&](const Sample& sample) {
     return std::abs(sample.value - posterior.limit()) <= aim_.tolerance * std::abs(posterior.limit());
   });
-  const auto is_beside = [&](const Trial& trial) { return trial.value && trial.wanted == beside_the_levels(aim_); };
-  return agree && !error_falls() && std::ranges::none_of(trials_, is_beside);
+  const auto is_between = [&](const Trial& trial) { return trial.value && trial.wanted == between_the_levels(aim_); };
+  return agree && !error_falls() && std::ranges::none_of(trials_, is_between);
 }
 
 /// Returns whether the distance of the levels' values from the finest one's falls from level to level, from one that

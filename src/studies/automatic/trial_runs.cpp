@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t digits_in_a_name = 12;
 
 std::vector<std::string> settings_of(const Automatic& automatic, const WantedRun& wanted) {
-  std::vector<std::string> settings = automatic.refinement.overrides(wanted.at, wanted.stretch);
-  settings.insert(settings.end(), wanted.left_out.begin(), wanted.left_out.end());
+  std::vector<std::string> settings = automatic.refinement.overrides(wanted.at, wanted.left_out.way, wanted.stretch);
+  const std::vector<std::string>& more = wanted.left_out.overrides;
+  settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
 
@@ -42,20 +43,16 @@ double TrialRuns::spent() const {
   return sum;
 }
 
-/// The place of the run among those that were made; one past them where it was not.
-std::size_t TrialRuns::place_of(const std::filesystem::path& study) const {
-  return static_cast<std::size_t>(std::ranges::find(studies_, study) - studies_.begin());
-}
-
 std::vector<Trial> TrialRuns::make(const std::vector<WantedRun>& wanted) {
-  std::vector<StudyRun> runs, new_ones;
+  std::vector<StudyRun> new_ones;
   std::vector<WantedRun> new_wanted;
+  std::vector<std::size_t> places;
   for (const WantedRun& run : wanted) {
-    runs.push_back(study_run_of(automatic_, run, options_.out));
-    runs.back().most_cpu_seconds = automatic_.aim.budget - spent();
-    const auto is_it = [&](const StudyRun& other) { return other.out == runs.back().out; };
-    if (place_of(runs.back().out) < made_.size() || std::ranges::any_of(new_ones, is_it)) continue;
-    new_ones.push_back(runs.back()), new_wanted.push_back(run);
+    StudyRun study = study_run_of(automatic_, run, options_.out);
+    study.most_cpu_seconds = automatic_.aim.budget - spent();
+    const auto [place, is_new] = places_.try_emplace(study.out, made_.size() + new_ones.size());
+    places.push_back(place->second);
+    if (is_new) new_ones.push_back(std::move(study)), new_wanted.push_back(run);
   }
   const auto progress = [&](SweepProgress all_so_far) {
     all_so_far.done += made_.size();
@@ -63,10 +60,10 @@ std::vector<Trial> TrialRuns::make(const std::vector<WantedRun>& wanted) {
     if (options_.progress) options_.progress(all_so_far);
   };
   const auto ends = run_all(new_ones, options_.shares, options_.command, progress);
-  for (std::size_t k = 0; k < ends.size(); ++k) add(new_wanted[k], new_ones[k], ends[k]);
+  for (std::size_t k = 0; k < ends.size(); ++k) add(new_wanted[k], ends[k]);
   std::vector<Trial> all;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    all.push_back(made_[place_of(runs[k].out)].trial);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    all.push_back(made_[places[k]].trial);
     all.back().wanted = wanted[k].at;
   }
   return all;
@@ -81,17 +78,17 @@ void TrialRuns::read(TrialRun& run) const {
   if (steps > is_cut * trial.at.time) trial.at.time = steps;
   try {
     const double value = automatic_.value(files);
-    if (std::isfinite(value)) trial.value = value;
     trial.why = NoValue::number;
+    if (std::isfinite(value)) trial.value = value;
   } catch (const FileError& error) {
     trial.why = NoValue::file, run.ending.message = error.what();
   }
 }
 
-void TrialRuns::add(const WantedRun& wanted, const StudyRun& study, const RunEnd& end) {
+void TrialRuns::add(const WantedRun& wanted, const RunEnd& end) {
   refuse_file_trouble(end);
   const NoValue why = end.ending.exit_code == exit_input ? NoValue::scene : NoValue::run;
-  TrialRun run{.trial = {.at = automatic_.refinement.rounded(wanted.at),
+  TrialRun run{.trial = {.at = automatic_.refinement.rounded(wanted.at, wanted.left_out.way),
                          .wanted = wanted.at,
                          .value = {},
                          .seconds = end.cpu_seconds,
@@ -103,7 +100,6 @@ void TrialRuns::add(const WantedRun& wanted, const StudyRun& study, const RunEnd
                .folder = end.folder};
   if (end.ending.exit_code == exit_done) read(run);
   made_.push_back(std::move(run));
-  studies_.push_back(study.out);
 }
 
 }  // namespace tether::automatic

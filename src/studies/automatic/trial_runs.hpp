@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ namespace automatic {
 /// A run that is wanted: a resolution, and what the model leaves out.
 struct WantedRun {
   Resolution at;
-  std::vector<std::string> left_out = {};  ///< overrides of the choices that it leaves out
+  LeftOut left_out = {};
   Purpose purpose = Purpose::level;
   double stretch = 1;  ///< all steps are so much longer
 };
@@ -63,14 +64,13 @@ class TrialRuns {
   double spent() const;
 
  private:
-  std::size_t place_of(const std::filesystem::path& study) const;
   void read(TrialRun& run) const;
-  void add(const WantedRun& wanted, const StudyRun& study, const RunEnd& end);
+  void add(const WantedRun& wanted, const RunEnd& end);
 
   const Automatic& automatic_;
   const StudyOptions& options_;
   std::vector<TrialRun> made_;
-  std::vector<std::filesystem::path> studies_;  // their folders
+  std::map<std::filesystem::path, std::size_t> places_;  // of runs among them, by the folders of their studies
 };
 
 /// The run as a study of its own.

@@ -21,6 +21,7 @@ using Argument = std::variant<std::string, std::shared_ptr<const Formula>>;
 /// What an argument of a function is.
 enum class ArgumentKind {
   word,      ///< a name: a field, a key, a value of the deck
+  solution,  ///< a name of what follows from a scene by an exact solution
   column,    ///< a column of the history
   number,    ///< a formula of keys and functions
   of_each,   ///< a formula of the fields of points or nodes

@@ -243,7 +243,7 @@ std::vector<std::string> scene_value_names() {
 }
 
 double scene_value(const Scene& scene, const std::string& name) {
-  if (scene.points.size() == 0) throw std::domain_error("no scene of material points has this solution");
+  if (scene.points.size() == 0) throw std::domain_error("a scene without material points has no such solution");
   for (const SceneValue& value : values) {
     if (name == value.name) return value.of(scene);
   }

@@ -76,6 +76,9 @@ Argument argument_of(const Piece& piece, ArgumentKind kind, std::vector<Mistake>
   if (word.empty()) mistakes.push_back({column, "an argument is missing", ""});
   if (kind == ArgumentKind::snapshot && word != "first" && word != "last" && (!number || *number < 0))
     mistakes.push_back({column, fmt::format("'{}' is no snapshot", word), "It is first, last, or a number from 0."});
+  const std::vector<std::string> solutions = scene_value_names();
+  if (kind == ArgumentKind::solution && std::ranges::find(solutions, word) == solutions.end())
+    mistakes.push_back({column, fmt::format("no scene has a number {}", word), meant(word, solutions)});
   return word;
 }
 
@@ -137,17 +140,7 @@ class FormulaReader {
       for (std::size_t k = 0; k < inside.size(); ++k)
         call.arguments.push_back(argument_of(inside[k], function.arguments[k], mistakes_));
     }
-    check_scene_value(call);
     parts_.calls.push_back(std::move(call));
-  }
-
-  /// What scene() takes is known without a run.
-  void check_scene_value(const Call& call) {
-    if (call.function->name != "scene" || call.arguments.empty()) return;
-    const std::string name = std::get<std::string>(call.arguments[0]);
-    const std::vector<std::string> names = scene_value_names();
-    if (std::ranges::find(names, name) == names.end())
-      note(at_, fmt::format("no scene has a number {}", name), meant(name, names));
   }
 
   /// A variable for the last call, from here to `end`.

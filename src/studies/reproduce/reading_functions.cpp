@@ -188,7 +188,7 @@ const std::vector<ReadingFunction> functions{
      thickness_about_axis},
     {"snapshot_time", {snapshot}, false, "snapshot_time(snapshot) is its time.", snapshot_time},
     {"deck", {word}, true, "deck(group.name(i,j)) is a number of the deck that ran.", deck_value},
-    {"scene", {word}, true, "scene(name) is a number that follows from the scene by an exact solution.", of_scene},
+    {"scene", {solution}, true, "scene(name) is a number that follows from the scene by an exact solution.", of_scene},
     {"modulus",
      {number},
      true,

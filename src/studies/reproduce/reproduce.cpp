@@ -211,12 +211,12 @@ void refuse_lost_file(const fs::path& file) {
 
 ReproduceResult reproduce(const std::vector<std::string>& names, const ReproduceOptions& options) {
   const auto problems = problems_named(names, options.decks);
-  const auto runs = plan_runs(problems, options.out);
+  const auto runs = plan_runs(problems, options.study.out);
   refuse_lost_file(options.write);
   const auto ends =
-      run_all({runs.begin(), runs.end()}, {options.jobs, options.threads}, options.command, options.progress);
+      run_all({runs.begin(), runs.end()}, options.study.shares, options.study.command, options.study.progress);
   const auto rows = rows_of(problems, runs, ends);
-  if (!options.write.empty()) replace_file(options.write, markdown_text(rows, problems, options.command));
+  if (!options.write.empty()) replace_file(options.write, markdown_text(rows, problems, options.study.command));
   ReproduceResult result{terminal_text(rows), {}, 0};
   for (const RunEnd& end : ends) result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
   for (const ReportRow& row : rows) {
@@ -228,7 +228,7 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
 
 std::string list_published_runs(const std::vector<std::string>& names, const ReproduceOptions& options) {
   std::string text;
-  for (const PlannedRun& run : plan_runs(problems_named(names, options.decks), options.out)) {
+  for (const PlannedRun& run : plan_runs(problems_named(names, options.decks), options.study.out)) {
     text += list_runs(run.study, run.out);
   }
   return text;

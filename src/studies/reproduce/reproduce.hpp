@@ -43,12 +43,8 @@ namespace tether {
 /// How the published problems are to be run.
 struct ReproduceOptions {
   std::filesystem::path decks = "decks";  ///< folder of their decks
-  std::filesystem::path out;              ///< folder for the runs
   std::filesystem::path write;            ///< file for the table in Markdown; empty for none
-  int jobs = 1;                           ///< runs side by side
-  int threads = 1;                        ///< of each run
-  std::string command;                    ///< as it was typed
-  std::function<void(const SweepProgress&)> progress;
+  StudyOptions study;
 };
 
 /// What there is to say at the end.

@@ -13,7 +13,7 @@ Trial trial(std::optional<double> value, double seconds) {
 }
 
 Decision without(std::optional<double> value, double seconds, double tolerance) {
-  return decided({"viscosity", {"fluid.mu=0"}}, trial(2, 10), trial(value, seconds), tolerance);
+  return decided({"viscosity", {{"fluid.mu=0"}}}, trial(2, 10), trial(value, seconds), tolerance);
 }
 
 TEST(AutomaticChoices, LeaveOutWhatChangesLessThanAThirdOfTheTolerance) {

@@ -53,7 +53,7 @@ TEST(AutomaticPosterior, IsNotFooledByErrorsThatCancel) {
   const auto value = [](const Resolution& at) { return 3 + 0.6 / at.space - 0.6 / at.time; };
   const Posterior posterior(sampled({{1, 1}, {1, 2}, {2, 2}, {4, 4}}, value), {1., 1.}, 0);
   EXPECT_NEAR(posterior.limit(), 3, 0.01);
-  EXPECT_LT(posterior.chance_at({1, 8}, 0.05), 0.1);  // there the cells' error stands alone
+  EXPECT_FALSE(posterior.meets({1, 8}, 0.05, 0.1));  // there the cells' error stands alone
 }
 
 TEST(AutomaticPosterior, ScatterStaysInTheBound) {
@@ -61,7 +61,7 @@ TEST(AutomaticPosterior, ScatterStaysInTheBound) {
   const auto samples = sampled(levels(), value);
   const Posterior sharp(samples, {1., 1.}, 0), scattered(samples, {1., 1.}, 0.05);
   EXPECT_GT(scattered.bound(3, 0.95), 3 * sharp.bound(3, 0.95));
-  EXPECT_LT(scattered.chance_at({1e3, 1e3}, 0.01), 0.5);
+  EXPECT_FALSE(scattered.meets({1e3, 1e3}, 0.01, 0.5));
 }
 
 /// The promise is kept: of random powers with random noise that falls with the cells, the finest value is within the
@@ -98,7 +98,7 @@ TEST(AutomaticPosterior, LetsCoarseLevelsBeWrong) {
   const Posterior posterior(sampled(at, value), second, 0);
   EXPECT_NEAR(posterior.limit(), 3, 0.001);
   EXPECT_LT(posterior.bound(value({32, 32}), 0.97), 0.003);
-  EXPECT_LT(posterior.chance_at({2, 32}, 0.1), 0.5);
+  EXPECT_FALSE(posterior.meets({2, 32}, 0.1, 0.5));
 }
 
 TEST(AutomaticPosterior, ARunThatIsFinerSaysMore) {
