@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "run/request.hpp"
-#include "studies/scheduler.hpp"
+#include "studies/runs/scheduler.hpp"
 
 namespace tether {
 

@@ -20,6 +20,7 @@
 #include "studies/map/read_map.hpp"
 #include "studies/read_study.hpp"
 #include "studies/reproduce/reproduce.hpp"
+#include "studies/runs/local_crew.hpp"
 #include "studies/sweep.hpp"
 
 namespace tether {
@@ -36,14 +37,24 @@ void refuse_interruption(int signal, const std::filesystem::path& folder) {
                       fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
 }
 
+/// How a study is to be run by a crew, as far as the command line says.
+StudyOptions study_options(const std::filesystem::path& folder, Crew& crew, const RunOptions& options,
+                           ProgressLine& progress) {
+  return {.out = folder,
+          .crew = crew,
+          .threads = options.threads,
+          .command = options.command,
+          .progress = std::ref(progress)};
+}
+
 /// False where a bisection found nothing.
 bool run_sweep(const std::string& name, const RunOptions& options) {
   const Study study = read_study(name);
   const auto folder = folder_of(name, options, false);
   if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
   ProgressLine progress(name, options.quiet);
-  const SweepResult result =
-      sweep(study, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+  LocalCrew crew(options.jobs);
+  const SweepResult result = sweep(study, study_options(folder, crew, options, progress));
   progress.clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
@@ -61,8 +72,8 @@ Work chart_work(const std::string& name, const RunOptions& options) {
   return [name, &options, chart = chart::read_chart(name)](const std::filesystem::path& folder) {
     if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
     ProgressLine progress(name, options.quiet);
-    const chart::ChartResult result =
-        make_chart(chart, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+    LocalCrew crew(options.jobs);
+    const chart::ChartResult result = make_chart(chart, study_options(folder, crew, options, progress));
     progress.clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_file_trouble(result.file_trouble);
@@ -75,8 +86,8 @@ Work map_work(const std::string& name, const RunOptions& options) {
   return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
     if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
     ProgressLine progress(name, options.quiet);
-    const map::MapResult result =
-        make_map(map, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+    LocalCrew crew(options.jobs);
+    const map::MapResult result = make_map(map, study_options(folder, crew, options, progress));
     progress.clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_interruption(result.signal, folder);
@@ -118,8 +129,8 @@ void take_over(const std::filesystem::path& run, const std::filesystem::path& fo
 automatic::Found find(const std::string& name, const automatic::Automatic& wanted, const RunOptions& options,
                       const std::filesystem::path& folder) {
   ProgressLine progress(name, options.quiet);
-  const automatic::Found found =
-      automatic::find_setting(wanted, {folder, {options.jobs, options.threads}, options.command, std::ref(progress)});
+  LocalCrew crew(options.jobs);
+  const automatic::Found found = automatic::find_setting(wanted, study_options(folder, crew, options, progress));
   progress.clear();
   if (!options.quiet) fmt::print("{}", found.report);
   if (found.folder.empty()) fmt::print(stderr, "{}: error: cannot promise: {}\n", name, found.why_not);
@@ -146,9 +157,8 @@ std::string decks_of(const PublishedOptions& published) {
 bool run_published(const PublishedOptions& published, const RunOptions& options) {
   ProgressLine progress("reproduce", options.quiet);
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  const ReproduceOptions how{decks_of(published),
-                             published.write,
-                             {out, {options.jobs, options.threads}, options.command, std::ref(progress)}};
+  LocalCrew crew(options.jobs);
+  const ReproduceOptions how{decks_of(published), published.write, study_options(out, crew, options, progress)};
   if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
   const ReproduceResult result = reproduce(published.names, how);
   progress.clear();

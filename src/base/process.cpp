@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <algorithm>
 #include <chrono>
@@ -58,7 +59,16 @@ SignalWatch::SignalWatch(std::initializer_list<int> signals) : watched_{}, befor
 
 SignalWatch::~SignalWatch() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
-int SignalWatch::wait(double seconds) {
+int SignalWatch::wait(double seconds, int file) {
+  constexpr double glance = 0.05;  // seconds between looks for a signal while a file is looked at
+  if (file >= 0) {
+    pollfd news{file, POLLIN, 0};
+    for (; seconds > 0; seconds -= glance) {
+      const bool has_news = poll(&news, 1, static_cast<int>(1000 * std::min(seconds, glance))) != 0;
+      if (const int signal = take(); signal != 0 || has_news) return signal;
+    }
+    return take();
+  }
   const double whole = std::floor(seconds);
   const timespec patience{static_cast<time_t>(whole), static_cast<long>(1e9 * (seconds - whole))};
   return std::max(sigtimedwait(&watched_, nullptr, &patience), 0);

@@ -37,8 +37,9 @@ class SignalWatch {
 
   /// Takes one of the signals that have come, and returns its number; 0 where there is none.
   int take() { return wait(0); }
-  /// Does the same, but waits so many seconds for one.
-  int wait(double seconds);
+  /// Does the same, but waits so many seconds for one, or until there is something to read in an open file, if one is
+  /// given.
+  int wait(double seconds, int file = -1);
 
  private:
   sigset_t watched_, before_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "studies/border_search.hpp"
-#include "studies/run_record.hpp"
+#include "studies/runs/run_record.hpp"
 #include "studies/study.hpp"
 
 namespace tether {

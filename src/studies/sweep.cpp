@@ -100,23 +100,31 @@ std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
 }
 
+SweepResult report_study(const Study& study, const fs::path& out, const StudyOutcome& outcome,
+                         const std::string& command) {
+  const auto& runs = outcome.runs;
+  const auto& bisections = outcome.sequences.bisections();
+  const StudyTable table = run_table(study, runs);
+  write_table(out / "table", table, study, command);
+  SweepResult result{.report = report_text(study, table) + failures_text(runs),
+                     .verdicts = outcome.is_whole ? broken_verdicts(study, bisections) : std::vector<std::string>{},
+                     .file_trouble = count_file_trouble(runs)};
+  for (auto& verdict : lacking_columns(study, runs)) result.verdicts.push_back(std::move(verdict));
+  if (study.mode == Mode::grid) return result;
+  const StudyTable summed_up =
+      study.mode == Mode::ensemble ? ensemble_table(study, runs) : bisection_table(study, runs, bisections);
+  write_table(out / "outcome", summed_up, study, command);
+  result.report += fmt::format("\n{}", report_text(study, summed_up));
+  return result;
+}
+
 SweepResult sweep(const Study& study, const StudyOptions& options) {
   const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
   remove_earlier_results(options.out);
-  Sequences sequences(study);
-  Scheduler scheduler(study, options.out, options.shares, options.progress);
-  const auto [runs, signal] = scheduler.run_all(sequences);
-  const StudyTable table = run_table(study, runs);
-  write_table(options.out / "table", table, study, options.command);
-  SweepResult result{report_text(study, table) + failures_text(runs),
-                     signal == 0 ? broken_verdicts(study, sequences.bisections()) : std::vector<std::string>{}, signal,
-                     count_file_trouble(runs)};
-  for (auto& verdict : lacking_columns(study, runs)) result.verdicts.push_back(std::move(verdict));
-  if (study.mode == Mode::grid) return result;
-  const StudyTable outcome =
-      study.mode == Mode::ensemble ? ensemble_table(study, runs) : bisection_table(study, runs, sequences.bisections());
-  write_table(options.out / "outcome", outcome, study, options.command);
-  result.report += fmt::format("\n{}", report_text(study, outcome));
+  const std::vector<StudyRun> alone{{study, options.out}};
+  const auto [outcomes, signal] = Scheduler(alone, options).run_all();
+  SweepResult result = report_study(study, options.out, outcomes.front(), options.command);
+  result.signal = signal;
   return result;
 }
 

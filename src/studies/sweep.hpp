@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/scheduler.hpp"
+#include "studies/runs/scheduler.hpp"
 #include "studies/study.hpp"
 #include "studies/table.hpp"
 
@@ -23,6 +23,10 @@ struct SweepResult {
 /// outcome.csv, a row a combination, of what is finished, also after a signal. A run that fails is a row like any
 /// other. Throws FileError, also where another process works in the same folder.
 SweepResult sweep(const Study& study, const StudyOptions& options);
+
+/// Writes the tables of what is finished of a study into its folder, as sweep() does. Throws FileError.
+SweepResult report_study(const Study& study, const std::filesystem::path& out, const StudyOutcome& outcome,
+                         const std::string& command);
 
 /// Removes from a study's folder what an earlier study, or the same one in another mode, has found, but not its runs.
 /// What is stopped leaves nothing that is not its own. Throws FileError.

@@ -59,11 +59,11 @@ class Auto(unittest.TestCase):
 
     def test_finished_runs_are_not_made_again(self):
         self.assertEqual(auto(SWING, 0.01, self.out, quantity="last(point_y_1)").returncode, 0)
-        records = {path: path.stat().st_mtime_ns for path in self.out.glob("trials/*/runs/*/run.txt")}
+        records = {path: path.stat().st_mtime_ns for path in self.out.glob("trials/*/runs/*/*/run.txt")}
         first = (self.out / "auto.csv").read_bytes()
         self.assertGreater(len(records), 3)
         self.assertEqual(auto(SWING, 0.01, self.out, quantity="last(point_y_1)").returncode, 0)
-        self.assertEqual({path: path.stat().st_mtime_ns for path in self.out.glob("trials/*/runs/*/run.txt")}, records)
+        self.assertEqual({path: path.stat().st_mtime_ns for path in self.out.glob("trials/*/runs/*/*/run.txt")}, records)
         self.assertEqual((self.out / "auto.csv").read_bytes(), first)
 
     def test_steps_alone_are_refined_where_there_are_no_cells(self):

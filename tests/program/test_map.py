@@ -93,7 +93,7 @@ set='in.tstep=1.0', 'in.dtmax=1.0'
     def test_it_goes_on_where_it_was_stopped(self):
         study = self.study(GROWTH + PLACES + STEPS)
         with subprocess.Popen([TETHER, "map", study, "--out", self.out, "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-            while len(list(self.out.glob("runs/*/run.txt"))) < 3 and process.poll() is None:
+            while len(list(self.out.glob("runs/*/*/run.txt"))) < 3 and process.poll() is None:
                 time.sleep(.002)
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(), 130)

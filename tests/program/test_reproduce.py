@@ -115,7 +115,7 @@ class Tables(ReproduceTest):
         spread = float(re.search(r"\+- (\S+)", velocity["thesis method"]).group(1))
         self.assertEqual("undecided" in velocity["verdict"], spread > 0.05)  # half of .3's last digit
         steps = set()
-        for run in (self.folder / "out/reproduce/two-bar").glob("thesis-*/runs/*/summary.txt"):
+        for run in (self.folder / "out/reproduce/two-bar").glob("thesis-*/runs/*/*/summary.txt"):
             steps.add(re.search(r"^dt_min = (.*)$", run.read_text(), re.MULTILINE).group(1))
         self.assertEqual(len(steps), 10)
 

@@ -69,7 +69,7 @@ class Tables(SweepTest):
         for words, threads in (((), "1"), (("--threads", "2"), "2")):
             out = self.folder / threads
             self.sweep(self.study(self.GRID), *words, out=out)
-            folders = list((out / "runs").iterdir())
+            folders = list((out / "runs").glob("*/*/"))
             self.assertEqual(len(folders), 8)
             for folder in folders:
                 self.assertIn(f"threads = {threads}\n", (folder / "summary.txt").read_text())

@@ -56,7 +56,7 @@ class Stops(SweepTest):
     def finished(self):
         """What identifies the record of each finished run."""
         return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
-                for path in self.out.glob("runs/*/run.txt")}
+                for path in self.out.glob("runs/*/*/run.txt")}
 
     def started(self):
         command = [TETHER, "sweep", self.many, "--quiet", "--jobs", "2", "--out", self.out]
@@ -108,7 +108,7 @@ class Stops(SweepTest):
     def test_a_long_run_goes_on_from_its_checkpoint(self):
         self.many = self.study("decks='../decks/spring-mass.in', set='in.tmax=1.0', quantities='steps'")
         with self.started() as process:
-            while not list(self.out.glob("runs/*/history.nc")) and process.poll() is None:
+            while not list(self.out.glob("runs/*/*/history.nc")) and process.poll() is None:
                 time.sleep(0.005)
             process.send_signal(signal.SIGTERM)
             self.assertEqual(process.wait(timeout=60), 143)

@@ -120,6 +120,7 @@ class ModelAttempt {
 }  // namespace
 
 Found find_setting(const Automatic& automatic, const StudyOptions& options) {
+  const FolderLock lock(options.out, automatic.study.file);
   TrialRuns runs(automatic, options);
   Simplified simplified = simplify(automatic, runs);
   Attempt made = ModelAttempt(automatic, runs, simplified).make();

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "studies/automatic/automatic.hpp"
-#include "studies/scheduler.hpp"
+#include "studies/runs/scheduler.hpp"
 
 namespace tether::automatic {
 

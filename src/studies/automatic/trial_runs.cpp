@@ -54,12 +54,13 @@ std::vector<Trial> TrialRuns::make(const std::vector<WantedRun>& wanted) {
     places.push_back(place->second);
     if (is_new) new_ones.push_back(std::move(study)), new_wanted.push_back(run);
   }
-  const auto progress = [&](SweepProgress all_so_far) {
+  StudyOptions options = options_;
+  options.progress = [&](SweepProgress all_so_far) {
     all_so_far.done += made_.size();
     all_so_far.failed += static_cast<std::size_t>(std::ranges::count_if(made_, ended_badly));
     if (options_.progress) options_.progress(all_so_far);
   };
-  const auto ends = run_all(new_ones, options_.shares, options_.command, progress);
+  const auto ends = run_each(new_ones, options);
   for (std::size_t k = 0; k < ends.size(); ++k) add(new_wanted[k], ends[k]);
   std::vector<Trial> all;
   for (std::size_t k = 0; k < wanted.size(); ++k) {

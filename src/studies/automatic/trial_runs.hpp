@@ -10,8 +10,8 @@
 #include "base/process.hpp"
 #include "base/words.hpp"
 #include "studies/automatic/automatic.hpp"
-#include "studies/run_pool.hpp"
-#include "studies/scheduler.hpp"
+#include "studies/runs/run_pool.hpp"
+#include "studies/runs/scheduler.hpp"
 
 namespace tether {
 

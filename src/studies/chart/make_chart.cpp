@@ -15,8 +15,8 @@
 #include "studies/chart/chart_runs.hpp"
 #include "studies/combinations.hpp"
 #include "studies/reproduce/files.hpp"
-#include "studies/run_pool.hpp"
 #include "studies/run_table.hpp"
+#include "studies/runs/run_pool.hpp"
 #include "studies/sweep.hpp"
 #include "studies/table.hpp"
 
@@ -56,7 +56,7 @@ Distinct distinct(const std::vector<StudyRun>& runs) {
 
 std::vector<RunEnd> run_each_once(const std::vector<StudyRun>& runs, const StudyOptions& options) {
   const Distinct made = distinct(runs);
-  const auto ends = run_all(made.runs, options.shares, options.command, options.progress);
+  const auto ends = run_each(made.runs, options);
   std::vector<RunEnd> all;
   for (const std::size_t k : made.of) all.push_back(ends[k]);
   return all;
@@ -120,6 +120,7 @@ std::string failures_text(const std::vector<Measured>& runs, const std::vector<R
 }  // namespace
 
 ChartResult make_chart(const Chart& chart, const StudyOptions& options) {
+  const FolderLock lock(options.out, chart.study.file);
   remove_earlier_results(options.out);
   const std::vector<ChartRun> runs = runs_of(chart);
   const auto ends = run_each_once(planned(runs, options.out / "runs"), options);

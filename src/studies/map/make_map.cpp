@@ -50,15 +50,15 @@ MapResult make_map(const Map& map, const StudyOptions& options) {
   const Study& study = map.study;
   const FolderLock lock(options.out, study.file);
   remove_earlier_results(options.out);
-  Sequences sequences(study);
-  Scheduler scheduler(study, options.out, options.shares, options.progress);
-  auto [runs, signal] = scheduler.run_all(sequences);
+  const std::vector<StudyRun> alone{{study, options.out}};
+  auto [outcomes, signal] = Scheduler(alone, options).run_all();
+  auto& [runs, sequences, is_whole] = outcomes.front();
   Outcome outcome;
   for (const FinishedRun& run : runs) {
     outcome.verdicts.push_back(verdict_of(study.criterion, run));
     outcome.theory.push_back(theory_of(map, run, options.out));
   }
-  outcome.finished = signal == 0;
+  outcome.finished = is_whole;
   outcome.decided_by = rows_of(sequences.deciding(), runs);
   if (!outcome.finished) keep_own(runs, outcome.decided_by);
   outcome.bisections = sequences.bisections();

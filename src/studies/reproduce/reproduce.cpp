@@ -213,8 +213,8 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
   const auto problems = problems_named(names, options.decks);
   const auto runs = plan_runs(problems, options.study.out);
   refuse_lost_file(options.write);
-  const auto ends =
-      run_all({runs.begin(), runs.end()}, options.study.shares, options.study.command, options.study.progress);
+  const FolderLock lock(options.study.out, "reproduce");
+  const auto ends = run_each({runs.begin(), runs.end()}, options.study);
   const auto rows = rows_of(problems, runs, ends);
   if (!options.write.empty()) replace_file(options.write, markdown_text(rows, problems, options.study.command));
   ReproduceResult result{terminal_text(rows), {}, 0};

@@ -8,7 +8,7 @@
 
 #include "studies/reproduce/runs.hpp"
 #include "studies/reproduce/verdict.hpp"
-#include "studies/scheduler.hpp"
+#include "studies/runs/scheduler.hpp"
 
 namespace tether::published {
 

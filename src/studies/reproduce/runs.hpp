@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "studies/reproduce/problem.hpp"
-#include "studies/run_pool.hpp"
+#include "studies/runs/run_pool.hpp"
 #include "studies/study.hpp"
 
 namespace tether::published {

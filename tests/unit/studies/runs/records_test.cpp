@@ -11,8 +11,8 @@
 #include "plan/load.hpp"
 #include "results/summary_keys.hpp"
 #include "run/run.hpp"
-#include "studies/run_record.hpp"
-#include "studies/scheduler.hpp"
+#include "studies/runs/run_record.hpp"
+#include "studies/runs/workers.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {

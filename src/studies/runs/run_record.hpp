@@ -21,7 +21,8 @@ struct RunRecord {
 /// version and git hash.
 std::string run_key(const Deck& deck);
 
-/// The folder below a study's in which the run writes: runs/<first digits of its key>.
+/// The folder below a study's in which the run writes: runs/<two digits of its key>/<sixteen>, so that of ten thousand
+/// runs no folder has more than some hundreds.
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key);
 
 /// The record in the folder, if the run of this key came to an end there and the numbers of a good end are whole.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/run_pool.hpp"
+#include "studies/runs/run_pool.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
+#include "studies/runs/local_crew.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether {
@@ -26,7 +27,9 @@ TEST_F(RunPool, StopsARunThatTakesMoreOfTheProcessorThanItMay) {
   StudyRun quick = run_of(folder / "quick", {"in.tmax=.1"});
   StudyRun slow = run_of(folder / "slow", {"in.tmax=20.", "in.tstep=1.e-8"});
   slow.most_cpu_seconds = 1;
-  const auto ends = run_all({quick, slow}, {.jobs = 2, .threads = 1}, "a test", {});
+  LocalCrew crew(2);
+  const auto ends =
+      run_each({quick, slow}, {.out = folder, .crew = crew, .threads = 1, .command = "a test", .progress = {}});
   EXPECT_EQ(ends[0].ending.exit_code, exit_done) << ends[0].ending.message;
   EXPECT_NE(ends[1].ending.exit_code, exit_done);
   EXPECT_NE(ends[1].ending.message.find("as much of the processor as it may"), std::string::npos)

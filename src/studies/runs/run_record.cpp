@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/run_record.hpp"
+#include "studies/runs/run_record.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,7 +23,7 @@
 namespace tether {
 namespace {
 
-constexpr std::size_t key_digits_in_a_name = 16;
+constexpr std::size_t key_digits_in_a_name = 16, key_digits_above = 2;
 
 /// Returns the SHA-256 of a file of the run's, so that one that a power cut emptied is not taken for the run's; ""
 /// where there is none.
@@ -53,7 +53,7 @@ std::string run_key(const Deck& deck) {
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const std::string& key) {
-  return out / "runs" / key.substr(0, key_digits_in_a_name);
+  return out / "runs" / key.substr(0, key_digits_above) / key.substr(0, key_digits_in_a_name);
 }
 
 std::optional<RunRecord> read_record(const std::filesystem::path& folder, const std::string& key) {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/runs/run_task.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <map>
+
+#include "base/diagnostics.hpp"
+#include "base/numbers.hpp"
+#include "deck/reader.hpp"
+#include "results/checkpoint.hpp"
+#include "results/summary_keys.hpp"
+#include "run/make.hpp"
+#include "run/run.hpp"
+
+namespace tether {
+namespace {
+
+/// The newest checkpoint that an interrupted run of this deck left in the folder; empty where there is none.
+std::filesystem::path checkpoint_of(const std::string& deck_effective, const std::filesystem::path& folder) {
+  for (const auto& path : checkpoints_in(folder)) {
+    try {
+      if (read_checkpoint(path).deck_effective == deck_effective) return path;
+    } catch (const FileError&) {
+      continue;  // damaged: an older one will do, or the start
+    }
+  }
+  return {};
+}
+
+/// Limits what this process, and each one that it starts, may take of the processor: the kernel ends one that takes
+/// more. Whole seconds, rounded up.
+void limit_cpu(double seconds) {
+  if (!std::isfinite(seconds)) return;
+  const auto whole = static_cast<rlim_t>(std::max(1., std::ceil(seconds)));
+  const rlimit limit{whole, whole + 1};
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
+/// A run that went on from a checkpoint has cost more than its last process: its summary knows.
+void count_earlier_cost(RunRecord& record, const std::filesystem::path& folder) {
+  if (record.ending.exit_code != exit_done) return;
+  const auto numbers = summary_numbers(folder / "summary.txt");
+  record.cpu_seconds = std::max(record.cpu_seconds, numbers.at("cpu_seconds"));
+  record.wall_seconds = std::max(record.wall_seconds, numbers.at("wall_seconds"));
+}
+
+/// Returns whether the ending says something of the run itself.
+bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && ending.exit_code < exit_signal; }
+
+}  // namespace
+
+Ending do_run(const RunTask& task) {
+  limit_cpu(task.most_cpu_seconds);
+  const Clocks clocks;
+  SignalWatch watch;
+  std::string warnings;
+  const auto warn = [&warnings](const std::string& text) { warnings += "warning: " + text + "\n"; };
+  const Ending ending = end_of(task.deck, [&] {
+    Diagnostics of_the_deck, diagnostics;
+    const Deck deck = read_deck(task.text, task.deck, task.overrides, of_the_deck);
+    Loaded loaded = load_scene(deck, {}, diagnostics);
+    RunRequest request = request_of(loaded, task.folder, command_of(task));
+    request.clocks = clocks;
+    request.threads = threads_for(loaded.plan, task.threads);
+    request.restart = checkpoint_of(request.deck_effective, task.folder);
+    request.interrupted = [&watch] { return watch.take(); };
+    request.warn = warn;
+    for (const auto& warning : loaded.warnings) {
+      if (warning.starts_with(override_file)) warnings += warning;  // of what the study sets
+    }
+    for (const auto& warning : loaded.plan.warnings) warn(warning);
+    run(std::move(loaded.plan), request);
+  });
+  return ending.exit_code == exit_done ? Ending{exit_done, warnings} : ending;
+}
+
+RunRecord record_end(const RunTask& task, const Finished& process) {
+  RunRecord record{task.key, process.ending, process.cpu_seconds, process.wall_seconds};
+  record.ending.message = one_line(record.ending.message);
+  count_earlier_cost(record, task.folder);
+  if (is_lasting(record.ending)) write_record(task.folder, record);
+  return record;
+}
+
+std::string command_of(const RunTask& task) {
+  const auto& overrides = task.overrides;
+  return fmt::format("tether {}{}{}", task.deck, overrides.empty() ? "" : " --set ", fmt::join(overrides, " --set "));
+}
+
+}  // namespace tether
