@@ -7,6 +7,8 @@
 
 namespace tether {
 
+class LetterBox;
+
 /// What the command line says of a run, or of many.
 struct RunOptions {
   std::string out;                  ///< empty: out/<deck name>, out/charts/<name>, out/maps/<name>
@@ -17,7 +19,9 @@ struct RunOptions {
   std::optional<double> tolerance;  ///< relative, of --auto; none: the deck's own setting is run
   bool quiet = false;
   bool dry_run = false;
-  std::string command;  ///< as it was typed, for provenance
+  std::string command;          ///< as it was typed, for provenance
+  LetterBox* others = nullptr;  ///< leads to the other programs of this command, where mpirun has started some
+  int count_others = 0;
 };
 
 /// Which published problems are wanted, and what is done with them next to what RunOptions say.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
@@ -21,6 +22,7 @@
 #include "studies/read_study.hpp"
 #include "studies/reproduce/reproduce.hpp"
 #include "studies/runs/local_crew.hpp"
+#include "studies/runs/remote_crew.hpp"
 #include "studies/sweep.hpp"
 
 namespace tether {
@@ -35,6 +37,12 @@ void refuse_interruption(int signal, const std::filesystem::path& folder) {
   if (signal != 0)
     throw Interrupted(signal,
                       fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
+}
+
+/// Who does the runs: the other programs of this command, where mpirun has started some, else processes of this one.
+std::unique_ptr<Crew> crew_of(const RunOptions& options) {
+  if (options.others == nullptr) return std::make_unique<LocalCrew>(options.jobs);
+  return std::make_unique<RemoteCrew>(*options.others, options.count_others);
 }
 
 /// How a study is to be run by a crew, as far as the command line says.
@@ -53,8 +61,8 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   const auto folder = folder_of(name, options, false);
   if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
   ProgressLine progress(name, options.quiet);
-  LocalCrew crew(options.jobs);
-  const SweepResult result = sweep(study, study_options(folder, crew, options, progress));
+  const auto crew = crew_of(options);
+  const SweepResult result = sweep(study, study_options(folder, *crew, options, progress));
   progress.clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
@@ -72,8 +80,8 @@ Work chart_work(const std::string& name, const RunOptions& options) {
   return [name, &options, chart = chart::read_chart(name)](const std::filesystem::path& folder) {
     if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
     ProgressLine progress(name, options.quiet);
-    LocalCrew crew(options.jobs);
-    const chart::ChartResult result = make_chart(chart, study_options(folder, crew, options, progress));
+    const auto crew = crew_of(options);
+    const chart::ChartResult result = make_chart(chart, study_options(folder, *crew, options, progress));
     progress.clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_file_trouble(result.file_trouble);
@@ -86,8 +94,8 @@ Work map_work(const std::string& name, const RunOptions& options) {
   return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
     if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
     ProgressLine progress(name, options.quiet);
-    LocalCrew crew(options.jobs);
-    const map::MapResult result = make_map(map, study_options(folder, crew, options, progress));
+    const auto crew = crew_of(options);
+    const map::MapResult result = make_map(map, study_options(folder, *crew, options, progress));
     progress.clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_interruption(result.signal, folder);
@@ -129,8 +137,8 @@ void take_over(const std::filesystem::path& run, const std::filesystem::path& fo
 automatic::Found find(const std::string& name, const automatic::Automatic& wanted, const RunOptions& options,
                       const std::filesystem::path& folder) {
   ProgressLine progress(name, options.quiet);
-  LocalCrew crew(options.jobs);
-  const automatic::Found found = automatic::find_setting(wanted, study_options(folder, crew, options, progress));
+  const auto crew = crew_of(options);
+  const automatic::Found found = automatic::find_setting(wanted, study_options(folder, *crew, options, progress));
   progress.clear();
   if (!options.quiet) fmt::print("{}", found.report);
   if (found.folder.empty()) fmt::print(stderr, "{}: error: cannot promise: {}\n", name, found.why_not);
@@ -157,8 +165,8 @@ std::string decks_of(const PublishedOptions& published) {
 bool run_published(const PublishedOptions& published, const RunOptions& options) {
   ProgressLine progress("reproduce", options.quiet);
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  LocalCrew crew(options.jobs);
-  const ReproduceOptions how{decks_of(published), published.write, study_options(out, crew, options, progress)};
+  const auto crew = crew_of(options);
+  const ReproduceOptions how{decks_of(published), published.write, study_options(out, *crew, options, progress)};
   if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
   const ReproduceResult result = reproduce(published.names, how);
   progress.clear();

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "base/diagnostics.hpp"
+#include "base/process.hpp"
 
 namespace tether {
 namespace {
@@ -132,11 +133,6 @@ std::string local_time() {
   return {text.data(), length};
 }
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& lock) {
   std::string holder;
   try {
@@ -150,7 +146,7 @@ std::string host_name() {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work) : path_(folder / "lock") {
+FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work) : path_(folder / file_name) {
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: the folder cannot be made: {}", folder.string(), reason.message()));

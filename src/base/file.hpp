@@ -43,6 +43,7 @@ void replace_whole(const std::filesystem::path& path, Reach reach,
 /// taken.
 class FolderLock {
  public:
+  static constexpr const char* file_name = "lock";
   /// Makes the folder, and takes it; `work` says for others what is done there, as in "decks/sod.in". Waits some
   /// seconds for a process that is about to end. Throws FileError, which names the holder, where the folder is taken.
   FolderLock(const std::filesystem::path& folder, const std::string& work);

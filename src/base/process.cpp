@@ -5,7 +5,10 @@
 #include <malloc.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -60,18 +63,21 @@ SignalWatch::SignalWatch(std::initializer_list<int> signals) : watched_{}, befor
 SignalWatch::~SignalWatch() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 int SignalWatch::wait(double seconds, int file) {
-  constexpr double glance = 0.05;  // seconds between looks for a signal while a file is looked at
-  if (file >= 0) {
-    pollfd news{file, POLLIN, 0};
-    for (; seconds > 0; seconds -= glance) {
-      const bool has_news = poll(&news, 1, static_cast<int>(1000 * std::min(seconds, glance))) != 0;
-      if (const int signal = take(); signal != 0 || has_news) return signal;
-    }
+  if (file >= 0) {  // a signal that is held back can be read from a file of its own
+    const int signals = signalfd(-1, &watched_, SFD_CLOEXEC);
+    std::array<pollfd, 2> both{{{file, POLLIN, 0}, {signals, POLLIN, 0}}};
+    poll(both.data(), both.size(), static_cast<int>(1000 * seconds));
+    close(signals);
     return take();
   }
   const double whole = std::floor(seconds);
   const timespec patience{static_cast<time_t>(whole), static_cast<long>(1e9 * (seconds - whole))};
   return std::max(sigtimedwait(&watched_, nullptr, &patience), 0);
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
 }
 
 void keep_freed_memory() {

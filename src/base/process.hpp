@@ -83,6 +83,7 @@ void keep_freed_memory();
 /// the parent held, and stands in where there is no /proc.
 double peak_memory_mb();
 
+std::string host_name();        ///< of this machine
 std::string program_version();  ///< "0.1.0"
 std::string git_hash();         ///< of the tree this program was built from, "-dirty" after it if it had changes
 

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "base/diagnostics.hpp"
+#include "base/letters.hpp"
 #include "base/numbers.hpp"
 #include "deck/reader.hpp"
 #include "results/checkpoint.hpp"
@@ -84,6 +85,51 @@ RunRecord record_end(const RunTask& task, const Finished& process) {
   record.ending.message = one_line(record.ending.message);
   count_earlier_cost(record, task.folder);
   if (is_lasting(record.ending)) write_record(task.folder, record);
+  return record;
+}
+
+std::string text_of(const RunTask& task) {
+  return Packed()
+      .add(task.deck)
+      .add(task.text)
+      .add(task.overrides)
+      .add(task.key)
+      .add(task.folder.string())
+      .add(task.sign.string())
+      .add(task.threads)
+      .add(task.most_cpu_seconds)
+      .text();
+}
+
+RunTask task_of(const std::string& text) {
+  Packed parts(text);
+  RunTask task;
+  task.deck = parts.take_text(), task.text = parts.take_text(), task.overrides = parts.take_texts();
+  task.key = parts.take_text(), task.folder = parts.take_text(), task.sign = parts.take_text();
+  task.threads = static_cast<int>(parts.take_number()), task.most_cpu_seconds = parts.take_number();
+  return task;
+}
+
+std::string text_of(const RunRecord& record) {
+  const auto& [key, ending, cpu_seconds, wall_seconds] = record;
+  const std::string failure(ending.failure ? word_of(*ending.failure) : "");
+  return Packed()
+      .add(key)
+      .add(ending.exit_code)
+      .add(ending.message)
+      .add(failure)
+      .add(cpu_seconds)
+      .add(wall_seconds)
+      .text();
+}
+
+RunRecord record_of(const std::string& text) {
+  Packed parts(text);
+  RunRecord record;
+  record.key = parts.take_text();
+  record.ending.exit_code = static_cast<int>(parts.take_number()), record.ending.message = parts.take_text();
+  record.ending.failure = find_word<Failure>(parts.take_text());
+  record.cpu_seconds = parts.take_number(), record.wall_seconds = parts.take_number();
   return record;
 }
 

@@ -17,6 +17,7 @@ struct RunTask {
   std::vector<std::string> overrides;
   std::string key;               ///< of run_key()
   std::filesystem::path folder;  ///< the run's own
+  std::filesystem::path sign;    ///< a file that stands in the studies' folder as long as they are run
   int threads = 1;
   double most_cpu_seconds = std::numeric_limits<double>::infinity();  ///< a run that takes more is stopped
 };
@@ -30,6 +31,12 @@ Ending do_run(const RunTask& task);
 /// the run itself; an interruption, a kill, a full disk say nothing of it, and the next sweep tries it again. Throws
 /// FileError.
 RunRecord record_end(const RunTask& task, const Finished& process);
+
+/// A task and a record as texts that can be sent. What reads them throws FileError where a text is none.
+std::string text_of(const RunTask& task);
+RunTask task_of(const std::string& text);
+std::string text_of(const RunRecord& record);
+RunRecord record_of(const std::string& text);
 
 /// The command that makes this run alone.
 std::string command_of(const RunTask& task);

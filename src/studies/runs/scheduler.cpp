@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "base/diagnostics.hpp"
+#include "base/file.hpp"
 #include "base/numbers.hpp"
 #include "plan/load.hpp"
 #include "studies/runs/read_run.hpp"
@@ -127,6 +128,7 @@ RunTask Scheduler::task_of(const Wanted& wanted) const {
           .overrides = overrides_of(study, combination, wanted.variant.varied),
           .key = wanted.key,
           .folder = folder_of(wanted),
+          .sign = options_.out / FolderLock::file_name,
           .threads = options_.threads,
           .most_cpu_seconds = studies_[wanted.study].most_cpu_seconds};
 }

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Commands under mpirun: one program that deals out runs, two that do them; and their processes."""
+import os
+import pathlib
+import subprocess
+
+from program import SLOWER, TETHER
+
+MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none"]
+ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+PROGRAMS = 3
+
+
+def run(*words, options=(), program=TETHER, folder=None):
+    """A command of three programs, to its end."""
+    command = [*MPIRUN, *options, "-n", str(PROGRAMS), program, *map(str, words)]
+    return subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, stdin=subprocess.DEVNULL,
+                          timeout=300 * SLOWER)
+
+
+def start(*words, options=()):
+    command = [*MPIRUN, *options, "-n", str(PROGRAMS), TETHER, *map(str, words)]
+    return subprocess.Popen(command, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                            stderr=subprocess.PIPE, text=True)
+
+
+def entry(pid, name):
+    try:
+        return pathlib.Path(f"/proc/{pid}/{name}").read_bytes()
+    except OSError:
+        return b""
+
+
+def parent(pid):
+    return int(entry(pid, "stat").rsplit(b")", 1)[1].split()[1])
+
+
+def carriers():
+    """The process of each rank, which carries letters, by rank."""
+    found = {}
+    for folder in pathlib.Path("/proc").glob("[0-9]*"):
+        if entry(folder.name, "comm").strip() != b"tether-mpi":
+            continue
+        for setting in entry(folder.name, "environ").split(b"\0"):
+            if setting.startswith(b"OMPI_COMM_WORLD_RANK="):
+                found[int(setting.split(b"=")[1])] = int(folder.name)
+    return found
+
+
+def served_by(carrier):
+    """The program of tether that a rank's process serves."""
+    for folder in pathlib.Path("/proc").glob("[0-9]*"):
+        if entry(folder.name, "stat") and parent(folder.name) == carrier:
+            return int(folder.name)
+    return None

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies under mpirun: the same tables as without, whatever dies in the middle."""
+import os
+import pathlib
+import shutil
+import signal
+import time
+import unittest
+
+import mpi
+from program import DECKS, TETHER
+from sweeps import SweepTest, rows_of
+
+
+def without_cost(path):
+    """A table without what differs from one making to the next; folders from that of the table on."""
+    drop = {"cpu_seconds", "wall_seconds", "reused", "peak_memory_mb"}
+    return [{name: cell.removeprefix(f"{path.parent}/") for name, cell in row.items() if name not in drop}
+            for row in rows_of(path)]
+
+
+class Equal(SweepTest):
+    """Each command once alone and once by three programs."""
+
+    def both(self, *words, code=0):
+        """Folders of both."""
+        out = [self.folder / "alone", self.folder / "by-three"]
+        self.expect(code, *words, "--quiet", "--out", out[0])
+        result = mpi.run(*words, "--quiet", "--out", out[1])
+        self.assertEqual(result.returncode, code, result.stderr)
+        return out
+
+    def same(self, folders, *names):
+        for name in names:
+            alone, by_three = (without_cost(folder / name) for folder in folders)
+            self.assertGreater(len(alone), 0)
+            self.assertEqual(alone, by_three)
+
+    def test_sweeps_with_runs_that_fail(self):
+        study = self.study("decks='../decks/sod.in', axis(1)='in.nx=21,41,81', axis(2)='fluid.mu=0.,1.e-3', set='in.tmax=.05'\n"
+                           "quantities='error_density','dx','last(energy_total)', order='dx'")
+        folders = self.both("sweep", study)
+        self.same(folders, "table.csv")
+        rows = rows_of(folders[1] / "table.csv")
+        self.assertEqual([row["exit_code"] for row in rows], ["0"] * 3 + ["2"] * 3)
+
+    def test_bisections(self):
+        study = self.study("mode='bisect', decks='../decks/stability-side.in', vary='mpm.cfl', low=0.5, high=2.5\n"
+                           "axis='in.xright=5.,5.2', criterion='exit_code', tolerance=0.05, set='in.tstep=1.0','in.dtmax=1.0'")
+        self.same(self.both("sweep", study), "table.csv", "outcome.csv")
+
+    def test_maps(self):
+        study = self.study("mode='map', decks='../decks/stability-centre.in', criterion='energy_growth', at_most=100.\n"
+                           "set='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tstep=1.0', 'in.dtmax=1.0'\n"
+                           "axis(1)='in.xleft=0.,.1,.2,.3,.4', axis(2)='in.xright=5.,5.1,5.2,5.3,5.4', linked(2)=1\n"
+                           "axis(3)='mpm.cfl=.8,1.2,1.6,2.,2.4,2.8'")
+        folders = self.both("map", study)
+        self.same(folders, "map.csv", "table.csv")
+
+    def test_charts(self):
+        study = self.study("mode='chart', decks='../decks/sod.in', is='error_density', exact='0', set='in.tmax=.05'\n"
+                           "family(1)='points', cells(1,1)='in.nx=21,41,81'")
+        self.same(self.both("chart", study), "chart.csv")
+
+    def test_published_problems(self):
+        tables = []
+        for command in (self.expect, lambda code, *words: mpi.run(*words, folder=DECKS.parent)):
+            name = self.folder / f"{len(tables)}.md"
+            command(0, "reproduce", "sod", "two-bar", "--quiet", "--out", self.folder / f"r{len(tables)}", "--write", name)
+            tables.append([line for line in name.read_text().splitlines() if "--write" not in line])
+        self.assertGreater(len(tables[0]), 10)
+        self.assertEqual(*tables)
+
+    def test_settings_found(self):
+        words = (DECKS / "bar-vibration.in", "--auto", ".03", "--threads", "1")
+        alone, by_three = self.both(*words)
+        chosen = [(folder / "chosen.in").read_text() for folder in (alone, by_three)]
+        self.assertEqual(*chosen)
+
+
+class Deaths(SweepTest):
+    """Twelve runs of some tenths of a second; something is killed when the first ones have ended."""
+
+    def setUp(self):
+        super().setUp()
+        self.slow = self.study("decks='../decks/sod.in', axis='fluid.gm1=.40,.41,.42,.43,.44,.45,.46,.47,.48,.49,.50,.51'\n"
+                               "set='in.tmax=.1','in.nx=401','in.tstep=4.e-5', quantities='error_density'")
+        self.sweep(self.slow, out=self.folder / "alone")
+        self.words = ("sweep", self.slow, "--quiet", "--out", self.out)
+
+    def finished(self):
+        return {path.parent.name: path.stat().st_mtime_ns for path in self.out.glob("runs/*/*/run.txt")}
+
+    def killed(self, victim, *options, how=signal.SIGKILL):
+        """Its exit code, and the records that stood then."""
+        with mpi.start(*self.words, options=options) as process:
+            while len(self.finished()) < 2 and process.poll() is None:
+                time.sleep(.01)
+            os.kill(victim(), how)
+            before = self.finished()
+            process.communicate(timeout=120)
+        return process.returncode, before
+
+    def is_whole(self):
+        self.assertEqual(without_cost(self.out / "table.csv"), without_cost(self.folder / "alone/table.csv"))
+
+    def test_a_program_that_does_runs(self):
+        code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[2]))
+        self.assertEqual(code, 0)
+        self.is_whole()
+        after = self.finished()
+        self.assertEqual({name: after[name] for name in before}, before)
+
+    def test_a_rank_with_recovery(self):
+        code, before = self.killed(lambda: mpi.carriers()[1], "--enable-recovery")
+        self.assertEqual(code, 0)
+        self.is_whole()
+        after = self.finished()
+        self.assertEqual({name: after[name] for name in before}, before)
+
+    def test_the_first_program_then_the_same_command_again(self):
+        code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[0]))
+        self.assertNotEqual(code, 0)
+        self.assertLess(len(before), 12)
+        deadline = time.monotonic() + 20
+        while mpi.carriers() and time.monotonic() < deadline:
+            time.sleep(.05)
+        self.assertEqual(mpi.carriers(), {})
+        before = self.finished()
+        result = mpi.run(*self.words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.is_whole()
+        after = self.finished()
+        self.assertEqual({name: after[name] for name in before}, before)
+        reused = {pathlib.Path(row["folder"]).name for row in self.table() if row["reused"] == "1"}
+        self.assertEqual(reused, set(before))
+
+
+class Refusals(SweepTest):
+    def setUp(self):
+        super().setUp()
+        self.one = self.study("decks='../decks/stability-side.in', quantities='steps'")
+
+    def test_a_build_without_mpi(self):
+        alone = shutil.copy(TETHER, self.folder / "tether")
+        result = mpi.run("sweep", self.one, "--out", self.out, program=str(alone))
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("this build of tether has no MPI", result.stderr)
+        self.assertIn("libboost-mpi-dev", result.stderr)
+        self.assertFalse(self.out.exists())
+
+    def test_a_single_run(self):
+        result = mpi.run(DECKS / "sod.in", "--out", self.out)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("a single run shares its work among --threads"), 1)
+        self.assertFalse(self.out.exists())
+
+    def test_a_machine_that_does_not_see_the_folder(self):
+        """Another folder of work stands for another machine."""
+        elsewhere = self.folder / "elsewhere"
+        elsewhere.mkdir()
+        words = [TETHER, "sweep", str(self.one), "--quiet", "--out", "here"]
+        command = [*mpi.MPIRUN, "-n", "1", "-wdir", str(self.folder), *words, ":", "-n", "1", "-wdir", str(elsewhere), *words]
+        result = mpi.subprocess.run(command, env=mpi.ENVIRONMENT, capture_output=True, text=True, timeout=120)
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("does not see the folder", result.stderr)
+        self.assertIn(str(elsewhere / "here"), result.stderr)
+        self.assertEqual(list(elsewhere.iterdir()), [])
+
+    def test_mistakes_are_said_once(self):
+        result = mpi.run("sweep", self.study("decks='../decks/none.in'", "studies/bad.in"), "--out", self.out)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("cannot be opened for reading"), 1, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
