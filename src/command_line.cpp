@@ -6,6 +6,7 @@
 #include "deck/deck.hpp"
 #include "deck/spelling.hpp"
 #include "option_checks.hpp"
+#include "studies/runs/parts.hpp"
 
 namespace tether {
 namespace {
@@ -47,6 +48,11 @@ void describe(CLI::App& app) {
   app.require_subcommand(0, 1);
 }
 
+CLI::Option* add_slurm(CLI::App& app, RunOptions& options) {
+  return app.add_flag("--slurm", options.slurm,
+                      "have Slurm do it: write the script of its jobs and submit it, or with --dry-run write it alone");
+}
+
 /// Adds what a run takes, which has no command's name before it.
 void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& options, RunOptions& run_options) {
   auto* deck_names = app.add_option("deck", decks, "decks to run");
@@ -62,7 +68,12 @@ void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& option
       ->excludes(tolerance)
       ->check(refuse_no_file);
   app.add_flag("--quiet", run_options.quiet, "no progress, no warnings on the terminal");
-  app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing");
+  app.add_flag("--dry-run", run_options.dry_run, "read and plan, write nothing; of --slurm: submit nothing");
+  app.add_flag("--continue", run_options.go_on,
+               "go on from the newest checkpoint of this deck in the folder, if there is one")
+      ->excludes(tolerance)
+      ->excludes("--restart");
+  add_slurm(app, run_options)->needs(deck_names)->excludes(tolerance);
 }
 
 CLI::App* add_check(CLI::App& app, std::string& deck, DeckOptions& options, bool& all) {
@@ -85,13 +96,32 @@ CLI::App* add_plan(CLI::App& app, std::string& deck, DeckOptions& options, RunOp
   return plan;
 }
 
+std::string refuse_no_parts(const std::string& text) {
+  return part_numbers(text) ? "" : fmt::format("'{}' is no list of numbers from 1, such as 3,7-9", text);
+}
+
 /// Adds what all commands of many runs take.
 void add_many_runs(CLI::App& app, RunOptions& options) {
   app.add_option("--jobs", options.jobs, "runs side by side (default: as many as there are cores for their threads)")
       ->check(CLI::Range(1, 1024));
   add_threads(app, options.threads, "1");
   app.add_flag("--quiet", options.quiet, "no progress, no table on the terminal");
-  app.add_flag("--dry-run", options.dry_run, "list the runs and which are finished, run nothing");
+  app.add_flag("--dry-run", options.dry_run,
+               "list the runs and which are finished, run nothing; of --slurm: submit nothing");
+  auto* list =
+      app.add_flag("--list", options.list,
+                   "print a command for each part (a run, or a bisection) that is not finished, for GNU parallel "
+                   "or a script; --collect then makes the tables");
+  auto* part = app.add_option("--part", options.parts, "do these parts alone, and leave the tables to --collect")
+                   ->option_text("N,M-K")
+                   ->check(refuse_no_parts);
+  auto* collect = app.add_flag("--collect", options.collect, "make the tables of what is finished, run nothing");
+  auto* slurm = add_slurm(app, options);
+  for (auto* one : {list, part, collect, slurm}) {
+    for (auto* other : {list, part, collect, slurm}) {
+      if (one != other) one->excludes(other);
+    }
+  }
 }
 
 CLI::App* add_sweep(CLI::App& app, std::string& study, RunOptions& options) {

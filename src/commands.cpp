@@ -13,6 +13,7 @@
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
+#include "cluster_commands.hpp"
 #include "command_support.hpp"
 #include "deck/document.hpp"
 #include "deck/spelling.hpp"
@@ -114,6 +115,7 @@ RunRequest request_for(const std::string& name, const Loaded& loaded, const std:
   };
   request.remark = [&, name](const std::string& text) { voice.err(fmt::format("{}: remark: {}\n", name, text)); };
   request.restart = options.restart;
+  if (options.go_on) request.restart = newest_checkpoint(folder, request.deck_effective);
   return request;
 }
 
@@ -123,6 +125,7 @@ void run_deck(const std::string& name, const DeckOptions& options, const RunOpti
   Loaded loaded = load(name, options);
   const auto folder = folder_of(name, run_options, several);
   voice.err(opening_text(name, loaded, run_options, folder));
+  if (run_options.slurm) return hand_over_run(name, loaded.plan.cost, folder, run_options);
   if (run_options.dry_run && !run_options.restart.empty()) checkpoint_for(run_options.restart, loaded.effective);
   if (run_options.dry_run) return print_plan(loaded);
   ProgressLine progress(name, run_options.quiet);

@@ -31,7 +31,8 @@ using namespace tether;
 void share_cores(RunOptions& options) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.threads = std::max(1, options.threads);
-  if (options.jobs == 0) options.jobs = std::max(1, cores / options.threads);
+  const bool is_for_others = options.slurm || options.list || !options.parts.empty();  // who share the runs themselves
+  if (options.jobs == 0) options.jobs = is_for_others ? 1 : std::max(1, cores / options.threads);
 }
 
 /// Outside of runs, which hold signals back, there is nothing to be kept: whatever is read or computed, they end it. Of
@@ -130,7 +131,7 @@ int main(int argc, char** argv) {
   if (const int code = parse(line.app, words); code >= 0) return code;
   if (line.pictures.called()) return script_command(words.front(), {words.begin() + 1, words.end()});
   settle_in();
-  options.command = typed(argc, argv);
+  options.command = typed(argc, argv), options.words = words;
   if (*line.check) return check_command(line.deck, line.deck_options, line.all);
   Seat seat;
   if (const auto started = launch(); started && started->size > 1) {

@@ -19,8 +19,14 @@ struct RunOptions {
   std::optional<double> tolerance;  ///< relative, of --auto; none: the deck's own setting is run
   bool quiet = false;
   bool dry_run = false;
-  std::string command;          ///< as it was typed, for provenance
-  LetterBox* others = nullptr;  ///< leads to the other programs of this command, where mpirun has started some
+  bool go_on = false;                   ///< from the newest checkpoint of the deck in the folder, if there is one
+  bool list = false;                    ///< of a study: the command of each part, run nothing
+  bool collect = false;                 ///< of a study: the tables of what is finished, run nothing
+  bool slurm = false;                   ///< jobs of Slurm do the work
+  std::string parts;                    ///< of a study: those to do, "3,7-9"; empty: all
+  std::vector<std::string> words = {};  ///< of the command line, the program's path first
+  std::string command;                  ///< as it was typed, for provenance
+  LetterBox* others = nullptr;          ///< leads to the other programs of this command, where mpirun has started some
   int count_others = 0;
 };
 

@@ -10,6 +10,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
+#include "cluster_commands.hpp"
 #include "command_support.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
@@ -22,6 +23,7 @@
 #include "studies/read_study.hpp"
 #include "studies/reproduce/reproduce.hpp"
 #include "studies/runs/local_crew.hpp"
+#include "studies/runs/parts.hpp"
 #include "studies/runs/remote_crew.hpp"
 #include "studies/sweep.hpp"
 
@@ -45,30 +47,49 @@ std::unique_ptr<Crew> crew_of(const RunOptions& options) {
   return std::make_unique<RemoteCrew>(*options.others, options.count_others);
 }
 
-/// How a study is to be run by a crew, as far as the command line says.
-StudyOptions study_options(const std::filesystem::path& folder, Crew& crew, const RunOptions& options,
-                           ProgressLine& progress) {
-  return {.out = folder,
-          .crew = crew,
-          .threads = options.threads,
-          .command = options.command,
-          .progress = std::ref(progress)};
+/// What the command line says of the runs of studies; the progress line must outlive it.
+class Making {
+ public:
+  Making(const std::string& name, const std::filesystem::path& folder, const RunOptions& options)
+      : progress_(name, options.quiet),
+        crew_(crew_of(options)),
+        how_{.out = folder,
+             .crew = *crew_,
+             .threads = options.threads,
+             .command = options.command,
+             .progress = std::ref(progress_)} {
+    if (options.collect) how_.doing = Doing::collect;
+    if (!options.parts.empty()) how_.doing = Doing::parts, how_.parts = part_numbers(options.parts).value();
+  }
+
+  const StudyOptions& how() const { return how_; }
+  ProgressLine& progress() { return progress_; }
+
+ private:
+  ProgressLine progress_;
+  std::unique_ptr<Crew> crew_;
+  StudyOptions how_;
+};
+
+/// False where some parts that were to be collected are not finished; says so.
+bool is_whole(const std::string& name, std::size_t unfinished) {
+  if (unfinished > 0) fmt::print(stderr, "{}: {} parts are not finished: --list shows them\n", name, unfinished);
+  return unfinished == 0;
 }
 
 /// False where a bisection found nothing.
 bool run_sweep(const std::string& name, const RunOptions& options) {
   const Study study = read_study(name);
   const auto folder = folder_of(name, options, false);
-  if (options.dry_run) return fmt::print("{}", list_runs(study, folder)), true;
-  ProgressLine progress(name, options.quiet);
-  const auto crew = crew_of(options);
-  const SweepResult result = sweep(study, study_options(folder, *crew, options, progress));
-  progress.clear();
+  Making making(name, folder, options);
+  if (is_done_otherwise(name, {{study, folder}}, making.how(), options)) return true;
+  const SweepResult result = sweep(study, making.how());
+  making.progress().clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& verdict : result.verdicts) fmt::print(stderr, "{}: error: {}\n", name, verdict);
   refuse_interruption(result.signal, folder);
   refuse_file_trouble(result.file_trouble);
-  return result.verdicts.empty();
+  return is_whole(name, result.unfinished) && result.verdicts.empty();
 }
 
 /// What is left to do of a study that was read, in a folder. False where it did not come out well.
@@ -78,29 +99,27 @@ using ReadStudy = std::function<Work(const std::string& name, const RunOptions& 
 /// Its work is false where a run did not end well, or none has an error.
 Work chart_work(const std::string& name, const RunOptions& options) {
   return [name, &options, chart = chart::read_chart(name)](const std::filesystem::path& folder) {
-    if (options.dry_run) return fmt::print("{}", list_chart_runs(chart, folder)), true;
-    ProgressLine progress(name, options.quiet);
-    const auto crew = crew_of(options);
-    const chart::ChartResult result = make_chart(chart, study_options(folder, *crew, options, progress));
-    progress.clear();
+    Making making(name, folder, options);
+    if (is_done_otherwise(name, study_runs_of(chart, folder), making.how(), options)) return true;
+    const chart::ChartResult result = make_chart(chart, making.how());
+    making.progress().clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_file_trouble(result.file_trouble);
-    return result.failed == 0 && !result.shows_nothing;
+    return is_whole(name, result.unfinished) && result.failed == 0 && !result.shows_nothing;
   };
 }
 
 /// Its work is false where a run says nothing.
 Work map_work(const std::string& name, const RunOptions& options) {
   return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
-    if (options.dry_run) return fmt::print("{}", list_runs(map.study, folder)), true;
-    ProgressLine progress(name, options.quiet);
-    const auto crew = crew_of(options);
-    const map::MapResult result = make_map(map, study_options(folder, *crew, options, progress));
-    progress.clear();
+    Making making(name, folder, options);
+    if (is_done_otherwise(name, {{map.study, folder}}, making.how(), options)) return true;
+    const map::MapResult result = make_map(map, making.how());
+    making.progress().clear();
     if (!options.quiet) fmt::print("{}", result.report);
     refuse_interruption(result.signal, folder);
     refuse_file_trouble(result.file_trouble);
-    return result.telling_nothing == 0;
+    return is_whole(name, result.unfinished) && result.telling_nothing == 0;
   };
 }
 
@@ -109,7 +128,10 @@ int make_each(const std::vector<std::string>& names, RunOptions options, const s
               const ReadStudy& read) {
   const bool several = names.size() > 1 || options.out.empty();
   if (options.out.empty()) options.out = parent;
-  int worst = guarded("tether", [&] { refuse_shared_folders(names, options); });
+  int worst = guarded("tether", [&] {
+    refuse_shared_folders(names, options);
+    refuse_parts_of_several(names, options);
+  });
   std::vector<Work> all(names.size());
   for (std::size_t k = 0; k < names.size(); ++k)
     worst = std::max(worst, guarded(names[k], [&] { all[k] = read(names[k], options); }));
@@ -136,10 +158,9 @@ void take_over(const std::filesystem::path& run, const std::filesystem::path& fo
 /// What was found; its folder is empty where nothing can be promised.
 automatic::Found find(const std::string& name, const automatic::Automatic& wanted, const RunOptions& options,
                       const std::filesystem::path& folder) {
-  ProgressLine progress(name, options.quiet);
-  const auto crew = crew_of(options);
-  const automatic::Found found = automatic::find_setting(wanted, study_options(folder, *crew, options, progress));
-  progress.clear();
+  Making making(name, folder, options);
+  const automatic::Found found = automatic::find_setting(wanted, making.how());
+  making.progress().clear();
   if (!options.quiet) fmt::print("{}", found.report);
   if (found.folder.empty()) fmt::print(stderr, "{}: error: cannot promise: {}\n", name, found.why_not);
   return found;
@@ -163,17 +184,16 @@ std::string decks_of(const PublishedOptions& published) {
 
 /// False where a method does not agree where it is judged.
 bool run_published(const PublishedOptions& published, const RunOptions& options) {
-  ProgressLine progress("reproduce", options.quiet);
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
-  const auto crew = crew_of(options);
-  const ReproduceOptions how{decks_of(published), published.write, study_options(out, *crew, options, progress)};
-  if (options.dry_run) return fmt::print("{}", list_published_runs(published.names, how)), true;
+  Making making("reproduce", out, options);
+  const ReproduceOptions how{decks_of(published), published.write, making.how()};
+  if (is_done_otherwise("reproduce", published_runs(published.names, how), how.study, options)) return true;
   const ReproduceResult result = reproduce(published.names, how);
-  progress.clear();
+  making.progress().clear();
   if (!options.quiet) fmt::print("{}", result.report);
   for (const auto& row : result.disagreed) fmt::print(stderr, "reproduce: error: {}\n", row);
   refuse_file_trouble(result.file_trouble);
-  return result.disagreed.empty();
+  return is_whole("reproduce", result.unfinished) && result.disagreed.empty();
 }
 
 }  // namespace

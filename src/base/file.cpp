@@ -146,7 +146,8 @@ std::string local_time() {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work) : path_(folder / file_name) {
+FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work, Sharing sharing)
+    : path_(folder / file_name), kind_(sharing == Sharing::alone ? LOCK_EX : LOCK_SH) {
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: the folder cannot be made: {}", folder.string(), reason.message()));
@@ -163,7 +164,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& w
 }
 
 FolderLock::~FolderLock() {
-  if (weakness_.empty()) ::unlink(path_.c_str());  // before the lock ends, or it could be another's file
+  const bool is_last = ::flock(file_, LOCK_EX | LOCK_NB) == 0;  // nobody shares the folder any more
+  if (weakness_.empty() && is_last) ::unlink(path_.c_str());    // before the lock ends, or it could be another's file
   ::close(file_);
 }
 
@@ -175,7 +177,7 @@ void FolderLock::open_file() {
 /// False where another process has the lock, or took the file away when it ended.
 bool FolderLock::take() {
   int result = 0;
-  do result = ::flock(file_, LOCK_EX | LOCK_NB);
+  do result = ::flock(file_, kind_ | LOCK_NB);
   while (result != 0 && errno == EINTR);
   if (result != 0 && errno == EWOULDBLOCK) return false;
   if (result != 0) weakness_ = std::strerror(errno);

@@ -38,6 +38,9 @@ enum class Reach { system, disk };
 void replace_whole(const std::filesystem::path& path, Reach reach,
                    const std::function<void(const std::filesystem::path&)>& write);
 
+/// Whether those who have a folder keep all others out, or let in those who share it, too.
+enum class Sharing { alone, together };
+
 /// Keeps other processes of this program out of a folder while it lives. The kernel holds the lock, so that it ends
 /// with its process, however that ends; children made by fork() share it, and while one of them lives the folder is
 /// taken.
@@ -46,7 +49,7 @@ class FolderLock {
   static constexpr const char* file_name = "lock";
   /// Makes the folder, and takes it; `work` says for others what is done there, as in "decks/sod.in". Waits some
   /// seconds for a process that is about to end. Throws FileError, which names the holder, where the folder is taken.
-  FolderLock(const std::filesystem::path& folder, const std::string& work);
+  FolderLock(const std::filesystem::path& folder, const std::string& work, Sharing sharing = Sharing::alone);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -61,6 +64,7 @@ class FolderLock {
   void tell_of(const std::string& work) const;
 
   std::filesystem::path path_;
+  int kind_;  // of the kernel's lock
   std::string weakness_;
   int file_ = -1;
 };

@@ -12,6 +12,8 @@
 namespace tether {
 
 // Exit codes of the contract; a signal's is 128 + its number.
+/// Stands where a run that is asked for has not ended.
+constexpr int exit_none = -1;
 constexpr int exit_done = 0, exit_input = 2, exit_run = 3, exit_file = 4, exit_verdict = 5, exit_signal = 128;
 
 /// How a piece of work ended: the contract's exit code, and what there is to say of it ("" where all went well).

@@ -226,6 +226,17 @@ std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& f
   return found;
 }
 
+std::filesystem::path newest_checkpoint(const std::filesystem::path& folder, const std::string& deck_effective) {
+  for (const auto& path : checkpoints_in(folder)) {
+    try {
+      if (read_checkpoint(path).deck_effective == deck_effective) return path;
+    } catch (const FileError&) {
+      continue;  // damaged: an older one will do, or the start
+    }
+  }
+  return {};
+}
+
 std::filesystem::path add_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
   const auto before = checkpoints_in(folder);
   const auto number = before.empty() ? 1 : number_of(before.front()) + 1;

@@ -46,6 +46,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 /// The files checkpoint-N.nc of a folder, the newest (largest N) first.
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& folder);
 
+/// The newest checkpoint that a run of this deck left in the folder when it was interrupted; empty where there is none
+/// that is whole.
+std::filesystem::path newest_checkpoint(const std::filesystem::path& folder, const std::string& deck_effective);
+
 /// Throws FileError where it stays.
 void remove_checkpoint(const std::filesystem::path& path);
 

@@ -80,6 +80,9 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
 
 }  // namespace
 
+namespace {
+
+/// What is stopped leaves nothing that is not its own.
 void remove_earlier_results(const fs::path& folder) {
   for (const char* name :
        {"outcome.nc", "outcome.csv", "chart.nc", "chart.csv", "chart.txt", "map.nc", "map.csv", "map.txt"}) {
@@ -87,6 +90,17 @@ void remove_earlier_results(const fs::path& folder) {
     fs::remove(folder / name, reason);
     if (reason) throw FileError(fmt::format("{}: cannot be removed: {}", (folder / name).string(), reason.message()));
   }
+}
+
+}  // namespace
+
+std::unique_ptr<FolderLock> take_folder(const StudyOptions& options, const std::string& work) {
+  if (options.doing == Doing::collect) return nullptr;
+  const Sharing sharing = options.doing == Doing::parts ? Sharing::together : Sharing::alone;
+  auto lock =
+      std::make_unique<FolderLock>(options.out, work, sharing);  // while a run of a killed study dies, it is taken
+  if (sharing == Sharing::alone) remove_earlier_results(options.out);
+  return lock;
 }
 
 void write_table(const fs::path& stem, const StudyTable& table, const Study& study, const std::string& command) {
@@ -119,25 +133,26 @@ SweepResult report_study(const Study& study, const fs::path& out, const StudyOut
 }
 
 SweepResult sweep(const Study& study, const StudyOptions& options) {
-  const FolderLock lock(options.out, study.file);  // the runs share it: while one of a killed sweep dies, it is taken
-  remove_earlier_results(options.out);
+  const auto lock = take_folder(options, study.file);
   const std::vector<StudyRun> alone{{study, options.out}};
-  const auto [outcomes, signal] = Scheduler(alone, options).run_all();
-  SweepResult result = report_study(study, options.out, outcomes.front(), options.command);
-  result.signal = signal;
+  const Scheduler::Outcome all = Scheduler(alone, options).run_all();
+  SweepResult result = report_study(study, options.out, all.studies.front(), options.command);
+  result.signal = all.signal, result.unfinished = all.unfinished.size();
   return result;
 }
 
-std::string list_runs(const Study& study, const fs::path& out) {
-  const auto all = combinations(study);
+std::string list_runs(const std::vector<StudyRun>& studies) {
   std::string text;
-  for (const Variant& variant : Sequences(study).first()) {
-    const Combination& combination = all[variant.combination];
-    const Deck deck = read_deck(study, combination, variant.varied);
-    const std::string key = run_key(deck);
-    const bool finished = read_record(run_folder(out, key), key).has_value();
-    text += fmt::format("{} {} {}\n", finished ? "finished" : "to run  ", deck.file(),
-                        fmt::join(overrides_of(study, combination, variant.varied), " "));
+  for (const auto& [study, out, most_cpu_seconds] : studies) {
+    const auto all = combinations(study);
+    for (const Variant& variant : Sequences(study).first()) {
+      const Combination& combination = all[variant.combination];
+      const Deck deck = read_deck(study, combination, variant.varied);
+      const std::string key = run_key(deck);
+      const bool finished = read_record(run_folder(out, key), key).has_value();
+      text += fmt::format("{} {} {}\n", finished ? "finished" : "to run  ", deck.file(),
+                          fmt::join(overrides_of(study, combination, variant.varied), " "));
+    }
   }
   return text;
 }

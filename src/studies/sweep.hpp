@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/file.hpp"
 #include "studies/runs/scheduler.hpp"
 #include "studies/study.hpp"
 #include "studies/table.hpp"
@@ -17,6 +19,7 @@ struct SweepResult {
   std::vector<std::string> verdicts;  ///< of bisections that found nothing, of columns that no history has
   int signal = 0;                     ///< that interrupted it
   std::size_t file_trouble = 0;       ///< runs that could not read or write a file
+  std::size_t unfinished = 0;         ///< parts that were to be collected and are not finished
 };
 
 /// Runs a study; writes table.nc and table.csv, a row a run, and for ensembles and bisections outcome.nc and
@@ -28,9 +31,10 @@ SweepResult sweep(const Study& study, const StudyOptions& options);
 SweepResult report_study(const Study& study, const std::filesystem::path& out, const StudyOutcome& outcome,
                          const std::string& command);
 
-/// Removes from a study's folder what an earlier study, or the same one in another mode, has found, but not its runs.
-/// What is stopped leaves nothing that is not its own. Throws FileError.
-void remove_earlier_results(const std::filesystem::path& folder);
+/// Keeps others out of the studies' folder that would do the same runs, as long as what is returned lives, and removes
+/// from it what an earlier study, or the same one in another mode, has found, but not its runs. Those who do parts of
+/// studies share the folder; who collects takes nothing. `work` says for others what is done there. Throws FileError.
+std::unique_ptr<FolderLock> take_folder(const StudyOptions& options, const std::string& work);
 
 /// Writes a study's table as STEM.nc and STEM.csv. Throws FileError.
 void write_table(const std::filesystem::path& stem, const StudyTable& table, const Study& study,
@@ -40,6 +44,6 @@ void write_table(const std::filesystem::path& stem, const StudyTable& table, con
 std::size_t count_file_trouble(const std::vector<FinishedRun>& runs);
 
 /// The runs that are known before the first has ended, a line each: whether it is finished, its deck, its overrides.
-std::string list_runs(const Study& study, const std::filesystem::path& out);
+std::string list_runs(const std::vector<StudyRun>& studies);
 
 }  // namespace tether

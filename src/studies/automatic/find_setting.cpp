@@ -78,7 +78,7 @@ class ModelAttempt {
       }
       if (made_.counts_at) return std::move(made_);
     }
-    made_.fails = !made_.search.has_own_size() && runs_.spent() < automatic_.aim.budget;
+    made_.fails = made_.search.own_size_fails();
     return std::move(made_);
   }
 
@@ -120,7 +120,7 @@ class ModelAttempt {
 }  // namespace
 
 Found find_setting(const Automatic& automatic, const StudyOptions& options) {
-  const FolderLock lock(options.out, automatic.study.file);
+  const FolderLock lock(options.out, automatic.study.file, Sharing::alone);
   TrialRuns runs(automatic, options);
   Simplified simplified = simplify(automatic, runs);
   Attempt made = ModelAttempt(automatic, runs, simplified).make();
@@ -148,16 +148,15 @@ Found find_setting(const Automatic& automatic, const StudyOptions& options) {
 }
 
 std::string list_first_runs(const Automatic& automatic, const fs::path& out) {
-  std::string text;
+  std::vector<StudyRun> runs;
   Search search(automatic.aim);
   std::vector<WantedRun> wanted;
   for (const Resolution& at : search.next(0)) wanted.push_back({at});
   for (const Choice& choice : automatic.choices) wanted.push_back({automatic.aim.coarsest, choice.without});
   for (const WantedRun& each : wanted) {
-    const StudyRun run = study_run_of(automatic, each, out);
-    text += list_runs(run.study, run.out);
+    runs.push_back(study_run_of(automatic, each, out));
   }
-  return text;
+  return list_runs(runs);
 }
 
 }  // namespace tether::automatic

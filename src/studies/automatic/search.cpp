@@ -56,7 +56,8 @@ std::vector<Resolution> Search::begin_finer() {
     return std::ranges::any_of(trials_, [why](const Trial& trial) { return !trial.value && trial.why == why; });
   };
   if (has(NoValue::file)) return end("the runs do not write what the number is read off");
-  if (aim_.coarsest.space >= 1 && aim_.coarsest.time >= 1)
+  own_size_fails_ = aim_.coarsest.space >= 1 && aim_.coarsest.time >= 1;
+  if (own_size_fails_)
     return end(has(NoValue::number) ? "the runs end well and do not show the number, not even the deck's own one"
                                     : "the runs fail, the deck's own one, too");
   if (aim_.theory.space) aim_.coarsest.space *= 2;
@@ -84,6 +85,7 @@ std::vector<Resolution> Search::next(double spent) {
   if (at && trials_.size() < most_trials && more <= left) return {*at};
   if (best && !is_doubtful) return found_ = best, std::vector<Resolution>{};
   const std::string known = what_is_known(outlook.posterior(), is_doubtful);
+  own_size_fails_ = !at && !has_own_size() && left > 0;
   if (!at) return end(known + (has_own_size() ? ", and others fail" : ", and the deck's own cells and steps fail"));
   if (trials_.size() >= most_trials) return end(known + ", and more do not make it better known");
   return end(fmt::format("{}; the next one would take about {:.2g} s of the budget, which has {:.2g} s left", known,

@@ -46,6 +46,9 @@ class Search {
   /// None before the first run that ended well.
   std::optional<Posterior> posterior() const;
   double scatter() const { return scatter_; }
+  /// Returns whether the search is over since the deck's own cells and steps, and finer ones, fail: not for want of
+  /// budget.
+  bool own_size_fails() const { return own_size_fails_; }
   /// Returns whether a run with the deck's own cells and steps, or finer ones, ended well: what they resolve may be
   /// seen by no coarser one.
   bool has_own_size() const;
@@ -68,6 +71,7 @@ class Search {
   std::optional<Setting> found_;
   std::string why_not_;
   double scatter_ = 0;
+  bool own_size_fails_ = false;
 };
 
 }  // namespace tether::automatic

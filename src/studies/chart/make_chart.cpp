@@ -120,8 +120,7 @@ std::string failures_text(const std::vector<Measured>& runs, const std::vector<R
 }  // namespace
 
 ChartResult make_chart(const Chart& chart, const StudyOptions& options) {
-  const FolderLock lock(options.out, chart.study.file);
-  remove_earlier_results(options.out);
+  const auto lock = take_folder(options, chart.study.file);
   const std::vector<ChartRun> runs = runs_of(chart);
   const auto ends = run_each_once(planned(runs, options.out / "runs"), options);
   Measurement measurement;
@@ -137,16 +136,15 @@ ChartResult make_chart(const Chart& chart, const StudyOptions& options) {
   for (const auto& end : ends) {
     result.failed += end.ending.exit_code == exit_done ? 0 : 1;
     result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
+    result.unfinished += end.ending.exit_code == exit_none ? 1 : 0;
   }
   result.shows_nothing =
       std::ranges::none_of(measurement.runs, [](const Measured& run) { return std::isfinite(run.error); });
   return result;
 }
 
-std::string list_chart_runs(const Chart& chart, const fs::path& out) {
-  std::string text;
-  for (const auto& run : distinct(planned(runs_of(chart), out / "runs")).runs) text += list_runs(run.study, run.out);
-  return text;
+std::vector<StudyRun> study_runs_of(const Chart& chart, const fs::path& out) {
+  return distinct(planned(runs_of(chart), out / "runs")).runs;
 }
 
 }  // namespace tether::chart

@@ -15,12 +15,13 @@ struct ChartResult {
   std::size_t failed = 0;        ///< runs that did not end well
   bool shows_nothing = false;    ///< no run has an error: there is no answer, or no value
   std::size_t file_trouble = 0;  ///< of them those that could not read or write a file
+  std::size_t unfinished = 0;    ///< of them those that were to be collected and are not finished
 };
 
 /// Runs all families and writes chart.nc, chart.csv and chart.txt, the report. Throws FileError, Interrupted.
 ChartResult make_chart(const Chart& chart, const StudyOptions& options);
 
-/// The runs, a line each: whether it is finished, its deck, its overrides.
-std::string list_chart_runs(const Chart& chart, const std::filesystem::path& out);
+/// Returns its runs as studies of their own, each once.
+std::vector<StudyRun> study_runs_of(const Chart& chart, const std::filesystem::path& out);
 
 }  // namespace tether::chart

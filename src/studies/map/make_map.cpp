@@ -48,11 +48,10 @@ std::size_t count_telling_nothing(const Outcome& outcome) {
 
 MapResult make_map(const Map& map, const StudyOptions& options) {
   const Study& study = map.study;
-  const FolderLock lock(options.out, study.file);
-  remove_earlier_results(options.out);
+  const auto lock = take_folder(options, study.file);
   const std::vector<StudyRun> alone{{study, options.out}};
-  auto [outcomes, signal] = Scheduler(alone, options).run_all();
-  auto& [runs, sequences, is_whole] = outcomes.front();
+  Scheduler::Outcome all = Scheduler(alone, options).run_all();
+  auto& [runs, sequences, is_whole, unfinished] = all.studies.front();
   Outcome outcome;
   for (const FinishedRun& run : runs) {
     outcome.verdicts.push_back(verdict_of(study.criterion, run));
@@ -67,7 +66,8 @@ MapResult make_map(const Map& map, const StudyOptions& options) {
   table.columns.push_back({"verdict", "how the run stands to the criterion", "", outcome.verdicts});
   write_table(options.out / "table", table, study, options.command);
   write_table(options.out / "map", squares_table(map, outcome), study, options.command);
-  MapResult result{report_text(map, outcome), signal, count_file_trouble(outcome.runs), count_telling_nothing(outcome)};
+  MapResult result{report_text(map, outcome), all.signal, count_file_trouble(outcome.runs),
+                   count_telling_nothing(outcome), unfinished};
   replace_file(options.out / "map.txt", result.report);
   return result;
 }

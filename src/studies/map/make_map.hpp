@@ -15,6 +15,7 @@ struct MapResult {
   int signal = 0;                   ///< that interrupted it
   std::size_t file_trouble = 0;     ///< runs that could not read or write a file
   std::size_t telling_nothing = 0;  ///< runs without a verdict, and bisections that hold at their upper end alone
+  std::size_t unfinished = 0;       ///< parts that were to be collected and are not finished
 };
 
 /// Runs the squares along the border, several runs side by side, and writes map.nc and map.csv, a row a square,

@@ -213,12 +213,15 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
   const auto problems = problems_named(names, options.decks);
   const auto runs = plan_runs(problems, options.study.out);
   refuse_lost_file(options.write);
-  const FolderLock lock(options.study.out, "reproduce");
+  const auto lock = take_folder(options.study, "reproduce");
   const auto ends = run_each({runs.begin(), runs.end()}, options.study);
   const auto rows = rows_of(problems, runs, ends);
   if (!options.write.empty()) replace_file(options.write, markdown_text(rows, problems, options.study.command));
   ReproduceResult result{terminal_text(rows), {}, 0};
-  for (const RunEnd& end : ends) result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
+  for (const RunEnd& end : ends) {
+    result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
+    result.unfinished += end.ending.exit_code == exit_none ? 1 : 0;
+  }
   for (const ReportRow& row : rows) {
     if (row.standing == Standing::differs)
       result.disagreed.push_back(fmt::format("{}, {}: {}", row.problem, row.quantity, row.verdict));
@@ -226,12 +229,9 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
   return result;
 }
 
-std::string list_published_runs(const std::vector<std::string>& names, const ReproduceOptions& options) {
-  std::string text;
-  for (const PlannedRun& run : plan_runs(problems_named(names, options.decks), options.study.out)) {
-    text += list_runs(run.study, run.out);
-  }
-  return text;
+std::vector<StudyRun> published_runs(const std::vector<std::string>& names, const ReproduceOptions& options) {
+  const auto runs = plan_runs(problems_named(names, options.decks), options.study.out);
+  return {runs.begin(), runs.end()};
 }
 
 }  // namespace tether

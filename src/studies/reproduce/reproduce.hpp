@@ -52,6 +52,7 @@ struct ReproduceResult {
   std::string report;                  ///< the table, for a terminal, and why runs failed
   std::vector<std::string> disagreed;  ///< "problem, quantity: verdict" of what is judged and does not agree
   std::size_t file_trouble = 0;        ///< runs that could not read or write a file
+  std::size_t unfinished = 0;          ///< runs that were to be collected and are not finished
 };
 
 /// Runs the published problems of these names (none: all), by the thesis' method and by the robust one, and sets what
@@ -59,7 +60,7 @@ struct ReproduceResult {
 /// decks that cannot be understood, FileError, Interrupted.
 ReproduceResult reproduce(const std::vector<std::string>& names, const ReproduceOptions& options);
 
-/// The runs, a line each: whether it is finished, its deck, its overrides. Throws as above.
-std::string list_published_runs(const std::vector<std::string>& names, const ReproduceOptions& options);
+/// Returns its runs, and bisections, as studies of their own. Throws InputError as above.
+std::vector<StudyRun> published_runs(const std::vector<std::string>& names, const ReproduceOptions& options);
 
 }  // namespace tether

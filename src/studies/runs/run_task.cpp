@@ -17,21 +17,10 @@
 #include "results/summary_keys.hpp"
 #include "run/make.hpp"
 #include "run/run.hpp"
+#include "studies/runs/read_run.hpp"
 
 namespace tether {
 namespace {
-
-/// The newest checkpoint that an interrupted run of this deck left in the folder; empty where there is none.
-std::filesystem::path checkpoint_of(const std::string& deck_effective, const std::filesystem::path& folder) {
-  for (const auto& path : checkpoints_in(folder)) {
-    try {
-      if (read_checkpoint(path).deck_effective == deck_effective) return path;
-    } catch (const FileError&) {
-      continue;  // damaged: an older one will do, or the start
-    }
-  }
-  return {};
-}
 
 /// Limits what this process, and each one that it starts, may take of the processor: the kernel ends one that takes
 /// more. Whole seconds, rounded up.
@@ -68,7 +57,7 @@ Ending do_run(const RunTask& task) {
     RunRequest request = request_of(loaded, task.folder, command_of(task));
     request.clocks = clocks;
     request.threads = threads_for(loaded.plan, task.threads);
-    request.restart = checkpoint_of(request.deck_effective, task.folder);
+    request.restart = newest_checkpoint(task.folder, request.deck_effective);
     request.interrupted = [&watch] { return watch.take(); };
     request.warn = warn;
     for (const auto& warning : loaded.warnings) {

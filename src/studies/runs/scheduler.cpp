@@ -42,9 +42,50 @@ Scheduler::Scheduler(const std::vector<StudyRun>& studies, const StudyOptions& o
   }
 }
 
+std::size_t part_of(const Study& study, const Variant& variant, std::size_t n) {
+  if (study.bisects()) return variant.combination;
+  if (study.mode != Mode::map) return n;
+  const auto combinations = static_cast<std::size_t>(count_combinations(study));
+  return variant.combination / (combinations / study.decks.size());
+}
+
 Scheduler::Outcome Scheduler::run_all() {
+  want_first();
+  if (options_.doing == Doing::collect)
+    collect();
+  else
+    do_what_is_wanted();
+  for (RunIndex& index : indices_) {
+    if (options_.doing != Doing::parts) index.write();
+  }
+  for (StudyOutcome& each : outcome_.studies) {
+    each.is_whole = outcome_.signal == 0 && each.unfinished == 0;
+    std::sort(each.runs.begin(), each.runs.end(), [](const FinishedRun& a, const FinishedRun& b) {
+      return std::tie(a.variant.combination, a.variant.number) < std::tie(b.variant.combination, b.variant.number);
+    });
+  }
+  return std::move(outcome_);
+}
+
+void Scheduler::want_first() {
+  for (std::size_t k = 0; k < studies_.size(); ++k) {
+    const Study& study = studies_[k].study;
+    const std::size_t before = outcome_.parts;
+    const auto variants = outcome_.studies[k].sequences.first();
+    for (std::size_t n = 0; n < variants.size(); ++n) {
+      const std::size_t part = before + part_of(study, variants[n], n) + 1;
+      outcome_.parts = std::max(outcome_.parts, part);
+      if (is_wanted(part)) queue_[{.number = next_number_++}] = {.study = k, .part = part, .variant = variants[n]};
+    }
+  }
+}
+
+bool Scheduler::is_wanted(std::size_t part) const {
+  return options_.doing != Doing::parts || options_.parts.contains(part);
+}
+
+void Scheduler::do_what_is_wanted() {
   Crew& crew = options_.crew;
-  for (std::size_t k = 0; k < studies_.size(); ++k) want(k, outcome_.studies[k].sequences.first());
   do {
     start_what_fits();
     estimate_one();
@@ -55,18 +96,18 @@ Scheduler::Outcome Scheduler::run_all() {
   } while ((!queue_.empty() && outcome_.signal == 0) || crew.count() > 0);
   heed(watch_.take());
   if (outcome_.signal != 0) take_finished_before();
-  for (RunIndex& index : indices_) index.write();
-  for (StudyOutcome& each : outcome_.studies) {
-    each.is_whole = outcome_.signal == 0;
-    std::sort(each.runs.begin(), each.runs.end(), [](const FinishedRun& a, const FinishedRun& b) {
-      return std::tie(a.variant.combination, a.variant.number) < std::tie(b.variant.combination, b.variant.number);
-    });
-  }
-  return std::move(outcome_);
 }
 
-void Scheduler::want(std::size_t study, const std::vector<Variant>& variants) {
-  for (const Variant& variant : variants) queue_[{.number = next_number_++}] = {study, variant};
+/// Follows the studies as far as finished runs lead.
+void Scheduler::collect() {
+  while (!queue_.empty()) {
+    Wanted wanted = std::move(queue_.extract(queue_.begin()).mapped());
+    look_up(wanted);
+    if (auto run = finished_before(wanted))
+      finish(wanted, std::move(*run));
+    else if (outcome_.unfinished.insert(wanted.part).second)
+      ++outcome_.studies[wanted.study].unfinished;
+  }
 }
 
 void Scheduler::start_what_fits() {
@@ -81,7 +122,7 @@ bool Scheduler::start(Wanted& wanted) {
   look_up(wanted);
   if (under_way_.contains(folder_of(wanted))) return false;
   if (auto run = finished_before(wanted)) {
-    finish(wanted.study, std::move(*run));
+    finish(wanted, std::move(*run));
     return true;
   }
   options_.crew.start(next_id_, task_of(wanted));
@@ -94,7 +135,7 @@ bool Scheduler::start(Wanted& wanted) {
 void Scheduler::take_finished_before() {
   for (auto& [rank, wanted] : queue_) {
     look_up(wanted);
-    if (auto run = finished_before(wanted)) finish(wanted.study, std::move(*run));
+    if (auto run = finished_before(wanted)) finish(wanted, std::move(*run));
   }
 }
 
@@ -143,16 +184,19 @@ void Scheduler::take_what_ended() {
     if (done->given_back)
       queue_[{.number = next_number_++}] = wanted;
     else
-      finish(wanted.study, finished_run(studies_[wanted.study].study, wanted.variant, std::move(done->record), false,
-                                        folder_of(wanted)));
+      finish(wanted, finished_run(studies_[wanted.study].study, wanted.variant, std::move(done->record), false,
+                                  folder_of(wanted)));
   }
 }
 
-void Scheduler::finish(std::size_t study, FinishedRun run) {
-  StudyOutcome& outcome = outcome_.studies[study];
+void Scheduler::finish(const Wanted& wanted, FinishedRun run) {
+  StudyOutcome& outcome = outcome_.studies[wanted.study];
   ++done_, failed_ += run.failed() ? 1U : 0U, reused_ += run.reused ? 1U : 0U;
-  indices_[study].add(run);
-  if (outcome_.signal == 0) want(study, outcome.sequences.after(run));
+  indices_[wanted.study].add(run);
+  if (outcome_.signal == 0) {
+    for (const Variant& next : outcome.sequences.after(run))
+      queue_[{.number = next_number_++}] = {.study = wanted.study, .part = wanted.part, .variant = next};
+  }
   outcome.runs.push_back(std::move(run));
 }
 

@@ -28,6 +28,13 @@ struct SweepProgress {
   double wall_seconds = 0, seconds_left = 0;
 };
 
+/// Which runs are done.
+enum class Doing {
+  all,     ///< those that are not finished
+  parts,   ///< those of some parts of the studies, for others to collect
+  collect  ///< none: what is finished is looked at
+};
+
 /// How a study is to be run.
 struct StudyOptions {
   std::filesystem::path out;  ///< folder for the tables and, below it, the runs
@@ -35,6 +42,8 @@ struct StudyOptions {
   int threads = 1;            ///< of each run
   std::string command;        ///< as it was typed, for the files' provenance
   std::function<void(const SweepProgress&)> progress;
+  Doing doing = Doing::all;
+  std::set<std::size_t> parts = {};  ///< their numbers, from 1
 };
 
 /// A study whose runs are wanted; a single run is a study, too.
@@ -48,8 +57,15 @@ struct StudyRun {
 struct StudyOutcome {
   std::vector<FinishedRun> runs;
   Sequences sequences;
-  bool is_whole = true;  ///< false where a signal came before its end
+  bool is_whole = true;        ///< false where a signal came before its end, or some are not done
+  std::size_t unfinished = 0;  ///< parts of it that were to be done or collected and are not finished
 };
+
+/// Studies fall into parts, each of which can be done without knowing how others end: a run, or the runs of a
+/// bisection, or all runs of a deck's map that are wanted one after the other. Parts are numbered from 1, study by
+/// study. Returns the part of its study, from 0, to which a run belongs that is the n-th, from 0, of those wanted
+/// first.
+std::size_t part_of(const Study& study, const Variant& variant, std::size_t n);
 
 /// Deals out what studies want to a crew: several runs side by side, each in a folder and a process of its own, the
 /// longest first as far as plans know. A run that had been finished before is not run again.
@@ -66,6 +82,8 @@ class Scheduler {
   struct Outcome {
     std::vector<StudyOutcome> studies;
     int signal = 0;
+    std::set<std::size_t> unfinished;  ///< parts of those that were to be done or collected
+    std::size_t parts = 0;             ///< of all studies
   };
   /// Throws FileError.
   Outcome run_all();
@@ -74,6 +92,7 @@ class Scheduler {
   /// A run that is wanted: of which study, and which one.
   struct Wanted {
     std::size_t study = 0;
+    std::size_t part = 0;
     Variant variant;
     std::string key = {};  // of run_key(); empty until it is looked up
   };
@@ -86,7 +105,10 @@ class Scheduler {
     }
   };
 
-  void want(std::size_t study, const std::vector<Variant>& variants);
+  void want_first();
+  void do_what_is_wanted();
+  void collect();
+  bool is_wanted(std::size_t part) const;
   void start_what_fits();
   bool start(Wanted& wanted);
   Deck deck_of(const Wanted& wanted) const;
@@ -96,7 +118,7 @@ class Scheduler {
   void look_up(Wanted& wanted) const;
   std::optional<FinishedRun> finished_before(const Wanted& wanted) const;
   std::filesystem::path folder_of(const Wanted& wanted) const;
-  void finish(std::size_t study, FinishedRun run);
+  void finish(const Wanted& wanted, FinishedRun run);
   void estimate_one();
   void take_estimate();
   void heed(int signal);

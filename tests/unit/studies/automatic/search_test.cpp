@@ -133,6 +133,19 @@ TEST(AutomaticSearch, PromisesNothingWhereTheDecksOwnCellsFail) {
 }
 
 /// Steps that a limit cuts to 8 a cell whatever the deck says make no other run.
+TEST(AutomaticSearch, ABudgetThatIsTooSmallIsNoFailureOfTheCells) {
+  Aim aim = aim_of(0.01);
+  aim.budget = 0.05;  // two coarse runs
+  const Search poor = searched(aim, [](const Resolution& at) { return 1 + 0.1 / at.space; });
+  EXPECT_FALSE(poor.has_own_size());
+  EXPECT_FALSE(poor.own_size_fails());
+  EXPECT_NE(poor.why_not().find("of the budget"), std::string::npos) << poor.why_not();
+  const Search failing = searched(aim_of(0.01), [](const Resolution& at) {
+    return at.space < 1 ? std::optional(1 + 0.1 / at.space) : std::nullopt;
+  });
+  EXPECT_TRUE(failing.own_size_fails()) << failing.why_not();
+}
+
 TEST(AutomaticSearch, MakesNoRunTwiceWhereALimitCutsTheSteps) {
   Search search(aim_of(0.001));
   for (auto wanted = search.next(0); !wanted.empty(); wanted = search.next(spent_in(search))) {

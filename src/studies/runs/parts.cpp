@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/runs/parts.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics.hpp"
+#include "base/numbers.hpp"
+#include "plan/load.hpp"
+#include "studies/runs/local_crew.hpp"
+#include "studies/sweep.hpp"
+
+namespace tether {
+namespace {
+
+/// Plans that are made of parts at most: they are made one after the other.
+constexpr std::size_t most_plans = 200;
+
+/// The first run of a part, and how many it has.
+struct FirstRun {
+  const StudyRun* of = nullptr;
+  Variant variant;
+  double runs = 1;
+};
+
+/// Runs that a part has in all: a bisection halves its interval until it is short enough, a map may have to run each
+/// square of a deck.
+double runs_of_a_part(const Study& study) {
+  const auto& [low, high, tolerance] = study.interval;
+  const double larger = std::max(std::abs(low), std::abs(high));
+  if (study.bisects()) return 2 + std::max(0., std::ceil(std::log2((high - low) / (tolerance * larger))));
+  return study.mode == Mode::map ? count_combinations(study) / static_cast<double>(study.decks.size()) : 1;
+}
+
+/// By the parts' numbers, less 1.
+std::vector<FirstRun> first_runs(const std::vector<StudyRun>& studies) {
+  std::vector<FirstRun> all;
+  for (const StudyRun& each : studies) {
+    const std::size_t before = all.size();
+    const auto variants = Sequences(each.study).first();
+    for (std::size_t n = 0; n < variants.size(); ++n) {
+      const std::size_t part = before + part_of(each.study, variants[n], n);
+      if (part >= all.size()) all.resize(part + 1, {&each, variants[n], runs_of_a_part(each.study)});
+    }
+  }
+  return all;
+}
+
+PartCost cost_of(const FirstRun& first, std::size_t number) {
+  const Study& study = first.of->study;
+  Cost cost;
+  end_of(study.file, [&] {
+    Diagnostics diagnostics;
+    const auto all = combinations(study);
+    const Deck deck = read_deck(study, all[first.variant.combination], first.variant.varied);
+    cost = load_scene(deck, {}, diagnostics).plan.cost;
+  });
+  return {number, cost.seconds * first.runs, cost.megabytes};
+}
+
+}  // namespace
+
+std::set<std::size_t> unfinished_parts(const std::vector<StudyRun>& studies) {
+  LocalCrew nobody(1);
+  return Scheduler(studies, {.out = {}, .crew = nobody, .command = {}, .progress = {}, .doing = Doing::collect})
+      .run_all()
+      .unfinished;
+}
+
+std::vector<PartCost> costs_of(const std::vector<StudyRun>& studies, const std::set<std::size_t>& parts) {
+  const auto firsts = first_runs(studies);
+  const std::vector<std::size_t> numbers(parts.begin(), parts.end());
+  const std::size_t stride = (numbers.size() + most_plans - 1) / most_plans;
+  std::vector<PartCost> costs, planned;
+  for (std::size_t k = 0; k < numbers.size(); k += stride)
+    planned.push_back(cost_of(firsts[numbers[k] - 1], numbers[k]));
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const PartCost &before = planned[k / stride], &after = planned[std::min(k / stride + 1, planned.size() - 1)];
+    const bool is_planned = k % stride == 0;
+    costs.push_back({.number = numbers[k],
+                     .seconds = is_planned ? before.seconds : std::max(before.seconds, after.seconds),
+                     .megabytes = is_planned ? before.megabytes : std::max(before.megabytes, after.megabytes)});
+  }
+  return costs;
+}
+
+void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options, const std::string& work) {
+  const std::size_t count = first_runs(studies).size();
+  if (*options.parts.rbegin() > count)
+    throw InputError(fmt::format("there is no part {}: this command has {}", *options.parts.rbegin(), count));
+  const auto lock = take_folder(options, work);
+  const Scheduler::Outcome all = Scheduler(studies, options).run_all();
+  if (all.signal != 0) throw Interrupted(all.signal, "interrupted; the same command goes on where this one was");
+  std::size_t file_trouble = 0;
+  for (const StudyOutcome& each : all.studies) file_trouble += count_file_trouble(each.runs);
+  if (file_trouble > 0) throw FileError(fmt::format("{} runs could not read or write a file", file_trouble));
+}
+
+std::optional<std::set<std::size_t>> part_numbers(const std::string& text) {
+  constexpr long long most = 100'000'000;
+  std::set<std::size_t> numbers;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::string item = text.substr(from, to - from);
+    const std::size_t dash = item.find('-');
+    const auto first = parse_integer(item.substr(0, dash));
+    const auto last = dash == std::string::npos ? first : parse_integer(item.substr(dash + 1));
+    if (!first || !last || *first < 1 || *last < *first || *last > most) return std::nullopt;
+    for (long long number = *first; number <= *last; ++number) numbers.insert(static_cast<std::size_t>(number));
+    from = to + 1;
+  }
+  return numbers;
+}
+
+std::string part_text(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t end = k + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", numbers[k]);
+    if (end > k + 1) text += fmt::format("-{}", numbers[end - 1]);
+    k = end;
+  }
+  return text;
+}
+
+}  // namespace tether
