@@ -21,7 +21,7 @@ bool is_done_otherwise(const std::string& name, const std::vector<StudyRun>& stu
 void hand_over_run(const std::string& name, const Cost& cost, const std::filesystem::path& folder,
                    const RunOptions& options);
 
-/// What is asked of parts is asked of one study, whose words stand in the commands. Throws InputError.
+/// Refuses several studies where parts are asked for: the words of one stand in the commands. Throws InputError.
 void refuse_parts_of_several(const std::vector<std::string>& studies, const RunOptions& options);
 
 }  // namespace tether

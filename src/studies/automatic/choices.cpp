@@ -14,8 +14,9 @@
 namespace tether::automatic {
 namespace {
 
-/// A run without a part may cost so much more and still count as no dearer: small runs are not timed better.
-constexpr double timing_noise = 0.1;
+/// A run without a part may cost so much more and still count as no dearer, over the run and in seconds: small runs are
+/// not timed better, and where they take hundredths of a second nothing depends on it.
+constexpr double timing_noise = 0.1, seconds_of_noise = 0.02;
 
 bool has_artificial_viscosity(const IdealGas& law) {
   const bool linear_or_quadratic = law.coef1 != 0 || law.coef2 != 0;
@@ -99,7 +100,7 @@ Decision decided(const Choice& choice, const Trial& with, const Trial& without, 
                                                  : "the run does not show the number without it";
   else if (!(std::abs(decision.change) < most_change(tolerance)))
     decision.why = "it counts";
-  else if (without.seconds > (1 + timing_noise) * with.seconds)
+  else if (without.seconds > (1 + timing_noise) * with.seconds + seconds_of_noise)
     decision.why = "the run costs more without it";
   decision.left_out = decision.why.empty();
   return decision;

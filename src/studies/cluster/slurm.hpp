@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/plan.hpp"
 #include "studies/runs/parts.hpp"
 
 namespace tether::slurm {

@@ -30,6 +30,11 @@ TEST(AutomaticChoices, KeepWhatFailsWithoutOrCostsMore) {
   EXPECT_EQ(without(2, 13, 0.01).why, "the run costs more without it");
 }
 
+TEST(AutomaticChoices, DoNotDependOnHundredthsOfASecond) {
+  const auto decision = decided({"viscosity", {{"fluid.mu=0"}}}, trial(2, .010), trial(2, .025), 0.01);
+  EXPECT_TRUE(decision.left_out) << decision.why;
+}
+
 TEST(AutomaticChoices, AreReportedWithTheirNumbers) {
   const std::string text = decisions_text({without(2.006, 9, 0.01), without(2.1, 9, 0.01)});
   EXPECT_NE(text.find("left out: viscosity, which changes the number by 0.3 %, with fluid.mu=0"), text.npos) << text;
