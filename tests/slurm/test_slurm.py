@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies and runs by a real Slurm of this machine: tests/slurm/test_slurm.py, as root, with TETHER naming the program.
 Needs Debian's slurm-wlm and munge."""
+import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -11,11 +13,18 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
 
+import mpi
 from cluster import Cluster
 from program import DECKS, TETHER
 from sweeps import SweepTest, rows_of
 
 ODD = "odd 'name'; touch \"$(hostname)\"\nend"  # of a folder; a shell that reads it does something
+
+
+def processes_of(folder):
+    """Processes whose command line names the folder."""
+    pids = [int(folder.name) for folder in pathlib.Path("/proc").glob("[0-9]*")]
+    return [pid for pid in pids if str(folder).encode() in mpi.entry(pid, "cmdline")]
 
 
 def without_cost(path):
@@ -102,7 +111,8 @@ class Slurm(SweepTest):
         words = ("sweep", study, "--out", self.out)
         self.tether(*words, "--slurm")
         self.cluster.wait_for(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 2, "two runs")
-        self.cluster.say("scancel", "--full", "--signal=KILL", "--name=tether")
+        for program in processes_of(self.out):
+            os.kill(program, signal.SIGKILL)
         self.cluster.wait_for_no_job()
         before = {path: path.stat().st_mtime_ns for path in self.out.glob("runs/*/*/run.txt")}
         self.assertIn("not finished", self.tether(*words, "--collect", "--quiet", code=5).stderr)
@@ -112,6 +122,19 @@ class Slurm(SweepTest):
         self.tether(*words, "--collect", "--quiet")
         self.assertEqual(without_cost(self.out / "table.csv"), without_cost(self.folder / "alone/table.csv"))
         self.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
+
+    def test_a_job_that_is_cancelled_stays_so(self):
+        deck = self.folder / "decks/sod.in"
+        sets = ("--set", "in.tmax=.1", "--set", "in.nx=1001", "--set", "in.tstep=1.e-6")
+        out = self.folder / "run"
+        job = re.search(r"Submitted batch job (\d+)", self.tether(deck, *sets, "--out", out, "--slurm").stdout)[1]
+        self.cluster.wait_for(lambda: list(out.glob("history.nc")), "the run")
+        self.cluster.say("scancel", job)
+        self.cluster.wait_for_no_job()
+        self.assertEqual(re.findall(r"exit code (\d+)", self.logs(out)), ["143"])
+        self.assertIn("JobState=CANCELLED", self.cluster.say("scontrol", "show", "job", job))
+        self.tether(deck, *sets, "--out", out, "--continue", "--quiet")
+        self.assertIn("goes on from", (out / "messages.txt").read_text())
 
     def test_a_machine_that_does_not_see_the_folder(self):
         study = self.study("decks='../decks/sod.in', quantities='dx', set='in.tmax=.01'")

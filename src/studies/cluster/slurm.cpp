@@ -39,7 +39,8 @@ std::string heading(int cpus, double seconds, double megabytes, const std::strin
 }
 
 /// The rest of a script. What the job says goes to a log in the results' folder; a machine that does not see it leaves
-/// its word in its own /tmp and with Slurm. `wait` ends when the signal comes, and the run some time after that.
+/// its word in its own /tmp and with Slurm. `wait` ends when the signal comes, and the run some time after that. A job
+/// whose time is about to end still runs by Slurm's own word; one that a user has cancelled does not, and stays so.
 std::string body(const Work& work, const std::string& log, const std::string& job, const std::string& command) {
   const std::string folder = shell_word((work.folder / "slurm").string());
   return fmt::format(R"sh(
@@ -63,7 +64,8 @@ while kill -0 "$run" 2> /dev/null; do
   code=$?
 done
 echo "$(date '+%F %T') exit code $code"
-if [ "$code" -eq 143 ] && [ "${{SLURM_RESTART_COUNT:-0}}" -lt {restarts} ]; then
+state=$(squeue --noheader --format=%T --jobs="{job}")
+if [ "$code" -eq 143 ] && [ "$state" = RUNNING ] && [ "${{SLURM_RESTART_COUNT:-0}}" -lt {restarts} ]; then
   scontrol requeue "{job}"
 fi
 exit "$code"
