@@ -68,16 +68,16 @@ void hand_over_parts(const std::string& name, const std::vector<StudyRun>& studi
 
 }  // namespace
 
-bool is_done_otherwise(const std::string& name, const std::vector<StudyRun>& studies, const StudyOptions& how,
-                       const RunOptions& options) {
+bool is_done_otherwise(const std::string& name, const std::function<std::vector<StudyRun>()>& studies,
+                       const StudyOptions& how, const RunOptions& options) {
   if (options.slurm)
-    hand_over_parts(name, studies, how.out, options);
+    hand_over_parts(name, studies(), how.out, options);
   else if (options.list)
-    list_parts(studies, options);
+    list_parts(studies(), options);
   else if (options.dry_run)
-    fmt::print("{}", list_runs(studies));
+    fmt::print("{}", list_runs(studies()));
   else if (how.doing == Doing::parts)
-    do_parts(studies, how, name);
+    do_parts(studies(), how, name);
   else
     return false;
   return true;

@@ -82,7 +82,13 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   const Study study = read_study(name);
   const auto folder = folder_of(name, options, false);
   Making making(name, folder, options);
-  if (is_done_otherwise(name, {{study, folder}}, making.how(), options)) return true;
+  if (is_done_otherwise(
+          name,
+          [&] {
+            return std::vector<StudyRun>{{study, folder}};
+          },
+          making.how(), options))
+    return true;
   const SweepResult result = sweep(study, making.how());
   making.progress().clear();
   if (!options.quiet) fmt::print("{}", result.report);
@@ -100,7 +106,9 @@ using ReadStudy = std::function<Work(const std::string& name, const RunOptions& 
 Work chart_work(const std::string& name, const RunOptions& options) {
   return [name, &options, chart = chart::read_chart(name)](const std::filesystem::path& folder) {
     Making making(name, folder, options);
-    if (is_done_otherwise(name, study_runs_of(chart, folder), making.how(), options)) return true;
+    if (is_done_otherwise(
+            name, [&] { return study_runs_of(chart, folder); }, making.how(), options))
+      return true;
     const chart::ChartResult result = make_chart(chart, making.how());
     making.progress().clear();
     if (!options.quiet) fmt::print("{}", result.report);
@@ -113,7 +121,13 @@ Work chart_work(const std::string& name, const RunOptions& options) {
 Work map_work(const std::string& name, const RunOptions& options) {
   return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
     Making making(name, folder, options);
-    if (is_done_otherwise(name, {{map.study, folder}}, making.how(), options)) return true;
+    if (is_done_otherwise(
+            name,
+            [&] {
+              return std::vector<StudyRun>{{map.study, folder}};
+            },
+            making.how(), options))
+      return true;
     const map::MapResult result = make_map(map, making.how());
     making.progress().clear();
     if (!options.quiet) fmt::print("{}", result.report);
@@ -187,7 +201,9 @@ bool run_published(const PublishedOptions& published, const RunOptions& options)
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
   Making making("reproduce", out, options);
   const ReproduceOptions how{decks_of(published), published.write, making.how()};
-  if (is_done_otherwise("reproduce", published_runs(published.names, how), how.study, options)) return true;
+  if (is_done_otherwise(
+          "reproduce", [&] { return published_runs(published.names, how); }, how.study, options))
+    return true;
   const ReproduceResult result = reproduce(published.names, how);
   making.progress().clear();
   if (!options.quiet) fmt::print("{}", result.report);

@@ -95,6 +95,9 @@ void remove_earlier_results(const fs::path& folder) {
 }  // namespace
 
 std::unique_ptr<FolderLock> take_folder(const StudyOptions& options, const std::string& work) {
+  std::error_code reason;
+  fs::create_directories(options.out, reason);
+  if (reason) throw FileError(fmt::format("{}: cannot be created: {}", options.out.string(), reason.message()));
   if (options.doing == Doing::collect) return nullptr;
   const Sharing sharing = options.doing == Doing::parts ? Sharing::together : Sharing::alone;
   auto lock =

@@ -98,7 +98,7 @@ void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options,
 }
 
 std::optional<std::set<std::size_t>> part_numbers(const std::string& text) {
-  constexpr long long most = 100'000'000;
+  constexpr long long most = 1'000'000;  // more than a study has
   std::set<std::size_t> numbers;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(',', from), text.size());

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies by parts: --list, --part, --collect, and the scripts that --slurm writes, run by a shell in Slurm's place."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from program import DECKS, TETHER
+from sweeps import SweepTest, rows_of
+
+STUDIES = {
+    "a grid with runs that fail": ("sweep", "decks='../decks/sod.in', axis(1)='in.nx=21,41,81', axis(2)='fluid.mu=0.,1.e-3'\n"
+                                   "set='in.tmax=.02', quantities='error_density','dx','last(energy_total)', order='dx'",
+                                   6, ("table",), 0),
+    "an ensemble": ("sweep", "mode='ensemble', decks='../decks/sod.in', axis='in.nx=21,41', vary='in.tstep', fraction=.1, runs=3\n"
+                    "set='in.tmax=.02', quantities='error_density'", 6, ("table", "outcome"), 0),
+    "bisections": ("sweep", "mode='bisect', decks='../decks/stability-side.in', vary='mpm.cfl', low=0.5, high=2.5\n"
+                   "axis='in.xright=5.,5.2', criterion='exit_code', tolerance=0.2, set='in.tstep=1.0','in.dtmax=1.0'",
+                   2, ("table", "outcome"), 0),
+    "a map along a border": ("map", "mode='map', decks='../decks/stability-centre.in', criterion='energy_growth', at_most=100.\n"
+                             "set='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tstep=1.0', 'in.dtmax=1.0'\n"
+                             "axis(1)='in.xleft=0.,.2,.4', axis(2)='in.xright=5.,5.2,5.4', linked(2)=1\n"
+                             "axis(3)='mpm.cfl=.8,1.6,2.4'", 1, ("map", "table"), 0),
+    "a chart": ("chart", "mode='chart', decks='../decks/sod.in', is='error_density', exact='0', set='in.tmax=.05'\n"
+                "family(1)='points', cells(1,1)='in.nx=21,41,81'", 3, ("chart",), 0),
+}
+ODD = "odd 'name' \"$(hostname)\" `date`"
+
+
+def without_cost(path):
+    drop = {"cpu_seconds", "wall_seconds", "reused", "peak_memory_mb"}
+    return [{name: cell.removeprefix(f"{path.parent}/") for name, cell in row.items() if name not in drop}
+            for row in rows_of(path)]
+
+
+class Parts(SweepTest):
+    def commands(self, *words):
+        return self.expect(0, *words, "--list").stdout.splitlines()
+
+    def by_a_shell(self, command):
+        return subprocess.run(["sh", "-c", command], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+
+    def same(self, alone, parts, tables):
+        for name in tables:
+            rows = [without_cost(folder / f"{name}.csv") for folder in (alone, parts)]
+            self.assertGreater(len(rows[0]), 0)
+            self.assertEqual(*rows)
+
+    def test_their_tables_are_those_of_the_whole(self):
+        for name, (command, text, count, tables, code) in STUDIES.items():
+            with self.subTest(name):
+                study = self.study(text, f"studies/{len(name)}.in")
+                alone, parts = self.folder / f"{name} alone", self.folder / f"{name} {ODD}"
+                self.expect(code, command, study, "--quiet", "--out", alone)
+                words = (command, study, "--out", parts)
+                lines = self.commands(*words)
+                self.assertEqual(len(lines), count)
+                for line in reversed(lines):
+                    done = self.by_a_shell(line)
+                    self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+                self.assertEqual(self.commands(*words), [])
+                self.expect(code, *words, "--collect", "--quiet")
+                self.same(alone, parts, tables)
+
+    def test_what_is_not_finished_is_said_and_left_out(self):
+        study = self.study(STUDIES["a grid with runs that fail"][1])
+        words = ("sweep", study, "--out", self.out)
+        self.assertIn("6 parts are not finished", self.expect(5, *words, "--collect", "--quiet").stderr)
+        self.expect(0, *words, "--part", "2,6")
+        self.assertFalse((self.out / "lock").exists())
+        self.assertIn("parts are not finished", self.expect(5, *words, "--collect", "--quiet").stderr)
+        self.assertEqual([row["run"] for row in self.table()], ["2", "6"])
+        self.sweep(study)
+        self.assertEqual([row["reused"] for row in self.table()], ["0", "1", "0", "0", "0", "1"])
+
+    def test_charts_and_reproductions_that_are_not_finished(self):
+        chart = self.study(STUDIES["a chart"][1])
+        self.assertIn("it is not finished", self.expect(5, "chart", chart, "--out", self.out, "--collect").stdout)
+        self.expect(5, "reproduce", "sod", "--decks", self.folder / "decks", "--out", self.out / "r", "--collect")
+
+    def test_parts_share_a_folder_and_a_whole_sweep_does_not(self):
+        study = self.study("decks='../decks/sod.in', axis='fluid.gm1=.4,.41', quantities='dx'\n"
+                           "set='in.tmax=.1','in.nx=801','in.tstep=1.e-6'")
+        words = [TETHER, "sweep", str(study), "--out", str(self.out), "--part"]
+        parts = [subprocess.Popen([*words, str(part)], stdin=subprocess.DEVNULL) for part in (1, 2)]
+        deadline = time.monotonic() + 30
+        while len(list(self.out.glob("runs/*/*/history.nc"))) < 2 and time.monotonic() < deadline:
+            time.sleep(.01)
+        refused = self.expect(4, "sweep", study, "--out", self.out)
+        self.assertIn("the folder is in use by process", refused.stderr)
+        self.expect(5, "sweep", study, "--out", self.out, "--collect", "--quiet")
+        for part in parts:
+            part.send_signal(signal.SIGTERM)
+        self.assertEqual([part.wait(timeout=60) for part in parts], [143, 143])
+        self.assertEqual(len(list(self.out.glob("runs/*/*/checkpoint-*.nc"))), 2)
+        self.assertFalse((self.out / "lock").exists())
+
+    def test_what_is_no_part(self):
+        study = self.study(STUDIES["a chart"][1])
+        said = self.expect(2, "chart", study, "--out", self.out, "--part", "2,4").stderr
+        self.assertIn("there is no part 4: this command has 3", said)
+        for text in ("0", "x", "2-1", "", "1-99999999999"):
+            self.assertIn("is no list of numbers", self.expect(2, "chart", study, "--out", self.out, "--part", text).stderr)
+        self.expect(2, "chart", study, study, "--out", self.out, "--list")
+        self.expect(2, "chart", study, "--out", self.out, "--list", "--collect")
+        self.assertFalse(self.out.exists())
+
+    def test_a_name_with_a_line_end_is_not_listed(self):
+        study = self.study(STUDIES["a chart"][1])
+        said = self.expect(2, "chart", study, "--out", self.folder / "a\nb", "--list").stderr
+        self.assertIn("has a line end", said)
+
+
+class Scripts(SweepTest):
+    def by_bash(self, folder, **variables):
+        environment = os.environ | {"SLURM_JOB_ID": "7", "SLURM_ARRAY_JOB_ID": "7", "SLURM_ARRAY_TASK_ID": "1"} | variables
+        return subprocess.run(["bash", str(folder / "slurm/job.sh")], cwd="/", env=environment, capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=120)
+
+    def test_do_all_parts(self):
+        study = self.study(STUDIES["a grid with runs that fail"][1])
+        self.sweep(study, out=self.folder / "alone")
+        out = self.folder / f"{ODD}\nend"
+        self.assertIn("6 parts in 1 jobs", self.expect(0, "sweep", study, "--out", out, "--slurm", "--dry-run").stdout)
+        self.assertEqual(self.by_bash(out).returncode, 0)
+        self.assertIn("exit code 0", (out / "slurm/1.log").read_text())
+        self.expect(0, "sweep", study, "--out", out, "--collect", "--quiet")
+        self.assertEqual(without_cost(out / "table.csv"), without_cost(self.folder / "alone/table.csv"))
+
+    def test_run_a_deck(self):
+        deck = DECKS / "sod.in"
+        self.expect(0, deck, "--set", "in.tmax=.02", "--out", self.out, "--slurm", "--dry-run")
+        self.assertEqual(sorted(path.name for path in self.out.iterdir()), ["slurm"])
+        self.assertEqual(self.by_bash(self.out).returncode, 0)
+        self.assertTrue((self.out / "summary.txt").exists())
+
+    def test_a_folder_that_is_not_seen(self):
+        study = self.study(STUDIES["a chart"][1])
+        self.expect(0, "chart", study, "--out", self.out, "--slurm", "--dry-run")
+        script = self.out / "slurm/job.sh"
+        moved = self.folder / "slurm/job.sh"
+        moved.parent.mkdir()
+        script.rename(moved)
+        script.parent.rmdir()
+        result = self.by_bash(self.folder)
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("does not see the folder of the results", result.stdout)
+
+    def test_no_slurm(self):
+        study = self.study(STUDIES["a chart"][1])
+        bare = self.folder / "bare"
+        bare.mkdir()
+        for words in (("chart", study), (DECKS / "sod.in",)):
+            result = subprocess.run([TETHER, *map(str, words), "--out", str(self.out), "--slurm"], env={"PATH": str(bare)},
+                                    capture_output=True, text=True, timeout=60)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn("there is no Slurm on this machine", result.stderr)
+        self.assertFalse(self.out.exists())
+
+    def test_a_deck_that_goes_on(self):
+        """--continue: from the start where there is nothing to go on from."""
+        words = (DECKS / "spring-mass.in", "--set", "in.tmax=1.", "--out", self.out, "--continue", "--quiet")
+        with subprocess.Popen([TETHER, *map(str, words)], stdin=subprocess.DEVNULL) as process:
+            while not (self.out / "history.nc").exists() and process.poll() is None:
+                time.sleep(.005)
+            time.sleep(.05)
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(process.wait(timeout=60), 143)
+        self.expect(0, *words)
+        self.assertIn("goes on from", (self.out / "messages.txt").read_text())
+        alone = self.run_ok(DECKS / "spring-mass.in", "--set", "in.tmax=1.", out="alone")
+        self.assertEqual((self.out / "history.txt").read_bytes(), (alone / "history.txt").read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main()
