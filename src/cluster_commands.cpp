@@ -62,7 +62,7 @@ void hand_over_parts(const std::string& name, const std::vector<StudyRun>& studi
                                          [](double sum, const slurm::Job& job) { return sum + job.seconds; });
   const slurm::Work work = work_of(folder, options);
   const std::string said = hand_over(work, slurm::script_of(work, jobs), options);
-  fmt::print("{}: {} parts in {} jobs, {:.3g} CPU seconds as plans have it; --collect makes the tables\n{}", name,
+  fmt::print("{}: parts: {}, jobs: {}, CPU seconds as plans have it: {:.3g}; --collect makes the tables\n{}", name,
              parts.size(), jobs.size(), seconds, said);
 }
 

@@ -73,7 +73,7 @@ void add_run(CLI::App& app, std::vector<std::string>& decks, DeckOptions& option
                "go on from the newest checkpoint of this deck in the folder, if there is one")
       ->excludes(tolerance)
       ->excludes("--restart");
-  add_slurm(app, run_options)->needs(deck_names)->excludes(tolerance);
+  add_slurm(app, run_options)->needs(deck_names)->excludes(tolerance)->excludes("--restart");
 }
 
 CLI::App* add_check(CLI::App& app, std::string& deck, DeckOptions& options, bool& all) {
@@ -117,6 +117,7 @@ void add_many_runs(CLI::App& app, RunOptions& options) {
                    ->check(refuse_no_parts);
   auto* collect = app.add_flag("--collect", options.collect, "make the tables of what is finished, run nothing");
   auto* slurm = add_slurm(app, options);
+  for (auto* other : {list, part, collect}) other->excludes("--dry-run");
   for (auto* one : {list, part, collect, slurm}) {
     for (auto* other : {list, part, collect, slurm}) {
       if (one != other) one->excludes(other);

@@ -32,7 +32,8 @@ namespace {
 
 void refuse_file_trouble(std::size_t runs) {
   if (runs > 0)
-    throw FileError(fmt::format("{} runs could not read or write a file; the same command tries them again", runs));
+    throw FileError(fmt::format(
+        "runs that were killed, or could not read or write a file: {}; the same command tries them again", runs));
 }
 
 void refuse_interruption(int signal, const std::filesystem::path& folder) {
@@ -73,7 +74,7 @@ class Making {
 
 /// False where some parts that were to be collected are not finished; says so.
 bool is_whole(const std::string& name, std::size_t unfinished) {
-  if (unfinished > 0) fmt::print(stderr, "{}: {} parts are not finished: --list shows them\n", name, unfinished);
+  if (unfinished > 0) fmt::print(stderr, "{}: parts that are not finished: {}; --list shows them\n", name, unfinished);
   return unfinished == 0;
 }
 

@@ -121,8 +121,7 @@ void replace_whole(const std::filesystem::path& path, Reach reach,
 
 namespace {
 
-/// A process that was killed holds its locks until its memory is given back.
-constexpr std::chrono::milliseconds patience{2000}, pause{50};
+constexpr std::chrono::milliseconds pause{50};
 
 std::string local_time() {
   const std::time_t now = std::time(nullptr);
@@ -146,12 +145,13 @@ std::string local_time() {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work, Sharing sharing)
+FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& work, Sharing sharing,
+                       std::chrono::milliseconds longest_wait)
     : path_(folder / file_name), kind_(sharing == Sharing::alone ? LOCK_EX : LOCK_SH) {
   std::error_code reason;
   std::filesystem::create_directories(folder, reason);
   if (reason) throw FileError(fmt::format("{}: the folder cannot be made: {}", folder.string(), reason.message()));
-  const auto end = std::chrono::steady_clock::now() + patience;
+  const auto end = std::chrono::steady_clock::now() + longest_wait;
   open_file();
   while (!take()) {
     if (std::chrono::steady_clock::now() > end) {

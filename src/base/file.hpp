@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -49,7 +50,9 @@ class FolderLock {
   static constexpr const char* file_name = "lock";
   /// Makes the folder, and takes it; `work` says for others what is done there, as in "decks/sod.in". Waits some
   /// seconds for a process that is about to end. Throws FileError, which names the holder, where the folder is taken.
-  FolderLock(const std::filesystem::path& folder, const std::string& work, Sharing sharing = Sharing::alone);
+  /// A process that was killed holds its locks until its memory is given back: some seconds are waited at least.
+  FolderLock(const std::filesystem::path& folder, const std::string& work, Sharing sharing = Sharing::alone,
+             std::chrono::milliseconds longest_wait = std::chrono::seconds(2));
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

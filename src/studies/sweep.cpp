@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
 
@@ -94,11 +95,18 @@ void remove_earlier_results(const fs::path& folder) {
 
 }  // namespace
 
+std::unique_ptr<FolderLock> take_tables(const StudyOptions& options, const std::string& work) {
+  constexpr std::chrono::minutes longest_wait(10);      // for others who write theirs
+  if (options.doing == Doing::collect) return nullptr;  // has them since before it looked at what is finished
+  return std::make_unique<FolderLock>(options.out / "runs", work, Sharing::alone, longest_wait);
+}
+
 std::unique_ptr<FolderLock> take_folder(const StudyOptions& options, const std::string& work) {
-  std::error_code reason;
-  fs::create_directories(options.out, reason);
-  if (reason) throw FileError(fmt::format("{}: cannot be created: {}", options.out.string(), reason.message()));
-  if (options.doing == Doing::collect) return nullptr;
+  if (options.doing == Doing::collect) {
+    StudyOptions writing = options;
+    writing.doing = Doing::all;
+    return take_tables(writing, work);
+  }
   const Sharing sharing = options.doing == Doing::parts ? Sharing::together : Sharing::alone;
   auto lock =
       std::make_unique<FolderLock>(options.out, work, sharing);  // while a run of a killed study dies, it is taken
@@ -113,7 +121,7 @@ void write_table(const fs::path& stem, const StudyTable& table, const Study& stu
 }
 
 std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
-  const auto in_trouble = [](const FinishedRun& run) { return run.record.ending.exit_code == exit_file; };
+  const auto in_trouble = [](const FinishedRun& run) { return is_lost(run.record.ending); };
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
 }
 
@@ -139,6 +147,7 @@ SweepResult sweep(const Study& study, const StudyOptions& options) {
   const auto lock = take_folder(options, study.file);
   const std::vector<StudyRun> alone{{study, options.out}};
   const Scheduler::Outcome all = Scheduler(alone, options).run_all();
+  const auto tables = take_tables(options, study.file);
   SweepResult result = report_study(study, options.out, all.studies.front(), options.command);
   result.signal = all.signal, result.unfinished = all.unfinished.size();
   return result;

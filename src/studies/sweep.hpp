@@ -18,7 +18,7 @@ struct SweepResult {
   std::string report;                 ///< the tables, for people
   std::vector<std::string> verdicts;  ///< of bisections that found nothing, of columns that no history has
   int signal = 0;                     ///< that interrupted it
-  std::size_t file_trouble = 0;       ///< runs that could not read or write a file
+  std::size_t file_trouble = 0;       ///< runs that were killed, or could not read or write a file
   std::size_t unfinished = 0;         ///< parts that were to be collected and are not finished
 };
 
@@ -33,14 +33,19 @@ SweepResult report_study(const Study& study, const std::filesystem::path& out, c
 
 /// Keeps others out of the studies' folder that would do the same runs, as long as what is returned lives, and removes
 /// from it what an earlier study, or the same one in another mode, has found, but not its runs. Those who do parts of
-/// studies share the folder; who collects takes nothing. `work` says for others what is done there. Throws FileError.
+/// studies share the folder; who collects keeps others from writing tables alone, from before the look at what is
+/// finished. `work` says for others what is done there. Throws FileError.
 std::unique_ptr<FolderLock> take_folder(const StudyOptions& options, const std::string& work);
+
+/// Keeps others from writing tables in the folder while these are written; waits for those who do. Nothing where
+/// take_folder() has done so. Throws FileError.
+std::unique_ptr<FolderLock> take_tables(const StudyOptions& options, const std::string& work);
 
 /// Writes a study's table as STEM.nc and STEM.csv. Throws FileError.
 void write_table(const std::filesystem::path& stem, const StudyTable& table, const Study& study,
                  const std::string& command);
 
-/// How many could not read or write a file.
+/// How many were killed, or could not read or write a file: the next sweep tries them again.
 std::size_t count_file_trouble(const std::vector<FinishedRun>& runs);
 
 /// The runs that are known before the first has ended, a line each: whether it is finished, its deck, its overrides.

@@ -48,7 +48,7 @@ def carriers():
 
 
 def served_by(carrier):
-    """The program of tether that a rank's process serves."""
+    """The program of tether that a rank's process serves; or a child of any other process."""
     for folder in pathlib.Path("/proc").glob("[0-9]*"):
         if entry(folder.name, "stat") and parent(folder.name) == carrier:
             return int(folder.name)

@@ -6,6 +6,7 @@ import subprocess
 import time
 import unittest
 
+import mpi
 from program import DECKS, TETHER
 from sweeps import SweepTest, rows_of
 
@@ -66,18 +67,44 @@ class Parts(SweepTest):
     def test_what_is_not_finished_is_said_and_left_out(self):
         study = self.study(STUDIES["a grid with runs that fail"][1])
         words = ("sweep", study, "--out", self.out)
-        self.assertIn("6 parts are not finished", self.expect(5, *words, "--collect", "--quiet").stderr)
+        self.assertIn("parts that are not finished: 6", self.expect(5, *words, "--collect", "--quiet").stderr)
         self.expect(0, *words, "--part", "2,6")
         self.assertFalse((self.out / "lock").exists())
-        self.assertIn("parts are not finished", self.expect(5, *words, "--collect", "--quiet").stderr)
+        self.assertIn("parts that are not finished: 4", self.expect(5, *words, "--collect", "--quiet").stderr)
         self.assertEqual([row["run"] for row in self.table()], ["2", "6"])
         self.sweep(study)
         self.assertEqual([row["reused"] for row in self.table()], ["0", "1", "0", "0", "0", "1"])
 
     def test_charts_and_reproductions_that_are_not_finished(self):
         chart = self.study(STUDIES["a chart"][1])
-        self.assertIn("it is not finished", self.expect(5, "chart", chart, "--out", self.out, "--collect").stdout)
-        self.expect(5, "reproduce", "sod", "--decks", self.folder / "decks", "--out", self.out / "r", "--collect")
+        self.assertIn("run 3 is not finished", self.expect(5, "chart", chart, "--out", self.out, "--collect").stdout)
+        report = (self.out / "chart.txt").read_text()
+        self.assertIn("NOT FINISHED: what follows is of 0 runs of 3", report)
+        said = self.expect(5, "reproduce", "sod", "--decks", self.folder / "decks", "--out", self.out / "r", "--collect")
+        self.assertIn("0 differ", said.stdout)
+
+    def test_a_part_whose_run_is_killed_says_so(self):
+        study = self.study("decks='../decks/sod.in', quantities='dx', set='in.tmax=.1','in.nx=801','in.tstep=1.e-6'")
+        words = [TETHER, "sweep", str(study), "--out", str(self.out)]
+        for more in (["--part", "1"], ["--quiet"]):
+            with subprocess.Popen([*words, *more], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+                while not (run := mpi.served_by(process.pid)) and process.poll() is None:
+                    time.sleep(.01)
+                os.kill(run, signal.SIGKILL)
+                said = process.communicate(timeout=60)[1]
+            self.assertEqual(process.returncode, 4, said)
+            self.assertIn("runs that were killed", said)
+
+    def test_many_may_collect_at_once(self):
+        study = self.study(STUDIES["a grid with runs that fail"][1])
+        self.sweep(study)
+        before = without_cost(self.out / "table.csv")
+        words = [TETHER, "sweep", str(study), "--out", str(self.out), "--collect", "--quiet"]
+        for _ in range(5):
+            (self.out / "runs/index.txt").unlink(missing_ok=True)
+            all_at_once = [subprocess.Popen(words, stdin=subprocess.DEVNULL) for _ in range(8)]
+            self.assertEqual([process.wait(timeout=60) for process in all_at_once], [0] * 8)
+            self.assertEqual(without_cost(self.out / "table.csv"), before)
 
     def test_parts_share_a_folder_and_a_whole_sweep_does_not(self):
         study = self.study("decks='../decks/sod.in', axis='fluid.gm1=.4,.41', quantities='dx'\n"
@@ -122,7 +149,7 @@ class Scripts(SweepTest):
         study = self.study(STUDIES["a grid with runs that fail"][1])
         self.sweep(study, out=self.folder / "alone")
         out = self.folder / f"{ODD}\nend"
-        self.assertIn("6 parts in 1 jobs", self.expect(0, "sweep", study, "--out", out, "--slurm", "--dry-run").stdout)
+        self.assertIn("parts: 6, jobs: 1", self.expect(0, "sweep", study, "--out", out, "--slurm", "--dry-run").stdout)
         self.assertEqual(self.by_bash(out).returncode, 0)
         self.assertIn("exit code 0", (out / "slurm/1.log").read_text())
         self.expect(0, "sweep", study, "--out", out, "--collect", "--quiet")

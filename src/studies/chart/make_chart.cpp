@@ -109,7 +109,9 @@ StudyTable table_of(const Chart& chart, const std::vector<ChartRun>& runs, const
 std::string failures_text(const std::vector<Measured>& runs, const std::vector<RunEnd>& ends) {
   std::string text;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (ends[k].ending.exit_code != exit_done)
+    if (ends[k].ending.exit_code == exit_none)
+      text += fmt::format("run {} is not finished\n", k + 1);
+    else if (ends[k].ending.exit_code != exit_done)
       text += fmt::format("run {} failed: {}\n", k + 1, ends[k].ending.message);
     else if (!std::isfinite(runs[k].value))
       text += fmt::format("run {} ended well, and does not show the number that is read off\n", k + 1);
@@ -123,21 +125,25 @@ ChartResult make_chart(const Chart& chart, const StudyOptions& options) {
   const auto lock = take_folder(options, chart.study.file);
   const std::vector<ChartRun> runs = runs_of(chart);
   const auto ends = run_each_once(planned(runs, options.out / "runs"), options);
+  const auto tables = take_tables(options, chart.study.file);
   Measurement measurement;
   for (const auto& end : ends) measurement.runs.push_back(measured(chart, end));
   find_errors(chart, runs, measurement);
   const StudyTable table = table_of(chart, runs, measurement, ends);
   write_table(options.out / "chart", table, chart.study, options.command);
   ChartResult result;
-  result.report = aligned_text(table, {"run", "family", "of", "size", "value", "error", "lasting_error", "cpu_seconds",
-                                       "peak_memory_mb", "warnings"}) +
-                  "\n" + report_text(chart, runs, measurement) + failures_text(measurement.runs, ends);
-  replace_file(options.out / "chart.txt", result.report);
   for (const auto& end : ends) {
     result.failed += end.ending.exit_code == exit_done ? 0 : 1;
-    result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
+    result.file_trouble += is_lost(end.ending) ? 1U : 0U;
     result.unfinished += end.ending.exit_code == exit_none ? 1 : 0;
   }
+  if (result.unfinished > 0)
+    result.report =
+        fmt::format("NOT FINISHED: what follows is of {} runs of {}\n\n", ends.size() - result.unfinished, ends.size());
+  result.report += aligned_text(table, {"run", "family", "of", "size", "value", "error", "lasting_error", "cpu_seconds",
+                                        "peak_memory_mb", "warnings"}) +
+                   "\n" + report_text(chart, runs, measurement) + failures_text(measurement.runs, ends);
+  replace_file(options.out / "chart.txt", result.report);
   result.shows_nothing =
       std::ranges::none_of(measurement.runs, [](const Measured& run) { return std::isfinite(run.error); });
   return result;

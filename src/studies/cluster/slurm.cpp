@@ -172,7 +172,9 @@ fs::path write_script(const Work& work, const std::string& script) {
 
 std::string submit(const fs::path& script) {
   const auto [code, said] = said_by({"sbatch", script.string()});
-  if (code != 0) throw FileError(fmt::format("sbatch does not take {}: {}", script.string(), said));
+  if (code != 0)
+    throw FileError(fmt::format("sbatch does not take {}: exit code {}, {}", script.string(), code,
+                                said.empty() ? "without a word" : said));
   return said;
 }
 

@@ -51,6 +51,7 @@ MapResult make_map(const Map& map, const StudyOptions& options) {
   const auto lock = take_folder(options, study.file);
   const std::vector<StudyRun> alone{{study, options.out}};
   Scheduler::Outcome all = Scheduler(alone, options).run_all();
+  const auto tables = take_tables(options, study.file);
   auto& [runs, sequences, is_whole, unfinished] = all.studies.front();
   Outcome outcome;
   for (const FinishedRun& run : runs) {

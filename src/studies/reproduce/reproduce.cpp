@@ -170,6 +170,7 @@ MethodResult result_of(const std::vector<PlannedRun>& runs, const std::vector<Ru
   fs::path reference;
   const auto note = [&result](const Ending& ending) {
     if (ending.exit_code != exit_done && result.failure.empty()) result.failure = ending.message;
+    if (ending.exit_code == exit_none) result.is_finished = false;
     return ending.exit_code == exit_done;
   };
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -219,7 +220,7 @@ ReproduceResult reproduce(const std::vector<std::string>& names, const Reproduce
   if (!options.write.empty()) replace_file(options.write, markdown_text(rows, problems, options.study.command));
   ReproduceResult result{terminal_text(rows), {}, 0};
   for (const RunEnd& end : ends) {
-    result.file_trouble += end.ending.exit_code == exit_file ? 1 : 0;
+    result.file_trouble += is_lost(end.ending) ? 1U : 0U;
     result.unfinished += end.ending.exit_code == exit_none ? 1 : 0;
   }
   for (const ReportRow& row : rows) {

@@ -66,7 +66,8 @@ Verdict on_method(const PublishedQuantity& quantity, const MethodResult& method,
   const Measured measured = measure(quantity, method);
   const double value = measured.median();
   const bool judged = rule.by_published || rule.by_exact || rule.by_theory;
-  if (std::isnan(value)) return {"no value: " + measured.failure, judged ? Standing::differs : Standing::reported};
+  const Standing without_value = method.is_finished ? Standing::differs : Standing::undecided;
+  if (std::isnan(value)) return {"no value: " + measured.failure, judged ? without_value : Standing::reported};
   Verdict verdict;
   if (quantity.upper_bound) verdict = on_bound(*quantity.upper_bound, value, rule.by_published);
   if (!quantity.published.empty()) {
@@ -102,7 +103,8 @@ Verdict on_missing(const PublishedQuantity& quantity, const MethodResult& thesis
   if (why.empty()) return {};
   const bool is_needed =
       quantity.thesis || quantity.robust || (quantity.theory && quantity.theory_for == TheoryFor::exact);
-  return {"no exact value: " + why, is_needed ? Standing::differs : Standing::reported};
+  const Standing without_exact = thesis.is_finished && robust.is_finished ? Standing::differs : Standing::undecided;
+  return {"no exact value: " + why, is_needed ? without_exact : Standing::reported};
 }
 
 Verdict on_theory(const PublishedQuantity& quantity, double exact) {

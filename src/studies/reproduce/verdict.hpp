@@ -15,6 +15,7 @@ struct MethodResult {
   std::size_t runs = 0;         ///< of all
   std::string failure;          ///< why the first that failed did; empty where none did
   std::vector<RunFiles> begun;  ///< of all that began, which have their deck at least
+  bool is_finished = true;      ///< false where one is still to be run
 };
 
 /// A quantity over a method's runs.

@@ -94,7 +94,10 @@ void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options,
   if (all.signal != 0) throw Interrupted(all.signal, "interrupted; the same command goes on where this one was");
   std::size_t file_trouble = 0;
   for (const StudyOutcome& each : all.studies) file_trouble += count_file_trouble(each.runs);
-  if (file_trouble > 0) throw FileError(fmt::format("{} runs could not read or write a file", file_trouble));
+  if (file_trouble > 0)
+    throw FileError(
+        fmt::format("runs that were killed, or could not read or write a file: {}; the same command tries them again",
+                    file_trouble));
 }
 
 std::optional<std::set<std::size_t>> part_numbers(const std::string& text) {

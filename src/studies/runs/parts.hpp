@@ -18,9 +18,9 @@ struct PartCost {
 /// The numbers of the parts that are not finished, as far as finished runs lead.
 std::set<std::size_t> unfinished_parts(const std::vector<StudyRun>& studies);
 
-/// Finds what plans expect of these parts. Of many, some are looked at, spread evenly, and the others are expected to be like
-/// the most costly one of their neighbours: plans of large scenes take their time. Scenes that cannot be built cost
-/// nothing.
+/// Finds what plans expect of these parts. Of many, some are looked at, spread evenly, and the others are expected to
+/// be like the most costly one of their neighbours: plans of large scenes take their time. Scenes that cannot be built
+/// cost nothing.
 std::vector<PartCost> costs_of(const std::vector<StudyRun>& studies, const std::set<std::size_t>& parts);
 
 /// Does the parts that the options name; leaves the tables to who collects. Throws InputError where there is no such

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <set>
 
+#include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/numbers.hpp"
 #include "base/text.hpp"
@@ -28,6 +29,17 @@ std::vector<std::string> split(const std::string& line, char at) {
   return parts;
 }
 
+/// A line with its sum before it, by which one that was damaged is known.
+constexpr std::size_t digits_of_a_sum = 16;
+std::string with_sum(const std::string& line) { return sha256(line).substr(0, digits_of_a_sum) + "\t" + line; }
+
+/// The line without it; nothing where the sum is another's.
+std::string without_sum(const std::string& line) {
+  if (line.size() <= digits_of_a_sum) return "";
+  std::string rest = line.substr(digits_of_a_sum + 1);
+  return with_sum(rest) == line ? rest : "";
+}
+
 /// The values that a study wants of a run, each once.
 std::vector<std::string> names_of(const Study& study) {
   std::set<std::string> names(study.quantities.begin(), study.quantities.end());
@@ -46,7 +58,8 @@ RunIndex::RunIndex(const Study& study, const std::filesystem::path& out)
   const auto lines = split_lines(read_file(path_));
   if (lines.empty() || lines.front() != heading()) return;
   for (std::size_t k = 1; k < lines.size(); ++k) {
-    if (auto entry = entry_of(lines[k], names_.size())) entries_[lines[k].substr(0, lines[k].find('\t'))] = *entry;
+    const std::string line = without_sum(lines[k]);
+    if (auto entry = entry_of(line, names_.size())) entries_[line.substr(0, line.find('\t'))] = *entry;
   }
 }
 
@@ -88,8 +101,11 @@ void RunIndex::add(const FinishedRun& run) {
 void RunIndex::write() {
   if (!is_new_ || entries_.size() < 2) return;  // a single run is read from its own files as fast
   std::string text = heading() + "\n";
-  for (const auto& [key, entry] : entries_) text += line_of(key, entry);
-  replace_file(path_, text);
+  for (const auto& [key, entry] : entries_) text += with_sum(line_of(key, entry)) + "\n";
+  try {
+    replace_file(path_, text);
+  } catch (const FileError&) {  // the runs' own files have all that it repeats
+  }
   is_new_ = false;
 }
 
@@ -124,13 +140,13 @@ std::string RunIndex::line_of(const std::string& key, const Entry& entry) const 
   for (char& c : message) {
     if (c == '\t') c = ' ';
   }
-  return text + "\t" + message + "\n";
+  return text + "\t" + message;
 }
 
 /// Names what stands in a line, so that an index with other values is not taken for this one.
 std::string RunIndex::heading() const {
   return fmt::format(
-      "# key\tcpu_seconds\twall_seconds\tsummary_bytes\tsummary_time\thistory_bytes\thistory_time\t{}{}message",
+      "# sum\tkey\tcpu_seconds\twall_seconds\tsummary_bytes\tsummary_time\thistory_bytes\thistory_time\t{}{}message",
       fmt::join(names_, "\t"), names_.empty() ? "" : "\t");
 }
 

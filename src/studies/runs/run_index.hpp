@@ -24,7 +24,7 @@ class RunIndex {
   std::optional<FinishedRun> find(const Variant& variant, const std::string& key) const;
   /// Takes a run that ended well, and that has all that the study wants.
   void add(const FinishedRun& run);
-  /// Writes it in one go, where it has something new. Throws FileError.
+  /// Writes it in one go, where it has something new. Nothing is lost where that fails: it repeats what the runs have.
   void write();
 
  private:

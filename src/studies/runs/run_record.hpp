@@ -17,6 +17,10 @@ struct RunRecord {
   double cpu_seconds = 0, wall_seconds = 0;
 };
 
+/// Returns whether the ending says nothing of the run itself: a kill, a full disk. Such a run is tried again by the
+/// next sweep.
+inline bool is_lost(const Ending& ending) { return ending.exit_code == exit_file || ending.exit_code >= exit_signal; }
+
 /// Returns what makes a run this run: SHA-256 of its deck with all values and its particle data, and of the program's
 /// version and git hash.
 std::string run_key(const Deck& deck);

@@ -39,9 +39,6 @@ void count_earlier_cost(RunRecord& record, const std::filesystem::path& folder) 
   record.wall_seconds = std::max(record.wall_seconds, numbers.at("wall_seconds"));
 }
 
-/// Returns whether the ending says something of the run itself.
-bool is_lasting(const Ending& ending) { return ending.exit_code != exit_file && ending.exit_code < exit_signal; }
-
 }  // namespace
 
 Ending do_run(const RunTask& task) {
@@ -73,7 +70,7 @@ RunRecord record_end(const RunTask& task, const Finished& process) {
   RunRecord record{task.key, process.ending, process.cpu_seconds, process.wall_seconds};
   record.ending.message = one_line(record.ending.message);
   count_earlier_cost(record, task.folder);
-  if (is_lasting(record.ending)) write_record(task.folder, record);
+  if (!is_lost(record.ending)) write_record(task.folder, record);
   return record;
 }
 

@@ -80,6 +80,19 @@ TEST_F(Index, IsNotOneOfOtherValuesNorADamagedOne) {
   }
 }
 
+TEST_F(Index, KnowsALineInWhichAByteIsLost) {
+  write_both();
+  const auto path = folder / "runs/index.txt";
+  const std::string whole = read_file(path);
+  const std::size_t line = whole.find('\n') + 1;
+  for (std::size_t at = line; at < whole.find('\n', line); at += 7) {
+    std::string damaged = whole;
+    write_file(path, damaged.erase(at, 1));
+    EXPECT_FALSE(found(first)) << at;
+    EXPECT_TRUE(found(second)) << at;
+  }
+}
+
 TEST_F(Index, HasNoRunThatFailedOrLacksAValue) {
   RunIndex index(study, folder);
   FinishedRun failed = run_of(first, 3), lacks = run_of(second, 3);
