@@ -45,8 +45,7 @@ std::filesystem::path carrier() {
   }
   throw InputError(
       "this build of tether has no MPI: it was built where libboost-mpi-dev was not installed. Build it where it is, "
-      "or "
-      "leave mpirun out: --jobs shares the runs out on this machine, --slurm on those of a cluster");
+      "or leave mpirun out: --jobs shares the runs out on this machine, --slurm on those of a cluster");
 }
 
 [[noreturn]] void carry(const std::filesystem::path& program, int socket, pid_t served) {

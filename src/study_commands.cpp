@@ -30,12 +30,6 @@
 namespace tether {
 namespace {
 
-void refuse_file_trouble(std::size_t runs) {
-  if (runs > 0)
-    throw FileError(fmt::format(
-        "runs that were killed, or could not read or write a file: {}; the same command tries them again", runs));
-}
-
 void refuse_interruption(int signal, const std::filesystem::path& folder) {
   if (signal != 0)
     throw Interrupted(signal,
@@ -48,7 +42,7 @@ std::unique_ptr<Crew> crew_of(const RunOptions& options) {
   return std::make_unique<RemoteCrew>(*options.others, options.count_others);
 }
 
-/// What the command line says of the runs of studies; the progress line must outlive it.
+/// What the command line says of the runs of studies, who does them, and the line that says how far they are.
 class Making {
  public:
   Making(const std::string& name, const std::filesystem::path& folder, const RunOptions& options)
@@ -83,13 +77,8 @@ bool run_sweep(const std::string& name, const RunOptions& options) {
   const Study study = read_study(name);
   const auto folder = folder_of(name, options, false);
   Making making(name, folder, options);
-  if (is_done_otherwise(
-          name,
-          [&] {
-            return std::vector<StudyRun>{{study, folder}};
-          },
-          making.how(), options))
-    return true;
+  const auto runs = [&] { return std::vector<StudyRun>{{study, folder}}; };
+  if (is_done_otherwise(name, runs, making.how(), options)) return true;
   const SweepResult result = sweep(study, making.how());
   making.progress().clear();
   if (!options.quiet) fmt::print("{}", result.report);
@@ -107,9 +96,8 @@ using ReadStudy = std::function<Work(const std::string& name, const RunOptions& 
 Work chart_work(const std::string& name, const RunOptions& options) {
   return [name, &options, chart = chart::read_chart(name)](const std::filesystem::path& folder) {
     Making making(name, folder, options);
-    if (is_done_otherwise(
-            name, [&] { return study_runs_of(chart, folder); }, making.how(), options))
-      return true;
+    const auto runs = [&] { return study_runs_of(chart, folder); };
+    if (is_done_otherwise(name, runs, making.how(), options)) return true;
     const chart::ChartResult result = make_chart(chart, making.how());
     making.progress().clear();
     if (!options.quiet) fmt::print("{}", result.report);
@@ -122,13 +110,8 @@ Work chart_work(const std::string& name, const RunOptions& options) {
 Work map_work(const std::string& name, const RunOptions& options) {
   return [name, &options, map = map::read_map(name)](const std::filesystem::path& folder) {
     Making making(name, folder, options);
-    if (is_done_otherwise(
-            name,
-            [&] {
-              return std::vector<StudyRun>{{map.study, folder}};
-            },
-            making.how(), options))
-      return true;
+    const auto runs = [&] { return std::vector<StudyRun>{{map.study, folder}}; };
+    if (is_done_otherwise(name, runs, making.how(), options)) return true;
     const map::MapResult result = make_map(map, making.how());
     making.progress().clear();
     if (!options.quiet) fmt::print("{}", result.report);
@@ -202,9 +185,8 @@ bool run_published(const PublishedOptions& published, const RunOptions& options)
   const std::filesystem::path out = options.out.empty() ? "out/reproduce" : options.out;
   Making making("reproduce", out, options);
   const ReproduceOptions how{decks_of(published), published.write, making.how()};
-  if (is_done_otherwise(
-          "reproduce", [&] { return published_runs(published.names, how); }, how.study, options))
-    return true;
+  const auto runs = [&] { return published_runs(published.names, how); };
+  if (is_done_otherwise("reproduce", runs, how.study, options)) return true;
   const ReproduceResult result = reproduce(published.names, how);
   making.progress().clear();
   if (!options.quiet) fmt::print("{}", result.report);

@@ -21,16 +21,16 @@ struct Heading {
   std::uint64_t bytes = 0;
 };
 
-[[noreturn]] void refuse() { throw FileError("a message from another program of this command is cut short"); }
-
-}  // namespace
-
 std::string bytes_of(const Letter& letter) {
   const Heading heading{letter.who, letter.text.size()};
   std::string bytes(sizeof heading, '\0');
   std::memcpy(bytes.data(), &heading, sizeof heading);
   return bytes + letter.text;
 }
+
+[[noreturn]] void refuse() { throw FileError("a message from another program of this command is cut short"); }
+
+}  // namespace
 
 LetterBox::~LetterBox() { ::close(socket_); }
 

@@ -14,9 +14,6 @@ struct Letter {
   std::string text;
 };
 
-/// The letter as bytes for a stream.
-std::string bytes_of(const Letter& letter);
-
 /// One end of a pair of stream sockets that carries letters. The end is open as long as this lives.
 class LetterBox {
  public:

@@ -83,6 +83,11 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
 
 namespace {
 
+std::unique_ptr<FolderLock> lock_of_tables(const fs::path& out, const std::string& work) {
+  constexpr std::chrono::minutes longest_wait(10);  // for others who write theirs
+  return std::make_unique<FolderLock>(out / "runs", work, Sharing::alone, longest_wait);
+}
+
 /// What is stopped leaves nothing that is not its own.
 void remove_earlier_results(const fs::path& folder) {
   for (const char* name :
@@ -96,17 +101,12 @@ void remove_earlier_results(const fs::path& folder) {
 }  // namespace
 
 std::unique_ptr<FolderLock> take_tables(const StudyOptions& options, const std::string& work) {
-  constexpr std::chrono::minutes longest_wait(10);      // for others who write theirs
   if (options.doing == Doing::collect) return nullptr;  // has them since before it looked at what is finished
-  return std::make_unique<FolderLock>(options.out / "runs", work, Sharing::alone, longest_wait);
+  return lock_of_tables(options.out, work);
 }
 
 std::unique_ptr<FolderLock> take_folder(const StudyOptions& options, const std::string& work) {
-  if (options.doing == Doing::collect) {
-    StudyOptions writing = options;
-    writing.doing = Doing::all;
-    return take_tables(writing, work);
-  }
+  if (options.doing == Doing::collect) return lock_of_tables(options.out, work);
   const Sharing sharing = options.doing == Doing::parts ? Sharing::together : Sharing::alone;
   auto lock =
       std::make_unique<FolderLock>(options.out, work, sharing);  // while a run of a killed study dies, it is taken
@@ -123,6 +123,12 @@ void write_table(const fs::path& stem, const StudyTable& table, const Study& stu
 std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
   const auto in_trouble = [](const FinishedRun& run) { return is_lost(run.record.ending); };
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
+}
+
+void refuse_file_trouble(std::size_t runs) {
+  if (runs > 0)
+    throw FileError(fmt::format(
+        "runs that were killed, or could not read or write a file: {}; the same command tries them again", runs));
 }
 
 SweepResult report_study(const Study& study, const fs::path& out, const StudyOutcome& outcome,

@@ -8,6 +8,9 @@
 
 namespace tether {
 
+/// Seconds between looks at the clock while nothing ends.
+constexpr double patience = 1;
+
 /// A run that a crew is done with.
 struct Done {
   std::size_t id = 0;

@@ -7,7 +7,6 @@
 
 #include "base/diagnostics.hpp"
 #include "base/numbers.hpp"
-#include "plan/load.hpp"
 #include "studies/runs/local_crew.hpp"
 #include "studies/sweep.hpp"
 
@@ -49,13 +48,8 @@ std::vector<FirstRun> first_runs(const std::vector<StudyRun>& studies) {
 
 PartCost cost_of(const FirstRun& first, std::size_t number) {
   const Study& study = first.of->study;
-  Cost cost;
-  end_of(study.file, [&] {
-    Diagnostics diagnostics;
-    const auto all = combinations(study);
-    const Deck deck = read_deck(study, all[first.variant.combination], first.variant.varied);
-    cost = load_scene(deck, {}, diagnostics).plan.cost;
-  });
+  const Combination combination = combinations(study)[first.variant.combination];
+  const Cost cost = expected_cost(read_deck(study, combination, first.variant.varied));
   return {number, cost.seconds * first.runs, cost.megabytes};
 }
 
@@ -94,10 +88,7 @@ void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options,
   if (all.signal != 0) throw Interrupted(all.signal, "interrupted; the same command goes on where this one was");
   std::size_t file_trouble = 0;
   for (const StudyOutcome& each : all.studies) file_trouble += count_file_trouble(each.runs);
-  if (file_trouble > 0)
-    throw FileError(
-        fmt::format("runs that were killed, or could not read or write a file: {}; the same command tries them again",
-                    file_trouble));
+  refuse_file_trouble(file_trouble);
 }
 
 std::optional<std::set<std::size_t>> part_numbers(const std::string& text) {

@@ -66,6 +66,15 @@ Ending do_run(const RunTask& task) {
   return ending.exit_code == exit_done ? Ending{exit_done, warnings} : ending;
 }
 
+Cost expected_cost(const Deck& deck) {
+  Cost cost;
+  end_of(deck.file(), [&] {
+    Diagnostics diagnostics;
+    cost = load_scene(deck, {}, diagnostics).plan.cost;
+  });
+  return cost;
+}
+
 RunRecord record_end(const RunTask& task, const Finished& process) {
   RunRecord record{task.key, process.ending, process.cpu_seconds, process.wall_seconds};
   record.ending.message = one_line(record.ending.message);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/plan.hpp"
 #include "studies/runs/run_record.hpp"
 #include "studies/runs/workers.hpp"
 
@@ -26,6 +27,9 @@ struct RunTask {
 /// it was interrupted. Of a run that ends well the message is its warnings, since its numbers may mean less than they
 /// seem to. Signals end it at its next look at them.
 Ending do_run(const RunTask& task);
+
+/// Returns what the plan of a run expects it to take; nothing of one whose scene cannot be built.
+Cost expected_cost(const Deck& deck);
 
 /// The record of a run whose process has ended. It is written to the run's folder where the ending says something of
 /// the run itself; an interruption, a kill, a full disk say nothing of it, and the next sweep tries it again. Throws

@@ -8,7 +8,6 @@
 #include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/numbers.hpp"
-#include "plan/load.hpp"
 #include "studies/runs/read_run.hpp"
 
 namespace tether {
@@ -19,16 +18,6 @@ constexpr double share_of_estimates = 0.02;
 
 bool is_interrupted(const Ending& ending) {
   return ending.exit_code == exit_signal + SIGINT || ending.exit_code == exit_signal + SIGTERM;
-}
-
-/// What the plan of a run expects it to take [seconds], as a message. A scene that cannot be built takes nothing.
-Ending estimate(const Deck& deck) {
-  double seconds = 0;
-  const Ending ending = end_of(deck.file(), [&] {
-    Diagnostics diagnostics;
-    seconds = load_scene(deck, {}, diagnostics).plan.cost.seconds;
-  });
-  return {exit_done, ending.exit_code == exit_done ? fmt::format("{}", seconds) : "0"};
 }
 
 }  // namespace
@@ -209,7 +198,9 @@ void Scheduler::estimate_one() {
     return;
   const auto& [rank, wanted] = *std::prev(queue_.end());
   if (rank.seconds >= 0) return;  // all are known
-  estimators_.start(rank.number, [&] { return estimate(deck_of(wanted)); });
+  estimators_.start(rank.number, [&] {
+    return Ending{exit_done, fmt::format("{}", expected_cost(deck_of(wanted)).seconds)};
+  });
 }
 
 void Scheduler::take_estimate() {

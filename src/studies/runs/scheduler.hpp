@@ -19,9 +19,6 @@
 
 namespace tether {
 
-/// Seconds between looks at the clock while nothing ends.
-constexpr double patience = 1;
-
 /// How far studies are, for a progress line.
 struct SweepProgress {
   std::size_t done = 0, failed = 0, left = 0;

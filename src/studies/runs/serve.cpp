@@ -30,8 +30,6 @@ class Server {
   }
 
  private:
-  static constexpr double patience = 1;  // seconds
-
   void obey(const Errand& errand) {
     if (errand.kind() == ErrandKind::signal && errand.number() == number_) end_or_tell(errand);
     if (errand.kind() != ErrandKind::run) return;
