@@ -44,9 +44,15 @@ slurm::Work work_of(const fs::path& folder, const RunOptions& options) {
           .cpus = std::max(1, options.threads) * std::max(1, options.jobs)};
 }
 
+/// Before plans take their time. A script alone needs no Slurm.
+void refuse_what_slurm_cannot_do(const fs::path& folder, const RunOptions& options) {
+  if (options.dry_run) return;
+  slurm::refuse_no_slurm();
+  slurm::refuse_queued(fs::absolute(folder));
+}
+
 /// Returns what is said at the end.
 std::string hand_over(const slurm::Work& work, const std::string& script, const RunOptions& options) {
-  if (!options.dry_run) slurm::refuse_no_slurm();
   const fs::path file = slurm::write_script(work, script);
   if (options.dry_run) return fmt::format("sbatch {}\n", shell_word(file.string()));
   return slurm::submit(file);
@@ -54,7 +60,7 @@ std::string hand_over(const slurm::Work& work, const std::string& script, const 
 
 void hand_over_parts(const std::string& name, const std::vector<StudyRun>& studies, const fs::path& folder,
                      const RunOptions& options) {
-  if (!options.dry_run) slurm::refuse_no_slurm();  // before plans take their time
+  refuse_what_slurm_cannot_do(folder, options);
   const auto parts = unfinished_parts(studies);
   if (parts.empty()) return fmt::print("{}: all is finished; --collect makes the tables\n", name);
   const auto jobs = slurm::jobs_of(costs_of(studies, parts));
@@ -84,6 +90,7 @@ bool is_done_otherwise(const std::string& name, const std::function<std::vector<
 }
 
 void hand_over_run(const std::string& name, const Cost& cost, const fs::path& folder, const RunOptions& options) {
+  refuse_what_slurm_cannot_do(folder, options);
   slurm::Work work = work_of(folder, options);
   work.command.emplace_back("--continue");
   if (options.threads == 0) work.command.insert(work.command.end(), {"--threads", "1"});

@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <csignal>
+#include <memory>
 #include <string_view>
 #include <thread>
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
+#include "base/shell.hpp"
 #include "base/text.hpp"
 #include "command_line.hpp"
 #include "command_support.hpp"
@@ -90,13 +92,22 @@ int refuse_to_split(const Launch& launch) {
 
 /// Takes a seat among the programs that mpirun has started of one command; all but the first do runs for that one, and
 /// end with the exit code that is returned. -1 where the command is this program's to do.
-int join(CommandLine& line, const Launch& launch, Seat& seat) {
+int join(CommandLine& line, const Launch& launch, std::unique_ptr<RemoteCrew>& others) {
   if (!line.makes_many_runs()) return line.decks.empty() ? -1 : refuse_to_split(launch);
-  const int code = guarded("tether", [&seat] { seat = take_seat(); });
-  if (code != exit_done) return code;
-  if (seat.rank > 0) return serve(*seat.box);
-  line.run.others = seat.box.get(), line.run.count_others = seat.size - 1;
-  return -1;
+  int served = -1;
+  const int code = guarded("tether", [&] {
+    const std::string program =
+        fmt::format("tether {} ({}) {}", program_version(), git_hash(), shell_command(line.run.words));
+    Seat seat = take_seat();
+    if (seat.rank > 0) {
+      served = serve(*seat.box, program);
+      return;
+    }
+    others = std::make_unique<RemoteCrew>(std::move(seat.box), seat.size - 1);
+    others->meet(program);
+  });
+  line.run.others = others.get();
+  return code == exit_done ? served : code;
 }
 
 std::string typed(int argc, char** argv) {
@@ -133,9 +144,9 @@ int main(int argc, char** argv) {
   settle_in();
   options.command = typed(argc, argv), options.words = words;
   if (*line.check) return check_command(line.deck, line.deck_options, line.all);
-  Seat seat;
+  std::unique_ptr<RemoteCrew> others;
   if (const auto started = launch(); started && started->size > 1) {
-    if (const int code = join(line, *started, seat); code >= 0) return code;
+    if (const int code = join(line, *started, others); code >= 0) return code;
   }
   if (line.makes_many_runs()) share_cores(options);
   if (*line.plan && options.tolerance) return auto_plan_command(line.deck, line.deck_options, options);

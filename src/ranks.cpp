@@ -2,7 +2,6 @@
 #include "ranks.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <array>
@@ -58,16 +57,11 @@ std::filesystem::path carrier() {
 
 /// The first letter says which program this is.
 Seat seat_by(std::unique_ptr<LetterBox> box) {
-  for (;;) {
-    if (const auto letter = box->take()) {
-      Packed parts(letter->text);
-      const int size = static_cast<int>(parts.take_number());
-      return {letter->who, size, std::move(box)};
-    }
-    if (box->is_closed()) throw FileError("MPI did not start, see above");
-    pollfd news{box->socket(), POLLIN, 0};
-    poll(&news, 1, -1);
-  }
+  const auto letter = box->wait();
+  if (!letter) throw FileError("MPI did not start, see above");
+  Packed parts(letter->text);
+  const int size = static_cast<int>(parts.take_number());
+  return {letter->who, size, std::move(box)};
 }
 
 }  // namespace

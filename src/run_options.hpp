@@ -7,7 +7,7 @@
 
 namespace tether {
 
-class LetterBox;
+class Crew;
 
 /// What the command line says of a run, or of many.
 struct RunOptions {
@@ -24,10 +24,9 @@ struct RunOptions {
   bool collect = false;                 ///< of a study: the tables of what is finished, run nothing
   bool slurm = false;                   ///< jobs of Slurm do the work
   std::string parts;                    ///< of a study: those to do, "3,7-9"; empty: all
-  std::vector<std::string> words = {};  ///< of the command line, the program's path first
+  std::vector<std::string> words = {};  ///< of the command line, without the program
   std::string command;                  ///< as it was typed, for provenance
-  LetterBox* others = nullptr;          ///< leads to the other programs of this command, where mpirun has started some
-  int count_others = 0;
+  Crew* others = nullptr;               ///< the other programs of this command, where mpirun has started some
 };
 
 /// Which published problems are wanted, and what is done with them next to what RunOptions say.

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <memory>
 
 #include "base/diagnostics.hpp"
 #include "base/process.hpp"
@@ -24,7 +23,6 @@
 #include "studies/reproduce/reproduce.hpp"
 #include "studies/runs/local_crew.hpp"
 #include "studies/runs/parts.hpp"
-#include "studies/runs/remote_crew.hpp"
 #include "studies/sweep.hpp"
 
 namespace tether {
@@ -36,20 +34,15 @@ void refuse_interruption(int signal, const std::filesystem::path& folder) {
                       fmt::format("interrupted; the same command goes on, finished runs are in {}", folder.string()));
 }
 
-/// Who does the runs: the other programs of this command, where mpirun has started some, else processes of this one.
-std::unique_ptr<Crew> crew_of(const RunOptions& options) {
-  if (options.others == nullptr) return std::make_unique<LocalCrew>(options.jobs);
-  return std::make_unique<RemoteCrew>(*options.others, options.count_others);
-}
-
-/// What the command line says of the runs of studies, who does them, and the line that says how far they are.
+/// What the command line says of the runs of studies, who does them (the other programs of this command, where mpirun
+/// has started some, else processes of this one), and the line that says how far they are.
 class Making {
  public:
   Making(const std::string& name, const std::filesystem::path& folder, const RunOptions& options)
       : progress_(name, options.quiet),
-        crew_(crew_of(options)),
+        crew_(options.jobs),
         how_{.out = folder,
-             .crew = *crew_,
+             .crew = options.others == nullptr ? crew_ : *options.others,
              .threads = options.threads,
              .command = options.command,
              .progress = std::ref(progress_)} {
@@ -62,7 +55,7 @@ class Making {
 
  private:
   ProgressLine progress_;
-  std::unique_ptr<Crew> crew_;
+  LocalCrew crew_;
   StudyOptions how_;
 };
 

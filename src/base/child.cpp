@@ -47,6 +47,13 @@ std::string all_from(int end) {
   }
 }
 
+/// Waits for its end.
+int status_of(pid_t pid) {
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) continue;
+  return status;
+}
+
 }  // namespace
 
 double processor_seconds(const rusage& usage) noexcept {
@@ -72,10 +79,28 @@ std::optional<std::string> from_a_child(const std::function<std::string()>& work
   if (pid < 0) close(ends[0]), refuse();
   std::string bytes = all_from(ends[0]);
   close(ends[0]);
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) continue;
+  const int status = status_of(pid);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
   return bytes;
+}
+
+std::pair<int, std::string> said_by(std::vector<std::string> words) {
+  std::array<int, 2> ends{};
+  const pid_t pid = pipe(ends.data()) == 0 ? fork() : -1;
+  if (pid < 0) throw FileError(fmt::format("{}: cannot be started: {}", words.front(), std::strerror(errno)));
+  if (pid == 0) {
+    dup2(ends[1], STDOUT_FILENO), dup2(ends[1], STDERR_FILENO), close(ends[0]), close(ends[1]);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execvp(arguments.front(), arguments.data());
+    _exit(127);
+  }
+  close(ends[1]);
+  std::string said = all_from(ends[0]);
+  close(ends[0]);
+  const int status = status_of(pid);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, std::move(said)};
 }
 
 }  // namespace tether

@@ -7,6 +7,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tether {
 
@@ -19,5 +21,10 @@ double processor_seconds(const rusage& usage) noexcept;
 /// crashed or threw; what it prints is not shown. What it does to memory is lost with it: for libraries that spoil it
 /// where they fail. The work calls no threads. Throws RunError where no process can be started.
 std::optional<std::string> from_a_child(const std::function<std::string()>& work);
+
+/// Runs a program, which is looked for in PATH, without a shell between; `words` begin with its name. Returns its exit
+/// code, -1 where a signal ended it, 127 where there is no such program, and what it says to both of its outputs.
+/// Throws FileError where no process can be started.
+std::pair<int, std::string> said_by(std::vector<std::string> words);
 
 }  // namespace tether

@@ -2,6 +2,7 @@
 #include "base/letters.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <array>
@@ -72,6 +73,15 @@ std::optional<Letter> LetterBox::take() {
   Letter letter{static_cast<int>(heading.who), came_.substr(sizeof heading, heading.bytes)};
   came_.erase(0, sizeof heading + heading.bytes);
   return letter;
+}
+
+std::optional<Letter> LetterBox::wait() {
+  for (;;) {
+    auto letter = take();
+    if (letter || closed_) return letter;
+    pollfd news{socket_, POLLIN, 0};
+    ::poll(&news, 1, -1);
+  }
 }
 
 void LetterBox::read_what_has_come() {

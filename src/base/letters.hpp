@@ -31,6 +31,8 @@ class LetterBox {
   bool send_rest_without_waiting();
   /// The next letter that has come whole; none where there is none yet. Does not wait.
   std::optional<Letter> take();
+  /// The next letter, however long it takes until it has come; none where the other end is closed.
+  std::optional<Letter> wait();
   /// Returns whether the other end is closed; letters that came before can still be taken.
   bool is_closed() const { return closed_; }
 

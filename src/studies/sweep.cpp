@@ -79,10 +79,6 @@ std::vector<std::string> lacking_columns(const Study& study, const std::vector<F
   return verdicts;
 }
 
-}  // namespace
-
-namespace {
-
 std::unique_ptr<FolderLock> lock_of_tables(const fs::path& out, const std::string& work) {
   constexpr std::chrono::minutes longest_wait(10);  // for others who write theirs
   return std::make_unique<FolderLock>(out / "runs", work, Sharing::alone, longest_wait);

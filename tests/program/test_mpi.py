@@ -94,7 +94,7 @@ class Deaths(SweepTest):
         self.words = ("sweep", self.slow, "--quiet", "--out", self.out)
 
     def finished(self):
-        return {path.parent.name: path.stat().st_mtime_ns for path in self.out.glob("runs/*/*/run.txt")}
+        return {path.parent.name: path.stat().st_mtime_ns for path in self.out.rglob("run.txt")}
 
     def killed(self, victim, *options, how=signal.SIGKILL):
         """Its exit code, and the records that stood then."""
@@ -122,6 +122,18 @@ class Deaths(SweepTest):
         self.is_whole()
         after = self.finished()
         self.assertEqual({name: after[name] for name in before}, before)
+
+    def test_a_program_in_the_first_of_two_charts(self):
+        """The second chart has one program less."""
+        first, second = (self.study("mode='chart', decks='../decks/sod.in', is='error_density', exact='0'\n"
+                                    f"set='in.tmax=.1','in.tstep=4.e-5','fluid.gm1={gm1}'\n"
+                                    "family(1)='points', cells(1,1)='in.nx=201,401,411,421,431,441'", f"studies/{name}.in")
+                         for name, gm1 in (("a", ".4"), ("b", ".41")))
+        self.words = ("chart", first, second, "--quiet", "--out", self.out)
+        code, _ = self.killed(lambda: mpi.served_by(mpi.carriers()[2]))
+        self.assertEqual(code, 0)
+        for name in ("a", "b"):
+            self.assertEqual([row["exit_code"] for row in rows_of(self.out / name / "chart.csv")], ["0"] * 6)
 
     def test_the_first_program_then_the_same_command_again(self):
         code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[0]))
@@ -164,13 +176,40 @@ class Refusals(SweepTest):
         """Another folder of work stands for another machine."""
         elsewhere = self.folder / "elsewhere"
         elsewhere.mkdir()
-        words = [TETHER, "sweep", str(self.one), "--quiet", "--out", "here"]
-        command = [*mpi.MPIRUN, "-n", "1", "-wdir", str(self.folder), *words, ":", "-n", "1", "-wdir", str(elsewhere), *words]
-        result = mpi.subprocess.run(command, env=mpi.ENVIRONMENT, capture_output=True, text=True, timeout=120)
+        words = (TETHER, "sweep", self.one, "--quiet", "--out", "here")
+        result = self.two(("-wdir", self.folder, *words), ("-wdir", elsewhere, *words))
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertIn("does not see the folder", result.stderr)
         self.assertIn(str(elsewhere / "here"), result.stderr)
         self.assertEqual(list(elsewhere.iterdir()), [])
+
+    def two(self, first, second):
+        """A command of two programs, each with words of its own in front of it."""
+        command = [*mpi.MPIRUN, "-n", "1", *map(str, first), ":", "-n", "1", *map(str, second)]
+        return mpi.subprocess.run(command, env=mpi.ENVIRONMENT, capture_output=True, text=True, timeout=120)
+
+    def test_programs_with_other_words(self):
+        other = self.study("decks='../decks/stability-side.in', quantities='steps','dx'", "studies/other.in")
+        result = self.two((TETHER, "sweep", self.one, "--out", self.out), (TETHER, "sweep", other, "--out", self.out))
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("mpirun has started different programs", result.stderr)
+        self.assertIn(f"{other}' as number 1", result.stderr)
+        self.assertFalse(self.out.exists())
+
+    def test_a_machine_with_other_particles(self):
+        """Folders of work with the same deck and other particle files stand for machines that share no folder of decks."""
+        study = "$study\ndecks='a.in', quantities='steps'\n$\n"
+        deck = "$in\nnx=5,ny=5,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax=.1,tstep=.01,igen=0,particles='a.par'\n$\n"
+        for name, x in (("one", ".5"), ("other", ".51")):
+            (self.folder / name).mkdir()
+            self.write(f"{name}/study.in", study)
+            self.write(f"{name}/a.in", deck)
+            self.write(f"{name}/a.par", f"1.\n1,0,0,0,0,0,0\n3,3,3,0\n1\n1,1\n{x} .5 0 0 0 0 0\n")
+        words = (TETHER, "sweep", "study.in", "--quiet", "--out", self.out)
+        result = self.two(*(("-wdir", self.folder / name, *words) for name in ("one", "other")))
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("sees other particles or another mesh", result.stderr)
+        self.assertEqual(list(self.out.rglob("run.txt")), [])
 
     def test_mistakes_are_said_once(self):
         result = mpi.run("sweep", self.study("decks='../decks/none.in'", "studies/bad.in"), "--out", self.out)

@@ -185,6 +185,28 @@ class Scripts(SweepTest):
             self.assertIn("there is no Slurm on this machine", result.stderr)
         self.assertFalse(self.out.exists())
 
+    def test_a_job_that_slurm_still_has(self):
+        """Scripts stand for Slurm's programs: the job is there as long as its file is."""
+        study = self.study(STUDIES["a chart"][1])
+        tools, queued = self.folder / "tools", self.folder / "queued"
+        tools.mkdir()
+        for name, text in (("sbatch", f"echo Submitted batch job 71 | tee '{queued}'"),
+                           ("squeue", f"[ \"${{!#}}\" = --jobs=71 ] && [ -e '{queued}' ] && echo RUNNING")):
+            (tools / name).write_text(f"#!/bin/bash\n{text}\n")
+            (tools / name).chmod(0o755)
+        environment = os.environ | {"PATH": f"{tools}:{os.environ['PATH']}"}
+        for words in (("chart", study), (DECKS / "sod.in",)):
+            out = self.folder / str(words[0]).rsplit("/", 1)[-1]
+            words = [TETHER, *map(str, words), "--out", str(out), "--slurm"]
+            submit = lambda: subprocess.run(words, env=environment, capture_output=True, text=True, timeout=60)
+            self.assertEqual(submit().returncode, 0)
+            again = submit()
+            self.assertEqual(again.returncode, 2, again.stderr)
+            self.assertIn("Slurm still has job 71", again.stderr)
+            queued.unlink()
+            self.assertEqual(submit().returncode, 0)
+            queued.unlink()
+
     def test_a_deck_that_goes_on(self):
         """--continue: from the start where there is nothing to go on from."""
         words = (DECKS / "spring-mass.in", "--set", "in.tmax=1.", "--out", self.out, "--continue", "--quiet")

@@ -111,6 +111,7 @@ class Slurm(SweepTest):
         words = ("sweep", study, "--out", self.out)
         self.tether(*words, "--slurm")
         self.cluster.wait_for(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 2, "two runs")
+        self.assertIn("Slurm still has job", self.tether(*words, "--slurm", code=2).stderr)
         for program in processes_of(self.out):
             os.kill(program, signal.SIGKILL)
         self.cluster.wait_for_no_job()

@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
 
+#include "base/child.hpp"
 #include "base/diagnostics.hpp"
+#include "base/file.hpp"
 #include "base/shell.hpp"
+#include "base/text.hpp"
 #include "results/text_file.hpp"
 
 namespace tether::slurm {
@@ -85,31 +85,16 @@ bool is_on_the_path(const char* program) {
   return false;
 }
 
-/// Runs a program without a shell between; returns its exit code, and what it says to both of its outputs.
-std::pair<int, std::string> said_by(std::vector<std::string> words) {
-  std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) throw FileError(fmt::format("{}: {}", words.front(), std::strerror(errno)));
-  const pid_t child = fork();
-  if (child == 0) {
-    ::dup2(ends[1], STDOUT_FILENO), ::dup2(ends[1], STDERR_FILENO), ::close(ends[0]);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    ::execvp(arguments.front(), arguments.data());
-    _exit(127);
-  }
-  ::close(ends[1]);
-  std::string said;
-  std::array<char, 4096> part{};
-  for (ssize_t count = 1; count != 0;) {
-    count = ::read(ends[0], part.data(), part.size());
-    if (count < 0 && errno != EINTR) break;
-    if (count > 0) said.append(part.data(), static_cast<std::size_t>(count));
-  }
-  ::close(ends[0]);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
+/// Holds the number of the job that was submitted last.
+fs::path number_file(const fs::path& folder) { return folder / "slurm" / "job.txt"; }
+
+/// The number in what sbatch says, as in "Submitted batch job 7"; "" where there is none.
+std::string number_in(const std::string& said) {
+  constexpr std::string_view before = "Submitted batch job ";
+  const std::size_t at = said.find(before);
+  if (at == std::string::npos) return "";
+  const std::string rest = said.substr(at + before.size());
+  return rest.substr(0, rest.find_first_not_of("0123456789"));
 }
 
 }  // namespace
@@ -170,11 +155,26 @@ fs::path write_script(const Work& work, const std::string& script) {
   return folder / "job.sh";
 }
 
+void refuse_queued(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(number_file(folder), ignored)) return;
+  const std::string number(trim(read_file(number_file(folder))));
+  const auto [code, states] =
+      said_by({"squeue", "--noheader", "--states=PENDING,RUNNING,SUSPENDED", "--format=%T", "--jobs=" + number});
+  if (code == 0 && !trim(states).empty())
+    throw InputError(fmt::format(
+        "Slurm still has job {} of {}: wait until it has ended, or cancel it by scancel {}. --collect makes "
+        "tables meanwhile",
+        number, folder.string(), number));
+}
+
 std::string submit(const fs::path& script) {
   const auto [code, said] = said_by({"sbatch", script.string()});
   if (code != 0)
     throw FileError(fmt::format("sbatch does not take {}: exit code {}, {}", script.string(), code,
                                 said.empty() ? "without a word" : said));
+  if (const std::string number = number_in(said); !number.empty())
+    replace_file(number_file(script.parent_path().parent_path()), number + "\n");
   return said;
 }
 

@@ -36,9 +36,13 @@ std::string script_of(const Work& work, const Cost& cost);
 
 /// Throws InputError where there is no Slurm.
 void refuse_no_slurm();
+/// Throws InputError where Slurm still has the job that submit() has handed over for this folder of results: its parts
+/// are not to be done twice.
+void refuse_queued(const std::filesystem::path& folder);
 /// Writes slurm/job.sh into the work's folder; returns its path. Throws FileError.
 std::filesystem::path write_script(const Work& work, const std::string& script);
-/// Hands a script to sbatch; returns what that says. Throws FileError where it does not take the script.
+/// Hands a script to sbatch, and writes the job's number to job.txt next to it; returns what sbatch says. Throws
+/// FileError where it does not take the script.
 std::string submit(const std::filesystem::path& script);
 
 }  // namespace tether::slurm

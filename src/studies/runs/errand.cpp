@@ -24,6 +24,8 @@ Errand::Errand(const std::string& letter) {
   text_ = parts.take_text();
 }
 
+std::string Errand::of_hello(const std::string& program) { return errand(ErrandKind::hello, -1, program); }
+
 std::string Errand::of_run(long long number, const RunTask& task) {
   return errand(ErrandKind::run, number, text_of(task));
 }

@@ -9,13 +9,15 @@
 namespace tether {
 
 enum class ErrandKind {
+  hello,   ///< what this program is
   run,     ///< do this run
   signal,  ///< send this signal to the run
   done,    ///< the run has ended, with this record
-  blind    ///< the studies' folder is not seen, says this message
+  blind    ///< the studies' folder, or a file of the run, is not seen as the first program sees it, says this message
 };
 template <>
-inline constexpr std::array<Word<ErrandKind>, 4> words<ErrandKind>{{{ErrandKind::run, "run"},
+inline constexpr std::array<Word<ErrandKind>, 5> words<ErrandKind>{{{ErrandKind::hello, "hello"},
+                                                                    {ErrandKind::run, "run"},
                                                                     {ErrandKind::signal, "signal"},
                                                                     {ErrandKind::done, "done"},
                                                                     {ErrandKind::blind, "blind"}}};
@@ -29,10 +31,11 @@ class Errand {
   ErrandKind kind() const { return kind_; }
   /// The run's number, which its sender has given it.
   long long number() const { return number_; }
-  /// A task, a record, a signal's number or a message, as a text.
+  /// A program, a task, a record, a signal's number or a message, as a text.
   const std::string& text() const { return text_; }
 
   // Each as the text of a letter.
+  static std::string of_hello(const std::string& program);
   static std::string of_run(long long number, const RunTask& task);
   static std::string of_signal(long long number, int signal);
   static std::string of_done(long long number, const RunRecord& record);

@@ -29,23 +29,47 @@ void wait_for(const std::filesystem::path& file) {
   }
 }
 
+[[noreturn]] void refuse_closed() {
+  throw FileError("what carries messages between the programs of this command has ended");
+}
+
 }  // namespace
 
-RemoteCrew::RemoteCrew(LetterBox& box, int programs) : box_(box) {
+RemoteCrew::RemoteCrew(std::unique_ptr<LetterBox> box, int programs) : box_(std::move(box)) {
   for (int program = 1; program <= programs; ++program) idle_.insert(program);
+}
+
+void RemoteCrew::meet(const std::string& program) {
+  std::set<int> met;
+  while (met.size() < size()) {
+    const auto letter = box_->wait();
+    if (!letter) refuse_closed();
+    if (letter->text.empty()) {
+      lose(letter->who), met.erase(letter->who);
+      continue;
+    }
+    const Errand errand(letter->text);
+    if (errand.kind() == ErrandKind::hello && errand.text() != program)
+      throw InputError(
+          fmt::format("mpirun has started different programs: '{}' as the first, '{}' as number {}. Give all machines "
+                      "the same build "
+                      "of tether, and all programs the same words",
+                      program, errand.text(), letter->who));
+    met.insert(letter->who);
+  }
 }
 
 void RemoteCrew::start(std::size_t id, const RunTask& task) {
   const int program = idle_.extract(idle_.begin()).value();
   const Run& run = busy_[program] = {id, next_number_++, task};
-  box_.send({program, Errand::of_run(run.number, task)});
+  box_->send({program, Errand::of_run(run.number, task)});
 }
 
 std::optional<Done> RemoteCrew::take() {
-  while (const auto letter = box_.take()) {
+  while (const auto letter = box_->take()) {
     if (auto done = read(*letter)) return done;
   }
-  if (box_.is_closed()) throw FileError("what carries messages between the programs of this command has ended");
+  if (box_->is_closed()) refuse_closed();
   return std::nullopt;
 }
 
@@ -75,12 +99,12 @@ std::optional<Done> RemoteCrew::lose(int program) {
 }
 
 void RemoteCrew::tell(int signal) {
-  for (const auto& [program, run] : busy_) box_.send({program, Errand::of_signal(run.number, signal)});
+  for (const auto& [program, run] : busy_) box_->send({program, Errand::of_signal(run.number, signal)});
 }
 
 void RemoteCrew::drop_all() {
   for (const auto& [program, run] : busy_) {
-    box_.send({program, Errand::of_signal(run.number, SIGKILL)});
+    box_->send({program, Errand::of_signal(run.number, SIGKILL)});
     idle_.insert(program);
   }
   busy_.clear();

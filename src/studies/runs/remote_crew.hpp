@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -14,8 +16,11 @@ namespace tether {
 /// they see the studies' folder. Letters go through a box that whoever started them all has at its other end.
 class RemoteCrew : public Crew {
  public:
-  /// The box must outlive this.
-  RemoteCrew(LetterBox& box, int programs);
+  RemoteCrew(std::unique_ptr<LetterBox> box, int programs);
+
+  /// Waits until all have said what they are. Throws InputError where one is of another build or has other words than
+  /// this one, which is `program`; FileError where all are lost.
+  void meet(const std::string& program);
 
   std::size_t size() const override { return idle_.size() + busy_.size(); }
   std::size_t count() const override { return busy_.size(); }
@@ -23,7 +28,7 @@ class RemoteCrew : public Crew {
   std::optional<Done> take() override;
   void tell(int signal) override;
   void drop_all() override;
-  int news() const override { return box_.socket(); }
+  int news() const override { return box_->socket(); }
 
  private:
   struct Run {
@@ -34,15 +39,16 @@ class RemoteCrew : public Crew {
   std::optional<Done> read(const Letter& letter);
   std::optional<Done> lose(int program);
 
-  LetterBox& box_;
+  std::unique_ptr<LetterBox> box_;
   std::set<int> idle_;
   std::map<int, Run> busy_;               // by program
   std::map<std::string, int> lost_with_;  // how many programs were lost with a run, by its key
   long long next_number_ = 0;             // of a run, so that one that was dropped is not taken for another
 };
 
-/// Does the runs that the programs' first one deals out, until its end of the box closes: then the run under way stops
-/// at its next look at signals, as at SIGTERM. Returns the exit code of the program.
-int serve(LetterBox& box);
+/// Says to the first program what this one is, `program`, and does the runs that it deals out, until its end of the box
+/// closes: then the run under way stops at its next look at signals, as at SIGTERM. Returns the exit code of the
+/// program.
+int serve(LetterBox& box, const std::string& program);
 
 }  // namespace tether

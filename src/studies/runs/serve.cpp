@@ -7,9 +7,11 @@
 #include "base/diagnostics.hpp"
 #include "base/file.hpp"
 #include "base/numbers.hpp"
+#include "deck/reader.hpp"
 #include "studies/runs/errand.hpp"
 #include "studies/runs/local_crew.hpp"
 #include "studies/runs/remote_crew.hpp"
+#include "studies/runs/run_record.hpp"
 
 namespace tether {
 namespace {
@@ -35,10 +37,12 @@ class Server {
     if (errand.kind() != ErrandKind::run) return;
     number_ = errand.number();
     task_ = task_of(errand.text());
-    if (sees_folder())
-      crew_.start(0, task_);
-    else
+    if (!sees_folder())
       box_.send({0, Errand::of_blind(number_, blind_text())});
+    else if (!sees_the_same_files())
+      box_.send({0, Errand::of_blind(number_, other_files_text())});
+    else
+      crew_.start(0, task_);
   }
 
   void end_or_tell(const Errand& errand) {
@@ -66,6 +70,23 @@ class Server {
                        host_name(), std::filesystem::absolute(task_.sign).parent_path().string());
   }
 
+  /// Returns whether the deck comes to the same run here: its files of particles and meshes are this machine's.
+  bool sees_the_same_files() const {
+    std::string key = task_.key;
+    end_of(task_.deck, [&] {
+      Diagnostics of_the_run;
+      key = run_key(read_deck(task_.text, task_.deck, task_.overrides, of_the_run));
+    });
+    return key == task_.key;
+  }
+
+  std::string other_files_text() const {
+    return fmt::format(
+        "{} sees other particles or another mesh of {} than the first program: keep them where all "
+        "machines see the same files",
+        host_name(), std::filesystem::absolute(task_.deck).string());
+  }
+
   void report() {
     RunRecord record{task_.key, {}};
     try {
@@ -91,7 +112,8 @@ class Server {
 
 }  // namespace
 
-int serve(LetterBox& box) {
+int serve(LetterBox& box, const std::string& program) {
+  box.send({0, Errand::of_hello(program)});
   const Ending ending = end_of("tether", [&box] { Server(box).serve(); });
   std::fputs(ending.message.c_str(), stderr);
   return ending.exit_code;

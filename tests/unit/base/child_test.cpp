@@ -31,5 +31,11 @@ TEST(FromAChild, ComesNothingWhereItFails) {
             std::nullopt);
 }
 
+TEST(SaidBy, ComeWordsOfBothOutputsAndTheExitCode) {
+  EXPECT_EQ(said_by({"sh", "-c", "echo \"$0\"; echo b >&2; exit 7", "a b'c"}), std::pair(7, std::string("a b'c\nb\n")));
+  EXPECT_EQ(said_by({"no-program-has-this-name"}), std::pair(127, std::string()));
+  EXPECT_EQ(said_by({"sh", "-c", "kill -9 $$"}), std::pair(-1, std::string()));
+}
+
 }  // namespace
 }  // namespace tether

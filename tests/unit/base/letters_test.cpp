@@ -5,8 +5,10 @@
 #include <sys/socket.h>
 
 #include <array>
+#include <chrono>
 #include <limits>
 #include <memory>
+#include <thread>
 
 #include "base/diagnostics.hpp"
 
@@ -61,6 +63,20 @@ TEST(Letters, ThatCameBeforeTheEndAreRead) {
   EXPECT_FALSE(pair.there->take());
   EXPECT_TRUE(pair.there->is_closed());
   pair.there->send({1, "to nobody"});  // does no harm
+}
+
+TEST(Letters, AreWaitedForUntilTheOtherEndCloses) {
+  Pair pair;
+  std::thread sender([&pair] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    pair.here->send({3, "late"});
+    pair.here.reset();
+  });
+  const auto letter = pair.there->wait();
+  ASSERT_TRUE(letter);
+  EXPECT_EQ(letter->text, "late");
+  EXPECT_FALSE(pair.there->wait());
+  sender.join();
 }
 
 TEST(Packed, GivesBackItsPartsInTheirOrder) {

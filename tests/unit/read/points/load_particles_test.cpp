@@ -23,7 +23,6 @@ std::string one_point(const std::string& x) { return "1.\n1,0,0,0,0,0,0\n3,3,3,0
 class LoadParticles : public TemporaryFolder {
  protected:
   void SetUp() override {
-    TemporaryFolder::SetUp();
     fs::create_directories(folder / "decks" / "sub" / "below");
     write_file(folder / "decks" / "sub" / "beside.par", one_point(".1"));
     write_file(folder / "decks" / "sub" / "below" / "below.par", one_point(".2"));

@@ -130,10 +130,7 @@ TEST(ProblemNames, AreToldWithTheNearestAndTheList) {
 
 class Plans : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    TemporaryFolder::SetUp();
-    write_file(folder / "chaos.in", deck("tstep=1.0e-3"));
-  }
+  void SetUp() override { write_file(folder / "chaos.in", deck("tstep=1.0e-3")); }
   static std::string deck(const std::string& step) {
     return "$in nx=5, ny=5, xleft=0., xright=1., ybot=0., ytop=1., tmax=1.,\n" + step + "\n$\n";
   }
