@@ -115,6 +115,9 @@ void add_many_runs(CLI::App& app, RunOptions& options) {
   auto* part = app.add_option("--part", options.parts, "do these parts alone, and leave the tables to --collect")
                    ->option_text("N,M-K")
                    ->check(refuse_no_parts);
+  app.add_option("--of", options.parts_of, "refuse a study that is not the one with this sum, as --list gives it")
+      ->option_text("SUM")
+      ->needs(part);
   auto* collect = app.add_flag("--collect", options.collect, "make the tables of what is finished, run nothing");
   auto* slurm = add_slurm(app, options);
   for (auto* other : {list, part, collect}) other->excludes("--dry-run");

@@ -116,6 +116,12 @@ RunRequest request_for(const std::string& name, const Loaded& loaded, const std:
   request.remark = [&, name](const std::string& text) { voice.err(fmt::format("{}: remark: {}\n", name, text)); };
   request.restart = options.restart;
   if (options.go_on) request.restart = newest_checkpoint(folder, request.deck_effective);
+  if (options.go_on && request.restart.empty() && !checkpoints_in(folder).empty()) {
+    request.messages.push_back(fmt::format(
+        "{}: warning: no checkpoint in {} is whole and of this deck with these values: the run begins anew\n", name,
+        folder.string()));
+    voice.err(request.messages.back());
+  }
   return request;
 }
 

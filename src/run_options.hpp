@@ -24,6 +24,7 @@ struct RunOptions {
   bool collect = false;                 ///< of a study: the tables of what is finished, run nothing
   bool slurm = false;                   ///< jobs of Slurm do the work
   std::string parts;                    ///< of a study: those to do, "3,7-9"; empty: all
+  std::string parts_of;                 ///< the sum of the study whose parts they are; empty: not to be asked
   std::vector<std::string> words = {};  ///< of the command line, without the program
   std::string command;                  ///< as it was typed, for provenance
   Crew* others = nullptr;               ///< the other programs of this command, where mpirun has started some

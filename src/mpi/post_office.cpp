@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mpi/post_office.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -10,6 +11,7 @@
 #include <boost/mpi/exception.hpp>
 #include <boost/mpi/status.hpp>
 #include <csignal>
+#include <cstdio>
 
 #include "base/process.hpp"
 
@@ -51,13 +53,12 @@ int PostOffice::carry() {
     take_from_ranks();
     drop_what_has_gone();
     look_at_the_program();
-    if (is_first)
-      lose_the_silent();
-    else
-      beat();
+    beat();
+    lose_the_silent();
   }
   if (is_first) end_all();
-  return is_first ? exit_code() : 0;
+  if (first_is_lost_) return exit_file;
+  return is_first ? exit_code() : exit_done;
 }
 
 /// Until it has something to send, or it is time to look for what MPI has.
@@ -120,10 +121,15 @@ void PostOffice::drop_what_has_gone() {
 void PostOffice::beat() {
   if (Clock::now() - last_beat_ < between_beats) return;
   last_beat_ = Clock::now();
-  send(0, Tag::heartbeat, "");
+  if (world_.rank() != 0) return send(0, Tag::heartbeat, "");
+  for (int rank = 1; rank < world_.size(); ++rank) send(rank, Tag::heartbeat, "");
 }
 
 void PostOffice::lose_the_silent() {
+  if (world_.rank() != 0) {
+    if (!is_told_to_end_ && Clock::now() - last_heard_.front() > longest_silence) end_without_the_first();
+    return;
+  }
   for (std::size_t rank = 1; rank < last_heard_.size(); ++rank) {
     if (!is_lost_[rank] && Clock::now() - last_heard_[rank] > longest_silence) lose(rank);
   }
@@ -132,6 +138,18 @@ void PostOffice::lose_the_silent() {
 void PostOffice::lose(std::size_t rank) {
   is_lost_[rank] = true, all_are_here_ = false;
   box_.send_without_waiting({static_cast<int>(rank), ""});
+}
+
+/// As where rank 0 says that it is over.
+void PostOffice::end_without_the_first() {
+  first_is_lost_ = is_told_to_end_ = true, all_are_here_ = false;
+  std::fputs(
+      fmt::format("tether: the first program of this command is lost, says number {} on {}; the same command goes "
+                  "on\n",
+                  world_.rank(), host_name())
+          .c_str(),
+      stderr);
+  ::shutdown(box_.socket(), SHUT_RDWR);  // for the program to see
 }
 
 /// The program of a rank that ends by itself has crashed: rank 0 deals its run to another.

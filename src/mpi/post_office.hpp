@@ -16,14 +16,14 @@ namespace tether {
 
 /// Carries the letters of one program to those of the other ranks, and theirs to it. It looks often while there is
 /// traffic, and seldom while there is none, since MPI itself would wait at full speed. Each rank sends a beat to rank 0
-/// now and then: one that falls silent is lost, as is one whose program has ended. Of such a one the program of rank 0
-/// gets an empty letter.
+/// now and then, and rank 0 to each: one that falls silent is lost, as is one whose program has ended. Of such a one
+/// the program of rank 0 gets an empty letter; without rank 0 all end.
 class PostOffice {
  public:
   /// The socket leads to the program that is served, a child of this process. The communicator must outlive this.
   PostOffice(boost::mpi::communicator& world, int socket, pid_t served);
 
-  /// Until the program has ended, and on other ranks than 0 until rank 0 says so. Returns the exit code.
+  /// Until the program has ended, and on other ranks than 0 until rank 0 says so, or is lost. Returns the exit code.
   int carry();
   /// Returns whether no rank was lost.
   bool all_are_here() const { return all_are_here_; }
@@ -42,6 +42,7 @@ class PostOffice {
   void beat();
   void lose_the_silent();
   void lose(std::size_t rank);
+  void end_without_the_first();
   void look_at_the_program();
   void end_all();
   int exit_code() const;
@@ -49,10 +50,10 @@ class PostOffice {
   boost::mpi::communicator& world_;
   LetterBox box_;
   pid_t served_;
-  bool program_has_ended_ = false, is_told_to_end_ = false, all_are_here_ = true;
+  bool program_has_ended_ = false, is_told_to_end_ = false, all_are_here_ = true, first_is_lost_ = false;
   int status_ = 0;  // of the program, as wait() has it
   std::list<Sending> sendings_;
-  std::vector<Clock::time_point> last_heard_;  // on rank 0, of each rank
+  std::vector<Clock::time_point> last_heard_;  // of each rank; other ranks than 0 hear of rank 0 alone
   std::vector<bool> is_lost_;
   Clock::time_point last_traffic_ = Clock::now(), last_beat_ = last_traffic_;
 };

@@ -121,10 +121,11 @@ std::size_t count_file_trouble(const std::vector<FinishedRun>& runs) {
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), in_trouble));
 }
 
-void refuse_file_trouble(std::size_t runs) {
+void refuse_file_trouble(std::size_t runs, const std::string& first) {
   if (runs > 0)
     throw FileError(fmt::format(
-        "runs that were killed, or could not read or write a file: {}; the same command tries them again", runs));
+        "runs that were killed, or could not read or write a file: {}; the same command tries them again{}{}", runs,
+        first.empty() ? "" : "; the first says: ", first));
 }
 
 SweepResult report_study(const Study& study, const fs::path& out, const StudyOutcome& outcome,

@@ -47,8 +47,8 @@ void write_table(const std::filesystem::path& stem, const StudyTable& table, con
 
 /// How many were killed, or could not read or write a file: the next sweep tries them again.
 std::size_t count_file_trouble(const std::vector<FinishedRun>& runs);
-/// Throws FileError where there are such runs.
-void refuse_file_trouble(std::size_t runs);
+/// Throws FileError where there are such runs; `first` is what the first of them says, if nothing else says it.
+void refuse_file_trouble(std::size_t runs, const std::string& first = {});
 
 /// The runs that are known before the first has ended, a line each: whether it is finished, its deck, its overrides.
 std::string list_runs(const std::vector<StudyRun>& studies);

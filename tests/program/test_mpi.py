@@ -103,7 +103,7 @@ class Deaths(SweepTest):
                 time.sleep(.01)
             os.kill(victim(), how)
             before = self.finished()
-            process.communicate(timeout=120)
+            self.said = process.communicate(timeout=120)[1]
         return process.returncode, before
 
     def is_whole(self):
@@ -134,6 +134,20 @@ class Deaths(SweepTest):
         self.assertEqual(code, 0)
         for name in ("a", "b"):
             self.assertEqual([row["exit_code"] for row in rows_of(self.out / name / "chart.csv")], ["0"] * 6)
+
+    def test_the_first_rank_with_recovery(self):
+        """The others end by themselves, and say why: the exit code of mpirun is 0 with recovery, whatever happens."""
+        code, before = self.killed(lambda: mpi.carriers()[0], "--enable-recovery")
+        self.assertLess(len(before), 12)
+        self.assertEqual(self.said.count("the first program of this command is lost"), 2, self.said)
+        self.assertEqual(mpi.carriers(), {})
+        self.assertEqual(mpi.run(*self.words).returncode, 0)
+        self.is_whole()
+
+    def test_an_exit_code_with_recovery(self):
+        study = self.study("decks='../decks/sod.in', quantities='dx', set='in.tmax=.01','in.nx=21,31'", "studies/wrong.in")
+        result = mpi.run("sweep", study, "--out", self.out, options=["--enable-recovery"])
+        self.assertIn("tether: ends with exit code 2, though mpirun with --enable-recovery ends with 0", result.stderr)
 
     def test_the_first_program_then_the_same_command_again(self):
         code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[0]))

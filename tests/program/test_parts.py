@@ -133,6 +133,28 @@ class Parts(SweepTest):
         self.expect(2, "chart", study, "--out", self.out, "--list", "--collect")
         self.assertFalse(self.out.exists())
 
+    def test_names_that_begin_with_a_hyphen(self):
+        study = STUDIES["a chart"][1].replace("../decks", "decks")
+        self.write("-a.in", f"a chart\n$study\n{study}\n$\n")
+        words = ["chart", "--out", "out", "--", "-a.in"]
+        def say(*more):
+            return subprocess.run([TETHER, words[0], *more, *words[1:]], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        listed = say("--list")
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        subprocess.run(["sh", "-e"], cwd=self.folder, input=listed.stdout, text=True, check=True, timeout=60)
+        self.assertEqual(say("--list").stdout, "")
+        self.assertEqual(say("--collect", "--quiet").returncode, 0)
+
+    def test_a_study_that_has_changed(self):
+        text = STUDIES["a chart"][1]
+        study = self.study(text)
+        line = self.expect(0, "chart", study, "--out", self.out, "--list").stdout.splitlines()[0]
+        self.study(text + "\n")
+        result = subprocess.run(["sh", "-c", line], capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("the study has changed since its parts were listed", result.stderr)
+        self.assertFalse((self.out / "runs").exists())
+
     def test_a_name_with_a_line_end_is_not_listed(self):
         study = self.study(STUDIES["a chart"][1])
         said = self.expect(2, "chart", study, "--out", self.folder / "a\nb", "--list").stderr

@@ -70,6 +70,18 @@ class Stops(SweepTest):
             process.send_signal(how)
             return process.wait(timeout=60)
 
+    def test_a_run_that_is_held_hears_of_the_end(self):
+        """SIGSTOP holds a run, which is long; SIGTERM to the sweep still ends both."""
+        long = self.study("decks='../decks/spring-mass.in', set='in.tmax=1000.', quantities='steps'", "studies/long.in")
+        with subprocess.Popen([TETHER, "sweep", long, "--quiet", "--out", self.out], stderr=subprocess.DEVNULL) as process:
+            deadline = time.monotonic() + 60
+            while len(runs := [pid for pid in processes_of(self.out) if pid != process.pid]) < 1 and time.monotonic() < deadline:
+                time.sleep(.01)
+            os.kill(runs[0], signal.SIGSTOP)
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(process.wait(timeout=60), 143)
+        self.wait_for_no_process()
+
     def wait_for_no_process(self):
         deadline = time.monotonic() + 10
         while processes_of(self.folder) and time.monotonic() < deadline:

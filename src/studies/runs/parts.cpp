@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "base/diagnostics.hpp"
+#include "base/letters.hpp"
 #include "base/numbers.hpp"
+#include "base/text.hpp"
 #include "studies/runs/local_crew.hpp"
 #include "studies/sweep.hpp"
 
@@ -79,16 +81,41 @@ std::vector<PartCost> costs_of(const std::vector<StudyRun>& studies, const std::
   return costs;
 }
 
-void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options, const std::string& work) {
+std::string sum_of(const std::vector<StudyRun>& studies) {
+  constexpr std::size_t digits = 12;
+  Packed all;
+  for (const auto& [study, out, most_cpu_seconds] : studies) {
+    const auto every = combinations(study);
+    all.add(study.text);
+    for (const Variant& variant : Sequences(study).first()) {
+      const Combination& combination = every[variant.combination];
+      all.add(study.decks[combination.deck].file).add(overrides_of(study, combination, variant.varied));
+    }
+  }
+  return sha256(all.text()).substr(0, digits);
+}
+
+void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options, const std::string& work,
+              const std::string& sum) {
+  if (!sum.empty() && sum != sum_of(studies))
+    throw InputError(
+        fmt::format("the study has changed since its parts were listed: its sum is {} now, not {}; --list and "
+                    "--slurm number its parts anew",
+                    sum_of(studies), sum));
   const std::size_t count = first_runs(studies).size();
   if (*options.parts.rbegin() > count)
     throw InputError(fmt::format("there is no part {}: this command has {}", *options.parts.rbegin(), count));
   const auto lock = take_folder(options, work);
   const Scheduler::Outcome all = Scheduler(studies, options).run_all();
   if (all.signal != 0) throw Interrupted(all.signal, "interrupted; the same command goes on where this one was");
+  std::string first;
   std::size_t file_trouble = 0;
-  for (const StudyOutcome& each : all.studies) file_trouble += count_file_trouble(each.runs);
-  refuse_file_trouble(file_trouble);
+  for (const StudyOutcome& each : all.studies) {
+    for (const FinishedRun& run : each.runs) {
+      if (is_lost(run.record.ending) && file_trouble++ == 0) first = run.record.ending.message;
+    }
+  }
+  refuse_file_trouble(file_trouble, first);
 }
 
 std::optional<std::set<std::size_t>> part_numbers(const std::string& text) {

@@ -23,9 +23,15 @@ std::set<std::size_t> unfinished_parts(const std::vector<StudyRun>& studies);
 /// cost nothing.
 std::vector<PartCost> costs_of(const std::vector<StudyRun>& studies, const std::set<std::size_t>& parts);
 
+/// Returns by what studies are known whose parts have the same numbers: digits of the SHA-256 of their texts and of the
+/// runs that they want first.
+std::string sum_of(const std::vector<StudyRun>& studies);
+
 /// Does the parts that the options name; leaves the tables to who collects. Throws InputError where there is no such
-/// part, Interrupted, FileError, also where a run could not read or write a file.
-void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options, const std::string& work);
+/// part, or where `sum` is given and not that of the studies; Interrupted; FileError, also where a run could not read
+/// or write a file.
+void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options, const std::string& work,
+              const std::string& sum);
 
 /// "3,7-9" as numbers; none where it is no such list of numbers from 1.
 std::optional<std::set<std::size_t>> part_numbers(const std::string& text);

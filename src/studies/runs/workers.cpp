@@ -90,7 +90,10 @@ std::optional<Finished> Workers::take() {
 }
 
 void Workers::tell(int signal) const {
-  for (const auto& [id, process] : running_) kill(process.pid, signal);
+  for (const auto& [id, process] : running_) {
+    kill(process.pid, signal);
+    kill(process.pid, SIGCONT);  // one that was stopped hears nothing
+  }
 }
 
 }  // namespace tether
