@@ -21,6 +21,7 @@
 #include "command_words.hpp"
 #include "commands.hpp"
 #include "ranks.hpp"
+#include "results/checkpoint.hpp"
 #include "studies/runs/remote_crew.hpp"
 #include "study_commands.hpp"
 
@@ -96,8 +97,7 @@ int join(CommandLine& line, const Launch& launch, std::unique_ptr<RemoteCrew>& o
   if (!line.makes_many_runs()) return line.decks.empty() ? -1 : refuse_to_split(launch);
   int served = -1;
   const int code = guarded("tether", [&] {
-    const std::string program =
-        fmt::format("tether {} ({}) {}", program_version(), git_hash(), shell_command(line.run.words));
+    const std::string program = this_program() + " " + shell_command(line.run.words);
     Seat seat = take_seat();
     if (seat.rank > 0) {
       served = serve(*seat.box, program);

@@ -84,10 +84,7 @@ void PostOffice::take_from_ranks() {
     std::string bytes(static_cast<std::size_t>(there->count<char>().value_or(0)), '\0');
     world_.recv(there->source(), there->tag(), bytes.data(), static_cast<int>(bytes.size()));
     last_heard_[static_cast<std::size_t>(there->source())] = Clock::now();
-    if (there->tag() == Tag::end) {
-      is_told_to_end_ = true, all_are_here_ = bytes.empty();
-      ::shutdown(box_.socket(), SHUT_RDWR);  // for the program to see
-    }
+    if (there->tag() == Tag::end) end_the_program(bytes.empty());
     if (there->tag() != Tag::letter || program_has_ended_) continue;
     last_traffic_ = Clock::now();
     box_.send_without_waiting({there->source(), std::move(bytes)});
@@ -140,16 +137,18 @@ void PostOffice::lose(std::size_t rank) {
   box_.send_without_waiting({static_cast<int>(rank), ""});
 }
 
-/// As where rank 0 says that it is over.
-void PostOffice::end_without_the_first() {
-  first_is_lost_ = is_told_to_end_ = true, all_are_here_ = false;
-  std::fputs(
-      fmt::format("tether: the first program of this command is lost, says number {} on {}; the same command goes "
-                  "on\n",
-                  world_.rank(), host_name())
-          .c_str(),
-      stderr);
+void PostOffice::end_the_program(bool all_are_here) {
+  is_told_to_end_ = true, all_are_here_ = all_are_here;
   ::shutdown(box_.socket(), SHUT_RDWR);  // for the program to see
+}
+
+void PostOffice::end_without_the_first() {
+  first_is_lost_ = true;
+  const std::string text =
+      fmt::format("tether: the first program of this command is lost, says number {} on {}; the same command goes on\n",
+                  world_.rank(), host_name());
+  std::fputs(text.c_str(), stderr);
+  end_the_program(false);
 }
 
 /// The program of a rank that ends by itself has crashed: rank 0 deals its run to another.

@@ -42,6 +42,7 @@ class PostOffice {
   void beat();
   void lose_the_silent();
   void lose(std::size_t rank);
+  void end_the_program(bool all_are_here);
   void end_without_the_first();
   void look_at_the_program();
   void end_all();

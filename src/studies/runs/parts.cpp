@@ -37,12 +37,12 @@ double runs_of_a_part(const Study& study) {
 /// By the parts' numbers, less 1.
 std::vector<FirstRun> first_runs(const std::vector<StudyRun>& studies) {
   std::vector<FirstRun> all;
+  PartNumbers numbers;
   for (const StudyRun& each : studies) {
-    const std::size_t before = all.size();
     const auto variants = Sequences(each.study).first();
+    const auto parts = numbers.of(each.study, variants);
     for (std::size_t n = 0; n < variants.size(); ++n) {
-      const std::size_t part = before + part_of(each.study, variants[n], n);
-      if (part >= all.size()) all.resize(part + 1, {&each, variants[n], runs_of_a_part(each.study)});
+      if (parts[n] > all.size()) all.resize(parts[n], {&each, variants[n], runs_of_a_part(each.study)});
     }
   }
   return all;
@@ -95,27 +95,33 @@ std::string sum_of(const std::vector<StudyRun>& studies) {
   return sha256(all.text()).substr(0, digits);
 }
 
+namespace {
+
+void refuse_other_parts(const std::vector<StudyRun>& studies, std::size_t last, const std::string& sum) {
+  if (const std::string now = sum_of(studies); !sum.empty() && sum != now)
+    throw InputError(fmt::format(
+        "the study has changed since its parts were listed: its sum is {} now, not {}; --list and --slurm number its "
+        "parts anew",
+        now, sum));
+  if (const std::size_t count = first_runs(studies).size(); last > count)
+    throw InputError(fmt::format("there is no part {}: this command has {}", last, count));
+}
+
+}  // namespace
+
 void do_parts(const std::vector<StudyRun>& studies, const StudyOptions& options, const std::string& work,
               const std::string& sum) {
-  if (!sum.empty() && sum != sum_of(studies))
-    throw InputError(
-        fmt::format("the study has changed since its parts were listed: its sum is {} now, not {}; --list and "
-                    "--slurm number its parts anew",
-                    sum_of(studies), sum));
-  const std::size_t count = first_runs(studies).size();
-  if (*options.parts.rbegin() > count)
-    throw InputError(fmt::format("there is no part {}: this command has {}", *options.parts.rbegin(), count));
+  refuse_other_parts(studies, *options.parts.rbegin(), sum);
   const auto lock = take_folder(options, work);
   const Scheduler::Outcome all = Scheduler(studies, options).run_all();
   if (all.signal != 0) throw Interrupted(all.signal, "interrupted; the same command goes on where this one was");
-  std::string first;
-  std::size_t file_trouble = 0;
+  std::vector<std::string> said;  // by the runs that are lost: nothing else shows it
   for (const StudyOutcome& each : all.studies) {
     for (const FinishedRun& run : each.runs) {
-      if (is_lost(run.record.ending) && file_trouble++ == 0) first = run.record.ending.message;
+      if (is_lost(run.record.ending)) said.push_back(run.record.ending.message);
     }
   }
-  refuse_file_trouble(file_trouble, first);
+  refuse_file_trouble(said.size(), said.empty() ? "" : said.front());
 }
 
 std::optional<std::set<std::size_t>> part_numbers(const std::string& text) {

@@ -31,11 +31,20 @@ Scheduler::Scheduler(const std::vector<StudyRun>& studies, const StudyOptions& o
   }
 }
 
-std::size_t part_of(const Study& study, const Variant& variant, std::size_t n) {
-  if (study.bisects()) return variant.combination;
-  if (study.mode != Mode::map) return n;
+std::vector<std::size_t> PartNumbers::of(const Study& study, const std::vector<Variant>& first) {
+  const std::size_t before = count_;
   const auto combinations = static_cast<std::size_t>(count_combinations(study));
-  return variant.combination / (combinations / study.decks.size());
+  std::vector<std::size_t> numbers;
+  for (std::size_t n = 0; n < first.size(); ++n) {
+    std::size_t part = n;  // of its study, from 0
+    if (study.bisects())
+      part = first[n].combination;
+    else if (study.mode == Mode::map)
+      part = first[n].combination / (combinations / study.decks.size());
+    numbers.push_back(before + part + 1);
+    count_ = std::max(count_, numbers.back());
+  }
+  return numbers;
 }
 
 Scheduler::Outcome Scheduler::run_all() {
@@ -57,14 +66,13 @@ Scheduler::Outcome Scheduler::run_all() {
 }
 
 void Scheduler::want_first() {
+  PartNumbers numbers;
   for (std::size_t k = 0; k < studies_.size(); ++k) {
-    const Study& study = studies_[k].study;
-    const std::size_t before = outcome_.parts;
     const auto variants = outcome_.studies[k].sequences.first();
+    const auto parts = numbers.of(studies_[k].study, variants);
     for (std::size_t n = 0; n < variants.size(); ++n) {
-      const std::size_t part = before + part_of(study, variants[n], n) + 1;
-      outcome_.parts = std::max(outcome_.parts, part);
-      if (is_wanted(part)) queue_[{.number = next_number_++}] = {.study = k, .part = part, .variant = variants[n]};
+      if (is_wanted(parts[n]))
+        queue_[{.number = next_number_++}] = {.study = k, .part = parts[n], .variant = variants[n]};
     }
   }
 }

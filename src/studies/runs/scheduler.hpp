@@ -60,9 +60,17 @@ struct StudyOutcome {
 
 /// Studies fall into parts, each of which can be done without knowing how others end: a run, or the runs of a
 /// bisection, or all runs of a deck's map that are wanted one after the other. Parts are numbered from 1, study by
-/// study. Returns the part of its study, from 0, to which a run belongs that is the n-th, from 0, of those wanted
-/// first.
-std::size_t part_of(const Study& study, const Variant& variant, std::size_t n);
+/// study.
+class PartNumbers {
+ public:
+  /// The number of the part of each of the runs that the next study wants first.
+  std::vector<std::size_t> of(const Study& study, const std::vector<Variant>& first);
+  /// Parts of all studies so far.
+  std::size_t count() const { return count_; }
+
+ private:
+  std::size_t count_ = 0;
+};
 
 /// Deals out what studies want to a crew: several runs side by side, each in a folder and a process of its own, the
 /// longest first as far as plans know. A run that had been finished before is not run again.
@@ -80,7 +88,6 @@ class Scheduler {
     std::vector<StudyOutcome> studies;
     int signal = 0;
     std::set<std::size_t> unfinished;  ///< parts of those that were to be done or collected
-    std::size_t parts = 0;             ///< of all studies
   };
   /// Throws FileError.
   Outcome run_all();
