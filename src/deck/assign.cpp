@@ -13,8 +13,6 @@
 namespace tether {
 namespace {
 
-std::string key_of(const Variable& variable) { return fmt::format("{}.{}", variable.group, variable.name); }
-
 /// Returns whether an item has a value that is not null.
 bool says_something(const Item& item) {
   return std::any_of(item.values.begin(), item.values.end(),

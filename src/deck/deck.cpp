@@ -7,18 +7,17 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "deck/elements.hpp"
 #include "deck/opener.hpp"
 #include "deck/spelling.hpp"
 
 namespace tether {
 namespace {
 
-std::string key_of(AnyVariable variable) { return fmt::format("{}.{}", variable.group(), variable.name()); }
-
 template <typename Type>
 Type get(const DeckValue& value, AnyVariable variable) {
   const auto* data = std::get_if<Type>(&value.data);
-  if (data == nullptr) throw std::logic_error(fmt::format("{} is of another type", key_of(variable)));
+  if (data == nullptr) throw std::logic_error(fmt::format("{} is of another type", key_of(variable.row())));
   return *data;
 }
 
@@ -37,7 +36,7 @@ std::vector<std::string> Deck::possible_groups() const {
 }
 
 const DeckValue* Deck::find(AnyVariable variable, int i, int j) const {
-  const auto all = contents_.values.find(key_of(variable));
+  const auto all = contents_.values.find(key_of(variable.row()));
   if (all == contents_.values.end()) return nullptr;
   const auto element = all->second.find({i, j});
   return element == all->second.end() ? nullptr : &element->second;
@@ -46,7 +45,7 @@ const DeckValue* Deck::find(AnyVariable variable, int i, int j) const {
 DeckValue Deck::value(AnyVariable variable, int i, int j) const {
   if (const auto* given = find(variable, i, j)) return *given;
   const auto fallback = default_value(variable.row());
-  if (!fallback) throw std::logic_error(fmt::format("{} is not given and has no default", key_of(variable)));
+  if (!fallback) throw std::logic_error(fmt::format("{} is not given and has no default", key_of(variable.row())));
   return *fallback;
 }
 
@@ -66,7 +65,7 @@ bool Deck::given(AnyVariable variable, int i, int j) const { return find(variabl
 
 std::vector<Subscript> Deck::given_elements(AnyVariable variable) const {
   std::vector<Subscript> elements;
-  const auto all = contents_.values.find(key_of(variable));
+  const auto all = contents_.values.find(key_of(variable.row()));
   if (all == contents_.values.end()) return elements;
   for (const auto& [at, value] : all->second) elements.push_back(at);
   std::stable_sort(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
@@ -104,7 +103,7 @@ Deck Deck::with_only(const std::function<bool(const Variable&)>& wanted) const {
       groups.insert(std::string(variable.group));
       continue;
     }
-    const std::string key = key_of(AnyVariable(variable));
+    const std::string key = key_of(variable);
     contents.values.erase(key), contents.failed.erase(key);
   }
   std::erase_if(contents.groups, [&](const auto& group) { return groups.count(group.first) == 0; });
@@ -167,7 +166,7 @@ Diagnostic Deck::remark(Severity severity, AnyVariable variable, Subscript at, s
                         std::string hint) const {
   const auto where = place(variable, at[0], at[1]);
   const bool moot =
-      severity == Severity::error && !given(variable, at[0], at[1]) && contents_.failed.count(key_of(variable)) > 0;
+      severity == Severity::error && !given(variable, at[0], at[1]) && contents_.failed.count(key_of(variable.row())) > 0;
   return {severity, where, line_text(where), std::move(message), std::move(hint), moot};
 }
 

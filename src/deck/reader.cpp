@@ -116,8 +116,9 @@ void check_required(const Deck& deck, const std::set<std::string>& mentioned,
   std::string missing;
   int count = 0;
   for (const auto& variable : variables()) {
-    const auto key = fmt::format("{}.{}", variable.group, variable.name);
-    if (!variable.required || mentioned.count(key) > 0) continue;
+    if (!variable.required) continue;
+    const std::string key = key_of(variable);
+    if (mentioned.count(key) > 0) continue;
     if (const auto empty = left_empty.find(key); empty != left_empty.end()) {
       diagnostics.error(empty->second, deck.line_text(empty->second),
                         fmt::format("{} has no default: it needs a value", variable.name));
