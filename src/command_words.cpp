@@ -81,7 +81,7 @@ Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
 }
 
 /// A word that could be one of a command, and names no file: a deck has an ending or stands in a folder.
-bool is_lost(const std::string& word) {
+bool names_nothing(const std::string& word) {
   std::error_code ignored;  // of names that no file can have
   return word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
 }
@@ -178,10 +178,10 @@ std::vector<std::string> ordered_words(const CLI::App& app, const std::vector<st
     others.insert(others.begin(), first);
     return joined(std::move(others), names);
   }
-  if (is_lost(first) && !names.empty()) refuse_word(app, first, true);
+  if (names_nothing(first) && !names.empty()) refuse_word(app, first, true);
   check_options(app, "tether", options);
   refuse_values(names);
-  const auto lost = std::find_if(names.begin(), names.end(), is_lost);
+  const auto lost = std::find_if(names.begin(), names.end(), names_nothing);
   if (lost != names.end()) refuse_word(app, *lost, false);
   return joined(std::move(others), names);
 }
