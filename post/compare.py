@@ -13,6 +13,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import needed  # noqa: F401: ends a command whose packages are missing
 import matplotlib
 
 matplotlib.use("Agg")

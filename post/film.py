@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A film of one run's scene: python3 post/film.py DIR [--out FILE] [--gif] [--field NAME] [--frames N].
 
-It is an .mp4 where ffmpeg is at hand, else, or with --gif, a .gif, and has the pictures of plot.py one after the other, on
-one scale and in one frame. Exit codes: 0 done, 2 DIR is no run or has no snapshots, 4 the film could not be written.
+It is an .mp4, which needs ffmpeg; without ffmpeg, or with --gif, it is a .gif. It has the pictures of plot.py one after the
+other, on one scale and in one frame. Exit codes: 0 done, 2 DIR is no run or has no snapshots, or an .mp4 is asked for where
+ffmpeg is not there, 4 the film could not be written.
 """
 import argparse
 import sys
 from pathlib import Path
 
+import needed  # noqa: F401: ends a command whose packages are missing
 import matplotlib
 
 matplotlib.use("Agg")
@@ -24,6 +26,7 @@ LEAST_SECONDS, MOST_SECONDS = 4.0, 20.0  # of a film
 USUAL_RATE, LEAST_RATE, MOST_RATE = 15.0, 1.0, 30.0  # pictures a second
 MOST_FITTED = 40  # snapshots from which the scale is taken
 DOTS = 110  # an inch
+INSTALL_FFMPEG = "sudo apt-get install ffmpeg"
 BITRATE = 2500  # [kbit/s]: lines stay sharp
 
 
@@ -65,9 +68,14 @@ def writer_of(path, rate):
 
 
 def path_of(chosen):
-    """Where the film goes."""
-    ending = ".gif" if chosen.gif or not animation.FFMpegWriter.isAvailable() else ".mp4"
-    return chosen.out or chosen.folder / f"film{ending}"
+    """Where the film goes; says so where ffmpeg is missing."""
+    if chosen.gif or animation.FFMpegWriter.isAvailable():
+        return chosen.out or chosen.folder / ("film.gif" if chosen.gif else "film.mp4")
+    if chosen.out and chosen.out.suffix != ".gif":
+        raise command.Refused(f"{chosen.out}: ffmpeg makes such films: {INSTALL_FFMPEG}, or name a .gif")
+    if not chosen.out:
+        print(f"film: a .gif, since there is no ffmpeg for an .mp4: {INSTALL_FFMPEG}", file=sys.stderr)
+    return chosen.out or chosen.folder / "film.gif"
 
 
 def make(scene, records, path):

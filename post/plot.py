@@ -12,6 +12,7 @@ import argparse
 import sys
 from pathlib import Path
 
+import needed  # noqa: F401: ends a command whose packages are missing
 import matplotlib
 
 matplotlib.use("Agg")

@@ -15,6 +15,7 @@ import platform
 import sys
 from pathlib import Path
 
+import needed  # noqa: F401: ends a command whose packages are missing
 import matplotlib
 
 matplotlib.use("Agg")
