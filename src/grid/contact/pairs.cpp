@@ -1,48 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // of Boost itself
 #include "grid/contact/pairs.hpp"
 
 #include <algorithm>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include "base/numbers.hpp"
+#include "grid/box_tree.hpp"
 
 namespace tether {
 namespace {
 
 constexpr double nearly_parallel = 1e-3;  // square of the sine
 
-namespace bg = boost::geometry;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
-using TreeBox = bg::model::box<TreePoint>;
-using TreeEntry = std::pair<TreeBox, int>;
-
-TreeBox tree_box(const Box<3>& box, double grown) {
-  return {{box.low[0] - grown, box.low[1] - grown, box.low[2] - grown},
-          {box.high[0] + grown, box.high[1] + grown, box.high[2] + grown}};
-}
-
 }  // namespace
-
-/// Boxes of facets or edges, packed as they all are known at once.
-struct ContactPairs::Tree {
-  bg::index::rtree<TreeEntry, bg::index::quadratic<16>> boxes;
-
-  /// The numbers of those that meet a box, ascending.
-  std::vector<int> near(const Box<3>& box, double gap) const {
-    std::vector<TreeEntry> found;
-    boxes.query(bg::index::intersects(tree_box(box, gap)), std::back_inserter(found));
-    std::vector<int> numbers;
-    for (const TreeEntry& entry : found) numbers.push_back(entry.second);
-    std::sort(numbers.begin(), numbers.end());
-    return numbers;
-  }
-};
 
 ContactPairs::ContactPairs(const ContactSurface& surface, WhoMeets who, Team& team)
     : surface_(surface), who_(who), team_(team) {}
@@ -96,10 +66,10 @@ bool ContactPairs::share_a_node(int side, int other) const {
 
 /// A point of quadrature meets facets, and what these count twice. Two bodies press each other from both sides, by
 /// half.
-void ContactPairs::find_of_point(const Tree& facets, const Tree& joints, std::size_t number, double gap,
+void ContactPairs::find_of_point(const BoxTree& facets, const BoxTree& joints, std::size_t number, double gap,
                                  std::vector<ContactPair>& pairs) const {
   const ContactPoint& point = surface_.points[number];
-  for (const int f : facets.near(box_of(std::span(&point.place, 1)), gap)) {
+  for (const int f : facets.meeting(box_of(std::span(&point.place, 1)), gap)) {
     const ContactFacet& facet = surface_.facets[at(f)];
     if (!can_meet(point.side, facet.side) || share_a_node(point.side, facet.side)) continue;
     const auto& c = facet.corners;
@@ -110,7 +80,7 @@ void ContactPairs::find_of_point(const Tree& facets, const Tree& joints, std::si
                      .area = facet.side < 0 ? point.area : 0.5 * point.area,
                      .point = number});
   }
-  for (const int j : joints.near(box_of(std::span(&point.place, 1)), gap)) {
+  for (const int j : joints.meeting(box_of(std::span(&point.place, 1)), gap)) {
     const ContactJoint& joint = surface_.joints[at(j)];
     const int side = surface_.facets[at(joint.facets[0])].side;
     if (!can_meet(point.side, side) || std::any_of(joint.facets.begin(), joint.facets.end(), [&](int f) {
@@ -126,9 +96,9 @@ void ContactPairs::find_of_point(const Tree& facets, const Tree& joints, std::si
   }
 }
 
-void ContactPairs::find_of_guard(const Tree& tree, const ContactPoint& guard, double gap,
+void ContactPairs::find_of_guard(const BoxTree& tree, const ContactPoint& guard, double gap,
                                  std::vector<ContactPair>& pairs) const {
-  for (const int f : tree.near(box_of(std::span(&guard.place, 1)), gap)) {
+  for (const int f : tree.meeting(box_of(std::span(&guard.place, 1)), gap)) {
     const ContactFacet& facet = surface_.guard_facets[at(f)];
     const auto& c = facet.corners;
     if (!can_meet(guard.side, facet.side) || std::find(c.begin(), c.end(), guard.place) != c.end()) continue;
@@ -142,10 +112,10 @@ void ContactPairs::find_of_guard(const Tree& tree, const ContactPoint& guard, do
 }
 
 /// Each pair of edges once, from the edge with the smaller number.
-void ContactPairs::find_of_edge(const Tree& tree, std::size_t e, double gap, std::vector<ContactPair>& pairs) const {
+void ContactPairs::find_of_edge(const BoxTree& tree, std::size_t e, double gap, std::vector<ContactPair>& pairs) const {
   const ContactFacet& edge = surface_.guard_edges[e];
   const auto& a = edge.corners;
-  for (const int f : tree.near(box_of(std::span(a).first(2)), gap)) {
+  for (const int f : tree.meeting(box_of(std::span(a).first(2)), gap)) {
     if (at(f) <= e) continue;
     const ContactFacet& other = surface_.guard_edges[at(f)];
     const auto& b = other.corners;
@@ -162,10 +132,10 @@ void ContactPairs::find_of_edge(const Tree& tree, std::size_t e, double gap, std
 }
 
 template <class Corners>
-ContactPairs::Tree ContactPairs::tree_of(std::size_t count, const Corners& corners) const {
-  std::vector<TreeEntry> entries;
-  for (std::size_t k = 0; k < count; ++k) entries.emplace_back(tree_box(box_of(corners(k)), 0), static_cast<int>(k));
-  return {bg::index::rtree<TreeEntry, bg::index::quadratic<16>>(entries)};
+BoxTree ContactPairs::tree_of(std::size_t count, const Corners& corners) const {
+  std::vector<Box<3>> boxes;
+  for (std::size_t k = 0; k < count; ++k) boxes.push_back(box_of(corners(k)));
+  return BoxTree(boxes);
 }
 
 void ContactPairs::find(std::initializer_list<std::span<const double>> times, double gap, double slack) {
@@ -174,11 +144,11 @@ void ContactPairs::find(std::initializer_list<std::span<const double>> times, do
     return tree_of(list.size(), [&, corners](std::size_t k) { return std::span(list[k].corners).first(corners); });
   };
   const auto corners = at(surface_.dim());
-  const Tree facets = of(surface_.facets, corners), guards = of(surface_.guard_facets, corners),
-             edges = of(surface_.guard_edges, 2), joints = tree_of(surface_.joints.size(), [&](std::size_t k) {
-                                                    const auto& ends = surface_.joints[k].ends;
-                                                    return std::span(ends).first(ends[1] < 0 ? 1 : 2);
-                                                  });
+  const BoxTree facets = of(surface_.facets, corners), guards = of(surface_.guard_facets, corners),
+                edges = of(surface_.guard_edges, 2), joints = tree_of(surface_.joints.size(), [&](std::size_t k) {
+                                                       const auto& ends = surface_.joints[k].ends;
+                                                       return std::span(ends).first(ends[1] < 0 ? 1 : 2);
+                                                     });
   constexpr std::size_t at_a_time = 64;
   const std::size_t points = surface_.points.size(), nodes = surface_.guards.size(),
                     count = points + nodes + surface_.guard_edges.size();

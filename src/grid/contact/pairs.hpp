@@ -13,6 +13,8 @@
 
 namespace tether {
 
+class BoxTree;
+
 /// Two things of a surface that may come near to each other.
 struct ContactPair {
   PairKind kind = PairKind::corner;
@@ -44,17 +46,16 @@ class ContactPairs {
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
  private:
-  struct Tree;
   void find_boxes(std::initializer_list<std::span<const double>> times, double slack);
   Box<3> box_of(std::span<const int> places) const;
   bool can_meet(int side, int other) const;
   bool share_a_node(int side, int other) const;
-  void find_of_point(const Tree& facets, const Tree& joints, std::size_t number, double gap,
+  void find_of_point(const BoxTree& facets, const BoxTree& joints, std::size_t number, double gap,
                      std::vector<ContactPair>& pairs) const;
-  void find_of_guard(const Tree& tree, const ContactPoint& guard, double gap, std::vector<ContactPair>& pairs) const;
-  void find_of_edge(const Tree& tree, std::size_t edge, double gap, std::vector<ContactPair>& pairs) const;
+  void find_of_guard(const BoxTree& tree, const ContactPoint& guard, double gap, std::vector<ContactPair>& pairs) const;
+  void find_of_edge(const BoxTree& tree, std::size_t edge, double gap, std::vector<ContactPair>& pairs) const;
   template <class Corners>
-  Tree tree_of(std::size_t count, const Corners& corners) const;
+  BoxTree tree_of(std::size_t count, const Corners& corners) const;
 
   const ContactSurface& surface_;
   WhoMeets who_;

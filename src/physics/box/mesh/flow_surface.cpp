@@ -3,36 +3,24 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/numbers.hpp"
+#include "grid/box_tree.hpp"
 #include "physics/box/mesh/facet_distance.hpp"
 #include "physics/box/obstacles.hpp"
 
 namespace tether::coupled {
 namespace {
 
-using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using Extent = boost::geometry::model::box<Point>;
-using Tree = boost::geometry::index::rtree<std::pair<Extent, std::size_t>, boost::geometry::index::rstar<16>>;
-
 constexpr double curve = 16;  // sizes of the mesh, of whose thousandth a curved obstacle and its sides are apart
 
-Extent extent_of(const SolidSurface& surface, std::size_t side, std::span<const double> q, double about) {
+Box<3> box_of(const SolidSurface& surface, std::size_t side, std::span<const double> q) {
   constexpr double far = std::numeric_limits<double>::max();
-  Vec<3> low{far, far, far}, high{-far, -far, -far};
-  for (const int n : surface.side(side)) {
-    const Vec<3> x = place_of(q, n, surface.dim);
-    for (std::size_t a = 0; a < 3; ++a)
-      low[a] = std::min(low[a], x[a] - about), high[a] = std::max(high[a], x[a] + about);
-  }
-  return {Point(low[0], low[1], low[2]), Point(high[0], high[1], high[2])};
+  Box<3> box{{far, far, far}, {-far, -far, -far}};
+  for (const int n : surface.side(side)) box.add(place_of(q, n, surface.dim));
+  return box;
 }
 
 /// The distance of a place from a side, above 0 out of its solid.
@@ -83,17 +71,14 @@ std::vector<double> FlowSurface::places_apart(std::span<const double> q, double 
   places.insert(places.end(), fixed_.begin(), fixed_.end());
   if (body_sides_ == 0) return places;
   const std::vector<Vec<3>> normal = normals(places);
-  std::vector<std::pair<Extent, std::size_t>> extents;
-  for (std::size_t s = 0; s < all_.side_count(); ++s) extents.emplace_back(extent_of(all_, s, places, gap), s);
-  const Tree tree(extents);
+  std::vector<Box<3>> boxes;
+  for (std::size_t s = 0; s < all_.side_count(); ++s) boxes.push_back(box_of(all_, s, places));
+  const BoxTree tree(boxes);
   std::vector<double> back(normal.size(), 0.0);  // of each node, along its normal
-  std::vector<std::pair<Extent, std::size_t>> near;
   for (std::size_t n = 0; n < normal.size(); ++n) {
     if (part_of_node_[n] < 0) continue;
     const Vec<3> x = place_of(places, static_cast<int>(n), all_.dim);
-    near.clear();
-    tree.query(boost::geometry::index::intersects(Point(x[0], x[1], x[2])), std::back_inserter(near));
-    for (const auto& [extent, side] : near) hold_apart(n, side, x, gap, places, normal, back);
+    for (const int side : tree.meeting({x, x}, gap)) hold_apart(n, at(side), x, gap, places, normal, back);
   }
   for (std::size_t n = 0; n < body_nodes_; ++n) {
     for (std::size_t a = 0; a < at(all_.dim); ++a) places[n * at(all_.dim) + a] -= back[n] * normal[n][a];
