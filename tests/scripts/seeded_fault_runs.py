@@ -23,8 +23,9 @@ class Build:
 
     def __init__(self, folder, label, jobs):
         self.folder, self.jobs = folder, jobs
-        if "TETHER_FAULTS:BOOL=ON" not in (folder / "CMakeCache.txt").read_text():
-            sys.exit(f"{folder} is built without faults: configure it with -DTETHER_FAULTS=ON")
+        cache = folder / "CMakeCache.txt"
+        if not cache.exists() or "TETHER_FAULTS:BOOL=ON" not in cache.read_text():
+            sys.exit(f"{folder} is no build with faults: cmake --preset faults makes one")
         shown = subprocess.run(["ctest", "--show-only=json-v1"], cwd=folder, capture_output=True, text=True, check=True)
         self.tests = {}  # name to number
         for number, test in enumerate(json.loads(shown.stdout)["tests"], 1):
@@ -46,9 +47,9 @@ class Build:
         if fault:
             environment["TETHER_FAULT"] = fault
         numbers = ",".join(str(self.tests[name]) for name in tests)
-        ctest = subprocess.run(["ctest", "-I", f"0,0,0,{numbers}", "-j", str(self.jobs), "--timeout", str(round(patience)), *options],
-                               cwd=self.folder, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        if ctest.returncode == 0:
+        command = ["ctest", "-I", f"0,0,0,{numbers}", "-j", str(self.jobs), "--timeout", str(round(patience)), *options]
+        nowhere = subprocess.DEVNULL
+        if subprocess.run(command, cwd=self.folder, env=environment, stdout=nowhere, stderr=nowhere).returncode == 0:
             return []
         failed = (self.folder / "Testing" / "Temporary" / "LastTestsFailed.log").read_text().splitlines()
         return [name for name in (line.split(":", 1)[1] for line in failed) if name in tests]
@@ -129,8 +130,7 @@ def look_without_fault(build, table):
     before = cpu_seconds()
     failed = build.failing(list(build.tests), None)
     if failed:
-        print(f"without a fault {len(failed)} of {len(build.tests)} tests fail, so that they would catch nothing: {', '.join(failed)}",
-              file=sys.stderr)
+        print(f"{len(failed)} of {len(build.tests)} tests fail without a fault, too: {', '.join(failed)}", file=sys.stderr)
         return False
     add_row(table, "none", "", "", "green", f"{len(build.tests)} tests", f"{cpu_seconds() - before:.0f}")
     return True

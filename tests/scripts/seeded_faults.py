@@ -74,9 +74,9 @@ class Fault:
         """The source with the fault to be chosen."""
         count = source.count(self.text)
         if count != 1:
-            raise WrongRow(f"seeded fault {self.name}: its text stands {count} times in src/{self.file}, not once: {self.text!r}. "
-                           f"Bring the row in {TABLES.name}/ to what stands there now; where nothing like it is left, seed another "
-                           "fault in its room")
+            raise WrongRow(f"seeded fault {self.name}: its text stands {count} times in src/{self.file}, not once: "
+                           f"{self.text!r}. Bring the row in {TABLES.name}/ to what stands there now; where nothing like "
+                           "it is left, seed another fault in its room")
         return source.replace(self.text, re.sub(r"\bFAULT\b", f'tether::seeded_fault("{self.name}")', self.fault))
 
 
@@ -134,7 +134,7 @@ def arguments():
     what.add_argument("--write", type=pathlib.Path, metavar="FOLDER")
     what.add_argument("--run", type=pathlib.Path, metavar="BUILD")
     parser.add_argument("--fault", nargs="+", metavar="NAME", help="these alone")
-    parser.add_argument("--label", choices=("quick", "default"), default="default", help="tests of the label quick, or all but full")
+    parser.add_argument("--label", choices=("quick", "default"), default="default", help="tests labelled quick, or all but full")
     parser.add_argument("--jobs", type=int, default=1, help="tests side by side")
     parser.add_argument("--resume", type=pathlib.Path, metavar="TABLE", help="go on with this table, which may not be there yet")
     return parser.parse_args()
