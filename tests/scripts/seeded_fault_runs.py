@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which tests catch which seeded fault: a table with a line a fault, written as it is found, so that it can be gone on with.
 
-A fault is caught by a test that fails with it and passes without it. The tests of the fault's own room come first, then the
-rest of the room's program, then all others, each time the cheapest first; what they take is what ctest noted when they ran
-last. A fault that nothing catches takes a whole run."""
+A fault is caught by a test that fails with it and passes without it. The tests of the fault's own room come first, then those
+that its row names as likely, the rest of the room's program, and all others, each time the cheapest first; what they take is
+what ctest noted when they ran last. A fault that nothing catches takes a whole run."""
 import json
 import os
 import pathlib
@@ -66,15 +66,16 @@ def suites_of(room):
     return {suite for text in texts for suite in re.findall(r"^TEST(?:_F|_P)?\((\w+),", text, re.M)}
 
 
-def in_order(tests, costs, room):
-    """The room's own tests, its program's, all others; the cheapest first."""
-    suites = suites_of(room)
-    program = "program." if room == "commands" else f"unit.{room.split('/')[0]}."
+def in_order(tests, costs, fault):
+    """The room's own tests, those that are likely, those of its program, all others; the cheapest first."""
+    suites = suites_of(fault.room)
+    program = "program." if fault.room == "commands" else f"unit.{fault.room.split('/')[0]}."
+    likely = re.compile(fault.likely or "$^", re.I)
 
     def rank(name):
-        if not name.startswith(program):
-            return 2, costs.get(name, 0)
-        return (0 if suites & set(re.split(r"\W+", name)) else 1), costs.get(name, 0)
+        in_program = name.startswith(program)
+        own = in_program and bool(suites & set(re.split(r"\W+", name)))
+        return not own, not likely.search(name), not in_program, costs.get(name, 0)
 
     return sorted(tests, key=rank)
 
@@ -95,7 +96,7 @@ def batches(tests, costs):
 def first_to_catch(build, fault):
     """The name of the first test that fails with the fault and passes without it, or None."""
     costs = build.costs()
-    for batch in batches(in_order(build.tests, costs, fault.room), costs):
+    for batch in batches(in_order(build.tests, costs, fault), costs):
         patience = PATIENCE[0] + PATIENCE[1] * max(costs.get(name, 0) for name in batch)
         left = batch
         while failed := build.failing(left, fault.name, "--stop-on-failure", patience=patience):

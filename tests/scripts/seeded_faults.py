@@ -64,6 +64,7 @@ class Fault:
     fault: str  # what stands there in the copy
     kind: str
     why: str  # somebody should notice
+    likely: str = ""  # a part of the names of tests that may notice, or several with | between them
 
     @property
     def room(self):

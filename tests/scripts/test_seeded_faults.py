@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every seeded fault must be one of src/ as it is, and a copy with faults must say what is wrong with its rows."""
+import dataclasses
 import pathlib
 import tempfile
 import unittest
@@ -56,12 +57,12 @@ class Copies(unittest.TestCase):
 
 
 class Runs(unittest.TestCase):
-    def test_the_room_comes_first_and_the_cheapest_before_the_others(self):
-        costs = {"unit.physics.BoxStep.Moves": 3, "unit.physics.Other.A": 2, "unit.base.Text.A": 1, "cases.A": 0.5}
+    def test_the_room_comes_first_then_what_is_likely_and_the_cheapest_before_the_others(self):
         suite = sorted(seeded_fault_runs.suites_of("physics/rigid"))[0]
-        own = f"unit.physics.{suite}.A"
-        order = seeded_fault_runs.in_order([*costs, own], {**costs, own: 9}, "physics/rigid")
-        self.assertEqual(order, [own, "unit.physics.Other.A", "unit.physics.BoxStep.Moves", "cases.A", "unit.base.Text.A"])
+        expected = {f"unit.physics.{suite}.A": 9, "cases.RigidTop.A": 8, "unit.physics.Other.A": 2, "unit.physics.Other.B": 3,
+                    "cases.A": 0.5, "unit.base.Text.A": 1}
+        fault = dataclasses.replace(ROW, file="physics/rigid/b.cpp", likely="rigid|top")
+        self.assertEqual(seeded_fault_runs.in_order(sorted(expected), expected, fault), list(expected))
 
     def test_every_unit_room_has_tests_of_its_own(self):
         for room in {fault.room for fault in faults()} - {"commands"}:
