@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -10,23 +11,23 @@ import unittest
 import netCDF4
 import numpy
 
+from waiting import PATIENCE
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "decks"
 TETHER = str(pathlib.Path(os.environ["TETHER"]).resolve())
-SLOWER = float(os.environ.get("TETHER_SLOWER", "1"))  # than a release build, as sanitizers make it
-PATIENCE = 60 * SLOWER  # seconds after which a run counts as hanging; its exit code is then HANGS
-HANGS = "hangs"
+HANGS = "hangs"  # the exit code of a call that does not end within PATIENCE
 
 # Head of a diagnostic; file, line and column may be missing.
 HEAD = re.compile(r"(?:(?P<file>[^\s:][^:\n]*):(?:(?P<line>\d+):)?(?:(?P<column>\d+):)? )?"
                   r"(?P<severity>error|warning|remark): (?P<text>.*)")
 
 
-def run(*arguments, folder=ROOT, before=None, patience=60):
+def run(*arguments, folder=ROOT, before=None):
     """One call of the program in `folder`; `before` is done in the child before the program starts."""
     command = [TETHER, *map(str, arguments)]
     try:
-        return subprocess.run(command, cwd=folder, capture_output=True, timeout=patience * SLOWER, stdin=subprocess.DEVNULL,
+        return subprocess.run(command, cwd=folder, capture_output=True, timeout=PATIENCE, stdin=subprocess.DEVNULL,
                               preexec_fn=before, encoding="utf-8", errors="surrogateescape")
     except subprocess.TimeoutExpired:
         return subprocess.CompletedProcess(command, HANGS, "", "")
@@ -52,6 +53,14 @@ def history(folder, killed=False):
     names = lines[0].removeprefix("# ").split(" ")
     rows = numpy.array([[float(word) for word in line.split(" ")] for line in lines[1:]])
     return dict(zip(names, rows.T, strict=True))
+
+
+def records(folder):
+    """The number of whole records in history.txt, below its line of names; 0 before there is one."""
+    try:
+        return max(0, (folder / "history.txt").read_bytes().count(b"\n") - 1)
+    except FileNotFoundError:
+        return 0
 
 
 def netcdf(path):
@@ -90,6 +99,21 @@ class ProgramTest(unittest.TestCase):
         path = self.folder / name
         path.write_text(text)
         return path
+
+    def start(self, *words, folder=None):
+        """A call of the program that the test goes on beside; it does not outlive the test."""
+        process = subprocess.Popen([TETHER, *map(str, words)], cwd=folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+        for end in (process.stdout.close, process.stderr.close, process.wait, process.kill):  # the last one first
+            self.addCleanup(end)
+        return process
+
+    def stop(self, process, number=signal.SIGTERM):
+        """Ends a process by a signal; its exit code must say so. Returns its standard output and error."""
+        process.send_signal(number)
+        stdout, stderr = process.communicate(timeout=PATIENCE)
+        self.assertEqual(process.returncode, -number if number == signal.SIGKILL else 128 + number, stderr)
+        return stdout, stderr
 
     def run_ok(self, deck, *options, out="out"):
         """A run that must end well and, with --quiet, say nothing; returns its folder."""

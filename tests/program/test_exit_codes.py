@@ -131,7 +131,7 @@ class DoneAndWrongInput(Blocks):
         self.survives(self.deck, "--set", "in.tstep=1e-300")
 
     def survives(self, *words):
-        result = run(*words, "--quiet", "--out", self.out, patience=20,
+        result = run(*words, "--quiet", "--out", self.out,
                      before=functools.partial(limit_file_size, 10**7))
         with self.subTest(words=words):
             self.assertIn(result.returncode, (0, 2, 3), result.stderr)

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A folder is one run's: another that wants it is refused, and a killed one bars nobody."""
-import signal
+import os
 import subprocess
-import time
 import unittest
 
-from program import DECKS, TETHER, ProgramTest, sets, summary
+from program import DECKS, TETHER, ProgramTest, netcdf, sets, summary
+from waiting import PATIENCE, wait_until
 
-# A run of more seconds than any refusal takes.
-LONG = (DECKS / "sod.in", *sets(in__nx=201, in__tstep=1e-6), "--set", "in.iout(33)=1", "--set", "in.tiout(33)=1e-4",
-        "--set", "in.iout(41)=1", "--set", "in.tiout(41)=1e-3")
+# A run that nobody waits for the end of.
+LONG = (DECKS / "sod.in", *sets(in__nx=201, in__tstep=1e-6, in__tmax=1000), "--set", "in.iout(33)=1", "--set",
+        "in.tiout(33)=1e-4", "--set", "in.iout(41)=1", "--set", "in.tiout(41)=1e-3")
 SHORT = DECKS / "stability-side.in"
 
 
@@ -19,14 +19,10 @@ class FolderInUse(ProgramTest):
         super().setUp()
         self.out = self.folder / "out"
 
-    def start(self, awaited="checkpoint-1.nc"):
-        """The long run, once it has written this file."""
-        process = subprocess.Popen([TETHER, *map(str, LONG), "--quiet", "--out", self.out], stderr=subprocess.DEVNULL)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        while not (self.out / awaited).exists():
-            self.assertIsNone(process.poll(), "the run ended too soon")
-            time.sleep(0.01)
+    def start_long(self):
+        """The long run, once it has written a checkpoint."""
+        process = self.start(*LONG, "--quiet", "--out", self.out)
+        wait_until((self.out / "checkpoint-1.nc").exists, "the first checkpoint", process)
         return process
 
     def state(self):
@@ -35,7 +31,7 @@ class FolderInUse(ProgramTest):
                 if not path.name.startswith("checkpoint-") and ".pvd" not in path.name and path.is_file()}
 
     def test_the_second_run_is_refused_and_told_whose_the_folder_is(self):
-        process = self.start()
+        process = self.start_long()
         before = self.state()
         for command in ([SHORT, "--out", self.out], ["sweep", DECKS / "studies/stability.in", "--out", self.out]):
             result = self.expect(4, *command)
@@ -46,18 +42,19 @@ class FolderInUse(ProgramTest):
         self.assertIn("sod", (self.out / "deck.effective").read_text().lower())
 
     def test_what_writes_nothing_is_not_refused(self):
-        self.start()
+        self.start_long()
         for command in (["check", SHORT], ["plan", SHORT], [SHORT, "--dry-run", "--out", self.out]):
             self.expect(0, *command, folder=self.folder)
         self.run_ok(SHORT, out="other")
 
     def test_a_killed_run_bars_nobody(self):
-        process = self.start()
-        process.send_signal(signal.SIGKILL)
+        process = self.start_long()
+        process.kill()
+        os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # it has ended, and nobody has taken note yet
         newest = sorted(self.out.glob("checkpoint-*.nc"))[-1]
-        self.run_ok(*LONG, "--set", "in.tmax=2e-2", "--restart", newest)
-        process.wait()
-        self.assertEqual(summary(self.out)["time_end"], "0.02")
+        end = netcdf(newest)["state_time"][0] + 1e-3
+        self.run_ok(*LONG, *sets(in__tmax=end), "--restart", newest)
+        self.assertAlmostEqual(float(summary(self.out)["time_end"]), end, delta=1e-9)
         self.assertEqual([path.name for path in self.out.glob("lock*")], [])
         self.run_ok(SHORT)
 
@@ -66,7 +63,7 @@ class FolderInUse(ProgramTest):
         command = [TETHER, str(SHORT), "--quiet", "--out", str(self.out)]
         several = [subprocess.Popen([*command, "--set", f"in.tmax=0.0{k}"], stderr=subprocess.PIPE, encoding="utf-8")
                    for k in range(1, 7)]
-        ends = [(process.communicate(timeout=60)[1], process.returncode) for process in several]
+        ends = [(process.communicate(timeout=PATIENCE)[1], process.returncode) for process in several]
         for stderr, code in ends:
             self.assertIn(code, (0, 4), stderr)
             self.assertEqual("in use by" in stderr, code == 4)

@@ -2,12 +2,11 @@
 """tether map: where over deck values a criterion holds, runs along the border alone, and the map decks that it refuses."""
 import shutil
 import signal
-import subprocess
-import time
 import unittest
 
-from program import DECKS, TETHER, netcdf
+from program import DECKS, netcdf
 from sweeps import SweepTest, rows_of
+from waiting import wait_until
 
 GROWTH = """mode='map', decks='../decks/stability-centre.in', criterion='energy_growth', at_most=100.
 set='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tstep=1.0', 'in.dtmax=1.0', 'in.tiout(33)=1.d-4', 'in.tiout(34)=1.d-4'
@@ -92,11 +91,9 @@ set='in.tstep=1.0', 'in.dtmax=1.0'
 
     def test_it_goes_on_where_it_was_stopped(self):
         study = self.study(GROWTH + PLACES + STEPS)
-        with subprocess.Popen([TETHER, "map", study, "--out", self.out, "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-            while len(list(self.out.glob("runs/*/*/run.txt"))) < 3 and process.poll() is None:
-                time.sleep(.002)
-            process.send_signal(signal.SIGINT)
-            self.assertEqual(process.wait(), 130)
+        process = self.start("map", study, "--out", self.out, "--jobs", "1")
+        wait_until(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 3, "the third run's record", process)
+        self.stop(process, signal.SIGINT)
         self.assertTrue((self.out / "map.txt").read_text().startswith("NOT FINISHED"))
         stopped = self.table("map")
         self.assertTrue(all(row["own_run"] == "1" for row in stopped if row["verdict"] != "tells nothing"))

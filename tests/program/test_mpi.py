@@ -4,12 +4,12 @@ import os
 import pathlib
 import shutil
 import signal
-import time
 import unittest
 
 import mpi
 from program import DECKS, TETHER
 from sweeps import SweepTest, rows_of
+from waiting import PATIENCE, wait_until
 
 
 def without_cost(path):
@@ -99,11 +99,10 @@ class Deaths(SweepTest):
     def killed(self, victim, *options, how=signal.SIGKILL):
         """Its exit code, and the records that stood then."""
         with mpi.start(*self.words, options=options) as process:
-            while len(self.finished()) < 2 and process.poll() is None:
-                time.sleep(.01)
+            wait_until(lambda: len(self.finished()) >= 2, "the second run's record", process)
             os.kill(victim(), how)
             before = self.finished()
-            self.said = process.communicate(timeout=120)[1]
+            self.said = process.communicate(timeout=PATIENCE)[1]
         return process.returncode, before
 
     def is_whole(self):
@@ -140,7 +139,7 @@ class Deaths(SweepTest):
         code, before = self.killed(lambda: mpi.carriers()[0], "--enable-recovery")
         self.assertLess(len(before), 12)
         self.assertEqual(self.said.count("the first program of this command is lost"), 2, self.said)
-        self.assertEqual(mpi.carriers(), {})
+        wait_until(lambda: not mpi.carriers(), "the end of every rank")
         self.assertEqual(mpi.run(*self.words).returncode, 0)
         self.is_whole()
 
@@ -153,10 +152,7 @@ class Deaths(SweepTest):
         code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[0]))
         self.assertNotEqual(code, 0)
         self.assertLess(len(before), 12)
-        deadline = time.monotonic() + 20
-        while mpi.carriers() and time.monotonic() < deadline:
-            time.sleep(.05)
-        self.assertEqual(mpi.carriers(), {})
+        wait_until(lambda: not mpi.carriers(), "the end of every rank")
         before = self.finished()
         result = mpi.run(*self.words)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -200,7 +196,7 @@ class Refusals(SweepTest):
     def two(self, first, second):
         """A command of two programs, each with words of its own in front of it."""
         command = [*mpi.MPIRUN, "-n", "1", *map(str, first), ":", "-n", "1", *map(str, second)]
-        return mpi.subprocess.run(command, env=mpi.ENVIRONMENT, capture_output=True, text=True, timeout=120)
+        return mpi.subprocess.run(command, env=mpi.ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE)
 
     def test_programs_with_other_words(self):
         other = self.study("decks='../decks/stability-side.in', quantities='steps','dx'", "studies/other.in")

@@ -2,14 +2,13 @@
 """The files of a run: that they are there, that they agree, and that they are the same again."""
 import hashlib
 import pathlib
-import subprocess
-import time
 import unittest
 
 import netCDF4
 import numpy
 
-from program import DECKS, ROOT, TETHER, ProgramTest, history, netcdf, sets, summary
+from program import DECKS, ROOT, ProgramTest, history, netcdf, records, sets, summary
+from waiting import wait_until
 
 BOXES = ROOT / "tests" / "thesis-boxes"
 
@@ -232,28 +231,20 @@ class AtRest(ProgramTest):
 class WhileItRuns(ProgramTest):
     def test_another_process_reads_a_growing_history(self):
         out = self.folder / "out"
-        command = [TETHER, DECKS / "pendulum-320.in", "--quiet", "--out", out, *sets(in__tmax=1000)]
-        with subprocess.Popen(command, stdin=subprocess.DEVNULL) as process:
-            try:
-                lengths = self.growing_lengths(process, out)
-            finally:
-                process.kill()
-        self.assertEqual(lengths, sorted(lengths))
-        self.assertGreaterEqual(len(set(lengths)), 4)
+        process = self.start(DECKS / "pendulum-320.in", "--quiet", "--out", out, *sets(in__tmax=1000))
+        lengths = [0]
+        for _ in range(4):
+            wait_until(lambda: records(out) > lengths[-1], "one more record", process)
+            lengths.append(self.length_of_whole_records(out))
+        self.assertEqual(lengths, sorted(set(lengths)))
 
-    def growing_lengths(self, process, out):
-        """Numbers of records seen, until the fourth that differs; each record seen must be complete."""
-        lengths = []
-        while len(set(lengths)) < 4:
-            self.assertIsNone(process.poll(), "the run ended by itself")
-            time.sleep(0.05)
-            if not (out / "history.txt").exists() or len((out / "history.txt").read_text().splitlines()) < 2:
-                continue  # the first record is not there yet
-            columns = netcdf(out / "history.nc")
-            lengths.append(len(columns["time"]))
-            numpy.testing.assert_allclose(columns["time"], 0.01 * numpy.arange(lengths[-1]), rtol=0, atol=1e-9)
-            self.assertTrue(numpy.all(columns["mass"] == columns["mass"][0]) and numpy.all(columns["mass"] > 3.3))
-        return lengths
+    def length_of_whole_records(self, out):
+        """The number of records that are seen, each of which must be complete."""
+        columns = netcdf(out / "history.nc")
+        length = len(columns["time"])
+        numpy.testing.assert_allclose(columns["time"], 0.01 * numpy.arange(length), rtol=0, atol=1e-9)
+        self.assertTrue(numpy.all(columns["mass"] == columns["mass"][0]) and numpy.all(columns["mass"] > 3.3))
+        return length
 
     def test_a_second_run_replaces_the_first(self):
         out = self.run_ok(DECKS / "sod.in")

@@ -3,12 +3,12 @@
 import os
 import signal
 import subprocess
-import time
 import unittest
 
 import mpi
-from program import DECKS, TETHER
+from program import DECKS, TETHER, records
 from sweeps import SweepTest, rows_of
+from waiting import PATIENCE, wait_until
 
 STUDIES = {
     "a grid with runs that fail": ("sweep", "decks='../decks/sod.in', axis(1)='in.nx=21,41,81', axis(2)='fluid.mu=0.,1.e-3'\n"
@@ -40,7 +40,7 @@ class Parts(SweepTest):
         return self.expect(0, *words, "--list").stdout.splitlines()
 
     def by_a_shell(self, command):
-        return subprocess.run(["sh", "-c", command], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120)
+        return subprocess.run(["sh", "-c", command], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=PATIENCE)
 
     def same(self, alone, parts, tables):
         for name in tables:
@@ -84,14 +84,11 @@ class Parts(SweepTest):
         self.assertIn("0 differ", said.stdout)
 
     def test_a_part_whose_run_is_killed_says_so(self):
-        study = self.study("decks='../decks/sod.in', quantities='dx', set='in.tmax=.1','in.nx=801','in.tstep=1.e-6'")
-        words = [TETHER, "sweep", str(study), "--out", str(self.out)]
+        study = self.study("decks='../decks/sod.in', quantities='dx', set='in.tmax=1000.','in.nx=801','in.tstep=1.e-6'")
         for more in (["--part", "1"], ["--quiet"]):
-            with subprocess.Popen([*words, *more], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-                while not (run := mpi.served_by(process.pid)) and process.poll() is None:
-                    time.sleep(.01)
-                os.kill(run, signal.SIGKILL)
-                said = process.communicate(timeout=60)[1]
+            process = self.start("sweep", study, "--out", self.out, *more)
+            os.kill(wait_until(lambda: mpi.served_by(process.pid), "the run's process", process), signal.SIGKILL)
+            said = process.communicate(timeout=PATIENCE)[1]
             self.assertEqual(process.returncode, 4, said)
             self.assertIn("runs that were killed", said)
 
@@ -103,23 +100,19 @@ class Parts(SweepTest):
         for _ in range(5):
             (self.out / "runs/index.txt").unlink(missing_ok=True)
             all_at_once = [subprocess.Popen(words, stdin=subprocess.DEVNULL) for _ in range(8)]
-            self.assertEqual([process.wait(timeout=60) for process in all_at_once], [0] * 8)
+            self.assertEqual([process.wait(timeout=PATIENCE) for process in all_at_once], [0] * 8)
             self.assertEqual(without_cost(self.out / "table.csv"), before)
 
     def test_parts_share_a_folder_and_a_whole_sweep_does_not(self):
         study = self.study("decks='../decks/sod.in', axis='fluid.gm1=.4,.41', quantities='dx'\n"
-                           "set='in.tmax=.1','in.nx=801','in.tstep=1.e-6'")
-        words = [TETHER, "sweep", str(study), "--out", str(self.out), "--part"]
-        parts = [subprocess.Popen([*words, str(part)], stdin=subprocess.DEVNULL) for part in (1, 2)]
-        deadline = time.monotonic() + 30
-        while len(list(self.out.glob("runs/*/*/history.nc"))) < 2 and time.monotonic() < deadline:
-            time.sleep(.01)
+                           "set='in.tmax=1000.','in.nx=801','in.tstep=1.e-6'")
+        parts = [self.start("sweep", study, "--out", self.out, "--part", part) for part in (1, 2)]
+        wait_until(lambda: len(list(self.out.glob("runs/*/*/history.nc"))) == 2, "the history of either part", *parts)
         refused = self.expect(4, "sweep", study, "--out", self.out)
         self.assertIn("the folder is in use by process", refused.stderr)
         self.expect(5, "sweep", study, "--out", self.out, "--collect", "--quiet")
         for part in parts:
-            part.send_signal(signal.SIGTERM)
-        self.assertEqual([part.wait(timeout=60) for part in parts], [143, 143])
+            self.stop(part)
         self.assertEqual(len(list(self.out.glob("runs/*/*/checkpoint-*.nc"))), 2)
         self.assertFalse((self.out / "lock").exists())
 
@@ -138,10 +131,10 @@ class Parts(SweepTest):
         self.write("-a.in", f"a chart\n$study\n{study}\n$\n")
         words = ["chart", "--out", "out", "--", "-a.in"]
         def say(*more):
-            return subprocess.run([TETHER, words[0], *more, *words[1:]], cwd=self.folder, capture_output=True, text=True, timeout=60)
+            return subprocess.run([TETHER, words[0], *more, *words[1:]], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
         listed = say("--list")
         self.assertEqual(listed.returncode, 0, listed.stderr)
-        subprocess.run(["sh", "-e"], cwd=self.folder, input=listed.stdout, text=True, check=True, timeout=60)
+        subprocess.run(["sh", "-e"], cwd=self.folder, input=listed.stdout, text=True, check=True, timeout=PATIENCE)
         self.assertEqual(say("--list").stdout, "")
         self.assertEqual(say("--collect", "--quiet").returncode, 0)
 
@@ -150,7 +143,7 @@ class Parts(SweepTest):
         study = self.study(text)
         line = self.expect(0, "chart", study, "--out", self.out, "--list").stdout.splitlines()[0]
         self.study(text + "\n")
-        result = subprocess.run(["sh", "-c", line], capture_output=True, text=True, timeout=60)
+        result = subprocess.run(["sh", "-c", line], capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(result.returncode, 2)
         self.assertIn("the study has changed since its parts were listed", result.stderr)
         self.assertFalse((self.out / "runs").exists())
@@ -165,7 +158,7 @@ class Scripts(SweepTest):
     def by_bash(self, folder, **variables):
         environment = os.environ | {"SLURM_JOB_ID": "7", "SLURM_ARRAY_JOB_ID": "7", "SLURM_ARRAY_TASK_ID": "1"} | variables
         return subprocess.run(["bash", str(folder / "slurm/job.sh")], cwd="/", env=environment, capture_output=True, text=True,
-                              stdin=subprocess.DEVNULL, timeout=120)
+                              stdin=subprocess.DEVNULL, timeout=PATIENCE)
 
     def test_do_all_parts(self):
         study = self.study(STUDIES["a grid with runs that fail"][1])
@@ -202,7 +195,7 @@ class Scripts(SweepTest):
         bare.mkdir()
         for words in (("chart", study), (DECKS / "sod.in",)):
             result = subprocess.run([TETHER, *map(str, words), "--out", str(self.out), "--slurm"], env={"PATH": str(bare)},
-                                    capture_output=True, text=True, timeout=60)
+                                    capture_output=True, text=True, timeout=PATIENCE)
             self.assertEqual(result.returncode, 2, result.stderr)
             self.assertIn("there is no Slurm on this machine", result.stderr)
         self.assertFalse(self.out.exists())
@@ -220,7 +213,7 @@ class Scripts(SweepTest):
         for words in (("chart", study), (DECKS / "sod.in",)):
             out = self.folder / str(words[0]).rsplit("/", 1)[-1]
             words = [TETHER, *map(str, words), "--out", str(out), "--slurm"]
-            submit = lambda: subprocess.run(words, env=environment, capture_output=True, text=True, timeout=60)
+            submit = lambda: subprocess.run(words, env=environment, capture_output=True, text=True, timeout=PATIENCE)
             self.assertEqual(submit().returncode, 0)
             again = submit()
             self.assertEqual(again.returncode, 2, again.stderr)
@@ -232,12 +225,9 @@ class Scripts(SweepTest):
     def test_a_deck_that_goes_on(self):
         """--continue: from the start where there is nothing to go on from."""
         words = (DECKS / "spring-mass.in", "--set", "in.tmax=1.", "--out", self.out, "--continue", "--quiet")
-        with subprocess.Popen([TETHER, *map(str, words)], stdin=subprocess.DEVNULL) as process:
-            while not (self.out / "history.nc").exists() and process.poll() is None:
-                time.sleep(.005)
-            time.sleep(.05)
-            process.send_signal(signal.SIGTERM)
-            self.assertEqual(process.wait(timeout=60), 143)
+        process = self.start(*words)
+        wait_until(lambda: records(self.out) > 2, "a third record", process)
+        self.stop(process)
         self.expect(0, *words)
         self.assertIn("goes on from", (self.out / "messages.txt").read_text())
         alone = self.run_ok(DECKS / "spring-mass.in", "--set", "in.tmax=1.", out="alone")

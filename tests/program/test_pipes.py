@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pipes in the place of files: nobody may write into them, ever, so none is read; and signals end every read."""
 import os
+import re
 import signal
 import subprocess
-import time
 import unittest
 
 from program import DECKS, TETHER, ProgramTest
+from waiting import entry, wait_until
 
 TOLD = "cannot be read: it is a pipe, and only regular files are read; write what comes out of it to a file"
 
@@ -32,7 +33,7 @@ class Pipes(ProgramTest):
     def refused(self, code, *command):
         """Refused at once, at its own exit code, with the kind of file; nothing is written."""
         before = sorted(self.folder.iterdir())
-        result = self.expect(code, *command, folder=self.folder, patience=20)
+        result = self.expect(code, *command, folder=self.folder)
         self.assertIn(TOLD, result.stderr)
         self.assertEqual(sorted(self.folder.iterdir()), before)
 
@@ -60,23 +61,22 @@ class Pipes(ProgramTest):
             result = subprocess.run([TETHER, "check", "/dev/stdin"], stdin=file, capture_output=True, check=False)
         self.assertEqual(result.returncode, 0)
 
+    def is_ready(self, process, number, size):
+        """Whether it has taken in so many bytes, and heeds the signal."""
+        read = re.search(rb"^rchar: (\d+)$", entry(process.pid, "io"), re.M)
+        heeded = re.search(rb"^SigCgt:\s+([0-9a-f]+)$", entry(process.pid, "status"), re.M)
+        return read and heeded and int(read[1]) > size and int(heeded[1], 16) >> number - 1 & 1
+
     def test_signals_end_the_reading_of_a_large_deck(self):
         """Some seconds of reading, in which a signal comes."""
         items = "".join(f" tiout(13)=0.{k:06d},\n" for k in range(1, 300_000))
         deck = self.write("large.in", f"large\n$in\n{items}$\n")
         for number in (signal.SIGTERM, signal.SIGINT):
             for words in ([], ["check"]):
-                command = [TETHER, *words, str(deck)]
-                with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as read:
-                    time.sleep(0.15)
-                    self.assertIsNone(read.poll())
-                    read.send_signal(number)
-                    said = read.communicate(timeout=20)[1].decode()
-                    # It may come before the program is ready for it: a shell tells both as 128 + number.
-                    self.assertIn(read.returncode, (128 + number, -number), words)
-                    if read.returncode > 0:
-                        by = signal.Signals(number).name
-                        self.assertEqual(said, f"tether: interrupted by {by} while no run was under way\n")
+                process = self.start(*words, deck, folder=self.folder)
+                wait_until(lambda: self.is_ready(process, number, len(items)), "the program with all of the deck", process)
+                self.assertEqual(self.stop(process, number)[1],
+                                 f"tether: interrupted by {number.name} while no run was under way\n")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["large.in"])
 
 

@@ -4,13 +4,11 @@ import os
 import pathlib
 import re
 import shutil
-import signal
-import subprocess
-import time
 import unittest
 
-from program import DECKS, PATIENCE, TETHER, diagnostics
+from program import DECKS, TETHER, diagnostics
 from sweeps import SweepTest
+from waiting import wait_until
 
 QUICK = ("sod", "sod-continuity", "sod-cell", "gas-expansion", "spring-mass", "string-mass", "pendulum-20",
          "piston-m01", "piston-m1", "stability-centre", "stability-side", "noise")
@@ -157,16 +155,12 @@ class Runs(ReproduceTest):
         self.assertEqual(self.rows("spring-mass", "sod-continuity", "--jobs", "3", "--out", "three"), alone)
 
     def test_an_interrupted_call_goes_on(self):
-        words = [TETHER, "reproduce", "spring-mass", "pendulum-320", "--jobs", "1"]
-        with subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-            slow = self.folder / "out/reproduce/pendulum-320"
-            begin = time.monotonic()
-            while not list(slow.glob("**/history.txt")) and time.monotonic() - begin < PATIENCE:
-                time.sleep(0.05)
-            process.send_signal(signal.SIGTERM)
-            stdout, stderr = process.communicate(timeout=PATIENCE)
-        self.assertEqual((process.returncode, stdout), (143, b""), stderr)
-        self.assertIn(b"interrupted; the same command goes on", stderr)
+        process = self.start("reproduce", "spring-mass", "pendulum-320", "--jobs", "1", folder=self.folder)
+        slow = self.folder / "out/reproduce/pendulum-320"
+        wait_until(lambda: list(slow.glob("**/history.txt")), "the history of pendulum-320", process)
+        stdout, stderr = self.stop(process)
+        self.assertEqual(stdout, "")
+        self.assertIn("interrupted; the same command goes on", stderr)
         self.assertEqual(len(self.records()), 2)
         self.assertEqual(len(list(slow.glob("**/checkpoint-1.nc"))), 1)
 

@@ -4,7 +4,8 @@ import os
 import pathlib
 import socket
 import subprocess
-import time
+
+from waiting import PATIENCE, wait_until
 
 CONFIGURATION = """
 ClusterName=test
@@ -64,10 +65,10 @@ class Cluster:
         self.start("munged", "--foreground", f"--key-file={key}", f"--socket={self.folder}/munge.socket",
                    f"--pid-file={self.folder}/munged.pid", f"--log-file={self.folder}/munged.log",
                    f"--seed-file={self.folder}/munged.seed", "--force")
-        self.wait_for(lambda: (self.folder / "munge.socket").exists(), "munged")
+        self.wait_for(lambda: (self.folder / "munge.socket").exists(), "the socket of munged")
         self.start("slurmctld", "-D")
         self.start("slurmd", "-D")
-        self.wait_for(lambda: "idle" in self.say("sinfo", "--noheader", "--format=%T"), "slurmd")
+        self.wait_for(lambda: "idle" in self.say("sinfo", "--noheader", "--format=%T"), "an idle node")
 
     def start(self, *words):
         with open(self.folder / f"{words[0]}.out", "w") as output:
@@ -75,29 +76,29 @@ class Cluster:
                                                  stderr=output))
 
     def say(self, *words):
-        return subprocess.run(words, env=self.environment, capture_output=True, text=True, timeout=60).stdout
+        return subprocess.run(words, env=self.environment, capture_output=True, text=True, timeout=PATIENCE).stdout
 
-    def wait_for(self, condition, what, seconds=60):
-        deadline = time.monotonic() + seconds
-        while not condition():
-            if time.monotonic() > deadline:
-                logs = "\n".join(f"{log}: {log.read_text()[-2000:]}" for log in self.folder.glob("*.log"))
-                raise RuntimeError(f"{what} is not there after {seconds} s\n{logs}")
-            time.sleep(.1)
+    def wait_for(self, condition, what, patience=PATIENCE):
+        """As wait_until; what is not seen is said with what the daemons have written."""
+        try:
+            return wait_until(condition, what, *self.started, patience=patience)
+        except AssertionError as late:
+            late.add_note("\n".join(f"{log}: {log.read_text()[-2000:]}" for log in self.folder.glob("*.log")))
+            raise
 
     def jobs(self):
         """The jobs that are not over, a line each."""
         return self.say("squeue", "--noheader", "--format=%i %T %k").splitlines()
 
-    def wait_for_no_job(self, seconds=300):
-        self.wait_for(lambda: not self.jobs(), "the end of all jobs", seconds)
+    def wait_for_no_job(self, patience=PATIENCE):
+        self.wait_for(lambda: not self.jobs(), "the end of all jobs", patience)
 
     def end(self):
         for process in reversed(self.started):
             process.terminate()
         for process in reversed(self.started):
             try:
-                process.wait(timeout=20)
+                process.wait(timeout=PATIENCE)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()

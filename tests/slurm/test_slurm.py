@@ -13,10 +13,10 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
 
-import mpi
 from cluster import Cluster
 from program import DECKS, TETHER
 from sweeps import SweepTest, rows_of
+from waiting import PATIENCE, entry
 
 ODD = "odd 'name'; touch \"$(hostname)\"\nend"  # of a folder; a shell that reads it does something
 
@@ -24,7 +24,7 @@ ODD = "odd 'name'; touch \"$(hostname)\"\nend"  # of a folder; a shell that read
 def processes_of(folder):
     """Processes whose command line names the folder."""
     pids = [int(folder.name) for folder in pathlib.Path("/proc").glob("[0-9]*")]
-    return [pid for pid in pids if str(folder).encode() in mpi.entry(pid, "cmdline")]
+    return [pid for pid in pids if str(folder).encode() in entry(pid, "cmdline")]
 
 
 def without_cost(path):
@@ -45,7 +45,7 @@ class Slurm(SweepTest):
 
     def tether(self, *words, code=0, **environment):
         result = subprocess.run([TETHER, *map(str, words)], env=self.cluster.environment | environment, cwd=self.folder,
-                                capture_output=True, text=True, timeout=300)
+                                capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         return result
 
@@ -97,7 +97,7 @@ class Slurm(SweepTest):
         self.tether(deck, *sets, "--out", self.folder / "alone", "--quiet", "--threads", "1")
         out = self.folder / "run"
         self.tether(deck, *sets, "--out", out, "--slurm", SBATCH_TIMELIMIT="1", SBATCH_SIGNAL="B:TERM@5")
-        self.cluster.wait_for_no_job(900)
+        self.cluster.wait_for_no_job(3 * PATIENCE)
         log = self.logs(out)
         self.assertIn("exit code 143", log)
         self.assertIn("exit code 0", log)
@@ -110,7 +110,7 @@ class Slurm(SweepTest):
         self.sweep(study, out=self.folder / "alone")
         words = ("sweep", study, "--out", self.out)
         self.tether(*words, "--slurm")
-        self.cluster.wait_for(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 2, "two runs")
+        self.cluster.wait_for(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 2, "the second run's record")
         self.assertIn("Slurm still has job", self.tether(*words, "--slurm", code=2).stderr)
         for program in processes_of(self.out):
             os.kill(program, signal.SIGKILL)
@@ -129,7 +129,7 @@ class Slurm(SweepTest):
         sets = ("--set", "in.tmax=.1", "--set", "in.nx=1001", "--set", "in.tstep=1.e-6")
         out = self.folder / "run"
         job = re.search(r"Submitted batch job (\d+)", self.tether(deck, *sets, "--out", out, "--slurm").stdout)[1]
-        self.cluster.wait_for(lambda: list(out.glob("history.nc")), "the run")
+        self.cluster.wait_for(lambda: list(out.glob("history.nc")), "the run's history")
         self.cluster.say("scancel", job)
         self.cluster.wait_for_no_job()
         self.assertEqual(re.findall(r"exit code (\d+)", self.logs(out)), ["143"])

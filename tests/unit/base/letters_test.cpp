@@ -5,12 +5,12 @@
 #include <sys/socket.h>
 
 #include <array>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <thread>
 
 #include "base/diagnostics.hpp"
+#include "unit/waiting.hpp"
 
 namespace tether {
 namespace {
@@ -67,8 +67,8 @@ TEST(Letters, ThatCameBeforeTheEndAreRead) {
 
 TEST(Letters, AreWaitedForUntilTheOtherEndCloses) {
   Pair pair;
-  std::thread sender([&pair] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::thread sender([&pair, reader = test::this_thread()] {
+    EXPECT_TRUE(test::wait_until([&reader] { return test::sleeps(reader); }));
     pair.here->send({3, "late"});
     pair.here.reset();
   });

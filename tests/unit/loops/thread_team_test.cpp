@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <numeric>
-#include <thread>
 #include <vector>
+
+#include "unit/waiting.hpp"
 
 namespace tether {
 namespace {
@@ -47,20 +47,17 @@ TEST_P(Teams, WakeAfterALongPause) {
     std::atomic<int> parts = 0;
     team.each(0, 100, [&](std::size_t) { ++parts; });
     EXPECT_EQ(parts, 100);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_TRUE(test::wait_until([] { return test::sleeping_threads() >= GetParam() - 1; }));
   }
 }
 
 TEST(Teams, ShareTheWorkWhereItIsLong) {
   ThreadTeam team(2);
   std::atomic<int> inside = 0;
-  std::atomic<bool> together = false;
   team.each(0, 2, [&](std::size_t) {  // each waits for the other, so one thread alone would find nobody
     ++inside;
-    for (int wait = 0; wait < 2000 && inside < 2; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (inside == 2) together = true;
+    EXPECT_TRUE(test::wait_until([&] { return inside == 2; }));
   });
-  EXPECT_TRUE(together);
 }
 
 }  // namespace
