@@ -10,13 +10,14 @@ import termios
 import unittest
 
 from program import DECKS, TETHER, ProgramTest
+from waiting import PATIENCE
 
 SOD = DECKS / "sod.in"
 
 
 class Terminal(ProgramTest):
-    def seen(self, columns, *words):
-        """What a terminal of so many columns is sent while the program runs."""
+    def seen(self, columns, *words, enough=None, code=0):
+        """What a terminal of so many columns is sent while the program runs, which a signal stops after `enough`."""
         master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
         process = subprocess.Popen([TETHER, *map(str, words)], stdout=slave, stderr=slave, cwd=self.folder)
@@ -27,13 +28,17 @@ class Terminal(ProgramTest):
                 text += os.read(master, 4096)
             except OSError:  # the other end is closed
                 break
+            if enough and enough in text:
+                process.terminate()
+                enough = None
         os.close(master)
-        self.assertEqual(process.wait(), 0, text)
+        self.assertEqual(process.wait(timeout=PATIENCE), code, text)
         return text.decode()
 
     def test_the_progress_line_fits_into_the_terminal(self):
         for columns in (30, 60, 120):
-            text = self.seen(columns, DECKS / "pendulum-40.in", "--out", self.folder / str(columns))
+            text = self.seen(columns, DECKS / "pendulum-40.in", "--set", "in.tmax=1000", "--out", self.folder / str(columns),
+                             enough=b"\033[K", code=143)
             lines = [line for line in re.split(r"\r|\n", text) if line.startswith("\033[K") and ": t " in line]
             self.assertGreater(len(lines), 0)
             self.assertLess(max(len(line.removeprefix("\033[K")) for line in lines), columns)

@@ -12,7 +12,7 @@
 namespace tether::test {
 namespace {
 
-constexpr double patience = 1;  // of one reading [s]
+constexpr double patience = 60;  // of one reading, which takes thousandths of it [s]
 
 /// A deck and the particle file it is read with, relative to the tree; empty: none.
 struct Pair {
