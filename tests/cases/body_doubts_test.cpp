@@ -13,7 +13,7 @@
 namespace tether::cases {
 namespace {
 
-long long told(const DeckRun& run, const std::string& part) {
+long long messages_with(const DeckRun& run, const std::string& part) {
   return std::ranges::count_if(run.messages,
                                [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
@@ -31,11 +31,11 @@ DeckRun falling(const std::string& more, const std::string& fem) {
 
 TEST(BodyDoubts, ABodyThatLeavesTheGridIsToldOnce) {
   const std::string left = "has left the grid beyond ybot = 0";
-  EXPECT_EQ(told(falling("tmax=.15", ""), left), 0);
+  EXPECT_EQ(messages_with(falling("tmax=.15", ""), left), 0);
   const DeckRun run = falling("tmax=.3", "");
-  ASSERT_EQ(told(run, left), 1);
+  ASSERT_EQ(messages_with(run, left), 1);
   EXPECT_EQ(run.messages[0].rfind("t = 0.16", 0), 0u) << run.messages[0];
-  EXPECT_EQ(told(falling("tmax=.3", ",fix_on='1.left',fix(1:2,1)=0.,0."), left), 0);
+  EXPECT_EQ(messages_with(falling("tmax=.3", ",fix_on='1.left',fix(1:2,1)=0.,0."), left), 0);
 }
 
 /// A cantilever under its weight, with the modulus as a parameter; what a linear law says too much of its sag.
@@ -55,10 +55,10 @@ TEST(BodyDoubts, ALinearLawThatIsTurnedTooFarIsTold) {
   const auto sag = [](const DeckRun& run) { return -0.1 - run.last("point_y_1"); };
   const DeckRun far = cantilever("linear", 2e7), near = cantilever("linear", 6e7);
   EXPECT_GT(sag(far) / sag(cantilever("svk", 2e7)), 1.15);
-  EXPECT_EQ(told(far, turned), 1);
+  EXPECT_EQ(messages_with(far, turned), 1);
   EXPECT_LT(sag(near) / sag(cantilever("svk", 6e7)), 1.04);
-  EXPECT_EQ(told(near, turned), 0);
-  EXPECT_EQ(told(cantilever("svk", 2e7), turned), 0);
+  EXPECT_EQ(messages_with(near, turned), 0);
+  EXPECT_EQ(messages_with(cantilever("svk", 2e7), turned), 0);
 }
 
 /// A cantilever of period .023 that falls into its vibration: steps of twice that are reported, of a tenth not.
@@ -71,7 +71,7 @@ TEST(BodyDoubts, StepsLongerThanAPeriodAreTold) {
                               "densir=2700.,matr(1,1)=7.e10,.33,ipath(4,1)=2 $\n$mesh element='q2',cells(1,1)=9,1 $\n"
                               "$fem law='linear',fix_on='1.left',fix(1,1)=0.,0. $\n",
                               30 * step, step));
-    return told(run, "steps the bodies' velocity turned back");
+    return messages_with(run, "steps the bodies' velocity turned back");
   };
   EXPECT_EQ(swings(0.05), 1);
   EXPECT_EQ(swings(0.0023), 0);
@@ -81,16 +81,16 @@ TEST(BodyDoubts, StepsLongerThanAPeriodAreTold) {
 /// Explicit steps that their limit cuts.
 TEST(BodyDoubts, StepsThatAreCutAreTold) {
   const DeckRun cut = falling("tmax=.01", ",integrator='central'");
-  EXPECT_EQ(told(cut, "times the limit 2/omega"), 1);
-  EXPECT_EQ(told(falling("tmax=.01,dtmax=1.", ",integrator='central',cfl=0."), "times the limit"), 0);
+  EXPECT_EQ(messages_with(cut, "times the limit 2/omega"), 1);
+  EXPECT_EQ(messages_with(falling("tmax=.01,dtmax=1.", ",integrator='central',cfl=0."), "times the limit"), 0);
 }
 
 /// No fluid is blamed where there is none, and the law is.
 TEST(BodyDoubts, AVolumeThatALinearLawMakesIsLaidToIt) {
   const DeckRun run = cantilever("linear", 5e6);
-  EXPECT_EQ(told(run, "(volume of $limits)"), 1);
-  EXPECT_EQ(told(run, "fluid"), 0);
-  EXPECT_GT(told(run, "large turns by law='linear'"), 0);
+  EXPECT_EQ(messages_with(run, "(volume of $limits)"), 1);
+  EXPECT_EQ(messages_with(run, "fluid"), 0);
+  EXPECT_GT(messages_with(run, "large turns by law='linear'"), 0);
 }
 
 }  // namespace

@@ -15,11 +15,6 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
-Overrides with(Overrides all, const Overrides& more) {
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
 /// A stiff block across a channel .25 high, 1 long and closed, on a spring, with v = .05 at the start: its frequency is
 /// sqrt(k/m) = 1 Hz with the water's mass, 1000 (1 - .1) .25 = 225, added to its own of 12.5.
 std::string piston(int nx) {
@@ -32,10 +27,10 @@ std::string piston(int nx) {
 }
 
 /// Frequency by the passages of zero of the block's way, and the logarithmic decrement of its turning points.
-struct Swing {
+struct DampedSwing {
   double frequency = 0, damping = 0;
 };
-Swing swing_of(const DeckRun& run) {
+DampedSwing damped_swing_of(const DeckRun& run) {
   const auto& t = run.history.column("time");
   const auto& x = run.history.column("body_x_1");
   std::vector<double> passages, peaks;
@@ -55,18 +50,20 @@ Swing swing_of(const DeckRun& run) {
 }
 
 TEST(Coupled, PistonSwingsWithTheMassOfTheWater) {
-  EXPECT_NEAR(swing_of(run_text("piston", piston(33))).frequency, 1, 0.0005);
+  EXPECT_NEAR(damped_swing_of(run_text("piston", piston(33))).frequency, 1, 0.0005);
   const Overrides whole_cells{"coupled.mode='symmetric'"};
-  EXPECT_NEAR(swing_of(run_text("piston", piston(33), whole_cells)).frequency, 1, 0.01);
-  EXPECT_NEAR(swing_of(run_text("piston", piston(65), whole_cells)).frequency, 1, 0.005);
+  EXPECT_NEAR(damped_swing_of(run_text("piston", piston(33), whole_cells)).frequency, 1, 0.01);
+  EXPECT_NEAR(damped_swing_of(run_text("piston", piston(65), whole_cells)).frequency, 1, 0.005);
 }
 
 /// Of order 2, and without damping but for what carrying the velocity along takes.
 TEST(Coupled, PistonByTheTrapezoidalRule) {
   const Overrides small = {"coupled.mode='cut-cell'", "reg.vrx(1)=.005", "in.tmax=3."};
-  const auto at = [&](const char* step) { return swing_of(run_text("piston", piston(33), with(small, {step}))); };
-  const Swing a = at("in.tstep=.0333333333333333"), b = at("in.tstep=.0166666666666667"),
-              c = at("in.tstep=.00833333333333333");
+  const auto at = [&](const char* step) {
+    return damped_swing_of(run_text("piston", piston(33), with(small, {step})));
+  };
+  const DampedSwing a = at("in.tstep=.0333333333333333"), b = at("in.tstep=.0166666666666667"),
+                    c = at("in.tstep=.00833333333333333");
   EXPECT_NEAR((a.frequency - b.frequency) / (b.frequency - c.frequency), 4, 0.6);
   EXPECT_NEAR(c.frequency, 1, 5e-4);
   EXPECT_LT(std::abs(c.damping), 0.001);
@@ -76,7 +73,7 @@ TEST(Coupled, PistonByTheTrapezoidalRule) {
 TEST(Coupled, PistonByThePapersStep) {
   for (const auto& [step, h] :
        {std::pair("in.tstep=.00833333333333333", 1. / 120), std::pair("in.tstep=.0166666666666667", 1. / 60)}) {
-    const Swing swing = swing_of(run_text(
+    const DampedSwing swing = damped_swing_of(run_text(
         "piston", piston(33), {"coupled.mode='cut-cell'", "coupled.integrator='paper'", "reg.vrx(1)=.005", step}));
     EXPECT_NEAR(swing.damping / (h * 2 * std::numbers::pi / 4), 1, 0.05) << step;
   }

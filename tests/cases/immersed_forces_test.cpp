@@ -19,7 +19,7 @@ namespace {
 
 constexpr double g = 9.81, fluid = 1000, solid = 1500;
 
-const std::string box =
+const std::string box_group =
     "a body in a closed box\n$in nx=2,ny=2,xleft=0.,xright=1.,ybot=0.,ytop=1.,tmax=20.,tstep=1.,gravc=-9.81,iout(33)=1,"
     "tiout(33)=1. $\n";
 const std::string square =
@@ -30,13 +30,13 @@ const std::string flow = "$flow integrator='euler',tolerance=1e-11,force_on=";
 
 DeckRun floor_run(int n, const std::string& forces, const std::string& more = "") {
   return run_text(
-      "floor", box + square + "xvi(1,2)=.33,.52,.52,.33,yvi(1,2)=0.,0.,.41,.41 $\n" +
+      "floor", box_group + square + "xvi(1,2)=.33,.52,.52,.33,yvi(1,2)=0.,0.,.41,.41 $\n" +
                    fmt::format("$mesh cells(1,1)={0},{0},cells(1,2)={1},{2},element='q2' $\n", n, n / 4, n / 2) + laws +
                    "fix_on='2.bottom',fix(1:2,1)=0.,0. $\n" + flow + forces + more + " $\n");
 }
 
 DeckRun round_run(int n) {
-  std::string text = box + "$reg nreg=5,nvi=5*4,densir=4*1000.,1500.,matr(1,5)=1.e6,.3,";
+  std::string text = box_group + "$reg nreg=5,nvi=5*4,densir=4*1000.,1500.,matr(1,5)=1.e6,.3,";
   const std::string in = ".3585786437626905", out = ".6414213562373095";
   const std::vector<std::string> x{"0.,1.," + out + "," + in, "1.,1.," + out + "," + out, "1.,0.," + in + "," + out,
                                    "0.,0.," + in + "," + in};
@@ -58,7 +58,7 @@ DeckRun round_run(int n) {
 
 /// A beam from wall to wall, which bends; the fluid is parted by it.
 DeckRun beam_run(int n) {
-  return run_text("beam", box + square + "xvi(1,2)=0.,1.,1.,0.,yvi(1,2)=.31,.52,.74,.47 $\n" +
+  return run_text("beam", box_group + square + "xvi(1,2)=0.,1.,1.,0.,yvi(1,2)=.31,.52,.74,.47 $\n" +
                               fmt::format("$mesh cells(1,1)={0},{0},cells(1,2)={0},{1},element='q2' $\n", n, n / 4) +
                               laws + "fix_on(1)='2.left',fix(1:2,1)=0.,0.,fix_on(2)='2.right',fix(1:2,2)=0.,0. $\n" +
                               flow + "'1.bottom','1.top','1.left','1.right' $\n");
@@ -164,7 +164,7 @@ TEST(ImmersedForces, TwoWallsBearABeam) {
 
 /// Its support is no wall's.
 TEST(ImmersedForces, BodyHeldInMidFluidLoadsNoWall) {
-  const DeckRun run = run_text("mid", box + square + "xvi(1,2)=.33,.52,.52,.33,yvi(1,2)=.3,.3,.61,.61 $\n" +
+  const DeckRun run = run_text("mid", box_group + square + "xvi(1,2)=.33,.52,.52,.33,yvi(1,2)=.3,.3,.61,.61 $\n" +
                                           "$mesh cells(1,1)=16,16,cells(1,2)=4,6,element='q2' $\n" + laws +
                                           "fix_on='2.bottom',fix(1:2,1)=0.,0. $\n" + flow +
                                           "'1.bottom','1.top','1.left','1.right' $\n");

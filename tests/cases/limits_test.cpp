@@ -14,7 +14,7 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
-std::size_t told(const DeckRun& run, const std::string& name) {
+std::size_t messages_of_limit(const DeckRun& run, const std::string& name) {
   return static_cast<std::size_t>(std::count_if(run.messages.begin(), run.messages.end(), [&](const auto& text) {
     return text.find("(" + name + " of $limits)") != std::string::npos;
   }));
@@ -44,11 +44,11 @@ TEST(Limits, OfElementsAndBodies) {
   ASSERT_LT(volume, 0.5);
   ASSERT_GT(quality, 0.1);
   ASSERT_LE(quality, volume);
-  EXPECT_EQ(told(quiet, "quality"), 0u);
-  EXPECT_EQ(told(quiet, "volume"), 1u);
+  EXPECT_EQ(messages_of_limit(quiet, "quality"), 0u);
+  EXPECT_EQ(messages_of_limit(quiet, "volume"), 1u);
   const DeckRun strict = run_text("strict", pressed, {"limits.quality(1)=.99", "limits.volume(1)=0."});
-  EXPECT_EQ(told(strict, "quality"), 1u);
-  EXPECT_EQ(told(strict, "volume"), 0u);
+  EXPECT_EQ(messages_of_limit(strict, "quality"), 1u);
+  EXPECT_EQ(messages_of_limit(strict, "volume"), 0u);
   EXPECT_EQ(strict.summary.at("quality_least"), quality);
   const std::string text = error_of("stopped", pressed, {"limits.quality=.99,.9"});
   EXPECT_NE(text.find("below the limit of 0.9 (quality of $limits)"), std::string::npos) << text;
@@ -100,8 +100,8 @@ TEST(Limits, OfTheEnergy) {
   const DeckRun run = run_deck("stability-side", wild);
   EXPECT_GT(run.summary.at("energy_growth"), 1e20);
   EXPECT_GT(run.summary.at("energy_step_largest"), 15);
-  EXPECT_EQ(told(run, "energy_growth"), 1u);
-  EXPECT_EQ(told(run, "energy_step"), 1u);
+  EXPECT_EQ(messages_of_limit(run, "energy_growth"), 1u);
+  EXPECT_EQ(messages_of_limit(run, "energy_step"), 1u);
   Overrides off = wild;
   off.push_back("limits.energy_step(1)=0.");
   off.push_back("limits.energy_growth(1)=0.");
@@ -128,7 +128,7 @@ TEST(Limits, OfABlockThatTurnsTooFar) {
       "$coupled density=1e-3,side(1)='open','open','wall','open',friction=.8,integrator='trapezoid' $\n";
   const DeckRun run = run_text("turning", turning, {"limits.energy_growth(2)=0."});
   EXPECT_GT(run.summary.at("energy_growth"), 100);
-  EXPECT_EQ(told(run, "energy_step"), 1u);
+  EXPECT_EQ(messages_of_limit(run, "energy_step"), 1u);
   const std::string text = error_of("turning", turning, {});
   EXPECT_NE(text.find("above the limit of 100 (energy_growth of $limits)"), std::string::npos) << text;
 }
@@ -143,9 +143,9 @@ TEST(Limits, OfThePapersMapsByTheTrapezoidalRule) {
       "spring(1:2,1)=3000.,3000.,integrator='trapezoid',mode='paper' $\n";
   const DeckRun run = run_text("swimming", swimming);
   EXPECT_GT(run.summary.at("energy_rise"), 0.2);
-  EXPECT_EQ(told(run, "energy_growth"), 1u);
-  EXPECT_EQ(told(run, "splitting"), 1u);
-  EXPECT_EQ(told(run_text("swimming", swimming, {"coupled.mode='cut-cell'"}), "energy_growth"), 0u);
+  EXPECT_EQ(messages_of_limit(run, "energy_growth"), 1u);
+  EXPECT_EQ(messages_of_limit(run, "splitting"), 1u);
+  EXPECT_EQ(messages_of_limit(run_text("swimming", swimming, {"coupled.mode='cut-cell'"}), "energy_growth"), 0u);
   const Overrides soft{"in.nx=12",          "in.ny=12",       "reg.densir(1)=500.",
                        "reg.matr(1,1)=2e4", "reg.vrx(1)=.05", "coupled.side(2)='open'"};
   EXPECT_NE(error_of("swimming", swimming, soft), "");
@@ -171,7 +171,7 @@ TEST(Limits, OfTheVolumesOfPoints) {
       "iout(33)=1,tiout(33)=.01 $\n$reg nreg=1,nvi=4,xvi(1,1)=0.,.5,.5,0.,yvi(1,1)=0.,0.,1.,1.,densir(1)=1.,nprg=4,\n"
       "ipath(1,1)=3,3,3,0,matr(1,1)=100.,0. $\n$mpm method='robust' $\n";
   const DeckRun run = run_text("block", block);
-  EXPECT_EQ(told(run, "volume"), 1u);
+  EXPECT_EQ(messages_of_limit(run, "volume"), 1u);
   const auto volume = run.history.column("body_volume_1");
   EXPECT_NEAR(volume.front(), 0.5, 1e-12);
   EXPECT_NEAR(*std::min_element(volume.begin(), volume.end()) / 0.5, run.summary.at("volume_worst"), 1e-3);
@@ -184,7 +184,7 @@ TEST(Limits, AreNotReachedByWhatIsRight) {
   for (const char* deck : {"pendulum-20", "spring-mass", "l-block", "coupled-piston"}) {
     const DeckRun run = run_deck(deck, {"in.tmax=" + std::string(deck[0] == 's' ? "2.d-2" : ".3")});
     for (const char* name : {"quality", "volume", "energy_step", "energy_growth", "splitting", "cfl"})
-      EXPECT_EQ(told(run, name), 0u) << deck << " " << name;
+      EXPECT_EQ(messages_of_limit(run, name), 0u) << deck << " " << name;
     EXPECT_LT(run.summary.at("energy_step_largest"), 0.1) << deck;
   }
 }

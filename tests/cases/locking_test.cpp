@@ -14,14 +14,14 @@ namespace tether::cases {
 namespace {
 
 /// Of a plate of length L and thickness 1 in plane strain, E = 1, held at its left, a shear force on its right side.
-struct Plate {
+struct HeldPlate {
   std::string element;
   int across;
   double length, nu;
   std::string dilatation = "auto";
 };
 
-DeckRun bent(const Plate& plate) {
+DeckRun bent(const HeldPlate& plate) {
   return run_text("locking",
                   fmt::format("a plate that bends\n$in nx=2,ny=2,xleft=-1.,xright=99.,ybot=-9.,ytop=9.,tmax=1.,"
                               "tstep=1.,iout(33)=1,tiout(33)=1. $\n"
@@ -36,15 +36,16 @@ DeckRun bent(const Plate& plate) {
 double deflection(const DeckRun& run) { return run.last("point_y_1") - 0.5; }
 
 /// Timoshenko's: L^3/(3 E' I) + L/(5/6 G).
-double of_the_beam(const Plate& plate) {
+double of_the_beam(const HeldPlate& plate) {
   const double L = plate.length;
   return 1e-6 * (4 * L * L * L * (1 - plate.nu * plate.nu) + L * 2.4 * (1 + plate.nu));
 }
 
 TEST(Locking, IsSaidOfBeamsAsMuchAsItIs) {
-  for (const Plate& plate : {Plate{"q1", 3, 10, 0.3, "point"}, Plate{"q1", 3, 10, 0.4, "point"},
-                             Plate{"p1", 3, 10, 0.3}, Plate{"p1", 6, 10, 0.45}, Plate{"q1", 2, 10, 0.49, "point"},
-                             Plate{"q1", 2, 10, 0}, Plate{"q1", 2, 10, 0.3}, Plate{"q1", 2, 10, 0.45}}) {
+  for (const HeldPlate& plate :
+       {HeldPlate{"q1", 3, 10, 0.3, "point"}, HeldPlate{"q1", 3, 10, 0.4, "point"}, HeldPlate{"p1", 3, 10, 0.3},
+        HeldPlate{"p1", 6, 10, 0.45}, HeldPlate{"q1", 2, 10, 0.49, "point"}, HeldPlate{"q1", 2, 10, 0},
+        HeldPlate{"q1", 2, 10, 0.3}, HeldPlate{"q1", 2, 10, 0.45}}) {
     const DeckRun run = bent(plate);
     const double too_stiff = of_the_beam(plate) / deflection(run) - 1;
     EXPECT_EQ(run.summary.at("elements_across"), plate.across);

@@ -11,7 +11,7 @@
 namespace tether::cases {
 namespace {
 
-constexpr double length = 0.3, height = 0.02, young = 7e10, shear = 1e5;
+constexpr double beam_length = 0.3, height = 0.02, beam_modulus = 7e10, shear = 1e5;
 
 /// A cantilever under a shear load of 1e5 on its end, with nu = 0, so that its law is the same in the plane and in
 /// space.
@@ -23,8 +23,8 @@ DeckRun cantilever(const char* element, int along, int across, bool space = fals
       "densir(1)=2700.,matr(1,1)={2},0. $\n$mesh element='{3}',cells(1,1)={4},{5}{6} $\n$fem "
       "static=.true.,law(1)='linear',"
       "fix_on(1)='1.left',fix(1,1)=0.,fix(2,1)=0.,{7}load_on(1)='1.right',load(2,1)={8} $\n",
-      length, height / 2, young, element, along, across, space ? ",2, z(1,1)=0.,.02" : "", space ? "fix(3,1)=0.," : "",
-      shear);
+      beam_length, height / 2, beam_modulus, element, along, across, space ? ",2, z(1,1)=0.,.02" : "",
+      space ? "fix(3,1)=0.," : "", shear);
   return run_text("cantilever", text);
 }
 
@@ -33,8 +33,8 @@ DeckRun cantilever(const char* element, int along, int across, bool space = fals
 double ratio(const DeckRun& run, const std::string& field) {
   const std::string file = run.folder + "/mesh.nc";
   const auto x = read_variable(file, "node_x"), y = read_variable(file, "node_y"), all = read_variable(file, field);
-  const double stress = -6 * shear * (length - 0.1) / height,
-               exact = field == "sxx" ? stress : stress * stress / (2 * young);
+  const double stress = -6 * shear * (beam_length - 0.1) / height,
+               exact = field == "sxx" ? stress : stress * stress / (2 * beam_modulus);
   for (std::size_t n = 0; n < x.size(); ++n) {
     if (std::abs(x[n] - 0.1) < 1e-9 && std::abs(y[n] - height / 2) < 1e-9)
       return all[all.size() - x.size() + n] / exact;

@@ -23,7 +23,7 @@ std::vector<double> sag_of(const DeckRun& run) {
 }
 
 // The bar of decks/paths/bar.in.
-constexpr double g = 1e-3, L = 1, c2 = 1000;
+constexpr double bar_g = 1e-3, L = 1, c2 = 1000;
 
 /// What the bar's end at the clamp gives pulls its centre of mass up: g t^2/2 - g c t^3/(6 L) until t = 2 L/c, and back
 /// in the same way.
@@ -31,7 +31,7 @@ double exact_sag(double t) {
   const double c = std::sqrt(c2), period = 4 * L / c;
   double phase = std::fmod(t, period);
   phase = std::min(phase, period - phase);
-  return 0.5 * g * phase * phase - g * c * phase * phase * phase / (6 * L);
+  return 0.5 * bar_g * phase * phase - bar_g * c * phase * phase * phase / (6 * L);
 }
 
 /// Root of the mean square, over the largest.
@@ -58,11 +58,11 @@ TEST(OneScene, IsNearerToABarByShorterStepsAndFinerMeshes) {
 
 /// The largest sag of the first swing, by a parabola through records, and the period, by records between which the sag
 /// rises through half of it.
-struct Swing {
+struct SagSwing {
   double largest = 0, period = 0;
 };
 
-Swing swing_of(const DeckRun& run) {
+SagSwing sag_swing_of(const DeckRun& run) {
   const std::vector<double> time = run.history.column("time"), sag = sag_of(run);
   const auto k = static_cast<std::size_t>(
       std::max_element(sag.begin(), sag.begin() + static_cast<std::ptrdiff_t>(sag.size() / 2)) - sag.begin());
@@ -82,8 +82,9 @@ Swing swing_of(const DeckRun& run) {
 TEST(OneScene, IsACantileverLetGoByThreePaths) {
   constexpr double largest = 3.1441e-3, period = 1.0063;
   const Texts quadratic{"mesh.element='q2'", "mesh.cells(1:2,1)=20,4"};
-  for (const Swing& swing : {swing_of(run_by("mpm", "cantilever")), swing_of(run_by("fem", "cantilever", quadratic)),
-                             swing_of(run_by("coupled", "cantilever"))}) {
+  for (const SagSwing& swing :
+       {sag_swing_of(run_by("mpm", "cantilever")), sag_swing_of(run_by("fem", "cantilever", quadratic)),
+        sag_swing_of(run_by("coupled", "cantilever"))}) {
     EXPECT_NEAR(swing.largest, largest, 0.005 * largest);
     EXPECT_NEAR(swing.period, period, 0.005 * period);
   }

@@ -13,7 +13,7 @@
 namespace tether::cases {
 namespace {
 
-constexpr double outer = 2;  // the inner radius is 1
+constexpr double outer_radius = 2;  // the inner radius is 1
 
 /// A quarter ring in plane strain by n x 2n elements, E = 1, pushed open from inside in `steps`.
 DeckRun ring(const char* element, int n, const char* law, double nu, double pressure, int steps = 1) {
@@ -33,9 +33,9 @@ struct RingErrors {
 };
 
 RingErrors errors_of(const char* element, int n) {
-  constexpr double p = 1e-6, nu = 0.3, A = p / (outer * outer - 1);
+  constexpr double p = 1e-6, nu = 0.3, A = p / (outer_radius * outer_radius - 1);
   const DeckRun run = ring(element, n, "svk", nu, p);
-  const double exact = (1 + nu) * A * ((1 - 2 * nu) + outer * outer);
+  const double exact = (1 + nu) * A * ((1 - 2 * nu) + outer_radius * outer_radius);
   const std::string file = run.folder + "/mesh.nc";
   const auto x = read_variable(file, "node_x"), y = read_variable(file, "node_y");
   const auto sxx = read_variable(file, "sxx"), syy = read_variable(file, "syy"), sxy = read_variable(file, "sxy");
@@ -44,7 +44,7 @@ RingErrors errors_of(const char* element, int n) {
     const std::size_t last = sxx.size() - x.size() + k;
     const double r2 = x[k] * x[k] + y[k] * y[k];
     const double radial = (sxx[last] * x[k] * x[k] + syy[last] * y[k] * y[k] + 2 * sxy[last] * x[k] * y[k]) / r2;
-    square += std::pow((radial - A * (1 - outer * outer / r2)) / p, 2) / static_cast<double>(x.size());
+    square += std::pow((radial - A * (1 - outer_radius * outer_radius / r2)) / p, 2) / static_cast<double>(x.size());
   }
   return {std::abs(run.last("point_x_1") - 1 - exact) / exact, std::abs(run.last("support_force_y_1") / p + 1),
           std::sqrt(square)};
@@ -73,12 +73,12 @@ TEST(Pressure, OpensARingAsLame) {
 TEST(Pressure, BlowsARingUpAsTheRadialSolution) {
   for (const double nu : {0.3, 0.49, 0.4999}) {
     const NeoHookean law = NeoHookean::of({.E = 1, .nu = nu});
-    const BlownRing exact = blown_ring({1, outer, law}, 1.4);
+    const BlownRing exact = blown_ring({1, outer_radius, law}, 1.4);
     for (const auto& [element, within] : {std::pair("q1", 4e-2), {"q2", 1e-3}, {"p2", 4e-3}}) {
       SCOPED_TRACE(fmt::format("{} {}", element, nu));
       const DeckRun run = ring(element, 4, "neo-hookean", nu, exact.pressure, 5);
       EXPECT_NEAR(run.last("point_x_1") - 1, exact.inner - 1, within * 0.4);
-      EXPECT_NEAR(run.last("point_x_2") - outer, exact.outer - outer, within * 0.4);
+      EXPECT_NEAR(run.last("point_x_2") - outer_radius, exact.outer - outer_radius, within * 0.4);
     }
   }
 }

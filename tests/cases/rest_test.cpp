@@ -34,7 +34,7 @@ TEST(Rest, OfAFluidOnAMesh) {
 }
 
 /// A block as heavy as the water, or nearly, that the pressure around it squeezes.
-DeckRun block(const std::string& stiffness, const std::string& density) {
+DeckRun neutral_block(const std::string& stiffness, const std::string& density) {
   return run_text("block",
                   fmt::format("a neutral block\n$in nx=31,ny=27,xleft=0.,xright=.93,ybot=0.,ytop=.77,tmax=.2,tstep=.01,"
                               "gravc=-9.81,iout(33)=1,tiout(33)=.05 $\n"
@@ -47,7 +47,7 @@ DeckRun block(const std::string& stiffness, const std::string& density) {
 TEST(Rest, OfABlockInAFluid) {
   for (const char* stiffness : {"1e6", "1e7", "3e8"}) {
     for (const char* density : {"1000", "1001", "1010"}) {
-      const DeckRun run = block(stiffness, density);
+      const DeckRun run = neutral_block(stiffness, density);
       EXPECT_EQ(run.messages, Texts{}) << stiffness << " " << density;
     }
   }

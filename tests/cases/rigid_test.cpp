@@ -109,11 +109,6 @@ void expect_same_motion(const DeckRun& a, const DeckRun& b, double within) {
 const Texts plain_frame{"rigid.point=1.2,.8,.3", "rigid.directors(1,1)=1.,0.,0.", "rigid.directors(1,2)=0.,1.,0.",
                         "rigid.directors(1,3)=0.,0.,1."};
 
-Texts with(Texts some, const Texts& more) {
-  some.insert(some.end(), more.begin(), more.end());
-  return some;
-}
-
 /// A force at a point, one that turns, a torque, loads on a side and in a volume, weight, with tables; and with a pin.
 TEST(RigidDecks, FrameAndFormDoNotMatter) {
   const Texts loads{"in.gravc=-.3",

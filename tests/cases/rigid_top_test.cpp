@@ -14,19 +14,19 @@ namespace {
 
 using namespace rigid;
 
-const std::vector<Box> plate{{{-.5, -.5, .4}, {.5, .5, .6}, 10}};
-constexpr double g = 9.81, end = 6.4;
+const std::vector<Box> top_plate{{{-.5, -.5, .4}, {.5, .5, .6}, 10}};
+constexpr double top_gravity = 9.81, end = 6.4;
 
 /// Moments about the pin, in the origin.
 Matrix3d moments_about_pin() {
-  Inertia inertia(plate);
+  Inertia inertia(top_plate);
   inertia.add_offset(inertia.mass, inertia.centre);
   return inertia.moments;
 }
 
 TEST(RigidTop, TheDecksSpinIsThatOfSteadyPrecession) {
-  const Inertia inertia(plate);
-  EXPECT_NEAR(inertia.mass * g * inertia.centre[2] / (moments_about_pin()(2, 2) * 30), .981, 1e-12);
+  const Inertia inertia(top_plate);
+  EXPECT_NEAR(inertia.mass * top_gravity * inertia.centre[2] / (moments_about_pin()(2, 2) * 30), .981, 1e-12);
 }
 
 /// The axis goes round in the horizontal plane by Omega t; how far it is off, along the plane and above it.
@@ -49,9 +49,9 @@ TEST(RigidTop, PrecessesSteadily) {
 
 /// Let go with its spin alone it nods while it precesses.
 TEST(RigidTop, NodsAsEulersEquationsSay) {
-  const Inertia inertia(plate);
+  const Inertia inertia(top_plate);
   const Turning exact(moments_about_pin(), {0, 0, 30}, end, [&](double, const Matrix3d& R) {
-    return Vector3d((R * inertia.centre).cross(Vector3d(0, -inertia.mass * g, 0)));
+    return Vector3d((R * inertia.centre).cross(Vector3d(0, -inertia.mass * top_gravity, 0)));
   });
   std::array<double, 3> attitude{}, omega{};
   const char* steps[] = {"0.002", "0.001", "0.0005"};

@@ -54,6 +54,11 @@ DeckRun run_by(const std::string& path, const std::string& deck, std::vector<std
   return run_file(std::string(TETHER_SOURCE_DIR) + "/decks/paths/" + deck + ".in", overrides);
 }
 
+std::vector<std::string> with(std::vector<std::string> some, const std::vector<std::string>& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
+}
+
 std::vector<double> read_variable(const std::string& file, const std::string& name) {
   int id = 0, variable = 0, dimensions = 0;
   EXPECT_EQ(nc_open(file.c_str(), NC_NOWRITE, &id), NC_NOERR) << file;

@@ -35,6 +35,9 @@ DeckRun run_file(const std::string& path, const std::vector<std::string>& overri
 /// Runs decks/paths/DECK.in, a scene that several paths share, by one of them.
 DeckRun run_by(const std::string& path, const std::string& deck, std::vector<std::string> overrides = {});
 
+/// These overrides and more.
+std::vector<std::string> with(std::vector<std::string> some, const std::vector<std::string>& more);
+
 /// A variable of a NetCDF file, all of it.
 std::vector<double> read_variable(const std::string& file, const std::string& name);
 

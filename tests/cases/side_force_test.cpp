@@ -14,9 +14,9 @@ namespace tether::cases {
 namespace {
 
 /// Viscosity 1.9, a channel 2.3 long and .37 wide, from y = -.11; the parabola's largest speed 1.2.
-constexpr double mu = 1.9, length = 2.3, width = 0.37, speed = 1.2;
+constexpr double mu = 1.9, channel_length = 2.3, width = 0.37, speed = 1.2;
 
-DeckRun channel(const std::string& more) {
+DeckRun parabola(const std::string& more) {
   return run_text("channel",
                   "a parabola\n$in nx=2,ny=2,xleft=.2,xright=2.5,ybot=-.11,ytop=.26,tmax=1.,tstep=.25,iout(33)=1,"
                   "tiout(33)=1. $\n$reg nreg=1,nvi=4,xvi(1,1)=.2,2.5,2.5,.2,yvi(1,1)=-.11,-.11,.26,.26,densir=870.,"
@@ -28,9 +28,9 @@ DeckRun channel(const std::string& more) {
 
 /// The exact shear and pressure, whatever the mesh: biquadratic velocities contain the parabola.
 TEST(SideForce, OfAWallFromAnInflowToAnOpenSide) {
-  const DeckRun run = channel("force_on(1)='1.bottom',force_on(2)='1.top',force_x(1)=.2,force_y(1)=-.11");
-  const double drag = mu * 4 * speed / width * length, slope = 8 * mu * speed / (width * width);
-  const double lift = slope * length * length / 2, torque = slope * std::pow(length, 3) / 6;
+  const DeckRun run = parabola("force_on(1)='1.bottom',force_on(2)='1.top',force_x(1)=.2,force_y(1)=-.11");
+  const double drag = mu * 4 * speed / width * channel_length, slope = 8 * mu * speed / (width * width);
+  const double lift = slope * channel_length * channel_length / 2, torque = slope * std::pow(channel_length, 3) / 6;
   EXPECT_NEAR(run.last("side_force_x_1"), drag, 1e-6 * drag);
   EXPECT_NEAR(run.last("side_force_x_2"), drag, 1e-6 * drag);
   EXPECT_NEAR(run.last("side_force_y_1"), -lift, 1e-6 * lift);

@@ -9,19 +9,20 @@
 #include "algebra/aggregates.hpp"
 #include "algebra/krylov.hpp"
 #include "unit/algebra/pressure_matrices.hpp"
+#include "unit/algebra/support.hpp"
 #include "unit/alone.hpp"
 
 namespace tether {
 namespace {
 
-std::vector<double> waves(std::int64_t n, double first = 0) {
+std::vector<double> chirp(std::int64_t n, double first = 0) {
   std::vector<double> x(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::sin(first + 1.3 * static_cast<double>(i * i));
   return x;
 }
 
-KrylovResult solve(AggregationMultigrid& multigrid, const SparseMatrix& A, const std::vector<double>& b,
-                   std::vector<double>& x) {
+KrylovResult solve_by_multigrid(AggregationMultigrid& multigrid, const SparseMatrix& A, const std::vector<double>& b,
+                                std::vector<double>& x) {
   return pcg(
       alone(), [&](auto v, auto y) { A.multiply(v, y); }, [&](auto r, auto z) { multigrid.precondition(r, z); }, b, x,
       1e-10, 200);
@@ -31,23 +32,14 @@ KrylovResult solve(AggregationMultigrid& multigrid, const SparseMatrix& A, const
 int iterations(const SparseMatrix& A) {
   AggregationMultigrid multigrid(alone());
   EXPECT_TRUE(multigrid.set_up(A));
-  const std::vector<double> exact = waves(A.n);
+  const std::vector<double> exact = chirp(A.n);
   std::vector<double> b(exact.size()), x(exact.size(), 0.0);
   A.multiply(exact, b);
-  const KrylovResult result = solve(multigrid, A, b, x);
+  const KrylovResult result = solve_by_multigrid(multigrid, A, b, x);
   EXPECT_TRUE(result.converged);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] -= exact[i];
   EXPECT_LT(norm(x), 1e-6 * norm(exact));
   return result.iterations;
-}
-
-Eigen::MatrixXd full_of(const SparseMatrix& A) {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(A.n, A.n);
-  for (std::int64_t j = 0; j < A.n; ++j) {
-    for (auto k = A.start[static_cast<std::size_t>(j)]; k < A.start[static_cast<std::size_t>(j) + 1]; ++k)
-      full(A.row[static_cast<std::size_t>(k)], j) = A.value[static_cast<std::size_t>(k)];
-  }
-  return full;
 }
 
 TEST(Aggregates, HaveTheMatrixThatTheirSumsMake) {
@@ -71,7 +63,7 @@ TEST(Aggregates, HaveTheMatrixThatTheirSumsMake) {
 TEST(Aggregates, MultiplyAsTheMatrixDoes) {
   const SparseMatrix A = BodyMatrices({3, 6}).pressures(3);
   std::vector<double> y(static_cast<std::size_t>(A.n)), z(y.size());
-  A.multiply(waves(A.n), y), rows_of(A).multiply(alone(), waves(A.n), z);
+  A.multiply(chirp(A.n), y), rows_of(A).multiply(alone(), chirp(A.n), z);
   for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], z[i], 1e-12);
 }
 
@@ -120,7 +112,7 @@ TEST(AggregationMultigrid, IsSymmetricAndPositiveOnTwoLevels) {
   AggregationMultigrid multigrid(alone());
   ASSERT_TRUE(multigrid.set_up(A));
   ASSERT_EQ(multigrid.levels(), 2);
-  const std::vector<double> r = waves(A.n), s = waves(A.n, 2);
+  const std::vector<double> r = chirp(A.n), s = chirp(A.n, 2);
   std::vector<double> Pr(r.size()), Ps(r.size());
   multigrid.precondition(r, Pr), multigrid.precondition(s, Ps);
   EXPECT_NEAR(dot(s, Pr), dot(r, Ps), 1e-12 * norm(s) * norm(Pr));
@@ -152,8 +144,8 @@ TEST(AggregationMultigrid, TakesPocketsWithoutAnOutlet) {
     AggregationMultigrid multigrid(alone());
     ASSERT_TRUE(multigrid.set_up(A));
     std::vector<double> b(static_cast<std::size_t>(A.n)), x(b.size(), 0.0);
-    A.multiply(waves(A.n), b);
-    const KrylovResult result = solve(multigrid, A, b, x);
+    A.multiply(chirp(A.n), b);
+    const KrylovResult result = solve_by_multigrid(multigrid, A, b, x);
     EXPECT_TRUE(result.converged);
     EXPECT_LE(result.iterations, 60);
     for (const double value : x) EXPECT_LT(std::abs(value), 1e6);
@@ -183,12 +175,12 @@ TEST(AggregationMultigrid, SaysWhereADiagonalIsNotPositive) {
 
 TEST(AggregationMultigrid, IsTheSameFromRunToRun) {
   const SparseMatrix A = BodyMatrices({3, 16}).pressures(1);
-  const std::vector<double> b = waves(A.n);
+  const std::vector<double> b = chirp(A.n);
   std::vector<double> x(b.size(), 0.0), y(b.size(), 0.0);
   AggregationMultigrid one(alone()), other(alone());
   ASSERT_TRUE(other.set_up(BodyMatrices({2, 40}).pressures()));  // what was before leaves no trace
   ASSERT_TRUE(one.set_up(A) && other.set_up(A));
-  solve(one, A, b, x), solve(other, A, b, y);
+  solve_by_multigrid(one, A, b, x), solve_by_multigrid(other, A, b, y);
   EXPECT_EQ(x, y);
 }
 

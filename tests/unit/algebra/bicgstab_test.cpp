@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "unit/algebra/pressure_matrices.hpp"
+#include "unit/algebra/support.hpp"
 
 namespace tether {
 namespace {
@@ -21,12 +22,6 @@ SparseMatrix convection(int cells, double peclet) {
     if (i + cells < cells * cells) A.add(i, i + cells, -1);
   }
   return A.matrix();
-}
-
-std::vector<double> waves(std::int64_t n) {
-  std::vector<double> x(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1 + std::sin(1.7 * static_cast<double>(i));
-  return x;
 }
 
 struct Outcome {

@@ -18,8 +18,8 @@ using Room = std::span<double>;
 
 void copy(View r, Room z) { std::copy(r.begin(), r.end(), z.begin()); }
 
-KrylovResult solve(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x, double tolerance,
-                   int most) {
+KrylovResult solve_by_pcg(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x, double tolerance,
+                          int most) {
   return pcg(
       alone(), [&](View v, Room y) { A.multiply(v, y); }, copy, b, x, tolerance, most);
 }
@@ -41,7 +41,7 @@ SparseMatrix chain(int n, double end) {
 TEST(ConjugateGradients, TakesAsManyIterationsAsThereAreEigenvalues) {
   std::vector<double> entries(60, 2.0), x(60, 0.0);
   for (std::size_t i = 0; i < 20; ++i) entries[i] = 7, entries[20 + i] = 0.5;
-  const KrylovResult result = solve(diagonal(entries), std::vector<double>(60, 1.0), x, 1e-13, 100);
+  const KrylovResult result = solve_by_pcg(diagonal(entries), std::vector<double>(60, 1.0), x, 1e-13, 100);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.iterations, 3);
   for (std::size_t i = 0; i < 60; ++i) EXPECT_NEAR(x[i], 1 / entries[i], 1e-13);
@@ -75,13 +75,13 @@ TEST(ConjugateGradients, ConvergesAtLeastAsFastAsTheConditionAllows) {
   const double first = std::sqrt(dot(exact, b));
   for (int k = 1; k < 90; k += 4) {
     std::vector<double> x(n, 0.0);
-    EXPECT_FALSE(solve(A, b, x, 1e-15, k).converged);
+    EXPECT_FALSE(solve_by_pcg(A, b, x, 1e-15, k).converged);
     for (std::size_t i = 0; i < n; ++i) e[i] = x[i] - exact[i];
     A.multiply(e, Ae);
     EXPECT_LE(std::sqrt(dot(e, Ae)), 2 * std::pow(rate, k) * first);
   }
   std::vector<double> x(n, 0.0);
-  const KrylovResult all = solve(A, b, x, 1e-12, 200);
+  const KrylovResult all = solve_by_pcg(A, b, x, 1e-12, 200);
   EXPECT_TRUE(all.converged);
   EXPECT_LE(all.iterations, n + 1);
 }
@@ -90,10 +90,10 @@ TEST(ConjugateGradients, StartsFromTheGuessAndStopsWhereTold) {
   const SparseMatrix A = chain(50, 1);
   std::vector<double> exact(50, 2.0), b(50), x = exact;
   A.multiply(exact, b);
-  EXPECT_EQ(solve(A, b, x, 1e-12, 10).iterations, 0);
+  EXPECT_EQ(solve_by_pcg(A, b, x, 1e-12, 10).iterations, 0);
   EXPECT_EQ(x, exact);
   x.assign(50, 0.0);
-  const KrylovResult cut = solve(A, b, x, 1e-12, 7);
+  const KrylovResult cut = solve_by_pcg(A, b, x, 1e-12, 7);
   EXPECT_EQ(cut.iterations, 7);
   EXPECT_FALSE(cut.converged);
 }
@@ -102,7 +102,7 @@ TEST(ConjugateGradients, StartsFromTheGuessAndStopsWhereTold) {
 TEST(ConjugateGradients, EndsWhereRoundingDoes) {
   const SparseMatrix A = chain(2000, 1);
   std::vector<double> b(2000, 1.0), x(2000, 0.0), Ax(2000);
-  const KrylovResult result = solve(A, b, x, 1e-15, 100000);
+  const KrylovResult result = solve_by_pcg(A, b, x, 1e-15, 100000);
   EXPECT_TRUE(result.converged);
   EXPECT_LT(result.iterations, 20000);
   A.multiply(x, Ax);
@@ -111,31 +111,32 @@ TEST(ConjugateGradients, EndsWhereRoundingDoes) {
 
 TEST(ConjugateGradients, TakesZeroAndNoUnknowns) {
   std::vector<double> x(50, 2.0), none;
-  const KrylovResult zero = solve(chain(50, 1), std::vector<double>(50, 0.0), x, 1e-12, 10);
+  const KrylovResult zero = solve_by_pcg(chain(50, 1), std::vector<double>(50, 0.0), x, 1e-12, 10);
   EXPECT_TRUE(zero.converged);
   EXPECT_EQ(zero.iterations, 0);
   EXPECT_EQ(x, std::vector<double>(50, 0.0));
-  EXPECT_TRUE(solve({0, {0}, {}, {}}, none, none, 1e-12, 10).converged);
+  EXPECT_TRUE(solve_by_pcg({0, {0}, {}, {}}, none, none, 1e-12, 10).converged);
 }
 
 TEST(ConjugateGradients, SolvesASingularSystemThatHasASolution) {
   const SparseMatrix A = chain(40, 0);
   std::vector<double> b(40, 0.0), x(40, 0.0), Ax(40);
   b[3] = 1, b[30] = -1;
-  ASSERT_TRUE(solve(A, b, x, 1e-12, 100).converged);
+  ASSERT_TRUE(solve_by_pcg(A, b, x, 1e-12, 100).converged);
   A.multiply(x, Ax);
   for (std::size_t i = 0; i < 40; ++i) EXPECT_NEAR(Ax[i], b[i], 1e-11);
 }
 
 TEST(ConjugateGradients, SaysWhereAMatrixIsNotPositiveOrNoNumber) {
   std::vector<double> x(3, 0.0);
-  EXPECT_FALSE(solve(diagonal({1, 1, -5}), {1, 1, 1}, x, 1e-12, 50).converged);
+  EXPECT_FALSE(solve_by_pcg(diagonal({1, 1, -5}), {1, 1, 1}, x, 1e-12, 50).converged);
   x.assign(3, 0.0);
-  EXPECT_FALSE(solve(diagonal({1, 1, 0}), {1, 1, 1}, x, 1e-12, 50).converged);
+  EXPECT_FALSE(solve_by_pcg(diagonal({1, 1, 0}), {1, 1, 1}, x, 1e-12, 50).converged);
   x.assign(3, 0.0);
-  EXPECT_FALSE(solve(diagonal({1, 2, std::nan("")}), {1, 1, 1}, x, 1e-12, 50).converged);
+  EXPECT_FALSE(solve_by_pcg(diagonal({1, 2, std::nan("")}), {1, 1, 1}, x, 1e-12, 50).converged);
   x.assign(3, 0.0);
-  EXPECT_FALSE(solve(diagonal({1, 2, 3}), {1, std::numeric_limits<double>::infinity(), 1}, x, 1e-12, 50).converged);
+  EXPECT_FALSE(
+      solve_by_pcg(diagonal({1, 2, 3}), {1, std::numeric_limits<double>::infinity(), 1}, x, 1e-12, 50).converged);
 }
 
 }  // namespace

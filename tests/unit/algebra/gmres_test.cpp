@@ -23,8 +23,8 @@ Eigen::MatrixXd random_matrix(Eigen::Index n) {
 }
 
 /// Solves A x = b with the preconditioner P, whose inverse is given.
-KrylovResult solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& inverse, Vector b, Vector& x, int restart,
-                   int most = 500) {
+KrylovResult solve_by_gmres(const Eigen::MatrixXd& A, const Eigen::MatrixXd& inverse, Vector b, Vector& x, int restart,
+                            int most = 500) {
   return gmres([&](std::span<const double> v, std::span<double> y) { view(y) = A * view(v); },
                [&](std::span<const double> r, std::span<double> z) { view(z) = inverse * view(r); }, span_of(b),
                span_of(x), 1e-12, restart, most);
@@ -35,7 +35,7 @@ TEST(Gmres, SolvesInAsManyIterationsAsThereAreUnknowns) {
   const Eigen::MatrixXd A = random_matrix(n), one = Eigen::MatrixXd::Identity(n, n);
   const Vector exact = Vector::LinSpaced(n, -1, 2);
   Vector x = Vector::Zero(n);
-  const auto result = solve(A, one, A * exact, x, 60);
+  const auto result = solve_by_gmres(A, one, A * exact, x, 60);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.iterations, n);
   EXPECT_LT((x - exact).norm(), 1e-10);
@@ -47,7 +47,7 @@ TEST(Gmres, TakesAsManyIterationsAsThereAreEigenvalues) {
   const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(random_matrix(40)).householderQ();
   const Eigen::MatrixXd A = Q * eigenvalues.asDiagonal() * Q.transpose(), one = Eigen::MatrixXd::Identity(40, 40);
   Vector x = Vector::Zero(40);
-  EXPECT_EQ(solve(A, one, Vector::Ones(40), x, 60).iterations, 3);
+  EXPECT_EQ(solve_by_gmres(A, one, Vector::Ones(40), x, 60).iterations, 3);
   EXPECT_LT((A * x - Vector::Ones(40)).norm(), 1e-10);
 }
 
@@ -57,17 +57,17 @@ TEST(Gmres, BeginsAnewAndStartsFromTheGuess) {
                         one = Eigen::MatrixXd::Identity(n, n);
   const Vector exact = Vector::LinSpaced(n, 1, 3);
   Vector x = Vector::Zero(n);
-  const auto restarted = solve(A, one, A * exact, x, 7);
+  const auto restarted = solve_by_gmres(A, one, A * exact, x, 7);
   EXPECT_TRUE(restarted.converged);
   EXPECT_GT(restarted.iterations, 14);
   EXPECT_LT((x - exact).norm(), 1e-10);
-  EXPECT_EQ(solve(A, one, A * exact, x, 7).iterations, 0);
+  EXPECT_EQ(solve_by_gmres(A, one, A * exact, x, 7).iterations, 0);
 }
 
 TEST(Gmres, NeedsOneIterationWithTheInverse) {
   const Eigen::MatrixXd A = random_matrix(20);
   Vector x = Vector::Zero(20);
-  const auto result = solve(A, A.inverse(), Vector::Ones(20), x, 5);
+  const auto result = solve_by_gmres(A, A.inverse(), Vector::Ones(20), x, 5);
   EXPECT_TRUE(result.converged);
   EXPECT_LE(result.iterations, 2);
 }
@@ -75,7 +75,7 @@ TEST(Gmres, NeedsOneIterationWithTheInverse) {
 TEST(Gmres, OfNothingMakesNothing) {
   const Eigen::MatrixXd A = random_matrix(20);
   Vector x = Vector::Ones(20);
-  EXPECT_EQ(solve(A, A.inverse(), Vector::Zero(20), x, 5).iterations, 0);
+  EXPECT_EQ(solve_by_gmres(A, A.inverse(), Vector::Zero(20), x, 5).iterations, 0);
   EXPECT_EQ(x.norm(), 0);
 }
 
@@ -83,13 +83,13 @@ TEST(Gmres, SaysWhereItDoesNotConverge) {
   Eigen::MatrixXd A = random_matrix(20), one = Eigen::MatrixXd::Identity(20, 20);
   A.row(3).setZero();
   Vector x = Vector::Zero(20);
-  const auto result = solve(A, one, Vector::Ones(20), x, 60, 45);
+  const auto result = solve_by_gmres(A, one, Vector::Ones(20), x, 60, 45);
   EXPECT_FALSE(result.converged);
   EXPECT_LE(result.iterations, 45);
   Vector bad = Vector::Ones(20);
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     bad[2] = value;
-    EXPECT_FALSE(solve(A, one, bad, x, 60).converged) << value;
+    EXPECT_FALSE(solve_by_gmres(A, one, bad, x, 60).converged) << value;
   }
 }
 

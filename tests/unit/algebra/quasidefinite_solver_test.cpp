@@ -8,15 +8,10 @@
 
 #include "algebra/krylov.hpp"
 #include "unit/algebra/pressure_matrices.hpp"
+#include "unit/algebra/support.hpp"
 
 namespace tether {
 namespace {
-
-std::vector<double> waves(std::int64_t n) {
-  std::vector<double> x(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1 + std::sin(1.7 * static_cast<double>(i));
-  return x;
-}
 
 /// Of the solution of K x = b for a known x, over |x|.
 double error_of(QuasidefiniteSolver& solver, const SparseMatrix& K) {

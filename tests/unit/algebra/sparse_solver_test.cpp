@@ -6,6 +6,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "unit/algebra/support.hpp"
+
 namespace tether {
 namespace {
 
@@ -43,15 +45,6 @@ Assembled assembled(const Chain& chain, int elements, bool symmetric) {
     A.full.block<8, 8>(6 * e, 6 * e) += k;
   }
   return A;
-}
-
-Eigen::MatrixXd full_of(const SparseMatrix& A) {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(A.n, A.n);
-  for (std::int64_t j = 0; j < A.n; ++j) {
-    for (auto k = A.start[static_cast<std::size_t>(j)]; k < A.start[static_cast<std::size_t>(j) + 1]; ++k)
-      full(A.row[static_cast<std::size_t>(k)], j) = A.value[static_cast<std::size_t>(k)];
-  }
-  return full;
 }
 
 double error_of_solution(const Assembled& A, Definite definite, const std::string& method, int block = 1) {

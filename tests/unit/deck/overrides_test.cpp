@@ -61,14 +61,14 @@ TEST(Overrides, CanGiveWhatIsRequired) {
   EXPECT_EQ(read("$in nx=3 ny=3 xleft=0. xright=1. ybot=0. ytop=1. tmax=1. /", {"in.tstep=.1"}).errors(), Texts{});
 }
 
-struct Wrong {
+struct WrongOverride {
   const char* text;
   Texts errors;
 };
 
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.text; }
+void PrintTo(const WrongOverride& wrong, std::ostream* out) { *out << wrong.text; }
 
-class WrongOverrides : public testing::TestWithParam<Wrong> {};
+class WrongOverrides : public testing::TestWithParam<WrongOverride> {};
 
 TEST_P(WrongOverrides, AreToldWithTheirPlace) {
   const auto reading = read(deck_text, {"in.wl=4", GetParam().text});
@@ -80,19 +80,19 @@ TEST_P(WrongOverrides, AreToldWithTheirPlace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Overrides, WrongOverrides,
-                         testing::Values(Wrong{"", {"2:1: this is no override"}},
-                                         Wrong{"in.wl", {"2:1: this is no override"}},
-                                         Wrong{"tmax=0.5", {"2:1: 'tmax' names no group"}},
-                                         Wrong{"inn.tmax=0.5", {"2:1: 'inn.tmax' names no group"}},
-                                         Wrong{".tmax=0.5", {"2:1: '.tmax' names no group"}},
-                                         Wrong{"in.tmx=0.5", {"2:4: $in has no variable 'tmx'"}},
-                                         Wrong{"in.nx=1", {"2:7: nx = 1 is out of range"}},
-                                         Wrong{"in.iout(61)=1", {"2:9: subscript 61 of iout is out of range"}},
-                                         Wrong{"in.wr==1", {"2:7: '=' among the values of 'in.wr'"}},
-                                         Wrong{"in.wr=1 wb=1", {"2:9: one override sets one variable"}},
-                                         Wrong{"in.wr=1/2", {"2:1: a group ends in this override"}},
-                                         Wrong{"in.wr=1 $", {"2:1: a group ends in this override"}},
-                                         Wrong{"in.particles='x", {"2:14: this quote is never closed"}}));
+                         testing::Values(WrongOverride{"", {"2:1: this is no override"}},
+                                         WrongOverride{"in.wl", {"2:1: this is no override"}},
+                                         WrongOverride{"tmax=0.5", {"2:1: 'tmax' names no group"}},
+                                         WrongOverride{"inn.tmax=0.5", {"2:1: 'inn.tmax' names no group"}},
+                                         WrongOverride{".tmax=0.5", {"2:1: '.tmax' names no group"}},
+                                         WrongOverride{"in.tmx=0.5", {"2:4: $in has no variable 'tmx'"}},
+                                         WrongOverride{"in.nx=1", {"2:7: nx = 1 is out of range"}},
+                                         WrongOverride{"in.iout(61)=1", {"2:9: subscript 61 of iout is out of range"}},
+                                         WrongOverride{"in.wr==1", {"2:7: '=' among the values of 'in.wr'"}},
+                                         WrongOverride{"in.wr=1 wb=1", {"2:9: one override sets one variable"}},
+                                         WrongOverride{"in.wr=1/2", {"2:1: a group ends in this override"}},
+                                         WrongOverride{"in.wr=1 $", {"2:1: a group ends in this override"}},
+                                         WrongOverride{"in.particles='x", {"2:14: this quote is never closed"}}));
 
 TEST(Overrides, SayWhatWouldBeRight) {
   const auto hint = [](const char* text) { return read(deck_text, {text}).diagnostics.errors().front().hint; };

@@ -119,14 +119,14 @@ TEST(ParticleFile, FusedAndListedRowsMix) {
   EXPECT_EQ(read.file.rows.at(1).y, 1.99);
 }
 
-struct Wrong {
+struct WrongParticleFile {
   std::string text;
   Texts errors;
 };
 
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.text; }
+void PrintTo(const WrongParticleFile& wrong, std::ostream* out) { *out << wrong.text; }
 
-class WrongParticles : public testing::TestWithParam<Wrong> {};
+class WrongParticles : public testing::TestWithParam<WrongParticleFile> {};
 
 TEST_P(WrongParticles, AreToldWithTheirPlace) { EXPECT_EQ(particles(GetParam().text).errors(), GetParam().errors); }
 
@@ -135,43 +135,46 @@ const std::string constants = "1.,0.,0.,0.,0.,0.,0.\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, WrongParticles,
-    testing::Values(Wrong{with_head(2, row), {"0:0: 2 rows declared, 1 found"}},
-                    Wrong{with_head(1, row + row + row + "note"), {"7:1: 1 rows declared, 3 found"}},
-                    Wrong{with_head(3, row + row + "40 mp for pendulum swing\n"), {"8:1: 3 rows declared, 2 found"}},
-                    Wrong{with_head(3, row + "1. 2. 0. 0. 0.x 0. 0.\n" + row), {"7:1: 3 rows declared, 1 found"}},
-                    Wrong{with_head(100000000, row), {"0:0: 100000000 rows declared, 1 found"}},
-                    Wrong{with_head(1, "1. 2. 0. 0. 0. 0.\n"), {"6:1: this row is not 7 numbers"}},
-                    Wrong{with_head(1, "1. 2. 0. 0. 0. 0. 0. 0.\n"), {"6:1: this row is not 7 numbers"}},
-                    Wrong{with_head(2, "0.0500001.9900000.000.000.000.000.00\n0.050001.990000.000.000.000.000.00\n"),
+    testing::Values(
+        WrongParticleFile{with_head(2, row), {"0:0: 2 rows declared, 1 found"}},
+        WrongParticleFile{with_head(1, row + row + row + "note"), {"7:1: 1 rows declared, 3 found"}},
+        WrongParticleFile{with_head(3, row + row + "40 mp for pendulum swing\n"), {"8:1: 3 rows declared, 2 found"}},
+        WrongParticleFile{with_head(3, row + "1. 2. 0. 0. 0.x 0. 0.\n" + row), {"7:1: 3 rows declared, 1 found"}},
+        WrongParticleFile{with_head(100000000, row), {"0:0: 100000000 rows declared, 1 found"}},
+        WrongParticleFile{with_head(1, "1. 2. 0. 0. 0. 0.\n"), {"6:1: this row is not 7 numbers"}},
+        WrongParticleFile{with_head(1, "1. 2. 0. 0. 0. 0. 0. 0.\n"), {"6:1: this row is not 7 numbers"}},
+        WrongParticleFile{with_head(2, "0.0500001.9900000.000.000.000.000.00\n0.050001.990000.000.000.000.000.00\n"),
                           {"7:1: this row is not 7 numbers"}},
-                    Wrong{with_head(1, "0.500.250.00.00.00.00.00\n"), {"6:1: this row is not 7 numbers"}},
-                    Wrong{with_head(1, "1. 2. 0. 1e999 0. 0. 0.\n"), {"6:1: this row has a number that is not finite"}},
-                    Wrong{with_head(1, "1. 2. 0. nan 0. 0. 0.\n"), {"6:1: this row has a number that is not finite"}},
-                    Wrong{with_head(2, ".5.5.5.5.5.5.5\n.6.6.6.6.6.6.6\n"), {}},
-                    Wrong{with_head(1, std::string(300, '.') + "\n"), {"6:1: 1 rows declared, 0 found"}}));
+        WrongParticleFile{with_head(1, "0.500.250.00.00.00.00.00\n"), {"6:1: this row is not 7 numbers"}},
+        WrongParticleFile{with_head(1, "1. 2. 0. 1e999 0. 0. 0.\n"), {"6:1: this row has a number that is not finite"}},
+        WrongParticleFile{with_head(1, "1. 2. 0. nan 0. 0. 0.\n"), {"6:1: this row has a number that is not finite"}},
+        WrongParticleFile{with_head(2, ".5.5.5.5.5.5.5\n.6.6.6.6.6.6.6\n"), {}},
+        WrongParticleFile{with_head(1, std::string(300, '.') + "\n"), {"6:1: 1 rows declared, 0 found"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Heads, WrongParticles,
     testing::Values(
-        Wrong{"", {"0:0: the file is empty"}},
-        Wrong{"0.1\n", {"0:0: the particle data end before 7 material constants"}},
-        Wrong{"0.1\n" + constants, {"0:0: the particle data end before 4 integers ipath"}},
-        Wrong{"0.1\n" + constants + "3,3,3,8\n",
-              {"0:0: the particle data end before the number of points in the sequence"}},
-        Wrong{"0.1\n" + constants + "3,3,3,8\n1\n",
-              {"0:0: the particle data end before the number of points in all and the number per cell"}},
-        Wrong{"notes on this problem\n", {"1:1: this line of the particle data must be the density"}},
-        Wrong{"inf\n", {"1:1: this line of the particle data must be the density"}},
-        Wrong{"0.1\n1.,0.\n", {"2:1: this line of the particle data must be 7 material constants"}},
-        Wrong{"0.1\n" + constants + "3,3,8\n", {"3:1: this line of the particle data must be 4 integers ipath"}},
-        Wrong{"-0.1\n" + constants + "3,3,3,.5\n0\n0,0\n",
-              {"1:1: the density must be > 0, not -0.1",
-               "3:1: ipath must be a whole number from -100000000 to 100000000, not 0.5",
-               "5:1: the number of points in all must be a whole number from 1 to 100000000, not 0",
-               "5:1: the points per cell must be > 0, not 0"}},
-        Wrong{"0.1\n" + constants + "3,3,3,8\n-1\n1e9,1\n",
-              {"4:1: the number of points in the sequence must be a whole number from 0 to 100000000, not -1",
-               "5:1: the number of points in all must be a whole number from 1 to 100000000, not 1000000000"}}));
+        WrongParticleFile{"", {"0:0: the file is empty"}},
+        WrongParticleFile{"0.1\n", {"0:0: the particle data end before 7 material constants"}},
+        WrongParticleFile{"0.1\n" + constants, {"0:0: the particle data end before 4 integers ipath"}},
+        WrongParticleFile{"0.1\n" + constants + "3,3,3,8\n",
+                          {"0:0: the particle data end before the number of points in the sequence"}},
+        WrongParticleFile{"0.1\n" + constants + "3,3,3,8\n1\n",
+                          {"0:0: the particle data end before the number of points in all and the number per cell"}},
+        WrongParticleFile{"notes on this problem\n", {"1:1: this line of the particle data must be the density"}},
+        WrongParticleFile{"inf\n", {"1:1: this line of the particle data must be the density"}},
+        WrongParticleFile{"0.1\n1.,0.\n", {"2:1: this line of the particle data must be 7 material constants"}},
+        WrongParticleFile{"0.1\n" + constants + "3,3,8\n",
+                          {"3:1: this line of the particle data must be 4 integers ipath"}},
+        WrongParticleFile{"-0.1\n" + constants + "3,3,3,.5\n0\n0,0\n",
+                          {"1:1: the density must be > 0, not -0.1",
+                           "3:1: ipath must be a whole number from -100000000 to 100000000, not 0.5",
+                           "5:1: the number of points in all must be a whole number from 1 to 100000000, not 0",
+                           "5:1: the points per cell must be > 0, not 0"}},
+        WrongParticleFile{
+            "0.1\n" + constants + "3,3,3,8\n-1\n1e9,1\n",
+            {"4:1: the number of points in the sequence must be a whole number from 0 to 100000000, not -1",
+             "5:1: the number of points in all must be a whole number from 1 to 100000000, not 1000000000"}}));
 
 /// 77 digits with a '.' in each field of (2F11,5F11), and of (2F6,5F13).
 std::string ambiguous_row() {

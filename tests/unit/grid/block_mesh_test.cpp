@@ -10,13 +10,12 @@
 
 #include "grid/mesh.hpp"
 #include "grid/shapes.hpp"
+#include "unit/grid/mesh_support.hpp"
 
 namespace tether {
 namespace {
 
-using Place = std::array<double, 2>;
-
-Block quadrilateral(const std::array<Place, 4>& corners, std::array<int, 3> cells) {
+Block quadrilateral(const std::array<Vec<2>, 4>& corners, std::array<int, 3> cells) {
   Block block;
   for (std::size_t k = 0; k < 4; ++k) block.edges[k] = straight(corners[k], corners[(k + 1) % 4]);
   block.cells = cells;
@@ -24,20 +23,8 @@ Block quadrilateral(const std::array<Place, 4>& corners, std::array<int, 3> cell
   return block;
 }
 
-Block rectangle(Place low, Place high, std::array<int, 3> cells) {
+Block rectangle(Vec<2> low, Vec<2> high, std::array<int, 3> cells) {
   return quadrilateral({low, {high[0], low[1]}, high, {low[0], high[1]}}, cells);
-}
-
-double volume(const Mesh& mesh) {
-  return with_shapes(mesh.kind, [&](auto shapes) {
-    using Shapes = decltype(shapes);
-    double sum = 0;
-    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      for (int k = 0; k < Shapes::points; ++k)
-        sum += Shapes::weight(k) * jacobian_at<Shapes>(mesh, e, Shapes::place(k)).determinant;
-    }
-    return sum;
-  });
 }
 
 constexpr std::array all_kinds{ElementKind::quad4, ElementKind::quad9, ElementKind::tri3, ElementKind::tri6,

@@ -9,6 +9,7 @@
 
 #include "grid/block_mesh.hpp"
 #include "grid/carried_nodes.hpp"
+#include "unit/grid/mesh_support.hpp"
 
 // Which nodes of a body the fluid carries, and how the others follow.
 
@@ -21,13 +22,6 @@ Block rectangle(double x0, double y0, double x1, double y1, int nx, int ny) {
   for (std::size_t k = 0; k < 4; ++k) block.edges[k] = straight(corners[k], corners[(k + 1) % 4]);
   block.cells = {nx, ny, 1};
   return block;
-}
-
-Mesh mesh_of(const std::vector<Block>& blocks, ElementKind kind) {
-  std::vector<MeshFlaw> flaws;
-  Mesh mesh = mesh_of_blocks(blocks, kind, flaws);
-  EXPECT_TRUE(flaws.empty());
-  return mesh;
 }
 
 /// A quarter of a ring about the origin, counted the wrong way round from block to block if `turned`.
@@ -64,17 +58,17 @@ double difference(const CarriedNodes& carried, const Mesh& mesh, const Field& fi
 
 /// A body of 1.0 x 0.2 in cells of 0.1: 10 x 2 coarse elements of order 2 have 21 x 5 nodes, however fine the body is.
 TEST(CarriedNodes, AreAsManyAsTheFluidHasThere) {
-  const Mesh fluid = mesh_of({rectangle(0, 0, 2, 1, 20, 10)}, ElementKind::quad9);
+  const Mesh fluid = meshed({rectangle(0, 0, 2, 1, 20, 10)}, ElementKind::quad9);
   for (const auto kind : {ElementKind::quad4, ElementKind::quad9}) {
     for (const int finer : {2, 4, 8}) {
-      const Mesh body = mesh_of({rectangle(0.32, 0.37, 1.32, 0.57, 10 * finer, 2 * finer)}, kind);
+      const Mesh body = meshed({rectangle(0.32, 0.37, 1.32, 0.57, 10 * finer, 2 * finer)}, kind);
       CarriedNodes carried(fluid, body);
       carried.choose(body.x);
       EXPECT_EQ(carried.nodes().size(), 21u * 5u) << finer;
       EXPECT_NEAR(carried.coarsest(), 1, 1e-9);
     }
   }
-  const Mesh coarse = mesh_of({rectangle(0.32, 0.37, 1.32, 0.57, 5, 1)}, ElementKind::quad9);
+  const Mesh coarse = meshed({rectangle(0.32, 0.37, 1.32, 0.57, 5, 1)}, ElementKind::quad9);
   CarriedNodes carried(fluid, coarse);
   carried.choose(coarse.x);
   EXPECT_TRUE(carried.all());
@@ -82,8 +76,8 @@ TEST(CarriedNodes, AreAsManyAsTheFluidHasThere) {
 }
 
 TEST(CarriedNodes, GiveBackWhatTheirElementsHold) {
-  const Mesh fluid = mesh_of({rectangle(0, 0, 2, 1, 20, 10)}, ElementKind::quad9);
-  const Mesh body = mesh_of({rectangle(0.32, 0.37, 1.32, 0.57, 77, 13)}, ElementKind::quad9);
+  const Mesh fluid = meshed({rectangle(0, 0, 2, 1, 20, 10)}, ElementKind::quad9);
+  const Mesh body = meshed({rectangle(0.32, 0.37, 1.32, 0.57, 77, 13)}, ElementKind::quad9);
   CarriedNodes carried(fluid, body);
   carried.choose(body.x);
   EXPECT_LT(carried.nodes().size(), body.node_count() / 20);
@@ -93,10 +87,10 @@ TEST(CarriedNodes, GiveBackWhatTheirElementsHold) {
 /// A ring of four blocks whose lines go on from one to the next, two of them numbered the other way round: a rigid
 /// motion is kept to rounding although the lines are curved, and each line goes all round.
 TEST(CarriedNodes, GoOnFromBlockToBlock) {
-  const Mesh fluid = mesh_of({rectangle(-1, -1, 1, 1, 20, 20)}, ElementKind::quad9);
+  const Mesh fluid = meshed({rectangle(-1, -1, 1, 1, 20, 20)}, ElementKind::quad9);
   std::vector<Block> blocks;
   for (int k = 0; k < 4; ++k) blocks.push_back(quarter(0.5 * std::numbers::pi * k, k % 2 == 1, 40, 16));
-  const Mesh body = mesh_of(blocks, ElementKind::quad4);
+  const Mesh body = meshed(blocks, ElementKind::quad4);
   const auto lattices = node_lattices_of(body);
   ASSERT_EQ(lattices.size(), 4u);
   EXPECT_EQ(chains_of(lattices).lines.size(), 5u);  // one across all of them, and one along each
@@ -108,8 +102,8 @@ TEST(CarriedNodes, GoOnFromBlockToBlock) {
 
 /// Where the cells are longer fewer are carried: of a bar over cells of 0.05 and of 0.1.
 TEST(CarriedNodes, ChangeAsTheBodyMoves) {
-  const Mesh fluid = mesh_of({rectangle(0, 0, 1, 1, 20, 20), rectangle(1, 0, 2, 1, 10, 20)}, ElementKind::quad9);
-  const Mesh body = mesh_of({rectangle(0.1, 0.4, 0.7, 0.5, 48, 8)}, ElementKind::quad9);
+  const Mesh fluid = meshed({rectangle(0, 0, 1, 1, 20, 20), rectangle(1, 0, 2, 1, 10, 20)}, ElementKind::quad9);
+  const Mesh body = meshed({rectangle(0.1, 0.4, 0.7, 0.5, 48, 8)}, ElementKind::quad9);
   CarriedNodes carried(fluid, body);
   std::vector<double> x = body.x;
   std::size_t before = 25 * 5;

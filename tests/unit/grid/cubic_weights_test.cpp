@@ -6,7 +6,7 @@
 namespace tether {
 namespace {
 
-constexpr std::array<double, 5> places{0, 0.1, 0.37, 0.5, 1};
+constexpr std::array<double, 5> places_in_cell{0, 0.1, 0.37, 0.5, 1};
 constexpr std::array<double, 4> node{-1, 0, 1, 2};  // where they stand, in cells from the one before the place
 
 /// sum_k f_k node_k^power.
@@ -17,7 +17,7 @@ double moment(const std::array<double, 4>& f, int power) {
 }
 
 TEST(CubicWeights, SumIsOneAndLinearFieldsAreReproduced) {
-  for (const double r : places) {
+  for (const double r : places_in_cell) {
     EXPECT_NEAR(moment(cubic_weights(r), 0), 1, 1e-15);
     EXPECT_NEAR(moment(cubic_weights(r), 1), r, 1e-15);
     EXPECT_NEAR(moment(cubic_weights(r), 2), r * r + 1.0 / 3, 1e-14);  // the kernel's own variance is a third
@@ -47,7 +47,7 @@ TEST(CubicWeights, MeetWithTheirSlopesWhereAPointChangesCells) {
 }
 
 TEST(CubicSlopes, GradientsOfLinearAndQuadraticFields) {
-  for (const double r : places) {
+  for (const double r : places_in_cell) {
     EXPECT_NEAR(moment(cubic_slopes(r), 0), 0, 1e-15);
     EXPECT_NEAR(moment(cubic_slopes(r), 1), 1, 1e-15);
     EXPECT_NEAR(moment(cubic_slopes(r), 2), 2 * r, 1e-14);
@@ -57,7 +57,7 @@ TEST(CubicSlopes, GradientsOfLinearAndQuadraticFields) {
 /// A difference quotient of a cubic errs by its third derivative, 3 at the most, times step^2 / 6.
 TEST(CubicSlopes, AreTheSlopesOfTheWeights) {
   const double step = 1e-4;
-  for (const double r : places) {
+  for (const double r : places_in_cell) {
     const auto behind = cubic_weights(r + step), before = cubic_weights(r - step), slope = cubic_slopes(r);
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR((behind[k] - before[k]) / (2 * step), slope[k], 1e-8);
   }

@@ -11,12 +11,6 @@
 namespace tether::test {
 namespace {
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const auto at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), with);
-}
-
 /// Of a file of version 2.2 in which `what` is `with`.
 Texts errors_of(const std::string& what, const std::string& with) {
   return read_mesh(replaced(two_squares().version_22(), what, with)).errors();

@@ -9,21 +9,10 @@
 #include "base/file.hpp"
 #include "grid/shapes.hpp"
 #include "unit/grid/gmsh_support.hpp"
+#include "unit/grid/mesh_support.hpp"
 
 namespace tether::test {
 namespace {
-
-double volume(const Mesh& mesh) {
-  return with_shapes(mesh.kind, [&](auto shapes) {
-    using Shapes = decltype(shapes);
-    double sum = 0;
-    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      for (int k = 0; k < Shapes::points; ++k)
-        sum += Shapes::weight(k) * jacobian_at<Shapes>(mesh, e, Shapes::place(k)).determinant;
-    }
-    return sum;
-  });
-}
 
 Mesh mesh_of(const std::string& text, const std::vector<std::string>& regions = {""}) {
   const GmshReading reading = read_mesh(text, regions);
@@ -201,12 +190,6 @@ TEST(GmshFile, WithoutGroupsIsRegionOne) {
     EXPECT_EQ(reading.flaws[0].region, 1U);
     EXPECT_FALSE(reading.mesh);
   }
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const auto at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), with);
 }
 
 TEST(GmshFile, TakesOtherLineEndsCommentsAndSections) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <array>
 #include <string>
@@ -95,6 +96,13 @@ inline MadeFile two_squares() {
   return {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}},
           {{2, 3, 1, {1, 2, 5, 4}}, {2, 3, 1, {2, 3, 6, 5}}, {1, 1, 7, {4, 1}}, {1, 1, 9, {6, 3}}},
           {"1 7 \"left\"", "2 1 \"plate\""}};
+}
+
+/// The text with `with` in the place of its first `what`, which it must have.
+inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
 }
 
 }  // namespace tether::test

@@ -12,14 +12,14 @@
 namespace tether {
 namespace {
 
-const BackgroundGrid grid(9, 11, -1, 3, 2, 4.5);
+const BackgroundGrid kernel_grid(9, 11, -1, 3, 2, 4.5);
 
 struct Spot {
   double x, y;
 };
 
 /// Inside by a cell at least, where every kernel finds its nodes.
-std::vector<Spot> places() {
+std::vector<Spot> spots_inside() {
   std::vector<Spot> spots{{0.25, 3}, {0.5, 3}, {0.5, 3.125}, {0, 2.5}, {0.75, 3.375}};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(-0.49, 2.49), y(2.26, 4.24);
@@ -28,8 +28,9 @@ std::vector<Spot> places() {
 }
 
 Pair place_of(std::size_t n) {
-  const auto nx = static_cast<std::size_t>(grid.nx);
-  return pair(grid.x0 + static_cast<double>(n % nx) * grid.dx, grid.y0 + static_cast<double>(n / nx) * grid.dy);
+  const auto nx = static_cast<std::size_t>(kernel_grid.nx);
+  return pair(kernel_grid.x0 + static_cast<double>(n % nx) * kernel_grid.dx,
+              kernel_grid.y0 + static_cast<double>(n / nx) * kernel_grid.dy);
 }
 
 constexpr double v0[2] = {0.3, -0.7}, by_x[2] = {1.1, -2}, by_y[2] = {0.4, 0.9};
@@ -55,7 +56,7 @@ class EveryKernel : public testing::Test {
   /// Calls visit(spot, place, nodes).
   template <class Visit>
   void each(const Visit& visit) {
-    for (const Spot& spot : places()) {
+    for (const Spot& spot : spots_inside()) {
       const auto at = Kernel::locate(locator_, spot.x, spot.y);
       visit(spot, at, Kernel::nodes(locator_, at));
     }
@@ -68,7 +69,7 @@ class EveryKernel : public testing::Test {
     for (std::size_t k = 0; k < Kernel::size; ++k) of[nodes[k]] += N[k];
     return of;
   }
-  Locator locator_{grid};
+  Locator locator_{kernel_grid};
 };
 
 using Kernels = testing::Types<LinearKernel, SplineKernel>;
@@ -98,10 +99,10 @@ TYPED_TEST(EveryKernel, NodesAreTheNearestOnesAndAveragedLieAtThePlace) {
     const auto N = TypeParam::values(at);
     Pair mean{};
     for (std::size_t k = 0; k < TypeParam::size; ++k) {
-      ASSERT_LT(nodes[k], grid.nodes());
+      ASSERT_LT(nodes[k], kernel_grid.nodes());
       const Pair d = place_of(nodes[k]) - pair(spot.x, spot.y);
-      EXPECT_LE(std::abs(d[0]), 1.5 * grid.dx);
-      EXPECT_LE(std::abs(d[1]), 1.5 * grid.dy);
+      EXPECT_LE(std::abs(d[0]), 1.5 * kernel_grid.dx);
+      EXPECT_LE(std::abs(d[1]), 1.5 * kernel_grid.dy);
       mean += N[k] * d;
     }
     expect_pair(mean, pair(0, 0), 1e-12);  // Locator::edge moves a place on a cell's edge by 1e-12 of the cell
@@ -165,8 +166,8 @@ TYPED_TEST(EveryKernel, GradientsAreTheSlopesOfTheValues) {
 // What the ledger and the angular momentum of APIC build on: sum_i N_i (x_i - x_p)(x_i - x_p) = h^2/4 an axis,
 // wherever the point is.
 TEST(SplineKernelTest, SecondMomentIsAQuarterOfACellSquared) {
-  const Locator locator(grid);
-  for (const Spot& spot : places()) {
+  const Locator locator(kernel_grid);
+  for (const Spot& spot : spots_inside()) {
     const auto at = SplineKernel::locate(locator, spot.x, spot.y);
     const auto nodes = SplineKernel::nodes(locator, at);
     const auto N = SplineKernel::values(at);
@@ -177,15 +178,15 @@ TEST(SplineKernelTest, SecondMomentIsAQuarterOfACellSquared) {
       squares += N[k] * d * d;
       mixed += N[k] * d[0] * d[1];
     }
-    expect_pair(squares, pair(grid.dx * grid.dx / 4, grid.dy * grid.dy / 4), 1e-15);
+    expect_pair(squares, pair(kernel_grid.dx * kernel_grid.dx / 4, kernel_grid.dy * kernel_grid.dy / 4), 1e-15);
     EXPECT_NEAR(mixed, 0, 1e-15);
   }
 }
 
 // Of a field that is not linear APIC keeps C = 4/h^2 sum N v (x_i - x_p), which is no gradient.
 TEST(SplineKernelTest, AffineFieldIsTheFirstMomentOverTheSecond) {
-  const Locator locator(grid);
-  for (const Spot& spot : places()) {
+  const Locator locator(kernel_grid);
+  for (const Spot& spot : spots_inside()) {
     const auto at = SplineKernel::locate(locator, spot.x, spot.y);
     const auto nodes = SplineKernel::nodes(locator, at);
     const auto N = SplineKernel::values(at);
@@ -193,7 +194,8 @@ TEST(SplineKernelTest, AffineFieldIsTheFirstMomentOverTheSecond) {
     for (std::size_t k = 0; k < SplineKernel::size; ++k) {
       const Pair d = place_of(nodes[k]) - pair(spot.x, spot.y), v = N[k] * rough_velocity(nodes[k]);
       expected.v += v;
-      expected.by_x += 4 / (grid.dx * grid.dx) * d[0] * v, expected.by_y += 4 / (grid.dy * grid.dy) * d[1] * v;
+      expected.by_x += 4 / (kernel_grid.dx * kernel_grid.dx) * d[0] * v,
+          expected.by_y += 4 / (kernel_grid.dy * kernel_grid.dy) * d[1] * v;
     }
     const LinearField affine = SplineKernel::affine(locator, at, nodes, rough_velocity);
     expect_pair(affine.v, expected.v, 1e-14);

@@ -18,7 +18,7 @@ TEST(PointFinder, KnowsThatEdgesBulgeBeyondTheirNodes) {
     for (int i = 0; i < 3; ++i) mesh.x.push_back(0.5 * i), mesh.x.push_back(0.5 * j + 0.1 * i * j);
   }
   mesh.x[2 * 7 + 1] = 1.38;  // the middle of the top edge, whose ends are at 1 and 1.4
-  const Place highest = place_in(mesh, 0, {0.56, 1});
+  const Vec<2> highest = place_in(mesh, 0, {0.56, 1});
   ASSERT_GT(highest[1], 1.43);
   const auto found = PointFinder(mesh).find(highest);
   ASSERT_TRUE(found);
@@ -37,7 +37,7 @@ Mesh bent_element(double by, std::mt19937& random) {
     }
     double least = 1;
     for (int k = 0; k < 441; ++k) {
-      const Place s{0.1 * (k % 21) - 1, 0.1 * (k / 21) - 1};
+      const Vec<2> s{0.1 * (k % 21) - 1, 0.1 * (k / 21) - 1};
       least = std::min(least, jacobian_at<ShapesOf<ElementKind::quad9>>(mesh, 0, s).determinant);
     }
     if (least > 0.05) return mesh;
@@ -52,7 +52,7 @@ TEST(PointFinder, FindsPlacesInElementsBentALittleAndMuch) {
       const Mesh mesh = bent_element(by, random);
       const PointFinder finder(mesh);
       for (int i = 0; i < 1000; ++i) {
-        const Place s{number(random), number(random)}, x = place_in(mesh, 0, s);
+        const Vec<2> s{number(random), number(random)}, x = place_in(mesh, 0, s);
         const auto found = finder.find(x, i % 2 - 1);
         ASSERT_TRUE(found);
         ASSERT_LT(distance(found->s, s), 1e-12);

@@ -8,12 +8,10 @@
 
 namespace tether {
 
-using Place = std::array<double, 2>;
-
 /// The place in element e that s in its reference element stands for.
-inline Place place_in(const Mesh& mesh, int e, const Place& s) {
+inline Vec<2> place_in(const Mesh& mesh, int e, const Vec<2>& s) {
   return with_shapes(mesh.kind, [&](auto shapes) {
-    Place x{};
+    Vec<2> x{};
     if constexpr (decltype(shapes)::dim == 2) {
       const auto N = decltype(shapes)::values(s);
       for (std::size_t a = 0; a < N.size(); ++a) {
@@ -25,6 +23,6 @@ inline Place place_in(const Mesh& mesh, int e, const Place& s) {
   });
 }
 
-inline double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+inline double distance(const Vec<2>& a, const Vec<2>& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 }  // namespace tether

@@ -9,19 +9,13 @@
 #include <random>
 
 #include "grid/block_mesh.hpp"
+#include "unit/grid/mesh_support.hpp"
 #include "unit/grid/point_finder_support.hpp"
 
 namespace tether {
 namespace {
 
-Mesh meshed(const std::vector<Block>& blocks, ElementKind kind) {
-  std::vector<MeshFlaw> flaws;
-  const Mesh mesh = mesh_of_blocks(blocks, kind, flaws);
-  EXPECT_TRUE(flaws.empty());
-  return mesh;
-}
-
-Block quadrilateral(const std::array<Place, 4>& corners, std::array<int, 3> cells, std::array<double, 3> grading) {
+Block quadrilateral(const std::array<Vec<2>, 4>& corners, std::array<int, 3> cells, std::array<double, 3> grading) {
   Block block;
   for (std::size_t k = 0; k < 4; ++k) block.edges[k] = straight(corners[k], corners[(k + 1) % 4]);
   block.cells = cells, block.grading = grading;
@@ -31,11 +25,11 @@ Block quadrilateral(const std::array<Place, 4>& corners, std::array<int, 3> cell
 constexpr double hole = 0.5, rim = 2;  // radii of the ring
 
 /// Four blocks about a hole, the cells towards it thinner.
-std::vector<Block> ring(Place centre = {0, 0}) {
+std::vector<Block> ring(Vec<2> centre = {0, 0}) {
   std::vector<Block> blocks;
   const auto at = [&](double radius, int quarter) {
     const double angle = std::numbers::pi * (0.25 + 0.5 * quarter);
-    return Place{centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)};
+    return Vec<2>{centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)};
   };
   for (int q = 0; q < 4; ++q) {
     Block block;
@@ -53,10 +47,10 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  const std::array<Place, 4> square{{{-1, 2}, {2, 2}, {2, 4}, {-1, 4}}};
-  const std::array<Place, 4> turned{{{2, 2}, {2, 4}, {-1, 4}, {-1, 2}}};
-  const std::array<Place, 4> sheared{{{0, 0}, {3, 1}, {4, 4}, {1, 3}}};
-  const std::array<Place, 4> skew{{{0, 0}, {3, 1}, {4, 3}, {-1, 2}}};
+  const std::array<Vec<2>, 4> square{{{-1, 2}, {2, 2}, {2, 4}, {-1, 4}}};
+  const std::array<Vec<2>, 4> turned{{{2, 2}, {2, 4}, {-1, 4}, {-1, 2}}};
+  const std::array<Vec<2>, 4> sheared{{{0, 0}, {3, 1}, {4, 4}, {1, 3}}};
+  const std::array<Vec<2>, 4> skew{{{0, 0}, {3, 1}, {4, 3}, {-1, 2}}};
   std::vector<Case> all;
   for (const ElementKind kind : {ElementKind::quad4, ElementKind::quad9}) {
     all.push_back({"rectangle", meshed({quadrilateral(square, {7, 5, 1}, {1, 1, 1})}, kind)});
@@ -76,7 +70,7 @@ double size_of(const Mesh& mesh) {
 }
 
 /// Inside and outside by the cross products of the straight edges.
-bool inside_straight(const Mesh& mesh, int e, const Place& x) {
+bool inside_straight(const Mesh& mesh, int e, const Vec<2>& x) {
   constexpr std::array<std::array<int, 2>, 4> edges{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};
   for (const auto& edge : edges) {
     const int* nodes = mesh.element(static_cast<std::size_t>(e));
@@ -95,8 +89,8 @@ TEST(PointFinder, FindsPlacesInsideOfElements) {
     const PointFinder finder(mesh);
     const auto count = static_cast<int>(mesh.element_count());
     for (int k = 0; k < 60 * count; ++k) {
-      const Place s = k < count ? Place{0, 0} : Place{number(random), number(random)};
-      const Place x = place_in(mesh, k % count, s);
+      const Vec<2> s = k < count ? Vec<2>{0, 0} : Vec<2>{number(random), number(random)};
+      const Vec<2> x = place_in(mesh, k % count, s);
       const auto found = finder.find(x);
       ASSERT_TRUE(found);
       ASSERT_EQ(found->element, k % count);
@@ -122,7 +116,7 @@ TEST(PointFinder, GivesSharedPlacesToTheLowestElement) {
     for (std::size_t k = mesh.nodes.size(); k-- > 0;)
       lowest[static_cast<std::size_t>(mesh.nodes[k])] = static_cast<int>(k / per_element);
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      const Place x{mesh.x[2 * n], mesh.x[2 * n + 1]};
+      const Vec<2> x{mesh.x[2 * n], mesh.x[2 * n + 1]};
       for (int hint = -1; hint < static_cast<int>(mesh.element_count()); ++hint) {
         const auto found = finder.find(x, hint);
         ASSERT_TRUE(found);
@@ -144,7 +138,7 @@ TEST(PointFinder, AnswersAlikeForAllHintsNearEdges) {
     const PointFinder finder(mesh);
     const auto count = static_cast<int>(mesh.element_count());
     for (int k = 0; k < 10 * count; ++k) {
-      Place x = place_in(mesh, k % count, {k % 2 ? 1.0 : -1.0, number(random)});
+      Vec<2> x = place_in(mesh, k % count, {k % 2 ? 1.0 : -1.0, number(random)});
       for (double& xi : x) xi += 1e-14 * size_of(mesh) * number(random) * std::pow(10, 2 * number(random));
       const auto found = finder.find(x);
       if (!found) continue;  // at the rim by more than an element's tolerance
@@ -164,13 +158,13 @@ TEST(PointFinder, AgreesWithASearchOfAllElements) {
   for (const auto& [name, mesh] : cases()) {
     if (mesh.kind != ElementKind::quad4) continue;  // whose edges are straight
     SCOPED_TRACE(name);
-    Place low{mesh.x[0], mesh.x[1]}, high = low;
+    Vec<2> low{mesh.x[0], mesh.x[1]}, high = low;
     for (std::size_t k = 0; k < mesh.x.size(); ++k)
       low[k % 2] = std::min(low[k % 2], mesh.x[k]), high[k % 2] = std::max(high[k % 2], mesh.x[k]);
     const PointFinder finder(mesh);
     int inside = 0, outside = 0;
     for (int k = 0; k < 4000; ++k) {
-      const Place x{low[0] + number(random) * (high[0] - low[0]), low[1] + number(random) * (high[1] - low[1])};
+      const Vec<2> x{low[0] + number(random) * (high[0] - low[0]), low[1] + number(random) * (high[1] - low[1])};
       int element = 0;
       const auto count = static_cast<int>(mesh.element_count());
       while (element < count && !inside_straight(mesh, element, x)) ++element;
@@ -190,7 +184,7 @@ TEST(PointFinder, FindsNothingInAHoleAndOutside) {
     const double chord = std::cos(std::numbers::pi / 12);  // straight edges come nearer to the centre than the arcs
     for (int k = 0; k < 360; ++k) {
       const double angle = k * std::numbers::pi / 180;
-      const auto at = [&](double radius) { return Place{radius * std::cos(angle), radius * std::sin(angle)}; };
+      const auto at = [&](double radius) { return Vec<2>{radius * std::cos(angle), radius * std::sin(angle)}; };
       EXPECT_FALSE(finder.find(at(0.99 * chord * hole)));
       EXPECT_TRUE(finder.find(at(1.01 * hole)));
       EXPECT_TRUE(finder.find(at(0.99 * chord * rim)));
@@ -220,8 +214,8 @@ TEST(PointFinder, TakesPlacesALittleOutsideToTheWall) {
     const Mesh mesh = meshed({quadrilateral({{{0, 0}, {3, 1}, {4, 3}, {-1, 2}}}, {3, 2, 1}, {1, 1, 1})}, kind);
     const PointFinder finder(mesh);
     const double size = 1;  // of each element, about
-    for (const Place s : {Place{0.3, -1}, Place{-0.8, -1}, Place{-1, -1}}) {
-      const Place x = place_in(mesh, 0, s), outwards{0.2, -0.97};
+    for (const Vec<2> s : {Vec<2>{0.3, -1}, Vec<2>{-0.8, -1}, Vec<2>{-1, -1}}) {
+      const Vec<2> x = place_in(mesh, 0, s), outwards{0.2, -0.97};
       for (const double by : {1e-11, 5e-10}) {
         const auto found = finder.find({x[0] + by * size * outwards[0], x[1] + by * size * outwards[1]});
         ASSERT_TRUE(found);

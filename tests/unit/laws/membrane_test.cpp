@@ -10,8 +10,8 @@
 namespace tether {
 namespace {
 
-constexpr double E = 1e6;
-const Membrane one_way{E, 0.3, true}, two_way{E, 0.3, false};
+constexpr double stiffness = 1e6;
+const Membrane one_way{stiffness, 0.3, true}, two_way{stiffness, 0.3, false};
 
 TEST(MembraneTest, TensionHasYoungsModulus) {  // (5.5), whatever Poisson's ratio
   EXPECT_EQ(one_way.stress(0.125), 125000);
@@ -45,7 +45,7 @@ TEST(MembraneTest, StressIsTheDerivativeOfTheEnergy) {
 /// An initial stress of -1e5 stands for the strain -0.1 of Box 5: slack, until that much was pulled out.
 TEST(MembraneTest, SlackIsTakenUpBeforeItPulls) {
   EXPECT_EQ(one_way.stress(-0.1 + 0.0625), 0);
-  EXPECT_NEAR(one_way.stress(-0.1 + 0.125), 0.025 * E, 1e-9);
+  EXPECT_NEAR(one_way.stress(-0.1 + 0.125), 0.025 * stiffness, 1e-9);
 }
 
 TEST(MembraneTest, SoundSpeed) { EXPECT_EQ((Membrane{4, 0, true}.sound_speed(0.25)), 4); }
@@ -54,36 +54,36 @@ TEST(MembraneTest, SoundSpeed) { EXPECT_EQ((Membrane{4, 0, true}.sound_speed(0.2
 
 using std::numbers::pi;
 
-Membrane sheet(double nu, bool wrinkle = true) { return {E, nu, wrinkle, Membrane::Kind::plane_stress}; }
+Membrane sheet(double nu, bool wrinkle = true) { return {stiffness, nu, wrinkle, Membrane::Kind::plane_stress}; }
 
 TEST(PlaneStressMembrane, InThePlaneTheHoopIsHeld) {  // (5.12)-(5.15): eps_2' = 0
-  EXPECT_NEAR(sheet(0.3).stress(0.01), E * 0.01 / 0.91, 1e-9);
-  EXPECT_NEAR(sheet(0.3).stress(0.01, 0).hoop, 0.3 * E * 0.01 / 0.91, 1e-9);
-  EXPECT_NEAR(sheet(0.3).energy_density(0.01), 0.5 * E * 1e-4 / 0.91, 1e-9);
+  EXPECT_NEAR(sheet(0.3).stress(0.01), stiffness * 0.01 / 0.91, 1e-9);
+  EXPECT_NEAR(sheet(0.3).stress(0.01, 0).hoop, 0.3 * stiffness * 0.01 / 0.91, 1e-9);
+  EXPECT_NEAR(sheet(0.3).energy_density(0.01), 0.5 * stiffness * 1e-4 / 0.91, 1e-9);
   EXPECT_EQ(sheet(0.3).stress(-0.01), 0);
-  EXPECT_NEAR(sheet(0.3, false).stress(-0.01), -E * 0.01 / 0.91, 1e-9);
+  EXPECT_NEAR(sheet(0.3, false).stress(-0.01), -stiffness * 0.01 / 0.91, 1e-9);
 }
 
 TEST(PlaneStressMembrane, ASphereStretchesAlikeBothWays) {  // sigma = E eps / (1 - nu)
   const MembraneStress s = sheet(0.3).stress(0.01, 0.01);
-  EXPECT_NEAR(s.tangent, E * 0.01 / 0.7, 1e-9);
-  EXPECT_NEAR(s.hoop, E * 0.01 / 0.7, 1e-9);
-  EXPECT_NEAR(sheet(0.3).energy_density(0.01, 0.01), E * 1e-4 / 0.7, 1e-9);
+  EXPECT_NEAR(s.tangent, stiffness * 0.01 / 0.7, 1e-9);
+  EXPECT_NEAR(s.hoop, stiffness * 0.01 / 0.7, 1e-9);
+  EXPECT_NEAR(sheet(0.3).energy_density(0.01, 0.01), stiffness * 1e-4 / 0.7, 1e-9);
 }
 
 TEST(PlaneStressMembrane, FreeToContractItIsUniaxial) {  // eps_2' = -nu eps_1': sigma_1' = E eps_1', sigma_2' = 0
   const MembraneStress s = sheet(0.3, false).stress(0.01, -0.003);
-  EXPECT_NEAR(s.tangent, E * 0.01, 1e-9);
+  EXPECT_NEAR(s.tangent, stiffness * 0.01, 1e-9);
   EXPECT_NEAR(s.hoop, 0, 1e-9);
 }
 
 TEST(PlaneStressMembrane, AWrinkledDirectionCarriesNothingAndTheOtherAlone) {
   const MembraneStress along = sheet(0.3).stress(0.01, -0.5), round = sheet(0.3).stress(-0.5, 0.01);
-  EXPECT_EQ(along.tangent, E * 0.01);
+  EXPECT_EQ(along.tangent, stiffness * 0.01);
   EXPECT_EQ(along.hoop, 0);
   EXPECT_EQ(round.tangent, 0);
-  EXPECT_EQ(round.hoop, E * 0.01);
-  EXPECT_NEAR(sheet(0.3).energy_density(0.01, -0.5), 0.5 * E * 1e-4, 1e-9);
+  EXPECT_EQ(round.hoop, stiffness * 0.01);
+  EXPECT_NEAR(sheet(0.3).energy_density(0.01, -0.5), 0.5 * stiffness * 1e-4, 1e-9);
   for (const double hoop : {-0.2, -0.01, 0.0}) {
     EXPECT_EQ(sheet(0.3).stress(-0.01, hoop).tangent, 0);
     EXPECT_EQ(sheet(0.3).stress(-0.01, hoop).hoop, 0);
@@ -104,7 +104,7 @@ class SheetOfPoisson : public testing::TestWithParam<double> {};
 /// Strains of .1 in every direction, half a degree beside the borders that could stand at whole ones; within a region
 /// the energy is quadratic, so that central differences have no error but rounding.
 TEST_P(SheetOfPoisson, StressIsTheDerivativeOfTheEnergyInBothStrains) {
-  const double h = 1e-5, tolerance = 1e-10 * E;
+  const double h = 1e-5, tolerance = 1e-10 * stiffness;
   int taut = 0, wrinkled = 0, slack = 0;
   for (const bool wrinkle : {true, false}) {
     const Membrane law = sheet(GetParam(), wrinkle);
@@ -121,7 +121,7 @@ TEST_P(SheetOfPoisson, StressIsTheDerivativeOfTheEnergyInBothStrains) {
 
 /// Between states dt apart the stress differs by no more than the stiffest state's stiffness: it jumps over no border.
 TEST_P(SheetOfPoisson, StressIsContinuousOverAllBorders) {
-  const double nu = GetParam(), stiffest = E / (1 - std::abs(nu)), step = 2 * pi / 100000;
+  const double nu = GetParam(), stiffest = stiffness / (1 - std::abs(nu)), step = 2 * pi / 100000;
   const Membrane law = sheet(nu);
   MembraneStress before = law.stress(0.1, 0);
   for (int k = 1; k <= 100000; ++k) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "plan/plan.hpp"
+#include "results/results.hpp"
 
 namespace tether::scenes {
 
@@ -40,6 +44,13 @@ inline void stir(Scene& scene, double scale) {
     P.vx[p] = scale * (0.3 + std::sin(P.x[p]) - 0.5 * P.y[p]);
     P.vy[p] = scale * (0.1 + 0.5 * P.x[p] * std::cos(P.y[p]));
   }
+}
+
+/// A field of a snapshot, empty where it has none of that name.
+inline std::vector<double> field(const Snapshot& snapshot, const std::string& name) {
+  const auto found = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
+                                  [&](const Field& f) { return f.quantity.name == name; });
+  return found == snapshot.fields.end() ? std::vector<double>{} : found->values;
 }
 
 }  // namespace tether::scenes

@@ -70,4 +70,10 @@ inline std::string resting_string_deck(const std::string& groups, const std::str
 
 using Texts = std::vector<std::string>;
 
+inline Texts warnings_of(const Built& built) {
+  Texts texts;
+  for (const auto& d : built.diagnostics.warnings()) texts.push_back(d.message);
+  return texts;
+}
+
 }  // namespace tether::test

@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 /// Thesis 4.2 with the radius of Box 2: pressure .4 * 250 = 100.
-constexpr GasCylinder thesis{0.376, 1, 250, 0.4};
+constexpr GasCylinder thesis_cylinder{0.376, 1, 250, 0.4};
 
 double total_energy(const GasShells& shells) { return shells.kinetic_energy() + shells.internal_energy(); }
 
@@ -27,7 +27,7 @@ double mass_of(const GasShells& shells) {
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
 
 TEST(RadialGas, begins_as_a_uniform_cylinder) {
-  const GasShells start = shells_of(thesis, 40);
+  const GasShells start = shells_of(thesis_cylinder, 40);
   ASSERT_EQ(start.size(), 40u);
   EXPECT_NEAR(mass_of(start), pi * 0.376 * 0.376, 1e-14);
   EXPECT_NEAR(start.internal_energy(), 250 * pi * 0.376 * 0.376, 1e-12);
@@ -41,7 +41,7 @@ TEST(RadialGas, begins_as_a_uniform_cylinder) {
 }
 
 TEST(RadialGas, keeps_mass_and_energy) {
-  const GasShells start = shells_of(thesis);
+  const GasShells start = shells_of(thesis_cylinder);
   for (const double t : {0.005, 0.02}) {
     const GasShells end = expanded(start, t);
     EXPECT_EQ(end.mass, start.mass);
@@ -54,7 +54,7 @@ TEST(RadialGas, keeps_mass_and_energy) {
 TEST(RadialGas, converges) {
   double rms[3], share[3];
   for (int k = 0; k < 3; ++k) {
-    const GasShells end = expanded(shells_of(thesis, 400 << k), 0.005);
+    const GasShells end = expanded(shells_of(thesis_cylinder, 400 << k), 0.005);
     rms[k] = end.rms_radius(), share[k] = end.radius_of_share(0.95);
   }
   EXPECT_NEAR(rms[2], 0.27547, 5e-6);
@@ -69,7 +69,7 @@ TEST(RadialGas, converges) {
 /// of the internal energy, while nothing acts from outside.
 TEST(RadialGas, obeys_the_virial_theorem) {
   const double t = 0.004, h = 1e-4;
-  const GasShells start = shells_of(thesis);
+  const GasShells start = shells_of(thesis_cylinder);
   const auto moment = [&](double at) { return std::pow(expanded(start, at).rms_radius(), 2) * mass_of(start); };
   const GasShells now = expanded(start, t);
   const double acceleration = (moment(t + h) - 2 * moment(t) + moment(t - h)) / (h * h);
@@ -108,7 +108,7 @@ TEST(RadialGas, is_second_order_on_a_self_similar_expansion) {
 
 /// Pressure is used up: gas that coasts is at r = u t, later the nearer.
 TEST(RadialGas, coasts_in_the_end) {
-  const GasShells start = shells_of(thesis, 400);
+  const GasShells start = shells_of(thesis_cylinder, 400);
   double farthest[2] = {};
   for (int k = 0; k < 2; ++k) {
     const double t = k == 0 ? 1 : 10;
@@ -127,7 +127,7 @@ TEST(RadialGas, front_is_slower_than_the_escape_speed) {
   const double escape = 2 * std::sqrt(1.4 * 100) / 0.4;
   double speed = 0;
   for (const int count : {400, 800, 1600}) {
-    const double faster = expanded(shells_of(thesis, count), 0.005).velocity.back();
+    const double faster = expanded(shells_of(thesis_cylinder, count), 0.005).velocity.back();
     EXPECT_GT(faster, speed);
     EXPECT_LT(faster, escape);
     speed = faster;
@@ -181,8 +181,8 @@ TEST(RadialGas, refuses_what_is_no_gas) {
     EXPECT_THROW(shells_of({1, 1, wrong, 0.4}), std::domain_error);
     EXPECT_THROW(shells_of({1, 1, 1, wrong}), std::domain_error);
   }
-  EXPECT_THROW(shells_of(thesis, 0), std::domain_error);
-  EXPECT_THROW(expanded(shells_of(thesis, 2), -1e-9), std::domain_error);
+  EXPECT_THROW(shells_of(thesis_cylinder, 0), std::domain_error);
+  EXPECT_THROW(expanded(shells_of(thesis_cylinder, 2), -1e-9), std::domain_error);
 }
 
 }  // namespace

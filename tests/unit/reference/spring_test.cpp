@@ -10,30 +10,32 @@ namespace tether {
 namespace {
 
 /// Thesis 5.5: A = 0.1, E = 1e6, L = 0.3, so k = A E/L.
-const SpringMass thesis{3.33, 0.1 * 1e6 / 0.3, 250};
+const SpringMass thesis_spring{3.33, 0.1 * 1e6 / 0.3, 250};
 
 TEST(Spring, thesis_numbers) {
-  EXPECT_NEAR(thesis.frequency(), 316.386, 5e-4);
-  EXPECT_NEAR(thesis.period(), 0.01985924, 5e-9);
-  EXPECT_NEAR(thesis.static_stretch(), 0.0024975, 1e-15);
-  EXPECT_NEAR(thesis.largest_drop(), 0.004995, 1e-15);
+  EXPECT_NEAR(thesis_spring.frequency(), 316.386, 5e-4);
+  EXPECT_NEAR(thesis_spring.period(), 0.01985924, 5e-9);
+  EXPECT_NEAR(thesis_spring.static_stretch(), 0.0024975, 1e-15);
+  EXPECT_NEAR(thesis_spring.largest_drop(), 0.004995, 1e-15);
 }
 
 TEST(Spring, position_at_the_quarters_of_a_period) {
-  const double period = thesis.period();
-  EXPECT_EQ(thesis.position(0), 0);
-  EXPECT_NEAR(thesis.position(period / 4), -0.0024975, 1e-15);
-  EXPECT_NEAR(thesis.position(period / 2), -0.004995, 1e-15);
-  EXPECT_NEAR(thesis.position(period), 0, 1e-15);
-  EXPECT_NEAR(thesis.position(0.37 * period), thesis.position(5.37 * period), 1e-14);
+  const double period = thesis_spring.period();
+  EXPECT_EQ(thesis_spring.position(0), 0);
+  EXPECT_NEAR(thesis_spring.position(period / 4), -0.0024975, 1e-15);
+  EXPECT_NEAR(thesis_spring.position(period / 2), -0.004995, 1e-15);
+  EXPECT_NEAR(thesis_spring.position(period), 0, 1e-15);
+  EXPECT_NEAR(thesis_spring.position(0.37 * period), thesis_spring.position(5.37 * period), 1e-14);
 }
 
 TEST(Spring, obeys_its_equation_of_motion) {
   const double h = 1e-5;
   for (const double t : {0.001, 0.004, 0.0123}) {
-    const double acceleration = (thesis.position(t + h) - 2 * thesis.position(t) + thesis.position(t - h)) / (h * h);
-    const double force = -thesis.mass * thesis.gravity - thesis.stiffness * thesis.position(t);
-    EXPECT_NEAR(thesis.mass * acceleration, force, 1e-3);
+    const double acceleration =
+        (thesis_spring.position(t + h) - 2 * thesis_spring.position(t) + thesis_spring.position(t - h)) / (h * h);
+    const double force =
+        -thesis_spring.mass * thesis_spring.gravity - thesis_spring.stiffness * thesis_spring.position(t);
+    EXPECT_NEAR(thesis_spring.mass * acceleration, force, 1e-3);
   }
 }
 

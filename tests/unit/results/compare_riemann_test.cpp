@@ -12,7 +12,7 @@
 namespace tether::test {
 namespace {
 
-constexpr double end_time = 0.2;
+constexpr double sod_time = 0.2;
 constexpr int columns = 100;
 
 /// Sod's states: p = .4 rho i.
@@ -32,13 +32,13 @@ Scene sod_scene() {
 
 /// What a point of column k knows; `density_off` is added to its density.
 Snapshot sod_snapshot(const std::function<double(int)>& density_off, int step = 1) {
-  Snapshot snapshot{end_time, {}};
+  Snapshot snapshot{sod_time, {}};
   for (const char* name : {"x", "density", "vx", "pressure", "specific_energy"}) {
     snapshot.fields.push_back({{name, Dimension::number, ""}, {}});
   }
   for (int k = 0; k < columns; k += step) {
     const double x = (k + 0.5) / columns;
-    const GasSample gas = sample(sod, x, end_time);
+    const GasSample gas = sample(sod, x, sod_time);
     const double row[] = {x, gas.density + density_off(k), gas.velocity, gas.pressure, gas.specific_energy};
     for (std::size_t c = 0; c < 5; ++c) snapshot.fields[c].values.push_back(row[c]);
   }

@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int count = 30;
-constexpr double start_radius = 1.2, thickness = 0.05, half_piece = pi / 4 / count;
+constexpr int pieces = 30;
+constexpr double start_radius = 1.2, thickness = 0.05, half_piece = pi / 4 / pieces;
 
 /// A quarter of a ring about the corner (-1, 2) of the grid, between two bodies of gas: 3 points of the mass .1 and the
 /// energy 50, 2 of the mass .2 and the energy 75. From bottom to left, or the other way.
@@ -23,7 +23,7 @@ Scene ring_scene(bool from_bottom, Membrane::Kind kind = Membrane::Kind::plane_s
   scene.grid = BackgroundGrid(21, 21, -1, 1, 2, 4);
   for (int k = 0; k < 3; ++k) add_point(scene.points, -0.5, 2.5, 0.1, 0.1);
   const double chord = 2 * start_radius * std::sin(half_piece);
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < pieces; ++k) {
     const double angle = (2 * k + 1) * half_piece, a = from_bottom ? angle : pi / 2 - angle;
     add_point(scene.points, -1 + start_radius * std::cos(a), 2 + start_radius * std::sin(a), thickness * chord, 0.01);
   }
@@ -31,13 +31,14 @@ Scene ring_scene(bool from_bottom, Membrane::Kind kind = Membrane::Kind::plane_s
   IdealGas gas;
   gas.gm1 = 0.4;
   const Membrane membrane{1e5, 0.3, true, kind};
-  scene.bodies = {{"gas", gas, 1, 50, 0, 3}, {"membrane", membrane, 0.5, 0, 3, count}, {"more gas", gas, 1, 75, 33, 2}};
+  scene.bodies = {
+      {"gas", gas, 1, 50, 0, 3}, {"membrane", membrane, 0.5, 0, 3, pieces}, {"more gas", gas, 1, 75, 33, 2}};
   return scene;
 }
 
 /// Length by its chords, and half of one at either wall, where the image follows.
 RingAtRest exact(double poisson) {
-  const double length = count * 2 * start_radius * std::sin(half_piece);
+  const double length = pieces * 2 * start_radius * std::sin(half_piece);
   return ring_at_rest({length, thickness, 1e5, poisson, 0.4, 0.3 * 50 + 0.4 * 75});
 }
 
@@ -52,8 +53,8 @@ Snapshot at_rest(bool from_bottom, double radius_x, double radius_y, double pres
     for (std::size_t c = 0; c < 5; ++c) snapshot.fields[c].values.push_back(row[c]);
   };
   for (int k = 0; k < 3; ++k) add(-0.7, 2.2, pressure - (k - 1) * 3, -pressure, -pressure);
-  for (int k = 0; k < count; ++k) {
-    const double a = (from_bottom ? k : count - 1 - k) * pi / 2 / (count - 1), c = std::cos(a), s = std::sin(a);
+  for (int k = 0; k < pieces; ++k) {
+    const double a = (from_bottom ? k : pieces - 1 - k) * pi / 2 / (pieces - 1), c = std::cos(a), s = std::sin(a);
     add(-1 + radius_x * c, 2 + radius_y * s, -77, stress * s * s, stress * c * c);
   }
   for (int k = 0; k < 2; ++k) add(-0.6, 2.3, pressure - (2 * k - 1) * 5, -pressure, -pressure);

@@ -22,15 +22,13 @@ Mesh unit_box(ElementKind kind) {
   return mesh_of_blocks({block}, kind, flaws);
 }
 
-using Place = std::array<double, 3>;
-
 /// Places of the one element's nodes in VTK's order.
-std::vector<Place> places(ElementKind kind) {
+std::vector<Vec<3>> places(ElementKind kind) {
   const Mesh mesh = unit_box(kind);
   const auto dim = static_cast<std::size_t>(mesh.dim());
-  std::vector<Place> places;
+  std::vector<Vec<3>> places;
   for (const int a : vtk_order(kind)) {
-    Place place{};
+    Vec<3> place{};
     for (std::size_t i = 0; i < dim; ++i) place[i] = mesh.x[static_cast<std::size_t>(mesh.element(0)[a]) * dim + i];
     places.push_back(place);
   }
@@ -38,8 +36,8 @@ std::vector<Place> places(ElementKind kind) {
 }
 
 /// Mean of the nodes of those numbers.
-Place mean(const std::vector<Place>& of, std::initializer_list<std::size_t> numbers) {
-  Place sum{};
+Vec<3> mean(const std::vector<Vec<3>>& of, std::initializer_list<std::size_t> numbers) {
+  Vec<3> sum{};
   for (const std::size_t n : numbers) {
     for (std::size_t i = 0; i < 3; ++i) sum[i] += of[n][i] / static_cast<double>(numbers.size());
   }
@@ -47,7 +45,7 @@ Place mean(const std::vector<Place>& of, std::initializer_list<std::size_t> numb
 }
 
 TEST(MeshWriter, CountsCornersAroundAndThenMiddles) {
-  const std::vector<Place> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<Vec<3>> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   EXPECT_EQ(places(ElementKind::quad4), square);
   const auto nine = places(ElementKind::quad9);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -58,7 +56,7 @@ TEST(MeshWriter, CountsCornersAroundAndThenMiddles) {
   const auto box = places(ElementKind::hex27);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_EQ(box[k], square[k]);
-    EXPECT_EQ(box[4 + k], (Place{square[k][0], square[k][1], 1}));
+    EXPECT_EQ(box[4 + k], (Vec<3>{square[k][0], square[k][1], 1}));
     EXPECT_EQ(box[8 + k], mean(box, {k, (k + 1) % 4}));
     EXPECT_EQ(box[12 + k], mean(box, {4 + k, 4 + (k + 1) % 4}));
     EXPECT_EQ(box[16 + k], mean(box, {k, 4 + k}));

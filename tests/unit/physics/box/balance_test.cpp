@@ -73,22 +73,16 @@ const std::string bag =
     "$coupled density=1000.,friction=.2,side(2)='open',jet_on(1)='left',jet_speed(1)=.5,\n"
     "jet_smoke(1)=1.,viscosity=1.,smoke_weight=.2,spring_on(1)='region 3',spring(1:2,1)=200.,100. $\n";
 
-struct Kind {
-  const char* name;
-  Overrides overrides;
-};
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
-
-class Balance : public testing::TestWithParam<Kind> {};
-INSTANTIATE_TEST_SUITE_P(Coupled, Balance,
-                         testing::Values(Kind{"Symmetric", {}}, Kind{"CutCell", {"coupled.mode='cut-cell'"}},
-                                         Kind{"Trapezoid", {"coupled.integrator='trapezoid'"}},
-                                         Kind{"Krylov", {"coupled.solver='krylov'"}},
-                                         Kind{"Paper", {"coupled.mode='paper'"}},
-                                         Kind{"Splitting",
-                                              {"coupled.mode='splitting'", "reg.densir(1)=4*9e4", "reg.matr(1,1)=1e8",
-                                               "reg.matr(1,2)=1e8", "reg.matr(1,3)=1e8", "reg.matr(1,4)=1e8"}}),
-                         [](const auto& info) { return std::string(info.param.name); });
+class Balance : public testing::TestWithParam<DeckVariant> {};
+INSTANTIATE_TEST_SUITE_P(
+    Coupled, Balance,
+    testing::Values(DeckVariant{"Symmetric", {}}, DeckVariant{"CutCell", {"coupled.mode='cut-cell'"}},
+                    DeckVariant{"Trapezoid", {"coupled.integrator='trapezoid'"}},
+                    DeckVariant{"Krylov", {"coupled.solver='krylov'"}}, DeckVariant{"Paper", {"coupled.mode='paper'"}},
+                    DeckVariant{"Splitting",
+                                {"coupled.mode='splitting'", "reg.densir(1)=4*9e4", "reg.matr(1,1)=1e8",
+                                 "reg.matr(1,2)=1e8", "reg.matr(1,3)=1e8", "reg.matr(1,4)=1e8"}}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 TEST_P(Balance, OfBodies) {
   const History history = history_of(bag, GetParam().overrides);

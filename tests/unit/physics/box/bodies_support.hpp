@@ -168,4 +168,11 @@ inline std::vector<double> transposed_product(const CouplingMatrix& B, const std
   return {y.begin(), y.end()};
 }
 
+/// A dimension and how the coupling counts cells, for tests of both.
+struct CouplingKind {
+  int dim;
+  CouplingMode mode;
+};
+inline void PrintTo(const CouplingKind& kind, std::ostream* out) { *out << kind.dim << " " << word_of(kind.mode); }
+
 }  // namespace tether::coupled::support

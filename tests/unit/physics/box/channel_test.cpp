@@ -19,7 +19,7 @@ double column(const CoupledSolver& solver, const std::string& name) {
 }
 
 /// A channel 1 high and 2 long of 8 cells across, which fluid of mean speed 1 flows through.
-const char* const channel =
+const char* const channel_of_8_cells =
     "$in nx=17,ny=9,xleft=0.,xright=2.,ybot=0.,ytop=1.,tmax=20.,tstep=.1 $\n"
     "$coupled density=1.,viscosity=1.,side(2)='open',jet_on(1)='left',jet_speed(1)=1. $\n";
 
@@ -41,7 +41,7 @@ double pressure_gradient(const CoupledSolver& solver) {
 TEST(ViscousChannel, HasOneSteadyFlowWhateverTheStep) {
   const double exact = 12 / (1 + 2. / 64);
   for (const auto& [step, time] : {std::pair(0.2, 8.), std::pair(0.05, 3.), std::pair(0.01, 1.)}) {
-    const Plan plan = plan_of(channel, {"in.tstep=" + std::to_string(step)});
+    const Plan plan = plan_of(channel_of_8_cells, {"in.tstep=" + std::to_string(step)});
     CoupledSolver solver(plan);
     solver.advance(time);
     EXPECT_NEAR(pressure_gradient(solver) / exact, 1, 2e-3) << step;

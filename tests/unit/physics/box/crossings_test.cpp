@@ -15,7 +15,7 @@ using namespace support;
 
 using Inside = std::function<bool(const Vec<3>&)>;
 
-Vec<3> middle_of(const StaggeredGrid& grid, std::size_t cell) {
+Vec<3> centre_of(const StaggeredGrid& grid, std::size_t cell) {
   const Cell c = grid.place_of_cell(cell);
   return {grid.middle(0, c[0]), grid.middle(1, c[1]), grid.dim == 3 ? grid.middle(2, c[2]) : 0};
 }
@@ -23,7 +23,7 @@ Vec<3> middle_of(const StaggeredGrid& grid, std::size_t cell) {
 void expect_inside(const Mesh& mesh, const StaggeredGrid& grid, const Inside& solid, const Inside& cavity) {
   const Crossings found = find_crossings(surface_of(mesh), mesh.x, grid);
   for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    const Vec<3> x = middle_of(grid, c);
+    const Vec<3> x = centre_of(grid, c);
     ASSERT_EQ(found.inside[c] != 0, solid(x)) << x[0] << " " << x[1] << " " << x[2];
     ASSERT_EQ(found.in_cavity[c] != 0, cavity(x)) << x[0] << " " << x[1] << " " << x[2];
   }

@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "physics/box/projection.hpp"
 #include "unit/alone.hpp"
 #include "unit/physics/box/bodies_support.hpp"
+#include "unit/total.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -21,7 +20,6 @@ Coupled box_of(int dim, int n, CouplingMode mode) {
   return coupled;
 }
 
-double sum_of(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 double largest(const std::vector<double>& x) {
   double most = 0;
   for (const double value : x) most = std::max(most, std::abs(value));
@@ -37,7 +35,7 @@ TEST_P(Cut, LeavesTheFluidThatTheSolidDoesNotHold) {
     const Mesh mesh = hollow_block(dim, 1, {0.51, 0.48, 0.5}, 0.5, angle);
     const Surroundings at_rest(box_of(dim, 16, CouplingMode::cut_cell), mesh);
     const double solid = std::pow(0.5, dim) - std::pow(0.5 / 3, dim);
-    for (int axis = 0; axis < dim; ++axis) EXPECT_NEAR(sum_of(at_rest.cut.fluid[at(axis)]), 1 - solid, 1e-12);
+    for (int axis = 0; axis < dim; ++axis) EXPECT_NEAR(total(at_rest.cut.fluid[at(axis)]), 1 - solid, 1e-12);
   }
 }
 

@@ -16,13 +16,7 @@ using namespace support;
 
 constexpr int cells = 16;
 
-struct Kind {
-  int dim;
-  CouplingMode mode;
-};
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.dim << " " << word_of(kind.mode); }
-
-class Films : public testing::TestWithParam<Kind> {
+class Films : public testing::TestWithParam<CouplingKind> {
  protected:
   int dim() const { return GetParam().dim; }
   Coupled box() const {
@@ -50,8 +44,10 @@ class Films : public testing::TestWithParam<Kind> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(Coupled, Films,
-                         testing::Values(Kind{2, CouplingMode::symmetric}, Kind{2, CouplingMode::cut_cell},
-                                         Kind{3, CouplingMode::symmetric}, Kind{3, CouplingMode::cut_cell}));
+                         testing::Values(CouplingKind{2, CouplingMode::symmetric},
+                                         CouplingKind{2, CouplingMode::cut_cell},
+                                         CouplingKind{3, CouplingMode::symmetric},
+                                         CouplingKind{3, CouplingMode::cut_cell}));
 
 /// At walls, a hair and nearly half a cell from them, and on an obstacle.
 TEST_P(Films, AConstantPressurePressesFromAllSides) {

@@ -13,13 +13,7 @@ namespace {
 
 using namespace support;
 
-struct Kind {
-  int dim;
-  CouplingMode mode;
-};
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.dim << " " << word_of(kind.mode); }
-
-class Mapped : public testing::TestWithParam<Kind> {
+class Mapped : public testing::TestWithParam<CouplingKind> {
  protected:
   Coupled box(int n) const {
     Coupled coupled = fluid_in_box(GetParam().dim, n);
@@ -28,8 +22,10 @@ class Mapped : public testing::TestWithParam<Kind> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(Coupled, Mapped,
-                         testing::Values(Kind{2, CouplingMode::symmetric}, Kind{2, CouplingMode::cut_cell},
-                                         Kind{3, CouplingMode::symmetric}, Kind{3, CouplingMode::cut_cell}));
+                         testing::Values(CouplingKind{2, CouplingMode::symmetric},
+                                         CouplingKind{2, CouplingMode::cut_cell},
+                                         CouplingKind{3, CouplingMode::symmetric},
+                                         CouplingKind{3, CouplingMode::cut_cell}));
 
 /// d/dt of what the sheets enclose when nodes move by u: exact, since volumes are of degree 3 at most in the places.
 std::vector<double> rates(const SolidSurface& surface, const std::vector<double>& q, const std::vector<double>& u) {

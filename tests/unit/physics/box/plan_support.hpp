@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,5 +20,12 @@ inline Plan plan_of(const std::string& text, const std::vector<std::string>& ove
   diagnostics.throw_if_errors();
   return make_plan(std::move(scene));
 }
+
+/// A name for what a test adds to its deck.
+struct DeckVariant {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+inline void PrintTo(const DeckVariant& variant, std::ostream* out) { *out << variant.name; }
 
 }  // namespace tether::coupled

@@ -13,8 +13,6 @@
 namespace tether::coupled {
 namespace {
 
-const CellParts all_liquid;
-
 /// Fluid of density 3 about a square, or about a disc, in a box with walls.
 class FluidAboutABody {
  public:
@@ -78,7 +76,7 @@ class FluidAboutABody {
 Vec<3> square(const Vec<3>& x) { return {0.31 + 0.4 * x[0], 0.27 + 0.4 * x[1], 0}; }
 
 /// A disc of radius .2 in the middle of the box.
-Vec<3> disc(const Vec<3>& x) {
+Vec<3> disc_in_the_middle(const Vec<3>& x) {
   const double a = 2 * x[0] - 1, b = 2 * x[1] - 1;
   return {0.5 + 0.2 * a * std::sqrt(1 - b * b / 2), 0.5 + 0.2 * b * std::sqrt(1 - a * a / 2), 0};
 }
@@ -121,7 +119,7 @@ TEST(RubbedBody, WhoseNodesAreHeldIsPushed) {
 
 /// What turns as one has no rate of strain, and keeps turning.
 TEST(RubbedBody, TurnsWithTheFluid) {
-  FluidAboutABody scene(16, 1, disc);
+  FluidAboutABody scene(16, 1, disc_in_the_middle);
   const auto turn = [](const std::array<double, 3>& x) { return std::array{0.5 - x[1], x[0] - 0.5, 0.0}; };
   scene.v = support::faces_of(scene.domain().grid, turn);
   for (std::size_t k = 0; k + 1 < scene.u.size(); k += 2) {

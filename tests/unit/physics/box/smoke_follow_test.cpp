@@ -4,18 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "unit/alone.hpp"
 #include "unit/physics/box/support.hpp"
+#include "unit/total.hpp"
 
 namespace tether::coupled {
 namespace {
 
 using namespace support;
 using Cell = std::array<int, 3>;
-
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 void fill(Smoke& smoke, std::size_t c, double density, double temperature = 0) {
   smoke.smoke[c] = density * smoke.volume[c], smoke.heat[c] = temperature * smoke.volume[c];
@@ -132,12 +130,12 @@ TEST(SmokeFollow, FluidThatCannotGoOnGoesToTheNearestOrWaits) {
   const StaggeredGrid& grid = now.grid;
   Smoke smoke = clean_smoke(before);
   fill(smoke, grid.cell(2, 2, 0), 8);
-  const double all = sum(smoke.smoke), volume = sum(smoke.volume);
+  const double all = total(smoke.smoke), volume = total(smoke.volume);
   follow_domain(before, now, smoke);
   for (const Cell& to : {Cell{2, 0, 0}, Cell{2, 4, 0}, Cell{0, 2, 0}, Cell{4, 2, 0}})
     EXPECT_NEAR(smoke.smoke[grid.cell(to)], all / 4, 1e-15);
   follow_domain(now, none, smoke);
-  EXPECT_NEAR(sum(smoke.smoke), all, 1e-15);
+  EXPECT_NEAR(total(smoke.smoke), all, 1e-15);
   // Fluid again, at a corner: it gets all that waited.
   FlowDomain corner = none;
   corner.kind[0] = CellKind::fluid;
@@ -182,12 +180,12 @@ TEST(SmokeSettle, VolumesTendToTheirOwnAndSumsStay) {
     smoke.volume[c] *= 1 + 0.9 * std::sin(3.0 * static_cast<double>(c));
     fill(smoke, c, c % 3 == 0 ? 1 : 0, 5);
   }
-  const double all = sum(smoke.smoke), heat = sum(smoke.heat), volume = sum(smoke.volume);
+  const double all = total(smoke.smoke), heat = total(smoke.heat), volume = total(smoke.volume);
   for (int i = 0; i < 800; ++i) settle_smoke(domain, own, smoke);
-  EXPECT_NEAR(sum(smoke.smoke), all, 1e-13);
-  EXPECT_NEAR(sum(smoke.heat), heat, 1e-13);
+  EXPECT_NEAR(total(smoke.smoke), all, 1e-13);
+  EXPECT_NEAR(total(smoke.heat), heat, 1e-13);
   for (std::size_t c = 0; c < own.size(); ++c) {
-    EXPECT_NEAR(smoke.volume[c], own[c] * volume / sum(own), 1e-9);
+    EXPECT_NEAR(smoke.volume[c], own[c] * volume / total(own), 1e-9);
     if (own[c] == 0) continue;
     EXPECT_NEAR(smoke.temperature(c), 5, 1e-12);
     EXPECT_TRUE(smoke.density(c) >= 0 && smoke.density(c) <= 1);
@@ -228,13 +226,13 @@ TEST(SmokeFollow, APlateInAFlow) {
   FlowDomain before = plate_at(x);
   Smoke smoke = clean_smoke(before);
   for (std::size_t c = 0; c < smoke.volume.size(); ++c) fill(smoke, c, grid.place_of_cell(c)[0] < 3 ? 1 : 0, 7);
-  const double start = sum(smoke.smoke);
+  const double start = total(smoke.smoke);
   for (int i = 1; i <= 40; ++i) {
     x += 0.15;
     const FlowDomain now = plate_at(x);
     follow_domain(before, now, smoke);
     const SmokeFlow flow = carry_smoke(alone(), now, v, 0.15, jets, smoke);
-    EXPECT_NEAR(sum(smoke.smoke), start + 3 * 0.15 * i, 1e-12);
+    EXPECT_NEAR(total(smoke.smoke), start + 3 * 0.15 * i, 1e-12);
     EXPECT_NEAR(flow.smoke_out, 0, 1e-15);
     double behind = 0;
     for (std::size_t c = 0; c < smoke.volume.size(); ++c) {
@@ -244,7 +242,7 @@ TEST(SmokeFollow, APlateInAFlow) {
       behind += left ? smoke.volume[c] : 0;
     }
     EXPECT_NEAR(behind, 3 * x, 1e-12);
-    EXPECT_NEAR(sum(smoke.volume), 36, 1e-12);
+    EXPECT_NEAR(total(smoke.volume), 36, 1e-12);
     before = now;
   }
 }
@@ -264,7 +262,7 @@ TEST(SmokeFollow, ABlockLosesNothing) {
     Smoke smoke = clean_smoke(before);
     const std::vector<double> own = smoke.volume;
     for (std::size_t c = 0; c < own.size(); ++c) fill(smoke, c, c % 5 < 2 ? 1 : 0, 3);
-    const double all = sum(smoke.smoke), heat = sum(smoke.heat), volume = sum(smoke.volume);
+    const double all = total(smoke.smoke), heat = total(smoke.heat), volume = total(smoke.volume);
     for (int step = 0; step < 7; ++step) {
       FlowDomain now = box(grid);
       for (int k = 0; k < (dim == 3 ? 3 : 1); ++k) {
@@ -274,9 +272,9 @@ TEST(SmokeFollow, ABlockLosesNothing) {
       for (std::size_t c = 0; c < own.size(); ++c) EXPECT_EQ(smoke.volume[c] > 0, now.kind[c] == CellKind::fluid);
       carry_smoke(alone(), now, v, 0.1, {}, smoke);
       settle_smoke(now, own, smoke);
-      EXPECT_NEAR(sum(smoke.smoke), all, 1e-12);
-      EXPECT_NEAR(sum(smoke.heat), heat, 1e-12);
-      EXPECT_NEAR(sum(smoke.volume), volume, 1e-12);
+      EXPECT_NEAR(total(smoke.smoke), all, 1e-12);
+      EXPECT_NEAR(total(smoke.heat), heat, 1e-12);
+      EXPECT_NEAR(total(smoke.volume), volume, 1e-12);
       for (std::size_t c = 0; c < own.size(); ++c) {
         if (now.kind[c] != CellKind::fluid) continue;
         EXPECT_NEAR(smoke.temperature(c), 3, 1e-12);

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <numbers>
 
+#include "unit/algebra/support.hpp"
 #include "unit/alone.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 
@@ -16,14 +17,6 @@ namespace {
 using namespace support;
 using Values = std::vector<double>;
 
-Eigen::MatrixXd dense(const SparseMatrix& A) {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(A.n, A.n);
-  for (std::int64_t column = 0; column < A.n; ++column) {
-    for (auto k = A.start[std::size_t(column)]; k < A.start[std::size_t(column + 1)]; ++k)
-      out(A.row[std::size_t(k)], column) += A.value[std::size_t(k)];
-  }
-  return out;
-}
 Eigen::VectorXd vector(const Values& x) { return Eigen::Map<const Eigen::VectorXd>(x.data(), std::ssize(x)); }
 Values sum(const Values& x, double factor, const Values& y) {
   Values out = x;
@@ -32,10 +25,10 @@ Values sum(const Values& x, double factor, const Values& y) {
 }
 
 /// A body of the linear law, whose forces are known at any place, on a spring, under its weight and a growing load.
-struct Body {
+struct SolidBody {
   Coupled coupled;
   Solids solids;
-  Body(int dim, CoupledIntegrator integrator)
+  SolidBody(int dim, CoupledIntegrator integrator)
       : solids(elastic(solid_block(dim, 2, {0.5, 0.5, 0.5}, 0.4, 0.3), 50, 0.3, 3)) {
     coupled = fluid_in_box(dim, 8);
     coupled.integrator = integrator, coupled.convex = false;
@@ -55,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Coupled, Step, testing::Values(2, 3));
 /// the trapezoidal rule as the mean of both ends, d1 = d0 + h (u0 + u1)/2.
 TEST_P(Step, IsTheEquationOfMotion) {
   for (const bool paper : {true, false}) {
-    const Body body(GetParam(), paper ? CoupledIntegrator::paper : CoupledIntegrator::trapezoid);
+    const SolidBody body(GetParam(), paper ? CoupledIntegrator::paper : CoupledIntegrator::trapezoid);
     SolidEquations equations(body.coupled, body.solids, {0, -9.81, 0}, alone());
     const std::size_t n = equations.b.size();
     const double h = 0.05, t = 0.4;
@@ -94,7 +87,7 @@ TEST_P(Step, IsTheEquationOfMotion) {
     double size = 0;
     for (const double f : expected) size = std::max(size, std::abs(f));
     for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(found[k], expected[k], 1e-12 * size) << paper << " " << k;
-    EXPECT_LT((dense(equations.A) - dense(equations.A).transpose()).norm(), 1e-12 * dense(equations.A).norm());
+    EXPECT_LT((full_of(equations.A) - full_of(equations.A).transpose()).norm(), 1e-12 * full_of(equations.A).norm());
   }
 }
 
@@ -112,7 +105,7 @@ std::array<double, 2> swing(CoupledIntegrator integrator, double omega, double h
   for (std::size_t k = 0; k < q.size(); k += 2) q[k] += 0.01;
   for (int k = 0; k < steps; ++k) {
     equations.assemble(q, u, k * h, h);
-    const Eigen::VectorXd next = dense(equations.A).llt().solve(vector(equations.b));
+    const Eigen::VectorXd next = full_of(equations.A).llt().solve(vector(equations.b));
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] += h / 2 * (u[i] + next[std::ptrdiff_t(i)]), u[i] = next[std::ptrdiff_t(i)];
   }
@@ -148,7 +141,7 @@ TEST(SwingOfTheStep, ByTheTrapezoidalRuleIsNotDamped) {
 }
 
 TEST(Springs, StoreTheirEnergy) {
-  const Body body(2, CoupledIntegrator::paper);
+  const SolidBody body(2, CoupledIntegrator::paper);
   const SolidEquations equations(body.coupled, body.solids, {}, alone());
   Values q = body.solids.mesh.x;
   EXPECT_EQ(equations.spring_energy(q), 0);
@@ -164,7 +157,7 @@ class Stiffness : public testing::TestWithParam<int> {
   Eigen::MatrixXd at_place(const Values& q, bool convex) const {
     SparseMatrix K = system.pattern.matrix();
     system.elements->add_stiffness(q, convex, system.pattern, K);
-    return dense(K);
+    return full_of(K);
   }
   /// The reference places times a factor along x, with a shake.
   Values stretched(double factor, double shake = 0) const {

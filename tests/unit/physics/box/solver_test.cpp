@@ -12,7 +12,7 @@ namespace tether::coupled {
 namespace {
 
 /// A bag of fluid that falls on a floor with friction, in a fluid with a jet of smoke, and a bar that is held.
-const char* const bag =
+const char* const smoky_bag =
     "$in nx=25,ny=21,xleft=0.,xright=1.2,ybot=0.,ytop=1.,tmax=1.,tstep=.01,gravc=-4. $\n"
     "$reg nreg=3,nvi=4,4,4,densir(1)=3*1500.,matr(1,1)=1e6,.3,matr(1,2)=1e6,.3,matr(1,3)=1e6,.3,\n"
     "xvi(1,1)=.4,.8,.8,.4,yvi(1,1)=.02,.02,.1,.1,xvi(1,2)=.4,.5,.5,.4,yvi(1,2)=.1,.1,.4,.4,\n"
@@ -21,28 +21,23 @@ const char* const bag =
     "$coupled density=1000.,friction=.2,side(2)='open',jet_on(1)='left',jet_speed(1)=.5,\n"
     "jet_smoke(1)=1.,viscosity=1. $\n";
 
-struct Kind {
-  const char* name;
-  std::vector<std::string> overrides;
-};
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
-
-class Solved : public testing::TestWithParam<Kind> {
+class Solved : public testing::TestWithParam<DeckVariant> {
  protected:
-  Plan plan = plan_of(bag, GetParam().overrides);
+  Plan plan = plan_of(smoky_bag, GetParam().overrides);
 };
-INSTANTIATE_TEST_SUITE_P(Coupled, Solved,
-                         testing::Values(Kind{"CutCell", {}}, Kind{"Symmetric", {"coupled.mode='symmetric'"}},
-                                         Kind{"Krylov", {"coupled.solver='krylov'"}},
-                                         Kind{"Splitting",
-                                              {"coupled.mode='splitting'", "reg.densir(1)=3*9e4", "reg.matr(1,1)=1e8",
-                                               "reg.matr(1,2)=1e8", "reg.matr(1,3)=1e8"}},
-                                         Kind{"Paper", {"coupled.mode='paper'"}},
-                                         Kind{"PaperByFactors",
-                                              {"coupled.mode='paper'", "reg.matr(2,1)=.4999999",
-                                               "reg.matr(2,2)=.4999999", "reg.matr(2,3)=.4999999"}},
-                                         Kind{"Slow", {"reg.vrx(1)=3*.01", "reg.vry(1)=3*-.02", "in.gravc=-.5"}}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Coupled, Solved,
+    testing::Values(DeckVariant{"CutCell", {}}, DeckVariant{"Symmetric", {"coupled.mode='symmetric'"}},
+                    DeckVariant{"Krylov", {"coupled.solver='krylov'"}},
+                    DeckVariant{"Splitting",
+                                {"coupled.mode='splitting'", "reg.densir(1)=3*9e4", "reg.matr(1,1)=1e8",
+                                 "reg.matr(1,2)=1e8", "reg.matr(1,3)=1e8"}},
+                    DeckVariant{"Paper", {"coupled.mode='paper'"}},
+                    DeckVariant{"PaperByFactors",
+                                {"coupled.mode='paper'", "reg.matr(2,1)=.4999999", "reg.matr(2,2)=.4999999",
+                                 "reg.matr(2,3)=.4999999"}},
+                    DeckVariant{"Slow", {"reg.vrx(1)=3*.01", "reg.vry(1)=3*-.02", "in.gravc=-.5"}}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 void expect_same(const CoupledSolver& a, const CoupledSolver& b, const char* when) {
   EXPECT_EQ(a.save(), b.save()) << when;
@@ -144,7 +139,7 @@ TEST(CoupledColumns, AreThoseOfFluidAndSolids) {
 
 /// What is over time is no energy.
 TEST(CoupledHistory, ThePowerAcrossTheInterfaceIsAPower) {
-  const Plan plan = plan_of(bag);
+  const Plan plan = plan_of(smoky_bag);
   const HistoryLayout layout = CoupledSolver(plan).history_layout();
   const auto dimension_of = [&](const std::string& name) {
     const auto found = std::find_if(layout.quantities.begin(), layout.quantities.end(),

@@ -10,6 +10,7 @@
 #include "physics/box/splitting_limit.hpp"
 #include "plan/make_plan.hpp"
 #include "read/build.hpp"
+#include "unit/algebra/support.hpp"
 #include "unit/alone.hpp"
 
 namespace tether::coupled {
@@ -57,15 +58,6 @@ double growth_of(const Scene& scene, double h = 0.05) {
 
 using Dense = Eigen::MatrixXd;
 
-Dense dense(const SparseMatrix& A) {
-  Dense out = Dense::Zero(A.n, A.n);
-  for (std::int64_t c = 0; c < A.n; ++c) {
-    for (auto k = A.start[std::size_t(c)]; k < A.start[std::size_t(c + 1)]; ++k)
-      out(A.row[std::size_t(k)], c) += A.value[std::size_t(k)];
-  }
-  return out;
-}
-
 /// M, C, K and M_a of the velocities that are free.
 struct Matrices {
   Dense M, C, K, Ma;
@@ -76,8 +68,8 @@ struct Matrices {
     const auto& q = scene.solids()->mesh.x;
     SparseMatrix stiffness = solids.system.pattern.matrix();
     solids.system.elements->add_stiffness(q, true, solids.system.pattern, stiffness);
-    K = dense(stiffness);
-    const Dense mass = dense(solids.system.mass);
+    K = full_of(stiffness);
+    const Dense mass = full_of(solids.system.mass);
     M = Dense::Zero(K.rows(), K.rows());
     for (int a = 0; a < K.rows(); ++a) {
       for (int b = 0; b < K.rows(); ++b) M(a, b) = a % 2 == b % 2 ? mass(a / 2, b / 2) : 0;
@@ -85,7 +77,7 @@ struct Matrices {
     C = scene.solids()->alpha * M + scene.solids()->beta * K;
     const Flow::Equations at = step.flow().equations_at(q, 1 / scene.coupled()->density);
     const Dense B(at.B);
-    Ma = B.transpose() * dense(at.L).llt().solve(B).eval();
+    Ma = B.transpose() * full_of(at.L).llt().solve(B).eval();
     std::vector<int> free;
     for (int k = 0; k < K.rows(); ++k) {
       if (solids.held[std::size_t(k)] == 0) free.push_back(k);

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "physics/box/friction/viscosity.hpp"
 #include "physics/box/outside.hpp"
 
 namespace tether::coupled::support {
@@ -99,6 +101,27 @@ inline double largest_distance(const FlowDomain& domain, const FaceValues& v, co
     }
   }
   return largest;
+}
+
+/// Of a fluid that fills all cells.
+inline const CellParts all_liquid;
+
+/// A whirl in the unit box that is at rest at its sides and, where the box has a depth, has no part across it.
+inline std::array<double, 3> whirl(const std::array<double, 3>& x) {
+  const double pi = std::numbers::pi, sx = std::sin(pi * x[0]), sy = std::sin(pi * x[1]);
+  return {sx * sx * std::sin(2 * pi * x[1]), -sy * sy * std::sin(2 * pi * x[0]), 0};
+}
+
+/// Where what this whirl carries to x was a time before, by Runge and Kutta's fourth order in so many steps.
+inline std::array<double, 3> origin(std::array<double, 3> x, double time, int steps) {
+  using Place = std::array<double, 3>;
+  const double k = -time / steps;
+  const auto moved = [&](const Place& u, double by) { return Place{x[0] + by * u[0], x[1] + by * u[1], x[2]}; };
+  for (int i = 0; i < steps; ++i) {
+    const Place a = whirl(x), b = whirl(moved(a, k / 2)), c = whirl(moved(b, k / 2)), e = whirl(moved(c, k));
+    for (std::size_t q = 0; q < 2; ++q) x[q] += k / 6 * (a[q] + 2 * b[q] + 2 * c[q] + e[q]);
+  }
+  return x;
 }
 
 }  // namespace tether::coupled::support

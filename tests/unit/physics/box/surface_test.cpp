@@ -2,10 +2,9 @@
 // The surface of solids: what it encloses, and the pieces that cells cut it into.
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "physics/box/surface_pieces.hpp"
 #include "unit/physics/box/bodies_support.hpp"
+#include "unit/total.hpp"
 
 namespace tether::coupled {
 namespace {
@@ -13,8 +12,6 @@ namespace {
 using namespace support;
 
 Mesh block_of(int dim) { return solid_block(dim, 3, {0.48, 0.52, 0.45}, 0.4, 0.4); }
-
-double sum_of(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 
 class InBothDimensions : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Coupled, InBothDimensions, testing::Values(2, 3));
@@ -132,7 +129,7 @@ TEST_P(InBothDimensions, SidesInThePlanesBetweenCellsAreWhole) {
   EXPECT_EQ(cut.pieces.size(), surface.side_count());
   std::vector<double> parts;
   for (const SurfacePoint& point : cut.points) parts.push_back(point.part);
-  EXPECT_NEAR(sum_of(parts), static_cast<double>(surface.side_count()), 1e-12);
+  EXPECT_NEAR(total(parts), static_cast<double>(surface.side_count()), 1e-12);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace tether::coupled {
 namespace {
 
-constexpr double h = 0.1, mean = 2;
+constexpr double step = 0.1, mean = 2;
 
 /// A block whose nodes all go at the mean velocity w, plus what they differ from it by.
 class SwingsOfABlock : public ::testing::Test {
@@ -32,7 +32,7 @@ class SwingsOfABlock : public ::testing::Test {
     return state;
   }
   [[nodiscard]] int found(const CoupledState& state, double heat) const {
-    return Swings(system_).found(state, {w_, drag_, heat, h});
+    return Swings(system_).found(state, {w_, drag_, heat, step});
   }
   /// Of all nodes that have the velocity r in every direction.
   [[nodiscard]] double energy(double r) const {
@@ -61,11 +61,11 @@ TEST_F(SwingsOfABlock, AreLeftWhereTheyAreSmall) {
   EXPECT_EQ(found(state(-0.019 * mean, 0.019 * mean), 100), -1);
 }
 
-/// Friction stops a body by at most its momentum: h F = -m u0.
+/// Friction stops a body by at most its momentum: h F = -m u0, h the step.
 TEST_F(SwingsOfABlock, AreFoundWhereFrictionTakesMoreThanTheMomentum) {
   for (const double part : {0.99, 1.01}) {
     const CoupledState begun = state(0, 0);
-    for (std::size_t k = 0; k < drag_.size(); ++k) drag_[k] = -part * system_.lumped[k / 2] * begun.u[k] / h;
+    for (std::size_t k = 0; k < drag_.size(); ++k) drag_[k] = -part * system_.lumped[k / 2] * begun.u[k] / step;
     EXPECT_EQ(found(begun, 0), part > 1 ? 0 : -1);
   }
 }

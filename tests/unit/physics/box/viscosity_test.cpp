@@ -16,7 +16,6 @@ using namespace support;
 using std::numbers::pi;
 using Place = std::array<double, 3>;
 
-const CellParts all_liquid;
 constexpr double tolerance = 1e-13;
 
 int rub(const FlowDomain& domain, FaceValues& v, double nu, double h, const FaceValues& driven = {},

@@ -30,7 +30,7 @@ class AboutTheAxis : public testing::TestWithParam<Set> {
 INSTANTIATE_TEST_SUITE_P(Sets, AboutTheAxis, testing::Values(Set::thesis, Set::robust));
 
 constexpr Walls open_around{Wall::axis, Wall::open, Wall::open, Wall::open};
-constexpr Walls closed{Wall::axis, Wall::free_slip, Wall::free_slip, Wall::free_slip};
+constexpr Walls closed_about_the_axis{Wall::axis, Wall::free_slip, Wall::free_slip, Wall::free_slip};
 
 TEST_P(AboutTheAxis, ATranslationAlongItIsExactAndFreeOfStress) {
   Scene free = scene(BackgroundGrid(11, 21, 0, 1, -1, 1), 0.01, open_around);
@@ -76,7 +76,7 @@ TEST_P(AboutTheAxis, WrittenStrainsAreThoseOfTheMotion) {
 // however fine: int N 2 pi r dr against its sum over points.
 TEST_P(AboutTheAxis, AnEvenGasInACylinderRests) {
   for (const int per_side : {2, 3}) {
-    Scene full = scene(BackgroundGrid(9, 9, 0, 1, 0, 1), 0.025, closed);
+    Scene full = scene(BackgroundGrid(9, 9, 0, 1, 0, 1), 0.025, closed_about_the_axis);
     add_body(full, gas(), lattice(0.125 / per_side, 0, 1, 0, 1), 1.3, 2);
     Running run(std::move(full));
     const bool exact = !robust() || per_side == 3;
@@ -175,7 +175,7 @@ TEST_P(AboutTheAxis, AColumnFallsToTwiceItsHydrostaticRest) {
   for (int k = 0; k < 2; ++k) {
     const int cells = 16 << k;
     const BackgroundGrid grid(cells / 4 + 1, 5 * cells / 4 + 1, 0, 0.25, 0, 1.25);
-    Walls walls = closed;
+    Walls walls = closed_about_the_axis;
     walls.top = Wall::open;
     error[k] = column_error(scene(grid, 0.4 / cells / c, walls), cells, law);
     walls.left = Wall::free_slip;

@@ -13,13 +13,8 @@ namespace tether::mpm {
 namespace {
 
 using scenes::add_block;
+using scenes::field;
 using scenes::open_scene;
-
-std::vector<double> field(const Snapshot& snapshot, const std::string& name) {
-  const auto found = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
-                                  [&](const Field& f) { return f.quantity.name == name; });
-  return found == snapshot.fields.end() ? std::vector<double>{} : found->values;
-}
 
 /// Two bodies of one point each, the gas listed before the solid that lies left of it.
 Scene gas_and_solid() {

@@ -80,25 +80,25 @@ void relax(Running& run, int halts) {
 }
 
 /// A law of a column that is held across: stress dPsi/dl per area of the start, and energy, of its stretch l.
-struct Column {
+struct HangingColumn {
   FiniteElastic law;
   std::function<double(double)> stress, energy;
 };
 
-Column column_of_neo_hookean() {
+HangingColumn column_of_neo_hookean() {
   const Lame c = lame(E, nu);
   return {neo_hookean(), [c](double l) { return c.mu * (l - 1 / l) + c.lambda * std::log(l) / l; },
           [c](double l) {
             return 0.5 * c.mu * (l * l - 1 - 2 * std::log(l)) + 0.5 * c.lambda * std::log(l) * std::log(l);
           }};
 }
-Column column_of_st_venant_kirchhoff() {
+HangingColumn column_of_st_venant_kirchhoff() {
   const double modulus = lame(E, nu).lambda + 2 * lame(E, nu).mu;
   return {st_venant_kirchhoff(), [modulus](double l) { return 0.5 * modulus * l * (l * l - 1); },
           [modulus](double l) { return 0.125 * modulus * (l * l - 1) * (l * l - 1); }};
 }
 
-double stretch_of(const Column& column, double stress) {
+double stretch_of(const HangingColumn& column, double stress) {
   double low = 1, high = 10;
   for (int k = 0; k < 100; ++k) (column.stress(0.5 * (low + high)) < stress ? low : high) = 0.5 * (low + high);
   return low;
@@ -108,7 +108,7 @@ double stretch_of(const Column& column, double stress) {
 struct Hanging {
   double down = 0, stored = 0;
 };
-Hanging exact(const Column& column, double weight) {
+Hanging exact(const HangingColumn& column, double weight) {
   constexpr int n = 2000;
   Hanging hanging;
   double end = 0;
@@ -121,7 +121,7 @@ Hanging exact(const Column& column, double weight) {
   return hanging;
 }
 
-Hanging relaxed(const Column& column, double weight, int N) {
+Hanging relaxed(const HangingColumn& column, double weight, int N) {
   const double h = 1.0 / N, dt = 0.05 * h / column.law.sound_speed(1);
   Walls walls = all_walls(Wall::free_slip);
   walls.top = Wall::fixed, walls.bottom = Wall::open;
@@ -138,7 +138,7 @@ Hanging relaxed(const Column& column, double weight, int N) {
 TEST(FinitePoints, AHangingColumnRestsWhereItsClosedFormSays) {
   constexpr double weight = 0.5;
   EXPECT_GT(stretch_of(column_of_neo_hookean(), weight), 1.45);
-  for (const Column& column : {column_of_neo_hookean(), column_of_st_venant_kirchhoff()}) {
+  for (const HangingColumn& column : {column_of_neo_hookean(), column_of_st_venant_kirchhoff()}) {
     const Hanging closed_form = exact(column, weight);
     double down = 1, stored = 1;
     for (const int N : {10, 20, 40}) {

@@ -11,7 +11,7 @@
 #include "physics/points/state.hpp"
 #include "unit/physics/points/robust_support.hpp"
 
-namespace tether::mpm {
+namespace tether::mpm::heat_ledger {
 namespace {
 
 using namespace scenes;
@@ -274,4 +274,4 @@ TEST(WithoutLedger, EnergyFallsByWhatWouldHaveBeenBooked) {
 }
 
 }  // namespace
-}  // namespace tether::mpm
+}  // namespace tether::mpm::heat_ledger

@@ -13,7 +13,7 @@
 namespace tether::mpm {
 namespace {
 
-struct Body {
+struct BodyOfPoints {
   std::vector<double> x, y;
   void add(double at_x, double at_y) { x.push_back(at_x), y.push_back(at_y); }
   std::vector<std::size_t> slots() const {
@@ -25,8 +25,8 @@ struct Body {
 
 /// Points in the middles of sub-cells, kept where `in` holds.
 template <class In>
-Body body_where(int per_side, const In& in) {
-  Body body;
+BodyOfPoints body_where(int per_side, const In& in) {
+  BodyOfPoints body;
   for (int b = 0; b < 10 * per_side; ++b) {
     for (int a = 0; a < 10 * per_side; ++a) {
       const double x = (a + 0.5) / per_side, y = (b + 0.5) / per_side;
@@ -38,7 +38,7 @@ Body body_where(int per_side, const In& in) {
 
 constexpr Walls open_walls{Wall::open, Wall::open, Wall::open, Wall::open};
 
-BodyNormals normals_of(const Body& body, const Walls& walls = open_walls) {
+BodyNormals normals_of(const BodyOfPoints& body, const Walls& walls = open_walls) {
   BodyNormals normals(BackgroundGrid(11, 11, 0, 10, 0, 10), walls);
   normals.take({body.x, body.y}, body.slots());
   return normals;
@@ -82,7 +82,7 @@ TEST(BodyNormalsTest, OfAnEdgeAt45Degrees) {
 
 // In cells twice as wide as high the kernel is not round: five degrees off.
 TEST(BodyNormalsTest, OfAnEdgeAt45DegreesInCellsThatAreNotSquare) {
-  const Body body = body_where(4, [](double x, double y) { return x + y < 9; });
+  const BodyOfPoints body = body_where(4, [](double x, double y) { return x + y < 9; });
   BodyNormals normals(BackgroundGrid(11, 21, 0, 10, 0, 10), open_walls);
   normals.take({body.x, body.y}, body.slots());
   for (int i = 3; i <= 6; ++i) {
@@ -93,7 +93,7 @@ TEST(BodyNormalsTest, OfAnEdgeAt45DegreesInCellsThatAreNotSquare) {
 
 // A row of points at y = 5.5: outward is away from it on both sides. On the row itself there is no outward.
 TEST(BodyNormalsTest, OfAMembranesTwoSides) {
-  Body membrane;
+  BodyOfPoints membrane;
   for (int k = 0; k < 20; ++k) membrane.add(0.5 * (k + 0.5), 5.5);
   const auto normals = normals_of(membrane);
   for (int i = 2; i <= 8; ++i) {
@@ -112,10 +112,10 @@ TEST(BodyNormalsTest, OfAMembranesTwoSides) {
 // A body that lies against mirrors goes on behind them: no normals at the walls but along them. Against open edges it
 // ends there.
 TEST(BodyNormalsTest, GoOnBehindAMirror) {
-  const Body corner = body_where(2, [](double x, double y) { return x < 6 && y < 6; });
+  const BodyOfPoints corner = body_where(2, [](double x, double y) { return x < 6 && y < 6; });
   const auto between_mirrors = normals_of(corner, {Wall::symmetry, Wall::open, Wall::axis, Wall::open});
   const auto in_the_open = normals_of(corner);
-  const Body across = body_where(2, [](double x, double y) { return x > 4 && y > 4; });
+  const BodyOfPoints across = body_where(2, [](double x, double y) { return x > 4 && y > 4; });
   const auto high = normals_of(across, {Wall::open, Wall::free_slip, Wall::open, Wall::symmetry});
   for (int k = 0; k <= 3; ++k) {
     expect_normal(between_mirrors, 6, k, 1, 0);
@@ -131,8 +131,8 @@ TEST(BodyNormalsTest, GoOnBehindAMirror) {
 
 TEST(BodyNormalsTest, ForgetTheBodyBefore) {
   BodyNormals normals(BackgroundGrid(11, 11, 0, 10, 0, 10), open_walls);
-  const Body first = body_where(2, [](double x, double) { return x < 3; });
-  const Body second = body_where(2, [](double x, double) { return x > 7; });
+  const BodyOfPoints first = body_where(2, [](double x, double) { return x < 3; });
+  const BodyOfPoints second = body_where(2, [](double x, double) { return x > 7; });
   normals.take({first.x, first.y}, first.slots());
   expect_normal(normals, 3, 5, 1, 0);
   normals.take({second.x, second.y}, second.slots());

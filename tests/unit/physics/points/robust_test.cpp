@@ -17,9 +17,11 @@ const BackgroundGrid open_grid(21, 26, -2, 2, -2, 2);  // cells of .2 by .16
 
 Scene free_scene(double dt) { return scene_on(open_grid, all_walls(Wall::open), dt, robust_set()); }
 
-bool in_blob(double x, double y) { return x * x + y * y < 0.7 || (x > 0 && std::abs(y - 0.2) < 0.3 && x < 1.2); }
+bool in_lopsided_blob(double x, double y) {
+  return x * x + y * y < 0.7 || (x > 0 && std::abs(y - 0.2) < 0.3 && x < 1.2);
+}
 
-void stir_all(Scene& scene) {
+void send_and_stir(Scene& scene) {
   set_velocities(scene, [](double x, double y) {
     return Vec<2>{0.4 + 0.3 * std::sin(3 * x) - 0.5 * y, 0.2 + 0.6 * x * std::cos(2 * y)};
   });
@@ -32,23 +34,23 @@ struct FreeBody {
 void PrintTo(const FreeBody& body, std::ostream* out) { *out << body.name; }
 
 const FreeBody free_bodies[] = {
-    {"Solid", [](Scene& s) { add_body(s, plane_strain(3, 0.3), lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3); }},
+    {"Solid", [](Scene& s) { add_body(s, plane_strain(3, 0.3), lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3); }},
     {"TurningSolid",
      [](Scene& s) {
        s.method.jaumann = true;
-       add_body(s, plane_stress(3, 0.3), lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3);
+       add_body(s, plane_stress(3, 0.3), lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3);
      }},
-    {"Gas", [](Scene& s) { add_body(s, robust_gas(0.02), lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3, 1.0); }},
+    {"Gas", [](Scene& s) { add_body(s, robust_gas(0.02), lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3, 1.0); }},
     {"StringAndGas",
      [](Scene& s) {
-       add_body(s, robust_gas(), lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3, 1.0);
+       add_body(s, robust_gas(), lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3, 1.0);
        add_body(s, Membrane{20, 0.2, true, Membrane::Kind::plane_stress}, arc(0.1, 0, 1.3, 1.1, 0, 2, 60, 0.05), 2, 0,
                 true);
        add_body(s, Membrane{20, 0, true}, line(-1.2, -1.4, 1.3, 1.2, 40, 0.05), 2);
      }},
     {"TwoSolidsThatMeet",
      [](Scene& s) {
-       add_body(s, plane_strain(3, 0.3), lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3);
+       add_body(s, plane_strain(3, 0.3), lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3);
        add_body(s, plane_strain(30, 0.1), lattice(0.08, -1.2, 1.5, 0.9, 1.2), 2);
        for (std::size_t p = s.bodies[1].first; p < s.points.size(); ++p) s.points.vy[p] = -1;
      }},
@@ -61,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, FreeBodies, testing::ValuesIn(free_bodies),
 TEST_P(FreeBodies, MomentumAndAngularMomentumOfFreeBodies) {
   Scene scene = free_scene(0.01);
   GetParam().add(scene);
-  stir_all(scene);
+  send_and_stir(scene);
   Running run(std::move(scene));
   const char* names[] = {"momentum_x", "momentum_y", "angular_momentum_z"};
   double before[3];
@@ -116,7 +118,7 @@ constexpr LinearFlow rotation{0.1, -0.2, 0, -0.7, 0.7, 0}, stretch{0.1, -0.2, 0.
 // Into the nodes and back in one step without forces: whatever the points' places and masses.
 TEST(Apic, KeepsALinearFlow) {
   Scene scene = free_scene(0.01);
-  add_body(scene, PlaneElastic{}, lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3);
+  add_body(scene, PlaneElastic{}, lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3);
   for (std::size_t p = 0; p < scene.points.size(); ++p) {
     scene.points.x[p] += 0.3 * std::sin(static_cast<double>(7 * p));
     scene.points.mass[p] *= 1 + 0.1 * static_cast<double>(p % 5);
@@ -144,7 +146,7 @@ TEST(Apic, KeepsALinearFlow) {
 TEST(Apic, LawsSeeALinearFlowsGradient) {
   Scene scene = free_scene(0.01);
   const PlaneElastic law = plane_strain(3, 0.3);
-  add_body(scene, law, lattice(0.1, -1, 1.5, -1, 1, in_blob), 1.3);
+  add_body(scene, law, lattice(0.1, -1, 1.5, -1, 1, in_lopsided_blob), 1.3);
   FlowRun run(scene, stretch);
   run.step(0.01);
   const Stress s = law.updated({}, {stretch.xx, stretch.yy, 0.5 * (stretch.xy + stretch.yx)}, 0.01);

@@ -15,14 +15,9 @@ namespace tether::mpm {
 namespace {
 
 using scenes::add_block;
+using scenes::field;
 using scenes::open_scene;
 using scenes::stir;
-
-const std::vector<double>& field(const Snapshot& snapshot, const std::string& name) {
-  return std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
-                      [&](const Field& f) { return f.quantity.name == name; })
-      ->values;
-}
 
 double column(const Solver& solver, const std::string& name) {
   return History{solver.history_layout(), {solver.record()}}.column(name).front();

@@ -17,7 +17,7 @@ constexpr int many = 100000;
 
 /// About the intermediate axis, y of this box, and a little beside it: the body tumbles over again and again.
 const Vector3d tumbling(0.05, 2, 0.02);
-const Box box;
+const Box plain_box;
 
 struct Case {
   std::string name;
@@ -31,7 +31,7 @@ class RigidTumbling : public testing::TestWithParam<Case> {};
 
 TEST_P(RigidTumbling, keeps_energy_and_angular_momentum) {
   const auto& [name, step, frame, dt] = GetParam();
-  const RigidBody body = body_of(box, frame);
+  const RigidBody body = body_of(plain_box, frame);
   RigidState state = start(body, Vector3d::Zero(), tumbling);
   const double energy = rigid_kinetic_energy(body.inertia, state);
   const Vector3d momentum = rigid_angular_momentum(body.inertia, state);
@@ -54,7 +54,7 @@ TEST_P(RigidTumbling, keeps_energy_and_angular_momentum) {
   EXPECT_LT(energy_error, 1e-11 * energy);
   EXPECT_LT(momentum_error, 1e-11 * momentum.norm());
   EXPECT_LT(constraint_error, 1e-13 * frame.directors.squaredNorm());
-  EXPECT_LT(drift, 1e-12 * box.mass() * tumbling.norm());
+  EXPECT_LT(drift, 1e-12 * plain_box.mass() * tumbling.norm());
   // The velocities leave the constraints' tangent by O(dt^2) |omega|^3, and no further the longer it takes.
   EXPECT_LT(aside_late, 1.05 * aside_early);
   EXPECT_LT(aside_late, 0.1 * dt * dt * std::pow(tumbling.norm(), 3) * frame.directors.squaredNorm());
@@ -72,9 +72,9 @@ INSTANTIATE_TEST_SUITE_P(steps, RigidTumbling,
 TEST(RigidConservation, momenta_about_the_origin_of_a_body_that_flies_off) {
   const Vector3d velocity(0.3, -0.2, 0.1);
   for (const RigidFrame& frame : {orthonormal(), skew()}) {
-    const RigidBody body = body_of(box, frame);
+    const RigidBody body = body_of(plain_box, frame);
     RigidState state = start(body, velocity, tumbling);
-    const Vector3d momentum = rigid_angular_momentum(body.inertia, state), p = box.mass() * velocity;
+    const Vector3d momentum = rigid_angular_momentum(body.inertia, state), p = plain_box.mass() * velocity;
     for (int n = 0; n < many / 10; ++n) ASSERT_TRUE(rigid_reduced_step(body, {}, 0.02, state, {}).converged);
     EXPECT_LT((rigid_linear_momentum(body.inertia, state) - p).norm(), 1e-13 * p.norm());
     EXPECT_LT((rigid_angular_momentum(body.inertia, state) - momentum).norm(), 1e-11 * momentum.norm());
@@ -85,7 +85,7 @@ TEST(RigidConservation, momenta_about_the_origin_of_a_body_that_flies_off) {
 TEST(RigidConservation, velocities_beside_the_tangent_obey_their_recurrence) {
   // h1 = -h0 + (dt/4)(w1 - w0), h = G(q) v, w = G(v) v: what follows from (35) for what it does not constrain.
   const double dt = 0.05;
-  const RigidBody body = body_of(box, skew());
+  const RigidBody body = body_of(plain_box, skew());
   RigidState state = start(body, Vector3d::Zero(), tumbling);
   const auto h = [&] { return rigid_constraint_rate(state.q.rightCols<3>(), state.v.rightCols<3>()); };
   const auto w = [&] { return rigid_constraint_rate(state.v.rightCols<3>(), state.v.rightCols<3>()); };
@@ -100,7 +100,7 @@ TEST(RigidConservation, velocities_beside_the_tangent_obey_their_recurrence) {
 TEST(RigidConservation, work_of_a_torque_is_the_energy_gained) {
   const Vector3d torque(0.03, -0.02, 0.05);
   for (const Step step : {rigid_constrained_step, rigid_reduced_step}) {
-    const RigidBody body = body_of(box, skew());
+    const RigidBody body = body_of(plain_box, skew());
     RigidState state = start(body, {0.2, 0.1, -0.3}, {0.3, 0.5, -0.4});
     const double before = rigid_kinetic_energy(body.inertia, state), dt = 0.02;
     double work = 0, turned = 0;
@@ -119,7 +119,7 @@ TEST(RigidConservation, work_of_a_torque_is_the_energy_gained) {
 TEST(RigidConservation, a_torque_changes_angular_momentum_by_its_impulse) {
   // Its factor in time is taken at the middle of each step: the impulse is the mid-point sum, whatever the directors.
   const Vector3d torque(0.3, -0.2, 0.5);
-  const RigidBody body = body_of(box, skew());
+  const RigidBody body = body_of(plain_box, skew());
   RigidState state = start(body, {0.2, 0.1, -0.3}, {0.3, 0.5, -0.4});
   const Vector3d before = rigid_angular_momentum(body.inertia, state);
   Vector3d impulse = Vector3d::Zero();
@@ -138,7 +138,7 @@ TEST(RigidConservation, thrown_and_hanging_bodies_keep_their_total_energy) {
   const Vector3d g(0, 0, -9.81), pin(0.4, 0.3, 0.2);
   for (const Step step : {rigid_constrained_step, rigid_reduced_step}) {
     for (const bool hangs : {false, true}) {
-      const RigidBody body = hangs ? body_of(box, skew(), pin) : body_of(box, skew());
+      const RigidBody body = hangs ? body_of(plain_box, skew(), pin) : body_of(plain_box, skew());
       RigidState state = hangs ? rigid_start(body, tumbling) : start(body, {1, 2, 10}, tumbling);
       const auto energy = [&] {
         return rigid_kinetic_energy(body.inertia, state) + rigid_potential_energy(body.inertia, state, g);

@@ -37,10 +37,4 @@ inline std::string cube_body(const std::string& fem = "") {
 }
 const std::string depth = "nz=5,zback=0.,zfront=1.,";
 
-inline Texts warnings_of(const Built& built) {
-  Texts texts;
-  for (const auto& d : built.diagnostics.warnings()) texts.push_back(d.message);
-  return texts;
-}
-
 }  // namespace tether::test

@@ -71,10 +71,4 @@ inline const FlowSide& side_of(const Flow& flow, const std::string& name) {
   return *std::find_if(flow.sides.begin(), flow.sides.end(), [&](const FlowSide& side) { return side.name == name; });
 }
 
-inline Texts warnings_of(const Built& built) {
-  Texts texts;
-  for (const auto& d : built.diagnostics.warnings()) texts.push_back(d.message);
-  return texts;
-}
-
 }  // namespace tether::test

@@ -15,16 +15,10 @@ Built build_fem(const std::string& text, const std::vector<std::string>& overrid
   return built;
 }
 
-Texts warnings(const Built& built) {
-  Texts texts;
-  for (const auto& d : built.diagnostics.warnings()) texts.push_back(d.message);
-  return texts;
-}
-
 TEST(FemScene, OfAStringIsFree) {
   const Built built = build_fem(string_deck());
   EXPECT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(warnings(built), Texts{});
+  EXPECT_EQ(warnings_of(built), Texts{});
   EXPECT_EQ(built.scene.path(), Path::fem);
   EXPECT_EQ(built.scene.clock.cfl, 0.9);
 }
@@ -33,17 +27,17 @@ TEST(FemScene, TakesItsOwnFactorOfTheStep) {
   EXPECT_EQ(build_fem(string_deck("$fem cfl=.25 $\n")).scene.clock.cfl, 0.25);
   const Built built = build_fem(string_deck("$mpm cfl=.25 $\n"));
   EXPECT_EQ(built.scene.clock.cfl, 0.9);
-  EXPECT_EQ(warnings(built), Texts{"cfl of $mpm has no effect on the fem path"});
+  EXPECT_EQ(warnings_of(built), Texts{"cfl of $mpm has no effect on the fem path"});
 }
 
 TEST(FemScene, APinHoldsABarsNode) {
   const Built built = build_fem(string_deck("$points pinned(2)=.true. $\n"));
-  EXPECT_EQ(warnings(built), Texts{});
+  EXPECT_EQ(warnings_of(built), Texts{});
   EXPECT_EQ(built.scene.pinned, std::vector<std::size_t>{1});
 }
 
 TEST(FemScene, DefaultsOfTheOtherMethodAreNotTold) {
-  EXPECT_EQ(warnings(build_fem(string_deck("$mpm method='thesis',criterion=1,jaumann=.false. $\n"))), Texts{});
+  EXPECT_EQ(warnings_of(build_fem(string_deck("$mpm method='thesis',criterion=1,jaumann=.false. $\n"))), Texts{});
 }
 
 TEST(FemScene, BodiesOfPointsAreRefused) {
@@ -97,7 +91,7 @@ TEST(FemScene, NeighboursInOnePlaceAreRefused) {
 
 TEST(FemScene, HasNoFieldsOfAGrid) {
   const Built built = build_fem(string_deck("", "igen=0,iout(30)=1,tiout(30)=.1,iout(13)=1,tiout(13)=.1"));
-  EXPECT_EQ(warnings(built), Texts{"iout(30)=1 writes nothing: bars have no grid"});
+  EXPECT_EQ(warnings_of(built), Texts{"iout(30)=1 writes nothing: bars have no grid"});
   EXPECT_EQ(built.scene.outputs.grid, 0);
   EXPECT_EQ(built.scene.outputs.points, 0.1);
 }

@@ -23,16 +23,10 @@ Built build_rigid(const std::string& groups, const std::vector<std::string>& ove
   return built;
 }
 
-Texts warnings(const Built& built) {
-  Texts texts;
-  for (const auto& d : built.diagnostics.warnings()) texts.push_back(d.message);
-  return texts;
-}
-
 TEST(RigidScene, OfAnEmptyGroupIsAFreeBodyAtRestAboutItsCentre) {
   const Built built = build_rigid("$rigid $\n");
   EXPECT_EQ(built.errors(), Texts{});
-  EXPECT_EQ(warnings(built), Texts{});
+  EXPECT_EQ(warnings_of(built), Texts{});
   EXPECT_EQ(built.scene.path(), Path::fem);
   ASSERT_TRUE(built.scene.rigid() && built.scene.solids());
   const Rigid& rigid = *built.scene.rigid();
@@ -95,8 +89,8 @@ TEST(RigidScene, AllMistakesAreToldAtOnce) {
 }
 
 TEST(RigidScene, WhatHasNoEffectIsAWarning) {
-  EXPECT_EQ(warnings(build_rigid("$fem tolerance=1e-11,cfl=.9,integrator='midpoint' $\n$rigid $\n")), Texts{});
-  EXPECT_EQ(warnings(build_rigid("$fem tolerance=1e-9,cfl=.5 $\n$rigid $\n")),
+  EXPECT_EQ(warnings_of(build_rigid("$fem tolerance=1e-11,cfl=.9,integrator='midpoint' $\n$rigid $\n")), Texts{});
+  EXPECT_EQ(warnings_of(build_rigid("$fem tolerance=1e-9,cfl=.5 $\n$rigid $\n")),
             (Texts{"tolerance of $fem has no effect on a rigid body", "cfl of $fem has no effect on a rigid body"}));
 }
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+
+#include "unit/total.hpp"
 
 namespace tether::test {
 namespace {
@@ -140,8 +141,6 @@ TEST(Joined, IsClosedToAPartIn1e9OfItsLength) {
   EXPECT_TRUE(is_closed(with_gap(3.9e-9)));
   EXPECT_FALSE(is_closed(with_gap(4.1e-9)));
 }
-
-double total(const std::vector<double>& pieces) { return std::accumulate(pieces.begin(), pieces.end(), 0.0); }
 
 /// A line of length 3: two points at the ends, one at an end, none.
 TEST(SeedsAtEnds, StandThereWithHalfAPiece) {

@@ -3,16 +3,14 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "unit/read/points/membranes_support.hpp"
+#include "unit/total.hpp"
 
 namespace tether::test {
 namespace {
 
 using std::numbers::pi;
-
-double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 TEST(Membranes, HaveThePointsOfTheirCurves) {
   const Built built = one_line("count(1)=4");

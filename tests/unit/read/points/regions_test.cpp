@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "unit/read/scene_support.hpp"
+#include "unit/total.hpp"
 
 namespace tether::test {
 namespace {
-
-double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// Points of the middle four cells: the lattice of a cell is at the middles of side x side sub-cells.
 void expect_lattice(int side) {
