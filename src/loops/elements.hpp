@@ -11,16 +11,17 @@ namespace tether {
 
 /// Calls for each k below `count` first compute(k, value), by whoever is free, then add(k, value), by one thread in the
 /// order of k: what is added has the same bits for any number of threads, and needs no place of its own but for a
-/// batch.
+/// batch. Values begin as copies of `blank`, which has the size of those whose size is known at run time.
 template <class Value, class Compute, class Add>
-void compute_then_add(Team& team, std::size_t count, const Compute& compute, const Add& add) {
+void compute_then_add(Team& team, std::size_t count, const Compute& compute, const Add& add,
+                      const Value& blank = Value()) {
   constexpr std::size_t at_a_time = 8, batch = 256;
   if (team.threads() == 1) {
-    Value value;
+    Value value = blank;
     for (std::size_t k = 0; k < count; ++k) compute(k, value), add(k, value);
     return;
   }
-  std::vector<Value> values(std::min(count, batch));
+  std::vector<Value> values(std::min(count, batch), blank);
   for (std::size_t first = 0; first < count; first += batch) {
     const std::size_t here = std::min(batch, count - first);
     each_block(

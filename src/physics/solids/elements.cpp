@@ -125,6 +125,13 @@ Symmetric<dim> strain_of(const ElasticLaw& law, const Square<dim>& F) {
   return small_strains(law) ? small_strain<dim>(F) : right_cauchy_green<dim>(F);
 }
 
+/// Returns where the component i, j of a symmetric tensor stands.
+template <int dim>
+constexpr int component(int i, int j) {
+  if (i == j) return i;
+  return dim == 2 ? 2 : i + j == 2 ? 5 : i + j == 1 ? 3 : 4;
+}
+
 }  // namespace
 
 template <int dim, bool with_modulus>
@@ -156,16 +163,18 @@ Across across_at(const ElasticLaw& any, const Square<2>& F) {
   return std::visit([&](const auto& law) { return law.template across<2>(C); }, any);
 }
 
+/// Column l dim + m is dP by F_ml: A dS, and what the shape's turning adds.
 template <int dim>
 GradientModulus<dim> gradient_modulus(const PointStress<dim>& s) {
-  Eigen::Matrix<double, component_count<dim>(), dim * dim> strain;
-  for (int j = 0; j < dim; ++j)
-    strain.template middleCols<dim>(j * dim) = strain_map<dim>(s.F, Eigen::Matrix<double, dim, 1>::Unit(j));
-  GradientModulus<dim> H = strain.transpose() * s.D * strain;
   const Square<dim> S = s.geometric * full<dim>(s.S);
-  for (int j = 0; j < dim; ++j) {
-    for (int l = 0; l < dim; ++l) {
-      for (int i = 0; i < dim; ++i) H(j * dim + i, l * dim + i) += S(j, l);
+  GradientModulus<dim> H;
+  for (int l = 0; l < dim; ++l) {
+    for (int m = 0; m < dim; ++m) {
+      Symmetric<dim> dS = Symmetric<dim>::Zero();
+      for (int n = 0; n < dim; ++n) dS += s.F(m, n) * s.D.col(component<dim>(n, l));
+      Eigen::Map<Square<dim>> dP(&H(0, l * dim + m));
+      dP.noalias() = s.A * full<dim>(dS);
+      dP.row(m) += S.row(l);
     }
   }
   return H;

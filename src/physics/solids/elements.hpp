@@ -129,7 +129,8 @@ Eigen::Matrix<double, component_count<dim>(), dim> strain_map(const Square<dim>&
   return B;
 }
 
-/// d2Psi/dF dF of what point_stress() answers: unknown j dim + i is F_ij.
+/// The derivative of P = A S by F, of what point_stress() answers: number j dim + i is P_ij, or F_ij. Of the stress at
+/// the end it is d2Psi/dF dF.
 template <int dim>
 using GradientModulus = Eigen::Matrix<double, dim * dim, dim * dim>;
 template <int dim>

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "physics/solids/elements_of_shape.hpp"
-#include "physics/solids/stress_recovery.hpp"
 
 namespace tether::fem {
 
@@ -14,8 +13,9 @@ namespace tether::fem {
 
 /// xx, yy, zz, xy, yz, xz at a point of quadrature, and the energy density there, of the F that the law sees. Of the
 /// linear law shape and stress are those of the start.
-template <class Shapes>
-std::array<double, stress_fields> ElementsOf<Shapes>::cauchy_stress(std::size_t e, int k, const Square<dim>& F) const {
+template <int dim>
+std::array<double, stress_fields> ElementsOfShape<dim>::cauchy_stress(std::size_t e, std::size_t k,
+                                                                      const Square<dim>& F) const {
   const auto r = response_at<dim>(law(e), F, place(e, k)[0], place(e, k)[1]);
   const bool linear = std::holds_alternative<LinearElastic>(law(e));
   double J = linear ? 1 : F.determinant();
@@ -31,57 +31,45 @@ std::array<double, stress_fields> ElementsOf<Shapes>::cauchy_stress(std::size_t 
   return values;
 }
 
-/// Returns what points of quadrature add to a field at each node.
-template <class Shapes>
-auto parts_of_points(bool whole) {
-  std::array<Values<Shapes::points>, std::size_t{Shapes::nodes}> parts;
-  for (int a = 0; a < Shapes::nodes; ++a)
-    parts[static_cast<std::size_t>(a)] = Shapes::to_place(Shapes::node_place(a), whole);
-  return parts;
-}
-
 /// Returns the same at all points of an element.
-template <class Shapes>
-auto ElementsOf<Shapes>::stress_at_points(std::size_t e, const Places& places) const -> StressAtPoints {
+template <int dim>
+auto ElementsOfShape<dim>::stress_at_points(std::size_t e, const Vectors& places) const -> StressAtPoints {
   StressAtPoints there;
   const SeenByLaw seen = seen_by_law(places, e);
-  for (int k = 0; k < points; ++k) {
-    there[index(k)] = cauchy_stress(e, k, seen.F[index(k)]);
-    for (std::size_t i = 0; i < dim; ++i) there[index(k)][i] += stabiliser(e) * seen.left_out[index(k)];
+  for (std::size_t k = 0; k < points_; ++k) {
+    there[k] = cauchy_stress(e, k, seen.F[k]);
+    for (std::size_t i = 0; i < dim; ++i) there[k][i] += stabiliser(e) * seen.left_out[k];
   }
   return there;
 }
 
-/// Returns the same at an element's nodes: its stress is carried on to them by the polynomials in which it is most
+/// Returns the same at a node of an element: its stress is carried on to it by the polynomials in which it is most
 /// exact, its energy by those that have as many numbers as there are points, so that it is that of bending at a
 /// surface, too.
-template <class Shapes>
-auto ElementsOf<Shapes>::stress_at_nodes(const StressAtPoints& there) const {
-  static const auto linear = parts_of_points<Shapes>(false), whole = parts_of_points<Shapes>(true);
-  std::array<std::array<double, stress_fields>, std::size_t{nodes}> found{};
-  for (int a = 0; a < nodes; ++a) {
-    auto& values = found[index(a)];
-    for (int k = 0; k < points; ++k) {
-      for (std::size_t f = 0; f < stress_fields; ++f)
-        values[f] += (f == energy_field ? whole : linear)[index(a)][index(k)] * there[index(k)][f];
-    }
-    values[energy_field] = std::max(values[energy_field], 0.0);
+template <int dim>
+std::array<double, stress_fields> ElementsOfShape<dim>::stress_at_node(std::size_t a,
+                                                                       const StressAtPoints& there) const {
+  std::array<double, stress_fields> values{};
+  for (std::size_t k = 0; k < points_; ++k) {
+    const std::size_t part = a * points_ + k;
+    for (std::size_t f = 0; f < stress_fields; ++f)
+      values[f] += (f == energy_field ? shape_.parts_of_whole : shape_.parts)[part] * there[k][f];
   }
-  return found;
+  values[energy_field] = std::max(values[energy_field], 0.0);
+  return values;
 }
 
 /// Appends the stress of an element at the places where it is most exact, and these places.
-template <class Shapes>
-void ElementsOf<Shapes>::add_samples(std::size_t e, const StressAtPoints& there, StressSamples& samples) const {
-  for (int s = 0; s < samples.per_element; ++s) {
-    const auto place = samples.per_element == 1 ? Shapes::middle() : Shapes::sample_place(s);
-    const auto parts_there = Shapes::to_place(place, false);
-    const auto N = Shapes::values(place);
-    const Vector x = gathered(e, mesh_.x) * Eigen::Map<const Eigen::Matrix<double, nodes, 1>>(N.data());
+template <int dim>
+void ElementsOfShape<dim>::add_samples(std::size_t e, const StressAtPoints& there, StressSamples& samples) const {
+  const ShapeTable::Carried& carried = samples.per_element == 1 ? shape_.at_middle : shape_.at_samples;
+  const Vectors places = gathered(e, mesh_.x);
+  for (std::size_t s = 0; s < at(samples.per_element); ++s) {
+    const Vector x = place_of(places, &carried.values[s * nodes_]);
     samples.places.insert(samples.places.end(), x.data(), x.data() + dim);
     std::array<double, stress_parts> stress{};
-    for (int k = 0; k < points; ++k) {
-      for (std::size_t f = 0; f < stress_parts; ++f) stress[f] += parts_there[index(k)] * there[index(k)][f];
+    for (std::size_t k = 0; k < points_; ++k) {
+      for (std::size_t f = 0; f < stress_parts; ++f) stress[f] += carried.parts[s * points_ + k] * there[k][f];
     }
     samples.stress.insert(samples.stress.end(), stress.begin(), stress.end());
   }
@@ -89,21 +77,20 @@ void ElementsOf<Shapes>::add_samples(std::size_t e, const StressAtPoints& there,
 
 /// The mean over the elements that meet at a node, by their volumes; stresses are fitted over elements around it where
 /// these are enough. Where an element has one dilatation, its pressure is most exact in its middle.
-template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::nodal_stress(std::span<const double> q) const {
-  const bool flat = modes == 1 && std::ranges::any_of(dilated_, &DilatationChoice::mean);
-  StressSamples samples{flat ? 1 : Shapes::samples, flat ? 1 : Shapes::order, {}, {}, {}};
+template <int dim>
+std::vector<double> ElementsOfShape<dim>::nodal_stress(std::span<const double> q) const {
+  const bool flat = mode_count_ == 1 && std::ranges::any_of(dilated_, &DilatationChoice::mean);
+  StressSamples samples{flat ? 1 : static_cast<int>(shape_.samples), flat ? 1 : shape_.order, {}, {}, {}};
   std::vector<double> sums(mesh_.node_count() * stress_fields, 0.0), volume(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     const StressAtPoints there = stress_at_points(e, gathered(e, q));
-    const auto values = stress_at_nodes(there);
     add_samples(e, there, samples);
     double& size = samples.volumes.emplace_back(0);
-    for (int k = 0; k < points; ++k) size += weight(e, k);
-    for (int a = 0; a < nodes; ++a) {
-      const auto node = static_cast<std::size_t>(mesh_.element(e)[a]);
-      volume[node] += size;
-      for (std::size_t f = 0; f < stress_fields; ++f) sums[node * stress_fields + f] += size * values[index(a)][f];
+    for (std::size_t k = 0; k < points_; ++k) size += weight(e, k);
+    for (std::size_t a = 0; a < nodes_; ++a) {
+      const auto values = stress_at_node(a, there);
+      volume[node(e, a)] += size;
+      for (std::size_t f = 0; f < stress_fields; ++f) sums[node(e, a) * stress_fields + f] += size * values[f];
     }
   }
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] /= std::max(volume[k / stress_fields], 1e-300);

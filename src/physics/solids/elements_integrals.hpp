@@ -11,92 +11,118 @@ namespace tether::fem {
 
 // Integrals over elements that a run asks for once, or once a step.
 
-template <class Shapes>
-auto ElementsOf<Shapes>::element_mass(std::size_t e) const -> MassMatrix {
-  MassMatrix m{};
-  for (int k = 0; k < mass_points; ++k) {
-    const auto& N = mass_values_[index(k)];
-    const double w = mass_weight(e, k) * density(e);
-    for (std::size_t ab = 0; ab < m.size(); ++ab) m[ab] += w * N[ab / nodes] * N[ab % nodes];
-  }
-  return m;
+template <int dim>
+double ElementsOfShape<dim>::strain_energy(std::span<const double> q) const {
+  return sum_of_blocks(
+      team_, mesh_.element_count(),
+      [&](std::size_t begin, std::size_t end) {
+        double energy = 0;
+        for (std::size_t e = begin; e < end; ++e) {
+          const SeenByLaw seen = seen_by_law(gathered(e, q), e);
+          for (std::size_t k = 0; k < points_; ++k) {
+            const double left_out = seen.left_out[k];
+            energy += weight(e, k) * (energy_at<dim>(law(e), seen.F[k], place(e, k)[0], place(e, k)[1]) +
+                                      0.5 * stabiliser(e) * left_out * left_out);
+          }
+        }
+        return energy;
+      },
+      elements_of_a_block);
 }
 
-template <class Shapes>
-SparseMatrix ElementsOf<Shapes>::mass() const {
-  const NodalPattern pattern(1, mesh_.node_count(), mesh_.nodes, nodes);
+/// Sets an element's mass matrix, a number a pair of nodes.
+template <int dim>
+void ElementsOfShape<dim>::find_mass(std::size_t e, std::span<double> m) const {
+  std::ranges::fill(m, 0.0);
+  for (std::size_t k = 0; k < shape_.mass_points; ++k) {
+    const double* N = &shape_.mass_values[k * nodes_];
+    const double w = mass_weight(e, k) * density(e);
+    for (std::size_t a = 0; a < nodes_; ++a) {
+      const double part = w * N[a];
+      for (std::size_t b = 0; b < nodes_; ++b) m[a * nodes_ + b] += part * N[b];
+    }
+  }
+}
+
+template <int dim>
+SparseMatrix ElementsOfShape<dim>::mass() const {
+  const NodalPattern pattern(1, mesh_.node_count(), mesh_.nodes, static_cast<int>(nodes_));
   SparseMatrix M = pattern.matrix();
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) pattern.add(e, element_mass(e), M);
+  std::vector<double> own(nodes_ * nodes_);
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    find_mass(e, own);
+    pattern.add(e, own, M);
+  }
   return M;
 }
 
 /// Adds `inertia` times the mass matrix, for each direction.
-template <class Shapes>
-void ElementsOf<Shapes>::add_inertia(std::size_t e, double inertia, Matrix& K) const {
-  const MassMatrix m = element_mass(e);
-  for (int a = 0; a < nodes; ++a) {
-    for (int b = 0; b < nodes; ++b) {
-      for (int i = 0; i < dim; ++i) K(a * dim + i, b * dim + i) += inertia * m[index(a * nodes + b)];
+template <int dim>
+void ElementsOfShape<dim>::add_inertia(std::size_t e, double inertia, std::span<double> K) const {
+  std::array<double, most * most> all;
+  const std::span<double> m = std::span(all).first(nodes_ * nodes_);
+  find_mass(e, m);
+  for (std::size_t a = 0; a < nodes_; ++a) {
+    for (std::size_t b = 0; b < nodes_; ++b) {
+      for (std::size_t i = 0; i < dim; ++i) K[(a * dim + i) * unknowns_ + b * dim + i] += inertia * m[a * nodes_ + b];
     }
   }
 }
 
 /// The diagonal of an element's mass matrix, scaled to its volume (E. Hinton, T. Rock and O. C. Zienkiewicz, Earthquake
 /// Engng Struct. Dyn. 4 (1976) 245-249); for linear functions these are the row sums.
-template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::lumped_volumes(int region) const {
+template <int dim>
+std::vector<double> ElementsOfShape<dim>::lumped_volumes(int region) const {
   std::vector<double> lumped(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     if (mesh_.region[e] != region) continue;
-    Values<nodes> diagonal{};
+    std::array<double, most> diagonal{};
     double volume = 0, trace = 0;
-    for (int k = 0; k < mass_points; ++k) {
+    for (std::size_t k = 0; k < shape_.mass_points; ++k) {
+      const double* N = &shape_.mass_values[k * nodes_];
       const double w = mass_weight(e, k);
       volume += w;
-      for (int a = 0; a < nodes; ++a)
-        diagonal[index(a)] += w * mass_values_[index(k)][index(a)] * mass_values_[index(k)][index(a)];
+      for (std::size_t a = 0; a < nodes_; ++a) diagonal[a] += w * N[a] * N[a];
     }
-    for (const double value : diagonal) trace += value;
-    for (int a = 0; a < nodes; ++a)
-      lumped[static_cast<std::size_t>(mesh_.element(e)[a])] += diagonal[index(a)] * volume / trace;
+    for (std::size_t a = 0; a < nodes_; ++a) trace += diagonal[a];
+    for (std::size_t a = 0; a < nodes_; ++a) lumped[node(e, a)] += diagonal[a] * volume / trace;
   }
   return lumped;
 }
 
-template <class Shapes>
-std::vector<double> ElementsOf<Shapes>::volumes(int region) const {
+template <int dim>
+std::vector<double> ElementsOfShape<dim>::volumes(int region) const {
   std::vector<double> volumes(mesh_.node_count(), 0.0);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     if (mesh_.region[e] != region) continue;
-    for (int k = 0; k < points; ++k) {
-      for (int a = 0; a < nodes; ++a)
-        volumes[static_cast<std::size_t>(mesh_.element(e)[a])] += weight(e, k) * values_[index(k)][index(a)];
+    for (std::size_t k = 0; k < points_; ++k) {
+      for (std::size_t a = 0; a < nodes_; ++a) volumes[node(e, a)] += weight(e, k) * shape_.values[k * nodes_ + a];
     }
   }
   return volumes;
 }
 
-template <class Shapes>
-double ElementsOf<Shapes>::least_mean_dilatation(const Places& at, std::size_t e) const {
-  std::array<double, std::size_t{points}> J, mean;
-  for (int k = 0; k < points; ++k) J[index(k)] = deformation(at, e, k).determinant();
-  modes_of(e).average(J, mean);
-  return std::ranges::min(mean);
+template <int dim>
+double ElementsOfShape<dim>::least_mean_dilatation(const Vectors& at, std::size_t e) const {
+  std::array<double, most> J, mean;
+  for (std::size_t k = 0; k < points_; ++k) J[k] = deformation(at, e, k).determinant();
+  modes_of(e).average(std::span(J).first(points_), std::span(mean).first(points_));
+  return std::ranges::min(std::span(mean).first(points_));
 }
 
-template <class Shapes>
-ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
+template <int dim>
+ShapeVolumes ElementsOfShape<dim>::shape(std::span<const double> q) const {
   constexpr double none = std::numeric_limits<double>::infinity();
   ShapeVolumes shape{std::vector<double>(solids_.regions.size(), 0.0), none, none, 0};
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    const Places at = gathered(e, q);
-    for (int k = 0; k < points; ++k) {
-      const double J = deformation(at, e, k).determinant();
-      shape.of_region[static_cast<std::size_t>(mesh_.region[e])] += weight(e, k) * J;
+    const Vectors places = gathered(e, q);
+    for (std::size_t k = 0; k < points_; ++k) {
+      const double J = deformation(places, e, k).determinant();
+      shape.of_region[at(mesh_.region[e])] += weight(e, k) * J;
       if (!(J >= shape.least)) shape.least = J, shape.worst = e;
     }
     if (is_dilated(e) && !small_strains(law(e)))
-      shape.least_seen = std::min(shape.least_seen, least_mean_dilatation(at, e));
+      shape.least_seen = std::min(shape.least_seen, least_mean_dilatation(places, e));
   }
   shape.least_seen = std::min(shape.least_seen, shape.least);
   return shape;
@@ -104,18 +130,19 @@ ShapeVolumes ElementsOf<Shapes>::shape(std::span<const double> q) const {
 
 /// Bounds omega^2: that of an element alone is at most the largest row sum of |M^-1 K|, and that of a mesh at most that
 /// of its elements (B. M. Irons, J. Eng. Mech. Div. 97 (1971) 1219-1225), each with its own part of the lumped masses.
-template <class Shapes>
-double ElementsOf<Shapes>::frequency_bound(std::span<const double> q, std::span<const double> lumped) const {
+template <int dim>
+double ElementsOfShape<dim>::frequency_bound(std::span<const double> q, std::span<const double> lumped) const {
   const auto of_element = [&](std::size_t e) {
-    ElementMatrix K;
-    element_tangent(StressAt::end, e, q, q, 0, {}, K);
+    std::array<double, most_unknowns * most_unknowns> all;
+    const std::span<double> K = std::span(all).first(unknowns_ * unknowns_);
+    find_tangent({StressAt::end, q, q}, e, {}, K);
     double volume = 0, largest = 0;
-    for (int k = 0; k < points; ++k) volume += weight(e, k);
-    for (int row = 0; row < unknowns; ++row) {
+    for (std::size_t k = 0; k < points_; ++k) volume += weight(e, k);
+    const double share = density(e) * volume / static_cast<double>(nodes_);
+    for (std::size_t row = 0; row < unknowns_; ++row) {
       double sum = 0;
-      for (int column = 0; column < unknowns; ++column) sum += std::abs(K[index(row * unknowns + column)]);
-      const double share = density(e) * volume / nodes;
-      const double whole = lumped[static_cast<std::size_t>(mesh_.element(e)[row / dim])];
+      for (std::size_t column = 0; column < unknowns_; ++column) sum += std::abs(K[row * unknowns_ + column]);
+      const double whole = lumped[node(e, row / dim)];
       largest = std::max(largest, sum / std::min(share, whole));
     }
     return largest;

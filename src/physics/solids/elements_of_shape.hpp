@@ -3,109 +3,46 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 #include "base/vec.hpp"
-#include "grid/shapes.hpp"
 #include "loops/elements.hpp"
 #include "physics/solids/elements.hpp"
 #include "physics/solids/mean_dilatation.hpp"
+#include "physics/solids/shape_table.hpp"
 #include "physics/solids/stress_recovery.hpp"
 
 namespace tether::fem {
 
 /// Elements of one shape; the gradients of all points of quadrature are kept.
-template <class Shapes>
-class ElementsOf final : public Elements {
+template <int dim>
+class ElementsOfShape final : public Elements {
  public:
-  static constexpr int dim = Shapes::dim, nodes = Shapes::nodes, points = Shapes::points, unknowns = dim * nodes;
-  static constexpr int mass_points = Shapes::mass_points;
-  static constexpr bool one_rule = mass_points == points;  // which is that of gradients for masses, too
-  /// Functions that the mean dilatation is made of: a number an element; of order 2 in a product of lines, of degree 1.
-  static constexpr std::size_t modes = Shapes::order == 2 && !Shapes::is_simplex ? dim + 1 : 1;
-  static constexpr std::size_t parts = component_count<dim>();  // of a symmetric tensor
-  using Vector = Eigen::Matrix<double, dim, 1>;
-  using Places = Eigen::Matrix<double, dim, nodes>;
-  using ElementMatrix = std::array<double, static_cast<std::size_t>(unknowns* unknowns)>;
-  static constexpr std::size_t elements_of_a_block = 64;
-
-  ElementsOf(const Solids& solids, Team& team) : team_(team), solids_(solids), mesh_(solids.mesh) {
-    const std::size_t count = mesh_.element_count() * points;
-    gradients_.reserve(count), weights_.reserve(count), places_.reserve(count);
-    for (int k = 0; k < points; ++k) values_[index(k)] = Shapes::values(Shapes::place(k));
-    for (int k = 0; k < mass_points; ++k) mass_values_[index(k)] = Shapes::values(Shapes::mass_place(k));
+  ElementsOfShape(ShapeTable shape, const Solids& solids, Team& team)
+      : shape_(std::move(shape)), team_(team), solids_(solids), mesh_(solids.mesh) {
+    const std::size_t count = mesh_.element_count() * points_;
+    gradients_.resize(count * nodes_);
+    weights_.reserve(count);
+    places_.reserve(count);
     for (const SolidRegion& region : solids.regions)
       dilated_.push_back(dilatation_of(solids.dilatation, mesh_.kind, region.law));
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      for (int k = 0; k < points; ++k) add_point(e, k);
-      for (int k = 0; !one_rule && k < mass_points; ++k)
-        mass_weights_.push_back(jacobian_at<Shapes>(mesh_, e, Shapes::mass_place(k)).determinant *
-                                Shapes::mass_weight(k));
+      for (std::size_t k = 0; k < points_; ++k) add_point(e, k);
+      for (std::size_t k = 0; !one_rule_ && k < shape_.mass_points; ++k)
+        mass_weights_.push_back(shape_.mass_weight(mesh_, e, static_cast<int>(k)));
       if (std::ranges::any_of(dilated_, &DilatationChoice::mean)) add_modes(e);
     }
   }
 
   void add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
-                  std::span<double> f) const override {
-    compute_then_add<Places>(
-        team_, mesh_.element_count(), [&](std::size_t e, Places& sum) { sum = element_forces(at, e, q0, q1); },
-        [&](std::size_t e, const Places& sum) {
-          for (int a = 0; a < nodes; ++a)
-            Eigen::Map<Vector>(&f[static_cast<std::size_t>(mesh_.element(e)[a]) * dim]) += sum.col(a);
-        });
-  }
-
+                  std::span<double> f) const override;
   void add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1, double inertia,
-                   const NodalPattern& pattern, SparseMatrix& K, std::span<const double> stresses) const override {
-    compute_then_add<ElementMatrix>(
-        team_, mesh_.element_count(),
-        [&](std::size_t e, ElementMatrix& k) { element_tangent(at, e, q0, q1, inertia, stresses, k); },
-        [&](std::size_t e, const ElementMatrix& k) { pattern.add(e, k, K); });
-  }
-
+                   const NodalPattern& pattern, SparseMatrix& K, std::span<const double> stresses) const override;
   void add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
-                     SparseMatrix& K) const override {
-    compute_then_add<ElementMatrix>(
-        team_, mesh_.element_count(), [&](std::size_t e, ElementMatrix& k) { element_stiffness(e, q, convex, k); },
-        [&](std::size_t e, const ElementMatrix& k) { pattern.add(e, k, K); });
-  }
-
+                     SparseMatrix& K) const override;
   void predict_stress(StressAt at, std::span<const double> q0, std::span<const double> q1,
-                      std::span<const double> change, std::vector<double>& stresses) const override {
-    stresses.resize(mesh_.element_count() * points * parts);
-    team_.each(0, mesh_.element_count(), [&](std::size_t e) {
-      const Places by = gathered(e, change);
-      const Points points_of = stresses_at(at, e, gathered(e, q0), gathered(e, q1), true);
-      for (int k = 0; k < points; ++k) {
-        const auto& s = points_of.at[index(k)].s;
-        Symmetric<dim> strain = Symmetric<dim>::Zero();
-        for (int a = 0; a < nodes; ++a) strain += strain_map<dim>(s.F, gradients(e, k).col(a)) * by.col(a);
-        Eigen::Map<Symmetric<dim>> predicted(&stresses[(e * points + index(k)) * parts]);
-        predicted = s.S + s.D * strain;
-      }
-      if (points_of.dilated) add_dilatation_to_stress(e, points_of, by, stresses);
-    });
-  }
-
-  double strain_energy(std::span<const double> q) const override {
-    return sum_of_blocks(
-        team_, mesh_.element_count(),
-        [&](std::size_t begin, std::size_t end) {
-          double energy = 0;
-          for (std::size_t e = begin; e < end; ++e) {
-            const SeenByLaw seen = seen_by_law(gathered(e, q), e);
-            for (int k = 0; k < points; ++k) {
-              const double left_out = seen.left_out[index(k)];
-              energy += weight(e, k) * (energy_at<dim>(law(e), seen.F[index(k)], place(e, k)[0], place(e, k)[1]) +
-                                        0.5 * stabiliser(e) * left_out * left_out);
-            }
-          }
-          return energy;
-        },
-        elements_of_a_block);
-  }
-
+                      std::span<const double> change, std::vector<double>& stresses) const override;
+  double strain_energy(std::span<const double> q) const override;
   std::vector<double> nodal_stress(std::span<const double> q) const override;
   SparseMatrix mass() const override;
   std::vector<double> lumped_volumes(int region) const override;
@@ -114,183 +51,128 @@ class ElementsOf final : public Elements {
   double frequency_bound(std::span<const double> q, std::span<const double> lumped) const override;
 
  private:
-  std::array<double, stress_fields> cauchy_stress(std::size_t e, int k, const Square<dim>& F) const;
-  using StressAtPoints = std::array<std::array<double, stress_fields>, std::size_t{points}>;
-  StressAtPoints stress_at_points(std::size_t e, const Places& places) const;
-  auto stress_at_nodes(const StressAtPoints& there) const;
-  void add_samples(std::size_t e, const StressAtPoints& there, StressSamples& samples) const;
-  static std::size_t index(int k) { return static_cast<std::size_t>(k); }
-
-  using Gradients = std::array<Square<dim>, std::size_t{points}>;
-  using Row = Eigen::Matrix<double, unknowns, 1>;
-  using Matrix = Eigen::Map<Eigen::Matrix<double, unknowns, unknowns, Eigen::RowMajor>>;
-  /// The stresses at all points of an element; where the law sees the mean dilatation, how they change with it.
-  struct Points {
-    std::array<DilatedPoint<dim>, std::size_t{points}> at;
-    bool dilated = false;
+  static constexpr std::size_t most = most_nodes<dim>, most_unknowns = dim * most;
+  static constexpr std::size_t parts = component_count<dim>();  // of a symmetric tensor
+  static constexpr std::size_t elements_of_a_block = 64;
+  using Vector = Eigen::Matrix<double, dim, 1>;
+  using Vectors = std::array<Vector, most>;         // of the nodes
+  using Gradients = std::array<Square<dim>, most>;  // F at the points
+  using Row = std::array<double, most_unknowns>;    // a number of each unknown
+  using ModeRows = std::array<Row, std::size_t{dim + 1}>;
+  using DilatedPoints = std::array<DilatedPoint<dim>, most>;
+  using StressAtPoints = std::array<std::array<double, stress_fields>, most>;
+  /// The shapes that a step goes between, and its rule.
+  struct Step {
+    StressAt rule;
+    std::span<const double> q0, q1;
   };
 
-  void add_modes(std::size_t e) {
-    Eigen::Matrix<double, dim, points> places;
-    for (int k = 0; k < points; ++k) places.col(k) = place_of_point(e, k);
-    add_dilatation_modes(std::span(weights_).last(points), std::span(places.data(), std::size_t{points * dim}),
-                         modes > 1, modes_);
-  }
-  DilatationModes modes_of(std::size_t e) const {
-    return {std::span(weights_).subspan(e * points, points),
-            std::span(modes_).subspan(e * points * modes, points * modes), stabiliser(e)};
-  }
-  bool is_dilated(std::size_t e) const { return dilated_[static_cast<std::size_t>(mesh_.region[e])].mean; }
-  double stabiliser(std::size_t e) const { return dilated_[static_cast<std::size_t>(mesh_.region[e])].stabiliser; }
-
-  void add_point(std::size_t e, int k) {
-    const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::place(k));
-    gradients_.push_back(Eigen::Map<const Places>(map.gradients.data()));
-    weights_.push_back(map.determinant * Shapes::weight(k));
-    const Vector place = place_of_point(e, k);
+  void add_point(std::size_t e, std::size_t k) {
+    Vector& first = gradients_[(e * points_ + k) * nodes_];
+    weights_.push_back(shape_.weight(mesh_, e, static_cast<int>(k), first.data()));
+    const Vector place = place_of(gathered(e, mesh_.x), &shape_.values[k * nodes_]);
     places_.push_back({place[0], place[1]});
   }
-  Vector place_of_point(std::size_t e, int k) const {
-    return gathered(e, mesh_.x) * Eigen::Map<const Eigen::Matrix<double, nodes, 1>>(values_[index(k)].data());
+  void add_modes(std::size_t e) {
+    const Vectors at = gathered(e, mesh_.x);
+    Vectors places;
+    for (std::size_t k = 0; k < points_; ++k) places[k] = place_of(at, &shape_.values[k * nodes_]);
+    add_dilatation_modes(std::span(weights_).last(points_), std::span(places[0].data(), dim * points_), mode_count_ > 1,
+                         modes_);
   }
-  const ElasticLaw& law(std::size_t e) const { return solids_.regions[static_cast<std::size_t>(mesh_.region[e])].law; }
-  double density(std::size_t e) const { return solids_.regions[static_cast<std::size_t>(mesh_.region[e])].density; }
-  const Places& gradients(std::size_t e, int k) const { return gradients_[e * points + index(k)]; }
-  double weight(std::size_t e, int k) const { return weights_[e * points + index(k)]; }
-  double mass_weight(std::size_t e, int k) const {
-    return one_rule ? weight(e, k) : mass_weights_[e * mass_points + index(k)];
+  DilatationModes modes_of(std::size_t e) const {
+    return {std::span(weights_).subspan(e * points_, points_),
+            std::span(modes_).subspan(e * points_ * mode_count_, points_ * mode_count_), stabiliser(e)};
   }
-  const Vec<2>& place(std::size_t e, int k) const { return places_[e * points + index(k)]; }
+  bool is_dilated(std::size_t e) const { return dilated_[at(mesh_.region[e])].mean; }
+  double stabiliser(std::size_t e) const { return dilated_[at(mesh_.region[e])].stabiliser; }
 
-  Places gathered(std::size_t e, std::span<const double> q) const {
-    Places at;
-    for (int a = 0; a < nodes; ++a) {
-      at.col(a) = Eigen::Map<const Vector>(&q[static_cast<std::size_t>(mesh_.element(e)[a]) * dim]);
-    }
+  const ElasticLaw& law(std::size_t e) const { return solids_.regions[at(mesh_.region[e])].law; }
+  double density(std::size_t e) const { return solids_.regions[at(mesh_.region[e])].density; }
+  std::size_t node(std::size_t e, std::size_t a) const { return at(mesh_.element(e)[a]); }
+  const Vector* gradients(std::size_t e, std::size_t k) const { return &gradients_[(e * points_ + k) * nodes_]; }
+  double weight(std::size_t e, std::size_t k) const { return weights_[e * points_ + k]; }
+  double mass_weight(std::size_t e, std::size_t k) const {
+    return one_rule_ ? weight(e, k) : mass_weights_[e * shape_.mass_points + k];
+  }
+  const Vec<2>& place(std::size_t e, std::size_t k) const { return places_[e * points_ + k]; }
+
+  Vectors gathered(std::size_t e, std::span<const double> q) const {
+    Vectors at;
+    for (std::size_t a = 0; a < nodes_; ++a) at[a] = Eigen::Map<const Vector>(&q[node(e, a) * dim]);
     return at;
   }
-  Square<dim> deformation(const Places& at, std::size_t e, int k) const { return at * gradients(e, k).transpose(); }
-  Gradients deformations(const Places& at, std::size_t e) const {
+  Vector place_of(const Vectors& at, const double* values) const {
+    Vector x = Vector::Zero();
+    for (std::size_t a = 0; a < nodes_; ++a) x += values[a] * at[a];
+    return x;
+  }
+  Square<dim> deformation(const Vectors& at, std::size_t e, std::size_t k) const {
+    const Vector* G = gradients(e, k);
+    Square<dim> F = Square<dim>::Zero();
+    for (std::size_t a = 0; a < nodes_; ++a) F.noalias() += at[a] * G[a].transpose();
+    return F;
+  }
+  Gradients deformations(const Vectors& at, std::size_t e) const {
     Gradients F;
-    for (int k = 0; k < points; ++k) F[index(k)] = deformation(at, e, k);
+    for (std::size_t k = 0; k < points_; ++k) F[k] = deformation(at, e, k);
     return F;
   }
   /// What the law takes for F at the points, and what is left out of the dilatation.
   struct SeenByLaw {
     Gradients F;
-    std::array<double, std::size_t{points}> left_out{};
+    std::array<double, most> left_out{};
   };
-  SeenByLaw seen_by_law(const Places& at, std::size_t e) const {
+  SeenByLaw seen_by_law(const Vectors& at, std::size_t e) const {
     SeenByLaw seen{deformations(at, e)};
-    if (is_dilated(e)) take_mean_dilatation<dim>(law(e), modes_of(e), seen.F, seen.left_out);
+    if (is_dilated(e))
+      take_mean_dilatation<dim>(law(e), modes_of(e), std::span(seen.F).first(points_),
+                                std::span(seen.left_out).first(points_));
     return seen;
   }
+  double least_mean_dilatation(const Vectors& at, std::size_t e) const;
 
-  double least_mean_dilatation(const Places& at, std::size_t e) const;
   template <bool with_modulus>
-  PointStress<dim> stress(StressAt rule, std::size_t e, int k, const Places& at0, const Places& at1) const {
+  PointStress<dim> stress(StressAt rule, std::size_t e, std::size_t k, const Vectors& at0, const Vectors& at1) const {
     return point_stress<dim, with_modulus>(rule, law(e), deformation(at0, e, k), deformation(at1, e, k), place(e, k)[0],
                                            place(e, k)[1]);
   }
-  Points stresses_at(StressAt rule, std::size_t e, const Places& at0, const Places& at1, bool with_modulus) const {
-    Points all;
-    all.dilated = is_dilated(e);
-    if (all.dilated) {
-      const Gradients F0 = deformations(at0, e), F1 = deformations(at1, e);
-      dilated_stresses<dim>(rule, law(e), F0, F1, std::span(places_).subspan(e * points, points), modes_of(e),
-                            with_modulus, all.at);
-      return all;
-    }
-    for (int k = 0; k < points; ++k)
-      all.at[index(k)].s = with_modulus ? stress<true>(rule, e, k, at0, at1) : stress<false>(rule, e, k, at0, at1);
-    return all;
+  /// The stresses at all points of an element whose law sees the mean dilatation, and how they change with it.
+  DilatedPoints dilated_points(const Step& step, std::size_t e, bool with_modulus) const;
+
+  void find_forces(const Step& step, std::size_t e, std::span<double> f) const;
+  void find_tangent(const Step& step, std::size_t e, std::span<const double> stresses, std::span<double> K) const;
+  void find_convex_tangent(std::span<const double> q, std::size_t e, std::span<double> K) const;
+  void add_point_tangent(const GradientModulus<dim>& H, const Vector* G, double w, std::span<double> K) const;
+  void predict_points(const Step& step, std::size_t e, const Vectors& by, std::vector<double>& stresses) const;
+  Eigen::Map<Symmetric<dim>> at_point(std::vector<double>& stresses, std::size_t e, std::size_t k) const {
+    return Eigen::Map<Symmetric<dim>>(&stresses[(e * points_ + k) * parts]);
   }
 
-  Places element_forces(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1) const {
-    const Points all = stresses_at(rule, e, gathered(e, q0), gathered(e, q1), false);
-    Places sum = Places::Zero();
-    for (int k = 0; k < points; ++k) {
-      const auto& s = all.at[index(k)].s;
-      sum += weight(e, k) * (s.A * full<dim>(s.S)) * gradients(e, k);
-    }
-    return sum;
-  }
-
-  void element_tangent(StressAt rule, std::size_t e, std::span<const double> q0, std::span<const double> q1,
-                       double inertia, std::span<const double> stresses, ElementMatrix& out) const {
-    Points all = stresses_at(rule, e, gathered(e, q0), gathered(e, q1), true);
-    Matrix K(out.data());
-    K.setZero();
-    for (int k = 0; k < points; ++k) {
-      auto& s = all.at[index(k)].s;
-      if (!stresses.empty()) s.S = Eigen::Map<const Symmetric<dim>>(&stresses[(e * points + index(k)) * parts]);
-      add_point_tangent(s, gradients(e, k), weight(e, k), K);
-    }
-    if (all.dilated) add_dilatation_tangent(e, all, K);
-    if (inertia != 0) add_inertia(e, inertia, K);
-  }
-
-  /// Makes each of the law's own points convex for itself, and what the mean dilatation ties together as a whole.
-  void element_stiffness(std::size_t e, std::span<const double> q, bool made_convex, ElementMatrix& out) const {
-    if (!made_convex || is_dilated(e)) {
-      element_tangent(StressAt::end, e, q, q, 0, {}, out);
-      if (made_convex) make_convex(unknowns, out);
-      return;
-    }
-    const Places at = gathered(e, q);
-    Matrix K(out.data());
-    K.setZero();
-    for (int k = 0; k < points; ++k) {
-      const GradientModulus<dim> H = convex<dim>(gradient_modulus<dim>(stress<true>(StressAt::end, e, k, at, at)));
-      for (int b = 0; b < nodes; ++b) {
-        Eigen::Matrix<double, dim * dim, dim> by = decltype(by)::Zero();  // dP by the place of node b
-        for (int l = 0; l < dim; ++l) by += gradients(e, k)(l, b) * H.template middleCols<dim>(l * dim);
-        for (int a = 0; a < nodes; ++a) {
-          for (int j = 0; j < dim; ++j)
-            K.template block<dim, dim>(a * dim, b * dim) +=
-                weight(e, k) * gradients(e, k)(j, a) * by.template middleRows<dim>(j * dim);
-        }
-      }
-    }
-  }
-
-  /// An element's mass matrix, a number a pair of nodes.
-  using MassMatrix = std::array<double, static_cast<std::size_t>(nodes* nodes)>;
-  MassMatrix element_mass(std::size_t e) const;
-  void add_inertia(std::size_t e, double inertia, Matrix& K) const;
-
-  /// Returns B(F)^T times a tensor, by nodes: what a change of place does to a scalar with that derivative by E.
-  static Row by_places(const Square<dim>& F, const Symmetric<dim>& by_strain, const Places& G) {
-    const Places row = F * full<dim>(by_strain) * G;
-    return Eigen::Map<const Row>(row.data());
-  }
-
-  void add_dilatation_tangent(std::size_t e, const Points& all, Matrix& K) const;
-  void add_dilatation_to_stress(std::size_t e, const Points& all, const Places& by,
+  void by_places(const Square<dim>& F, const Symmetric<dim>& by_strain, const Vector* G, Row& row) const;
+  template <class AtPoint>
+  ModeRows mode_rows(std::size_t e, const AtPoint& at_point) const;
+  void add_dilatation_tangent(std::size_t e, const DilatedPoints& at, std::span<double> K) const;
+  void add_dilatation_to_stress(std::size_t e, const DilatedPoints& at, const Vectors& by,
                                 std::vector<double>& stresses) const;
 
-  static void add_point_tangent(const PointStress<dim>& s, const Places& G, double w, Matrix& K) {
-    const Places SG = s.geometric * full<dim>(s.S) * G;
-    Eigen::Matrix<double, component_count<dim>(), unknowns> left, right;
-    for (int a = 0; a < nodes; ++a) {
-      left.template middleCols<dim>(a * dim) = strain_map<dim>(s.A, G.col(a));
-      right.template middleCols<dim>(a * dim) = strain_map<dim>(s.F, G.col(a));
-    }
-    K.noalias() += left.transpose() * (w * s.D * right);
-    for (int a = 0; a < nodes; ++a) {
-      for (int b = 0; b < nodes; ++b) {
-        const double diagonal = w * G.col(a).dot(SG.col(b));
-        for (int i = 0; i < dim; ++i) K(a * dim + i, b * dim + i) += diagonal;
-      }
-    }
-  }
+  void find_mass(std::size_t e, std::span<double> m) const;
+  void add_inertia(std::size_t e, double inertia, std::span<double> K) const;
 
+  std::array<double, stress_fields> cauchy_stress(std::size_t e, std::size_t k, const Square<dim>& F) const;
+  StressAtPoints stress_at_points(std::size_t e, const Vectors& places) const;
+  std::array<double, stress_fields> stress_at_node(std::size_t a, const StressAtPoints& there) const;
+  void add_samples(std::size_t e, const StressAtPoints& there, StressSamples& samples) const;
+
+  const ShapeTable shape_;
+  const std::size_t nodes_ = shape_.nodes, points_ = shape_.points, unknowns_ = dim * nodes_;
+  const bool one_rule_ = shape_.mass_points == points_;  // which is that of gradients for masses, too
+  /// Functions that the mean dilatation is made of: a number an element; of order 2 in a product of lines, of degree 1.
+  const std::size_t mode_count_ = shape_.order == 2 && !shape_.is_simplex ? dim + 1 : 1;
   Team& team_;
   const Solids& solids_;
   const Mesh& mesh_;
-  std::array<Values<nodes>, std::size_t{points}> values_;
-  std::array<Values<nodes>, std::size_t{mass_points}> mass_values_;
-  std::vector<Places> gradients_;
+  std::vector<Vector> gradients_;
   std::vector<double> weights_, mass_weights_, modes_;
   std::vector<DilatationChoice> dilated_;  // of each region
   std::vector<Vec<2>> places_;

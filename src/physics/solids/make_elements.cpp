@@ -3,6 +3,7 @@
 
 #include "physics/solids/elements_dilatation.hpp"
 #include "physics/solids/elements_fields.hpp"
+#include "physics/solids/elements_forces.hpp"
 #include "physics/solids/elements_integrals.hpp"
 
 namespace tether::fem {
@@ -29,7 +30,8 @@ double side_measure(const Mesh& mesh, const int* side, const std::array<double, 
 
 std::unique_ptr<Elements> make_elements(const Solids& solids, Team& team) {
   return with_shapes(solids.mesh.kind, [&](auto shapes) -> std::unique_ptr<Elements> {
-    return std::make_unique<ElementsOf<decltype(shapes)>>(solids, team);
+    using Shapes = decltype(shapes);
+    return std::make_unique<ElementsOfShape<Shapes::dim>>(table_of<Shapes>(), solids, team);
   });
 }
 
