@@ -2,6 +2,7 @@
 #include "algebra/dense.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -26,6 +27,11 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A) { return A.completeOrth
 Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A) {
   const Eigen::MatrixXd symmetric = 0.5 * (A + A.transpose());
   return nearest_convex(symmetric);
+}
+
+EigenParts eigen_parts(const Eigen::MatrixXd& A) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(A);
+  return {parts.eigenvalues(), parts.eigenvectors()};
 }
 
 Eigen::Index rank(const Eigen::MatrixXd& A, double threshold) {

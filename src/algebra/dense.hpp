@@ -26,6 +26,13 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A);
 /// The positive semi-definite matrix nearest to the symmetric part of A.
 Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A);
 
+/// Eigenvalues of a symmetric A, ascending, and its eigenvectors of length 1, a column each.
+struct EigenParts {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+EigenParts eigen_parts(const Eigen::MatrixXd& A);
+
 /// Columns that are independent: of a QR with columns exchanged, those whose pivot is above `threshold` of the largest.
 Eigen::Index rank(const Eigen::MatrixXd& A, double threshold);
 

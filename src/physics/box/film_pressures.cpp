@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/box/film_pressures.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <set>
 
+#include "algebra/small_factors.hpp"
 #include "base/blocks.hpp"
 #include "base/numbers.hpp"
 #include "grid/crossings.hpp"
@@ -187,7 +188,8 @@ void FilmPressures::share_rims(Team& team) {
   std::sort(rims_.begin(), rims_.end());
   rims_.erase(std::unique(rims_.begin(), rims_.end()), rims_.end());
   if (films_.empty()) return;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(laplacian());
+  SmallFactors factors;
+  factors.factorise(laplacian());
   shares_.resize(std::ssize(rims_), std::ssize(films_));
   each_block(
       team, rims_.size(),

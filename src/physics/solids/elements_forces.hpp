@@ -37,17 +37,15 @@ void ElementsOfShape<dim>::find_forces(const Step& step, std::size_t e, std::spa
 template <int dim>
 void ElementsOfShape<dim>::add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
                                       std::span<double> f) const {
-  using Numbers = std::vector<double>;
-  compute_then_add<Numbers>(
-      team_, mesh_.element_count(),
-      [&](std::size_t e, Numbers& own) {
+  compute_numbers_then_add(
+      team_, mesh_.element_count(), unknowns_,
+      [&](std::size_t e, std::vector<double>& own) {
         find_forces({at, q0, q1}, e, own);
       },
-      [&](std::size_t e, const Numbers& own) {
+      [&](std::size_t e, const std::vector<double>& own) {
         for (std::size_t a = 0; a < nodes_; ++a)
           Eigen::Map<Vector>(&f[node(e, a) * dim]) += Eigen::Map<const Vector>(&own[a * dim]);
-      },
-      Numbers(unknowns_));
+      });
 }
 
 /// Adds w grad N_A . H . grad N_B for each pair of nodes.
@@ -118,30 +116,28 @@ template <int dim>
 void ElementsOfShape<dim>::add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1,
                                        double inertia, const NodalPattern& pattern, SparseMatrix& K,
                                        std::span<const double> stresses) const {
-  using Numbers = std::vector<double>;
-  compute_then_add<Numbers>(
-      team_, mesh_.element_count(),
-      [&](std::size_t e, Numbers& own) {
+  compute_numbers_then_add(
+      team_, mesh_.element_count(), unknowns_ * unknowns_,
+      [&](std::size_t e, std::vector<double>& own) {
         find_tangent({at, q0, q1}, e, stresses, own);
         if (inertia != 0) add_inertia(e, inertia, own);
       },
-      [&](std::size_t e, const Numbers& own) { pattern.add(e, own, K); }, Numbers(unknowns_ * unknowns_));
+      [&](std::size_t e, const std::vector<double>& own) { pattern.add(e, own, K); });
 }
 
 template <int dim>
 void ElementsOfShape<dim>::add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
                                          SparseMatrix& K) const {
-  using Numbers = std::vector<double>;
-  compute_then_add<Numbers>(
-      team_, mesh_.element_count(),
-      [&](std::size_t e, Numbers& own) {
+  compute_numbers_then_add(
+      team_, mesh_.element_count(), unknowns_ * unknowns_,
+      [&](std::size_t e, std::vector<double>& own) {
         if (convex) {
           find_convex_tangent(q, e, own);
         } else {
           find_tangent({StressAt::end, q, q}, e, {}, own);
         }
       },
-      [&](std::size_t e, const Numbers& own) { pattern.add(e, own, K); }, Numbers(unknowns_ * unknowns_));
+      [&](std::size_t e, const std::vector<double>& own) { pattern.add(e, own, K); });
 }
 
 /// Sets the stresses at an element's points to what a change of places by `by` predicts.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/solids/stress_recovery.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
 
+#include "algebra/dense.hpp"
 #include "physics/solids/elements.hpp"
 
 namespace tether::fem {
@@ -38,17 +39,17 @@ Eigen::RowVectorXd products_of(const Eigen::RowVectorXd& x) {
 /// The solution of least squares of columns `data` by columns A, of which coordinates are of size 1, without the ways
 /// along which A spreads less than `least` of the most, or nearly not at all; `whole` says whether there are none such.
 Eigen::MatrixXd fitted(const Eigen::MatrixXd& A, const Eigen::MatrixXd& data, double least, bool& whole) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> normal(A.transpose() * A);
+  const EigenParts normal = eigen_parts(A.transpose() * A);
   constexpr double small = 0.05;
-  const double most = std::max(normal.eigenvalues().maxCoeff(), small * static_cast<double>(A.rows()));
+  const double most = std::max(normal.values.maxCoeff(), small * static_cast<double>(A.rows()));
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(A.cols());
   whole = true;
   for (Eigen::Index k = 0; k < A.cols(); ++k) {
-    const bool spread = normal.eigenvalues()[k] > least * least * most;
-    if (spread) inverse[k] = 1 / normal.eigenvalues()[k];
+    const bool spread = normal.values[k] > least * least * most;
+    if (spread) inverse[k] = 1 / normal.values[k];
     whole &= spread;
   }
-  return normal.eigenvectors() * (inverse.asDiagonal() * (normal.eigenvectors().transpose() * (A.transpose() * data)));
+  return normal.vectors * (inverse.asDiagonal() * (normal.vectors.transpose() * (A.transpose() * data)));
 }
 
 /// A linear function of place: a row of constants, and slopes.

@@ -48,6 +48,17 @@ TEST(Dense, SmallestOfManySolutions) {
   EXPECT_LT((smallest_solution(A, VectorXd::Constant(1, 2)) - VectorXd::Ones(2)).norm(), 1e-14);
 }
 
+/// (2, 1; 1, 2) stretches (1, -1) by 1 and (1, 1) by 3.
+TEST(Dense, EigenPartsAscend) {
+  MatrixXd A(2, 2);
+  A << 2, 1, 1, 2;
+  const EigenParts parts = eigen_parts(A);
+  EXPECT_NEAR(parts.values[0], 1, 1e-14);
+  EXPECT_NEAR(parts.values[1], 3, 1e-14);
+  EXPECT_NEAR(parts.vectors(0, 0), -parts.vectors(1, 0), 1e-14);
+  EXPECT_LT((A * parts.vectors - parts.vectors * parts.values.asDiagonal()).norm(), 1e-14);
+}
+
 TEST(Dense, RankCountsWhatIsAboveTheThreshold) {
   MatrixXd A = MatrixXd::Identity(3, 3);
   EXPECT_EQ(rank(A, 1e-12), 3);

@@ -48,8 +48,7 @@ Ties::Ties(const StrainRates& rates, std::span<const std::size_t> free, std::spa
   for (int k = 0; k < size; ++k) entries.emplace_back(k, k, std::max(rest[tied_[at(k)]], 0.0));
   Eigen::SparseMatrix<double> P(size, size);
   P.setFromTriplets(entries.begin(), entries.end());
-  factors_.compute(P);
-  if (factors_.info() != Eigen::Success) tied_.clear();
+  if (!factors_.factorise(P)) tied_.clear();
   right_.resize(std::ssize(tied_)), found_.resize(std::ssize(tied_));
 }
 
@@ -57,7 +56,7 @@ void Ties::solve(std::span<const double> r, std::span<double> z) {
   for (std::size_t i = 0; i < r.size(); ++i) z[i] = inverse_[i] * r[i];
   if (tied_.empty()) return;
   for (std::size_t k = 0; k < tied_.size(); ++k) right_[static_cast<Eigen::Index>(k)] = r[tied_[k]];
-  found_ = factors_.solve(right_);
+  factors_.solve(right_, found_);
   for (std::size_t k = 0; k < tied_.size(); ++k) z[tied_[k]] = found_[static_cast<Eigen::Index>(k)];
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "algebra/small_factors.hpp"
 #include "physics/box/friction/strain_rates.hpp"
 
 namespace tether::coupled {
@@ -28,7 +28,7 @@ class Ties {
   std::vector<double> inverse_;    // of the diagonal, of each free unknown
   std::vector<std::size_t> tied_;  // of the free ones, in the order of the factors' unknowns
   Eigen::VectorXd right_, found_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  SmallFactors factors_;
 };
 
 }  // namespace tether::coupled
