@@ -10,7 +10,8 @@ namespace tether {
 template <int dim>
 using Vec = std::array<double, std::size_t{dim}>;
 
-/// Multiplies vectors of space.
+/// Multiplies vectors of the plane or of space.
+inline double dot(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[0] + a[1] * b[1]; }
 inline double dot(const Vec<3>& a, const Vec<3>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Vec<3> minus(const Vec<3>& a, const Vec<3>& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {

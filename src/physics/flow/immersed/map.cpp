@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/flow/immersed/map.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 
-#include "grid/shapes.hpp"
 #include "physics/flow/elements.hpp"
+#include "physics/flow/plane_elements.hpp"
 
 namespace tether::fem {
 
@@ -57,81 +55,73 @@ void ImmersedMap::add_forces(std::span<const double> F, std::span<double> f) con
 
 namespace {
 
-template <class Shapes>
-class ExcessInertiaOf final : public ExcessInertia {
+class ExcessInertiaOfShape final : public ExcessInertia {
  public:
-  static constexpr int nodes = Shapes::nodes, points = Shapes::mass_points, size = 2 * nodes;
-  using Values = Eigen::Matrix<double, nodes, 1>;
-  using Columns = Eigen::Matrix<double, 2, nodes>;
-
-  explicit ExcessInertiaOf(const Solids& excess) : mesh_(excess.mesh) {
+  explicit ExcessInertiaOfShape(const Solids& excess)
+      : mesh_(excess.mesh), shape_(plane_shape(mesh_.kind)), nodes_(shape_.nodes), points_(shape_.mass_points.size()) {
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const double density = excess.regions[static_cast<std::size_t>(mesh_.region[e])].density;
-      for (int k = 0; k < points; ++k) {
-        const auto map = jacobian_at<Shapes>(mesh_, e, Shapes::mass_place(k));
-        gradients_.push_back(Eigen::Map<const Columns>(map.gradients.data()));
-        masses_.push_back(density * map.determinant * Shapes::mass_weight(k));
-      }
+      const PlaneVectors places = gathered(mesh_, e, mesh_.x);
+      for (const PlanePoint& at : shape_.mass_points)
+        masses_.push_back(density * plane_map(nodes_, places, at).determinant * at.weight);
     }
-    for (int k = 0; k < points; ++k)
-      values_[static_cast<std::size_t>(k)] = Eigen::Map<const Values>(Shapes::values(Shapes::mass_place(k)).data());
   }
 
   void add_forces(std::span<const double> x, std::span<const double> v, std::span<const double> rate,
                   std::span<double> f) const override {
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      const Columns at = gathered(e, x), velocities = gathered(e, v), rates = gathered(e, rate);
-      Columns sum = Columns::Zero();
-      for (int k = 0; k < points; ++k) {
-        const Values& N = values_[static_cast<std::size_t>(k)];
-        const Eigen::Vector2d u = velocities * N;
-        const Eigen::Vector2d force = rates * N + velocities * (slopes(at, e, k).transpose() * u);
-        sum += mass(e, k) * force * N.transpose();
+      const PlaneVectors places = gathered(mesh_, e, x), velocities = gathered(mesh_, e, v);
+      const PlaneVectors rates = gathered(mesh_, e, rate);
+      for (std::size_t k = 0; k < points_; ++k) {
+        const PlanePoint& at = shape_.mass_points[k];
+        const PlaneVectors G = plane_map(nodes_, places, at).gradients;
+        const Vec<2> carried = product(slopes(nodes_, velocities, G), mean(nodes_, at.N, velocities));
+        const Vec<2> changed = mean(nodes_, at.N, rates);
+        for (std::size_t a = 0; a < nodes_; ++a) {
+          for (std::size_t i = 0; i < 2; ++i) f[2 * node(e, a) + i] += mass(e, k) * at.N[a] * (changed[i] + carried[i]);
+        }
       }
-      for (int a = 0; a < nodes; ++a) Eigen::Map<Eigen::Vector2d>(&f[2 * node(e, a)]) += sum.col(a);
     }
   }
 
   void add_tangent(std::span<const double> x, std::span<const double> v, double by_rate, double by_velocity,
                    const NodalPattern& pattern, SparseMatrix& S) const override {
+    std::vector<double> m(4 * nodes_ * nodes_);
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      const Columns at = gathered(e, x), velocities = gathered(e, v);
-      Eigen::Matrix<double, size, size, Eigen::RowMajor> m = Eigen::Matrix<double, size, size>::Zero();
-      for (int k = 0; k < points; ++k) {
-        const Values& N = values_[static_cast<std::size_t>(k)];
-        const Columns G = slopes(at, e, k);
-        const Eigen::Matrix2d L = velocities * G.transpose();
-        const Values carried = G.transpose() * (velocities * N);
-        for (int a = 0; a < nodes; ++a) {
-          for (int b = 0; b < nodes; ++b) {
-            Eigen::Matrix2d by = by_velocity * N[b] * L;
-            by.diagonal().array() += by_rate * N[b] + by_velocity * carried[b];
-            m.template block<2, 2>(2 * a, 2 * b) += mass(e, k) * N[a] * by;
-          }
+      const PlaneVectors places = gathered(mesh_, e, x), velocities = gathered(mesh_, e, v);
+      std::ranges::fill(m, 0.0);
+      for (std::size_t k = 0; k < points_; ++k) {
+        const PlanePoint& at = shape_.mass_points[k];
+        const PlaneVectors G = plane_map(nodes_, places, at).gradients;
+        const PlaneMatrix L = slopes(nodes_, velocities, G);
+        const Vec<2> u = mean(nodes_, at.N, velocities);
+        for (std::size_t b = 0; b < nodes_; ++b) {
+          const double along = by_rate * at.N[b] + by_velocity * dot(G[b], u), across = by_velocity * at.N[b];
+          const PlaneMatrix by{
+              {{along + across * L[0][0], across * L[0][1]}, {across * L[1][0], along + across * L[1][1]}}};
+          add_column(mass(e, k), at.N, b, by, m);
         }
       }
-      pattern.add(e, std::span(m.data(), static_cast<std::size_t>(m.size())), S);
+      pattern.add(e, m, S);
     }
   }
 
  private:
-  std::size_t node(std::size_t e, int a) const { return static_cast<std::size_t>(mesh_.element(e)[a]); }
-  double mass(std::size_t e, int k) const { return masses_[e * points + static_cast<std::size_t>(k)]; }
-  Columns gathered(std::size_t e, std::span<const double> q) const {
-    Columns at;
-    for (int a = 0; a < nodes; ++a) at.col(a) = Eigen::Map<const Eigen::Vector2d>(&q[2 * node(e, a)]);
-    return at;
+  /// Adds the columns of node b, by whose velocity the acceleration has the derivative `by`.
+  void add_column(double mass, const PlaneNumbers& N, std::size_t b, const PlaneMatrix& by,
+                  std::vector<double>& m) const {
+    for (std::size_t a = 0; a < nodes_; ++a) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) m[(2 * a + i) * 2 * nodes_ + 2 * b + j] += mass * N[a] * by[i][j];
+      }
+    }
   }
-  /// Gradients of the functions in the shape whose nodes are at `at`: F^-T grad_X N.
-  Columns slopes(const Columns& at, std::size_t e, int k) const {
-    const Columns& G = gradients_[e * points + static_cast<std::size_t>(k)];
-    const Eigen::Matrix2d F = at * G.transpose();
-    return F.inverse().transpose() * G;
-  }
+  std::size_t node(std::size_t e, std::size_t a) const { return static_cast<std::size_t>(mesh_.element(e)[a]); }
+  double mass(std::size_t e, std::size_t k) const { return masses_[e * points_ + k]; }
 
   const Mesh& mesh_;
-  std::array<Values, static_cast<std::size_t>(points)> values_;
-  std::vector<Columns> gradients_;
+  const PlaneShape shape_;
+  const std::size_t nodes_, points_;
   std::vector<double> masses_;
 };
 
@@ -141,9 +131,7 @@ std::unique_ptr<ExcessInertia> make_excess_inertia(const Solids& excess) {
   const bool none = std::all_of(excess.regions.begin(), excess.regions.end(),
                                 [](const SolidRegion& region) { return region.density == 0; });
   if (none) return nullptr;
-  return with_shapes<2>(excess.mesh.kind, [&](auto shapes) -> std::unique_ptr<ExcessInertia> {
-    return std::make_unique<ExcessInertiaOf<decltype(shapes)>>(excess);
-  });
+  return std::make_unique<ExcessInertiaOfShape>(excess);
 }
 
 }  // namespace tether::fem
