@@ -1,30 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 namespace tether {
 
-/// Returns whether a symmetric matrix is positive semi-definite but for rounding: what is negative by so little of the
-/// trace is no more so by what is taken off.
+/// Returns whether a symmetric matrix is positive semi-definite but for rounding, by the pivots of its elimination:
+/// what is negative by so little of the trace is no more so by what is taken off.
 template <class Matrix>
 bool is_convex(const Matrix& H) {
   constexpr double rounding = 1e-13;
-  double trace = 0;
-  for (Eigen::Index k = 0; k < H.rows(); ++k) trace += H(k, k);
-  Matrix raised = H;
-  for (Eigen::Index k = 0; k < H.rows(); ++k) raised(k, k) += rounding * trace;
-  return Eigen::LLT<Matrix>(raised).info() == Eigen::Success;
-}
-
-/// The positive semi-definite matrix nearest to a symmetric one.
-template <class Matrix>
-Matrix nearest_convex(const Matrix& H) {
-  if (is_convex(H)) return H;
-  const Eigen::SelfAdjointEigenSolver<Matrix> parts(H);
-  if (parts.eigenvalues()[0] >= 0) return H;
-  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();
+  const double raised = rounding * H.trace();
+  Matrix left = H;
+  for (Eigen::Index k = 0; k < H.rows(); ++k) {
+    const double pivot = left(k, k) + raised;
+    if (pivot <= 0) return false;
+    for (Eigen::Index j = k + 1; j < H.rows(); ++j) {
+      const double part = left(j, k) / pivot;
+      for (Eigen::Index i = j; i < H.rows(); ++i) left(i, j) -= part * left(i, k);
+    }
+  }
+  return true;
 }
 
 }  // namespace tether

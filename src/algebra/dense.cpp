@@ -26,7 +26,10 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A) { return A.completeOrth
 
 Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A) {
   const Eigen::MatrixXd symmetric = 0.5 * (A + A.transpose());
-  return nearest_convex(symmetric);
+  if (is_convex(symmetric)) return symmetric;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(symmetric);
+  if (parts.eigenvalues()[0] >= 0) return symmetric;
+  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();
 }
 
 EigenParts eigen_parts(const Eigen::MatrixXd& A) {

@@ -182,7 +182,7 @@ GradientModulus<dim> gradient_modulus(const PointStress<dim>& s) {
 
 template <int dim>
 GradientModulus<dim> convex(const GradientModulus<dim>& H) {
-  return nearest_convex(H);
+  return is_convex(H) ? H : GradientModulus<dim>(convex_part(H));
 }
 
 void make_convex(int n, std::span<double> matrix) {

@@ -34,15 +34,30 @@ void ElementsOfShape<dim>::find_forces(const Step& step, std::size_t e, std::spa
   }
 }
 
+/// Calls compute(e, numbers) for each element, then add(e, numbers) in their order. The numbers, `count` of each
+/// element, keep their place from one to the next, so that only the first ones allocate.
+template <int dim>
+template <class Compute, class Add>
+void ElementsOfShape<dim>::add_elements(std::size_t count, const Compute& compute, const Add& add) const {
+  using Numbers = std::vector<double>;
+  compute_then_add<Numbers>(
+      team_, mesh_.element_count(),
+      [&](std::size_t e, Numbers& own) {
+        own.resize(count);
+        compute(e, std::span(own));
+      },
+      [&](std::size_t e, const Numbers& own) { add(e, std::span(own)); });
+}
+
 template <int dim>
 void ElementsOfShape<dim>::add_forces(StressAt at, std::span<const double> q0, std::span<const double> q1,
                                       std::span<double> f) const {
-  compute_numbers_then_add(
-      team_, mesh_.element_count(), unknowns_,
-      [&](std::size_t e, std::vector<double>& own) {
+  add_elements(
+      unknowns_,
+      [&](std::size_t e, std::span<double> own) {
         find_forces({at, q0, q1}, e, own);
       },
-      [&](std::size_t e, const std::vector<double>& own) {
+      [&](std::size_t e, std::span<const double> own) {
         for (std::size_t a = 0; a < nodes_; ++a)
           Eigen::Map<Vector>(&f[node(e, a) * dim]) += Eigen::Map<const Vector>(&own[a * dim]);
       });
@@ -116,28 +131,28 @@ template <int dim>
 void ElementsOfShape<dim>::add_tangent(StressAt at, std::span<const double> q0, std::span<const double> q1,
                                        double inertia, const NodalPattern& pattern, SparseMatrix& K,
                                        std::span<const double> stresses) const {
-  compute_numbers_then_add(
-      team_, mesh_.element_count(), unknowns_ * unknowns_,
-      [&](std::size_t e, std::vector<double>& own) {
+  add_elements(
+      unknowns_ * unknowns_,
+      [&](std::size_t e, std::span<double> own) {
         find_tangent({at, q0, q1}, e, stresses, own);
         if (inertia != 0) add_inertia(e, inertia, own);
       },
-      [&](std::size_t e, const std::vector<double>& own) { pattern.add(e, own, K); });
+      [&](std::size_t e, std::span<const double> own) { pattern.add(e, own, K); });
 }
 
 template <int dim>
 void ElementsOfShape<dim>::add_stiffness(std::span<const double> q, bool convex, const NodalPattern& pattern,
                                          SparseMatrix& K) const {
-  compute_numbers_then_add(
-      team_, mesh_.element_count(), unknowns_ * unknowns_,
-      [&](std::size_t e, std::vector<double>& own) {
+  add_elements(
+      unknowns_ * unknowns_,
+      [&](std::size_t e, std::span<double> own) {
         if (convex) {
           find_convex_tangent(q, e, own);
         } else {
           find_tangent({StressAt::end, q, q}, e, {}, own);
         }
       },
-      [&](std::size_t e, const std::vector<double>& own) { pattern.add(e, own, K); });
+      [&](std::size_t e, std::span<const double> own) { pattern.add(e, own, K); });
 }
 
 /// Sets the stresses at an element's points to what a change of places by `by` predicts.

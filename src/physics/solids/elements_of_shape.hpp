@@ -89,7 +89,7 @@ class ElementsOfShape final : public Elements {
 
   const ElasticLaw& law(std::size_t e) const { return solids_.regions[at(mesh_.region[e])].law; }
   double density(std::size_t e) const { return solids_.regions[at(mesh_.region[e])].density; }
-  std::size_t node(std::size_t e, std::size_t a) const { return at(mesh_.element(e)[a]); }
+  std::size_t node(std::size_t e, std::size_t a) const { return at(mesh_.nodes[e * nodes_ + a]); }
   const Vector* gradients(std::size_t e, std::size_t k) const { return &gradients_[(e * points_ + k) * nodes_]; }
   double weight(std::size_t e, std::size_t k) const { return weights_[e * points_ + k]; }
   double mass_weight(std::size_t e, std::size_t k) const {
@@ -140,6 +140,8 @@ class ElementsOfShape final : public Elements {
   /// The stresses at all points of an element whose law sees the mean dilatation, and how they change with it.
   DilatedPoints dilated_points(const Step& step, std::size_t e, bool with_modulus) const;
 
+  template <class Compute, class Add>
+  void add_elements(std::size_t count, const Compute& compute, const Add& add) const;
   void find_forces(const Step& step, std::size_t e, std::span<double> f) const;
   void find_tangent(const Step& step, std::size_t e, std::span<const double> stresses, std::span<double> K) const;
   void find_convex_tangent(std::span<const double> q, std::size_t e, std::span<double> K) const;
